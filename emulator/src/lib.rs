@@ -1,0 +1,12 @@
+//! Bit-exact emulator of the Cell Broadband Engine's SPU.
+//!
+//! The crate knows the SPU alone: its instruction set, local store, channels and MFC. It knows
+//! nothing of ray tracing or of libspe2.
+
+pub mod channel;
+pub mod float;
+pub mod interp;
+pub mod isa;
+pub mod local_store;
+pub mod mfc;
+pub mod stop;

@@ -1,0 +1,122 @@
+//! The 256 KB local store.
+//!
+//! Other threads reach it while the SPU runs: the MFC of another SPE, and the PPE through its
+//! mapping. So it is made of relaxed 64-bit atomics, which cost what plain loads cost and make every
+//! race between a guest and its peers a guest's bug, never the host's undefined behaviour. Bytes lie
+//! in memory in the guest's order (big-endian), so that the mapping shows what the SPU sees.
+
+use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+
+/// Bytes of local store.
+pub const SIZE: u32 = 256 * 1024;
+/// The local-store limit register's value: every address is ANDed with it.
+pub const LIMIT_MASK: u32 = SIZE - 1;
+
+const DOUBLEWORDS: usize = SIZE as usize / 8;
+const DOUBLEWORD_MASK: usize = DOUBLEWORDS - 1;
+
+#[repr(C, align(4096))]
+struct Doublewords([AtomicU64; DOUBLEWORDS]);
+
+/// One SPE's local store.
+pub struct LocalStore(Box<Doublewords>);
+
+impl Default for LocalStore {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl LocalStore {
+    /// A local store of zeros.
+    #[must_use]
+    pub fn new() -> Self {
+        // SAFETY: all-zero bytes are valid `AtomicU64`s, and `Doublewords` holds nothing else.
+        Self(unsafe { Box::<Doublewords>::new_zeroed().assume_init() })
+    }
+
+    fn doubleword(&self, address: u32) -> &AtomicU64 {
+        &self.0.0[(address as usize >> 3) & DOUBLEWORD_MASK]
+    }
+
+    /// The quadword that holds `address`, as four words, the preferred one first.
+    #[inline]
+    #[must_use]
+    pub fn load_quadword(&self, address: u32) -> [u32; 4] {
+        let high = u64::from_be(self.doubleword(address & !15).load(Relaxed));
+        let low = u64::from_be(self.doubleword(address | 8).load(Relaxed));
+        [
+            (high >> 32) as u32,
+            high as u32,
+            (low >> 32) as u32,
+            low as u32,
+        ]
+    }
+
+    /// Replaces the quadword that holds `address`.
+    #[inline]
+    pub fn store_quadword(&self, address: u32, words: [u32; 4]) {
+        let high = u64::from(words[0]) << 32 | u64::from(words[1]);
+        let low = u64::from(words[2]) << 32 | u64::from(words[3]);
+        self.doubleword(address & !15).store(high.to_be(), Relaxed);
+        self.doubleword(address | 8).store(low.to_be(), Relaxed);
+    }
+
+    /// The word that holds `address`: an instruction, or a word of a stop's parameters.
+    #[inline]
+    #[must_use]
+    pub fn load_word(&self, address: u32) -> u32 {
+        let doubleword = u64::from_be(self.doubleword(address).load(Relaxed));
+        if address & 4 == 0 {
+            (doubleword >> 32) as u32
+        } else {
+            doubleword as u32
+        }
+    }
+
+    /// Copies from local store; the address wraps at the limit.
+    pub fn read(&self, address: u32, into: &mut [u8]) {
+        let mut at = address;
+        let mut rest = into;
+        while !rest.is_empty() {
+            let bytes = self.doubleword(at).load(Relaxed).to_ne_bytes();
+            let skip = at as usize & 7;
+            let n = rest.len().min(8 - skip);
+            let (now, later) = rest.split_at_mut(n);
+            now.copy_from_slice(&bytes[skip..skip + n]);
+            rest = later;
+            at = at.wrapping_add(n as u32);
+        }
+    }
+
+    /// Copies into local store; the address wraps at the limit.
+    ///
+    /// A doubleword that is only partly written is read, changed and written back: the hardware's
+    /// partial transfers and a store of the SPU to the same doubleword are not atomic here either.
+    pub fn write(&self, address: u32, from: &[u8]) {
+        let mut at = address;
+        let mut rest = from;
+        while !rest.is_empty() {
+            let cell = self.doubleword(at);
+            let skip = at as usize & 7;
+            let n = rest.len().min(8 - skip);
+            let (now, later) = rest.split_at(n);
+            let mut bytes = if n == 8 {
+                [0; 8]
+            } else {
+                cell.load(Relaxed).to_ne_bytes()
+            };
+            bytes[skip..skip + n].copy_from_slice(now);
+            cell.store(u64::from_ne_bytes(bytes), Relaxed);
+            rest = later;
+            at = at.wrapping_add(n as u32);
+        }
+    }
+
+    /// Where the bytes lie in the host's memory: [`SIZE`] of them, for as long as `self` lives.
+    /// Whoever writes there does so as the PPE writes through its mapping.
+    #[must_use]
+    pub fn as_ptr(&self) -> *mut u8 {
+        self.0.0.as_ptr().cast_mut().cast()
+    }
+}

@@ -1,0 +1,1 @@
+//! libspe2 on the emulator.
