@@ -1,0 +1,89 @@
+//! Depth shading, the paper's: the nearer, the brighter. Spheres only.
+//!
+//! A sphere is one-sided: a ray hits it where it enters, in front of the eye, or not at all; so an
+//! eye inside a sphere sees through it. The colour of a pixel is the material's times
+//! [`DepthShading::brightness`], the background where nothing is hit.
+//!
+//! Invariant: brightness is from 0 to 1 for every scene and distance.
+
+mod not_drawn;
+
+use glam::DVec3;
+
+use crate::{Object, Scene, Shape};
+
+pub use not_drawn::{Kind, NotDrawn, not_drawn};
+
+/// The distances from the eye between which brightness falls from 1 to 0.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DepthShading {
+    /// Where brightness is 1: the least that a drawn sphere can be from the eye, at least 0.
+    pub near: f64,
+    /// Where brightness is 0: the most that a drawn sphere can be from the eye.
+    pub far: f64,
+}
+
+/// A sphere that the model draws.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DrawnSphere {
+    /// Centre.
+    pub centre: DVec3,
+    /// Radius, more than 0.
+    pub radius: f64,
+    /// Index of its material in [`Scene::materials`].
+    pub material: u32,
+}
+
+/// The spheres that the model draws, in file order.
+pub fn drawn(scene: &Scene) -> impl Iterator<Item = DrawnSphere> {
+    scene.objects.iter().filter_map(|object| match *object {
+        Object {
+            material,
+            shape: Shape::Sphere { centre, radius },
+            ..
+        } if radius > 0.0 => Some(DrawnSphere {
+            centre,
+            radius,
+            material,
+        }),
+        _ => None,
+    })
+}
+
+impl DepthShading {
+    /// The range of a scene; from 0 to 0 without drawn spheres.
+    #[must_use]
+    pub fn of(scene: &Scene) -> Self {
+        let (near, far) = drawn(scene).fold((f64::INFINITY, 0.0f64), |(near, far), sphere| {
+            let distance = sphere.centre.distance(scene.view.from);
+            (
+                near.min(distance - sphere.radius),
+                far.max(distance + sphere.radius),
+            )
+        });
+        Self {
+            near: near.clamp(0.0, far),
+            far,
+        }
+    }
+
+    /// Brightness of a hit at `distance` from the eye. A range of no width, as rounding makes of a
+    /// far small scene, is bright.
+    #[must_use]
+    pub fn brightness(&self, distance: f64) -> f64 {
+        let range = self.far - self.near;
+        if range > 0.0 {
+            ((self.far - distance) / range).clamp(0.0, 1.0)
+        } else {
+            1.0
+        }
+    }
+}
+
+/// The bytes, red, green and blue, that stand for a colour.
+#[must_use]
+pub fn bytes(colour: DVec3) -> [u8; 3] {
+    colour
+        .to_array()
+        .map(|channel| (channel.clamp(0.0, 1.0) * 255.0 + 0.5).floor() as u8)
+}

@@ -1,0 +1,113 @@
+//! What a scene has that the model leaves out, so that a program can say so.
+
+use std::fmt;
+
+use crate::{Scene, Shape};
+
+/// A kind of thing that is not drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Kind {
+    /// `p`.
+    Polygon,
+    /// `pp`.
+    Patch,
+    /// `c`.
+    Cone,
+    /// `s` with a negative radius.
+    InsideSphere,
+    /// `l`.
+    Light,
+    /// A material with Ks > 0 that an object has.
+    Specular,
+    /// A material with T > 0 that an object has.
+    Transmittance,
+}
+
+impl Kind {
+    /// Its name, plural.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Polygon => "polygons",
+            Self::Patch => "patches",
+            Self::Cone => "cones and cylinders",
+            Self::InsideSphere => "spheres seen from inside only (negative radius)",
+            Self::Light => "lights",
+            Self::Specular => "mirrors and highlights (Ks > 0)",
+            Self::Transmittance => "transmitting materials (T > 0)",
+        }
+    }
+}
+
+/// All things of a kind that are not drawn. Its text is a message without an end of line.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct NotDrawn {
+    /// The scene's name.
+    pub file: String,
+    /// Line of the first one, from 1.
+    pub line: u32,
+    /// What they are.
+    pub what: Kind,
+    /// How many there are.
+    pub count: usize,
+}
+
+impl fmt::Display for NotDrawn {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            file,
+            line,
+            what,
+            count,
+        } = self;
+        write!(
+            f,
+            "{file}:{line}: {} are not drawn yet ({count} in this file)",
+            what.name()
+        )
+    }
+}
+
+/// What the model leaves out of a scene: an entry a kind, by line.
+#[must_use]
+pub fn not_drawn(scene: &Scene) -> Vec<NotDrawn> {
+    let mut found: Vec<NotDrawn> = Vec::new();
+    let mut note = |what: Kind, line: u32| match found.iter_mut().find(|entry| entry.what == what) {
+        Some(entry) => {
+            entry.count += 1;
+            entry.line = entry.line.min(line);
+        }
+        None => found.push(NotDrawn {
+            file: scene.name.clone(),
+            line,
+            what,
+            count: 1,
+        }),
+    };
+    for light in &scene.lights {
+        note(Kind::Light, light.line);
+    }
+    let mut used = vec![false; scene.materials.len()];
+    for object in &scene.objects {
+        if let Some(used) = used.get_mut(object.material as usize) {
+            *used = true;
+        }
+        match object.shape {
+            Shape::Sphere { radius, .. } if radius > 0.0 => {}
+            Shape::Sphere { .. } => note(Kind::InsideSphere, object.line),
+            Shape::Cone { .. } => note(Kind::Cone, object.line),
+            Shape::Polygon { .. } => note(Kind::Polygon, object.line),
+            Shape::Patch { .. } => note(Kind::Patch, object.line),
+        }
+    }
+    for (material, _) in scene.materials.iter().zip(used).filter(|(_, used)| *used) {
+        if material.specular > 0.0 {
+            note(Kind::Specular, material.line);
+        }
+        if material.transmittance > 0.0 {
+            note(Kind::Transmittance, material.line);
+        }
+    }
+    found.sort_by_key(|entry| entry.line);
+    found
+}

@@ -1,0 +1,201 @@
+//! The sphereflake: the Standard Procedural Databases' scene "balls", generated.
+//!
+//! A sphere carries nine children of a third of its radius that touch it: six around its equator,
+//! three around its pole. A child's pole points away from its parent.
+//!
+//! Source of the numbers: the published balls.nff of SPD 3. Invariant: the lines of the generated
+//! scene are those of its own text.
+
+use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
+
+use glam::{DQuat, DVec3};
+
+use crate::{Excerpt, Light, Limits, Material, Object, Scene, Shape, View};
+
+/// Radius of the first sphere, around the origin; the ground lies under it.
+const RADIUS: f64 = 0.5;
+/// Half the side of the square ground.
+const GROUND: f64 = 12.0;
+/// A child's radius in its parent's.
+const SHRINK: f64 = 1.0 / 3.0;
+/// The parent's own axis: where the pole of the first sphere points.
+const POLE: DVec3 = DVec3::Z;
+/// Where the lights are.
+const LIGHTS: [DVec3; 3] = [
+    DVec3::new(4.0, 3.0, 2.0),
+    DVec3::new(1.0, -4.0, 4.0),
+    DVec3::new(-3.0, 1.0, 5.0),
+];
+
+/// Why a sphereflake is not generated.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum Error {
+    /// The level is not a number.
+    #[error("sphereflake level {0} is not a whole number from 0")]
+    Level(Excerpt),
+    /// A scene beyond the default [`Limits`].
+    #[error(
+        "a sphereflake of level {level} has {count} spheres and a polygon, more than {limit} objects"
+    )]
+    TooMany {
+        /// The level asked for.
+        level: u32,
+        /// How many spheres it has; the largest number there is stands for all beyond it.
+        count: u128,
+        /// Most objects.
+        limit: usize,
+    },
+}
+
+/// How many spheres a level has, the sum of 9^n from 0 to the level; the largest number there is
+/// stands for all beyond it.
+#[must_use]
+pub fn sphere_count(level: u32) -> u128 {
+    let next = level
+        .checked_add(1)
+        .and_then(|levels| 9u128.checked_pow(levels));
+    next.map_or(u128::MAX, |next| (next - 1) / 8)
+}
+
+/// Generates the scene; level 0 is one sphere on its ground, SPD's default is 4.
+///
+/// # Errors
+/// A level with more objects than the default [`Limits`] allow.
+pub fn generate(level: u32) -> Result<Scene, Error> {
+    let limit = Limits::default().objects;
+    let count = sphere_count(level);
+    // Below the limit the count fits a usize and the line numbers a u32.
+    if count >= limit as u128 {
+        return Err(Error::TooMany {
+            level,
+            count,
+            limit,
+        });
+    }
+    let view = View {
+        from: DVec3::new(2.1, 1.3, 1.7),
+        at: DVec3::ZERO,
+        up: POLE,
+        angle: 45.0,
+        hither: 0.01,
+        resolution: (512, 512),
+    };
+    let ground = Material {
+        line: 12,
+        colour: DVec3::new(1.0, 0.75, 0.33),
+        diffuse: 0.8,
+        specular: 0.0,
+        shine: 100_000.0,
+        transmittance: 0.0,
+        refraction_index: 1.0,
+    };
+    let sphere = Material {
+        line: 18,
+        colour: DVec3::new(1.0, 0.9, 0.7),
+        diffuse: 0.5,
+        specular: 0.5,
+        shine: 3.0827,
+        transmittance: 0.0,
+        refraction_index: 1.0,
+    };
+    let corner = |x: f64, y: f64| DVec3::new(x * GROUND, y * GROUND, -RADIUS);
+    let vertices = vec![
+        corner(1.0, 1.0),
+        corner(-1.0, 1.0),
+        corner(-1.0, -1.0),
+        corner(1.0, -1.0),
+    ];
+    let mut objects = Vec::with_capacity(count as usize + 1);
+    objects.push(Object {
+        line: 13,
+        material: 0,
+        shape: Shape::Polygon { vertices },
+    });
+    grow(
+        &mut objects,
+        &children(),
+        &Ball {
+            centre: DVec3::ZERO,
+            radius: RADIUS,
+            pole: POLE,
+        },
+        level,
+    );
+    Ok(Scene {
+        name: format!("{}{level}", crate::SPHEREFLAKE),
+        view,
+        background: DVec3::new(0.078, 0.361, 0.753),
+        lights: LIGHTS
+            .into_iter()
+            .zip(9..)
+            .map(|(position, line)| Light {
+                line,
+                position,
+                colour: None,
+            })
+            .collect(),
+        materials: vec![ground, sphere],
+        objects,
+    })
+}
+
+/// A sphere and the direction, of length 1, in which its pole is.
+struct Ball {
+    centre: DVec3,
+    radius: f64,
+    pole: DVec3,
+}
+
+/// Adds `ball` and, down to `levels` below it, its descendants, each right after its parent.
+fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u32) {
+    let shape = Shape::Sphere {
+        centre: ball.centre,
+        radius: ball.radius,
+    };
+    // The first sphere is on line 19 and follows one polygon.
+    let line = objects.len() as u32 + 18;
+    objects.push(Object {
+        line,
+        material: 1,
+        shape,
+    });
+    if levels == 0 {
+        return;
+    }
+    let turn = DQuat::from_rotation_arc(POLE, ball.pole);
+    let radius = ball.radius * SHRINK;
+    for &child in children {
+        let pole = (turn * child).normalize();
+        let centre = ball.centre + (ball.radius + radius) * pole;
+        grow(
+            objects,
+            children,
+            &Ball {
+                centre,
+                radius,
+                pole,
+            },
+            levels - 1,
+        );
+    }
+}
+
+/// Where a sphere with its pole at [`POLE`] carries its children: nine of a cuboctahedron's twelve
+/// vertices, so that neighbours are 60 degrees apart. Three sets, each of one child near the pole
+/// and the two on the equator next to it.
+fn children() -> [DVec3; 9] {
+    // The face around the pole is an equilateral triangle of chords of length 1.
+    let near_pole = (1.0 / 3.0f64.sqrt()).asin();
+    let direction = |from_pole: f64, azimuth: f64| {
+        let (across, along) = from_pole.sin_cos();
+        DVec3::new(across * azimuth.cos(), across * azimuth.sin(), along)
+    };
+    std::array::from_fn(|index| {
+        let azimuth = FRAC_PI_4 + (index / 3) as f64 * 2.0 * FRAC_PI_3;
+        match index % 3 {
+            0 => direction(near_pole, azimuth),
+            1 => direction(PI / 2.0, azimuth - PI / 6.0),
+            _ => direction(PI / 2.0, azimuth + PI / 6.0),
+        }
+    })
+}

@@ -1,0 +1,120 @@
+//! A scene as NFF text.
+//!
+//! Invariant: what is written reads back equal. Numbers are the shortest decimals that name the
+//! same `f64`.
+
+use std::fmt;
+
+use glam::DVec3;
+
+use crate::{Light, Material, Object, Scene, Shape, View};
+
+impl fmt::Display for Scene {
+    /// Materials keep their order. An object whose material is not the last one written is given
+    /// it once more, which only scenes not made by [`parse`](crate::parse) need.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.view.fmt(f)?;
+        writeln!(f, "b {}", Triple(self.background))?;
+        self.lights.iter().try_for_each(|light| light.fmt(f))?;
+        let mut written = 0;
+        let mut current = None;
+        for object in &self.objects {
+            let index = object.material as usize;
+            for material in self.materials.get(written..=index).unwrap_or_default() {
+                material.fmt(f)?;
+                written += 1;
+                current = Some(written - 1);
+            }
+            if current != Some(index) {
+                self.materials.get(index).ok_or(fmt::Error)?.fmt(f)?;
+                current = Some(index);
+            }
+            object.fmt(f)?;
+        }
+        self.materials
+            .iter()
+            .skip(written)
+            .try_for_each(|material| material.fmt(f))
+    }
+}
+
+impl fmt::Display for View {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(f, "v")?;
+        writeln!(f, "from {}", Triple(self.from))?;
+        writeln!(f, "at {}", Triple(self.at))?;
+        writeln!(f, "up {}", Triple(self.up))?;
+        writeln!(f, "angle {}", self.angle)?;
+        writeln!(f, "hither {}", self.hither)?;
+        writeln!(f, "resolution {} {}", self.resolution.0, self.resolution.1)
+    }
+}
+
+impl fmt::Display for Light {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "l {}", Triple(self.position))?;
+        if let Some(colour) = self.colour {
+            write!(f, " {}", Triple(colour))?;
+        }
+        writeln!(f)
+    }
+}
+
+impl fmt::Display for Material {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            line: _,
+            colour,
+            diffuse,
+            specular,
+            shine,
+            transmittance,
+            refraction_index,
+        } = self;
+        let colour = Triple(*colour);
+        writeln!(
+            f,
+            "f {colour} {diffuse} {specular} {shine} {transmittance} {refraction_index}"
+        )
+    }
+}
+
+impl fmt::Display for Object {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match &self.shape {
+            Shape::Sphere { centre, radius } => writeln!(f, "s {} {radius}", Triple(*centre)),
+            Shape::Cone {
+                base,
+                base_radius,
+                apex,
+                apex_radius,
+            } => {
+                writeln!(f, "c")?;
+                writeln!(f, "{} {base_radius}", Triple(*base))?;
+                writeln!(f, "{} {apex_radius}", Triple(*apex))
+            }
+            Shape::Polygon { vertices } => {
+                writeln!(f, "p {}", vertices.len())?;
+                vertices
+                    .iter()
+                    .try_for_each(|vertex| writeln!(f, "{}", Triple(*vertex)))
+            }
+            Shape::Patch { vertices, normals } => {
+                writeln!(f, "pp {}", vertices.len())?;
+                let mut corners = vertices.iter().zip(normals);
+                corners.try_for_each(|(vertex, normal)| {
+                    writeln!(f, "{} {}", Triple(*vertex), Triple(*normal))
+                })
+            }
+        }
+    }
+}
+
+/// Three numbers with a blank between.
+struct Triple(DVec3);
+
+impl fmt::Display for Triple {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{} {} {}", self.0.x, self.0.y, self.0.z)
+    }
+}

@@ -1,0 +1,9 @@
+//! The crate from outside, in one program.
+
+mod common;
+mod depth;
+mod entities;
+mod faults;
+mod properties;
+mod sphereflake;
+mod view;
