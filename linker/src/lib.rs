@@ -1,0 +1,88 @@
+//! Builds SPU programs from assembly, for use in a build script.
+//!
+//! [`Tools::find`] names the SPU assembler and linker, [`Image`] turns `.s` files into one SPU ELF
+//! image, [`stub`] makes a shared library of nothing but names, to link against where the real one
+//! is not installed. Nothing here knows what the programs do.
+
+mod image;
+pub mod stub;
+mod tools;
+
+use std::path::PathBuf;
+use std::process::Command;
+
+pub use image::Image;
+pub use tools::Tools;
+
+/// Why a program was not built. Its `Display` is meant for the person who runs the build.
+#[derive(Debug, thiserror::Error)]
+pub enum Error {
+    /// No assembler or no linker.
+    #[error(
+        "no SPU {what}: looked for {looked}; run ci/setup, which builds the SPU binutils, or name one \
+         by the variable {variable}"
+    )]
+    NoTool {
+        /// Assembler or linker.
+        what: &'static str,
+        /// The variable that may name it.
+        variable: &'static str,
+        /// Where it was looked for.
+        looked: String,
+    },
+    /// A command could not be started.
+    #[error("cannot run `{command}`: {source}")]
+    Start {
+        /// The whole command line.
+        command: String,
+        /// The system's error.
+        source: std::io::Error,
+    },
+    /// A command failed.
+    #[error("`{command}` failed ({status}):\n{output}")]
+    Failed {
+        /// The whole command line.
+        command: String,
+        /// How it ended.
+        status: std::process::ExitStatus,
+        /// What it printed.
+        output: String,
+    },
+    /// A file or folder could not be read or written.
+    #[error("{path}: {source}")]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// The system's error.
+        source: std::io::Error,
+    },
+    /// No source files.
+    #[error("{0}: no .s files in it")]
+    NoSources(PathBuf),
+}
+
+/// Runs a command to its end; its output is part of the error.
+fn run(command: &mut Command) -> Result<(), Error> {
+    let line = || {
+        let words = std::iter::once(command.get_program()).chain(command.get_args());
+        words
+            .map(|word| word.to_string_lossy())
+            .collect::<Vec<_>>()
+            .join(" ")
+    };
+    let line = line();
+    let output = command.output().map_err(|source| Error::Start {
+        command: line.clone(),
+        source,
+    })?;
+    if output.status.success() {
+        return Ok(());
+    }
+    let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
+    text.push_str(&String::from_utf8_lossy(&output.stderr));
+    Err(Error::Failed {
+        command: line,
+        status: output.status,
+        output: text,
+    })
+}

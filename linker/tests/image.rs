@@ -1,0 +1,170 @@
+//! Building an image: what comes out, and what is said when nothing does.
+//!
+//! The variables that name tools are the process's, so the tests that set them run the same test
+//! program again as a child.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use object::{Object as _, ObjectSymbol as _};
+use spu_build::{Error, Image, Tools, stub};
+
+const SCRIPT: &str =
+    "OUTPUT_FORMAT(\"elf32-spu\")\nENTRY(_start)\nSECTIONS { . = 0; .text : { *(.text) } }\n";
+
+fn folder(source: &str) -> tempfile::TempDir {
+    let folder = tempfile::tempdir().unwrap();
+    fs::write(folder.path().join("program.s"), source).unwrap();
+    fs::write(folder.path().join("script.ld"), SCRIPT).unwrap();
+    folder
+}
+
+fn build(folder: &Path, tools: &Tools) -> Result<PathBuf, Error> {
+    let elf = folder.join("out.elf");
+    Image::from_folder(folder, &folder.join("script.ld"))?.build(
+        tools,
+        &folder.join("work"),
+        &elf,
+    )?;
+    Ok(elf)
+}
+
+fn failure(source: &str) -> String {
+    build(folder(source).path(), &Tools::find().unwrap())
+        .unwrap_err()
+        .to_string()
+}
+
+#[test]
+fn a_program_becomes_an_spu_executable() {
+    let folder = folder(" .text\n .global _start\n_start:\n il $3,1\nlast:\n stop 0x2000\n");
+    let elf = fs::read(build(folder.path(), &Tools::find().unwrap()).unwrap()).unwrap();
+    let elf = object::File::parse(&*elf).unwrap();
+    assert!(!elf.is_little_endian());
+    let last = elf
+        .symbols()
+        .find(|symbol| symbol.name() == Ok("last"))
+        .unwrap();
+    assert_eq!(last.address(), 4);
+}
+
+#[test]
+fn an_error_in_a_source_is_shown_with_file_line_and_command() {
+    let text = failure(" .text\n il $3,99999\n");
+    assert!(
+        text.contains("program.s:2") && text.contains("--fatal-warnings"),
+        "{text}"
+    );
+    let text = failure(" .text\n bogus $3\n");
+    assert!(
+        text.contains("program.s:2") && text.contains("bogus"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_warning_is_an_error() {
+    // Outside the range that makes sense, the assembler only warns.
+    let text = failure(" .text\n shli $3,$4,70\n");
+    assert!(text.contains("program.s:2"), "{text}");
+}
+
+#[test]
+fn an_undefined_symbol_is_shown_by_the_linker() {
+    let text = failure(" .text\n .global _start\n_start:\n brsl $0,nowhere\n");
+    assert!(text.contains("nowhere"), "{text}");
+}
+
+#[test]
+fn a_folder_without_sources() {
+    let empty = tempfile::tempdir().unwrap();
+    let error = build(empty.path(), &Tools::find().unwrap()).unwrap_err();
+    assert!(matches!(error, Error::NoSources(_)), "{error}");
+}
+
+/// Runs the test below in a child with variables of its own; gives its output.
+fn find_with(variables: &[(&str, &str)]) -> String {
+    let mut child = Command::new(std::env::current_exe().unwrap());
+    child
+        .args(["--exact", "child_finds_tools", "--nocapture"])
+        .env("IN_CHILD", "1");
+    child.env_remove("SPU_AS").env_remove("SPU_LD");
+    for (name, value) in variables {
+        child.env(name, value);
+    }
+    String::from_utf8(child.output().unwrap().stdout).unwrap()
+}
+
+#[test]
+fn child_finds_tools() {
+    if std::env::var_os("IN_CHILD").is_some() {
+        match Tools::find() {
+            Ok(tools) => println!("{tools:?}"),
+            Err(error) => println!("{error}"),
+        }
+    }
+}
+
+#[test]
+fn missing_tools_are_named_with_the_remedy() {
+    let none = [
+        ("PATH", "/nonexistent"),
+        ("XDG_CACHE_HOME", "/nonexistent/cache"),
+    ];
+    let text = find_with(&none);
+    for part in [
+        "no SPU assembler",
+        "spu-elf-as",
+        "/nonexistent/cache",
+        "ci/setup",
+        "SPU_AS",
+    ] {
+        assert!(text.contains(part), "no {part:?} in: {text}");
+    }
+    let text = find_with(&[("SPU_AS", "/nonexistent/spu-as")]);
+    assert!(text.contains("SPU_AS=/nonexistent/spu-as"), "{text}");
+}
+
+#[test]
+fn tools_are_taken_from_path_under_either_name() {
+    for name in ["spu-elf", "spu"] {
+        let bin = tempfile::tempdir().unwrap();
+        for tool in ["as", "ld"] {
+            fs::write(bin.path().join(format!("{name}-{tool}")), "").unwrap();
+        }
+        let text = find_with(&[("PATH", bin.path().to_str().unwrap())]);
+        assert!(
+            text.contains(&format!("{}/{name}-as", bin.path().display())),
+            "{text}"
+        );
+    }
+    let bin = tempfile::tempdir().unwrap();
+    fs::write(bin.path().join("spu-gcc"), "").unwrap();
+    let path = bin.path().to_str().unwrap();
+    let text = find_with(&[("PATH", path), ("XDG_CACHE_HOME", "/nonexistent/cache")]);
+    assert!(
+        text.contains("spu-gcc") && text.contains("compiler_driver: true"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_stub_has_its_soname_and_its_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let library = folder.path().join("libthing.so");
+    let names = stub::names("# a list\nthing_one\nthing_two # the second\n\n");
+    assert_eq!(names, ["thing_one", "thing_two"]);
+    stub::build(Path::new("cc"), "libthing.so.7", &names, &library).unwrap();
+    let bytes = fs::read(library).unwrap();
+    let library = object::File::parse(&*bytes).unwrap();
+    let exported: Vec<_> = library
+        .dynamic_symbols()
+        .filter_map(|symbol| symbol.name().ok())
+        .collect();
+    assert!(
+        exported.contains(&"thing_one") && exported.contains(&"thing_two"),
+        "{exported:?}"
+    );
+    assert!(bytes.windows(13).any(|window| window == b"libthing.so.7"));
+}
