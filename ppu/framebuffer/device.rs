@@ -1,0 +1,265 @@
+//! The kernel's framebuffer device, /dev/fb0.
+//!
+//! Frames are made in the device's memory where SPUs can and should write to it, else in private
+//! memory, and copied as whole lines. Invariant: the order on drop is display, memory, console, so that
+//! the console redraws a screen that is its own again.
+
+use super::buffer::FrameBuffer;
+use super::console::Console;
+use super::display::Display;
+use super::driver::{Driver, KernelDriver, Mapping};
+use super::forward;
+use super::ioctl::FbVarScreeninfo;
+use super::surface::{Scheme, Surface};
+use super::{Framebuffer, FramebufferError, Geometry, Target};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::ptr::NonNull;
+use std::sync::atomic::{Ordering, fence};
+
+/// Where a device's frames are made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Mode {
+    /// In the device's own memory: nothing is copied by this program.
+    Direct,
+    /// In private memory, copied to the device when complete. Right for every driver.
+    Shadow,
+}
+
+/// A framebuffer device and the virtual terminal that it shows.
+pub struct Device {
+    path: PathBuf,
+    surface: Surface,
+    display: Display,
+    map: Mapping,
+    /// Where frames are made, unless in the device's memory.
+    shadow: Option<FrameBuffer>,
+    /// The frame that the next picture goes to.
+    next: u32,
+    console: io::Result<Console>,
+}
+
+/// A driver that answered, before anything was changed.
+struct Found {
+    driver: Box<dyn Driver>,
+    var: FbVarScreeninfo,
+    surface: Surface,
+    map: Mapping,
+}
+
+impl Device {
+    /// Opens the device at `path` and takes over the screen and its console.
+    ///
+    /// `size`, if given, must be the size of the device's mode. `mode` chooses where frames are made;
+    /// `None` is [`Mode::Direct`] where the memory is known to be main memory (mainline ps3fb) and
+    /// laid out for DMA, else [`Mode::Shadow`].
+    pub fn open(
+        path: &Path,
+        size: Option<Geometry>,
+        mode: Option<Mode>,
+    ) -> Result<Device, FramebufferError> {
+        let driver = KernelDriver::open(path)
+            .map_err(|source| FramebufferError::io("open", path, source))?;
+        let found = Device::look(Box::new(driver), path, size)?;
+        Device::start(found, path, mode, Console::enter())
+    }
+
+    /// One line about the device at `path`, of which nothing is changed.
+    pub fn inspect(path: &Path) -> Result<String, FramebufferError> {
+        let driver = KernelDriver::open(path)
+            .map_err(|source| FramebufferError::io("open", path, source))?;
+        let Found { surface, .. } = Device::look(Box::new(driver), path, None)?;
+        Ok(format!(
+            "{}, driver {}, {}, stride {} bytes",
+            path.display(),
+            surface.driver,
+            surface.geometry,
+            surface.line_length,
+        ))
+    }
+
+    fn look(
+        mut driver: Box<dyn Driver>,
+        path: &Path,
+        size: Option<Geometry>,
+    ) -> Result<Found, FramebufferError> {
+        let refused = |request| {
+            move |source| FramebufferError::Ioctl {
+                path: path.to_owned(),
+                request,
+                source,
+            }
+        };
+        let var = driver
+            .var_screeninfo()
+            .map_err(refused("FBIOGET_VSCREENINFO"))?;
+        let fix = driver
+            .fix_screeninfo()
+            .map_err(refused("FBIOGET_FSCREENINFO"))?;
+        let surface = Surface::new(path, &var, &fix)?;
+        match size {
+            Some(requested) if requested != surface.geometry => {
+                return Err(FramebufferError::SizeMismatch {
+                    path: path.to_owned(),
+                    requested,
+                    actual: surface.geometry,
+                });
+            }
+            _ => {}
+        }
+        let map = driver
+            .map(&fix)
+            .map_err(|source| FramebufferError::io("map", path, source))?;
+        Ok(Found {
+            driver,
+            var,
+            surface,
+            map,
+        })
+    }
+
+    fn start(
+        found: Found,
+        path: &Path,
+        mode: Option<Mode>,
+        console: io::Result<Console>,
+    ) -> Result<Device, FramebufferError> {
+        let Found {
+            driver,
+            var,
+            surface,
+            map,
+        } = found;
+        let promised = surface.scheme();
+        for frame in 0..surface.frames(promised) {
+            // The second frame is shown before it is first written to.
+            blacken(&map, &surface, promised, frame);
+        }
+        let display = Display::start(driver, path, var, &surface)?;
+        let scheme = display.scheme();
+        let obstacle = (0..display.frames()).find_map(|frame| {
+            let offset = surface.frame_offset(scheme, frame);
+            surface.direct_obstacle(address(&map, offset) as usize, offset)
+        });
+        let shadow = match (mode, obstacle) {
+            (Some(Mode::Direct), Some(why)) => {
+                return Err(FramebufferError::NoDirect {
+                    path: path.to_owned(),
+                    driver: surface.driver.clone(),
+                    why,
+                });
+            }
+            (Some(Mode::Direct), None) => None,
+            // Only what ps3fb shows on demand is known to be main memory that nobody looks at.
+            (None, None) if scheme == Scheme::Ps3fb => None,
+            _ => Some(FrameBuffer::new(surface.geometry)?),
+        };
+        Ok(Device {
+            path: path.to_owned(),
+            surface,
+            display,
+            map,
+            shadow,
+            next: 0,
+            console,
+        })
+    }
+
+    /// Where frames are made.
+    pub fn mode(&self) -> Mode {
+        if self.shadow.is_some() {
+            Mode::Shadow
+        } else {
+            Mode::Direct
+        }
+    }
+
+    fn next_offset(&self) -> u64 {
+        self.surface.frame_offset(self.display.scheme(), self.next)
+    }
+}
+
+/// Address of the byte `offset` bytes into the device's memory.
+fn address(map: &Mapping, offset: u64) -> *mut u8 {
+    // Every offset comes from a surface, which keeps it below a 32-bit length.
+    map.base().wrapping_add(offset as usize)
+}
+
+fn blacken(map: &Mapping, surface: &Surface, scheme: Scheme, frame: u32) {
+    let mut line = address(map, surface.frame_offset(scheme, frame));
+    for _ in 0..surface.geometry.height {
+        // SAFETY: a surface's frames have all their shown pixels within the mapping.
+        unsafe { forward::clear(line, surface.geometry.shown_row_bytes()) };
+        line = line.wrapping_add(surface.line_length as usize);
+    }
+}
+
+impl Framebuffer for Device {
+    fn geometry(&self) -> Geometry {
+        self.surface.geometry
+    }
+
+    fn target(&mut self) -> Target {
+        // The copy to the device is not a conversion: a shadow has the device's own pixels.
+        let format = self.surface.format;
+        if let Some(shadow) = &mut self.shadow {
+            return shadow.target(format);
+        }
+        let base = address(&self.map, self.next_offset());
+        Target {
+            base: NonNull::new(base).expect("a mapping is never at address zero"),
+            bytes: self.surface.line_length as usize * self.surface.geometry.height as usize,
+            stride: self.surface.line_length,
+            geometry: self.surface.geometry,
+            format,
+        }
+    }
+
+    fn present(&mut self) -> Result<(), FramebufferError> {
+        self.display.before_write()?;
+        if let Some(shadow) = &self.shadow {
+            let mut line = address(&self.map, self.next_offset());
+            for row in shadow.rows() {
+                // SAFETY: a surface's frames have all their shown pixels within the mapping, which
+                // is no part of the shadow.
+                unsafe { forward::copy(row, line) };
+                line = line.wrapping_add(self.surface.line_length as usize);
+            }
+        }
+        // The kernel's copy must not begin before our stores have left the processor.
+        fence(Ordering::SeqCst);
+        self.display.show(self.next)?;
+        self.next = (self.next + 1) % self.display.frames();
+        Ok(())
+    }
+
+    fn describe(&self) -> String {
+        let frames = match self.display.frames() {
+            1 => "1 frame".to_owned(),
+            frames => format!("{frames} frames"),
+        };
+        let made = match self.mode() {
+            Mode::Direct => "made in its memory",
+            Mode::Shadow => "made in private memory and copied",
+        };
+        let vsync = if self.display.vsync() {
+            "vsync"
+        } else {
+            "no vsync"
+        };
+        let console = match &self.console {
+            Ok(console) => format!("console {console} in graphics mode"),
+            Err(error) => format!("console left in text mode: {error}"),
+        };
+        format!(
+            "{}, driver {}, {}, stride {} bytes, {frames} {made}, {vsync}, {console}",
+            self.path.display(),
+            self.surface.driver,
+            self.surface.geometry,
+            self.surface.line_length,
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests;

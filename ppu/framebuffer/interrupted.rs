@@ -1,0 +1,223 @@
+//! Signals that end the program, as a flag for the frame loop: the screen and its console are put back
+//! on the ordinary way out.
+//!
+//! A second signal ends the program at once, as it would by default, so that a frame loop which does
+//! not come round can still be stopped; the handler puts the console back then.
+//! Invariant: without an [`Interrupted`] alive, the signals have their default effect.
+
+use super::console;
+use signal_hook::SigId;
+use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::low_level;
+use std::io::{self, PipeReader, PipeWriter, Read};
+use std::mem::MaybeUninit;
+use std::os::fd::{AsFd, AsRawFd, BorrowedFd};
+use std::ptr;
+use std::sync::atomic::{AtomicI32, AtomicUsize, Ordering};
+use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
+
+const SIGNALS: [i32; 3] = [SIGINT, SIGTERM, SIGHUP];
+
+/// Handles alive; the handler reads it, [`COUNTING`] guards its changes.
+static ALIVE: AtomicUsize = AtomicUsize::new(0);
+static COUNTING: Mutex<()> = Mutex::new(());
+/// The signal that came; 0 for none.
+static SIGNAL: AtomicI32 = AtomicI32::new(0);
+/// Holds one byte while [`SIGNAL`] is set, to wake whoever polls. Set once the handlers are in place.
+static WAKE: OnceLock<(PipeReader, PipeWriter)> = OnceLock::new();
+
+/// Makes SIGINT, SIGTERM and SIGHUP a request to stop, while it lives.
+///
+/// All values share one state, as signals are the process's. A signal that the program was started
+/// with ignored (nohup) stays ignored. [`AsFd`] gives a descriptor that turns readable with the signal.
+#[derive(Debug)]
+pub struct Interrupted {
+    wake: &'static PipeReader,
+}
+
+impl Interrupted {
+    /// Begins to catch the signals.
+    pub fn install() -> io::Result<Interrupted> {
+        let _guard = counting();
+        let wake = match WAKE.get() {
+            Some((wake, _)) => wake,
+            None => {
+                let pipe = io::pipe()?;
+                register()?;
+                &WAKE.get_or_init(|| pipe).0
+            }
+        };
+        ALIVE.fetch_add(1, Ordering::SeqCst);
+        Ok(Interrupted { wake })
+    }
+
+    /// The signal that asks the program to stop, if one came.
+    pub fn signal(&self) -> Option<i32> {
+        match SIGNAL.load(Ordering::SeqCst) {
+            0 => None,
+            signal => Some(signal),
+        }
+    }
+}
+
+impl AsFd for Interrupted {
+    fn as_fd(&self) -> BorrowedFd<'_> {
+        self.wake.as_fd()
+    }
+}
+
+impl Drop for Interrupted {
+    fn drop(&mut self) {
+        let _guard = counting();
+        if ALIVE.fetch_sub(1, Ordering::SeqCst) == 1 && SIGNAL.swap(0, Ordering::SeqCst) != 0 {
+            // The handler that set the signal writes one byte; a broken pipe has none to take.
+            let _ = self.wake.read(&mut [0]);
+        }
+    }
+}
+
+fn counting() -> MutexGuard<'static, ()> {
+    COUNTING.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+fn register() -> io::Result<()> {
+    let mut registered: Vec<SigId> = Vec::new();
+    for signal in SIGNALS {
+        if is_ignored(signal)? {
+            continue;
+        }
+        // SAFETY: `on_signal` only uses atomics and system calls that signal handlers may use.
+        match unsafe { low_level::register(signal, move || on_signal(signal)) } {
+            Ok(id) => registered.push(id),
+            Err(error) => {
+                for id in registered {
+                    low_level::unregister(id);
+                }
+                return Err(error);
+            }
+        }
+    }
+    Ok(())
+}
+
+fn is_ignored(signal: i32) -> io::Result<bool> {
+    let mut action = MaybeUninit::<libc::sigaction>::uninit();
+    // SAFETY: with no new action this only writes the present one.
+    if unsafe { libc::sigaction(signal, ptr::null(), action.as_mut_ptr()) } != 0 {
+        return Err(io::Error::last_os_error());
+    }
+    // SAFETY: the call succeeded, so it wrote the action.
+    Ok(unsafe { action.assume_init() }.sa_sigaction == libc::SIG_IGN)
+}
+
+fn on_signal(signal: i32) {
+    let first = || {
+        SIGNAL
+            .compare_exchange(0, signal, Ordering::SeqCst, Ordering::SeqCst)
+            .is_ok()
+    };
+    if ALIVE.load(Ordering::SeqCst) == 0 || !first() {
+        console::restore_in_handler();
+        // It only fails for signals that can't be caught.
+        let _ = low_level::emulate_default_handler(signal);
+    } else if let Some((_, wake)) = WAKE.get() {
+        // SAFETY: the pipe is never closed; one byte is read.
+        unsafe { libc::write(wake.as_raw_fd(), [0u8].as_ptr().cast(), 1) };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::panic::catch_unwind;
+
+    /// Runs `scenario` in a process of its own and gives its end as waitpid tells it.
+    fn in_child(scenario: fn() -> i32) -> i32 {
+        // SAFETY: the child runs `scenario` alone and leaves without returning to the test harness;
+        // no other test holds the locks of this module or of the signal registry.
+        let child = unsafe { libc::fork() };
+        assert!(child >= 0);
+        if child == 0 {
+            let code = catch_unwind(scenario).unwrap_or(101);
+            // SAFETY: ends the child.
+            unsafe { libc::_exit(code) };
+        }
+        let mut status = 0;
+        // SAFETY: waits for the child made above; `status` outlives the call.
+        assert_eq!(unsafe { libc::waitpid(child, &mut status, 0) }, child);
+        status
+    }
+
+    fn readable(interrupted: &Interrupted) -> bool {
+        let mut poll = libc::pollfd {
+            fd: interrupted.as_fd().as_raw_fd(),
+            events: libc::POLLIN,
+            revents: 0,
+        };
+        // SAFETY: one descriptor, and no waiting.
+        unsafe { libc::poll(&mut poll, 1, 0) == 1 }
+    }
+
+    fn raise(signal: i32) {
+        low_level::raise(signal).unwrap();
+    }
+
+    #[test]
+    fn the_first_signal_is_a_request() {
+        let status = in_child(|| {
+            for signal in SIGNALS {
+                let interrupted = Interrupted::install().unwrap();
+                let other = Interrupted::install().unwrap();
+                assert!(interrupted.signal().is_none() && !readable(&interrupted));
+                raise(signal);
+                assert_eq!(
+                    (interrupted.signal(), other.signal()),
+                    (Some(signal), Some(signal))
+                );
+                drop(other);
+                assert!(interrupted.signal() == Some(signal) && readable(&interrupted));
+            }
+            7
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
+    }
+
+    #[test]
+    fn the_second_signal_ends_the_program() {
+        let status = in_child(|| {
+            let interrupted = Interrupted::install().unwrap();
+            raise(SIGINT);
+            assert_eq!(interrupted.signal(), Some(SIGINT));
+            raise(SIGTERM);
+            0
+        });
+        assert!(libc::WIFSIGNALED(status), "{status:#x}");
+        assert_eq!(libc::WTERMSIG(status), SIGTERM);
+    }
+
+    #[test]
+    fn without_a_handle_signals_act_as_by_default() {
+        let status = in_child(|| {
+            drop(Interrupted::install().unwrap());
+            raise(SIGHUP);
+            0
+        });
+        assert!(libc::WIFSIGNALED(status), "{status:#x}");
+        assert_eq!(libc::WTERMSIG(status), SIGHUP);
+    }
+
+    #[test]
+    fn an_ignored_signal_stays_ignored() {
+        let status = in_child(|| {
+            // SAFETY: this process is the test's own.
+            unsafe { libc::signal(SIGHUP, libc::SIG_IGN) };
+            let interrupted = Interrupted::install().unwrap();
+            raise(SIGHUP);
+            raise(SIGHUP);
+            if interrupted.signal().is_none() { 7 } else { 8 }
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
+    }
+}

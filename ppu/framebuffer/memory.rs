@@ -1,0 +1,92 @@
+//! A framebuffer that nobody sees: frames stay in memory, to be compared or written as pictures.
+
+use super::buffer::FrameBuffer;
+use super::{Framebuffer, FramebufferError, Geometry, PixelFormat, Target};
+use image::RgbImage;
+
+/// One frame in private memory, rows aligned to 128 bytes.
+pub struct Memory {
+    frame: FrameBuffer,
+}
+
+impl Memory {
+    /// A black frame of `geometry`.
+    pub fn new(geometry: Geometry) -> Result<Memory, FramebufferError> {
+        Ok(Memory {
+            frame: FrameBuffer::new(geometry)?,
+        })
+    }
+
+    /// The pixels, row by row from the top, as red, green, blue.
+    pub fn pixels(&self) -> impl Iterator<Item = [u8; 3]> {
+        let pixel = |bytes: &[u8]| {
+            let word = u32::from_be_bytes([bytes[0], bytes[1], bytes[2], bytes[3]]);
+            PixelFormat::ARGB.channels(word)
+        };
+        self.frame
+            .rows()
+            .flat_map(move |row| row.chunks_exact(4).map(pixel))
+    }
+
+    /// The frame as a picture of its own.
+    pub fn rgb(&self) -> RgbImage {
+        let Geometry { width, height } = self.frame.geometry();
+        let mut picture = RgbImage::new(width, height);
+        for (shown, pixel) in picture.pixels_mut().zip(self.pixels()) {
+            shown.0 = pixel;
+        }
+        picture
+    }
+}
+
+impl Framebuffer for Memory {
+    fn geometry(&self) -> Geometry {
+        self.frame.geometry()
+    }
+
+    fn target(&mut self) -> Target {
+        self.frame.target(PixelFormat::ARGB)
+    }
+
+    /// Nothing to do: the finished frame is where readers look for it.
+    fn present(&mut self) -> Result<(), FramebufferError> {
+        Ok(())
+    }
+
+    fn describe(&self) -> String {
+        format!(
+            "memory, {}, stride {} bytes",
+            self.frame.geometry(),
+            self.frame.stride()
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::pattern;
+    use super::*;
+
+    #[test]
+    fn frames_come_out_as_they_were_written() {
+        for (width, height) in [(1, 1), (101, 57), (64, 3)] {
+            let mut memory = Memory::new(Geometry { width, height }).unwrap();
+            for seed in 0..2 {
+                pattern::paint(memory.target(), seed);
+                memory.present().unwrap();
+                pattern::assert_shows(&memory.rgb(), seed);
+            }
+        }
+    }
+
+    #[test]
+    fn a_side_of_zero_is_refused() {
+        let error = Memory::new(Geometry {
+            width: 0,
+            height: 4,
+        })
+        .err()
+        .unwrap();
+        assert!(error.to_string().contains("0x4"), "{error}");
+    }
+}

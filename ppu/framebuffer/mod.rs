@@ -1,0 +1,291 @@
+//! Where frames go: the picture on the console's screen, a file in its place, or memory.
+//!
+//! Owns the geometry, pixel layout and addresses of the buffer a frame is written to, and the moment
+//! at which a finished frame is shown. Knows nothing of scenes or work units: the SPUs write finished
+//! rows by DMA through a [`Target`], then the frame loop calls [`Framebuffer::present`].
+//!
+//! Invariant: every [`Target`] satisfies the DMA rules stated at [`Target`], whatever the driver
+//! below offers; where a driver's own memory does not, the frame is made in private memory and copied.
+
+mod buffer;
+mod console;
+mod device;
+mod display;
+mod driver;
+mod error;
+mod file;
+mod forward;
+mod interrupted;
+mod ioctl;
+mod memory;
+#[cfg(test)]
+mod pattern;
+mod pixel;
+mod png;
+mod surface;
+
+pub use device::{Device, Mode};
+pub use error::FramebufferError;
+pub use file::File;
+pub use interrupted::Interrupted;
+pub use memory::Memory;
+pub use pixel::PixelFormat;
+pub use png::{Png, write_png};
+
+use std::fmt;
+use std::fs;
+use std::io;
+use std::os::unix::fs::FileTypeExt;
+use std::path::Path;
+use std::ptr::NonNull;
+use std::str::FromStr;
+
+/// Bytes a pixel: only 32-bit formats exist here, as the PS3's driver has no other.
+pub const PIXEL_BYTES: u32 = 4;
+
+/// Alignment that a row's start needs, in bytes: the MFC moves whole quadwords.
+pub const DMA_ALIGN: usize = 16;
+
+/// Pixels that an SPU writes at once: four words fill one quadword.
+pub const PIXEL_GROUP: u32 = 4;
+
+/// Size of a picture in pixels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Geometry {
+    /// Pixels in a row.
+    pub width: u32,
+    /// Rows.
+    pub height: u32,
+}
+
+impl Geometry {
+    /// Largest width and height: keeps every byte offset within 32 bits, with room for padding.
+    pub const MAX_SIDE: u32 = 8192;
+
+    /// A checked geometry: both sides 1 to [`Geometry::MAX_SIDE`], else [`FramebufferError::BadSize`].
+    pub fn new(width: u32, height: u32) -> Result<Geometry, FramebufferError> {
+        let geometry = Geometry { width, height };
+        geometry.check()?;
+        Ok(geometry)
+    }
+
+    /// Refuses a side of zero or over [`Geometry::MAX_SIDE`] with [`FramebufferError::BadSize`].
+    pub fn check(self) -> Result<(), FramebufferError> {
+        let valid = 1..=Self::MAX_SIDE;
+        if valid.contains(&self.width) && valid.contains(&self.height) {
+            Ok(())
+        } else {
+            Err(FramebufferError::BadSize { geometry: self })
+        }
+    }
+
+    /// Bytes of a row as an SPU writes it: whole groups of four pixels.
+    pub fn written_row_bytes(self) -> u32 {
+        self.width.next_multiple_of(PIXEL_GROUP) * PIXEL_BYTES
+    }
+
+    /// Bytes of a row as it is shown.
+    pub(crate) fn shown_row_bytes(self) -> usize {
+        self.width as usize * PIXEL_BYTES as usize
+    }
+}
+
+impl fmt::Display for Geometry {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}x{}", self.width, self.height)
+    }
+}
+
+impl FromStr for Geometry {
+    type Err = FramebufferError;
+
+    /// Reads `WIDTHxHEIGHT`, as in `1280x720`.
+    fn from_str(text: &str) -> Result<Geometry, FramebufferError> {
+        let malformed = || FramebufferError::MalformedSize {
+            text: text.to_owned(),
+        };
+        let (width, height) = text.split_once('x').ok_or_else(malformed)?;
+        let number = |digits: &str| {
+            if digits.bytes().all(|byte| byte.is_ascii_digit()) {
+                digits.parse().map_err(|_| malformed())
+            } else {
+                Err(malformed())
+            }
+        };
+        Geometry::new(number(width)?, number(height)?)
+    }
+}
+
+/// The buffer that the next frame is written to.
+///
+/// - `base` is a multiple of [`DMA_ALIGN`], and so is `stride`.
+/// - `stride` is at least [`Geometry::written_row_bytes`], `bytes` at least `stride` times the height.
+///
+/// Writing through `base`, by the PPU or by DMA, is allowed from the [`Framebuffer::target`] call that
+/// gave it until the next call of any method on that framebuffer, or its drop.
+#[derive(Clone, Copy, Debug)]
+pub struct Target {
+    /// First byte of the first row.
+    pub base: NonNull<u8>,
+    /// Bytes that may be written from `base`.
+    pub bytes: usize,
+    /// Bytes from one row to the next.
+    pub stride: u32,
+    /// Size of the picture.
+    pub geometry: Geometry,
+    /// Where the channels stand in the word that an SPU stores.
+    pub format: PixelFormat,
+}
+
+/// A place that shows frames.
+pub trait Framebuffer: Send {
+    /// Size of the picture; it does not change while the framebuffer is open.
+    fn geometry(&self) -> Geometry;
+
+    /// Where the next frame goes. With two buffers the address alternates, so ask for every frame.
+    fn target(&mut self) -> Target;
+
+    /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be complete.
+    fn present(&mut self) -> Result<(), FramebufferError>;
+
+    /// One line for people: what this is, its size, stride and how frames are shown.
+    fn describe(&self) -> String;
+}
+
+/// Opens the framebuffer at `path`: a character device by its driver, a regular file or a path that
+/// does not exist yet as a file in the device's place.
+///
+/// A file needs `size`; a device has its own, and a different `size` is an error.
+pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+    let kind = match fs::metadata(path) {
+        Ok(metadata) => metadata.file_type(),
+        Err(error) if error.kind() == io::ErrorKind::NotFound => {
+            return Ok(Box::new(File::open(path, size)?));
+        }
+        Err(source) => return Err(FramebufferError::io("look at", path, source)),
+    };
+    if kind.is_char_device() {
+        Ok(Box::new(Device::open(path, size, None)?))
+    } else if kind.is_file() {
+        Ok(Box::new(File::open(path, size)?))
+    } else {
+        let kind = if kind.is_dir() {
+            "a directory"
+        } else if kind.is_block_device() {
+            "a block device"
+        } else if kind.is_fifo() {
+            "a pipe"
+        } else {
+            "a socket"
+        };
+        Err(FramebufferError::NotAFramebuffer {
+            path: path.to_owned(),
+            kind,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ffi::CString;
+    use std::os::unix::ffi::OsStrExt;
+    use std::os::unix::net::UnixListener;
+
+    #[test]
+    fn size_text_is_read_strictly() {
+        assert_eq!(
+            "1280x720".parse::<Geometry>().unwrap(),
+            Geometry {
+                width: 1280,
+                height: 720
+            }
+        );
+        for text in [
+            "",
+            "x",
+            "1280",
+            "1280x",
+            "x720",
+            "1280X720",
+            "+1x2",
+            "-1x2",
+            "1x2x3",
+            "1 x2",
+            "99999999999x1",
+        ] {
+            let error = text.parse::<Geometry>().unwrap_err();
+            assert!(
+                matches!(error, FramebufferError::MalformedSize { .. }),
+                "{text:?}: {error}"
+            );
+            assert!(error.to_string().contains(&format!("{text:?}")));
+        }
+        for text in ["0x1", "1x0", "8193x1", "1x8193"] {
+            let error = text.parse::<Geometry>().unwrap_err();
+            assert!(
+                matches!(error, FramebufferError::BadSize { .. }),
+                "{text:?}: {error}"
+            );
+        }
+    }
+
+    #[test]
+    fn rows_are_written_in_whole_groups() {
+        for (width, bytes) in [(1, 16), (4, 16), (5, 32), (101, 416), (1124, 4496)] {
+            assert_eq!(Geometry { width, height: 1 }.written_row_bytes(), bytes);
+        }
+    }
+
+    #[test]
+    fn a_directory_pipe_or_socket_is_no_framebuffer() {
+        let folder = tempfile::tempdir().unwrap();
+        let size = Some(Geometry {
+            width: 4,
+            height: 4,
+        });
+        let socket = folder.path().join("socket");
+        let _listener = UnixListener::bind(&socket).unwrap();
+        let pipe = folder.path().join("pipe");
+        let name = CString::new(pipe.as_os_str().as_bytes()).unwrap();
+        // SAFETY: the name is a zero-terminated string.
+        assert_eq!(unsafe { libc::mkfifo(name.as_ptr(), 0o600) }, 0);
+        let kinds = [
+            (folder.path(), "a directory"),
+            (&socket, "a socket"),
+            (&pipe, "a pipe"),
+        ];
+        for (path, kind) in kinds {
+            match open(path, size).err().unwrap() {
+                FramebufferError::NotAFramebuffer { kind: found, .. } => assert_eq!(found, kind),
+                other => panic!("{other}"),
+            }
+        }
+    }
+
+    #[test]
+    fn another_character_device_is_refused_by_its_answer() {
+        let error = open(Path::new("/dev/null"), None).err().unwrap();
+        let text = error.to_string();
+        assert!(
+            text.contains("/dev/null") && text.contains("FBIOGET_VSCREENINFO"),
+            "{text}"
+        );
+    }
+
+    #[test]
+    fn an_absent_path_becomes_a_file() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("fb0");
+        let size = Geometry {
+            width: 101,
+            height: 57,
+        };
+        assert_eq!(open(&path, Some(size)).unwrap().geometry(), size);
+        assert_eq!(open(&path, Some(size)).unwrap().geometry(), size);
+        assert!(matches!(
+            open(&path, None).err().unwrap(),
+            FramebufferError::SizeNeeded { .. }
+        ));
+    }
+}
