@@ -4,9 +4,16 @@
 //! nothing of ray tracing or of libspe2.
 
 pub mod channel;
+pub mod decrementer;
+pub mod elf;
+pub mod event;
 pub mod float;
 pub mod interp;
 pub mod isa;
 pub mod local_store;
+pub mod mailbox;
+pub mod memory;
 pub mod mfc;
+pub mod signal;
+pub mod spe;
 pub mod stop;

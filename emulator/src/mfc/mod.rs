@@ -1,6 +1,32 @@
 //! The memory flow controller: queues, tags, lists, atomic lines.
 
+pub(crate) mod command;
+pub(crate) mod interconnect;
+pub(crate) mod queue;
+pub(crate) mod spu_side;
+
+pub use command::{MAX_TRANSFER, TAGS};
+pub use interconnect::Interconnect;
+
 use thiserror::Error;
+
+/// Commands that the SPU's queue holds.
+pub const SPU_QUEUE_DEPTH: usize = 16;
+/// Commands that the proxy queue holds.
+pub const PROXY_QUEUE_DEPTH: usize = 8;
+
+/// When a queued command is carried out, of all the moments that the architecture allows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Policy {
+    /// As soon as its ordering lets it, oldest first.
+    #[default]
+    AtOnce,
+    /// An adversary, which shows missing waits, fences and parameters: only when the program waits
+    /// for a tag (or asks a second time for its status), when the queue is full, when the SPU has
+    /// slept for some milliseconds, or when it stops; newest first where the order is free; and the
+    /// command's parameters don't outlive it.
+    AtLast,
+}
 
 /// Why the MFC refused or could not finish a command. The kinds are those that Linux tells a program
 /// (alignment, invalid command, storage); the fields say which command it was.

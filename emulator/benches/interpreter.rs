@@ -1,0 +1,145 @@
+//! Instructions a second of the interpreter, on the wall clock: recorded, not gated.
+//!
+//! Each loop is a mix of one kind of instruction, a counter and a branch.
+
+use spu_emulator::channel::Channels;
+use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::isa::{Instruction, Op};
+use spu_emulator::local_store::LocalStore;
+use spu_emulator::stop::Stop;
+use std::time::Instant;
+
+const ROUNDS: u32 = 4_000_000;
+const COUNTER: u8 = 2;
+
+/// Channels that no loop here uses.
+struct Unused;
+
+impl Channels for Unused {
+    fn read(&mut self, _: u8) -> Result<u32, Stop> {
+        Err(Stop::Requested)
+    }
+    fn write(&mut self, _: u8, _: u32) -> Result<(), Stop> {
+        Err(Stop::Requested)
+    }
+    fn count(&mut self, _: u8) -> Result<u32, Stop> {
+        Err(Stop::Requested)
+    }
+    fn external_condition(&mut self) -> bool {
+        false
+    }
+    fn stop_requested(&self) -> bool {
+        false
+    }
+    fn set_interrupts_enabled(&mut self, _: bool) {}
+    fn srr0(&self) -> u32 {
+        0
+    }
+    fn set_srr0(&mut self, _: u32) {}
+}
+
+/// An instruction on registers that start as 16 and up: `operands` are rt, ra, rb, rc.
+fn instruction(op: Op, operands: [u8; 4], immediate: i32) -> Instruction {
+    let [rt, ra, rb, rc] = operands;
+    Instruction {
+        op,
+        rt,
+        ra,
+        rb,
+        rc,
+        branch_distance: 0,
+        immediate,
+    }
+}
+
+fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
+    let local_store = LocalStore::new();
+    let back = -4 * (body.len() as i32 + 1);
+    let count = instruction(Op::Ai, [COUNTER, COUNTER, 0, 0], -1);
+    let branch = instruction(Op::Brnz, [COUNTER, 0, 0, 0], back);
+    let stop = instruction(Op::Stop, [0; 4], 0);
+    let code = body.iter().chain([&count, &branch, &stop]);
+    for (address, instruction) in (0u32..).step_by(4).zip(code) {
+        local_store.write(address, &instruction.encode().to_be_bytes());
+    }
+    let mut spu = Spu::new();
+    for number in 16..128u8 {
+        let words = std::array::from_fn(|lane| registers(u32::from(number) * 4 + lane as u32));
+        spu.set_register(number, Quad(words));
+    }
+    spu.set_register(COUNTER, Quad::splat(ROUNDS));
+    let start = Instant::now();
+    let stopped = spu.run(&local_store, &mut Unused);
+    let seconds = start.elapsed().as_secs_f64();
+    assert_eq!(stopped.reason, Stop::Signal(0), "{name}: {stopped}");
+    let executed = spu.executed();
+    let rate = executed as f64 / seconds / 1e6;
+    println!("{name:<16} {executed:>10} instructions  {seconds:>7.3} s  {rate:>7.1} million/s");
+}
+
+fn main() {
+    use Op::*;
+    let r = instruction;
+    let near_one = |n: u32| 0x3f80_0000 + n * 0x1_2345;
+    let integer = [
+        r(A, [20, 16, 17, 0], 0),
+        r(Shli, [21, 20, 0, 0], 3),
+        r(Xor, [22, 21, 18, 0], 0),
+        r(Cgt, [23, 22, 19, 0], 0),
+        r(Selb, [24, 22, 18, 23], 0),
+        r(Rotmi, [16, 24, 0, 0], -5),
+        r(Sf, [17, 16, 24, 0], 0),
+        r(Andi, [19, 17, 0, 0], 0x1ff),
+    ];
+    measure("integer", &integer, |n| n.wrapping_mul(0x9e37_79b9));
+    let chain = [
+        r(Fma, [20, 16, 17, 18], 0),
+        r(Fm, [21, 20, 17, 0], 0),
+        r(Fa, [22, 21, 18, 0], 0),
+        r(Fs, [23, 22, 19, 0], 0),
+        r(Fnms, [24, 23, 17, 22], 0),
+        r(Fcgt, [25, 24, 23, 0], 0),
+        r(Selb, [26, 24, 23, 25], 0),
+        r(Fms, [27, 26, 18, 20], 0),
+    ];
+    measure("float, one chain", &chain, near_one);
+    let float = [
+        r(Fma, [20, 16, 17, 18], 0),
+        r(Fm, [21, 16, 19, 0], 0),
+        r(Fa, [22, 17, 18, 0], 0),
+        r(Fs, [23, 18, 19, 0], 0),
+        r(Fnms, [24, 20, 21, 22], 0),
+        r(Fcgt, [25, 23, 16, 0], 0),
+        r(Selb, [26, 20, 21, 25], 0),
+        r(Fms, [27, 21, 22, 23], 0),
+    ];
+    measure("float", &float, near_one);
+    let junk = |n: u32| n.wrapping_mul(0x9e37_79b9) | 0x7f80_0000;
+    measure("float, extremes", &float, junk);
+    let estimates = [
+        r(Frest, [20, 16, 0, 0], 0),
+        r(Fi, [21, 16, 20, 0], 0),
+        r(Fnms, [22, 21, 16, 17], 0),
+        r(Fma, [23, 22, 21, 21], 0),
+        r(Frsqest, [24, 18, 0, 0], 0),
+        r(Fi, [25, 18, 24, 0], 0),
+    ];
+    measure("estimates", &estimates, near_one);
+    let memory = [
+        r(Lqd, [20, 3, 0, 0], 0x400),
+        r(Rotqby, [21, 20, 3, 0], 0),
+        r(Shufb, [22, 21, 16, 17], 0),
+        r(Cwd, [23, 3, 0, 0], 4),
+        r(Shufb, [24, 22, 20, 23], 0),
+        r(Stqd, [24, 3, 0, 0], 0x800),
+    ];
+    measure("memory, shuffle", &memory, |n| {
+        (n * 0x0102_0304) & 0x1f1f_1f1f
+    });
+    let double = [
+        r(Dfa, [20, 16, 17, 0], 0),
+        r(Dfm, [21, 20, 18, 0], 0),
+        r(Dfma, [20, 16, 21, 0], 0),
+    ];
+    measure("double", &double, near_one);
+}

@@ -1,0 +1,250 @@
+//! Single precision: extended range, no NaN, no infinity, truncation, saturation, flush to zero.
+//!
+//! Operands widen to `f64`, where every product of two singles is exact. A sum is rounded there, but
+//! its rounding error is known exactly (Knuth's two-sum), so the sum can be turned into the truncated
+//! one; truncating that again to 24 bits is one truncation of the exact value. Widened values and
+//! their errors stay between 2^-310 and 2^260, so `f64` itself neither overflows nor underflows.
+//!
+//! Rules: SPU ISA 1.2. That a sum is truncated exactly, whatever the distance of its operands, is
+//! inferred; no print of the hardware for that case is known.
+
+use super::fpscr::Flags;
+use std::array::from_fn;
+
+const SIGN: u32 = 0x8000_0000;
+const MAGNITUDE: u32 = 0x7fff_ffff;
+const EXPONENT: u32 = 0x7f80_0000;
+
+/// The smallest number above zero, 2^-126.
+pub const SMALLEST: u32 = 0x0080_0000;
+/// The largest number, (2 - 2^-23) * 2^128.
+pub const LARGEST: u32 = MAGNITUDE;
+
+/// Difference of the exponent biases, where a double has its exponent.
+const REBIAS: u64 = (1023 - 127) << 52;
+/// Fraction bits that a double has and a single has not.
+const EXTRA_BITS: u32 = 52 - 23;
+
+const SMALLEST_F64: f64 = f64::from_bits(widen_magnitude(SMALLEST));
+const LARGEST_F64: f64 = f64::from_bits(widen_magnitude(LARGEST));
+
+const fn widen_magnitude(magnitude: u32) -> u64 {
+    ((magnitude as u64) << EXTRA_BITS) + REBIAS
+}
+
+/// The value of a single, exactly. Exponent 0 is zero, exponent 255 an ordinary exponent.
+#[inline]
+#[must_use]
+pub fn to_f64(x: u32) -> f64 {
+    let bits = u64::from(x & SIGN) << 32 | widen_magnitude(x & MAGNITUDE);
+    let zero = x & EXPONENT == 0;
+    f64::from_bits(if zero { 0 } else { bits })
+}
+
+/// The single nearest to `value` toward zero: above the largest the largest, below the smallest +0.
+/// An infinity or a NaN gives the largest with its sign.
+#[inline]
+#[must_use]
+pub fn from_f64(value: f64) -> u32 {
+    let bits = value.to_bits();
+    let sign = (bits >> 32) as u32 & SIGN;
+    let magnitude = value.abs();
+    let fits = (magnitude.to_bits().wrapping_sub(REBIAS) >> EXTRA_BITS) as u32;
+    // Compared as doubles, which vectorises better than integers do; a NaN is not less or equal.
+    let in_range = magnitude <= LARGEST_F64;
+    let signed = sign | if in_range { fits } else { LARGEST };
+    if magnitude < SMALLEST_F64 { 0 } else { signed }
+}
+
+/// Whether IEEE arithmetic would read the operand or result differently.
+#[inline]
+const fn differs_from_ieee(x: u32) -> bool {
+    let magnitude = x & MAGNITUDE;
+    magnitude.wrapping_sub(SMALLEST) >= EXPONENT - SMALLEST && magnitude != 0
+}
+
+/// What an operation gives in each of `N` lanes.
+pub type Lanes<const N: usize> = ([u32; N], [Flags; N]);
+
+/// Results from doubles that hold the exact values truncated to 53 bits, and whether that truncation
+/// lost anything. Operands' own reasons for `DIFFERENT` are not in the flags.
+#[inline]
+pub(super) fn finish<const N: usize>(truncated: [f64; N], inexact: [bool; N]) -> Lanes<N> {
+    let magnitude = truncated.map(f64::abs);
+    let results = truncated.map(from_f64);
+    let flags = from_fn(|n| {
+        let m = magnitude[n];
+        let overflow = (m > LARGEST_F64) | (m == LARGEST_F64) & inexact[n];
+        let underflow = (m < SMALLEST_F64) & (m != 0.0);
+        Flags::OVERFLOW.when(overflow)
+            | Flags::UNDERFLOW.when(underflow)
+            | Flags::DIFFERENT.when(underflow | differs_from_ieee(results[n]))
+    });
+    (results, flags)
+}
+
+/// Sums, truncated to 53 bits and then finished.
+#[inline]
+fn sum<const N: usize>(x: [f64; N], y: [f64; N]) -> Lanes<N> {
+    let rounded: [f64; N] = from_fn(|n| x[n] + y[n]);
+    let error: [f64; N] = from_fn(|n| {
+        let y_part = rounded[n] - x[n];
+        (x[n] - (rounded[n] - y_part)) + (y[n] - y_part)
+    });
+    let truncated = from_fn(|n| {
+        let bits = rounded[n].to_bits();
+        let opposite = (bits ^ error[n].to_bits()) >> 63;
+        let inexact = u64::from(error[n] != 0.0);
+        f64::from_bits(bits - (opposite & inexact))
+    });
+    finish(truncated, error.map(|error| error != 0.0))
+}
+
+#[inline]
+fn also_different<const N: usize>((results, flags): Lanes<N>, operands: [u32; N]) -> Lanes<N> {
+    let different = operands.map(|x| Flags::DIFFERENT.when(differs_from_ieee(x)));
+    (results, from_fn(|n| flags[n] | different[n]))
+}
+
+#[inline]
+fn negated<const N: usize>(x: [u32; N]) -> [u32; N] {
+    x.map(|x| x ^ SIGN)
+}
+
+/// [`fa`] in `N` lanes, with its exceptions.
+#[inline]
+#[must_use]
+pub fn fa_lanes<const N: usize>(a: [u32; N], b: [u32; N]) -> Lanes<N> {
+    let sum = sum(a.map(to_f64), b.map(to_f64));
+    also_different(also_different(sum, a), b)
+}
+
+/// [`fs`] in `N` lanes, with its exceptions.
+#[inline]
+#[must_use]
+pub fn fs_lanes<const N: usize>(a: [u32; N], b: [u32; N]) -> Lanes<N> {
+    fa_lanes(a, negated(b))
+}
+
+#[inline]
+fn exact_products<const N: usize>(a: [u32; N], b: [u32; N]) -> [f64; N] {
+    from_fn(|n| to_f64(a[n]) * to_f64(b[n]))
+}
+
+/// [`fm`] in `N` lanes, with its exceptions.
+#[inline]
+#[must_use]
+pub fn fm_lanes<const N: usize>(a: [u32; N], b: [u32; N]) -> Lanes<N> {
+    let products = finish(exact_products(a, b), [false; N]);
+    also_different(also_different(products, a), b)
+}
+
+/// [`fma`] in `N` lanes, with its exceptions.
+#[inline]
+#[must_use]
+pub fn fma_lanes<const N: usize>(a: [u32; N], b: [u32; N], c: [u32; N]) -> Lanes<N> {
+    let sum = sum(exact_products(a, b), c.map(to_f64));
+    also_different(also_different(also_different(sum, a), b), c)
+}
+
+/// [`fms`] in `N` lanes, with its exceptions.
+#[inline]
+#[must_use]
+pub fn fms_lanes<const N: usize>(a: [u32; N], b: [u32; N], c: [u32; N]) -> Lanes<N> {
+    fma_lanes(a, b, negated(c))
+}
+
+/// [`fnms`] in `N` lanes, with its exceptions.
+#[inline]
+#[must_use]
+pub fn fnms_lanes<const N: usize>(a: [u32; N], b: [u32; N], c: [u32; N]) -> Lanes<N> {
+    fma_lanes(negated(a), b, c)
+}
+
+/// `a + b`
+#[inline]
+#[must_use]
+pub fn fa(a: u32, b: u32) -> u32 {
+    fa_lanes([a], [b]).0[0]
+}
+
+/// `a - b`
+#[inline]
+#[must_use]
+pub fn fs(a: u32, b: u32) -> u32 {
+    fs_lanes([a], [b]).0[0]
+}
+
+/// `a * b`
+#[inline]
+#[must_use]
+pub fn fm(a: u32, b: u32) -> u32 {
+    fm_lanes([a], [b]).0[0]
+}
+
+/// `a * b + c`, truncated once.
+#[inline]
+#[must_use]
+pub fn fma(a: u32, b: u32, c: u32) -> u32 {
+    fma_lanes([a], [b], [c]).0[0]
+}
+
+/// `a * b - c`, truncated once.
+#[inline]
+#[must_use]
+pub fn fms(a: u32, b: u32, c: u32) -> u32 {
+    fms_lanes([a], [b], [c]).0[0]
+}
+
+/// `c - a * b`, truncated once.
+#[inline]
+#[must_use]
+pub fn fnms(a: u32, b: u32, c: u32) -> u32 {
+    fnms_lanes([a], [b], [c]).0[0]
+}
+
+/// An integer that orders as the single does; all zeros are 0.
+#[inline]
+const fn order(x: u32) -> i32 {
+    let magnitude = (x & MAGNITUDE) as i32;
+    if x & EXPONENT == 0 {
+        0
+    } else if x & SIGN == 0 {
+        magnitude
+    } else {
+        -magnitude
+    }
+}
+
+#[inline]
+const fn mask(condition: bool) -> u32 {
+    (condition as u32).wrapping_neg()
+}
+
+/// All ones if `a == b`, else 0.
+#[inline]
+#[must_use]
+pub fn fceq(a: u32, b: u32) -> u32 {
+    mask(order(a) == order(b))
+}
+
+/// All ones if `a > b`, else 0.
+#[inline]
+#[must_use]
+pub fn fcgt(a: u32, b: u32) -> u32 {
+    mask(order(a) > order(b))
+}
+
+/// All ones if `|a| == |b|`, else 0.
+#[inline]
+#[must_use]
+pub fn fcmeq(a: u32, b: u32) -> u32 {
+    fceq(a & MAGNITUDE, b & MAGNITUDE)
+}
+
+/// All ones if `|a| > |b|`, else 0.
+#[inline]
+#[must_use]
+pub fn fcmgt(a: u32, b: u32) -> u32 {
+    fcgt(a & MAGNITUDE, b & MAGNITUDE)
+}

@@ -1,0 +1,376 @@
+//! Arithmetic, multiplication, counting, logic, selection, shuffling, masks and gathers.
+
+use super::quad::Quad;
+use super::spu::Spu;
+use crate::isa::Instruction;
+use std::array::from_fn;
+
+#[inline]
+pub(super) fn a(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, u32::wrapping_add);
+}
+
+#[inline]
+pub(super) fn ah(spu: &mut Spu, i: Instruction) {
+    spu.halfword_binary(i, u16::wrapping_add);
+}
+
+#[inline]
+pub(super) fn ai(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a.wrapping_add_signed(i.immediate));
+}
+
+#[inline]
+pub(super) fn ahi(spu: &mut Spu, i: Instruction) {
+    spu.halfword_unary(i, |a| a.wrapping_add(i.immediate as u16));
+}
+
+#[inline]
+pub(super) fn sf(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| b.wrapping_sub(a));
+}
+
+#[inline]
+pub(super) fn sfh(spu: &mut Spu, i: Instruction) {
+    spu.halfword_binary(i, |a, b| b.wrapping_sub(a));
+}
+
+#[inline]
+pub(super) fn sfi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| (i.immediate as u32).wrapping_sub(a));
+}
+
+#[inline]
+pub(super) fn sfhi(spu: &mut Spu, i: Instruction) {
+    spu.halfword_unary(i, |a| (i.immediate as u16).wrapping_sub(a));
+}
+
+#[inline]
+pub(super) fn addx(spu: &mut Spu, i: Instruction) {
+    spu.word_accumulate(i, |a, b, t| a.wrapping_add(b).wrapping_add(t & 1));
+}
+
+/// Carry out of `a + b + carry`.
+#[inline]
+const fn carry(a: u32, b: u32, carry: u32) -> u32 {
+    ((a as u64 + b as u64 + carry as u64) >> 32) as u32
+}
+
+#[inline]
+pub(super) fn cg(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| carry(a, b, 0));
+}
+
+#[inline]
+pub(super) fn cgx(spu: &mut Spu, i: Instruction) {
+    spu.word_accumulate(i, |a, b, t| carry(a, b, t & 1));
+}
+
+#[inline]
+pub(super) fn sfx(spu: &mut Spu, i: Instruction) {
+    spu.word_accumulate(i, |a, b, t| b.wrapping_add(!a).wrapping_add(t & 1));
+}
+
+#[inline]
+pub(super) fn bg(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| carry(!a, b, 1));
+}
+
+#[inline]
+pub(super) fn bgx(spu: &mut Spu, i: Instruction) {
+    spu.word_accumulate(i, |a, b, t| carry(!a, b, t & 1));
+}
+
+#[inline]
+const fn signed_low(x: u32) -> i32 {
+    x as i16 as i32
+}
+
+#[inline]
+const fn signed_high(x: u32) -> i32 {
+    x as i32 >> 16
+}
+
+#[inline]
+const fn low(x: u32) -> u32 {
+    x & 0xffff
+}
+
+#[inline]
+const fn high(x: u32) -> u32 {
+    x >> 16
+}
+
+#[inline]
+pub(super) fn mpy(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| (signed_low(a) * signed_low(b)) as u32);
+}
+
+#[inline]
+pub(super) fn mpyu(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| low(a) * low(b));
+}
+
+#[inline]
+pub(super) fn mpyi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| (signed_low(a) * i.immediate) as u32);
+}
+
+#[inline]
+pub(super) fn mpyui(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| low(a) * low(i.immediate as u32));
+}
+
+#[inline]
+pub(super) fn mpya(spu: &mut Spu, i: Instruction) {
+    spu.word_ternary(i, |a, b, c| {
+        c.wrapping_add_signed(signed_low(a) * signed_low(b))
+    });
+}
+
+#[inline]
+pub(super) fn mpyh(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| (high(a) * low(b)) << 16);
+}
+
+#[inline]
+pub(super) fn mpys(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| ((signed_low(a) * signed_low(b)) >> 16) as u32);
+}
+
+#[inline]
+pub(super) fn mpyhh(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| (signed_high(a) * signed_high(b)) as u32);
+}
+
+#[inline]
+pub(super) fn mpyhhu(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| high(a) * high(b));
+}
+
+#[inline]
+pub(super) fn mpyhha(spu: &mut Spu, i: Instruction) {
+    spu.word_accumulate(i, |a, b, t| {
+        t.wrapping_add_signed(signed_high(a) * signed_high(b))
+    });
+}
+
+#[inline]
+pub(super) fn mpyhhau(spu: &mut Spu, i: Instruction) {
+    spu.word_accumulate(i, |a, b, t| t.wrapping_add(high(a) * high(b)));
+}
+
+#[inline]
+pub(super) fn clz(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, u32::leading_zeros);
+}
+
+#[inline]
+pub(super) fn cntb(spu: &mut Spu, i: Instruction) {
+    spu.byte_unary(i, |a| a.count_ones() as u8);
+}
+
+#[inline]
+pub(super) fn avgb(spu: &mut Spu, i: Instruction) {
+    spu.byte_binary(i, |a, b| ((u16::from(a) + u16::from(b) + 1) >> 1) as u8);
+}
+
+#[inline]
+pub(super) fn absdb(spu: &mut Spu, i: Instruction) {
+    spu.byte_binary(i, u8::abs_diff);
+}
+
+#[inline]
+pub(super) fn sumb(spu: &mut Spu, i: Instruction) {
+    let sum = |x: u32| -> u32 { x.to_be_bytes().map(u32::from).iter().sum() };
+    spu.word_binary(i, |a, b| sum(b) << 16 | sum(a));
+}
+
+#[inline]
+pub(super) fn xsbh(spu: &mut Spu, i: Instruction) {
+    spu.halfword_unary(i, |a| a as i8 as u16);
+}
+
+#[inline]
+pub(super) fn xshw(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a as i16 as u32);
+}
+
+#[inline]
+pub(super) fn xswd(spu: &mut Spu, i: Instruction) {
+    let doublewords = spu.ra(i).doublewords();
+    spu.set_rt(
+        i,
+        Quad::from_doublewords(doublewords.map(|a| a as i32 as u64)),
+    );
+}
+
+#[inline]
+pub(super) fn and(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| a & b);
+}
+
+#[inline]
+pub(super) fn or(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| a | b);
+}
+
+#[inline]
+pub(super) fn xor(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| a ^ b);
+}
+
+#[inline]
+pub(super) fn nand(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| !(a & b));
+}
+
+#[inline]
+pub(super) fn nor(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| !(a | b));
+}
+
+#[inline]
+pub(super) fn eqv(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| !(a ^ b));
+}
+
+#[inline]
+pub(super) fn andc(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| a & !b);
+}
+
+#[inline]
+pub(super) fn orc(spu: &mut Spu, i: Instruction) {
+    spu.word_binary(i, |a, b| a | !b);
+}
+
+/// The constant as a word of halfwords.
+#[inline]
+const fn halfwords(i: Instruction) -> u32 {
+    i.immediate as u16 as u32 * 0x0001_0001
+}
+
+/// The constant as a word of bytes.
+#[inline]
+const fn bytes(i: Instruction) -> u32 {
+    i.immediate as u8 as u32 * 0x0101_0101
+}
+
+#[inline]
+pub(super) fn andi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a & i.immediate as u32);
+}
+
+#[inline]
+pub(super) fn ori(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a | i.immediate as u32);
+}
+
+#[inline]
+pub(super) fn xori(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a ^ i.immediate as u32);
+}
+
+#[inline]
+pub(super) fn andhi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a & halfwords(i));
+}
+
+#[inline]
+pub(super) fn orhi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a | halfwords(i));
+}
+
+#[inline]
+pub(super) fn xorhi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a ^ halfwords(i));
+}
+
+#[inline]
+pub(super) fn andbi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a & bytes(i));
+}
+
+#[inline]
+pub(super) fn orbi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a | bytes(i));
+}
+
+#[inline]
+pub(super) fn xorbi(spu: &mut Spu, i: Instruction) {
+    spu.word_unary(i, |a| a ^ bytes(i));
+}
+
+#[inline]
+pub(super) fn orx(spu: &mut Spu, i: Instruction) {
+    let Quad([a, b, c, d]) = spu.ra(i);
+    spu.set_rt(i, Quad::scalar(a | b | c | d));
+}
+
+#[inline]
+pub(super) fn selb(spu: &mut Spu, i: Instruction) {
+    spu.word_ternary(i, |a, b, c| b & c | a & !c);
+}
+
+#[inline]
+pub(super) fn shufb(spu: &mut Spu, i: Instruction) {
+    let mut source = [0; 32];
+    source[..16].copy_from_slice(&spu.ra(i).bytes());
+    source[16..].copy_from_slice(&spu.rb(i).bytes());
+    let shuffled = spu.rc(i).bytes().map(|selector| match selector >> 5 {
+        4 | 5 => 0x00,
+        6 => 0xff,
+        7 => 0x80,
+        _ => source[usize::from(selector & 31)],
+    });
+    spu.set_rt(i, Quad::from_bytes(shuffled));
+}
+
+#[inline]
+pub(super) fn fsm(spu: &mut Spu, i: Instruction) {
+    let bits = spu.ra(i).preferred();
+    let words = from_fn(|lane| (bits >> (3 - lane) & 1).wrapping_neg());
+    spu.set_rt(i, Quad(words));
+}
+
+#[inline]
+pub(super) fn fsmh(spu: &mut Spu, i: Instruction) {
+    let bits = spu.ra(i).preferred();
+    let halfwords = from_fn(|lane| ((bits >> (7 - lane) & 1) as u16).wrapping_neg());
+    spu.set_rt(i, Quad::from_halfwords(halfwords));
+}
+
+/// The lowest sixteen bits, the left one first, each over a byte.
+#[inline]
+pub(super) fn spread_over_bytes(bits: u32) -> Quad {
+    let bytes = from_fn(|lane| ((bits >> (15 - lane) & 1) as u8).wrapping_neg());
+    Quad::from_bytes(bytes)
+}
+
+#[inline]
+pub(super) fn fsmb(spu: &mut Spu, i: Instruction) {
+    spu.set_rt(i, spread_over_bytes(spu.ra(i).preferred()));
+}
+
+/// The lanes' lowest bits as a number, the left lane first.
+#[inline]
+fn gather(lanes: impl IntoIterator<Item = u32>) -> Quad {
+    let bits = lanes.into_iter().fold(0, |bits, lane| bits << 1 | lane & 1);
+    Quad::scalar(bits)
+}
+
+#[inline]
+pub(super) fn gb(spu: &mut Spu, i: Instruction) {
+    spu.set_rt(i, gather(spu.ra(i).0));
+}
+
+#[inline]
+pub(super) fn gbh(spu: &mut Spu, i: Instruction) {
+    spu.set_rt(i, gather(spu.ra(i).halfwords().map(u32::from)));
+}
+
+#[inline]
+pub(super) fn gbb(spu: &mut Spu, i: Instruction) {
+    spu.set_rt(i, gather(spu.ra(i).bytes().map(u32::from)));
+}

@@ -1,0 +1,135 @@
+//! Loads, stores, and the controls with which `shufb` inserts into a quadword.
+//!
+//! Local store masks addresses to its size and to whole quadwords.
+
+use super::quad::Quad;
+use super::spu::Spu;
+use crate::isa::Instruction;
+use crate::local_store::LocalStore;
+
+#[inline]
+fn displaced(spu: &Spu, i: Instruction) -> u32 {
+    spu.ra(i).preferred().wrapping_add_signed(i.immediate)
+}
+
+#[inline]
+fn indexed(spu: &Spu, i: Instruction) -> u32 {
+    let (a, b) = (spu.ra(i), spu.rb(i));
+    a.preferred().wrapping_add(b.preferred())
+}
+
+#[inline]
+fn relative(pc: u32, i: Instruction) -> u32 {
+    pc.wrapping_add_signed(i.immediate)
+}
+
+#[inline]
+fn load(spu: &mut Spu, ls: &LocalStore, i: Instruction, address: u32) {
+    spu.set_rt(i, Quad(ls.load_quadword(address)));
+}
+
+#[inline]
+fn store(spu: &Spu, ls: &LocalStore, i: Instruction, address: u32) {
+    ls.store_quadword(address, spu.rt(i).0);
+}
+
+#[inline]
+pub(super) fn lqd(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
+    let address = displaced(spu, i);
+    load(spu, ls, i, address);
+}
+
+#[inline]
+pub(super) fn lqx(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
+    let address = indexed(spu, i);
+    load(spu, ls, i, address);
+}
+
+#[inline]
+pub(super) fn lqa(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
+    load(spu, ls, i, i.immediate as u32);
+}
+
+#[inline]
+pub(super) fn lqr(spu: &mut Spu, ls: &LocalStore, pc: u32, i: Instruction) {
+    load(spu, ls, i, relative(pc, i));
+}
+
+#[inline]
+pub(super) fn stqd(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
+    store(spu, ls, i, displaced(spu, i));
+}
+
+#[inline]
+pub(super) fn stqx(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
+    store(spu, ls, i, indexed(spu, i));
+}
+
+#[inline]
+pub(super) fn stqa(spu: &mut Spu, ls: &LocalStore, _: u32, i: Instruction) {
+    store(spu, ls, i, i.immediate as u32);
+}
+
+#[inline]
+pub(super) fn stqr(spu: &mut Spu, ls: &LocalStore, pc: u32, i: Instruction) {
+    store(spu, ls, i, relative(pc, i));
+}
+
+/// Controls that keep rb's bytes but for `size` bytes at `address`, which come from where a scalar
+/// of that size lies in ra.
+#[inline]
+fn insertion(address: u32, size: u32) -> Quad {
+    const KEEP: u128 = 0x1011_1213_1415_1617_1819_1a1b_1c1d_1e1f;
+    const SCALAR: u64 = 0x0001_0203_0405_0607;
+    // A doubleword fills bytes 0-7 of its register, a smaller scalar ends at byte 3.
+    let (scalar, ones) = match size {
+        8 => (SCALAR, u64::MAX),
+        _ => {
+            let ones = u64::MAX >> (64 - 8 * size);
+            (SCALAR >> 32 & ones, ones)
+        }
+    };
+    let first = address & (16 - size);
+    let shift = 8 * (16 - size - first);
+    Quad::from_u128(KEEP & !(u128::from(ones) << shift) | u128::from(scalar) << shift)
+}
+
+#[inline]
+pub(super) fn cbd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(displaced(spu, i), 1));
+}
+
+#[inline]
+pub(super) fn chd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(displaced(spu, i), 2));
+}
+
+#[inline]
+pub(super) fn cwd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(displaced(spu, i), 4));
+}
+
+#[inline]
+pub(super) fn cdd(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(displaced(spu, i), 8));
+}
+
+#[inline]
+pub(super) fn cbx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(indexed(spu, i), 1));
+}
+
+#[inline]
+pub(super) fn chx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(indexed(spu, i), 2));
+}
+
+#[inline]
+pub(super) fn cwx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(indexed(spu, i), 4));
+}
+
+#[inline]
+pub(super) fn cdx(spu: &mut Spu, _: &LocalStore, _: u32, i: Instruction) {
+    spu.set_rt(i, insertion(indexed(spu, i), 8));
+}

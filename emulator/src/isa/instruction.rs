@@ -1,0 +1,92 @@
+//! A decoded instruction.
+
+use super::op::{Field, Op, Target};
+use super::registers::RegisterSet;
+
+/// Feature bits of formats [`Flagged`](super::Format::Flagged) and [`Hint`](super::Format::Hint),
+/// as they stand in [`Instruction::immediate`].
+pub mod feature {
+    /// Bit 11: `sync` waits for channels too (c), `hbr` reserves a slot for prefetch (p).
+    pub const CHANNEL_OR_PREFETCH: i32 = 4;
+    /// Bit 12: a taken indirect branch disables interrupts (d).
+    pub const DISABLE: i32 = 2;
+    /// Bit 13: a taken indirect branch enables interrupts (e).
+    pub const ENABLE: i32 = 1;
+}
+
+/// A decoded instruction. Fields that its format does not have are 0.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Instruction {
+    /// Which instruction.
+    pub op: Op,
+    /// Target register, or a third source.
+    pub rt: u8,
+    /// First source register; also the number of a channel or special-purpose register.
+    pub ra: u8,
+    /// Second source register.
+    pub rb: u8,
+    /// Third source register of format RRR.
+    pub rc: u8,
+    /// Hints only: bytes from the hint to the branch.
+    pub branch_distance: i16,
+    /// The constant, as the instruction means it: sign-extended where signed, a byte address or
+    /// distance for addresses, the scale of a conversion, [`feature`] bits, or a stop code.
+    pub immediate: i32,
+}
+
+impl Instruction {
+    /// The instruction in `word`; `None` if its opcode is not assigned. Reserved bits are ignored,
+    /// as the GNU disassembler does.
+    #[must_use]
+    pub fn decode(word: u32) -> Option<Self> {
+        let op = Op::of_word(word)?;
+        Some(op.row().format.unpack(op, word))
+    }
+
+    /// The instruction's word. Of a field that is too wide the low bits are taken.
+    #[must_use]
+    pub fn encode(self) -> u32 {
+        let row = self.op.row();
+        u32::from(row.opcode) << 21 | row.format.pack(self)
+    }
+
+    /// The number in a register field.
+    #[must_use]
+    pub const fn register(self, field: Field) -> u8 {
+        match field {
+            Field::Rt => self.rt,
+            Field::Ra => self.ra,
+            Field::Rb => self.rb,
+            Field::Rc => self.rc,
+        }
+    }
+
+    /// Registers whose values the instruction needs.
+    #[must_use]
+    pub fn reads(self) -> RegisterSet {
+        let fields = self.op.row().reads.iter();
+        fields.fold(RegisterSet::EMPTY, |set, &field| {
+            set.union(RegisterSet::of(self.register(field)))
+        })
+    }
+
+    /// The register that the instruction writes, as a set.
+    #[must_use]
+    pub fn writes(self) -> RegisterSet {
+        self.target_if(Target::Rt)
+    }
+
+    /// The register that is encoded as a target but never written, as a set.
+    #[must_use]
+    pub fn false_target(self) -> RegisterSet {
+        self.target_if(Target::False)
+    }
+
+    fn target_if(self, wanted: Target) -> RegisterSet {
+        if self.op.row().target == wanted {
+            RegisterSet::of(self.rt)
+        } else {
+            RegisterSet::EMPTY
+        }
+    }
+}

@@ -1,0 +1,199 @@
+//! What SPEs share: main memory, the clock, reservations, and the addresses of signal registers.
+//!
+//! Invariant: an atomic line command excludes every transfer (it holds the lock alone), so it sees a
+//! line before or after another unit's `put`, never half of it; and whoever writes a line breaks every
+//! reservation on it before the lock is free. Plain transfers run side by side. A line that the PPE
+//! writes by itself breaks no reservation, but the conditional put still fails, since it compares the
+//! line with what was read under the reservation.
+
+use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::{Arc, RwLock, Weak};
+
+use crate::decrementer::{Clock, HostClock};
+use crate::memory::{LINE, MainMemory, MemoryFault};
+use crate::signal::SignalRegister;
+use crate::spe::lock::{read_lock, write_lock};
+
+/// No line has this address: it is not a multiple of 128.
+const NO_LINE: u64 = u64::MAX;
+
+/// The line that a unit holds reserved.
+#[derive(Debug)]
+pub(crate) struct Reservation(AtomicU64);
+
+impl Reservation {
+    pub(crate) fn new() -> Self {
+        Self(AtomicU64::new(NO_LINE))
+    }
+
+    fn holds(&self, line: u64) -> bool {
+        self.0.load(SeqCst) == line
+    }
+
+    fn set(&self, line: u64) {
+        self.0.store(line, SeqCst);
+    }
+
+    pub(crate) fn clear(&self) {
+        self.0.store(NO_LINE, SeqCst);
+    }
+
+    /// Ends the reservation if it is on a line of `first..=last`; says whether it was.
+    fn break_within(&self, first: u64, last: u64) -> bool {
+        let held = self.0.load(SeqCst);
+        (first..=last).contains(&held)
+            && self
+                .0
+                .compare_exchange(held, NO_LINE, SeqCst, SeqCst)
+                .is_ok()
+    }
+
+    /// The reserved line's address.
+    pub(crate) fn line(&self) -> Option<u64> {
+        let held = self.0.load(SeqCst);
+        (held != NO_LINE).then_some(held)
+    }
+}
+
+/// A unit on the interconnect, as the others see it.
+pub(crate) trait Unit: Send + Sync {
+    fn reservation(&self) -> &Reservation;
+    /// Somebody wrote the reserved line; the reservation is gone already.
+    fn reservation_lost(&self);
+    fn signal(&self, register: SignalRegister, word: u32);
+}
+
+#[derive(Default)]
+struct Members {
+    units: Vec<Weak<dyn Unit>>,
+    signals: Vec<(u64, Weak<dyn Unit>, SignalRegister)>,
+}
+
+impl Members {
+    fn broken(&self, ea: u64, length: usize, except: Option<&Reservation>) {
+        if length == 0 {
+            return;
+        }
+        let line = !(LINE as u64 - 1);
+        let (first, last) = (ea & line, ea.saturating_add(length as u64 - 1) & line);
+        for unit in self.units.iter().filter_map(Weak::upgrade) {
+            let own = except.is_some_and(|own| std::ptr::eq(own, unit.reservation()));
+            if !own && unit.reservation().break_within(first, last) {
+                unit.reservation_lost();
+            }
+        }
+    }
+}
+
+/// The interconnect of one machine: every [`Spe`](crate::spe::Spe) is made on one.
+pub struct Interconnect {
+    memory: Arc<dyn MainMemory>,
+    clock: Arc<dyn Clock>,
+    members: RwLock<Members>,
+}
+
+impl Interconnect {
+    /// A machine with this memory, whose time base is the host's time.
+    #[must_use]
+    pub fn new(memory: Arc<dyn MainMemory>) -> Arc<Self> {
+        Self::with_clock(memory, Arc::new(HostClock))
+    }
+
+    /// A machine with this memory and time base.
+    #[must_use]
+    pub fn with_clock(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
+        Arc::new(Self {
+            memory,
+            clock,
+            members: RwLock::default(),
+        })
+    }
+
+    /// The machine's main memory.
+    #[must_use]
+    pub fn memory(&self) -> &dyn MainMemory {
+        &*self.memory
+    }
+
+    pub(crate) fn clock(&self) -> &dyn Clock {
+        &*self.clock
+    }
+
+    pub(crate) fn attach(&self, unit: Weak<dyn Unit>) {
+        let mut members = write_lock(&self.members);
+        members.units.retain(|unit| unit.strong_count() > 0);
+        members
+            .signals
+            .retain(|(_, unit, _)| unit.strong_count() > 0);
+        members.units.push(unit);
+    }
+
+    /// From now on a word written to `ea` by an MFC is a signal.
+    pub(crate) fn map_signal(&self, ea: u64, unit: Weak<dyn Unit>, register: SignalRegister) {
+        write_lock(&self.members).signals.push((ea, unit, register));
+    }
+
+    pub(crate) fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
+        let _side_by_side = read_lock(&self.members);
+        self.memory.read(ea, into)
+    }
+
+    pub(crate) fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault> {
+        let members = read_lock(&self.members);
+        if let Ok(word) = <[u8; 4]>::try_from(from) {
+            let target = members.signals.iter().find(|(at, ..)| *at == ea);
+            if let Some((_, unit, register)) = target {
+                let unit = unit.upgrade().ok_or(MemoryFault { ea })?;
+                unit.signal(*register, u32::from_be_bytes(word));
+                return Ok(());
+            }
+        }
+        let written = self.memory.write(ea, from);
+        members.broken(ea, from.len(), None);
+        written
+    }
+
+    /// `getllar`: the line, which `own` reserves from now on.
+    pub(crate) fn get_line(&self, ea: u64, own: &Reservation) -> Result<[u8; LINE], MemoryFault> {
+        let _alone = write_lock(&self.members);
+        own.clear();
+        let mut line = [0; LINE];
+        self.memory.read(ea, &mut line)?;
+        own.set(ea);
+        Ok(line)
+    }
+
+    /// `putllc`: says whether the line was still reserved and as `seen`, and so was written.
+    pub(crate) fn put_line_conditional(
+        &self,
+        ea: u64,
+        own: &Reservation,
+        seen: &[u8; LINE],
+        new: &[u8; LINE],
+    ) -> Result<bool, MemoryFault> {
+        let members = write_lock(&self.members);
+        let held = own.holds(ea);
+        own.clear();
+        if !held || !self.memory.compare_exchange_line(ea, seen, new)? {
+            return Ok(false);
+        }
+        members.broken(ea, LINE, Some(own));
+        Ok(true)
+    }
+
+    /// `putlluc` and `putqlluc`: an own reservation on the line ends without an event.
+    pub(crate) fn put_line(
+        &self,
+        ea: u64,
+        own: &Reservation,
+        new: &[u8; LINE],
+    ) -> Result<(), MemoryFault> {
+        let members = write_lock(&self.members);
+        if own.holds(ea) {
+            own.clear();
+        }
+        let written = self.memory.write(ea, new);
+        members.broken(ea, LINE, Some(own));
+        written
+    }
+}

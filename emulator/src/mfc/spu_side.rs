@@ -1,0 +1,274 @@
+//! The SPU's side of the MFC: parameters, tag status, stalled lists, atomic status.
+//!
+//! Only the thread that runs the SPU touches it. Where a channel would sleep, a method answers `None`
+//! and the caller sleeps. Events are returned as bits for the caller to raise.
+
+use super::command::{Command, Operation, Parameters, Side};
+use super::queue::{Path, Queue, Ran};
+use super::{DmaError, Policy, SPU_QUEUE_DEPTH};
+use crate::event;
+use crate::memory::LINE;
+
+const PUT_CONDITIONAL_DONE: u32 = 0;
+const PUT_CONDITIONAL_FAILED: u32 = 1;
+const PUT_UNCONDITIONAL_DONE: u32 = 2;
+const GET_LINE_DONE: u32 = 4;
+
+/// What a program finds in parameters that it did not write: no command accepts it.
+const STALE: Parameters = Parameters {
+    lsa: 0xdead_beef,
+    ea: 0xdead_beef_dead_beef,
+    size: 0xdead,
+    tag: 0xdead,
+};
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Condition {
+    Any,
+    All,
+}
+
+pub(crate) struct SpuSide {
+    pub parameters: Parameters,
+    queue: Queue,
+    tag_mask: u32,
+    awaited: Option<Condition>,
+    tag_status: Option<u32>,
+    stalled_tags: u32,
+    atomic_status: Option<u32>,
+    /// The line as `getllar` brought it.
+    seen: [u8; LINE],
+    /// Events that came up since they were last taken.
+    events: u32,
+}
+
+impl SpuSide {
+    pub(crate) fn new(policy: Policy) -> Self {
+        Self {
+            parameters: Parameters::default(),
+            queue: Queue::new(SPU_QUEUE_DEPTH, policy),
+            tag_mask: 0,
+            awaited: None,
+            tag_status: None,
+            stalled_tags: 0,
+            atomic_status: None,
+            seen: [0; LINE],
+            events: 0,
+        }
+    }
+
+    pub(crate) fn take_events(&mut self) -> u32 {
+        std::mem::take(&mut self.events)
+    }
+
+    /// The line as it was when it was reserved.
+    pub(crate) fn seen_line(&self) -> &[u8; LINE] {
+        &self.seen
+    }
+
+    /// Channel 21. `None`: the queue is full and nothing in it may run; the command was not taken.
+    pub(crate) fn command(&mut self, word: u32, path: Path<'_>) -> Result<Option<()>, DmaError> {
+        let command = Command::new(word, self.parameters, Side::Spu)?;
+        if command.operation.is_immediate() {
+            self.atomic(&command, path)?;
+        } else {
+            while self.queue.room() == 0 {
+                if !self.step(u32::MAX, path)? {
+                    return Ok(None);
+                }
+            }
+            self.queue.push(command);
+            if self.queue.policy() == Policy::AtOnce {
+                self.run_ready(path)?;
+            }
+        }
+        if self.queue.policy() == Policy::AtLast {
+            self.parameters = STALE;
+        }
+        Ok(Some(()))
+    }
+
+    fn atomic(&mut self, command: &Command, path: Path<'_>) -> Result<(), DmaError> {
+        let own = path.unit.reservation();
+        let mut line = [0; LINE];
+        path.local_store.read(command.lsa, &mut line);
+        let status = match command.operation {
+            Operation::GetLine => path.interconnect.get_line(command.ea, own).map(|line| {
+                path.local_store.write(command.lsa, &line);
+                self.seen = line;
+                GET_LINE_DONE
+            }),
+            Operation::PutLineConditional => path
+                .interconnect
+                .put_line_conditional(command.ea, own, &self.seen, &line)
+                .map(|done| {
+                    if done {
+                        PUT_CONDITIONAL_DONE
+                    } else {
+                        PUT_CONDITIONAL_FAILED
+                    }
+                }),
+            _ => path
+                .interconnect
+                .put_line(command.ea, own, &line)
+                .map(|()| PUT_UNCONDITIONAL_DONE),
+        };
+        self.atomic_status = Some(status.map_err(|fault| command.storage(fault.ea))?);
+        Ok(())
+    }
+
+    /// Runs one command, one of `tags` before others; says whether one could run.
+    fn step(&mut self, tags: u32, path: Path<'_>) -> Result<bool, DmaError> {
+        let was_full = self.queue.room() == 0;
+        let ran = self.queue.run_one(tags, path);
+        if was_full && self.queue.room() > 0 {
+            self.events |= event::QUEUE_ROOM;
+        }
+        if let Ok(Some(Ran::Stalled(tag))) = ran {
+            if self.stalled_tags == 0 {
+                self.events |= event::LIST_STALL;
+            }
+            self.stalled_tags |= 1 << tag;
+        }
+        self.evaluate();
+        ran.map(|ran| ran.is_some())
+    }
+
+    /// Runs whatever may run.
+    pub(crate) fn run_ready(&mut self, path: Path<'_>) -> Result<(), DmaError> {
+        while self.step(u32::MAX, path)? {}
+        Ok(())
+    }
+
+    /// Whether commands wait only for the policy.
+    pub(crate) fn has_ready(&self) -> bool {
+        self.queue.has_ready()
+    }
+
+    /// Channel 21's count.
+    pub(crate) fn room(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
+        let room = self.queue.room();
+        if room == 0 {
+            self.step(u32::MAX, path)?;
+        }
+        Ok(room as u32)
+    }
+
+    fn idle(&self) -> u32 {
+        self.tag_mask & !self.queue.busy_tags()
+    }
+
+    fn set_tag_status(&mut self, status: u32) {
+        if self.tag_status.is_none() {
+            self.events |= event::TAG_STATUS;
+        }
+        self.tag_status = Some(status);
+        self.awaited = None;
+    }
+
+    fn evaluate(&mut self) {
+        let idle = self.idle();
+        let met = match self.awaited {
+            None => false,
+            Some(Condition::Any) => idle != 0,
+            Some(Condition::All) => idle == self.tag_mask,
+        };
+        if met {
+            self.set_tag_status(idle);
+        }
+    }
+
+    /// Channel 22.
+    pub(crate) fn set_tag_mask(&mut self, mask: u32) {
+        self.tag_mask = mask;
+        self.evaluate();
+    }
+
+    /// Channel 12.
+    pub(crate) fn tag_mask(&self) -> u32 {
+        self.tag_mask
+    }
+
+    /// Channel 23. A condition replaces one that is still awaited; a status that was not read stays.
+    pub(crate) fn request_tag_status(
+        &mut self,
+        condition: u32,
+        path: Path<'_>,
+    ) -> Result<(), DmaError> {
+        match condition {
+            0 => {
+                self.set_tag_status(self.idle());
+                if self.idle() != self.tag_mask {
+                    self.step(self.tag_mask, path)?;
+                }
+            }
+            1 => self.awaited = Some(Condition::Any),
+            2 => self.awaited = Some(Condition::All),
+            _ => {
+                return Err(DmaError::InvalidCommand {
+                    what: "the condition of a tag-status update is 0, 1 or 2",
+                    command: condition,
+                });
+            }
+        }
+        self.evaluate();
+        Ok(())
+    }
+
+    /// Channel 24.
+    pub(crate) fn read_tag_status(&mut self, path: Path<'_>) -> Result<Option<u32>, DmaError> {
+        while self.tag_status.is_none() {
+            if self.awaited.is_none() || !self.step(self.tag_mask, path)? {
+                return Ok(None);
+            }
+        }
+        Ok(self.tag_status.take())
+    }
+
+    /// Channel 24's count.
+    pub(crate) fn tag_status_count(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
+        let count = u32::from(self.tag_status.is_some());
+        if count == 0 && self.awaited.is_some() {
+            self.step(self.tag_mask, path)?;
+        }
+        Ok(count)
+    }
+
+    /// Channel 25.
+    pub(crate) fn read_stalled(&mut self, path: Path<'_>) -> Result<Option<u32>, DmaError> {
+        while self.stalled_tags == 0 {
+            if !self.step(u32::MAX, path)? {
+                return Ok(None);
+            }
+        }
+        Ok(Some(std::mem::take(&mut self.stalled_tags)))
+    }
+
+    /// Channel 25's count.
+    pub(crate) fn stalled_count(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
+        let count = u32::from(self.stalled_tags != 0);
+        if count == 0 {
+            self.step(u32::MAX, path)?;
+        }
+        Ok(count)
+    }
+
+    /// Channel 26.
+    pub(crate) fn resume(&mut self, tag: u32, path: Path<'_>) -> Result<(), DmaError> {
+        self.queue.resume(tag);
+        if self.queue.policy() == Policy::AtOnce {
+            self.run_ready(path)?;
+        }
+        Ok(())
+    }
+
+    /// Channel 27.
+    pub(crate) fn read_atomic_status(&mut self) -> Option<u32> {
+        self.atomic_status.take()
+    }
+
+    /// Channel 27's count.
+    pub(crate) fn atomic_status_count(&self) -> u32 {
+        u32::from(self.atomic_status.is_some())
+    }
+}

@@ -1,0 +1,232 @@
+//! One SPE: the SPU, its local store and MFC, and what the PPE reaches of them.
+//!
+//! An [`Spe`] is shared: one thread at a time runs the SPU ([`Spe::run`]), any thread uses the PPE's
+//! side. Whoever waits sleeps; a stop request wakes the SPU wherever it sleeps.
+//!
+//! Locks are taken in this order: the SPU's own state or the proxy queue, the interconnect, the
+//! problem state. No transfer is made under the problem state's lock.
+
+mod channels;
+pub(crate) mod lock;
+mod problem_state;
+mod proxy;
+
+use std::sync::{Arc, Mutex, Weak};
+use std::time::Instant;
+
+use crate::event;
+use crate::interp::Spu;
+use crate::local_store::LocalStore;
+use crate::mfc::interconnect::{Interconnect, Unit};
+use crate::mfc::{DmaError, Policy};
+use crate::signal::{SignalMode, SignalRegister};
+use crate::stop::{Stop, Stopped};
+use channels::{RunningChannels, SpuState};
+use lock::lock;
+use problem_state::ProblemState;
+use proxy::Proxy;
+
+pub use proxy::{ProxyCommand, TagWait};
+
+/// Is told that something that the PPE can see of an SPE may have changed: a mailbox, a signal
+/// register, a proxy tag, a run that ended. It must return soon and must not call the SPE.
+pub trait Watcher: Send + Sync {
+    /// Look again.
+    fn changed(&self);
+}
+
+/// How an SPE is set up.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Config {
+    /// Modes of signal-notification registers 1 and 2.
+    pub signal_modes: [SignalMode; 2],
+    /// When MFC commands are carried out.
+    pub policy: Policy,
+}
+
+struct Engine {
+    spu: Spu,
+    state: SpuState,
+}
+
+/// A synergistic processor element.
+pub struct Spe {
+    local_store: Arc<LocalStore>,
+    interconnect: Arc<Interconnect>,
+    problem_state: Arc<ProblemState>,
+    engine: Mutex<Engine>,
+    proxy: Mutex<Proxy>,
+}
+
+impl Spe {
+    /// A new SPE on `interconnect`: local store and registers are 0.
+    #[must_use]
+    pub fn new(interconnect: &Arc<Interconnect>, config: Config) -> Arc<Self> {
+        let problem_state = Arc::new(ProblemState::new(config.signal_modes));
+        let unit: Arc<dyn Unit> = problem_state.clone();
+        interconnect.attach(Arc::downgrade(&unit));
+        Arc::new(Self {
+            local_store: Arc::new(LocalStore::new()),
+            interconnect: Arc::clone(interconnect),
+            problem_state,
+            engine: Mutex::new(Engine {
+                spu: Spu::default(),
+                state: SpuState::new(config.policy),
+            }),
+            proxy: Mutex::new(Proxy::new(config.policy)),
+        })
+    }
+
+    /// The local store, which may be read and written while the SPU runs.
+    #[must_use]
+    pub fn local_store(&self) -> &Arc<LocalStore> {
+        &self.local_store
+    }
+
+    /// Runs the SPU from `entry` on the calling thread until it stops. Registers and channels keep
+    /// what they held. A second caller sleeps until the first has returned.
+    pub fn run(&self, entry: u32) -> Stopped {
+        self.run_prepared(entry, |_| ())
+    }
+
+    /// Like [`run`](Self::run), but lets `prepare` set registers before the first instruction.
+    pub fn run_prepared(&self, entry: u32, prepare: impl FnOnce(&mut Spu)) -> Stopped {
+        let mut engine = lock(&self.engine);
+        let Engine { spu, state } = &mut *engine;
+        spu.set_pc(entry);
+        prepare(spu);
+        let mut channels = RunningChannels {
+            own: state,
+            problem_state: &self.problem_state,
+            local_store: &self.local_store,
+            interconnect: &self.interconnect,
+        };
+        let mut stopped = if self.problem_state.stop_requested() {
+            let pc = spu.pc();
+            Stopped {
+                reason: Stop::Requested,
+                pc,
+                npc: pc,
+            }
+        } else {
+            spu.run(&self.local_store, &mut channels)
+        };
+        if let Err(fault) = channels.finish_commands() {
+            stopped.reason = fault;
+        }
+        self.finish_proxy_commands();
+        if stopped.reason == Stop::Requested
+            && let Some(fault) = self.problem_state.take_stop_request()
+        {
+            stopped.reason = Stop::Dma(fault);
+        }
+        drop(engine);
+        self.problem_state.announce();
+        stopped
+    }
+
+    /// Looks at the registers; sleeps while the SPU runs.
+    pub fn with_spu<T>(&self, look: impl FnOnce(&Spu) -> T) -> T {
+        look(&lock(&self.engine).spu)
+    }
+
+    /// Asks the SPU to stop, and wakes it if it sleeps. Without a run the next one ends at once.
+    pub fn request_stop(&self) {
+        self.problem_state.request_stop(None);
+    }
+
+    /// Words that the inbound mailbox can take.
+    #[must_use]
+    pub fn inbound_room(&self) -> usize {
+        self.problem_state.with(|state| state.inbound.room())
+    }
+
+    /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline passed.
+    /// A deadline that has passed already makes it a try; none makes it wait for ever.
+    pub fn write_inbound(&self, word: u32, deadline: Option<Instant>) -> bool {
+        let written = self.problem_state.wait(deadline, |state| {
+            let was_empty = state.inbound.waiting() == 0;
+            let written = state.inbound.write(word);
+            if written && was_empty {
+                state.events.raise(event::INBOUND_DATA);
+            }
+            written.then_some(())
+        });
+        if written.is_some() {
+            self.problem_state.announce();
+        }
+        written.is_some()
+    }
+
+    /// Words in the outbound mailbox.
+    #[must_use]
+    pub fn outbound_waiting(&self) -> usize {
+        self.problem_state.with(|state| state.outbound.waiting())
+    }
+
+    /// Takes a word from the outbound mailbox; sleeps while it is empty, until the deadline.
+    pub fn read_outbound(&self, deadline: Option<Instant>) -> Option<u32> {
+        let word = self.problem_state.wait(deadline, |state| {
+            let word = state.outbound.read()?;
+            state.events.raise(event::OUTBOUND_ROOM);
+            Some(word)
+        });
+        if word.is_some() {
+            self.problem_state.announce();
+        }
+        word
+    }
+
+    /// Words in the outbound interrupt mailbox.
+    #[must_use]
+    pub fn outbound_interrupt_waiting(&self) -> usize {
+        self.problem_state
+            .with(|state| state.outbound_interrupt.waiting())
+    }
+
+    /// Takes a word from the outbound interrupt mailbox; sleeps while it is empty, until the
+    /// deadline.
+    pub fn read_outbound_interrupt(&self, deadline: Option<Instant>) -> Option<u32> {
+        let word = self.problem_state.wait(deadline, |state| {
+            let word = state.outbound_interrupt.read()?;
+            state.events.raise(event::OUTBOUND_INTERRUPT_ROOM);
+            Some(word)
+        });
+        if word.is_some() {
+            self.problem_state.announce();
+        }
+        word
+    }
+
+    /// Writes a signal-notification register.
+    pub fn signal(&self, register: SignalRegister, word: u32) {
+        self.problem_state.signal(register, word);
+    }
+
+    /// Gives a signal-notification register the effective address `ea`, so that the `sndsig` of
+    /// other SPEs reaches it.
+    pub fn map_signal(&self, register: SignalRegister, ea: u64) {
+        let unit: Arc<dyn Unit> = self.problem_state.clone();
+        let unit: Weak<dyn Unit> = Arc::downgrade(&unit);
+        self.interconnect.map_signal(ea, unit, register);
+    }
+
+    /// Has `watcher` told of changes from now on.
+    pub fn watch(&self, watcher: Arc<dyn Watcher>) {
+        self.problem_state.watch(watcher);
+    }
+
+    /// Tells the watchers to look again: for what the SPE's owner keeps beside it.
+    pub fn announce(&self) {
+        self.problem_state.announce();
+    }
+
+    /// Ends one [`watch`](Self::watch) of this watcher.
+    pub fn unwatch(&self, watcher: &Arc<dyn Watcher>) {
+        self.problem_state.unwatch(watcher);
+    }
+
+    fn proxy_failed(&self, fault: DmaError) {
+        self.problem_state.request_stop(Some(fault));
+    }
+}

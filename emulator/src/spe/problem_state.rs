@@ -1,0 +1,183 @@
+//! What both sides of an SPE reach: mailboxes, signals, events, the stop request.
+//!
+//! Invariant: every change that another thread may wait for is made under the lock and followed by a
+//! wake-up, so a sleeper never misses one; watchers are told after the lock is free.
+
+use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
+use std::sync::{Arc, Condvar, Mutex, PoisonError};
+use std::time::{Duration, Instant};
+
+use super::Watcher;
+use super::lock::lock;
+use crate::event::{self, Events};
+use crate::mailbox::{INBOUND_DEPTH, Mailbox, OUTBOUND_DEPTH};
+use crate::mfc::DmaError;
+use crate::mfc::interconnect::{Reservation, Unit};
+use crate::signal::{Signal, SignalMode, SignalRegister};
+
+pub(crate) struct State {
+    pub inbound: Mailbox,
+    pub outbound: Mailbox,
+    pub outbound_interrupt: Mailbox,
+    pub signals: [Signal; 2],
+    pub events: Events,
+    /// A proxy command that failed: stops the SPU.
+    pub fault: Option<DmaError>,
+}
+
+/// How a wait of the SPU ended.
+pub(crate) enum Waited<T> {
+    Ready(T),
+    StopRequested,
+    TimedOut,
+}
+
+pub(crate) struct ProblemState {
+    state: Mutex<State>,
+    changed: Condvar,
+    stop: AtomicBool,
+    watchers: Mutex<Vec<Arc<dyn Watcher>>>,
+    reservation: Reservation,
+}
+
+impl ProblemState {
+    pub(crate) fn new(signals: [SignalMode; 2]) -> Self {
+        Self {
+            state: Mutex::new(State {
+                inbound: Mailbox::new(INBOUND_DEPTH),
+                outbound: Mailbox::new(OUTBOUND_DEPTH),
+                outbound_interrupt: Mailbox::new(OUTBOUND_DEPTH),
+                signals: signals.map(Signal::new),
+                events: Events::default(),
+                fault: None,
+            }),
+            changed: Condvar::new(),
+            stop: AtomicBool::new(false),
+            watchers: Mutex::default(),
+            reservation: Reservation::new(),
+        }
+    }
+
+    /// Looks at the state, or changes what nobody else waits for.
+    pub(crate) fn with<T>(&self, body: impl FnOnce(&mut State) -> T) -> T {
+        body(&mut lock(&self.state))
+    }
+
+    /// Changes the state and wakes whoever may wait for it.
+    pub(crate) fn change<T>(&self, body: impl FnOnce(&mut State) -> T) -> T {
+        let result = self.with(body);
+        self.announce();
+        result
+    }
+
+    /// Wakes whoever may wait for a change that was just made.
+    pub(crate) fn announce(&self) {
+        self.changed.notify_all();
+        let watchers = lock(&self.watchers).clone();
+        for watcher in watchers {
+            watcher.changed();
+        }
+    }
+
+    pub(crate) fn watch(&self, watcher: Arc<dyn Watcher>) {
+        lock(&self.watchers).push(watcher);
+    }
+
+    pub(crate) fn unwatch(&self, watcher: &Arc<dyn Watcher>) {
+        let mut watchers = lock(&self.watchers);
+        if let Some(at) = watchers.iter().position(|w| Arc::ptr_eq(w, watcher)) {
+            watchers.swap_remove(at);
+        }
+    }
+
+    /// Raises events for the SPU; whoever sleeps on channel 0 wakes.
+    pub(crate) fn raise(&self, events: u32) {
+        if events != 0 {
+            self.with(|state| state.events.raise(events));
+            self.changed.notify_all();
+        }
+    }
+
+    pub(crate) fn request_stop(&self, fault: Option<DmaError>) {
+        self.change(|state| {
+            if state.fault.is_none() {
+                state.fault = fault;
+            }
+            self.stop.store(true, SeqCst);
+        });
+    }
+
+    pub(crate) fn stop_requested(&self) -> bool {
+        self.stop.load(SeqCst)
+    }
+
+    /// Ends a request that has been obeyed.
+    pub(crate) fn take_stop_request(&self) -> Option<DmaError> {
+        self.with(|state| {
+            self.stop.store(false, SeqCst);
+            state.fault.take()
+        })
+    }
+
+    /// The SPU sleeps until `poll` yields, a stop is requested, or `limit` has passed.
+    pub(crate) fn wait_as_spu<T>(
+        &self,
+        limit: Option<Duration>,
+        mut poll: impl FnMut(&mut State) -> Option<T>,
+    ) -> Waited<T> {
+        let deadline = limit.and_then(|limit| Instant::now().checked_add(limit));
+        let result = self.wait(deadline, |state| match poll(state) {
+            Some(value) => Some(Waited::Ready(value)),
+            None if self.stop_requested() => Some(Waited::StopRequested),
+            None => None,
+        });
+        result.unwrap_or(Waited::TimedOut)
+    }
+
+    /// Sleeps until `poll` yields; `None` when the deadline has passed.
+    pub(crate) fn wait<T>(
+        &self,
+        deadline: Option<Instant>,
+        mut poll: impl FnMut(&mut State) -> Option<T>,
+    ) -> Option<T> {
+        let mut state = lock(&self.state);
+        loop {
+            if let Some(value) = poll(&mut state) {
+                return Some(value);
+            }
+            state = match deadline {
+                None => self
+                    .changed
+                    .wait(state)
+                    .unwrap_or_else(PoisonError::into_inner),
+                Some(deadline) => {
+                    let left = deadline.checked_duration_since(Instant::now())?;
+                    let woken = self.changed.wait_timeout(state, left);
+                    woken.unwrap_or_else(PoisonError::into_inner).0
+                }
+            };
+        }
+    }
+}
+
+impl Unit for ProblemState {
+    fn reservation(&self) -> &Reservation {
+        &self.reservation
+    }
+
+    fn reservation_lost(&self) {
+        self.raise(event::RESERVATION_LOST);
+    }
+
+    fn signal(&self, register: SignalRegister, word: u32) {
+        let (at, event) = match register {
+            SignalRegister::One => (0, event::SIGNAL_1),
+            SignalRegister::Two => (1, event::SIGNAL_2),
+        };
+        self.change(|state| {
+            if state.signals[at].write(word) {
+                state.events.raise(event);
+            }
+        });
+    }
+}

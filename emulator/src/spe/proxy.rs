@@ -1,0 +1,121 @@
+//! The proxy queue: MFC commands that the PPE gives.
+//!
+//! The thread that calls carries the commands out, so nothing here waits for the SPU: on the console
+//! a proxy command of a context that does not run waits until it does. A command that fails while
+//! it runs stops the SPU, as the hardware's interrupt does.
+
+use super::Spe;
+use super::lock::lock;
+use crate::mfc::command::{Command, Parameters, Side};
+use crate::mfc::queue::{Path, Queue};
+use crate::mfc::{DmaError, PROXY_QUEUE_DEPTH, Policy};
+
+/// A command for the proxy queue.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct ProxyCommand {
+    /// MFC opcode: put, get and sndsig with their fence and barrier forms, barriers.
+    pub opcode: u32,
+    /// Local-store address.
+    pub lsa: u32,
+    /// Effective address.
+    pub ea: u64,
+    /// Bytes.
+    pub size: u32,
+    /// Tag group, 0 to 31.
+    pub tag: u32,
+}
+
+/// What [`Spe::proxy_tags`] waits for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum TagWait {
+    /// Nothing: it tells what is complete now.
+    Immediate,
+    /// One complete tag of the mask at least.
+    Any,
+    /// All tags of the mask.
+    All,
+}
+
+pub(super) struct Proxy {
+    queue: Queue,
+}
+
+impl Proxy {
+    pub(super) fn new(policy: Policy) -> Self {
+        Self {
+            queue: Queue::new(PROXY_QUEUE_DEPTH, policy),
+        }
+    }
+}
+
+impl Spe {
+    /// Runs one proxy command, one of `tags` before others; says whether there was one.
+    fn proxy_step(&self, proxy: &mut Proxy, tags: u32) -> bool {
+        let path = Path {
+            local_store: &self.local_store,
+            interconnect: &self.interconnect,
+            unit: &*self.problem_state,
+        };
+        match proxy.queue.run_one(tags, path) {
+            Ok(ran) => ran.is_some(),
+            Err(fault) => {
+                self.proxy_failed(fault);
+                true
+            }
+        }
+    }
+
+    pub(super) fn finish_proxy_commands(&self) {
+        let mut proxy = lock(&self.proxy);
+        while self.proxy_step(&mut proxy, u32::MAX) {}
+    }
+
+    /// Gives a command to the proxy queue. The error is what is wrong with the command itself; a
+    /// storage fault comes as the end of the SPU's run.
+    pub fn proxy_command(&self, command: ProxyCommand) -> Result<(), DmaError> {
+        let parameters = Parameters {
+            lsa: command.lsa,
+            ea: command.ea,
+            size: command.size,
+            tag: command.tag,
+        };
+        let command = Command::new(command.opcode, parameters, Side::Proxy)?;
+        let mut proxy = lock(&self.proxy);
+        if proxy.queue.room() == 0 {
+            // Without lists there is always an oldest command that may run.
+            self.proxy_step(&mut proxy, u32::MAX);
+        }
+        proxy.queue.push(command);
+        if proxy.queue.policy() == Policy::AtOnce {
+            while self.proxy_step(&mut proxy, u32::MAX) {}
+        }
+        drop(proxy);
+        self.problem_state.announce();
+        Ok(())
+    }
+
+    /// The tags of `mask` that have nothing outstanding in the proxy queue.
+    pub fn proxy_tags(&self, mask: u32, wait: TagWait) -> u32 {
+        let mut proxy = lock(&self.proxy);
+        loop {
+            let idle = mask & !proxy.queue.busy_tags();
+            let enough = match wait {
+                TagWait::Immediate => true,
+                TagWait::Any => idle != 0,
+                TagWait::All => idle == mask,
+            };
+            if enough {
+                let look_again =
+                    wait == TagWait::Immediate && idle != mask && self.proxy_step(&mut proxy, mask);
+                drop(proxy);
+                if look_again {
+                    self.problem_state.announce();
+                }
+                return idle;
+            }
+            if !self.proxy_step(&mut proxy, mask) {
+                return idle;
+            }
+        }
+    }
+}
