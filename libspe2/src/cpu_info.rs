@@ -1,0 +1,47 @@
+//! What machine the program is told it runs on: a PlayStation 3.
+
+use libc::c_int;
+
+use crate::error::{self, Errno, set_errno};
+use crate::types::{
+    SPE_COUNT_PHYSICAL_CPU_NODES, SPE_COUNT_PHYSICAL_SPES, SPE_COUNT_USABLE_SPES,
+    SPE_CPU_IS_CELLBE, SPE_CPU_TYPE,
+};
+
+const NODES: c_int = 1;
+/// SPEs that Linux has on a PlayStation 3.
+const DEFAULT_SPES: c_int = 6;
+const MAX_SPES: c_int = 16;
+const VARIABLE: &str = "LIBSPE2_SPES";
+
+fn spes() -> Result<c_int, Errno> {
+    let Some(text) = std::env::var_os(VARIABLE) else {
+        return Ok(DEFAULT_SPES);
+    };
+    let number = text.to_str().and_then(|text| text.parse().ok());
+    number
+        .filter(|number| (1..=MAX_SPES).contains(number))
+        .ok_or_else(|| {
+            eprintln!("libspe2: {VARIABLE} is a number from 1 to {MAX_SPES}, not {text:?}");
+            Errno(libc::EINVAL)
+        })
+}
+
+/// Counts of nodes and SPEs, and the kind of Cell.
+///
+/// # Safety
+/// None beyond the C calling convention.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_cpu_info_get(info_requested: c_int, cpu_node: c_int) -> c_int {
+    error::int(|| {
+        set_errno(0);
+        match info_requested {
+            SPE_COUNT_PHYSICAL_CPU_NODES if cpu_node == -1 => Ok(NODES),
+            SPE_COUNT_PHYSICAL_SPES | SPE_COUNT_USABLE_SPES if (-1..NODES).contains(&cpu_node) => {
+                spes()
+            }
+            SPE_CPU_TYPE => Ok(SPE_CPU_IS_CELLBE),
+            _ => Err(Errno(libc::EINVAL)),
+        }
+    })
+}

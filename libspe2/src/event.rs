@@ -1,0 +1,321 @@
+//! Event handlers: one thread sleeps on many contexts at once.
+//!
+//! Events are levels, not edges: waiting looks at each registered context, and sleeps on the
+//! handler's bell until some context rings it. Invariant: the bell is read before the look, so a
+//! change during the look makes the sleep end at once.
+
+use std::ptr;
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::time::{Duration, Instant};
+
+use libc::{c_int, c_uint, c_void};
+use spu_emulator::spe::Watcher;
+
+use crate::context::{Context, context};
+use crate::error::{self, Errno};
+use crate::mfc::tag_waiting;
+use crate::types::{
+    SPE_EVENT_ALL_EVENTS, SPE_EVENT_IN_MBOX, SPE_EVENT_OUT_INTR_MBOX, SPE_EVENT_SPE_STOPPED,
+    SPE_EVENT_TAG_GROUP, SpeContext, SpeEventData, SpeEventUnit,
+};
+
+/// The events, each an independent registration, in the order in which they are registered.
+const EVENTS: [c_uint; 4] = [
+    SPE_EVENT_OUT_INTR_MBOX,
+    SPE_EVENT_IN_MBOX,
+    SPE_EVENT_TAG_GROUP,
+    SPE_EVENT_SPE_STOPPED,
+];
+
+#[derive(Default)]
+struct Bell {
+    rings: Mutex<u64>,
+    rung: Condvar,
+}
+
+impl Bell {
+    fn rings(&self) -> MutexGuard<'_, u64> {
+        self.rings.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// Sleeps until the bell has rung more than `heard` times; `false` if the deadline passed first.
+    fn wait(&self, heard: u64, deadline: Option<Instant>) -> bool {
+        let mut rings = self.rings();
+        while *rings == heard {
+            rings = match deadline {
+                None => self
+                    .rung
+                    .wait(rings)
+                    .unwrap_or_else(PoisonError::into_inner),
+                Some(deadline) => {
+                    let Some(left) = deadline.checked_duration_since(Instant::now()) else {
+                        return false;
+                    };
+                    let woken = self.rung.wait_timeout(rings, left);
+                    woken.unwrap_or_else(PoisonError::into_inner).0
+                }
+            };
+        }
+        true
+    }
+}
+
+impl Watcher for Bell {
+    fn changed(&self) {
+        *self.rings() += 1;
+        self.rung.notify_all();
+    }
+}
+
+struct Registration {
+    /// What the program called the context.
+    pointer: *mut SpeContext,
+    context: Arc<Context>,
+    /// Index in [`EVENTS`].
+    event: usize,
+}
+
+// SAFETY: the pointer is only handed back to the program, never followed.
+unsafe impl Send for Registration {}
+
+impl Registration {
+    fn is_up(&self) -> bool {
+        let spe = &self.context.spe;
+        match EVENTS[self.event] {
+            SPE_EVENT_OUT_INTR_MBOX => spe.outbound_interrupt_waiting() > 0,
+            SPE_EVENT_IN_MBOX => spe.inbound_room() > 0,
+            SPE_EVENT_TAG_GROUP => tag_waiting(&self.context),
+            _ => self.context.stops.waiting(),
+        }
+    }
+
+    fn unit(&self) -> SpeEventUnit {
+        let data = self.context.event_data.lock();
+        SpeEventUnit {
+            events: EVENTS[self.event],
+            spe: self.pointer,
+            data: SpeEventData {
+                u64: data.unwrap_or_else(PoisonError::into_inner)[self.event],
+            },
+        }
+    }
+}
+
+/// What is behind an event handler pointer.
+#[derive(Default)]
+struct Handler {
+    bell: Arc<Bell>,
+    registrations: Mutex<Vec<Registration>>,
+}
+
+impl Handler {
+    fn registrations(&self) -> MutexGuard<'_, Vec<Registration>> {
+        self.registrations
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+    }
+
+    fn watcher(&self) -> Arc<dyn Watcher> {
+        self.bell.clone()
+    }
+
+    fn register(&self, registration: Registration) -> Result<(), Errno> {
+        let mut registrations = self.registrations();
+        let same = |other: &Registration| {
+            other.event == registration.event && Arc::ptr_eq(&other.context, &registration.context)
+        };
+        if registrations.iter().any(same) {
+            return Err(Errno(libc::EEXIST));
+        }
+        if EVENTS[registration.event] == SPE_EVENT_SPE_STOPPED {
+            registration.context.stops.register();
+        }
+        registration.context.spe.watch(self.watcher());
+        registrations.push(registration);
+        drop(registrations);
+        // A sleeping waiter has to look at the newcomer.
+        self.bell.changed();
+        Ok(())
+    }
+
+    fn deregister(&self, context: &Arc<Context>, event: usize) -> Result<(), Errno> {
+        let mut registrations = self.registrations();
+        let at = registrations
+            .iter()
+            .position(|other| other.event == event && Arc::ptr_eq(&other.context, context))
+            .ok_or(Errno(libc::ENOENT))?;
+        let registration = registrations.remove(at);
+        self.ended(&registration);
+        Ok(())
+    }
+
+    fn ended(&self, registration: &Registration) {
+        registration.context.spe.unwatch(&self.watcher());
+        if EVENTS[registration.event] == SPE_EVENT_SPE_STOPPED {
+            registration.context.stops.deregister();
+        }
+    }
+
+    fn wait(&self, most: usize, deadline: Option<Instant>) -> Vec<SpeEventUnit> {
+        loop {
+            let heard = *self.bell.rings();
+            let units: Vec<SpeEventUnit> = self
+                .registrations()
+                .iter()
+                .filter(|registration| registration.is_up())
+                .map(Registration::unit)
+                .take(most)
+                .collect();
+            if !units.is_empty() || !self.bell.wait(heard, deadline) {
+                return units;
+            }
+        }
+    }
+}
+
+impl Drop for Handler {
+    fn drop(&mut self) {
+        let registrations = std::mem::take(&mut *self.registrations());
+        for registration in &registrations {
+            self.ended(registration);
+        }
+    }
+}
+
+/// The handler behind a pointer from the program.
+///
+/// # Safety
+/// `pointer` is NULL or came from `spe_event_handler_create` and was not destroyed.
+unsafe fn handler<'a>(pointer: *mut c_void) -> Result<&'a Handler, Errno> {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { pointer.cast::<Handler>().as_ref() }.ok_or(Errno(libc::ESRCH))
+}
+
+/// Creates an event handler.
+///
+/// # Safety
+/// None beyond the C calling convention.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_event_handler_create() -> *mut c_void {
+    error::pointer(|| Ok(Box::into_raw(Box::<Handler>::default()).cast()))
+}
+
+/// Destroys an event handler.
+///
+/// # Safety
+/// `evhandler` is NULL or a live handler, which must not be used again.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_event_handler_destroy(evhandler: *mut c_void) -> c_int {
+    error::int(|| {
+        if evhandler.is_null() {
+            return Err(Errno(libc::ESRCH));
+        }
+        // SAFETY: it came from `Box::into_raw`, and the caller gives it up.
+        drop(unsafe { Box::from_raw(evhandler.cast::<Handler>()) });
+        Ok(0)
+    })
+}
+
+/// Checks what registering and deregistering are given; yields the events one by one to `each`.
+///
+/// # Safety
+/// `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is NULL or live.
+unsafe fn each_event(
+    evhandler: *mut c_void,
+    event: *mut SpeEventUnit,
+    mut each: impl FnMut(&Handler, &SpeEventUnit, Arc<Context>, usize) -> Result<(), Errno>,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let handler = unsafe { handler(evhandler)? };
+        // SAFETY: the caller vouches for the pointer.
+        let unit = unsafe { event.as_ref() }.ok_or(Errno(libc::EINVAL))?;
+        if unit.spe.is_null() {
+            return Err(Errno(libc::EINVAL));
+        }
+        // SAFETY: the caller vouches for the context.
+        let context = unsafe { context(unit.spe)? };
+        if !context.events_enabled || unit.events & !SPE_EVENT_ALL_EVENTS != 0 {
+            return Err(Errno(libc::ENOTSUP));
+        }
+        for (index, bit) in EVENTS.into_iter().enumerate() {
+            if unit.events & bit != 0 {
+                each(handler, unit, Arc::clone(&context), index)?;
+            }
+        }
+        Ok(0)
+    })
+}
+
+/// Registers events of a context.
+///
+/// # Safety
+/// `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is NULL or live.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_event_handler_register(
+    evhandler: *mut c_void,
+    event: *mut SpeEventUnit,
+) -> c_int {
+    // SAFETY: the caller vouches for the pointers.
+    unsafe {
+        each_event(evhandler, event, |handler, unit, context, event| {
+            let mut data = context
+                .event_data
+                .lock()
+                .unwrap_or_else(PoisonError::into_inner);
+            data[event] = unit.data.u64;
+            drop(data);
+            handler.register(Registration {
+                pointer: unit.spe,
+                context,
+                event,
+            })
+        })
+    }
+}
+
+/// Ends registrations of a context.
+///
+/// # Safety
+/// `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is NULL or live.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_event_handler_deregister(
+    evhandler: *mut c_void,
+    event: *mut SpeEventUnit,
+) -> c_int {
+    // SAFETY: the caller vouches for the pointers.
+    unsafe {
+        each_event(evhandler, event, |handler, _, context, event| {
+            handler.deregister(&context, event)
+        })
+    }
+}
+
+/// Sleeps until a registered event is up; fills in at most `max_events` units and says how many.
+/// `timeout` is in milliseconds: 0 only looks, below 0 is for ever.
+///
+/// # Safety
+/// `evhandler` is NULL or a live handler, `events` NULL or room for `max_events` units.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_event_wait(
+    evhandler: *mut c_void,
+    events: *mut SpeEventUnit,
+    max_events: c_int,
+    timeout: c_int,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let handler = unsafe { handler(evhandler)? };
+        let most = match usize::try_from(max_events) {
+            Ok(most) if most > 0 && !events.is_null() => most,
+            _ => return Err(Errno(libc::EINVAL)),
+        };
+        let deadline = u64::try_from(timeout)
+            .ok()
+            .map(|milliseconds| Instant::now() + Duration::from_millis(milliseconds));
+        let units = handler.wait(most, deadline);
+        // SAFETY: the caller vouches for the room, and there are no more units than it has.
+        unsafe { ptr::copy_nonoverlapping(units.as_ptr(), events, units.len()) };
+        Ok(units.len() as c_int)
+    })
+}

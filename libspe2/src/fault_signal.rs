@@ -1,0 +1,111 @@
+//! Signals that the kernel would send to the thread that runs a context.
+
+use std::mem::MaybeUninit;
+use std::ptr;
+
+use libc::c_int;
+
+const BUS_ADRALN: c_int = 1;
+const BUS_OBJERR: c_int = 3;
+const SEGV_ACCERR: c_int = 2;
+const ILL_OPC: c_int = 1;
+
+/// A fault as a signal tells it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) struct FaultSignal {
+    signal: c_int,
+    code: c_int,
+    address: u64,
+}
+
+/// Whether the run goes on after the program's handler has returned.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum After {
+    Resume,
+    Interrupted,
+}
+
+impl FaultSignal {
+    pub(crate) fn dma_alignment() -> Self {
+        Self::new(libc::SIGBUS, BUS_ADRALN, 0)
+    }
+
+    pub(crate) fn invalid_dma() -> Self {
+        Self::new(libc::SIGBUS, BUS_OBJERR, 0)
+    }
+
+    pub(crate) fn dma_storage(ea: u64) -> Self {
+        Self::new(libc::SIGSEGV, SEGV_ACCERR, ea)
+    }
+
+    pub(crate) fn invalid_instruction(address: u32) -> Self {
+        Self::new(libc::SIGILL, ILL_OPC, u64::from(address))
+    }
+
+    pub(crate) fn breakpoint() -> Self {
+        Self::new(libc::SIGTRAP, libc::SI_KERNEL, 0)
+    }
+
+    fn new(signal: c_int, code: c_int, address: u64) -> Self {
+        Self {
+            signal,
+            code,
+            address,
+        }
+    }
+
+    /// Sends the signal to the calling thread. A handler has run when this returns; without one the
+    /// process has ended, also if the signal was ignored or blocked: a fault can't be.
+    pub(crate) fn raise(self) -> After {
+        // SAFETY: every pointer is to a value of this function; the signal number is valid.
+        unsafe {
+            let mut action = MaybeUninit::<libc::sigaction>::zeroed().assume_init();
+            libc::sigaction(self.signal, ptr::null(), &raw mut action);
+            let mut set = MaybeUninit::<libc::sigset_t>::zeroed().assume_init();
+            let mut blocked = MaybeUninit::<libc::sigset_t>::zeroed().assume_init();
+            libc::sigemptyset(&raw mut set);
+            libc::sigaddset(&raw mut set, self.signal);
+            libc::pthread_sigmask(libc::SIG_BLOCK, ptr::null(), &raw mut blocked);
+            let is_blocked = libc::sigismember(&raw const blocked, self.signal) == 1;
+            if is_blocked || action.sa_sigaction == libc::SIG_IGN {
+                libc::signal(self.signal, libc::SIG_DFL);
+                libc::pthread_sigmask(libc::SIG_UNBLOCK, &raw const set, ptr::null_mut());
+            }
+            self.send();
+            if action.sa_flags & libc::SA_RESTART != 0 {
+                After::Resume
+            } else {
+                After::Interrupted
+            }
+        }
+    }
+
+    /// # Safety
+    /// The program must be ready for the signal.
+    unsafe fn send(self) {
+        /// Where `si_addr` lies in a 64-bit `siginfo_t`.
+        const ADDRESS_OFFSET: usize = 16;
+        // SAFETY: zeros are a valid siginfo_t, which has room for an address at its offset; the
+        // kernel lets a thread choose every field of a signal to itself.
+        let sent = unsafe {
+            let mut info = MaybeUninit::<libc::siginfo_t>::zeroed().assume_init();
+            info.si_signo = self.signal;
+            info.si_code = self.code;
+            (&raw mut info)
+                .byte_add(ADDRESS_OFFSET)
+                .cast::<u64>()
+                .write(self.address);
+            libc::syscall(
+                libc::SYS_rt_tgsigqueueinfo,
+                libc::getpid(),
+                libc::syscall(libc::SYS_gettid),
+                self.signal,
+                &raw const info,
+            )
+        };
+        if sent != 0 {
+            // SAFETY: the signal number is valid.
+            unsafe { libc::raise(self.signal) };
+        }
+    }
+}

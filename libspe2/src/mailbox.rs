@@ -1,0 +1,239 @@
+//! Mailboxes, signals and multisource synchronisation.
+
+use std::time::Instant;
+
+use libc::{c_int, c_uint};
+use spu_emulator::signal::SignalRegister;
+use spu_emulator::spe::Spe;
+
+use crate::context::context;
+use crate::error::{self, Errno, set_errno};
+use crate::types::{
+    SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SPE_SIG_NOTIFY_REG_1,
+    SPE_SIG_NOTIFY_REG_2, SpeContext,
+};
+
+/// Which of `count` words a behaviour sleeps for: the words before this index.
+fn words_to_wait_for(count: usize, behavior: c_uint) -> Result<usize, Errno> {
+    match behavior {
+        SPE_MBOX_ALL_BLOCKING => Ok(count),
+        SPE_MBOX_ANY_BLOCKING => Ok(1),
+        SPE_MBOX_ANY_NONBLOCKING => Ok(0),
+        _ => Err(Errno(libc::EINVAL)),
+    }
+}
+
+fn checked_count(data: *mut c_uint, count: c_int) -> Result<usize, Errno> {
+    match usize::try_from(count) {
+        Ok(count) if count > 0 && !data.is_null() => Ok(count),
+        _ => Err(Errno(libc::EINVAL)),
+    }
+}
+
+/// Moves words one by one, sleeping for the first `wait_for` of them; says how many were moved.
+fn move_words(
+    count: usize,
+    wait_for: usize,
+    mut one: impl FnMut(usize, Option<Instant>) -> bool,
+) -> c_int {
+    let mut moved = 0;
+    while moved < count {
+        let deadline = (moved >= wait_for).then(Instant::now);
+        if !one(moved, deadline) {
+            break;
+        }
+        moved += 1;
+    }
+    if moved == 0 {
+        set_errno(0);
+    }
+    moved as c_int
+}
+
+/// Reads up to `count` words of `take` into `data`.
+///
+/// # Safety
+/// `data` has room for `count` words.
+unsafe fn read_words(
+    data: *mut c_uint,
+    count: usize,
+    wait_for: usize,
+    take: impl Fn(Option<Instant>) -> Option<u32>,
+) -> c_int {
+    move_words(count, wait_for, |at, deadline| match take(deadline) {
+        Some(word) => {
+            // SAFETY: `at` is below `count`, for which the caller vouches.
+            unsafe { data.add(at).write(word) };
+            true
+        }
+        None => false,
+    })
+}
+
+/// Reads what is in the outbound mailbox; never sleeps.
+///
+/// # Safety
+/// `spe` is NULL or a live context; `data` is NULL or has room for `count` words.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_out_mbox_read(
+    spe: *mut SpeContext,
+    data: *mut c_uint,
+    count: c_int,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        let count = checked_count(data, count)?;
+        // SAFETY: the caller vouches for the room.
+        Ok(unsafe {
+            read_words(data, count, 0, |deadline| {
+                context.spe.read_outbound(deadline)
+            })
+        })
+    })
+}
+
+/// # Safety
+/// `spe` is NULL or a live context.
+unsafe fn status(spe: *mut SpeContext, words: impl FnOnce(&Spe) -> usize) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        Ok(words(&context.spe) as c_int)
+    })
+}
+
+/// Words in the outbound mailbox.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_out_mbox_status(spe: *mut SpeContext) -> c_int {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { status(spe, Spe::outbound_waiting) }
+}
+
+/// Writes words to the inbound mailbox; says how many it took.
+///
+/// # Safety
+/// `spe` is NULL or a live context; `data` is NULL or has `count` words.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_in_mbox_write(
+    spe: *mut SpeContext,
+    data: *mut c_uint,
+    count: c_int,
+    behavior: c_uint,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        let count = checked_count(data, count)?;
+        let wait_for = words_to_wait_for(count, behavior)?;
+        Ok(move_words(count, wait_for, |at, deadline| {
+            // SAFETY: `at` is below `count`, for which the caller vouches.
+            let word = unsafe { data.add(at).read() };
+            context.spe.write_inbound(word, deadline)
+        }))
+    })
+}
+
+/// Words that the inbound mailbox can take.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_in_mbox_status(spe: *mut SpeContext) -> c_int {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { status(spe, Spe::inbound_room) }
+}
+
+/// Reads words from the outbound interrupt mailbox; says how many.
+///
+/// # Safety
+/// `spe` is NULL or a live context; `data` is NULL or has room for `count` words.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_out_intr_mbox_read(
+    spe: *mut SpeContext,
+    data: *mut c_uint,
+    count: c_int,
+    behavior: c_uint,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        let count = checked_count(data, count)?;
+        let wait_for = words_to_wait_for(count, behavior)?;
+        // SAFETY: the caller vouches for the room.
+        Ok(unsafe {
+            read_words(data, count, wait_for, |deadline| {
+                context.spe.read_outbound_interrupt(deadline)
+            })
+        })
+    })
+}
+
+/// Words in the outbound interrupt mailbox.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_out_intr_mbox_status(spe: *mut SpeContext) -> c_int {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { status(spe, Spe::outbound_interrupt_waiting) }
+}
+
+/// Writes a signal-notification register; never sleeps.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_signal_write(
+    spe: *mut SpeContext,
+    signal_reg: c_uint,
+    data: c_uint,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        let register = match signal_reg {
+            SPE_SIG_NOTIFY_REG_1 => SignalRegister::One,
+            SPE_SIG_NOTIFY_REG_2 => SignalRegister::Two,
+            _ => return Err(Errno(libc::EINVAL)),
+        };
+        context.spe.signal(register, data);
+        Ok(0)
+    })
+}
+
+/// Multisource synchronisation goes through the problem state, which no context here has mapped:
+/// EINVAL, as on the console.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+unsafe fn no_mssync(spe: *mut SpeContext) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        unsafe { context(spe)? };
+        Err(Errno(libc::EINVAL))
+    })
+}
+
+/// Starts a multisource synchronisation: EINVAL without a mapped problem state.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_mssync_start(spe: *mut SpeContext) -> c_int {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { no_mssync(spe) }
+}
+
+/// The state of a multisource synchronisation: EINVAL without a mapped problem state.
+///
+/// # Safety
+/// `spe` is NULL or a live context.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_mssync_status(spe: *mut SpeContext) -> c_int {
+    // SAFETY: the caller vouches for the pointer.
+    unsafe { no_mssync(spe) }
+}

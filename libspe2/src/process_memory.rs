@@ -1,0 +1,170 @@
+//! The process's own memory as main memory: an effective address is an address.
+//!
+//! Invariant: no access of the emulated MFC raises a signal in this process; the kernel checks every
+//! address first. (A program that unmaps memory while its SPEs exchange lines in it can still break
+//! that, as it breaks itself.)
+
+use std::ptr;
+use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::{Mutex, PoisonError};
+
+use spu_emulator::memory::{LINE, MainMemory, MemoryFault};
+
+use crate::futex::{Writable, probe_write};
+use crate::scratch::Pool;
+
+static POOL: Pool = Pool::new();
+static EXCHANGE: Mutex<()> = Mutex::new(());
+
+pub(crate) struct ProcessMemory;
+
+impl ProcessMemory {
+    /// Gets what accesses need, so that none fails for want of it.
+    pub(crate) fn prepare() -> std::io::Result<()> {
+        POOL.prepare()
+    }
+}
+
+impl MainMemory for ProcessMemory {
+    fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
+        POOL.with(|scratch| scratch.fetch(ea, into))
+            .map_err(|ea| MemoryFault { ea })
+    }
+
+    fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault> {
+        POOL.with(|scratch| scratch.store(ea, from))
+            .map_err(|ea| MemoryFault { ea })
+    }
+
+    /// The PPE's own atomic instructions on the line are respected where it can be: a change within
+    /// one aligned doubleword, which is what locks and counters are, is one compare-and-exchange.
+    fn compare_exchange_line(
+        &self,
+        ea: u64,
+        expected: &[u8; LINE],
+        new: &[u8; LINE],
+    ) -> Result<bool, MemoryFault> {
+        let _one_at_a_time = EXCHANGE.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut current = [0; LINE];
+        self.read(ea, &mut current)?;
+        if current != *expected {
+            return Ok(false);
+        }
+        let changed = |at: &usize| expected[*at] != new[*at];
+        let Some(first) = (0..LINE).find(changed) else {
+            // The hardware writes the line even so, and a line that can't be written is a fault.
+            return self.write(ea, new).map(|()| true);
+        };
+        let last = (0..LINE).rfind(changed).unwrap_or(first);
+        let doubleword = first & !7;
+        if last & !7 != doubleword {
+            let changed = first..last + 1;
+            return self.write(ea + first as u64, &new[changed]).map(|()| true);
+        }
+        let at = ea + doubleword as u64;
+        match probe_write(at) {
+            Writable::No => Err(MemoryFault { ea: at }),
+            Writable::Unknown => self
+                .write(at, &new[doubleword..doubleword + 8])
+                .map(|()| true),
+            Writable::Yes => {
+                let value = |line: &[u8; LINE]| {
+                    u64::from_ne_bytes(std::array::from_fn(|n| line[doubleword + n]))
+                };
+                let address = ptr::with_exposed_provenance_mut(at as usize);
+                // SAFETY: the address is a multiple of 8, and the kernel has just found it mapped
+                // and writable; whoever else uses the line does so as one shares a lock with an SPE.
+                let word = unsafe { AtomicU64::from_ptr(address) };
+                Ok(word
+                    .compare_exchange(value(expected), value(new), SeqCst, SeqCst)
+                    .is_ok())
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[repr(align(128))]
+    struct Line([u8; LINE]);
+
+    fn address(line: &mut Line) -> u64 {
+        line.0.as_mut_ptr().expose_provenance() as u64
+    }
+
+    #[test]
+    fn transfers_of_any_length_arrive() {
+        let mut there = vec![0_u8; 40_000];
+        let ea = there.as_mut_ptr().expose_provenance() as u64;
+        let sent: Vec<u8> = (0..40_000_u32).map(|n| (n * 7) as u8).collect();
+        ProcessMemory.write(ea, &sent).unwrap();
+        assert!(there == sent);
+        let mut back = vec![0; 40_000];
+        ProcessMemory.read(ea, &mut back).unwrap();
+        assert!(back == sent);
+    }
+
+    #[test]
+    fn bad_addresses_are_faults() {
+        for ea in [0, 8, u64::MAX - 15, 1 << 62] {
+            assert!(ProcessMemory.read(ea, &mut [0; 16]).is_err(), "{ea:#x}");
+            assert!(ProcessMemory.write(ea, &[0; 16]).is_err(), "{ea:#x}");
+        }
+        assert!(
+            ProcessMemory
+                .compare_exchange_line(0, &[0; LINE], &[0; LINE])
+                .is_err()
+        );
+    }
+
+    #[test]
+    fn read_only_memory_can_be_read_but_neither_written_nor_exchanged() {
+        // SAFETY: a new private mapping touches nothing else.
+        let page = unsafe {
+            libc::mmap(
+                ptr::null_mut(),
+                4096,
+                libc::PROT_READ,
+                libc::MAP_PRIVATE | libc::MAP_ANONYMOUS,
+                -1,
+                0,
+            )
+        };
+        assert_ne!(page, libc::MAP_FAILED);
+        let ea = page.expose_provenance() as u64;
+        ProcessMemory.read(ea, &mut [0; LINE]).unwrap();
+        assert!(ProcessMemory.write(ea, &[1]).is_err());
+        let mut new = [0; LINE];
+        for at in [0, 8, 127] {
+            new[at] = 1;
+            let exchanged = ProcessMemory.compare_exchange_line(ea, &[0; LINE], &new);
+            assert!(exchanged.is_err(), "{at}");
+        }
+        assert!(
+            ProcessMemory
+                .compare_exchange_line(ea, &[0; LINE], &[0; LINE])
+                .is_err()
+        );
+        // SAFETY: the page is this test's own.
+        unsafe { libc::munmap(page, 4096) };
+    }
+
+    #[test]
+    fn lines_are_exchanged_whole_and_by_doubleword() {
+        let mut line = Line([0; LINE]);
+        let ea = address(&mut line);
+        let mut one = [0; LINE];
+        one[7] = 1;
+        let mut many = one;
+        many[0] = 5;
+        many[127] = 6;
+        let exchange = |old, new| ProcessMemory.compare_exchange_line(ea, old, new);
+        assert_eq!(exchange(&[0; LINE], &one), Ok(true));
+        assert_eq!(exchange(&[0; LINE], &many), Ok(false));
+        assert_eq!(exchange(&one, &many), Ok(true));
+        assert_eq!(exchange(&many, &many), Ok(true));
+        assert_eq!(line.0, many);
+    }
+}

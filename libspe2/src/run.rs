@@ -1,0 +1,295 @@
+//! `spe_context_run`: the calling thread is the SPU until it stops for a reason that the program sees.
+
+use std::sync::atomic::Ordering::SeqCst;
+
+use libc::{c_int, c_uint, c_void};
+use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::local_store::{LIMIT_MASK, SIZE};
+use spu_emulator::memory::MainMemory;
+use spu_emulator::mfc::DmaError;
+use spu_emulator::stop::{Stop, Stopped};
+
+use crate::callback;
+use crate::context::{Context, context};
+use crate::error::{self, Errno, set_errno};
+use crate::fault_signal::{After, FaultSignal};
+use crate::process_memory::ProcessMemory;
+use crate::stop_record::StopRecord;
+use crate::types::{
+    SPE_CALLBACK_ERROR, SPE_DEFAULT_ENTRY, SPE_DMA_ALIGNMENT, SPE_DMA_STORAGE, SPE_EXIT,
+    SPE_INVALID_DMA, SPE_ISOLATION_ERROR, SPE_NO_CALLBACKS, SPE_RUN_USER_REGS, SPE_RUNTIME_ERROR,
+    SPE_RUNTIME_EXCEPTION, SPE_RUNTIME_FATAL, SPE_SPU_HALT, SPE_SPU_INVALID_CHANNEL,
+    SPE_SPU_INVALID_INSTR, SPE_SPU_STOPPED_BY_STOP, SPE_STOP_AND_SIGNAL, SpeContext, SpeStopInfo,
+};
+
+/// Where the library leaves the zero back chain, and so the first stack pointer.
+const STACK_TOP: u32 = SIZE - 16;
+/// The library's start block, which a program's data at the top of local store does not survive.
+const START_BLOCK: usize = 128;
+/// The word after a library call's stop is data.
+const CALL_WORD: u32 = 4;
+/// Three registers, for `SPE_RUN_USER_REGS`.
+const USER_REGISTERS: usize = 48;
+
+/// How a run ended, as the program gets it.
+struct Outcome {
+    /// The return value, or the errno behind a -1.
+    returned: Result<c_int, Errno>,
+    record: StopRecord,
+}
+
+impl Outcome {
+    fn failed(errno: c_int, stop_reason: c_uint, result: c_int, spu_status: c_int) -> Self {
+        Self {
+            returned: Err(Errno(errno)),
+            record: StopRecord {
+                stop_reason,
+                result,
+                spu_status,
+            },
+        }
+    }
+
+    fn error(status: c_int) -> Self {
+        Self::failed(libc::EFAULT, SPE_RUNTIME_ERROR, status, status)
+    }
+
+    fn exception(event: c_int) -> Self {
+        Self::failed(libc::EIO, SPE_RUNTIME_EXCEPTION, event, -1)
+    }
+
+    fn fatal(result: c_int) -> Self {
+        Self::failed(libc::EFAULT, SPE_RUNTIME_FATAL, result, -1)
+    }
+
+    fn stopped(returned: c_int, stop_reason: c_uint, result: c_int, code: u16) -> Self {
+        Self {
+            returned: Ok(returned),
+            record: StopRecord {
+                stop_reason,
+                result,
+                spu_status: stop_status(code),
+            },
+        }
+    }
+}
+
+fn stop_status(code: u16) -> c_int {
+    c_int::from(code) << 16 | SPE_SPU_STOPPED_BY_STOP
+}
+
+/// What comes after a stop.
+enum Next {
+    /// The SPU goes on at this address.
+    Resume(u32),
+    Return(Outcome),
+}
+
+fn raise(signal: FaultSignal, npc: u32) -> Next {
+    match signal.raise() {
+        After::Resume => Next::Resume(npc),
+        After::Interrupted => Next::Return(Outcome::fatal(libc::EINTR)),
+    }
+}
+
+fn call_back(context: &Context, code: u16, npc: u32) -> Next {
+    let ls_base = context.spe.local_store().as_ptr();
+    match callback::call(c_uint::from(code & 0xff), ls_base.cast(), npc) {
+        0 => Next::Resume(npc.wrapping_add(CALL_WORD) & LIMIT_MASK),
+        result => Next::Return(Outcome::failed(
+            libc::EFAULT,
+            SPE_CALLBACK_ERROR,
+            result,
+            stop_status(code),
+        )),
+    }
+}
+
+fn after_signal(context: &Context, flags: c_uint, code: u16, npc: u32) -> Next {
+    let value = c_int::from(code);
+    match code {
+        0x2100..=0x21ff if flags & SPE_NO_CALLBACKS == 0 => call_back(context, code, npc),
+        0x2000..=0x20ff => Next::Return(Outcome::stopped(0, SPE_EXIT, value & 0xff, code)),
+        // The isolation loader's "load complete" is not the program's affair.
+        0x2206 => Next::Resume(npc),
+        0x2200..=0x220f => Next::Return(Outcome::failed(
+            libc::EFAULT,
+            SPE_ISOLATION_ERROR,
+            value & 0xf,
+            stop_status(code),
+        )),
+        0x3fff => raise(FaultSignal::breakpoint(), npc),
+        _ => Next::Return(Outcome::stopped(value, SPE_STOP_AND_SIGNAL, value, code)),
+    }
+}
+
+fn after(context: &Context, flags: c_uint, stopped: &Stopped) -> Next {
+    let npc = stopped.npc;
+    let dma = |event, signal| {
+        if context.events_enabled {
+            Next::Return(Outcome::exception(event))
+        } else {
+            raise(signal, npc)
+        }
+    };
+    match &stopped.reason {
+        Stop::Signal(code) => after_signal(context, flags, *code, npc),
+        Stop::Halt => Next::Return(Outcome::error(SPE_SPU_HALT)),
+        Stop::InvalidInstruction(_) if context.events_enabled => {
+            Next::Return(Outcome::error(SPE_SPU_INVALID_INSTR))
+        }
+        Stop::InvalidInstruction(_) => raise(FaultSignal::invalid_instruction(stopped.pc), npc),
+        Stop::InvalidChannel(..) => Next::Return(Outcome::error(SPE_SPU_INVALID_CHANNEL)),
+        Stop::Dma(DmaError::Alignment { .. }) => {
+            dma(SPE_DMA_ALIGNMENT, FaultSignal::dma_alignment())
+        }
+        Stop::Dma(DmaError::InvalidCommand { .. }) => {
+            dma(SPE_INVALID_DMA, FaultSignal::invalid_dma())
+        }
+        Stop::Dma(DmaError::Storage { ea, .. }) => {
+            dma(SPE_DMA_STORAGE, FaultSignal::dma_storage(*ea))
+        }
+        Stop::Requested => Next::Return(Outcome::fatal(-1)),
+    }
+}
+
+fn pointer_quad(address: usize) -> Quad {
+    Quad::from_doublewords([address as u64, 0])
+}
+
+/// The registers that a program finds at its entry.
+struct StartRegisters {
+    arguments: [Quad; 3],
+    local_store: Quad,
+}
+
+impl StartRegisters {
+    fn new(
+        spe: *mut SpeContext,
+        context: &Context,
+        flags: c_uint,
+        argp: *mut c_void,
+        envp: *mut c_void,
+    ) -> Result<Self, Errno> {
+        let arguments = if flags & SPE_RUN_USER_REGS != 0 {
+            let mut bytes = [0; USER_REGISTERS];
+            ProcessMemory
+                .read(argp.expose_provenance() as u64, &mut bytes)
+                .map_err(|_| Errno(libc::EFAULT))?;
+            let quad =
+                |n: usize| Quad::from_bytes(std::array::from_fn(|byte| bytes[n * 16 + byte]));
+            [quad(0), quad(1), quad(2)]
+        } else {
+            [
+                pointer_quad(spe.expose_provenance()),
+                pointer_quad(argp.expose_provenance()),
+                pointer_quad(envp.expose_provenance()),
+            ]
+        };
+        let area = context.spe.local_store().as_ptr();
+        Ok(Self {
+            arguments,
+            local_store: pointer_quad(area.expose_provenance()),
+        })
+    }
+
+    fn set(&self, context: &Context, spu: &mut Spu) {
+        const FIRST_ARGUMENT: u8 = 3;
+        let top = SIZE - START_BLOCK as u32;
+        context.spe.local_store().write(top, &[0; START_BLOCK]);
+        spu.set_register(1, Quad::scalar(STACK_TOP));
+        spu.set_register(2, Quad::ZERO);
+        for (register, value) in (FIRST_ARGUMENT..).zip(self.arguments) {
+            spu.set_register(register, value);
+        }
+        spu.set_register(6, self.local_store);
+    }
+}
+
+/// Runs a context on the calling thread until the program is to know of a stop. `*entry` is where to
+/// start, and afterwards where to go on.
+///
+/// # Safety
+/// `spe` is NULL or a live context; `entry` and `stopinfo` are NULL or valid; the SPU program and
+/// registered callbacks keep to the memory that they were given.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_context_run(
+    spe: *mut SpeContext,
+    entry: *mut c_uint,
+    runflags: c_uint,
+    argp: *mut c_void,
+    envp: *mut c_void,
+    stopinfo: *mut SpeStopInfo,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        if entry.is_null() {
+            return Err(Errno(libc::EINVAL));
+        }
+        let program_entry = context.entry.load(SeqCst);
+        // SAFETY: the caller vouches for the pointer.
+        let asked = unsafe { entry.read() };
+        let mut at = if asked == SPE_DEFAULT_ENTRY {
+            program_entry
+        } else {
+            asked
+        };
+        let mut registers = if at == program_entry {
+            Some(StartRegisters::new(spe, &context, runflags, argp, envp)?)
+        } else {
+            None
+        };
+        let outcome = loop {
+            let start = registers.take();
+            let stopped = context.spe.run_prepared(at, |spu| {
+                if let Some(start) = start {
+                    start.set(&context, spu);
+                }
+            });
+            at = stopped.npc;
+            match after(&context, runflags, &stopped) {
+                Next::Resume(npc) => at = npc,
+                Next::Return(outcome) => break outcome,
+            }
+        };
+        // SAFETY: the caller vouches for the pointers.
+        unsafe {
+            entry.write(at);
+            if !stopinfo.is_null() {
+                stopinfo.write(outcome.record.to_c());
+            }
+        }
+        if context.events_enabled {
+            context.stops.append(outcome.record);
+            context.spe.announce();
+        }
+        outcome.returned
+    })
+}
+
+/// Takes the oldest unread stop record; EAGAIN if there is none.
+///
+/// # Safety
+/// `spe` is NULL or a live context, `stopinfo` valid.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn spe_stop_info_read(
+    spe: *mut SpeContext,
+    stopinfo: *mut SpeStopInfo,
+) -> c_int {
+    error::int(|| {
+        // SAFETY: the caller vouches for the pointer.
+        let context = unsafe { context(spe)? };
+        if !context.events_enabled {
+            return Err(Errno(libc::ENOTSUP));
+        }
+        if stopinfo.is_null() {
+            return Err(Errno(libc::EINVAL));
+        }
+        let record = context.stops.take().ok_or(Errno(libc::EAGAIN))?;
+        // SAFETY: the caller vouches for the pointer.
+        unsafe { stopinfo.write(record.to_c()) };
+        set_errno(0);
+        Ok(0)
+    })
+}

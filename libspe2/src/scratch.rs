@@ -1,0 +1,172 @@
+//! Memory through which the kernel copies to and from addresses that may be bad.
+//!
+//! A file in memory is mapped; `pwrite` from an address to the file and `pread` from the file to an
+//! address make the kernel check the address, and a bad one is an error instead of a signal. It works
+//! alike under QEMU's user emulation.
+
+use std::io;
+use std::os::fd::{AsRawFd, FromRawFd, OwnedFd};
+use std::ptr::{self, NonNull};
+use std::sync::{Condvar, Mutex, PoisonError};
+
+/// Bytes of a scratch: the largest transfer of an MFC.
+pub(crate) const SCRATCH: usize = 16 * 1024;
+
+pub(crate) struct Scratch {
+    file: OwnedFd,
+    mapping: NonNull<u8>,
+}
+
+// SAFETY: the mapping belongs to this value alone and is reached through `&mut self` only.
+unsafe impl Send for Scratch {}
+
+impl Scratch {
+    fn new() -> io::Result<Self> {
+        // SAFETY: the name is a C string, the flag a known one.
+        let raw = unsafe { libc::memfd_create(c"libspe2".as_ptr(), libc::MFD_CLOEXEC) };
+        if raw < 0 {
+            return Err(io::Error::last_os_error());
+        }
+        // SAFETY: the descriptor was just made and nobody else has it.
+        let file = unsafe { OwnedFd::from_raw_fd(raw) };
+        // SAFETY: the descriptor is open.
+        if unsafe { libc::ftruncate(raw, SCRATCH as libc::off_t) } != 0 {
+            return Err(io::Error::last_os_error());
+        }
+        // SAFETY: a new mapping at an address that the kernel chooses touches nothing else.
+        let mapping = unsafe {
+            libc::mmap(
+                ptr::null_mut(),
+                SCRATCH,
+                libc::PROT_READ | libc::PROT_WRITE,
+                libc::MAP_SHARED,
+                raw,
+                0,
+            )
+        };
+        match NonNull::new(mapping.cast::<u8>()) {
+            Some(mapping) if mapping.as_ptr().cast() != libc::MAP_FAILED => {
+                Ok(Self { file, mapping })
+            }
+            _ => Err(io::Error::last_os_error()),
+        }
+    }
+
+    /// Copies from `ea`; the error is the first address that can't be read, as far as known.
+    pub(crate) fn fetch(&mut self, ea: u64, into: &mut [u8]) -> Result<(), u64> {
+        for (at, piece) in pieces(ea, into.len()) {
+            let part = &mut into[piece];
+            self.move_all(at, part.len(), |file, address, n, offset| {
+                // SAFETY: the kernel checks the range at `address` and fails if it can't be read.
+                unsafe { libc::pwrite(file, address, n, offset) }
+            })?;
+            // SAFETY: the mapping has SCRATCH bytes, a piece no more, and `part` is other memory.
+            unsafe {
+                ptr::copy_nonoverlapping(self.mapping.as_ptr(), part.as_mut_ptr(), part.len());
+            }
+        }
+        Ok(())
+    }
+
+    /// Copies to `ea`; the error is the first address that can't be written, as far as known.
+    pub(crate) fn store(&mut self, ea: u64, from: &[u8]) -> Result<(), u64> {
+        for (at, piece) in pieces(ea, from.len()) {
+            let part = &from[piece];
+            // SAFETY: the mapping has SCRATCH bytes, a piece no more, and `part` is other memory.
+            unsafe {
+                ptr::copy_nonoverlapping(part.as_ptr(), self.mapping.as_ptr(), part.len());
+            }
+            self.move_all(at, part.len(), |file, address, n, offset| {
+                // SAFETY: the kernel checks the range at `address` and fails if it can't be
+                // written; that it is written is what the program asked its MFC for.
+                unsafe { libc::pread(file, address.cast_mut(), n, offset) }
+            })?;
+        }
+        Ok(())
+    }
+
+    fn move_all(
+        &self,
+        ea: u64,
+        length: usize,
+        step: impl Fn(i32, *const libc::c_void, usize, libc::off_t) -> isize,
+    ) -> Result<(), u64> {
+        let mut done = 0;
+        while done < length {
+            let at = ea.wrapping_add(done as u64);
+            let address = ptr::with_exposed_provenance(at as usize);
+            let file = self.file.as_raw_fd();
+            match step(file, address, length - done, done as libc::off_t) {
+                n if n > 0 => done += n as usize,
+                0 => return Err(at),
+                _ if io::Error::last_os_error().kind() == io::ErrorKind::Interrupted => {}
+                _ => return Err(at),
+            }
+        }
+        Ok(())
+    }
+}
+
+impl Drop for Scratch {
+    fn drop(&mut self) {
+        // SAFETY: the mapping is this value's own and has SCRATCH bytes.
+        unsafe { libc::munmap(self.mapping.as_ptr().cast(), SCRATCH) };
+    }
+}
+
+/// Cuts `length` bytes at `ea` into pieces of a scratch, each with its range in the caller's slice;
+/// what would run past the address space is left in one last piece that the kernel refuses.
+fn pieces(ea: u64, length: usize) -> impl Iterator<Item = (u64, std::ops::Range<usize>)> {
+    (0..length).step_by(SCRATCH).map(move |start| {
+        let end = length.min(start + SCRATCH);
+        (ea.saturating_add(start as u64), start..end)
+    })
+}
+
+/// The scratches that nobody uses at the moment.
+pub(crate) struct Pool {
+    free: Mutex<Vec<Scratch>>,
+    returned: Condvar,
+}
+
+impl Pool {
+    pub(crate) const fn new() -> Self {
+        Self {
+            free: Mutex::new(Vec::new()),
+            returned: Condvar::new(),
+        }
+    }
+
+    /// Makes sure that there is a scratch at all: from then on [`with`](Self::with) succeeds.
+    pub(crate) fn prepare(&self) -> io::Result<()> {
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        if free.is_empty() {
+            free.push(Scratch::new()?);
+        }
+        Ok(())
+    }
+
+    /// Lends a scratch: a free one, else a new one, else the first that comes back.
+    pub(crate) fn with<T>(&self, body: impl FnOnce(&mut Scratch) -> T) -> T {
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut scratch = loop {
+            if let Some(scratch) = free.pop() {
+                break scratch;
+            }
+            if let Ok(scratch) = Scratch::new() {
+                break scratch;
+            }
+            free = self
+                .returned
+                .wait(free)
+                .unwrap_or_else(PoisonError::into_inner);
+        };
+        drop(free);
+        let result = body(&mut scratch);
+        let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
+        free.push(scratch);
+        drop(free);
+        self.returned.notify_one();
+        result
+    }
+}
