@@ -1,0 +1,103 @@
+//! Pictures of 8-bit red, green and blue, and their PNG files.
+//!
+//! Invariant: as many bytes as width, height and three channels say; from 1 to [`MAX_PIXELS`]
+//! pixels.
+
+use std::fs::File;
+use std::io::BufReader;
+use std::path::Path;
+
+use image::{ImageFormat, ImageReader, RgbImage};
+
+use crate::Error;
+
+/// Most pixels of a picture: 8192 x 8192.
+pub const MAX_PIXELS: u32 = 1 << 26;
+
+/// A picture, row after row from the top, red, green and blue a pixel.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Picture {
+    image: RgbImage,
+}
+
+impl Picture {
+    /// A black picture.
+    ///
+    /// # Errors
+    /// A size of no pixels or of more than [`MAX_PIXELS`].
+    pub fn black(width: u32, height: u32) -> Result<Self, Error> {
+        check(width, height)?;
+        Ok(Self {
+            image: RgbImage::new(width, height),
+        })
+    }
+
+    /// Reads a PNG of 8-bit red, green and blue.
+    ///
+    /// # Errors
+    /// A file that can't be read, is no such PNG, or is too large.
+    pub fn read_png(path: &Path) -> Result<Self, Error> {
+        let failed = |source| Error::Png {
+            path: path.to_owned(),
+            source,
+        };
+        let file = File::open(path).map_err(|error| failed(error.into()))?;
+        let reader = ImageReader::with_format(BufReader::new(file), ImageFormat::Png);
+        match reader.decode().map_err(failed)? {
+            image::DynamicImage::ImageRgb8(image) => {
+                check(image.width(), image.height())?;
+                Ok(Self { image })
+            }
+            other => Err(Error::Kind {
+                path: path.to_owned(),
+                kind: format!("{:?}", other.color()),
+            }),
+        }
+    }
+
+    /// Writes a PNG.
+    ///
+    /// # Errors
+    /// A file that can't be written.
+    pub fn write_png(&self, path: &Path) -> Result<(), Error> {
+        self.image
+            .save_with_format(path, ImageFormat::Png)
+            .map_err(|source| Error::Png {
+                path: path.to_owned(),
+                source,
+            })
+    }
+
+    /// Pixels in a row.
+    #[must_use]
+    pub fn width(&self) -> u32 {
+        self.image.width()
+    }
+
+    /// Rows.
+    #[must_use]
+    pub fn height(&self) -> u32 {
+        self.image.height()
+    }
+
+    /// The pixels, row after row from the top.
+    #[must_use]
+    pub fn pixels(&self) -> &[[u8; 3]] {
+        self.image.as_chunks().0
+    }
+
+    /// The pixels, to be changed.
+    pub fn pixels_mut(&mut self) -> &mut [[u8; 3]] {
+        self.image.as_chunks_mut().0
+    }
+}
+
+fn check(width: u32, height: u32) -> Result<(), Error> {
+    let pixels = u64::from(width) * u64::from(height);
+    let fits = (1..=u64::from(MAX_PIXELS)).contains(&pixels);
+    if fits {
+        Ok(())
+    } else {
+        Err(Error::Size { width, height })
+    }
+}
