@@ -1,0 +1,41 @@
+//! `cellray render`: a scene into a PNG file.
+
+use std::path::PathBuf;
+
+use cellray::framebuffer::{Framebuffer, Geometry, Memory, Png};
+use clap::Args;
+
+use super::{Outcome, run};
+
+/// Trace a scene into a PNG file.
+#[derive(Args)]
+pub struct Arguments {
+    #[command(flatten)]
+    options: run::Options,
+    /// Pixels across and down [default: the scene's own]
+    #[arg(long, value_name = "WxH")]
+    size: Option<Geometry>,
+    /// Picture to write; without it the frames are traced and only measured
+    #[arg(long, value_name = "F.png")]
+    out: Option<PathBuf>,
+    /// How many times to trace the frame
+    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    frames: u32,
+}
+
+pub fn run(arguments: &Arguments) -> Outcome {
+    let scene = run::scene(&arguments.options.scene)?;
+    let geometry = match arguments.size {
+        Some(size) => size,
+        None => {
+            let (width, height) = scene.view().resolution;
+            Geometry::new(width, height)?
+        }
+    };
+    let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
+        Some(path) => Box::new(Png::new(path, geometry)?),
+        None => Box::new(Memory::new(geometry)?),
+    };
+    let enough = |traced| traced >= arguments.frames as usize;
+    run::frames(&arguments.options, &scene, framebuffer, enough)
+}

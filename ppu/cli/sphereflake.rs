@@ -1,0 +1,21 @@
+//! `cellray sphereflake`: the generator's scene as a file.
+
+use std::io::{BufWriter, Write as _};
+
+use clap::Args;
+
+use super::Outcome;
+
+/// Write a sphereflake as an NFF scene to standard output.
+#[derive(Args)]
+pub struct Arguments {
+    /// Levels below the first sphere: 0 is one sphere, 4 the Standard Procedural Databases' 7381
+    level: u32,
+}
+
+pub fn run(arguments: &Arguments) -> Outcome {
+    let scene = nff::sphereflake::generate(arguments.level)?;
+    let mut out = BufWriter::new(std::io::stdout().lock());
+    write!(out, "{scene}")?;
+    Ok(out.flush()?)
+}

@@ -1,0 +1,323 @@
+//! The SPUs: started once, mailed every frame.
+
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use zerocopy::{FromZeros as _, IntoBytes as _};
+
+use crate::framebuffer::{Framebuffer, FramebufferError, Geometry};
+use crate::scene::{Scene, SceneError};
+use crate::shared::SharedMemory;
+use crate::spe::{Context, Ended, Event, Events, Program, SpeError};
+use crate::statistics::FrameStatistics;
+use crate::work::layout::{Frame, MAX_SPHERES, MAX_SPUS, Sphere, Statistics, TileCounter};
+use crate::work::{self, Addresses, Refusal, Split};
+
+/// Why no frame came.
+#[derive(Debug, thiserror::Error)]
+pub enum EngineError {
+    /// A number of SPUs that the work unit has no room for.
+    #[error("{0} SPUs: must be 1 to {MAX_SPUS}")]
+    SpuCount(u32),
+    /// An SPU program came to an end; no further frame can be traced.
+    #[error("SPU {spu} {ended}")]
+    Ended {
+        /// Number of the SPU.
+        spu: u32,
+        /// How.
+        ended: Ended,
+    },
+    /// An SPU did not accept the frame.
+    #[error("SPU {spu} {refusal}")]
+    Refused {
+        /// Number of the SPU.
+        spu: u32,
+        /// What was wrong.
+        refusal: Refusal,
+    },
+    /// An SPU did not answer.
+    #[error("SPU {spu} has not answered within {} s", timeout.as_secs_f64())]
+    Silent {
+        /// Number of the first such SPU.
+        spu: u32,
+        /// How long it was waited for.
+        timeout: Duration,
+    },
+    /// The SPUs' statistics do not add up to the whole picture.
+    #[error("the SPUs traced {traced} of {wanted} rays: the picture is not whole")]
+    Incomplete {
+        /// Rays in the statistics.
+        traced: u64,
+        /// Pixels of the picture.
+        wanted: u64,
+    },
+    /// An earlier error has left no SPUs to work with.
+    #[error("the SPUs were lost by an earlier error")]
+    Lost,
+    /// The scene does not suit.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// The framebuffer does not show it.
+    #[error(transparent)]
+    Framebuffer(#[from] FramebufferError),
+    /// libspe2 failed.
+    #[error(transparent)]
+    Spe(#[from] SpeError),
+}
+
+/// How an [`Engine`] works.
+#[derive(Clone, Copy, Debug)]
+pub struct Settings {
+    /// SPUs to use.
+    pub spus: u32,
+    /// How the frame is split among them.
+    pub split: Split,
+    /// How long a frame may take before its SPUs count as lost.
+    pub timeout: Duration,
+    /// What they run.
+    pub program: Program,
+}
+
+impl Default for Settings {
+    fn default() -> Self {
+        Self {
+            spus: 6,
+            split: Split::Tiles,
+            timeout: Duration::from_secs(600),
+            program: Program::tracer(),
+        }
+    }
+}
+
+/// How often a caller hears of a frame's progress.
+const PROGRESS_EVERY: Duration = Duration::from_millis(250);
+
+struct Spu {
+    context: Arc<Context>,
+    thread: Option<JoinHandle<Ended>>,
+}
+
+/// What the SPUs reach by address: it must outlive them.
+struct Records {
+    frame: SharedMemory,
+    spheres: SharedMemory,
+    tile_counter: SharedMemory,
+    statistics: SharedMemory,
+    framebuffer: Box<dyn Framebuffer>,
+}
+
+/// SPUs that wait for frames, and the framebuffer that they write to.
+pub struct Engine {
+    // Dropped first: it knows the contexts.
+    events: Events,
+    spus: Vec<Spu>,
+    /// `None` once an SPU was lost that may still write there.
+    records: Option<Records>,
+    settings: Settings,
+    number: u32,
+}
+
+impl Engine {
+    /// Creates the SPE contexts, loads the program into each and starts it on a thread of its own.
+    pub fn start(
+        settings: Settings,
+        framebuffer: Box<dyn Framebuffer>,
+    ) -> Result<Self, EngineError> {
+        if !(1..=MAX_SPUS).contains(&settings.spus) {
+            return Err(EngineError::SpuCount(settings.spus));
+        }
+        let mut engine = Self {
+            events: Events::create()?,
+            spus: Vec::new(),
+            records: Some(Records {
+                frame: SharedMemory::new(size_of::<Frame>()),
+                spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
+                tile_counter: SharedMemory::new(size_of::<TileCounter>()),
+                statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
+                framebuffer,
+            }),
+            settings,
+            number: 0,
+        };
+        for number in 0..settings.spus {
+            let context = Arc::new(Context::create()?);
+            context.load(&settings.program)?;
+            engine.events.watch(&context, number)?;
+            let runner = Arc::clone(&context);
+            let thread = thread::Builder::new()
+                .name(format!("spu{number}"))
+                .spawn(move || runner.run(number as usize))
+                .map_err(|source| SpeError {
+                    call: "thread for spe_context_run",
+                    source,
+                })?;
+            engine.spus.push(Spu {
+                context,
+                thread: Some(thread),
+            });
+        }
+        Ok(engine)
+    }
+
+    /// The framebuffer; `None` once an SPU was lost that may still write there.
+    pub fn framebuffer(&mut self) -> Option<&mut dyn Framebuffer> {
+        Some(self.records.as_mut()?.framebuffer.as_mut())
+    }
+
+    /// Traces a frame into the framebuffer and presents it. `progress` is told from time to time which
+    /// part of the frame is done, 0 to 1.
+    pub fn render(
+        &mut self,
+        scene: &Scene,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<FrameStatistics, EngineError> {
+        let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+        let target = records.framebuffer.target();
+        let camera = scene.camera(target.geometry.width, target.geometry.height)?;
+        records.spheres.write(0, scene.sphere_bytes());
+        self.number = self.number.wrapping_add(1);
+        let addresses = Addresses {
+            spheres: records.spheres.address(),
+            tile_counter: records.tile_counter.address(),
+            statistics: records.statistics.address(),
+        };
+        let Settings { spus, split, .. } = self.settings;
+        let frame = work::describe(scene, &camera, &target, addresses, self.number, spus, split);
+        // SAFETY: all addresses are those of records that the engine keeps as long as its SPUs run,
+        // the target is the framebuffer's own, and sizes and counts are theirs.
+        let statistics = unsafe { self.submit(&frame, progress)? };
+        let pixels = u64::from(target.geometry.width) * u64::from(target.geometry.height);
+        let traced = statistics.eye_rays();
+        if traced != pixels {
+            return Err(EngineError::Incomplete {
+                traced,
+                wanted: pixels,
+            });
+        }
+        let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+        records.framebuffer.present()?;
+        Ok(statistics)
+    }
+
+    /// Sends a descriptor as it is and waits for every SPU's answer.
+    ///
+    /// # Safety
+    ///
+    /// The SPUs write where the descriptor says: its addresses must be those of memory that nothing
+    /// else uses until this returns; after [`EngineError::Silent`], ever.
+    pub unsafe fn submit(
+        &mut self,
+        frame: &Frame,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<FrameStatistics, EngineError> {
+        let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+        let used = self.settings.spus as usize * size_of::<Statistics>();
+        records.frame.write(0, frame.as_bytes());
+        records
+            .tile_counter
+            .write(0, TileCounter::new_zeroed().as_bytes());
+        records.statistics.write(0, &vec![0; used]);
+        let address = records.frame.address();
+        // SAFETY: the caller's promise.
+        unsafe { self.mail(address, frame, progress)? };
+
+        let mut lines = vec![Statistics::new_zeroed(); self.settings.spus as usize];
+        let records = self.records.as_ref().ok_or(EngineError::Lost)?;
+        records.statistics.read(0, lines.as_mut_bytes());
+        Ok(FrameStatistics::new(&lines))
+    }
+
+    /// Mails an address to every SPU as that of `frame`, and waits for the answers.
+    ///
+    /// # Safety
+    ///
+    /// As [`Engine::submit`]; and `address` may be one that the SPUs refuse, or that of `frame`.
+    pub unsafe fn mail(
+        &mut self,
+        address: u64,
+        frame: &Frame,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(), EngineError> {
+        if self.spus.iter().any(|spu| spu.thread.is_none()) {
+            return Err(EngineError::Lost);
+        }
+        for spu in &self.spus {
+            spu.context
+                .mail(&[(address >> 32) as u32, address as u32])?;
+        }
+        let deadline = Instant::now() + self.settings.timeout;
+        let mut waiting = vec![true; self.spus.len()];
+        let mut first_error = None;
+        // All SPUs are waited for, also after an error: they write to the frame's memory until then.
+        while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
+            let left = deadline.saturating_duration_since(Instant::now());
+            if left.is_zero() {
+                self.abandon();
+                let (spu, timeout) = (slowest as u32, self.settings.timeout);
+                return Err(EngineError::Silent { spu, timeout });
+            }
+            let Some((number, event)) = self.events.wait(left.min(PROGRESS_EVERY))? else {
+                progress(self.part_done(frame));
+                continue;
+            };
+            let spu = &mut self.spus[number as usize];
+            let error = match event {
+                Event::Answer => {
+                    let Some(answer) = spu.context.answer()? else {
+                        continue;
+                    };
+                    Refusal::of(answer, frame, address).map(|refusal| EngineError::Refused {
+                        spu: number,
+                        refusal,
+                    })
+                }
+                Event::Stopped => {
+                    spu.context.take_stop_record()?;
+                    // The thread is on its way out: libspe2 wrote the record just before.
+                    let ended = spu.thread.take().and_then(|thread| thread.join().ok());
+                    ended.map(|ended| EngineError::Ended { spu: number, ended })
+                }
+            };
+            waiting[number as usize] = false;
+            first_error = first_error.or(error);
+        }
+        first_error.map_or(Ok(()), Err)
+    }
+
+    /// Part of a frame's tiles that SPUs have taken; 0 where they do not count them.
+    fn part_done(&self, frame: &Frame) -> f64 {
+        let geometry = Geometry {
+            width: frame.width.get(),
+            height: frame.height.get(),
+        };
+        let taken = self
+            .records
+            .as_ref()
+            .map_or(0, |records| records.tile_counter.peek_word(0));
+        (f64::from(taken) / f64::from(work::tile_count(geometry).max(1))).min(1.0)
+    }
+
+    /// Gives up SPUs that do not answer. libspe2 has no call that stops one: its thread, its context
+    /// and all memory that it may still write to are left to the end of the process.
+    fn abandon(&mut self) {
+        std::mem::forget(self.records.take());
+        for spu in self.spus.drain(..) {
+            std::mem::forget(spu);
+        }
+    }
+}
+
+impl Drop for Engine {
+    fn drop(&mut self) {
+        for spu in &mut self.spus {
+            let Some(thread) = spu.thread.take() else {
+                continue;
+            };
+            // Address 0 ends the program. If it can't be mailed, waiting would be for ever.
+            if spu.context.mail(&[0, 0]).is_ok() {
+                let _ = thread.join();
+            }
+        }
+    }
+}

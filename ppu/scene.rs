@@ -1,0 +1,175 @@
+//! The scene as SPUs are given it: from f64 and NFF's entities to the records of the work unit.
+//!
+//! Invariant: every number in a [`Scene`] lies in the domain that the kernels state.
+
+use glam::DVec3;
+use nff::depth::{self, DepthShading, NotDrawn};
+use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::F32;
+
+use crate::work::layout::{MAX_SPHERES, Sphere};
+
+/// Largest magnitude of a coordinate or a radius: its square is still a single.
+const LARGEST: f64 = (1_u64 << 62) as f64;
+/// Smallest radius: its square is still a single and not 0.
+const SMALLEST_RADIUS: f64 = 1.0 / LARGEST;
+
+/// Why a scene can't be drawn.
+#[derive(Debug, thiserror::Error)]
+pub enum SceneError {
+    /// The local store is too small for it.
+    #[error(
+        "{file}: {count} spheres do not fit: the local store has room for {MAX_SPHERES}; leave out \
+         {} of them", count - MAX_SPHERES as usize
+    )]
+    TooManySpheres {
+        /// The scene.
+        file: String,
+        /// Spheres in it.
+        count: usize,
+    },
+    /// A number that is not in the SPU's single format with room to be squared.
+    #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
+    OutOfRange {
+        /// The scene.
+        file: String,
+        /// Which number.
+        what: String,
+        /// What it was.
+        value: f64,
+        /// A further bound.
+        also: &'static str,
+    },
+    /// The camera can't be made for this size.
+    #[error("{file}: {source}")]
+    View {
+        /// The scene.
+        file: String,
+        /// What is wrong with it.
+        source: nff::ViewError,
+    },
+}
+
+/// A scene, ready to be handed to SPUs.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    file: String,
+    view: nff::View,
+    background: DVec3,
+    spheres: Vec<Sphere>,
+    depth: DepthShading,
+    not_drawn: Vec<NotDrawn>,
+}
+
+impl Scene {
+    /// Takes what can be drawn from an NFF scene; [`Scene::not_drawn`] says what is left out.
+    pub fn from_nff(scene: &nff::Scene) -> Result<Self, SceneError> {
+        let file = &scene.name;
+        let out_of_range = |what: String, value: f64, also: &'static str| SceneError::OutOfRange {
+            file: file.clone(),
+            what,
+            value,
+            also,
+        };
+        let in_range = |what: &dyn Fn() -> String, vector: DVec3| match vector
+            .to_array()
+            .into_iter()
+            .find(|value| !value.is_finite() || value.abs() > LARGEST)
+        {
+            Some(value) => Err(out_of_range(what(), value, "")),
+            None => Ok(()),
+        };
+        in_range(&|| "view from".into(), scene.view.from)?;
+
+        let count = depth::drawn(scene).count();
+        if count > MAX_SPHERES as usize {
+            return Err(SceneError::TooManySpheres {
+                file: file.clone(),
+                count,
+            });
+        }
+        let mut spheres = Vec::with_capacity(count);
+        for (number, sphere) in depth::drawn(scene).enumerate() {
+            in_range(
+                &|| format!("centre of sphere {}", number + 1),
+                sphere.centre,
+            )?;
+            if !(SMALLEST_RADIUS..=LARGEST).contains(&sphere.radius) {
+                let what = format!("radius of sphere {}", number + 1);
+                return Err(out_of_range(what, sphere.radius, " and at least 2^-62"));
+            }
+            let colour = scene.materials[sphere.material as usize].colour;
+            spheres.push(Sphere {
+                centre: singles(sphere.centre),
+                radius: F32::new(sphere.radius as f32),
+                colour: singles(colour),
+                reserved: 0.into(),
+            });
+        }
+        Ok(Self {
+            file: file.clone(),
+            view: scene.view.clone(),
+            background: scene.background,
+            spheres,
+            depth: DepthShading::of(scene),
+            not_drawn: depth::not_drawn(scene),
+        })
+    }
+
+    /// The scene's file, or what it is called.
+    #[must_use]
+    pub fn file(&self) -> &str {
+        &self.file
+    }
+
+    /// Where the eye is and what it looks at.
+    #[must_use]
+    pub fn view(&self) -> &nff::View {
+        &self.view
+    }
+
+    /// The eye's rays for a picture of this size.
+    pub fn camera(&self, width: u32, height: u32) -> Result<nff::Camera, SceneError> {
+        self.view
+            .camera(width, height)
+            .map_err(|source| SceneError::View {
+                file: self.file.clone(),
+                source,
+            })
+    }
+
+    /// Colour where nothing is hit.
+    #[must_use]
+    pub fn background(&self) -> DVec3 {
+        self.background
+    }
+
+    /// Spheres that are drawn.
+    #[must_use]
+    pub fn sphere_count(&self) -> u32 {
+        self.spheres.len() as u32
+    }
+
+    /// Range of the depth shading.
+    #[must_use]
+    pub fn depth(&self) -> DepthShading {
+        self.depth
+    }
+
+    /// What the file has and the picture will not show.
+    #[must_use]
+    pub fn not_drawn(&self) -> &[NotDrawn] {
+        &self.not_drawn
+    }
+
+    /// The sphere records.
+    #[must_use]
+    pub fn sphere_bytes(&self) -> &[u8] {
+        self.spheres.as_bytes()
+    }
+}
+
+/// Three coordinates or channels, rounded to singles.
+pub(crate) fn singles(vector: DVec3) -> [F32; 3] {
+    vector.to_array().map(|value| F32::new(value as f32))
+}
