@@ -1,0 +1,321 @@
+//! The command line, as its users meet it: what it writes, and what it says of bad input.
+
+use std::fs::{self, File};
+use std::path::Path;
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n\
+                    f 1 1 1 1 0 0 0 1\n";
+
+fn cellray(arguments: &[&str]) -> Output {
+    Command::new(env!("CARGO_BIN_EXE_cellray"))
+        .args(arguments)
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap()
+}
+
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
+}
+
+/// Runs to success; gives standard output and standard error.
+fn good(arguments: &[&str]) -> (String, String) {
+    let output = cellray(arguments);
+    let (out, err) = (text(&output.stdout), text(&output.stderr));
+    assert!(output.status.success(), "{arguments:?}: {err}");
+    (out, err)
+}
+
+/// Runs to failure, which must come soon, write nothing to standard output and say all `parts`.
+fn bad(arguments: &[&str], parts: &[&str]) {
+    let start = Instant::now();
+    let output = cellray(arguments);
+    let err = text(&output.stderr);
+    assert!(!output.status.success(), "{arguments:?} succeeded");
+    assert!(output.status.code().is_some(), "{arguments:?} died: {err}");
+    assert!(
+        start.elapsed() < Duration::from_secs(60),
+        "{arguments:?} took {:?}",
+        start.elapsed()
+    );
+    assert!(
+        output.stdout.is_empty(),
+        "{arguments:?}: {}",
+        text(&output.stdout)
+    );
+    assert!(!err.contains("panicked"), "{err}");
+    for part in parts {
+        assert!(err.contains(part), "{arguments:?}: no {part:?} in: {err}");
+    }
+}
+
+fn bad_scene(scene: &str, parts: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("bad.nff");
+    fs::write(&path, scene).unwrap();
+    let picture = folder.path().join("picture.png");
+    bad(
+        &[
+            "render",
+            path.to_str().unwrap(),
+            "--out",
+            picture.to_str().unwrap(),
+        ],
+        parts,
+    );
+    assert!(!picture.exists(), "a picture of {scene:?}");
+}
+
+#[test]
+fn renders_a_picture_with_statistics() {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("p.png");
+    let stats = folder.path().join("s.json");
+    good(&[
+        "render",
+        "scenes/paper16.nff",
+        "--size",
+        "160x90",
+        "--spus",
+        "3",
+        "--frames",
+        "2",
+        "--split",
+        "slices",
+        "--out",
+        picture.to_str().unwrap(),
+        "--stats",
+        stats.to_str().unwrap(),
+    ]);
+    let picture = image::open(picture).unwrap();
+    assert_eq!((picture.width(), picture.height()), (160, 90));
+    let stats: serde_json::Value = serde_json::from_slice(&fs::read(stats).unwrap()).unwrap();
+    assert_eq!(stats["width"], 160);
+    assert_eq!(stats["height"], 90);
+    assert_eq!(stats["spus"], 3);
+    assert_eq!(stats["frames"], 2);
+    assert_eq!(stats["rays"]["eye"], 2 * 160 * 90);
+    assert!(stats["rays"]["eye_hit"].as_u64().unwrap() > 160 * 90 / 2);
+    for kind in ["reflected", "refracted", "shadow"] {
+        assert_eq!(stats["rays"][kind], 0);
+    }
+    // Whole packets: the bottom row of packets is half within the picture.
+    assert_eq!(stats["tests"]["made"], 2 * 160 * 92 * 16);
+    assert_eq!(stats["tests"]["skipped"], 0);
+    assert!(stats["scene"].as_str().unwrap().contains("paper16"));
+    assert!(stats["host_seconds"].as_f64().unwrap() > 0.0);
+    assert!(stats["frames_per_second"].as_f64().unwrap() > 0.0);
+    let spus = stats["spu"].as_array().unwrap();
+    assert_eq!(spus.len(), 3);
+    assert_eq!(
+        spus.iter()
+            .map(|spu| spu["tiles"].as_u64().unwrap())
+            .sum::<u64>(),
+        2 * 3 * 6
+    );
+    for spu in spus {
+        assert!(spu["busy"].as_f64().unwrap() > 0.0);
+        assert!(spu["packets"].as_u64().unwrap() > 0);
+        assert!(spu["dma_wait"].is_number() && spu["idle"].is_number());
+    }
+}
+
+#[test]
+fn statistics_on_standard_output_are_nothing_but_json() {
+    let (out, _) = good(&[
+        "render",
+        "scenes/paper13.nff",
+        "--size",
+        "8x8",
+        "--stats",
+        "-",
+    ]);
+    serde_json::from_str::<serde_json::Value>(&out).unwrap();
+}
+
+#[test]
+fn a_file_takes_the_place_of_the_framebuffer() {
+    let folder = tempfile::tempdir().unwrap();
+    let device = folder.path().join("fb0");
+    let picture = folder.path().join("p.png");
+    good(&[
+        "fb",
+        "scenes/paper16.nff",
+        "--size",
+        "101x57",
+        "--device",
+        device.to_str().unwrap(),
+    ]);
+    good(&[
+        "render",
+        "scenes/paper16.nff",
+        "--size",
+        "101x57",
+        "--out",
+        picture.to_str().unwrap(),
+    ]);
+    let bytes = fs::read(device).unwrap();
+    let picture = image::open(picture).unwrap().into_rgb8();
+    let stride = bytes.len() / 57;
+    for (x, y, pixel) in picture.enumerate_pixels() {
+        let offset = y as usize * stride + x as usize * 4;
+        assert_eq!(
+            bytes[offset..offset + 4],
+            [0, pixel[0], pixel[1], pixel[2]],
+            "pixel {x}, {y}"
+        );
+    }
+}
+
+#[test]
+fn a_framebuffer_of_another_geometry() {
+    let folder = tempfile::tempdir().unwrap();
+    let device = folder.path().join("fb0");
+    let device = device.to_str().unwrap();
+    good(&[
+        "fb",
+        "scenes/paper16.nff",
+        "--size",
+        "64x32",
+        "--device",
+        device,
+    ]);
+    let before = fs::read(device).unwrap();
+    bad(
+        &[
+            "fb",
+            "scenes/paper16.nff",
+            "--size",
+            "64x48",
+            "--device",
+            device,
+        ],
+        &[device, "64x48"],
+    );
+    assert_eq!(fs::read(device).unwrap(), before);
+    bad(
+        &[
+            "fb",
+            "scenes/paper16.nff",
+            "--device",
+            "/nonexistent/fb0",
+            "--size",
+            "4x4",
+        ],
+        &["/nonexistent"],
+    );
+    bad(
+        &["fb", "scenes/paper16.nff", "--device", "/dev/null"],
+        &["/dev/null", "FBIOGET_VSCREENINFO"],
+    );
+}
+
+#[test]
+fn what_is_not_drawn_is_named_with_file_and_line() {
+    let (_, err) = good(&["render", "sphereflake:1", "--size", "16x16"]);
+    for part in [
+        "polygons are not drawn yet (1",
+        "lights are not drawn yet (3",
+        "sphereflake",
+    ] {
+        assert!(err.contains(part), "no {part:?} in: {err}");
+    }
+}
+
+#[test]
+fn bad_scenes() {
+    bad_scene("", &["bad.nff"]);
+    bad_scene("v\nfrom 0 0 9\nat 0 0", &["bad.nff", "3"]);
+    bad_scene(&format!("{VIEW}s 0 0 0 NaN\n"), &["bad.nff:9", "NaN"]);
+    bad_scene(&format!("{VIEW}s 0 0 0 1e999\n"), &["bad.nff:9", "1e999"]);
+    bad_scene(&format!("{VIEW}s 1e30 0 0 1\n"), &["bad.nff", "sphere 1"]);
+    bad_scene(
+        &format!("{VIEW}s 0 0 0 1e-30\n"),
+        &["bad.nff", "radius of sphere 1", "2^-62"],
+    );
+    bad_scene(&format!("{VIEW}p 4000000000\n0 0 0\n"), &["bad.nff:9"]);
+    bad_scene(&format!("{VIEW}q 1 2\n"), &["bad.nff:9", "q"]);
+    let many = "s 0 0 0 1\n".repeat(2049);
+    bad_scene(&format!("{VIEW}{many}"), &["2049 spheres", "room for 2048"]);
+    bad(&["render", "no/such/scene.nff"], &["no/such/scene.nff"]);
+    bad(&["render", "sphereflake:99"], &["99"]);
+}
+
+/// 17 GB that the disk never holds: a sparse file is one endless line of zero bytes.
+#[test]
+fn seventeen_gigabytes() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("huge.nff");
+    File::create(&path).unwrap().set_len(17 << 30).unwrap();
+    bad(&["render", path.to_str().unwrap()], &["huge.nff:1"]);
+    bad(&["render", "sphereflake:9"], &["435848050"]);
+}
+
+#[test]
+fn bad_arguments() {
+    let scene = "scenes/paper16.nff";
+    bad(&["render", scene, "--size", "0x10"], &["0x10"]);
+    bad(&["render", scene, "--size", "9000x10"], &["9000x10"]);
+    bad(&["render", scene, "--size", "big"], &["big"]);
+    bad(
+        &["render", scene, "--size", "8x8", "--spus", "0"],
+        &["0 SPUs", "1 to 16"],
+    );
+    bad(
+        &["render", scene, "--size", "8x8", "--spus", "17"],
+        &["17 SPUs"],
+    );
+    bad(
+        &["render", scene, "--split", "half"],
+        &["half", "tiles", "slices"],
+    );
+    bad(&["render", scene, "--frames", "0"], &["0"]);
+    bad(
+        &[
+            "render",
+            scene,
+            "--size",
+            "8x8",
+            "--out",
+            "/nonexistent/p.png",
+        ],
+        &["/nonexistent"],
+    );
+    bad(
+        &[
+            "render",
+            scene,
+            "--size",
+            "8x8",
+            "--stats",
+            "/nonexistent/s.json",
+        ],
+        &["/nonexistent/s.json"],
+    );
+}
+
+#[test]
+fn info_names_the_library_and_its_spes() {
+    let (out, _) = good(&["info", "--device", "/nonexistent"]);
+    let program = Path::new(env!("CARGO_BIN_EXE_cellray"))
+        .file_name()
+        .unwrap();
+    assert!(out.contains(program.to_str().unwrap()), "{out}");
+    assert!(out.contains("SPEs         6"), "{out}");
+    assert!(out.contains("/nonexistent"), "{out}");
+}
+
+#[test]
+fn help_has_examples() {
+    let (out, _) = good(&["--help"]);
+    assert!(out.contains("cellray render scenes/paper16.nff"), "{out}");
+}
+
+#[test]
+fn a_sphereflake_is_written_as_a_scene() {
+    let (out, _) = good(&["sphereflake", "2"]);
+    let scene = nff::parse(out.as_bytes(), "balls", &nff::Limits::default()).unwrap();
+    assert_eq!(scene, nff::sphereflake::generate(2).unwrap());
+}

@@ -1,0 +1,6 @@
+//! Whole frames on emulated SPUs: pictures, the work-unit protocol, and SPU programs that go wrong.
+
+mod faults;
+mod pictures;
+mod protocol;
+mod recorder;

@@ -1,0 +1,75 @@
+//! A framebuffer that tests can look into, and frames made with it.
+
+use std::sync::{Arc, Mutex};
+
+use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
+use cellray::work::Split;
+use cellray::{Engine, Scene, Settings};
+use image::RgbImage;
+
+/// A memory framebuffer whose presented frames can be looked at from outside.
+pub struct Recorder {
+    memory: Memory,
+    shown: Arc<Mutex<Option<RgbImage>>>,
+}
+
+/// The frame that a [`Recorder`] last presented.
+pub type Shown = Arc<Mutex<Option<RgbImage>>>;
+
+impl Recorder {
+    /// A framebuffer for an engine, and what it will have presented.
+    pub fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Shown) {
+        let memory = Memory::new(Geometry { width, height }).unwrap();
+        let shown = Shown::default();
+        (
+            Box::new(Self {
+                memory,
+                shown: Arc::clone(&shown),
+            }),
+            shown,
+        )
+    }
+}
+
+impl Framebuffer for Recorder {
+    fn geometry(&self) -> Geometry {
+        self.memory.geometry()
+    }
+
+    fn target(&mut self) -> Target {
+        self.memory.target()
+    }
+
+    fn present(&mut self) -> Result<(), FramebufferError> {
+        *self.shown.lock().unwrap() = Some(self.memory.rgb());
+        Ok(())
+    }
+
+    fn describe(&self) -> String {
+        self.memory.describe()
+    }
+}
+
+/// One of the scenes that come with the program.
+pub fn nff_scene(name: &str) -> nff::Scene {
+    let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
+        .join("scenes")
+        .join(name);
+    nff::load(&path).unwrap()
+}
+
+/// A frame of a scene.
+pub fn render(scene: &nff::Scene, width: u32, height: u32, spus: u32, split: Split) -> RgbImage {
+    let (framebuffer, shown) = Recorder::pair(width, height);
+    let settings = Settings {
+        spus,
+        split,
+        ..Settings::default()
+    };
+    let mut engine = Engine::start(settings, framebuffer).unwrap();
+    engine
+        .render(&Scene::from_nff(scene).unwrap(), &mut |_| ())
+        .unwrap();
+    let picture = shown.lock().unwrap().take();
+    picture.expect("the frame was presented")
+}
