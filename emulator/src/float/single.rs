@@ -20,25 +20,27 @@ pub const SMALLEST: u32 = 0x0080_0000;
 /// The largest number, (2 - 2^-23) * 2^128.
 pub const LARGEST: u32 = MAGNITUDE;
 
-/// Difference of the exponent biases, where a double has its exponent.
-const REBIAS: u64 = (1023 - 127) << 52;
-/// Fraction bits that a double has and a single has not.
-const EXTRA_BITS: u32 = 52 - 23;
+// A double is handled as its two words: four lanes of 32 bits are what hosts shuffle best.
 
-const SMALLEST_F64: f64 = f64::from_bits(widen_magnitude(SMALLEST));
-const LARGEST_F64: f64 = f64::from_bits(widen_magnitude(LARGEST));
-
-const fn widen_magnitude(magnitude: u32) -> u64 {
-    ((magnitude as u64) << EXTRA_BITS) + REBIAS
-}
+/// Difference of the exponent biases, where a double's upper word has its exponent.
+const REBIAS: u32 = (1023 - 127) << 20;
+/// How much further right fraction and exponent stand in a double than in a single.
+const SHIFT: u32 = 3;
+/// Upper words of the smallest and the largest single, widened.
+const SMALLEST_UPPER: u32 = (SMALLEST >> SHIFT) + REBIAS;
+const LARGEST_UPPER: u32 = (LARGEST >> SHIFT) + REBIAS;
+/// Lower word of the largest single, widened.
+const LARGEST_LOWER: u32 = LARGEST << (32 - SHIFT);
 
 /// The value of a single, exactly. Exponent 0 is zero, exponent 255 an ordinary exponent.
 #[inline]
 #[must_use]
 pub fn to_f64(x: u32) -> f64 {
-    let bits = u64::from(x & SIGN) << 32 | widen_magnitude(x & MAGNITUDE);
-    let zero = x & EXPONENT == 0;
-    f64::from_bits(if zero { 0 } else { bits })
+    let shifted = (x as i32 >> SHIFT) as u32 & (SIGN | MAGNITUDE >> SHIFT);
+    let upper = shifted.wrapping_add(REBIAS);
+    let lower = x << (32 - SHIFT);
+    let not_zero = mask(x & EXPONENT != 0);
+    f64::from_bits(u64::from(upper & not_zero) << 32 | u64::from(lower & not_zero))
 }
 
 /// The single nearest to `value` toward zero: above the largest the largest, below the smallest +0.
@@ -47,20 +49,25 @@ pub fn to_f64(x: u32) -> f64 {
 #[must_use]
 pub fn from_f64(value: f64) -> u32 {
     let bits = value.to_bits();
-    let sign = (bits >> 32) as u32 & SIGN;
-    let magnitude = value.abs();
-    let fits = (magnitude.to_bits().wrapping_sub(REBIAS) >> EXTRA_BITS) as u32;
-    // Compared as doubles, which vectorises better than integers do; a NaN is not less or equal.
-    let in_range = magnitude <= LARGEST_F64;
-    let signed = sign | if in_range { fits } else { LARGEST };
-    if magnitude < SMALLEST_F64 { 0 } else { signed }
+    narrow((bits >> 32) as u32, bits as u32)
+}
+
+/// [`from_f64`] on the two words.
+#[inline]
+const fn narrow(upper: u32, lower: u32) -> u32 {
+    let magnitude = upper & MAGNITUDE;
+    let fits = magnitude.wrapping_sub(REBIAS) << SHIFT | lower >> (32 - SHIFT);
+    // Both are below 2^31: signed compares, which every host has in lanes, order them as well.
+    let above = mask(magnitude as i32 > LARGEST_UPPER as i32);
+    let below = mask((magnitude as i32) < SMALLEST_UPPER as i32);
+    (upper & SIGN | (fits | above) & MAGNITUDE) & !below
 }
 
 /// Whether IEEE arithmetic would read the operand or result differently.
 #[inline]
 const fn differs_from_ieee(x: u32) -> bool {
-    let magnitude = x & MAGNITUDE;
-    magnitude.wrapping_sub(SMALLEST) >= EXPONENT - SMALLEST && magnitude != 0
+    let exponent = x & EXPONENT;
+    (exponent == EXPONENT) | (exponent == 0) & (x & MAGNITUDE != 0)
 }
 
 /// What an operation gives in each of `N` lanes.
@@ -70,12 +77,16 @@ pub type Lanes<const N: usize> = ([u32; N], [Flags; N]);
 /// lost anything. Operands' own reasons for `DIFFERENT` are not in the flags.
 #[inline]
 pub(super) fn finish<const N: usize>(truncated: [f64; N], inexact: [bool; N]) -> Lanes<N> {
-    let magnitude = truncated.map(f64::abs);
-    let results = truncated.map(from_f64);
+    let upper = truncated.map(|value| (value.to_bits() >> 32) as u32);
+    let lower = truncated.map(|value| value.to_bits() as u32);
+    let results: [u32; N] = from_fn(|n| narrow(upper[n], lower[n]));
     let flags = from_fn(|n| {
-        let m = magnitude[n];
-        let overflow = (m > LARGEST_F64) | (m == LARGEST_F64) & inexact[n];
-        let underflow = (m < SMALLEST_F64) & (m != 0.0);
+        let magnitude = upper[n] & MAGNITUDE;
+        let largest = results[n] & MAGNITUDE == LARGEST;
+        let beyond = (magnitude != LARGEST_UPPER) | (lower[n] != LARGEST_LOWER) | inexact[n];
+        let overflow = largest & beyond;
+        // Values other than zero are far from having an upper word of 0.
+        let underflow = ((magnitude as i32) < SMALLEST_UPPER as i32) & (magnitude != 0);
         Flags::OVERFLOW.when(overflow)
             | Flags::UNDERFLOW.when(underflow)
             | Flags::DIFFERENT.when(underflow | differs_from_ieee(results[n]))
