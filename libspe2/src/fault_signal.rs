@@ -1,4 +1,7 @@
 //! Signals that the kernel would send to the thread that runs a context.
+//!
+//! On ppc64 a handler gets the signal without its code and address: QEMU's user emulation takes a
+//! queued SIGSEGV or SIGBUS with a fault's code for a fault of its own, and dies of it.
 
 use std::mem::MaybeUninit;
 use std::ptr;
@@ -9,6 +12,9 @@ const BUS_ADRALN: c_int = 1;
 const BUS_OBJERR: c_int = 3;
 const SEGV_ACCERR: c_int = 2;
 const ILL_OPC: c_int = 1;
+
+/// Whether a signal can be sent with the code and address of a fault.
+const CARRIES_FAULT: bool = cfg!(not(target_arch = "powerpc64"));
 
 /// A fault as a signal tells it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -67,11 +73,16 @@ impl FaultSignal {
             libc::sigaddset(&raw mut set, self.signal);
             libc::pthread_sigmask(libc::SIG_BLOCK, ptr::null(), &raw mut blocked);
             let is_blocked = libc::sigismember(&raw const blocked, self.signal) == 1;
-            if is_blocked || action.sa_sigaction == libc::SIG_IGN {
+            if is_blocked || [libc::SIG_IGN, libc::SIG_DFL].contains(&action.sa_sigaction) {
+                // Nobody will see more of the signal than its number.
                 libc::signal(self.signal, libc::SIG_DFL);
                 libc::pthread_sigmask(libc::SIG_UNBLOCK, &raw const set, ptr::null_mut());
+                libc::raise(self.signal);
+            } else if CARRIES_FAULT {
+                self.send();
+            } else {
+                libc::raise(self.signal);
             }
-            self.send();
             if action.sa_flags & libc::SA_RESTART != 0 {
                 After::Resume
             } else {

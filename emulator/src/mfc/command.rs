@@ -221,7 +221,7 @@ impl Command {
         let ea_low = ea as u32 & 15;
         match size {
             0 => Ok(()),
-            1 | 2 | 4 | 8 if ea_low % size != 0 => {
+            1 | 2 | 4 | 8 if !ea_low.is_multiple_of(size) => {
                 Err(self.alignment("the effective address is not aligned to the size"))
             }
             1 | 2 | 4 | 8 if lsa & 15 != ea_low => {
@@ -229,7 +229,9 @@ impl Command {
             }
             1 | 2 | 4 | 8 => Ok(()),
             _ if size > MAX_TRANSFER => Err(self.alignment("more than 16 KB")),
-            _ if size % 16 != 0 => Err(self.alignment("the size is not 1, 2, 4, 8 or n times 16")),
+            _ if !size.is_multiple_of(16) => {
+                Err(self.alignment("the size is not 1, 2, 4, 8 or n times 16"))
+            }
             _ if lsa & 15 != 0 => Err(self.alignment("the local-store address is not on 16 bytes")),
             _ if ea_low != 0 => Err(self.alignment("the effective address is not on 16 bytes")),
             _ => Ok(()),

@@ -130,10 +130,6 @@ impl Queue {
         pick(tags).or_else(|| pick(!tags))
     }
 
-    pub(crate) fn has_ready(&self) -> bool {
-        self.next(u32::MAX).is_some()
-    }
-
     /// Runs one command if any may run. A command that fails leaves the queue.
     pub(crate) fn run_one(&mut self, tags: u32, path: Path<'_>) -> Result<Option<Ran>, DmaError> {
         let Some(at) = self.next(tags) else {

@@ -140,9 +140,9 @@ impl SpuSide {
         Ok(())
     }
 
-    /// Whether commands wait only for the policy.
-    pub(crate) fn has_ready(&self) -> bool {
-        self.queue.has_ready()
+    /// When commands are carried out.
+    pub(crate) fn policy(&self) -> Policy {
+        self.queue.policy()
     }
 
     /// Channel 21's count.

@@ -5,19 +5,19 @@
 
 use std::time::Duration;
 
+use super::Spe;
 use super::problem_state::{ProblemState, State, Waited};
 use crate::channel::Channels;
 use crate::decrementer::Decrementer;
 use crate::event;
-use crate::local_store::LocalStore;
 use crate::memory::LINE;
-use crate::mfc::interconnect::{Interconnect, Unit};
+use crate::mfc::interconnect::Unit;
 use crate::mfc::queue::Path;
 use crate::mfc::spu_side::SpuSide;
 use crate::mfc::{DmaError, Policy};
 use crate::stop::{ChannelAccess, Stop};
 
-/// How long the adversary leaves commands undone while the SPU sleeps: long enough for the PPE to
+/// How long the adversary leaves commands of both sides undone while the SPU sleeps: long enough for the PPE to
 /// look too early, short enough not to stop a program whose PPE waits for the data itself.
 const GRACE: Duration = Duration::from_millis(10);
 /// How often a sleeper that waits for a lost reservation compares the line: the PPE's own stores
@@ -74,18 +74,20 @@ impl SpuState {
 
 /// The channels of an SPE while it runs.
 pub(crate) struct RunningChannels<'a> {
-    pub own: &'a mut SpuState,
-    pub problem_state: &'a ProblemState,
-    pub local_store: &'a LocalStore,
-    pub interconnect: &'a Interconnect,
+    pub(super) own: &'a mut SpuState,
+    pub(super) spe: &'a Spe,
 }
 
 impl<'a> RunningChannels<'a> {
+    fn problem_state(&self) -> &'a ProblemState {
+        &self.spe.problem_state
+    }
+
     fn path(&self) -> Path<'a> {
         Path {
-            local_store: self.local_store,
-            interconnect: self.interconnect,
-            unit: self.problem_state,
+            local_store: &self.spe.local_store,
+            interconnect: &self.spe.interconnect,
+            unit: &*self.spe.problem_state,
         }
     }
 
@@ -96,7 +98,7 @@ impl<'a> RunningChannels<'a> {
     ) -> Result<T, Stop> {
         let path = self.path();
         let result = body(&mut self.own.mfc, path);
-        self.problem_state.raise(self.own.mfc.take_events());
+        self.problem_state().raise(self.own.mfc.take_events());
         result.map_err(Stop::Dma)
     }
 
@@ -112,16 +114,16 @@ impl<'a> RunningChannels<'a> {
         mut poll: impl FnMut(&mut Self, &mut State) -> Option<T>,
     ) -> Result<T, Stop> {
         loop {
-            let put_off = self.own.mfc.has_ready();
-            let limit = [limit(self), put_off.then_some(GRACE)]
-                .into_iter()
-                .flatten()
-                .min();
-            let problem_state = self.problem_state;
+            let grace = (self.own.mfc.policy() == Policy::AtLast).then_some(GRACE);
+            let limit = limit(self).into_iter().chain(grace).min();
+            let problem_state = self.problem_state();
             match problem_state.wait_as_spu(limit, |state| poll(self, state)) {
                 Waited::Ready(value) => return Ok(value),
                 Waited::StopRequested => return Err(Stop::Requested),
-                Waited::TimedOut if put_off => self.finish_commands()?,
+                Waited::TimedOut if grace.is_some() => {
+                    self.finish_commands()?;
+                    self.spe.finish_proxy_commands();
+                }
                 Waited::TimedOut => {}
             }
         }
@@ -130,14 +132,14 @@ impl<'a> RunningChannels<'a> {
     /// Sleeps until `take` finds something, then tells those who wait for the room it left.
     fn receive(&mut self, mut take: impl FnMut(&mut State) -> Option<u32>) -> Result<u32, Stop> {
         let value = self.sleep(|_| None, |_, state| take(state))?;
-        self.problem_state.announce();
+        self.problem_state().announce();
         Ok(value)
     }
 
     /// Sleeps until `give` finds room, then tells those who wait for the data.
     fn send(&mut self, mut give: impl FnMut(&mut State) -> bool) -> Result<(), Stop> {
         self.sleep(|_| None, |_, state| give(state).then_some(()))?;
-        self.problem_state.announce();
+        self.problem_state().announce();
         Ok(())
     }
 
@@ -148,7 +150,7 @@ impl<'a> RunningChannels<'a> {
     }
 
     fn now(&self) -> u64 {
-        self.interconnect.clock().ticks()
+        self.spe.interconnect.clock().ticks()
     }
 
     /// Raises the decrementer's event, which nobody announces.
@@ -160,28 +162,28 @@ impl<'a> RunningChannels<'a> {
 
     /// Ends the reservation of a line that the PPE changed by itself, which nobody announces either.
     fn watch_line(&mut self) {
-        let Some(line) = self.problem_state.reservation().line() else {
+        let Some(line) = self.problem_state().reservation().line() else {
             return;
         };
         let mut current = [0; LINE];
-        let read = self.interconnect.memory().read(line, &mut current);
+        let read = self.spe.interconnect.memory().read(line, &mut current);
         if read.is_ok()
             && current != *self.own.mfc.seen_line()
-            && self.problem_state.reservation().line() == Some(line)
+            && self.problem_state().reservation().line() == Some(line)
         {
-            self.problem_state.reservation().clear();
-            self.problem_state.raise(event::RESERVATION_LOST);
+            self.problem_state().reservation().clear();
+            self.problem_state().raise(event::RESERVATION_LOST);
         }
     }
 
     fn silent_event_limit(&self) -> Option<Duration> {
-        let mask = self.problem_state.with(|state| state.events.mask());
+        let mask = self.problem_state().with(|state| state.events.mask());
         let decrementer = (mask & event::DECREMENTER != 0)
             .then(|| self.own.decrementer.until_event(self.now()))
             .flatten()
-            .map(|ticks| self.interconnect.clock().host_time(ticks));
+            .map(|ticks| self.spe.interconnect.clock().host_time(ticks));
         let line = (mask & event::RESERVATION_LOST != 0
-            && self.problem_state.reservation().line().is_some())
+            && self.problem_state().reservation().line().is_some())
         .then_some(LINE_WATCH);
         [decrementer, line].into_iter().flatten().min()
     }
@@ -201,7 +203,7 @@ impl<'a> RunningChannels<'a> {
 
     fn event_count(&mut self) -> bool {
         self.watch_line();
-        let problem_state = self.problem_state;
+        let problem_state = self.problem_state();
         problem_state.with(|state| {
             self.poll_decrementer(state);
             state.events.count()
@@ -210,7 +212,7 @@ impl<'a> RunningChannels<'a> {
 
     fn acknowledge(&mut self, events: u32) {
         let now = self.now();
-        self.problem_state.with(|state| {
+        self.problem_state().with(|state| {
             if events & event::DECREMENTER != 0 && state.events.mask() & event::DECREMENTER == 0 {
                 self.own.decrementer.freeze(now);
             }
@@ -226,7 +228,7 @@ impl Channels for RunningChannels<'_> {
             RD_SIG_NOTIFY_1 => self.receive(|state| state.signals[0].read()),
             RD_SIG_NOTIFY_2 => self.receive(|state| state.signals[1].read()),
             RD_DEC => Ok(self.own.decrementer.value(self.now())),
-            RD_EVENT_MASK => Ok(self.problem_state.with(|state| state.events.mask())),
+            RD_EVENT_MASK => Ok(self.problem_state().with(|state| state.events.mask())),
             RD_TAG_MASK => Ok(self.own.mfc.tag_mask()),
             RD_MACH_STAT => Ok(u32::from(self.own.interrupts_enabled)),
             RD_SRR0 => Ok(self.own.srr0),
@@ -250,7 +252,7 @@ impl Channels for RunningChannels<'_> {
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop> {
         match channel {
             WR_EVENT_MASK => self
-                .problem_state
+                .problem_state()
                 .with(|state| state.events.set_mask(value)),
             WR_EVENT_ACK => self.acknowledge(value),
             WR_DEC => {
@@ -259,7 +261,7 @@ impl Channels for RunningChannels<'_> {
             }
             // Transfers of others into this local store are done when they are done: there is
             // nothing to wait for.
-            WR_MS_SYNC_REQ => self.problem_state.raise(event::MULTISOURCE_SYNC),
+            WR_MS_SYNC_REQ => self.problem_state().raise(event::MULTISOURCE_SYNC),
             WR_SRR0 => self.set_srr0(value),
             LSA => self.own.mfc.parameters.lsa = value,
             EAH => {
@@ -297,7 +299,7 @@ impl Channels for RunningChannels<'_> {
             RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 => {
                 let at = usize::from(channel - RD_SIG_NOTIFY_1);
                 Ok(self
-                    .problem_state
+                    .problem_state()
                     .with(|state| u32::from(state.signals[at].waiting())))
             }
             CMD => self.mfc(SpuSide::room),
@@ -305,13 +307,13 @@ impl Channels for RunningChannels<'_> {
             RD_LIST_STALL_STAT => self.mfc(SpuSide::stalled_count),
             RD_ATOMIC_STAT => Ok(self.own.mfc.atomic_status_count()),
             WR_OUT_MBOX => Ok(self
-                .problem_state
+                .problem_state()
                 .with(|state| count(state.outbound.room()))),
             RD_IN_MBOX => Ok(self
-                .problem_state
+                .problem_state()
                 .with(|state| count(state.inbound.waiting()))),
             WR_OUT_INTR_MBOX => Ok(self
-                .problem_state
+                .problem_state()
                 .with(|state| count(state.outbound_interrupt.room()))),
             WR_EVENT_MASK..=WR_EVENT_ACK
             | WR_DEC..=WR_MS_SYNC_REQ
@@ -328,7 +330,7 @@ impl Channels for RunningChannels<'_> {
     }
 
     fn stop_requested(&self) -> bool {
-        self.problem_state.stop_requested()
+        self.problem_state().stop_requested()
     }
 
     fn set_interrupts_enabled(&mut self, enabled: bool) {

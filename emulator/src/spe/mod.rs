@@ -97,9 +97,7 @@ impl Spe {
         prepare(spu);
         let mut channels = RunningChannels {
             own: state,
-            problem_state: &self.problem_state,
-            local_store: &self.local_store,
-            interconnect: &self.interconnect,
+            spe: self,
         };
         let mut stopped = if self.problem_state.stop_requested() {
             let pc = spu.pc();

@@ -36,6 +36,7 @@ fn the_decrementer_counts_down_and_can_be_frozen() {
         rdch    $10,$ch8
         ilhu    $11,0x4000
         wrch    $ch7,$11
+        wrch    $ch28,$11
         rdch    $12,$ch29
         rdch    $13,$ch8
         set_channel 2, 0x20
@@ -46,6 +47,7 @@ fn the_decrementer_counts_down_and_can_be_frozen() {
 ";
     let (spe, entry) = Machine::new().loaded(Policy::AtOnce, source);
     let running = start(&spe, entry);
+    assert!(spe.read_outbound(soon()).is_some());
     for _ in 0..2 {
         std::thread::sleep(Duration::from_millis(20));
         assert!(spe.write_inbound(0, soon()));

@@ -10,4 +10,5 @@ mod events;
 mod lists;
 mod mailboxes;
 mod ordering;
+mod random;
 mod support;

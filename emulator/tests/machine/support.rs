@@ -130,6 +130,11 @@ impl Running {
         })
     }
 
+    /// The stop, if it came by itself within a moment.
+    pub fn try_wait(&self) -> Option<Stopped> {
+        self.ended.recv_timeout(Duration::from_millis(50)).ok()
+    }
+
     /// Whether it is still running after a while in which it had every chance to end.
     pub fn sleeps(&self) -> bool {
         self.ended.recv_timeout(Duration::from_millis(100)).is_err()
