@@ -54,23 +54,25 @@ impl Image {
             source,
         };
         fs::create_dir_all(work).map_err(file_error)?;
-        let mut link: Vec<OsString> = ["--fatal-warnings", "-T"].map(OsString::from).to_vec();
-        link.push(self.script.clone().into());
-        link.extend(["-o".into(), image.into()]);
+        let mut assemble: Vec<OsString> = ["--fatal-warnings", "-g", "--strip-local-absolute"]
+            .map(OsString::from)
+            .to_vec();
+        for folder in &self.includes {
+            assemble.extend(["-I".into(), folder.into()]);
+        }
+        let mut objects = Vec::new();
         for (number, source) in self.sources.iter().enumerate() {
             let stem = source.file_stem().unwrap_or_default().to_string_lossy();
             let object = work.join(format!("{number:02}-{stem}.o"));
-            let mut options: Vec<OsString> = ["--fatal-warnings", "-g", "--strip-local-absolute"]
-                .map(OsString::from)
-                .to_vec();
-            for folder in &self.includes {
-                options.extend(["-I".into(), folder.into()]);
-            }
-            options.extend(["-o".into(), object.clone().into(), source.into()]);
-            run(&mut tools.assemble(&options))?;
-            link.push(object.into());
+            run(&mut tools.assemble(&assemble, &object, source))?;
+            objects.push(object);
         }
-        run(&mut tools.link(&link))
+        let link = [
+            "--fatal-warnings".into(),
+            "-T".into(),
+            self.script.clone().into(),
+        ];
+        run(&mut tools.link(&link, image, &objects))
     }
 }
 

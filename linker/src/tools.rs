@@ -10,68 +10,87 @@ use crate::Error;
 /// The SPU assembler and linker of this machine.
 #[derive(Clone, Debug)]
 pub struct Tools {
-    assembler: PathBuf,
-    linker: PathBuf,
-    /// `spu-gcc` drives both: it takes the binutils' options behind `-Wa` and `-Wl`.
-    compiler_driver: bool,
+    assembler: Tool,
+    linker: Tool,
+}
+
+/// A tool, or the compiler driver that calls it.
+#[derive(Clone, Debug)]
+struct Tool {
+    path: PathBuf,
 }
 
 impl Tools {
     /// Variables that [`Tools::find`] looks at: a build script reruns when they change.
     pub const VARIABLES: [&str; 3] = ["SPU_AS", "SPU_LD", "XDG_CACHE_HOME"];
 
-    /// Looks for the tools in this order: the variables `SPU_AS` and `SPU_LD`; `spu-elf-as` or
-    /// `spu-as` and the linker beside it on `PATH`; `spu-gcc` on `PATH`; what `ci/setup` built in
-    /// the user's cache folder.
+    /// Looks for the tools in this order: the variables `SPU_AS` and `SPU_LD`, which may also name
+    /// an `spu-gcc`; `spu-elf-as` or `spu-as` and their linkers on `PATH`, else what `ci/setup`
+    /// built in the user's cache folder; `spu-gcc` on `PATH` for whatever is still missing.
     pub fn find() -> Result<Self, Error> {
-        let assembler = find_tool("SPU_AS", "as");
-        let linker = find_tool("SPU_LD", "ld");
-        if let (Some(assembler), Some(linker)) = (&assembler, &linker) {
-            return Ok(Self {
-                assembler: assembler.clone(),
-                linker: linker.clone(),
-                compiler_driver: false,
-            });
-        }
-        let named = env::var_os("SPU_AS").is_some() || env::var_os("SPU_LD").is_some();
-        if let (false, Some(gcc)) = (named, on_path("spu-gcc")) {
-            return Ok(Self {
-                assembler: gcc.clone(),
-                linker: gcc,
-                compiler_driver: true,
-            });
-        }
-        let (what, variable, name) = match assembler {
-            None => ("assembler", "SPU_AS", "as"),
-            Some(_) => ("linker", "SPU_LD", "ld"),
-        };
-        let looked = match env::var_os(variable) {
-            Some(value) => format!("{variable}={}", value.to_string_lossy()),
-            None => format!(
-                "spu-elf-{name}, spu-{name} and spu-gcc on PATH, {}",
-                cached(name).map_or("no cache folder".into(), |path| path.display().to_string())
-            ),
-        };
-        Err(Error::NoTool {
-            what,
-            variable,
-            looked,
+        Ok(Self {
+            assembler: Tool::find("assembler", "SPU_AS", "as")?,
+            linker: Tool::find("linker", "SPU_LD", "ld")?,
         })
     }
 
-    /// `as` with the options given, in the spelling that the tool at hand takes.
-    pub(crate) fn assemble(&self, options: &[OsString]) -> Command {
-        self.command(&self.assembler, "-c", "-Wa,", options)
+    /// Assembles one source; `options` are the assembler's own.
+    pub(crate) fn assemble(&self, options: &[OsString], object: &Path, source: &Path) -> Command {
+        let mut command = self.assembler.command("-c", "-Wa,", options);
+        command.arg("-o").arg(object).arg(source);
+        command
     }
 
-    /// `ld` with the options given.
-    pub(crate) fn link(&self, options: &[OsString]) -> Command {
-        self.command(&self.linker, "-nostdlib", "-Wl,", options)
+    /// Links objects; `options` are the linker's own.
+    pub(crate) fn link(&self, options: &[OsString], image: &Path, objects: &[PathBuf]) -> Command {
+        let mut command = self.linker.command("-nostdlib", "-Wl,", options);
+        command.arg("-o").arg(image).args(objects);
+        command
+    }
+}
+
+impl Tool {
+    fn find(what: &'static str, variable: &'static str, name: &str) -> Result<Self, Error> {
+        if let Some(value) = env::var_os(variable) {
+            let named = PathBuf::from(&value);
+            let path = if named.components().count() > 1 {
+                named.is_file().then_some(named)
+            } else {
+                on_path(&value)
+            };
+            let looked = format!("{variable}={}", value.to_string_lossy());
+            return match path {
+                Some(path) => Ok(Self { path }),
+                None => Err(Error::NoTool {
+                    what,
+                    variable,
+                    looked,
+                }),
+            };
+        }
+        let cached = cached(name);
+        on_path(format!("spu-elf-{name}"))
+            .or_else(|| on_path(format!("spu-{name}")))
+            .or_else(|| cached.clone().filter(|path| path.is_file()))
+            .or_else(|| on_path("spu-gcc"))
+            .map(|path| Self { path })
+            .ok_or_else(|| {
+                let cached =
+                    cached.map_or("no cache folder".into(), |path| path.display().to_string());
+                let looked = format!("spu-elf-{name}, spu-{name} and spu-gcc on PATH, {cached}");
+                Error::NoTool {
+                    what,
+                    variable,
+                    looked,
+                }
+            })
     }
 
-    fn command(&self, tool: &Path, mode: &str, prefix: &str, options: &[OsString]) -> Command {
-        let mut command = Command::new(tool);
-        if self.compiler_driver {
+    /// The tool with options; a compiler driver is told its mode and passes the options on.
+    fn command(&self, mode: &str, prefix: &str, options: &[OsString]) -> Command {
+        let mut command = Command::new(&self.path);
+        let stem = self.path.file_stem().unwrap_or_default();
+        if stem.to_string_lossy().ends_with("gcc") {
             command.arg(mode);
             for option in options {
                 let mut passed = OsString::from(prefix);
@@ -83,20 +102,6 @@ impl Tools {
         }
         command
     }
-}
-
-fn find_tool(variable: &str, name: &str) -> Option<PathBuf> {
-    if let Some(value) = env::var_os(variable) {
-        let path = PathBuf::from(&value);
-        return if path.components().count() > 1 {
-            path.is_file().then_some(path)
-        } else {
-            on_path(&value)
-        };
-    }
-    on_path(format!("spu-elf-{name}"))
-        .or_else(|| on_path(format!("spu-{name}")))
-        .or_else(|| cached(name).filter(|path| path.is_file()))
 }
 
 fn on_path(name: impl AsRef<Path>) -> Option<PathBuf> {

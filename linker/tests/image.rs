@@ -4,6 +4,7 @@
 //! program again as a child.
 
 use std::fs;
+use std::os::unix::fs::PermissionsExt as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
@@ -100,7 +101,13 @@ fn find_with(variables: &[(&str, &str)]) -> String {
 fn child_finds_tools() {
     if std::env::var_os("IN_CHILD").is_some() {
         match Tools::find() {
-            Ok(tools) => println!("{tools:?}"),
+            Ok(tools) => {
+                println!("{tools:?}");
+                if let Some(folder) = std::env::var_os("BUILD") {
+                    build(Path::new(&folder), &tools).unwrap();
+                    println!("built");
+                }
+            }
             Err(error) => println!("{error}"),
         }
     }
@@ -139,14 +146,58 @@ fn tools_are_taken_from_path_under_either_name() {
             "{text}"
         );
     }
+}
+
+/// A compiler driver stands for both tools, on `PATH` or named by the variables: one that does what
+/// gcc does with `-Wa,` and `-Wl,`, over the real tools.
+#[test]
+fn a_compiler_driver_assembles_and_links() {
+    const DRIVER: &str = r#"#!/bin/sh
+tool=$LD
+for argument do
+    shift
+    case $argument in
+    -c) tool=$AS ;;
+    -nostdlib) ;;
+    -Wa,*|-Wl,*) set -- "$@" "${argument#-W?,}" ;;
+    *) set -- "$@" "$argument" ;;
+    esac
+done
+exec "$tool" "$@"
+"#;
+    let real = find_with(&[]);
+    let paths: Vec<&str> = real
+        .split('"')
+        .filter(|word| word.starts_with('/'))
+        .collect();
+    let [assembler, linker] = paths[..] else {
+        panic!("{real}")
+    };
+
     let bin = tempfile::tempdir().unwrap();
-    fs::write(bin.path().join("spu-gcc"), "").unwrap();
-    let path = bin.path().to_str().unwrap();
-    let text = find_with(&[("PATH", path), ("XDG_CACHE_HOME", "/nonexistent/cache")]);
-    assert!(
-        text.contains("spu-gcc") && text.contains("compiler_driver: true"),
-        "{text}"
-    );
+    let driver = bin.path().join("spu-gcc");
+    fs::write(&driver, DRIVER).unwrap();
+    fs::set_permissions(&driver, fs::Permissions::from_mode(0o755)).unwrap();
+    let driver = driver.to_str().unwrap();
+    let program = folder(" .text\n .global _start\n_start:\n stop 0x2000\n");
+    for tools in [
+        [("SPU_AS", driver), ("SPU_LD", driver)],
+        [
+            ("PATH", bin.path().to_str().unwrap()),
+            ("XDG_CACHE_HOME", "/nonexistent"),
+        ],
+    ] {
+        let folder = program.path().to_str().unwrap();
+        let text = find_with(
+            &[
+                &tools[..],
+                &[("AS", assembler), ("LD", linker), ("BUILD", folder)],
+            ]
+            .concat(),
+        );
+        assert!(text.contains("spu-gcc") && text.contains("built"), "{text}");
+        fs::remove_file(program.path().join("out.elf")).unwrap();
+    }
 }
 
 #[test]
