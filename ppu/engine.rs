@@ -239,7 +239,22 @@ impl Engine {
         frame: &Frame,
         progress: &mut dyn FnMut(f64),
     ) -> Result<(), EngineError> {
-        if self.spus.iter().any(|spu| spu.thread.is_none()) {
+        let outcome = self.exchange(address, frame, progress);
+        // Where libspe2 fails, nobody knows what the SPUs are doing.
+        if let Err(EngineError::Silent { .. } | EngineError::Spe(_)) = outcome {
+            self.abandon();
+        }
+        outcome
+    }
+
+    /// The mails of a frame, and the answers to them.
+    fn exchange(
+        &mut self,
+        address: u64,
+        frame: &Frame,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(), EngineError> {
+        if self.records.is_none() || self.spus.iter().any(|spu| spu.thread.is_none()) {
             return Err(EngineError::Lost);
         }
         for spu in &self.spus {
@@ -253,7 +268,6 @@ impl Engine {
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
             let left = deadline.saturating_duration_since(Instant::now());
             if left.is_zero() {
-                self.abandon();
                 let (spu, timeout) = (slowest as u32, self.settings.timeout);
                 return Err(EngineError::Silent { spu, timeout });
             }
@@ -298,7 +312,7 @@ impl Engine {
         (f64::from(taken) / f64::from(work::tile_count(geometry).max(1))).min(1.0)
     }
 
-    /// Gives up SPUs that do not answer. libspe2 has no call that stops one: its thread, its context
+    /// Gives up the SPUs. libspe2 has no call that stops one: its thread, its context
     /// and all memory that it may still write to are left to the end of the process.
     fn abandon(&mut self) {
         std::mem::forget(self.records.take());

@@ -122,6 +122,38 @@ fn renders_a_picture_with_statistics() {
     }
 }
 
+/// Transfers that come as late as they may, and in the wrong order where nothing forbids it, make no
+/// difference: the SPU program waits for all that it needs.
+#[test]
+fn late_transfers_change_nothing() {
+    let folder = tempfile::tempdir().unwrap();
+    let [at_once, at_last] = ["at-once", "at-last"].map(|policy| {
+        let path = folder.path().join(policy);
+        let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
+            .args([
+                "render",
+                "sphereflake:3",
+                "--size",
+                "200x120",
+                "--frames",
+                "3",
+                "--out",
+            ])
+            .arg(&path)
+            .env("LIBSPE2_MFC", policy)
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(
+            output.status.success(),
+            "{policy}: {}",
+            text(&output.stderr)
+        );
+        fs::read(path).unwrap()
+    });
+    assert!(at_once == at_last);
+}
+
 #[test]
 fn statistics_on_standard_output_are_nothing_but_json() {
     let (out, _) = good(&[

@@ -358,7 +358,7 @@ statuses! {
     TileCounter = 13, "tile_counter";
     /// Must be a multiple of 128.
     Statistics = 14, "statistics";
-    /// Must be at most 2048.
+    /// Must be at most 2048, and 0 without `FEATURE_SPHERES`.
     SphereCount = 15, "sphere_count";
     /// Shifts must be at most 24.
     PixelFormat = 16, "red_shift, green_shift, blue_shift";

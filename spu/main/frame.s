@@ -117,6 +117,11 @@ function frame_fetch
         require_aligned statistics,LINE,Statistics
         require_at_most sphere_count,MAX_SPHERES,SphereCount
         ori $g_spheres,$value,0
+        load_word $limit,FRAME_features,$a_frame
+        andi $limit,$limit,FEATURE_SPHERES
+        ceqi $limit,$limit,0
+        and $bad,$g_spheres,$limit
+        refuse_if $bad,SphereCount
         require_at_most red_shift,MAX_SHIFT,PixelFormat
         require_at_most green_shift,MAX_SHIFT,PixelFormat
         require_at_most blue_shift,MAX_SHIFT,PixelFormat

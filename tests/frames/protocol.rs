@@ -71,7 +71,7 @@ impl Fixture {
 
 #[test]
 fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
-    let cases: [(&str, &str, Spoil); 24] = [
+    let cases: [(&str, &str, Spoil); 25] = [
         ("magic", "0x43524119", |frame| {
             frame.magic = (0x4352_4159_u32 ^ 0x40).into()
         }),
@@ -112,6 +112,9 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
         }),
         ("sphere_count", "1073741824", |frame| {
             frame.sphere_count = 0x4000_0000.into()
+        }),
+        ("sphere_count", "13 (0xd)", |frame| {
+            frame.features = 0.into()
         }),
         ("red_shift", "25 (0x19)", |frame| {
             frame.red_shift = 25.into()
