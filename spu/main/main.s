@@ -1,5 +1,5 @@
-# The program of one SPU: sleeps on its mailbox, traces its share of each frame that it is mailed the
-# address of, answers with a status.
+# The program of one SPU: sleeps on its mailbox, traces its share of each frame whose address it is
+# mailed, answers with a status.
 #
 #   Entry   $4 word 1: the number of this SPU
 #   Mail    two words: the effective address of a frame descriptor, high word first; 0, 0 ends the
@@ -11,44 +11,44 @@
         .include "macros.inc"
         .include "driver.inc"
 
-        .set high,10
-        .set low,11
-        .set either,12
-        .set before,13
-        .set after,14
+        .set    high,10
+        .set    low,11
+        .set    either,12
+        .set    before,13
+        .set    after,14
 
         .section .text.start,"ax",@progbits
-        .align 3
+        .align  3
         .global _start
-        .type _start, @function
+        .type   _start, @function
 _start:
-        stqd $sp,-32($sp)
-        ai $sp,$sp,-32
+        stqd    $sp,-32($sp)
+        ai      $sp,$sp,-32
         rotqbyi $g_number,$4,4
-        il $before,-1
-        wrch $SPU_WrDec,$before
+        il      $before,-1
+        wrch    $SPU_WrDec,$before
 next_mail:
-        rdch $before,$SPU_RdDec
-        rdch $high,$SPU_RdInMbox
-        rdch $low,$SPU_RdInMbox
-        rdch $after,$SPU_RdDec
-        sf $g_idle,$after,$before
-        ori $g_mailed,$after,0
-        il $g_dma_wait,0
-        or $either,$high,$low
-        brz $either,exit
+        rdch    $before,$SPU_RdDec
+        rdch    $high,$SPU_RdInMbox
+        rdch    $low,$SPU_RdInMbox
+        rdch    $after,$SPU_RdDec
+        sf      $g_idle,$after,$before
+        ori     $g_mailed,$after,0
+        il      $g_dma_wait,0
+        or      $either,$high,$low
+        brz     $either,exit
 
-        ori $4,$high,0
-        ori $5,$low,0
-        brsl $lr,frame_fetch
-        brnz $3,answer
-        brsl $lr,scene_fetch
-        brsl $lr,tiles_trace
-        brsl $lr,statistics_put
-        il $3,STATUS_Done
+        ori     $4,$high,0
+        ori     $5,$low,0
+        brsl    $lr,frame_fetch
+        brnz    $3,answer
+        brsl    $lr,scene_fetch
+        brsl    $lr,tiles_trace
+        brsl    $lr,statistics_put
+        il      $3,STATUS_Done
 answer:
-        wrch $SPU_WrOutIntrMbox,$3
-        br next_mail
+        wrch    $SPU_WrOutIntrMbox,$3
+        br      next_mail
 exit:
-        stop 0x2000
-        .size _start, .-_start
+        stop    0x2000
+        .size   _start, .-_start
