@@ -1,6 +1,7 @@
 //! Instructions a second of the interpreter, on the wall clock: recorded, not gated.
 //!
-//! Each loop is a mix of one kind of instruction, a counter and a branch.
+//! Each loop is a mix of one kind of instruction, a counter and a branch. A figure is the best of
+//! several runs: what else the host does only ever takes time.
 
 use spu_emulator::channel::Channels;
 use spu_emulator::interp::{Quad, Spu};
@@ -9,7 +10,8 @@ use spu_emulator::local_store::LocalStore;
 use spu_emulator::stop::Stop;
 use std::time::Instant;
 
-const ROUNDS: u32 = 4_000_000;
+const ROUNDS: u32 = 1_000_000;
+const RUNS: u32 = 12;
 const COUNTER: u8 = 2;
 
 /// Channels that no loop here uses.
@@ -67,14 +69,18 @@ fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
         let words = std::array::from_fn(|lane| registers(u32::from(number) * 4 + lane as u32));
         spu.set_register(number, Quad(words));
     }
-    spu.set_register(COUNTER, Quad::splat(ROUNDS));
-    let start = Instant::now();
-    let stopped = spu.run(&local_store, &mut Unused);
-    let seconds = start.elapsed().as_secs_f64();
-    assert_eq!(stopped.reason, Stop::Signal(0), "{name}: {stopped}");
-    let executed = spu.executed();
-    let rate = executed as f64 / seconds / 1e6;
-    println!("{name:<16} {executed:>10} instructions  {seconds:>7.3} s  {rate:>7.1} million/s");
+    let mut best = f64::INFINITY;
+    for _ in 0..RUNS {
+        spu.set_pc(0);
+        spu.set_register(COUNTER, Quad::splat(ROUNDS));
+        let start = Instant::now();
+        let stopped = spu.run(&local_store, &mut Unused);
+        best = best.min(start.elapsed().as_secs_f64());
+        assert_eq!(stopped.reason, Stop::Signal(0), "{name}: {stopped}");
+    }
+    let executed = spu.executed() / u64::from(RUNS);
+    let rate = executed as f64 / best / 1e6;
+    println!("{name:<16} {executed:>10} instructions  {best:>8.4} s  {rate:>7.1} million/s");
 }
 
 fn main() {
@@ -125,17 +131,60 @@ fn main() {
         r(Fi, [25, 18, 24, 0], 0),
     ];
     measure("estimates", &estimates, near_one);
+    let convert = [
+        r(Csflt, [20, 16, 0, 0], 8),
+        r(Fcgt, [21, 20, 17, 0], 0),
+        r(Cuflt, [22, 17, 0, 0], 24),
+        r(Fceq, [23, 22, 20, 0], 0),
+        r(Cflts, [24, 20, 0, 0], 4),
+        r(Fcmgt, [25, 22, 20, 0], 0),
+        r(Cfltu, [26, 22, 0, 0], 4),
+    ];
+    measure("convert, compare", &convert, |n| {
+        n.wrapping_mul(0x9e37_79b9)
+    });
     let memory = [
         r(Lqd, [20, 3, 0, 0], 0x400),
+        r(Lqd, [21, 3, 0, 0], 0x410),
+        r(A, [22, 20, 21, 0], 0),
+        r(Stqd, [22, 3, 0, 0], 0x800),
+        r(Lqx, [23, 3, 4, 0], 0),
+        r(Stqx, [23, 3, 5, 0], 0),
+        r(Ai, [3, 3, 0, 0], 16),
+        r(Andi, [3, 3, 0, 0], 0x1f0),
+    ];
+    measure("load, store", &memory, |n| n);
+    let scalar = [
+        r(Lqd, [20, 3, 0, 0], 0x400),
         r(Rotqby, [21, 20, 3, 0], 0),
-        r(Shufb, [22, 21, 16, 17], 0),
+        r(Ai, [22, 21, 0, 0], 1),
         r(Cwd, [23, 3, 0, 0], 4),
         r(Shufb, [24, 22, 20, 23], 0),
-        r(Stqd, [24, 3, 0, 0], 0x800),
+        r(Stqd, [24, 3, 0, 0], 0x400),
     ];
-    measure("memory, shuffle", &memory, |n| {
-        (n * 0x0102_0304) & 0x1f1f_1f1f
+    measure("scalar in memory", &scalar, |n| n);
+    let shuffle = [
+        r(Shufb, [20, 16, 17, 18], 0),
+        r(Rotqbyi, [21, 20, 0, 0], 5),
+        r(Shufb, [22, 21, 17, 19], 0),
+        r(Shlqbyi, [23, 22, 0, 0], 3),
+    ];
+    measure("bytes shuffled", &shuffle, |n| {
+        n.wrapping_mul(0x0b07_0301) & 0x1f1f_1f1f
     });
+    let branchy = [
+        r(Ai, [20, 20, 0, 0], 1),
+        r(Andi, [21, COUNTER, 0, 0], 3),
+        r(Brz, [21, 0, 0, 0], 8),
+        r(Ai, [22, 22, 0, 0], 1),
+        r(Andi, [23, COUNTER, 0, 0], 4),
+        r(Brnz, [23, 0, 0, 0], 8),
+        r(Ai, [24, 24, 0, 0], 1),
+        r(Ceqi, [25, 21, 0, 0], 2),
+        r(Brhnz, [25, 0, 0, 0], 8),
+        r(Br, [0, 0, 0, 0], 4),
+    ];
+    measure("branches", &branchy, |n| n);
     let double = [
         r(Dfa, [20, 16, 17, 0], 0),
         r(Dfm, [21, 20, 18, 0], 0),

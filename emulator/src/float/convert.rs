@@ -8,7 +8,7 @@ use super::single::{finish, to_f64};
 
 /// 2^scale, exactly.
 #[inline]
-fn power_of_two(scale: i32) -> f64 {
+pub(super) fn power_of_two(scale: i32) -> f64 {
     // The widest range of the two encodings, 155 - I8 and 173 - I8.
     let scale = scale.clamp(-173, 173);
     f64::from_bits(((1023 + scale) as u64) << 52)

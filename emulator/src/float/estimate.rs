@@ -6,10 +6,9 @@
 //! the 32 and 13 of the 64 entries, the rest agrees with one other emulator.
 
 use super::fpscr::Flags;
+use super::single::{EXPONENT, SIGN};
 
-const EXPONENT: u32 = 0x7f80_0000;
 const FRACTION: u32 = 0x007f_ffff;
-const SIGN: u32 = 0x8000_0000;
 const STEP_BITS: u32 = 10;
 
 /// Base and step.
@@ -36,10 +35,20 @@ const RECIPROCAL_ROOT: [Entry; 64] = [
     (4192, 215), (4192, 215), (3977, 204), (3977, 204), (3773, 195), (3773, 195), (3578, 186), (3578, 186),
 ];
 
-#[inline]
-fn pack((base, step): Entry) -> u32 {
-    u32::from(base) << STEP_BITS | u32::from(step)
+/// The entries as they stand in an estimate word.
+const fn packed<const N: usize>(table: [Entry; N]) -> [u32; N] {
+    let mut words = [0; N];
+    let mut n = 0;
+    while n < N {
+        let (base, step) = table[n];
+        words[n] = (base as u32) << STEP_BITS | step as u32;
+        n += 1;
+    }
+    words
 }
+
+static RECIPROCAL_WORDS: [u32; 32] = packed(RECIPROCAL);
+static RECIPROCAL_ROOT_WORDS: [u32; 64] = packed(RECIPROCAL_ROOT);
 
 #[inline]
 const fn exponent(x: u32) -> u32 {
@@ -61,8 +70,7 @@ pub fn frest(x: u32) -> u32 {
         0 => 255,
         e => 253u32.saturating_sub(e),
     };
-    let entry = RECIPROCAL[(x >> 18 & 31) as usize];
-    x & SIGN | exponent << 23 | pack(entry)
+    x & SIGN | exponent << 23 | RECIPROCAL_WORDS[(x >> 18 & 31) as usize]
 }
 
 /// The estimate word of `1 / sqrt(|x|)`.
@@ -73,8 +81,17 @@ pub fn frsqest(x: u32) -> u32 {
         0 => 255,
         e => (380 - e) >> 1,
     };
-    let entry = RECIPROCAL_ROOT[(x >> 18 & 63) as usize];
-    exponent << 23 | pack(entry)
+    exponent << 23 | RECIPROCAL_ROOT_WORDS[(x >> 18 & 63) as usize]
+}
+
+/// What `fi` subtracts from one plus what, in units of 2^-32: base of the estimate word, and the
+/// part of its step where `a` is.
+#[inline]
+pub(super) const fn base_and_part(a: u32, estimate: u32) -> (u32, u32) {
+    let base = (estimate >> STEP_BITS & 0x1fff) << 19;
+    let step = estimate & 0x3ff;
+    let position = a & 0x7_ffff;
+    (base, step * position)
 }
 
 /// The single that the estimate word `estimate` means for operand `a`.
@@ -89,11 +106,9 @@ pub fn fi(a: u32, estimate: u32) -> u32 {
 #[must_use]
 pub fn fi_flagged(a: u32, estimate: u32) -> (u32, Flags) {
     const ONE: u64 = 1 << 32;
-    let base = u64::from(estimate >> STEP_BITS & 0x1fff);
-    let step = u64::from(estimate & 0x3ff);
-    let position = u64::from(a & 0x7_ffff);
+    let (base, part) = base_and_part(a, estimate);
     // At least 2^32 - 1023 * (2^19 - 1), so at most one shift normalises it.
-    let significand = ONE + (base << 19) - step * position;
+    let significand = ONE + u64::from(base) - u64::from(part);
     let shift = u32::from(significand < ONE);
     let exponent = exponent(estimate);
     if exponent == 0 {

@@ -11,9 +11,9 @@
 use super::fpscr::Flags;
 use std::array::from_fn;
 
-const SIGN: u32 = 0x8000_0000;
-const MAGNITUDE: u32 = 0x7fff_ffff;
-const EXPONENT: u32 = 0x7f80_0000;
+pub(super) const SIGN: u32 = 0x8000_0000;
+pub(super) const MAGNITUDE: u32 = 0x7fff_ffff;
+pub(super) const EXPONENT: u32 = 0x7f80_0000;
 
 /// The smallest number above zero, 2^-126.
 pub const SMALLEST: u32 = 0x0080_0000;
@@ -23,9 +23,9 @@ pub const LARGEST: u32 = MAGNITUDE;
 // A double is handled as its two words: four lanes of 32 bits are what hosts shuffle best.
 
 /// Difference of the exponent biases, where a double's upper word has its exponent.
-const REBIAS: u32 = (1023 - 127) << 20;
+pub(super) const REBIAS: u32 = (1023 - 127) << 20;
 /// How much further right fraction and exponent stand in a double than in a single.
-const SHIFT: u32 = 3;
+pub(super) const SHIFT: u32 = 3;
 /// Upper words of the smallest and the largest single, widened.
 const SMALLEST_UPPER: u32 = (SMALLEST >> SHIFT) + REBIAS;
 const LARGEST_UPPER: u32 = (LARGEST >> SHIFT) + REBIAS;
@@ -228,7 +228,7 @@ const fn order(x: u32) -> i32 {
 }
 
 #[inline]
-const fn mask(condition: bool) -> u32 {
+pub(super) const fn mask(condition: bool) -> u32 {
     (condition as u32).wrapping_neg()
 }
 

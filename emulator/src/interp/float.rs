@@ -4,31 +4,100 @@ use super::quad::Quad;
 use super::spu::Spu;
 use crate::float::fpscr::{Flags, Fpscr, Rounding};
 use crate::float::single::Lanes;
-use crate::float::{convert, double, estimate, single};
+use crate::float::{convert, double, estimate, ordinary, single};
 use crate::isa::Instruction;
 use std::array::from_fn;
 
+/// The fields that instructions on singles have: few enough to be passed in a register.
+#[derive(Clone, Copy)]
+struct Fields {
+    rt: u8,
+    ra: u8,
+    rb: u8,
+    rc: u8,
+    immediate: i32,
+}
+
+impl From<Instruction> for Fields {
+    #[inline]
+    fn from(i: Instruction) -> Self {
+        Self {
+            rt: i.rt,
+            ra: i.ra,
+            rb: i.rb,
+            rc: i.rc,
+            immediate: i.immediate,
+        }
+    }
+}
+
+/// What an instruction does when an operand or a result is special: kept out of the run loop, and
+/// given nothing that the loop would have to hold in memory.
+#[cold]
+#[inline(never)]
+fn specially(spu: &mut Spu, i: Fields, f: impl FnOnce(&mut Spu, Fields)) {
+    f(spu, i);
+}
+
 impl Spu {
-    #[inline]
-    fn set_singles(&mut self, i: Instruction, (values, flags): Lanes<4>) {
+    fn raise_and_set(&mut self, rt: u8, (values, flags): Lanes<4>) {
         self.fpscr.raise_single(flags);
-        self.set_rt(i, Quad(values));
+        self.set_register(rt, Quad(values));
     }
 
+    /// rt = f(ra, immediate): by `ordinary` if it has an answer, else by `full`.
     #[inline]
-    fn single_binary(&mut self, i: Instruction, f: impl Fn([u32; 4], [u32; 4]) -> Lanes<4>) {
-        let (Quad(a), Quad(b)) = (self.ra(i), self.rb(i));
-        self.set_singles(i, f(a, b));
+    fn single_unary(
+        &mut self,
+        i: Instruction,
+        ordinary: impl Fn([u32; 4], i32) -> Option<[u32; 4]>,
+        full: impl Fn([u32; 4], i32) -> Lanes<4>,
+    ) {
+        match ordinary(self.ra(i).0, i.immediate) {
+            Some(values) => self.set_rt(i, Quad(values)),
+            None => specially(self, i.into(), move |spu, i| {
+                spu.raise_and_set(i.rt, full(spu.register(i.ra).0, i.immediate));
+            }),
+        }
     }
 
+    /// rt = f(ra, rb), as [`single_unary`](Self::single_unary).
+    #[inline]
+    fn single_binary(
+        &mut self,
+        i: Instruction,
+        ordinary: impl Fn([u32; 4], [u32; 4]) -> Option<[u32; 4]>,
+        full: impl Fn([u32; 4], [u32; 4]) -> Lanes<4>,
+    ) {
+        match ordinary(self.ra(i).0, self.rb(i).0) {
+            Some(values) => self.set_rt(i, Quad(values)),
+            None => specially(self, i.into(), move |spu, i| {
+                spu.raise_and_set(i.rt, full(spu.register(i.ra).0, spu.register(i.rb).0));
+            }),
+        }
+    }
+
+    /// rt = f(ra, rb, rc), as [`single_unary`](Self::single_unary).
     #[inline]
     fn single_ternary(
         &mut self,
         i: Instruction,
-        f: impl Fn([u32; 4], [u32; 4], [u32; 4]) -> Lanes<4>,
+        ordinary: impl Fn([u32; 4], [u32; 4], [u32; 4]) -> Option<[u32; 4]>,
+        full: impl Fn([u32; 4], [u32; 4], [u32; 4]) -> Lanes<4>,
     ) {
-        let (Quad(a), Quad(b), Quad(c)) = (self.ra(i), self.rb(i), self.rc(i));
-        self.set_singles(i, f(a, b, c));
+        match ordinary(self.ra(i).0, self.rb(i).0, self.rc(i).0) {
+            Some(values) => self.set_rt(i, Quad(values)),
+            None => specially(self, i.into(), move |spu, i| {
+                spu.raise_and_set(
+                    i.rt,
+                    full(
+                        spu.register(i.ra).0,
+                        spu.register(i.rb).0,
+                        spu.register(i.rc).0,
+                    ),
+                );
+            }),
+        }
     }
 
     #[inline]
@@ -63,46 +132,49 @@ impl Spu {
     }
 }
 
-#[inline]
 fn split(lanes: [(u32, Flags); 4]) -> Lanes<4> {
     (lanes.map(|lane| lane.0), lanes.map(|lane| lane.1))
 }
 
 #[inline]
 pub(super) fn fa(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, single::fa_lanes);
+    spu.single_binary(i, ordinary::fa, single::fa_lanes);
 }
 
 #[inline]
 pub(super) fn fs(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, single::fs_lanes);
+    spu.single_binary(i, ordinary::fs, single::fs_lanes);
 }
 
 #[inline]
 pub(super) fn fm(spu: &mut Spu, i: Instruction) {
-    spu.single_binary(i, single::fm_lanes);
+    spu.single_binary(i, ordinary::fm, single::fm_lanes);
 }
 
 #[inline]
 pub(super) fn fma(spu: &mut Spu, i: Instruction) {
-    spu.single_ternary(i, single::fma_lanes);
+    spu.single_ternary(i, ordinary::fma, single::fma_lanes);
 }
 
 #[inline]
 pub(super) fn fms(spu: &mut Spu, i: Instruction) {
-    spu.single_ternary(i, single::fms_lanes);
+    spu.single_ternary(i, ordinary::fms, single::fms_lanes);
 }
 
 #[inline]
 pub(super) fn fnms(spu: &mut Spu, i: Instruction) {
-    spu.single_ternary(i, single::fnms_lanes);
+    spu.single_ternary(i, ordinary::fnms, single::fnms_lanes);
 }
 
 #[inline]
 fn estimate(spu: &mut Spu, i: Instruction, f: impl Fn(u32) -> u32) {
     let Quad(a) = spu.ra(i);
-    spu.fpscr
-        .raise_divide_by_zero(a.map(estimate::divides_by_zero));
+    if a.map(estimate::divides_by_zero) != [false; 4] {
+        specially(spu, i.into(), |spu, i| {
+            let zeros = spu.register(i.ra).0.map(estimate::divides_by_zero);
+            spu.fpscr.raise_divide_by_zero(zeros);
+        });
+    }
     spu.set_rt(i, Quad(a.map(f)));
 }
 
@@ -118,21 +190,23 @@ pub(super) fn frsqest(spu: &mut Spu, i: Instruction) {
 
 #[inline]
 pub(super) fn fi(spu: &mut Spu, i: Instruction) {
-    let (Quad(a), Quad(b)) = (spu.ra(i), spu.rb(i));
-    let lanes: [_; 4] = from_fn(|n| estimate::fi_flagged(a[n], b[n]));
-    spu.set_singles(i, split(lanes));
+    spu.single_binary(i, ordinary::fi, |a, b| {
+        split(from_fn(|n| estimate::fi_flagged(a[n], b[n])))
+    });
 }
 
 #[inline]
 pub(super) fn csflt(spu: &mut Spu, i: Instruction) {
-    let Quad(a) = spu.ra(i);
-    spu.set_singles(i, split(a.map(|a| convert::csflt_flagged(a, i.immediate))));
+    spu.single_unary(i, ordinary::csflt, |a, scale| {
+        split(a.map(|a| convert::csflt_flagged(a, scale)))
+    });
 }
 
 #[inline]
 pub(super) fn cuflt(spu: &mut Spu, i: Instruction) {
-    let Quad(a) = spu.ra(i);
-    spu.set_singles(i, split(a.map(|a| convert::cuflt_flagged(a, i.immediate))));
+    spu.single_unary(i, ordinary::cuflt, |a, scale| {
+        split(a.map(|a| convert::cuflt_flagged(a, scale)))
+    });
 }
 
 #[inline]

@@ -313,18 +313,53 @@ pub(super) fn selb(spu: &mut Spu, i: Instruction) {
     spu.word_ternary(i, |a, b, c| b & c | a & !c);
 }
 
+/// Which word of eight a control selects, if it selects one as a whole.
+#[inline]
+const fn selected_word(control: u32) -> (usize, bool) {
+    const FIRST: u32 = 0x0001_0203;
+    let first_byte = control & 0x1c;
+    let halves = first_byte | first_byte << 8;
+    let whole = control.wrapping_sub(FIRST) == halves | halves << 16;
+    (first_byte as usize / 4, whole)
+}
+
+/// Most controls select whole words: the others are worth a call.
 #[inline]
 pub(super) fn shufb(spu: &mut Spu, i: Instruction) {
-    let mut source = [0; 32];
-    source[..16].copy_from_slice(&spu.ra(i).bytes());
-    source[16..].copy_from_slice(&spu.rb(i).bytes());
-    let shuffled = spu.rc(i).bytes().map(|selector| match selector >> 5 {
-        4 | 5 => 0x00,
-        6 => 0xff,
-        7 => 0x80,
-        _ => source[usize::from(selector & 31)],
+    let (Quad([a, b, c, d]), Quad([e, f, g, h])) = (spu.ra(i), spu.rb(i));
+    let source = [a, b, c, d, e, f, g, h];
+    let control = spu.rc(i);
+    let words = control.0.map(selected_word);
+    let result = if words.iter().all(|&(_, whole)| whole) {
+        Quad(words.map(|(word, _)| source[word]))
+    } else {
+        shuffled_bytes(source, control)
+    };
+    spu.set_rt(i, result);
+}
+
+fn shuffled_bytes(source: [u32; 8], control: Quad) -> Quad {
+    // The bytes that controls from 0x80 on give follow those of the source.
+    const CONSTANTS: u32 = 0x0000_ff80;
+    const FIRST_CONSTANT: u32 = 0x2020_2020;
+    let mut bytes = [0; 64];
+    for (bytes, word) in bytes
+        .chunks_exact_mut(4)
+        .zip(source.into_iter().chain([CONSTANTS]))
+    {
+        bytes.copy_from_slice(&word.to_be_bytes());
+    }
+    let indices = control.0.map(|control| {
+        let lowest = control >> 7 & 0x0101_0101;
+        let constant = (lowest << 8).wrapping_sub(lowest);
+        let selected = control & 0x1f1f_1f1f & !constant;
+        let other = (FIRST_CONSTANT | control >> 5 & 0x0303_0303) & constant;
+        selected | other
     });
-    spu.set_rt(i, Quad::from_bytes(shuffled));
+    Quad(indices.map(|indices| {
+        let select = |shift: u32| u32::from(bytes[(indices >> shift & 63) as usize]) << shift;
+        select(24) | select(16) | select(8) | select(0)
+    }))
 }
 
 #[inline]
