@@ -17,3 +17,4 @@ pub mod mfc;
 pub mod signal;
 pub mod spe;
 pub mod stop;
+pub mod timing;

@@ -1,0 +1,15 @@
+# Code in two sections: in an object both start at 0, and a branch to a global symbol is open.
+
+        .text
+        .globl _start
+_start:
+        il $3,1                                         # 0e
+        ai $3,$3,1                                      # 2e
+        br other                                        # 3o
+
+        .section .text.other,"ax"
+        .globl other
+other:
+        lqd $4,0($3)                                    # 0o
+        ai $3,$4,1                                      # 6e
+        brnz $3,other                                   # 8o
