@@ -1,0 +1,9 @@
+//! Fuzz target `program`: see `oracles::program`.
+
+#![no_main]
+
+#[allow(dead_code, reason = "each target uses one of the oracles")]
+#[path = "../oracles.rs"]
+mod oracles;
+
+libfuzzer_sys::fuzz_target!(|input: &[u8]| oracles::program(input));
