@@ -14,6 +14,7 @@ pub mod local_store;
 pub mod mailbox;
 pub mod memory;
 pub mod mfc;
+pub mod ppe_call;
 pub mod signal;
 pub mod spe;
 pub mod stop;

@@ -83,7 +83,7 @@ fn decoding_and_encoding_are_inverse() {
         assert_eq!(Instruction::decode(instruction.encode()), Some(instruction));
         assert_eq!(
             word >> 21 & !((1 << (11 - row.format.opcode_bits())) - 1),
-            row.opcode.into()
+            u32::from(row.opcode)
         );
     }
 }

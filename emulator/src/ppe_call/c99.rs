@@ -1,0 +1,415 @@
+//! Class 0x2100: C99's streams.
+
+use std::ffi::CString;
+
+use super::errno::check;
+use super::guest::{Block, Reply};
+use super::outside::Outside;
+use super::print::print;
+use super::scan::{Text, scan};
+use super::stream::{Buffering, Stream, StreamInput, c_path};
+use super::va_list::VaList;
+use super::{Call, Errno, Library, calls};
+use crate::local_store::{LIMIT_MASK, SIZE};
+
+/// Handles are 1 to 3 for the standard streams, and up to 16 for those that are opened.
+const HANDLES: usize = 17;
+const FIRST_OPENED: usize = 4;
+const STDIN: u32 = 1;
+const STDOUT: u32 = 2;
+const STDERR: u32 = 3;
+const EOF: i32 = -1;
+/// What the guest's `stdio.h` calls `_IOFBF`, `_IOLBF`, `_IONBF`.
+const BUFFERING: [Buffering; 3] = [Buffering::Full, Buffering::Line, Buffering::None];
+
+pub(super) const CALLS: &[Call] = calls! {
+    clearerr => |library, block| {
+        if let Ok((stream, _)) = library.stream(block.word(0)) {
+            stream.at_end = false;
+            stream.failed = false;
+        }
+        Reply::Nothing
+    },
+    fclose => |library, block| library.fclose(block).into(),
+    feof => |library, block| library.stream(block.word(0)).map(|(stream, _)| i32::from(stream.at_end)).into(),
+    ferror => |library, block| library.stream(block.word(0)).map(|(stream, _)| i32::from(stream.failed)).into(),
+    fflush => |library, block| library.fflush(block.word(0)).into(),
+    fgetc => |library, block| library.get_byte(block.word(0)),
+    fgetpos => |library, block| library.fgetpos(block).into(),
+    fgets => |library, block| library.fgets(block),
+    fileno => |library, block| library.stream(block.word(0)).map(|(stream, _)| stream.descriptor()).into(),
+    fopen => |library, block| handle(library.fopen(block)),
+    fputc => |library, block| library.put_byte(block.word(0), block.word(1)),
+    fputs => |library, block| library.put(block.word(1), &block.string(0)).map(|()| 1).into(),
+    fread => |library, block| library.fread(block),
+    freopen => |library, block| handle(library.freopen(block)),
+    fseek => |library, block| library.seek(block.word(0), block.int(1), block.int(2)).into(),
+    fsetpos => |library, block| {
+        let position = block.guest.word(block.word(1)) as i32;
+        library.seek(block.word(0), position, libc::SEEK_SET).into()
+    },
+    ftell => |library, block| library.ftell(block.word(0)).into(),
+    fwrite => |library, block| library.fwrite(block),
+    getc => |library, block| library.get_byte(block.word(0)),
+    getchar => |library, _| library.get_byte(STDIN),
+    gets => |library, block| library.gets(block),
+    perror => |library, block| library.perror(block),
+    putc => |library, block| library.put_byte(block.word(0), block.word(1)),
+    putchar => |library, block| library.put_byte(block.word(0), STDOUT),
+    puts => |library, block| library.puts(&block.string(0)).into(),
+    remove => |_, block| remove(block).into(),
+    rename => |_, block| rename(block).into(),
+    rewind => |library, block| {
+        let stream = block.word(0);
+        // C gives no answer, so that there is nobody to tell of a failure.
+        let _ = library.seek(stream, 0, libc::SEEK_SET);
+        if let Ok((stream, _)) = library.stream(stream) {
+            stream.failed = false;
+        }
+        Reply::Nothing
+    },
+    setbuf => |library, block| {
+        let buffering = if block.word(1) == 0 { Buffering::None } else { Buffering::Full };
+        if let Ok((stream, _)) = library.stream(block.word(0)) {
+            stream.set_buffering(buffering, 0);
+        }
+        Reply::Nothing
+    },
+    setvbuf => |library, block| library.setvbuf(block).into(),
+    system => |_, block| system(block).into(),
+    tmpfile => |library, _| handle(library.tmpfile()),
+    // A name that somebody else may take before it is used: libspe2 refuses, and so do we.
+    tmpnam => |_, _| 0.into(),
+    ungetc => |library, block| library.ungetc(block),
+    vfprintf => |library, block| library.printf(block, block.word(0), 1).into(),
+    vfscanf => |library, block| library.scanf(block, block.word(0), 1).into(),
+    vprintf => |library, block| library.printf(block, STDOUT, 0).into(),
+    vscanf => |library, block| library.scanf(block, STDIN, 0).into(),
+    vsnprintf => |_, block| print_string(block, block.word(1), 2).into(),
+    vsprintf => |_, block| print_string(block, SIZE, 1).into(),
+    vsscanf => |_, block| scan_string(block).into(),
+};
+
+/// The open streams, by handle.
+pub(super) struct Streams {
+    open: [Option<Stream>; HANDLES],
+}
+
+impl Streams {
+    pub fn new(outside: &mut dyn Outside) -> Self {
+        let mut open = [const { None }; HANDLES];
+        let output = if outside.is_terminal(libc::STDOUT_FILENO) {
+            Buffering::Line
+        } else {
+            Buffering::Full
+        };
+        let standard = [
+            (STDIN, libc::STDIN_FILENO, true, Buffering::Full),
+            (STDOUT, libc::STDOUT_FILENO, false, output),
+            (STDERR, libc::STDERR_FILENO, false, Buffering::None),
+        ];
+        for (handle, descriptor, readable, buffering) in standard {
+            let stream = Stream::new(descriptor, readable, !readable, buffering);
+            open[handle as usize] = Some(stream);
+        }
+        Self { open }
+    }
+
+    /// Flushes every stream; the first failure is told.
+    pub fn flush_all(&mut self, outside: &mut dyn Outside) -> Result<(), Errno> {
+        let mut result = Ok(());
+        for stream in self.open.iter_mut().flatten() {
+            result = result.and(stream.flush(outside));
+        }
+        result
+    }
+
+    fn slot(&mut self, handle: u32) -> Result<&mut Option<Stream>, Errno> {
+        let slot = self.open.get_mut(handle as usize);
+        slot.filter(|_| handle != 0).ok_or(Errno(libc::EBADF))
+    }
+
+    /// A free place for a stream that is opened.
+    fn vacancy(&mut self) -> Result<usize, Errno> {
+        (FIRST_OPENED..HANDLES)
+            .find(|&handle| self.open[handle].is_none())
+            .ok_or(Errno(libc::EMFILE))
+    }
+}
+
+/// A handle, or the null pointer and the error number.
+fn handle(opened: Result<usize, Errno>) -> Reply {
+    match opened {
+        Ok(handle) => Reply::Word(handle as u32, 0),
+        Err(errno) => Reply::Word(0, errno.0),
+    }
+}
+
+/// A pointer that came back, or the null pointer.
+fn pointer(address: u32, found: Result<bool, Errno>) -> Reply {
+    match found {
+        Ok(true) => Reply::Word(address, 0),
+        Ok(false) => Reply::Word(0, 0),
+        Err(errno) => Reply::Word(0, errno.0),
+    }
+}
+
+impl Library {
+    fn stream(&mut self, handle: u32) -> Result<(&mut Stream, &mut dyn Outside), Errno> {
+        let stream = self.streams.slot(handle)?.as_mut();
+        let stream = stream.ok_or(Errno(libc::EBADF))?;
+        Ok((stream, self.outside.as_mut()))
+    }
+
+    fn fclose(&mut self, block: Block<'_>) -> Result<(), Errno> {
+        let stream = self.streams.slot(block.word(0))?.take();
+        let stream = stream.ok_or(Errno(libc::EBADF))?;
+        stream.close(self.outside.as_mut())
+    }
+
+    fn fflush(&mut self, handle: u32) -> Result<(), Errno> {
+        if handle == 0 {
+            return self.flush();
+        }
+        let (stream, outside) = self.stream(handle)?;
+        stream.flush(outside)
+    }
+
+    fn get_byte(&mut self, handle: u32) -> Reply {
+        // Who waits for an answer wants to see the question.
+        if handle == STDIN
+            && let Ok((stdout, outside)) = self.stream(STDOUT)
+        {
+            stdout.flush_if_line_buffered(outside);
+        }
+        self.stream(handle)
+            .and_then(|(stream, outside)| stream.read_byte(outside))
+            .map(|byte| byte.map_or(EOF, i32::from))
+            .into()
+    }
+
+    fn put(&mut self, handle: u32, bytes: &[u8]) -> Result<(), Errno> {
+        let (stream, outside) = self.stream(handle)?;
+        stream.write(bytes, outside)
+    }
+
+    fn put_byte(&mut self, character: u32, handle: u32) -> Reply {
+        let byte = character as u8;
+        self.put(handle, &[byte]).map(|()| i32::from(byte)).into()
+    }
+
+    fn puts(&mut self, text: &[u8]) -> Result<i32, Errno> {
+        let line = [text, b"\n"].concat();
+        self.put(STDOUT, &line).map(|()| line.len() as i32)
+    }
+
+    fn fgets(&mut self, block: Block<'_>) -> Reply {
+        let (address, size) = (block.word(0), block.int(1));
+        let line = self.stream(block.word(2)).and_then(|(stream, outside)| {
+            let most = usize::try_from(size)
+                .ok()
+                .and_then(|size| size.checked_sub(1));
+            let most = most.ok_or(Errno(libc::EINVAL))?;
+            stream.read_line(most.min(SIZE as usize - 1), outside)
+        });
+        let found = line.map(|line| {
+            if let Some(line) = &line {
+                block.guest.set_string(address, line);
+            }
+            line.is_some()
+        });
+        pointer(address, found)
+    }
+
+    fn gets(&mut self, block: Block<'_>) -> Reply {
+        let address = block.word(0);
+        // As much as there is up to the end of local store, one byte of it for the 0.
+        let most = (SIZE - (address & LIMIT_MASK) - 1) as usize;
+        let line = self
+            .stream(STDIN)
+            .and_then(|(stream, outside)| stream.read_line(most, outside));
+        let found = line.map(|line| {
+            if let Some(line) = &line {
+                let line = line.strip_suffix(b"\n").unwrap_or(line);
+                block.guest.set_string(address, line);
+            }
+            line.is_some()
+        });
+        pointer(address, found)
+    }
+
+    fn fopen(&mut self, block: Block<'_>) -> Result<usize, Errno> {
+        let handle = self.streams.vacancy()?;
+        let (Some(path), Some(mode)) = (block.optional_string(0), block.optional_string(1)) else {
+            return Err(Errno(libc::EFAULT));
+        };
+        let stream = Stream::open(path, &mode, self.outside.as_mut())?;
+        self.streams.open[handle] = Some(stream);
+        Ok(handle)
+    }
+
+    /// The old file is closed whatever becomes of the new one.
+    fn freopen(&mut self, block: Block<'_>) -> Result<usize, Errno> {
+        let handle = block.word(2);
+        let old = self.streams.slot(handle)?.take();
+        if let Some(old) = old {
+            // C has it that a failure to close does not matter here.
+            let _ = old.close(self.outside.as_mut());
+        }
+        let (Some(path), Some(mode)) = (block.optional_string(0), block.optional_string(1)) else {
+            return Err(Errno(libc::EBADF));
+        };
+        let stream = Stream::open(path, &mode, self.outside.as_mut())?;
+        *self.streams.slot(handle)? = Some(stream);
+        Ok(handle as usize)
+    }
+
+    fn tmpfile(&mut self) -> Result<usize, Errno> {
+        let handle = self.streams.vacancy()?;
+        let template = std::env::temp_dir().join("spuXXXXXX").into_os_string();
+        let template = c_path(std::os::unix::ffi::OsStringExt::into_vec(template))?;
+        let mut path = template.into_bytes_with_nul();
+        // SAFETY: the template ends in 0 and is ours to change.
+        let descriptor = check(unsafe { libc::mkstemp(path.as_mut_ptr().cast()) })?;
+        // SAFETY: the path ends in 0. Without its name the file goes when it is closed.
+        check(unsafe { libc::unlink(path.as_ptr().cast()) })?;
+        self.streams.open[handle] = Some(Stream::new(descriptor, true, true, Buffering::Full));
+        Ok(handle)
+    }
+
+    fn setvbuf(&mut self, block: Block<'_>) -> Result<(), Errno> {
+        let (mode, size) = (block.word(2), block.word(3));
+        let (stream, _) = self.stream(block.word(0))?;
+        let buffering = BUFFERING.get(mode as usize).ok_or(Errno(libc::EINVAL))?;
+        stream.set_buffering(*buffering, size.min(SIZE) as usize);
+        Ok(())
+    }
+
+    fn seek(&mut self, handle: u32, offset: i32, whence: i32) -> Result<(), Errno> {
+        let (stream, outside) = self.stream(handle)?;
+        stream.seek(offset.into(), whence, outside)
+    }
+
+    fn ftell(&mut self, handle: u32) -> Result<i32, Errno> {
+        let position = self.stream(handle)?.0.position()?;
+        i32::try_from(position).map_err(|_| Errno(libc::EOVERFLOW))
+    }
+
+    fn fgetpos(&mut self, block: Block<'_>) -> Result<(), Errno> {
+        let position = self.ftell(block.word(0))?;
+        block.guest.set_word(block.word(1), position as u32);
+        Ok(())
+    }
+
+    /// Bytes of `nmemb` items, at most what local store holds, and how many whole items that is.
+    fn fread(&mut self, block: Block<'_>) -> Reply {
+        let [address, size, count] = [0, 1, 2].map(|n| block.word(n));
+        let most = (u64::from(size) * u64::from(count)).min(SIZE.into());
+        let read = self
+            .stream(block.word(3))
+            .and_then(|(stream, outside)| stream.read(most as usize, outside));
+        match read {
+            Ok(bytes) => {
+                block.guest.write(address, &bytes);
+                Reply::Word((bytes.len() as u32).checked_div(size).unwrap_or(0), 0)
+            }
+            Err(errno) => Reply::Word(0, errno.0),
+        }
+    }
+
+    fn fwrite(&mut self, block: Block<'_>) -> Reply {
+        let [address, size, count] = [0, 1, 2].map(|n| block.word(n));
+        let length = (u64::from(size) * u64::from(count)).min(SIZE.into()) as u32;
+        let bytes = block.guest.bytes(address, length);
+        match self.put(block.word(3), &bytes) {
+            Ok(()) => Reply::Word(length.checked_div(size).unwrap_or(0), 0),
+            Err(errno) => Reply::Word(0, errno.0),
+        }
+    }
+
+    fn ungetc(&mut self, block: Block<'_>) -> Reply {
+        let (character, handle) = (block.int(0), block.word(1));
+        let pushed = character != EOF
+            && self
+                .stream(handle)
+                .is_ok_and(|(stream, _)| stream.push_back(character as u8));
+        if pushed {
+            i32::from(character as u8).into()
+        } else {
+            EOF.into()
+        }
+    }
+
+    fn perror(&mut self, block: Block<'_>) -> Reply {
+        let mut line = block.optional_string(0).unwrap_or_default();
+        if !line.is_empty() {
+            line.extend(b": ");
+        }
+        line.extend(Errno(block.int(1)).text().into_bytes());
+        line.push(b'\n');
+        // There is nowhere to tell that standard error can't be written.
+        let _ = self.put(STDERR, &line);
+        Reply::Nothing
+    }
+
+    /// `format` is the number of the cell that points to it; the variadic list follows.
+    fn printf(&mut self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
+        let text = print_arguments(block, format)?;
+        self.put(handle, &text).map(|()| text.len() as i32)
+    }
+
+    fn scanf(&mut self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
+        let arguments = VaList::at(block.guest, block.cell(format + 1));
+        let (stream, outside) = self.stream(handle)?;
+        let mut input = StreamInput { stream, outside };
+        scan(block.guest, &block.string(format), arguments, &mut input)
+    }
+}
+
+fn print_arguments(block: Block<'_>, format: u32) -> Result<Vec<u8>, Errno> {
+    let arguments = VaList::at(block.guest, block.cell(format + 1));
+    print(block.guest, &block.string(format), arguments)
+}
+
+/// Into the string of cell 0, of which there are `size` bytes; answers how long the text is.
+fn print_string(block: Block<'_>, size: u32, format: u32) -> Result<i32, Errno> {
+    let text = print_arguments(block, format)?;
+    let most = size.min(SIZE) as usize;
+    if most > 0 {
+        let kept = &text[..text.len().min(most - 1)];
+        block.guest.set_string(block.word(0), kept);
+    }
+    Ok(text.len() as i32)
+}
+
+fn scan_string(block: Block<'_>) -> Result<i32, Errno> {
+    const FORMAT: u32 = 1;
+    let arguments = VaList::at(block.guest, block.cell(FORMAT + 1));
+    let mut input = Text {
+        bytes: block.string(0),
+        at: 0,
+    };
+    scan(block.guest, &block.string(FORMAT), arguments, &mut input)
+}
+
+fn remove(block: Block<'_>) -> Result<i32, Errno> {
+    let path = c_path(block.string(0))?;
+    // SAFETY: the path ends in 0.
+    check(unsafe { libc::remove(path.as_ptr()) })
+}
+
+fn rename(block: Block<'_>) -> Result<i32, Errno> {
+    let (from, to) = (c_path(block.string(0))?, c_path(block.string(1))?);
+    // SAFETY: the paths end in 0.
+    check(unsafe { libc::rename(from.as_ptr(), to.as_ptr()) })
+}
+
+/// A null pointer asks whether there is a command processor.
+fn system(block: Block<'_>) -> Result<i32, Errno> {
+    let command: Option<CString> = block.optional_string(0).map(c_path).transpose()?;
+    let command = command
+        .as_ref()
+        .map_or(std::ptr::null(), |text| text.as_ptr());
+    // SAFETY: the command is null or ends in 0.
+    check(unsafe { libc::system(command) })
+}

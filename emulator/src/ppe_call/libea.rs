@@ -1,0 +1,76 @@
+//! Class 0x2105: memory in effective address space.
+
+use super::guest::{Block, Reply};
+use super::{Call, Errno, Library, calls};
+
+/// Every allocation can be moved by whole quadwords.
+const ALIGNMENT: u64 = 16;
+
+pub(super) const CALLS: &[Call] = calls! {
+    calloc => |library, block| {
+        let size = block.doubleword(0).checked_mul(block.doubleword(1));
+        address(size.and_then(|size| library.heap.allocate(size, ALIGNMENT)))
+    },
+    free => |library, block| {
+        // C leaves it open what freeing something else does: here nothing.
+        library.heap.release(block.doubleword(0));
+        Reply::Nothing
+    },
+    malloc => |library, block| address(library.heap.allocate(block.doubleword(0), ALIGNMENT)),
+    realloc => |library, block| address(library.reallocate(block.doubleword(0), block.doubleword(1), ALIGNMENT)),
+    posix_memalign => |library, block| library.posix_memalign(block),
+};
+
+/// The address, or null and `ENOMEM`.
+fn address(allocated: Option<u64>) -> Reply {
+    match allocated {
+        Some(ea) => Reply::Doubleword(ea, 0),
+        None => Reply::Doubleword(0, libc::ENOMEM),
+    }
+}
+
+impl Library {
+    /// An allocation of another size with the same contents; what was at `ea` is gone then, and
+    /// stays if there is no room. Size 0 frees.
+    pub(super) fn reallocate(&mut self, ea: u64, size: u64, alignment: u64) -> Option<u64> {
+        const PIECE: u64 = 64 << 10;
+        if ea == 0 {
+            return self.heap.allocate(size, alignment);
+        }
+        let before = self.heap.size_of(ea)?;
+        if size == 0 {
+            self.heap.release(ea);
+            return Some(0);
+        }
+        let after = self.heap.allocate(size, alignment)?;
+        let kept = before.min(size);
+        for done in (0..kept).step_by(PIECE as usize) {
+            let mut piece = vec![0; (kept - done).min(PIECE) as usize];
+            if !self.heap.read(ea + done, &mut piece) || !self.heap.write(after + done, &piece) {
+                self.heap.release(after);
+                return None;
+            }
+        }
+        self.heap.release(ea);
+        Some(after)
+    }
+
+    /// The result is the error number, not -1. The address goes to local store as a doubleword.
+    fn posix_memalign(&mut self, block: Block<'_>) -> Reply {
+        const POINTER: u64 = 8;
+        let (alignment, size) = (block.doubleword(1), block.doubleword(2));
+        let allocated = if alignment.is_power_of_two() && alignment >= POINTER {
+            let ea = self.heap.allocate(size, alignment);
+            ea.ok_or(Errno(libc::ENOMEM))
+        } else {
+            Err(Errno(libc::EINVAL))
+        };
+        match allocated {
+            Ok(ea) => {
+                block.guest.write(block.word(0), &ea.to_be_bytes());
+                0.into()
+            }
+            Err(Errno(errno)) => errno.into(),
+        }
+    }
+}

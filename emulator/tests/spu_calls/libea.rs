@@ -1,0 +1,62 @@
+use spu_emulator::ppe_call::CallError;
+
+use super::support::{Answer, GuestProgram, HEAP, HEAP_EA, LIBEA, Value};
+
+const CALLOC: u8 = 1;
+const FREE: u8 = 2;
+const MALLOC: u8 = 3;
+const REALLOC: u8 = 4;
+const POSIX_MEMALIGN: u8 = 5;
+
+fn call(guest: &mut GuestProgram, opcode: u8, arguments: &[u64]) -> Answer {
+    let cells: Vec<Value> = arguments.iter().map(|&value| Value::Long(value)).collect();
+    let answer: Result<Answer, CallError> = guest.serve(LIBEA, opcode, &cells);
+    answer.unwrap()
+}
+
+#[test]
+fn memory_comes_and_goes() {
+    let mut guest = GuestProgram::new("");
+    let all = call(&mut guest, MALLOC, &[HEAP as u64]);
+    assert_eq!((all.doubleword(), all.errno), (HEAP_EA, 0));
+    let none = call(&mut guest, MALLOC, &[1]);
+    assert_eq!((none.doubleword(), none.errno), (0, libc::ENOMEM));
+    call(&mut guest, FREE, &[HEAP_EA]);
+    call(&mut guest, FREE, &[0]);
+    call(&mut guest, FREE, &[0xdead]);
+    let half = call(&mut guest, CALLOC, &[HEAP as u64 / 8, 4]).doubleword();
+    assert_eq!(half, HEAP_EA);
+    let wraps = call(&mut guest, CALLOC, &[1 << 40, 1 << 40]);
+    assert_eq!((wraps.doubleword(), wraps.errno), (0, libc::ENOMEM));
+    let grown = call(&mut guest, REALLOC, &[half, HEAP as u64]);
+    assert_eq!(grown.doubleword(), 0, "there is no room beside the old one");
+    let shrunk = call(&mut guest, REALLOC, &[half, 16]).doubleword();
+    assert_ne!(shrunk, 0);
+    assert_eq!(call(&mut guest, REALLOC, &[shrunk, 0]).doubleword(), 0);
+    assert_eq!(
+        call(&mut guest, REALLOC, &[0, HEAP as u64]).doubleword(),
+        HEAP_EA
+    );
+}
+
+#[test]
+fn aligned_memory_answers_by_error_number() {
+    let mut guest = GuestProgram::new("");
+    let mut memalign = |alignment, size| {
+        let cells = [
+            Value::Word(0x8000),
+            Value::Long(alignment),
+            Value::Long(size),
+        ];
+        let answer = guest.serve(LIBEA, POSIX_MEMALIGN, &cells).unwrap();
+        let [high, low] = guest.words(0x8000);
+        (answer.value, u64::from(high) << 32 | u64::from(low))
+    };
+    assert_eq!(memalign(16, 1), (0, HEAP_EA));
+    let (result, ea) = memalign(4096, 100);
+    assert_eq!((result, ea % 4096), (0, 0));
+    for alignment in [0, 4, 24] {
+        assert_eq!(memalign(alignment, 1).0, libc::EINVAL);
+    }
+    assert_eq!(memalign(16, 1 << 40).0, libc::ENOMEM);
+}

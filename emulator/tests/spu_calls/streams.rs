@@ -1,0 +1,299 @@
+use std::fs;
+use std::os::unix::ffi::OsStrExt as _;
+
+use spu_emulator::ppe_call::{CallError, Class};
+
+use super::support::{Answer, C99, GuestProgram};
+
+const FCLOSE: u8 = 2;
+const FEOF: u8 = 3;
+const FERROR: u8 = 4;
+const FFLUSH: u8 = 5;
+const FGETC: u8 = 6;
+const FGETPOS: u8 = 7;
+const FGETS: u8 = 8;
+const FILENO: u8 = 9;
+const FOPEN: u8 = 10;
+const FPUTC: u8 = 11;
+const FPUTS: u8 = 12;
+const FREAD: u8 = 13;
+const FREOPEN: u8 = 14;
+const FSEEK: u8 = 15;
+const FSETPOS: u8 = 16;
+const FTELL: u8 = 17;
+const FWRITE: u8 = 18;
+const GETCHAR: u8 = 20;
+const GETS: u8 = 21;
+const PERROR: u8 = 22;
+const PUTCHAR: u8 = 24;
+const PUTS: u8 = 25;
+const REMOVE: u8 = 26;
+const RENAME: u8 = 27;
+const REWIND: u8 = 28;
+const SETBUF: u8 = 29;
+const SETVBUF: u8 = 30;
+const SYSTEM: u8 = 31;
+const TMPFILE: u8 = 32;
+const TMPNAM: u8 = 33;
+const UNGETC: u8 = 34;
+
+const STDIN: u32 = 1;
+const STDOUT: u32 = 2;
+const BUFFER: u32 = 0x8000;
+const SEEK_SET: u32 = 0;
+const SEEK_END: u32 = 2;
+
+struct Files {
+    guest: GuestProgram,
+    folder: tempfile::TempDir,
+}
+
+impl Files {
+    fn new(input: &str) -> Self {
+        Self {
+            guest: GuestProgram::new(input),
+            folder: tempfile::tempdir().unwrap(),
+        }
+    }
+
+    fn path(&mut self, name: &str) -> u32 {
+        let path = self.folder.path().join(name);
+        self.guest.text(path.as_os_str().as_bytes())
+    }
+
+    fn call(&mut self, opcode: u8, arguments: &[u32]) -> Answer {
+        self.guest.call(C99, opcode, arguments)
+    }
+
+    fn open(&mut self, name: &str, mode: &str) -> Answer {
+        let (path, mode) = (self.path(name), self.guest.text(mode));
+        self.call(FOPEN, &[path, mode])
+    }
+
+    fn put(&mut self, name: &str, text: &str) {
+        fs::write(self.folder.path().join(name), text).unwrap();
+    }
+
+    fn contents(&self, name: &str) -> String {
+        fs::read_to_string(self.folder.path().join(name)).unwrap()
+    }
+}
+
+#[test]
+fn a_file_is_written_and_read_back() {
+    let mut files = Files::new("");
+    assert_eq!(files.open("f", "w"), Answer::ok(4));
+    let text = files.guest.text("line one\nline two\n");
+    assert_eq!(files.call(FPUTS, &[text, 4]), Answer::ok(1));
+    assert_eq!(files.call(FWRITE, &[text, 4, 2, 4]), Answer::ok(2));
+    assert_eq!(files.call(FPUTC, &[0x121, 4]), Answer::ok(0x21));
+    assert_eq!(files.call(FTELL, &[4]), Answer::ok(27));
+    assert_eq!(files.contents("f"), "", "it is buffered");
+    assert_eq!(files.call(FFLUSH, &[4]), Answer::ok(0));
+    assert_eq!(files.contents("f"), "line one\nline two\nline one!");
+    assert_eq!(files.call(FCLOSE, &[4]), Answer::ok(0));
+    assert_eq!(files.call(FCLOSE, &[4]), Answer::failed(-1, libc::EBADF));
+
+    assert_eq!(files.open("f", "r"), Answer::ok(4));
+    assert_eq!(
+        files.call(FGETS, &[BUFFER, 6, 4]),
+        Answer::ok(BUFFER as i32)
+    );
+    assert_eq!(files.guest.read_text(BUFFER), "line ");
+    assert_eq!(
+        files.call(FGETS, &[BUFFER, 100, 4]),
+        Answer::ok(BUFFER as i32)
+    );
+    assert_eq!(files.guest.read_text(BUFFER), "one\n");
+    assert_eq!(
+        files.call(FREAD, &[BUFFER, 4, 100, 4]),
+        Answer::ok(4),
+        "whole items"
+    );
+    assert_eq!(files.guest.read_text(BUFFER), "line two\nline one!");
+    assert_eq!(files.call(FEOF, &[4]), Answer::ok(1));
+    assert_eq!(files.call(FGETC, &[4]), Answer::ok(-1));
+    assert_eq!(files.call(FGETS, &[BUFFER, 100, 4]), Answer::ok(0));
+    files.call(REWIND, &[4]);
+    assert_eq!(files.call(FEOF, &[4]), Answer::ok(0));
+    assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'l')));
+}
+
+#[test]
+fn positions_count_what_is_buffered() {
+    let mut files = Files::new("");
+    files.put("f", "0123456789");
+    files.open("f", "r+");
+    files.call(FGETC, &[4]);
+    files.call(FGETC, &[4]);
+    assert_eq!(files.call(UNGETC, &[u32::from(b'x'), 4]), Answer::ok(0x78));
+    assert_eq!(files.call(FTELL, &[4]), Answer::ok(1));
+    assert_eq!(files.call(FGETC, &[4]), Answer::ok(0x78));
+    assert_eq!(files.call(FGETPOS, &[4, BUFFER]), Answer::ok(0));
+    assert_eq!(files.guest.words(BUFFER), [2]);
+    // Reading went ahead of it, and what is written must come where reading stopped.
+    files.call(FPUTC, &[u32::from(b'A'), 4]);
+    assert_eq!(
+        files.call(FSEEK, &[4, -1_i32 as u32, SEEK_END]),
+        Answer::ok(0)
+    );
+    assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'9')));
+    assert_eq!(files.call(FSETPOS, &[4, BUFFER]), Answer::ok(0));
+    assert_eq!(files.call(FGETC, &[4]), Answer::ok(i32::from(b'A')));
+    let bad = files.call(FSEEK, &[4, -5_i32 as u32, SEEK_SET]);
+    assert_eq!(bad, Answer::failed(-1, libc::EINVAL));
+    files.call(FCLOSE, &[4]);
+    assert_eq!(files.contents("f"), "01A3456789");
+}
+
+#[test]
+fn thirteen_files_can_be_open() {
+    let mut files = Files::new("");
+    for handle in 4..=16 {
+        assert_eq!(files.open("f", "w"), Answer::ok(handle));
+    }
+    assert_eq!(files.open("f", "w"), Answer::failed(0, libc::EMFILE));
+    assert_eq!(files.call(TMPFILE, &[]), Answer::failed(0, libc::EMFILE));
+    files.call(FCLOSE, &[7]);
+    assert_eq!(files.call(TMPFILE, &[]), Answer::ok(7));
+    let text = files.guest.text("kept");
+    files.call(FPUTS, &[text, 7]);
+    files.call(REWIND, &[7]);
+    assert_eq!(files.call(FGETC, &[7]), Answer::ok(i32::from(b'k')));
+}
+
+#[test]
+fn modes_and_errors_of_opening() {
+    let mut files = Files::new("");
+    assert_eq!(files.open("none", "r"), Answer::failed(0, libc::ENOENT));
+    assert_eq!(files.open("f", "q"), Answer::failed(0, libc::EINVAL));
+    assert_eq!(files.call(FOPEN, &[0, 0]), Answer::failed(0, libc::EFAULT));
+    files.put("f", "old");
+    assert_eq!(files.open("f", "wx"), Answer::failed(0, libc::EEXIST));
+    files.open("f", "a");
+    files.call(FPUTC, &[u32::from(b'!'), 4]);
+    assert_eq!(files.call(FGETC, &[4]), Answer::failed(-1, libc::EBADF));
+    assert_eq!(files.call(FERROR, &[4]), Answer::ok(1));
+    files.call(1, &[4]);
+    assert_eq!(files.call(FERROR, &[4]), Answer::ok(0));
+    let (path, mode) = (files.path("f"), files.guest.text("r"));
+    assert_eq!(files.call(FREOPEN, &[path, mode, 4]), Answer::ok(4));
+    assert_eq!(files.contents("f"), "old!");
+    assert_eq!(files.call(FPUTC, &[0, 4]), Answer::failed(-1, libc::EBADF));
+    let (from, to) = (files.path("f"), files.path("g"));
+    assert_eq!(files.call(RENAME, &[from, to]), Answer::ok(0));
+    assert_eq!(files.contents("g"), "old!");
+    assert_eq!(files.call(REMOVE, &[to]), Answer::ok(0));
+    assert_eq!(files.call(REMOVE, &[to]), Answer::failed(-1, libc::ENOENT));
+}
+
+#[test]
+fn standard_streams() {
+    let mut files = Files::new("first line\nlast");
+    let text = files.guest.text("text");
+    assert_eq!(files.call(PUTS, &[text]), Answer::ok(5));
+    assert_eq!(files.call(PUTCHAR, &[0x2a]), Answer::ok(0x2a));
+    assert_eq!(files.guest.output(), "text\n*");
+    assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(BUFFER as i32));
+    assert_eq!(files.guest.read_text(BUFFER), "first line");
+    assert_eq!(files.call(GETCHAR, &[]), Answer::ok(i32::from(b'l')));
+    assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(BUFFER as i32));
+    assert_eq!(
+        files.guest.read_text(BUFFER),
+        "ast",
+        "a line without an end"
+    );
+    assert_eq!(files.call(GETS, &[BUFFER]), Answer::ok(0));
+    files.call(PERROR, &[text, libc::ENOENT as u32]);
+    files.call(PERROR, &[0, libc::EACCES as u32]);
+    let error = files.guest.console(|console| console.error.clone());
+    assert_eq!(
+        error,
+        b"text: No such file or directory\nPermission denied\n"
+    );
+    assert_eq!(files.call(FILENO, &[STDOUT]), Answer::ok(1));
+    assert_eq!(files.call(UNGETC, &[u32::MAX, STDIN]), Answer::ok(-1));
+}
+
+/// Calls without a result leave the cell as it is.
+#[test]
+fn buffering_is_the_programs_choice() {
+    let mut files = Files::new("");
+    let text = files.guest.text("a\nb");
+    let written = |files: &Files| files.guest.console(|console| console.output.clone());
+    files.call(FPUTS, &[text, STDOUT]);
+    assert_eq!(written(&files), b"");
+    assert_eq!(files.call(SETVBUF, &[STDOUT, 0, 1, 0]), Answer::ok(0));
+    files.call(FPUTS, &[text, STDOUT]);
+    assert_eq!(written(&files), b"a\nba\nb");
+    let untouched = files.call(SETBUF, &[STDOUT, 0]);
+    assert_eq!(untouched.value, STDOUT as i32);
+    files.call(PUTCHAR, &[0x2e]);
+    assert_eq!(written(&files), b"a\nba\nb.");
+    let bad = files.call(SETVBUF, &[STDOUT, 0, 3, 0]);
+    assert_eq!(bad, Answer::failed(-1, libc::EINVAL));
+}
+
+#[test]
+fn a_command_gives_its_status() {
+    let mut files = Files::new("");
+    let command = files.guest.text("exit 3");
+    assert_eq!(files.call(SYSTEM, &[command]), Answer::ok(3 << 8));
+    assert_eq!(files.call(SYSTEM, &[0]), Answer::ok(1), "there is a shell");
+    assert_eq!(files.call(TMPNAM, &[0]), Answer::ok(0));
+}
+
+#[test]
+fn handles_that_are_not_open() {
+    let mut files = Files::new("");
+    for handle in [0, 5, 17, u32::MAX] {
+        assert_eq!(files.call(FEOF, &[handle]), Answer::failed(-1, libc::EBADF));
+        let put = files.call(FPUTC, &[0, handle]);
+        assert_eq!(put, Answer::failed(-1, libc::EBADF));
+        let read = files.call(FREAD, &[BUFFER, 1, 1, handle]);
+        assert_eq!(read, Answer::failed(0, libc::EBADF));
+    }
+}
+
+#[test]
+fn sizes_beyond_local_store() {
+    let mut files = Files::new("");
+    files.open("f", "w");
+    let written = files.call(FWRITE, &[0, 0x1_0000, 0x1_0000, 4]);
+    assert_eq!(written, Answer::ok(4), "local store once");
+    assert_eq!(files.call(FWRITE, &[0, 0, 5, 4]), Answer::ok(0));
+    assert_eq!(files.call(FREAD, &[0, 0, 5, STDIN]), Answer::ok(0));
+}
+
+#[test]
+fn calls_that_nobody_serves_are_named() {
+    let mut guest = GuestProgram::new("");
+    let error = guest.serve(7, 1, &[]).unwrap_err();
+    assert_eq!(error, CallError::UnknownClass(7));
+    assert!(error.to_string().contains("0x2107"), "{error}");
+    for (class, number, last) in [
+        (Class::C99, 0, 41),
+        (Class::Posix, 1, 68),
+        (Class::Libea, 5, 5),
+    ] {
+        for opcode in [0, last as u8 + 1, 255] {
+            let expected = CallError::UnknownOpcode {
+                class,
+                opcode,
+                last,
+            };
+            assert_eq!(guest.serve(number, opcode, &[]), Err(expected));
+        }
+    }
+    // The ends of the fact sheet's lists, and some between.
+    let name = |class: Class, opcode| class.function(opcode).unwrap();
+    assert_eq!(
+        [1, 10, 21, 41].map(|n| name(Class::C99, n)),
+        ["clearerr", "fopen", "gets", "vsscanf"]
+    );
+    let posix = [1, 16, 23, 27, 31, 43, 57, 68].map(|n| name(Class::Posix, n));
+    let expected = [
+        "adjtimex", "read", "stat", "write", "time", "getcwd", "readdir", "writev",
+    ];
+    assert_eq!(posix, expected);
+}
