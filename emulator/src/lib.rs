@@ -16,6 +16,7 @@ pub mod memory;
 pub mod mfc;
 pub mod ppe_call;
 pub mod signal;
+pub mod simulated;
 pub mod spe;
 pub mod stop;
 pub mod timing;

@@ -3,15 +3,15 @@
 use std::ffi::c_uint;
 use std::ptr;
 use std::sync::atomic::AtomicU32;
-use std::sync::{Arc, LazyLock, Mutex};
+use std::sync::{Arc, Mutex};
 
 use libc::{c_int, c_void};
 use spu_emulator::local_store::SIZE;
-use spu_emulator::mfc::{Interconnect, Policy};
 use spu_emulator::signal::SignalMode;
 use spu_emulator::spe::{Config, Spe};
 
 use crate::error::{self, Errno};
+use crate::machine::{machine, policy, write_report};
 use crate::process_memory::ProcessMemory;
 use crate::stop_record::StopRecords;
 use crate::types::{
@@ -28,10 +28,6 @@ const KNOWN_FLAGS: c_uint = SPE_CFG_SIGNOTIFY1_OR
     | SPE_EVENTS_ENABLE
     | SPE_AFFINITY_MEMORY
     | SPE_NOSCHED;
-
-/// Every context of the process is on one interconnect.
-static MACHINE: LazyLock<Arc<Interconnect>> =
-    LazyLock::new(|| Interconnect::new(Arc::new(ProcessMemory)));
 
 /// What is behind a context pointer. Whoever uses it holds it alive, so destroying a context while
 /// another thread runs it takes nothing away from that thread.
@@ -61,18 +57,6 @@ pub(crate) unsafe fn context(pointer: *mut SpeContext) -> Result<Arc<Context>, E
         let shared: *const Context = (*pointer).base_private.cast();
         Arc::increment_strong_count(shared);
         Ok(Arc::from_raw(shared))
-    }
-}
-
-fn policy() -> Result<Policy, Errno> {
-    match std::env::var_os("LIBSPE2_MFC") {
-        None => Ok(Policy::AtOnce),
-        Some(name) if name == "at-once" => Ok(Policy::AtOnce),
-        Some(name) if name == "at-last" => Ok(Policy::AtLast),
-        Some(name) => {
-            eprintln!("libspe2: LIBSPE2_MFC is at-once or at-last, not {name:?}");
-            Err(Errno(libc::EINVAL))
-        }
     }
 }
 
@@ -108,8 +92,11 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
         signal_modes: [mode(SPE_CFG_SIGNOTIFY1_OR), mode(SPE_CFG_SIGNOTIFY2_OR)],
         policy: policy()?,
     };
+    let spe = Spe::new(&machine()?.interconnect, config);
+    let area = spe.local_store().as_ptr();
+    spe.map_local_store(area.expose_provenance() as u64);
     let context = Arc::new(Context {
-        spe: Spe::new(&MACHINE, config),
+        spe,
         events_enabled: has(SPE_EVENTS_ENABLE),
         entry: AtomicU32::new(0),
         issued_tags: Mutex::new(0),
@@ -177,6 +164,7 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
             drop(Arc::from_raw(owned.base_private.cast::<Context>()));
         }
         drop(context);
+        write_report();
         Ok(0)
     })
 }
@@ -222,6 +210,9 @@ pub unsafe extern "C" fn spe_ls_area_get(spe: *mut SpeContext) -> *mut c_void {
         let context = unsafe { context(spe)? };
         let area = context.spe.local_store().as_ptr();
         area.expose_provenance();
+        if let Some(simulation) = context.spe.simulation() {
+            simulation.serialise();
+        }
         Ok(area.cast())
     })
 }

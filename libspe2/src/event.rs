@@ -5,10 +5,11 @@
 //! change during the look makes the sleep end at once.
 
 use std::ptr;
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::time::{Duration, Instant};
 
 use libc::{c_int, c_uint, c_void};
+use spu_emulator::simulated::{Simulation, WaitKey};
 use spu_emulator::spe::Watcher;
 
 use crate::context::{Context, context};
@@ -31,6 +32,8 @@ const EVENTS: [c_uint; 4] = [
 struct Bell {
     rings: Mutex<u64>,
     rung: Condvar,
+    /// In simulated time: what waiters sleep on. Known from the first registration on.
+    simulated: OnceLock<(Arc<Simulation>, WaitKey)>,
 }
 
 impl Bell {
@@ -64,6 +67,9 @@ impl Watcher for Bell {
     fn changed(&self) {
         *self.rings() += 1;
         self.rung.notify_all();
+        if let Some((simulation, key)) = self.simulated.get() {
+            simulation.wake(*key);
+        }
     }
 }
 
@@ -130,6 +136,10 @@ impl Handler {
         if EVENTS[registration.event] == SPE_EVENT_SPE_STOPPED {
             registration.context.stops.register();
         }
+        if let Some(simulation) = registration.context.spe.simulation() {
+            let key = || (Arc::clone(simulation), simulation.new_key());
+            self.bell.simulated.get_or_init(key);
+        }
         registration.context.spe.watch(self.watcher());
         registrations.push(registration);
         drop(registrations);
@@ -156,16 +166,25 @@ impl Handler {
         }
     }
 
-    fn wait(&self, most: usize, deadline: Option<Instant>) -> Vec<SpeEventUnit> {
+    /// Units of the events that are up.
+    fn up(&self, most: usize) -> Vec<SpeEventUnit> {
+        self.registrations()
+            .iter()
+            .filter(|registration| registration.is_up())
+            .map(Registration::unit)
+            .take(most)
+            .collect()
+    }
+
+    fn wait(&self, most: usize, limit: Option<Duration>) -> Vec<SpeEventUnit> {
+        if let Some((simulation, key)) = self.bell.simulated.get() {
+            let poll = || Some(self.up(most)).filter(|units| !units.is_empty());
+            return simulation.wait(*key, limit, poll).unwrap_or_default();
+        }
+        let deadline = limit.map(|limit| Instant::now() + limit);
         loop {
             let heard = *self.bell.rings();
-            let units: Vec<SpeEventUnit> = self
-                .registrations()
-                .iter()
-                .filter(|registration| registration.is_up())
-                .map(Registration::unit)
-                .take(most)
-                .collect();
+            let units = self.up(most);
             if !units.is_empty() || !self.bell.wait(heard, deadline) {
                 return units;
             }
@@ -310,10 +329,8 @@ pub unsafe extern "C" fn spe_event_wait(
             Ok(most) if most > 0 && !events.is_null() => most,
             _ => return Err(Errno(libc::EINVAL)),
         };
-        let deadline = u64::try_from(timeout)
-            .ok()
-            .map(|milliseconds| Instant::now() + Duration::from_millis(milliseconds));
-        let units = handler.wait(most, deadline);
+        let limit = u64::try_from(timeout).ok().map(Duration::from_millis);
+        let units = handler.wait(most, limit);
         // SAFETY: the caller vouches for the room, and there are no more units than it has.
         unsafe { ptr::copy_nonoverlapping(units.as_ptr(), events, units.len()) };
         Ok(units.len() as c_int)

@@ -166,6 +166,7 @@ pub unsafe extern "C" fn spe_program_load(
             store.write(toe, &shadow);
         }
         context.entry.store(image.entry(), SeqCst);
+        context.spe.expect_run();
         Ok(0)
     })
 }

@@ -15,7 +15,11 @@
 //!
 //! Environment: `LIBSPE2_SPES`, 1 to 16, is the number of SPEs that `spe_cpu_info_get` tells (6);
 //! `LIBSPE2_MFC` is `at-once` (the default) or `at-last`, which carries DMA commands out as late and
-//! in as odd an order as the architecture allows, to show missing waits.
+//! in as odd an order as the architecture allows, to show missing waits. `LIBSPE2_TIMING=1` counts
+//! cycles: SPEs run in simulated time (see [`spu_emulator::simulated`]), decrementers count it, and so do
+//! the time-outs of events; `LIBSPE2_REPORT` is the path of the JSON report that is then written when a
+//! context is destroyed and when the process ends. Both are read with the first context. Creating and
+//! loading contexts takes no simulated time.
 
 #[cfg(not(target_pointer_width = "64"))]
 compile_error!("the C layouts here are those of 64-bit programs");
@@ -28,9 +32,11 @@ pub mod event;
 mod fault_signal;
 mod futex;
 pub mod image;
+mod machine;
 pub mod mailbox;
 pub mod mfc;
 mod process_memory;
+mod report;
 pub mod run;
 mod scratch;
 mod stop_record;

@@ -261,8 +261,10 @@ pub unsafe extern "C" fn spe_context_run(
             }
         }
         if context.events_enabled {
-            context.stops.append(outcome.record);
-            context.spe.announce();
+            context.spe.act(|| {
+                context.stops.append(outcome.record);
+                context.spe.announce();
+            });
         }
         outcome.returned
     })
@@ -286,7 +288,8 @@ pub unsafe extern "C" fn spe_stop_info_read(
         if stopinfo.is_null() {
             return Err(Errno(libc::EINVAL));
         }
-        let record = context.stops.take().ok_or(Errno(libc::EAGAIN))?;
+        let taken = context.spe.act(|| context.stops.take());
+        let record = taken.ok_or(Errno(libc::EAGAIN))?;
         // SAFETY: the caller vouches for the pointer.
         unsafe { stopinfo.write(record.to_c()) };
         set_errno(0);

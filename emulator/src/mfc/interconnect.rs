@@ -10,8 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, RwLock, Weak};
 
 use crate::decrementer::{Clock, HostClock};
+use crate::local_store::SIZE;
 use crate::memory::{LINE, MainMemory, MemoryFault};
 use crate::signal::SignalRegister;
+use crate::simulated::{Peer, Simulation};
 use crate::spe::lock::{read_lock, write_lock};
 
 /// No line has this address: it is not a multiple of 128.
@@ -61,12 +63,15 @@ pub(crate) trait Unit: Send + Sync {
     /// Somebody wrote the reserved line; the reservation is gone already.
     fn reservation_lost(&self);
     fn signal(&self, register: SignalRegister, word: u32);
+    /// In simulated time: the word that was just sent is there from `cycle` on.
+    fn signal_arrives(&self, register: SignalRegister, cycle: u64);
 }
 
 #[derive(Default)]
 struct Members {
     units: Vec<Weak<dyn Unit>>,
     signals: Vec<(u64, Weak<dyn Unit>, SignalRegister)>,
+    local_stores: Vec<(u64, Weak<dyn Unit>)>,
 }
 
 impl Members {
@@ -89,6 +94,7 @@ impl Members {
 pub struct Interconnect {
     memory: Arc<dyn MainMemory>,
     clock: Arc<dyn Clock>,
+    simulation: Option<Arc<Simulation>>,
     members: RwLock<Members>,
 }
 
@@ -105,8 +111,28 @@ impl Interconnect {
         Arc::new(Self {
             memory,
             clock,
+            simulation: None,
             members: RwLock::default(),
         })
+    }
+
+    /// A machine with this memory in simulated time, which no other machine may share.
+    pub(crate) fn with_simulation(
+        memory: Arc<dyn MainMemory>,
+        simulation: Arc<Simulation>,
+    ) -> Arc<Self> {
+        Arc::new(Self {
+            memory,
+            clock: Arc::new(HostClock),
+            simulation: Some(simulation),
+            members: RwLock::default(),
+        })
+    }
+
+    /// The machine's simulated time, if it has one.
+    #[must_use]
+    pub fn simulation(&self) -> Option<&Arc<Simulation>> {
+        self.simulation.as_ref()
     }
 
     /// The machine's main memory.
@@ -125,12 +151,44 @@ impl Interconnect {
         members
             .signals
             .retain(|(_, unit, _)| unit.strong_count() > 0);
+        members
+            .local_stores
+            .retain(|(_, unit)| unit.strong_count() > 0);
         members.units.push(unit);
     }
 
     /// From now on a word written to `ea` by an MFC is a signal.
     pub(crate) fn map_signal(&self, ea: u64, unit: Weak<dyn Unit>, register: SignalRegister) {
         write_lock(&self.members).signals.push((ea, unit, register));
+    }
+
+    /// From now on transfers to and from the addresses at `ea` count as such between local stores.
+    pub(crate) fn map_local_store(&self, ea: u64, unit: Weak<dyn Unit>) {
+        write_lock(&self.members).local_stores.push((ea, unit));
+    }
+
+    /// In simulated time: when the signal that was just sent to `ea` is there.
+    pub(crate) fn signal_arrives(&self, ea: u64, cycle: u64) {
+        let members = read_lock(&self.members);
+        let target = members.signals.iter().find(|(at, ..)| *at == ea);
+        if let Some((_, unit, register)) = target
+            && let Some(unit) = unit.upgrade()
+        {
+            unit.signal_arrives(*register, cycle);
+        }
+    }
+
+    /// What lies at `ea`, as far as time is concerned.
+    pub(crate) fn peer(&self, ea: u64) -> Peer {
+        let members = read_lock(&self.members);
+        let within = |start: u64| (start..start.saturating_add(u64::from(SIZE))).contains(&ea);
+        let stores = members.local_stores.iter().map(|(start, _)| *start);
+        let signals = members.signals.iter().map(|(at, ..)| *at);
+        stores
+            .filter(|start| within(*start))
+            .chain(signals.filter(|at| *at == ea))
+            .next()
+            .map_or(Peer::Memory, Peer::LocalStore)
     }
 
     pub(crate) fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {

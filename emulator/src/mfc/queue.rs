@@ -4,12 +4,15 @@
 //! outstanding, oldest first. Ordering is decided from the entries alone.
 
 use std::collections::VecDeque;
+use std::sync::Mutex;
 
 use super::command::{Command, ELEMENT, MAX_TRANSFER, Operation, Order};
 use super::interconnect::{Interconnect, Unit};
 use super::{DmaError, Policy};
 use crate::local_store::LocalStore;
 use crate::memory::LINE;
+use crate::simulated::{Movement, Piece};
+use crate::spe::lock::lock;
 
 /// What commands move between.
 #[derive(Clone, Copy)]
@@ -17,6 +20,25 @@ pub(crate) struct Path<'a> {
     pub local_store: &'a LocalStore,
     pub interconnect: &'a Interconnect,
     pub unit: &'a dyn Unit,
+    /// Where movements are noted, in simulated time.
+    pub moved: Option<&'a Mutex<Vec<Movement>>>,
+}
+
+impl Path<'_> {
+    /// Notes what a command moved.
+    pub(crate) fn note(&self, movement: impl FnOnce() -> Movement) {
+        if let Some(moved) = self.moved {
+            lock(moved).push(movement());
+        }
+    }
+
+    fn piece(&self, command: &Command) -> Piece {
+        Piece {
+            ea: command.ea,
+            size: command.size,
+            peer: self.interconnect.peer(command.ea),
+        }
+    }
 }
 
 struct Entry {
@@ -141,7 +163,14 @@ impl Queue {
         let ran = if entry.command.operation.is_list() {
             run_list(entry, &mut self.buffer, path)
         } else {
-            run_simple(&entry.command, &mut self.buffer, path).map(|()| Ran::Complete)
+            run_simple(&entry.command, &mut self.buffer, path).map(|()| {
+                path.note(|| Movement {
+                    command: entry.command,
+                    pieces: pieces_of(&entry.command, path),
+                    stalled: false,
+                });
+                Ran::Complete
+            })
         };
         if !matches!(ran, Ok(Ran::Stalled(_))) {
             self.entries.remove(at);
@@ -152,21 +181,43 @@ impl Queue {
 
 fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<Ran, DmaError> {
     let list = entry.command;
+    let mut pieces = Vec::new();
     while entry.list_done < list.size {
         let address = (list.ea as u32).wrapping_add(entry.list_done);
         let words = [0, 4].map(|n| path.local_store.load_word(address.wrapping_add(n)));
         let (element, stall) = list.element(words, entry.list_lsa)?;
         run_simple(&element, buffer, path)?;
+        if path.moved.is_some() {
+            pieces.push(path.piece(&element));
+        }
         entry.list_done += ELEMENT;
         entry.list_lsa = entry
             .list_lsa
             .wrapping_add(element.size.next_multiple_of(16));
         if stall {
             entry.stalled = true;
+            path.note(|| Movement {
+                command: list,
+                pieces,
+                stalled: true,
+            });
             return Ok(Ran::Stalled(list.tag));
         }
     }
+    path.note(|| Movement {
+        command: list,
+        pieces,
+        stalled: false,
+    });
     Ok(Ran::Complete)
+}
+
+/// What a command that is no list moves over the bus.
+fn pieces_of(command: &Command, path: Path<'_>) -> Vec<Piece> {
+    match command.operation {
+        Operation::QueueBarrier | Operation::Sync | Operation::CacheHint => Vec::new(),
+        _ => vec![path.piece(command)],
+    }
 }
 
 fn run_simple(command: &Command, buffer: &mut [u8], path: Path<'_>) -> Result<(), DmaError> {

@@ -8,6 +8,7 @@ use super::queue::{Path, Queue, Ran};
 use super::{DmaError, Policy, SPU_QUEUE_DEPTH};
 use crate::event;
 use crate::memory::LINE;
+use crate::simulated::{Movement, Transfers};
 
 const PUT_CONDITIONAL_DONE: u32 = 0;
 const PUT_CONDITIONAL_FAILED: u32 = 1;
@@ -31,6 +32,8 @@ enum Condition {
 pub(crate) struct SpuSide {
     pub parameters: Parameters,
     queue: Queue,
+    /// What is not yet complete in simulated time, where there is such.
+    transfers: Option<Transfers>,
     tag_mask: u32,
     awaited: Option<Condition>,
     tag_status: Option<u32>,
@@ -43,10 +46,11 @@ pub(crate) struct SpuSide {
 }
 
 impl SpuSide {
-    pub(crate) fn new(policy: Policy) -> Self {
+    pub(crate) fn new(policy: Policy, transfers: Option<Transfers>) -> Self {
         Self {
             parameters: Parameters::default(),
             queue: Queue::new(SPU_QUEUE_DEPTH, policy),
+            transfers,
             tag_mask: 0,
             awaited: None,
             tag_status: None,
@@ -72,7 +76,7 @@ impl SpuSide {
         if command.operation.is_immediate() {
             self.atomic(&command, path)?;
         } else {
-            while self.queue.room() == 0 {
+            while self.free_places() == 0 {
                 if !self.step(u32::MAX, path)? {
                     return Ok(None);
                 }
@@ -114,14 +118,41 @@ impl SpuSide {
                 .map(|()| PUT_UNCONDITIONAL_DONE),
         };
         self.atomic_status = Some(status.map_err(|fault| command.storage(fault.ea))?);
+        path.note(|| Movement {
+            command: *command,
+            pieces: Vec::new(),
+            stalled: false,
+        });
         Ok(())
+    }
+
+    /// The simulated side of the commands, where there is one.
+    pub(crate) fn transfers(&self) -> Option<&Transfers> {
+        self.transfers.as_ref()
+    }
+
+    /// Lets `body` change the simulated side; tags and room may come of it.
+    pub(crate) fn change_transfers(&mut self, body: impl FnOnce(&mut Transfers)) {
+        let was_full = self.free_places() == 0;
+        if let Some(transfers) = &mut self.transfers {
+            body(transfers);
+        }
+        if was_full && self.free_places() > 0 {
+            self.events |= event::QUEUE_ROOM;
+        }
+        self.evaluate();
+    }
+
+    fn free_places(&self) -> usize {
+        let incomplete = self.transfers.as_ref().map_or(0, Transfers::len);
+        self.queue.room().saturating_sub(incomplete)
     }
 
     /// Runs one command, one of `tags` before others; says whether one could run.
     fn step(&mut self, tags: u32, path: Path<'_>) -> Result<bool, DmaError> {
-        let was_full = self.queue.room() == 0;
+        let was_full = self.free_places() == 0;
         let ran = self.queue.run_one(tags, path);
-        if was_full && self.queue.room() > 0 {
+        if was_full && self.free_places() > 0 && self.transfers.is_none() {
             self.events |= event::QUEUE_ROOM;
         }
         if let Ok(Some(Ran::Stalled(tag))) = ran {
@@ -130,7 +161,10 @@ impl SpuSide {
             }
             self.stalled_tags |= 1 << tag;
         }
-        self.evaluate();
+        // In simulated time nothing is complete because its data has moved.
+        if self.transfers.is_none() {
+            self.evaluate();
+        }
         ran.map(|ran| ran.is_some())
     }
 
@@ -147,7 +181,7 @@ impl SpuSide {
 
     /// Channel 21's count.
     pub(crate) fn room(&mut self, path: Path<'_>) -> Result<u32, DmaError> {
-        let room = self.queue.room();
+        let room = self.free_places();
         if room == 0 {
             self.step(u32::MAX, path)?;
         }
@@ -155,7 +189,8 @@ impl SpuSide {
     }
 
     fn idle(&self) -> u32 {
-        self.tag_mask & !self.queue.busy_tags()
+        let incomplete = self.transfers.as_ref().map_or(0, Transfers::busy_tags);
+        self.tag_mask & !self.queue.busy_tags() & !incomplete
     }
 
     fn set_tag_status(&mut self, status: u32) {

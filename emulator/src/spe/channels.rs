@@ -3,6 +3,7 @@
 //! Invariant: a channel access either happens wholly or, when a stop request ends its sleep, not at
 //! all; so the instruction can be run again.
 
+use std::cell::RefCell;
 use std::time::Duration;
 
 use super::Spe;
@@ -15,6 +16,7 @@ use crate::mfc::interconnect::Unit;
 use crate::mfc::queue::Path;
 use crate::mfc::spu_side::SpuSide;
 use crate::mfc::{DmaError, Policy};
+use crate::simulated::{self, SpeSide, SpuClock, Transfers, Wait};
 use crate::stop::{ChannelAccess, Stop};
 
 /// How long the adversary leaves commands of both sides undone while the SPU sleeps: long enough for the PPE to
@@ -62,13 +64,17 @@ pub(crate) struct SpuState {
 }
 
 impl SpuState {
-    pub(crate) fn new(policy: Policy) -> Self {
+    pub(crate) fn new(policy: Policy, simulated: bool) -> Self {
         Self {
-            mfc: SpuSide::new(policy),
+            mfc: SpuSide::new(policy, simulated.then(Transfers::new)),
             decrementer: Decrementer::default(),
             interrupts_enabled: false,
             srr0: 0,
         }
+    }
+
+    pub(crate) fn mfc(&self) -> &SpuSide {
+        &self.mfc
     }
 }
 
@@ -76,6 +82,8 @@ impl SpuState {
 pub(crate) struct RunningChannels<'a> {
     pub(super) own: &'a mut SpuState,
     pub(super) spe: &'a Spe,
+    /// Counts in simulated time only.
+    pub(super) clock: &'a RefCell<SpuClock>,
 }
 
 impl<'a> RunningChannels<'a> {
@@ -88,7 +96,41 @@ impl<'a> RunningChannels<'a> {
             local_store: &self.spe.local_store,
             interconnect: &self.spe.interconnect,
             unit: &*self.spe.problem_state,
+            moved: self.simulated().map(|side| &side.moved),
         }
+    }
+
+    fn simulated(&self) -> Option<&'a SpeSide> {
+        self.spe.simulated.as_ref()
+    }
+
+    /// What follows can be seen by others, or depends on them.
+    fn turn(&self) {
+        if let Some(side) = self.simulated() {
+            side.turn(self.clock);
+        }
+    }
+
+    /// Sleeps until `cycle`, which nobody can bring nearer.
+    fn sleep_until(&self, cycle: u64, wait: Wait) {
+        self.clock.borrow_mut().sleep(cycle, wait);
+    }
+
+    /// What is complete by now in simulated time is so for the program.
+    fn settle(&mut self) {
+        if self.simulated().is_some() {
+            let now = self.clock.borrow().now();
+            self.own
+                .mfc
+                .change_transfers(|transfers| transfers.advance(now));
+            self.problem_state().raise(self.own.mfc.take_events());
+        }
+    }
+
+    /// 1 if what the MFC gives at `time` in simulated time is there, else 0.
+    fn arrived(&self, time: impl FnOnce(&Transfers) -> u64) -> u32 {
+        let transfers = self.own.mfc.transfers();
+        u32::from(transfers.is_none_or(|transfers| time(transfers) <= self.clock.borrow().now()))
     }
 
     /// Does something with the MFC and raises the events that come of it.
@@ -97,7 +139,12 @@ impl<'a> RunningChannels<'a> {
         body: impl FnOnce(&mut SpuSide, Path<'a>) -> Result<T, DmaError>,
     ) -> Result<T, Stop> {
         let path = self.path();
+        self.settle();
         let result = body(&mut self.own.mfc, path);
+        if let Some(side) = self.simulated() {
+            let now = self.clock.borrow().now();
+            side.time_movements(&mut self.own.mfc, now, &self.spe.interconnect);
+        }
         self.problem_state().raise(self.own.mfc.take_events());
         result.map_err(Stop::Dma)
     }
@@ -107,15 +154,61 @@ impl<'a> RunningChannels<'a> {
         self.mfc(SpuSide::run_ready)
     }
 
-    /// Sleeps until `poll` yields. `limit` bounds one sleep; after it both are asked anew.
+    /// Sleeps until `poll` yields.
     fn sleep<T>(
         &mut self,
-        mut limit: impl FnMut(&mut Self) -> Option<Duration>,
+        wait: Wait,
+        poll: impl FnMut(&mut Self, &mut State) -> Option<T>,
+    ) -> Result<T, Stop> {
+        match self.simulated() {
+            Some(side) => self.sleep_simulated(side, wait, poll),
+            None => self.sleep_on_host(wait, poll),
+        }
+    }
+
+    fn sleep_simulated<T>(
+        &mut self,
+        side: &SpeSide,
+        wait: Wait,
+        mut poll: impl FnMut(&mut Self, &mut State) -> Option<T>,
+    ) -> Result<T, Stop> {
+        side.turn(self.clock);
+        loop {
+            self.settle();
+            if wait == Wait::Event {
+                self.watch_line();
+            }
+            let problem_state = self.problem_state();
+            if let Some(value) = problem_state.with(|state| poll(self, state)) {
+                return Ok(value);
+            }
+            if problem_state.stop_requested() {
+                return Err(Stop::Requested);
+            }
+            let (limit, pause) = if wait == Wait::Event {
+                (self.silent_event_cycle(), self.line_watch())
+            } else {
+                (None, None)
+            };
+            side.publish(self.clock, &self.own.mfc);
+            side.sleep(self.clock, wait, limit, pause);
+        }
+    }
+
+    fn sleep_on_host<T>(
+        &mut self,
+        wait: Wait,
         mut poll: impl FnMut(&mut Self, &mut State) -> Option<T>,
     ) -> Result<T, Stop> {
         loop {
             let grace = (self.own.mfc.policy() == Policy::AtLast).then_some(GRACE);
-            let limit = limit(self).into_iter().chain(grace).min();
+            let silent = if wait == Wait::Event {
+                self.watch_line();
+                self.silent_event_limit()
+            } else {
+                None
+            };
+            let limit = silent.into_iter().chain(grace).min();
             let problem_state = self.problem_state();
             match problem_state.wait_as_spu(limit, |state| poll(self, state)) {
                 Waited::Ready(value) => return Ok(value),
@@ -130,27 +223,64 @@ impl<'a> RunningChannels<'a> {
     }
 
     /// Sleeps until `take` finds something, then tells those who wait for the room it left.
-    fn receive(&mut self, mut take: impl FnMut(&mut State) -> Option<u32>) -> Result<u32, Stop> {
-        let value = self.sleep(|_| None, |_, state| take(state))?;
+    fn receive(
+        &mut self,
+        wait: Wait,
+        mut take: impl FnMut(&mut State) -> Option<u32>,
+    ) -> Result<u32, Stop> {
+        let value = self.sleep(wait, |_, state| take(state))?;
         self.problem_state().announce();
         Ok(value)
     }
 
+    fn receive_signal(&mut self, at: usize) -> Result<u32, Stop> {
+        let word = self.receive(Wait::Signal, |state| state.signals[at].read())?;
+        if self.simulated().is_some() {
+            let arrives = self.problem_state().with(|state| state.signals_arrive[at]);
+            self.sleep_until(arrives, Wait::Signal);
+        }
+        Ok(word)
+    }
+
     /// Sleeps until `give` finds room, then tells those who wait for the data.
     fn send(&mut self, mut give: impl FnMut(&mut State) -> bool) -> Result<(), Stop> {
-        self.sleep(|_| None, |_, state| give(state).then_some(()))?;
+        self.sleep(Wait::Mailbox, |_, state| give(state).then_some(()))?;
         self.problem_state().announce();
         Ok(())
     }
 
     /// Sleeps in a channel that only the SPU's own queue can fill. It is called when nothing in the
     /// queue may run, so only a stop ends it.
-    fn sleep_for_ever<T>(&mut self) -> Result<T, Stop> {
-        self.sleep(|_| None, |_, _| None)
+    fn sleep_for_ever<T>(&mut self, wait: Wait) -> Result<T, Stop> {
+        self.sleep(wait, |_, _| None)
     }
 
+    /// Sleeps until the MFC yields, which only its own commands can bring about.
+    fn sleep_for_mfc<T>(
+        &mut self,
+        wait: Wait,
+        mut poll: impl FnMut(&mut SpuSide, Path<'a>) -> Result<Option<T>, DmaError>,
+    ) -> Result<T, Stop> {
+        loop {
+            if wait == Wait::Queue {
+                self.turn();
+            }
+            if let Some(value) = self.mfc(&mut poll)? {
+                return Ok(value);
+            }
+            match self.own.mfc.transfers().and_then(Transfers::next) {
+                Some(complete) => self.sleep_until(complete, wait),
+                None => return self.sleep_for_ever(wait),
+            }
+        }
+    }
+
+    /// Of the time base: simulated, or the host's.
     fn now(&self) -> u64 {
-        self.spe.interconnect.clock().ticks()
+        match self.simulated() {
+            Some(_) => simulated::ticks(self.clock.borrow().now()),
+            None => self.spe.interconnect.clock().ticks(),
+        }
     }
 
     /// Raises the decrementer's event, which nobody announces.
@@ -176,32 +306,56 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    fn silent_event_limit(&self) -> Option<Duration> {
-        let mask = self.problem_state().with(|state| state.events.mask());
-        let decrementer = (mask & event::DECREMENTER != 0)
+    fn event_mask(&self) -> u32 {
+        self.problem_state().with(|state| state.events.mask())
+    }
+
+    /// Ticks to the decrementer's event, if it is awaited.
+    fn decrementer_ticks(&self) -> Option<u64> {
+        (self.event_mask() & event::DECREMENTER != 0)
             .then(|| self.own.decrementer.until_event(self.now()))
             .flatten()
-            .map(|ticks| self.spe.interconnect.clock().host_time(ticks));
-        let line = (mask & event::RESERVATION_LOST != 0
+    }
+
+    /// How often to look at the reserved line, if its loss is awaited.
+    fn line_watch(&self) -> Option<Duration> {
+        (self.event_mask() & event::RESERVATION_LOST != 0
             && self.problem_state().reservation().line().is_some())
-        .then_some(LINE_WATCH);
-        [decrementer, line].into_iter().flatten().min()
+        .then_some(LINE_WATCH)
+    }
+
+    /// How long the host may sleep without missing an event that nobody announces.
+    fn silent_event_limit(&self) -> Option<Duration> {
+        let clock = self.spe.interconnect.clock();
+        let decrementer = self.decrementer_ticks().map(|ticks| clock.host_time(ticks));
+        [decrementer, self.line_watch()].into_iter().flatten().min()
+    }
+
+    /// The same in simulated time, in which commands become complete too.
+    fn silent_event_cycle(&self) -> Option<u64> {
+        let now = self.clock.borrow().now();
+        let decrementer = self
+            .decrementer_ticks()
+            .map(|ticks| simulated::cycle_of_tick(self.now().saturating_add(ticks)));
+        let line = self
+            .line_watch()
+            .map(|watch| now + simulated::cycles(watch));
+        let mfc = (self.event_mask() & (event::TAG_STATUS | event::QUEUE_ROOM) != 0)
+            .then(|| self.own.mfc.transfers().and_then(Transfers::next))
+            .flatten();
+        [decrementer, line, mfc].into_iter().flatten().min()
     }
 
     fn read_events(&mut self) -> Result<u32, Stop> {
-        self.sleep(
-            |channels| {
-                channels.watch_line();
-                channels.silent_event_limit()
-            },
-            |channels, state| {
-                channels.poll_decrementer(state);
-                state.events.read()
-            },
-        )
+        self.sleep(Wait::Event, |channels, state| {
+            channels.poll_decrementer(state);
+            state.events.read()
+        })
     }
 
     fn event_count(&mut self) -> bool {
+        self.turn();
+        self.settle();
         self.watch_line();
         let problem_state = self.problem_state();
         problem_state.with(|state| {
@@ -225,36 +379,47 @@ impl Channels for RunningChannels<'_> {
     fn read(&mut self, channel: u8) -> Result<u32, Stop> {
         match channel {
             RD_EVENT_STAT => self.read_events(),
-            RD_SIG_NOTIFY_1 => self.receive(|state| state.signals[0].read()),
-            RD_SIG_NOTIFY_2 => self.receive(|state| state.signals[1].read()),
+            RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 => {
+                self.receive_signal(usize::from(channel - RD_SIG_NOTIFY_1))
+            }
             RD_DEC => Ok(self.own.decrementer.value(self.now())),
-            RD_EVENT_MASK => Ok(self.problem_state().with(|state| state.events.mask())),
+            RD_EVENT_MASK => Ok(self.event_mask()),
             RD_TAG_MASK => Ok(self.own.mfc.tag_mask()),
             RD_MACH_STAT => Ok(u32::from(self.own.interrupts_enabled)),
             RD_SRR0 => Ok(self.own.srr0),
-            RD_TAG_STAT => match self.mfc(SpuSide::read_tag_status)? {
-                Some(status) => Ok(status),
-                None => self.sleep_for_ever(),
-            },
-            RD_LIST_STALL_STAT => match self.mfc(SpuSide::read_stalled)? {
-                Some(tags) => Ok(tags),
-                None => self.sleep_for_ever(),
-            },
+            RD_TAG_STAT => self.sleep_for_mfc(Wait::Tag, SpuSide::read_tag_status),
+            RD_LIST_STALL_STAT => {
+                let tags = self.sleep_for_mfc(Wait::List, SpuSide::read_stalled)?;
+                if let Some(transfers) = self.own.mfc.transfers() {
+                    self.sleep_until(transfers.stalled_at(), Wait::List);
+                }
+                Ok(tags)
+            }
             RD_ATOMIC_STAT => match self.own.mfc.read_atomic_status() {
-                Some(status) => Ok(status),
-                None => self.sleep_for_ever(),
+                Some(status) => {
+                    if let Some(transfers) = self.own.mfc.transfers() {
+                        self.sleep_until(transfers.atomic_at(), Wait::Atomic);
+                    }
+                    Ok(status)
+                }
+                None => self.sleep_for_ever(Wait::Atomic),
             },
-            RD_IN_MBOX => self.receive(|state| state.inbound.read()),
+            RD_IN_MBOX => self.receive(Wait::Mailbox, |state| state.inbound.read()),
             _ => Err(Stop::InvalidChannel(channel, ChannelAccess::Read)),
         }
     }
 
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop> {
         match channel {
-            WR_EVENT_MASK => self
-                .problem_state()
-                .with(|state| state.events.set_mask(value)),
-            WR_EVENT_ACK => self.acknowledge(value),
+            WR_EVENT_MASK => {
+                self.turn();
+                self.problem_state()
+                    .with(|state| state.events.set_mask(value));
+            }
+            WR_EVENT_ACK => {
+                self.turn();
+                self.acknowledge(value);
+            }
             WR_DEC => {
                 let now = self.now();
                 self.own.decrementer.load(value, now);
@@ -274,17 +439,16 @@ impl Channels for RunningChannels<'_> {
             }
             SIZE => self.own.mfc.parameters.size = value,
             TAG_ID => self.own.mfc.parameters.tag = value,
-            CMD => {
-                if self.mfc(|mfc, path| mfc.command(value, path))?.is_none() {
-                    return self.sleep_for_ever();
-                }
-            }
+            CMD => self.sleep_for_mfc(Wait::Queue, |mfc, path| mfc.command(value, path))?,
             WR_TAG_MASK => self.mfc(|mfc, _| {
                 mfc.set_tag_mask(value);
                 Ok(())
             })?,
             WR_TAG_UPDATE => self.mfc(|mfc, path| mfc.request_tag_status(value, path))?,
-            WR_LIST_STALL_ACK => self.mfc(|mfc, path| mfc.resume(value, path))?,
+            WR_LIST_STALL_ACK => {
+                self.turn();
+                self.mfc(|mfc, path| mfc.resume(value, path))?;
+            }
             WR_OUT_MBOX => self.send(|state| state.outbound.write(value))?,
             WR_OUT_INTR_MBOX => self.send(|state| state.outbound_interrupt.write(value))?,
             _ => return Err(Stop::InvalidChannel(channel, ChannelAccess::Write)),
@@ -294,18 +458,32 @@ impl Channels for RunningChannels<'_> {
 
     fn count(&mut self, channel: u8) -> Result<u32, Stop> {
         let count = |waiting: usize| waiting as u32;
+        if matches!(
+            channel,
+            RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 | WR_OUT_MBOX | RD_IN_MBOX | WR_OUT_INTR_MBOX
+        ) {
+            self.turn();
+        }
         match channel {
             RD_EVENT_STAT => Ok(u32::from(self.event_count())),
             RD_SIG_NOTIFY_1 | RD_SIG_NOTIFY_2 => {
                 let at = usize::from(channel - RD_SIG_NOTIFY_1);
-                Ok(self
-                    .problem_state()
-                    .with(|state| u32::from(state.signals[at].waiting())))
+                let now = self.clock.borrow().now();
+                Ok(self.problem_state().with(|state| {
+                    let there = self.simulated().is_none() || state.signals_arrive[at] <= now;
+                    u32::from(there && state.signals[at].waiting())
+                }))
             }
             CMD => self.mfc(SpuSide::room),
             RD_TAG_STAT => self.mfc(SpuSide::tag_status_count),
-            RD_LIST_STALL_STAT => self.mfc(SpuSide::stalled_count),
-            RD_ATOMIC_STAT => Ok(self.own.mfc.atomic_status_count()),
+            RD_LIST_STALL_STAT => {
+                let count = self.mfc(SpuSide::stalled_count)?;
+                Ok(count * self.arrived(Transfers::stalled_at))
+            }
+            RD_ATOMIC_STAT => {
+                let count = self.own.mfc.atomic_status_count();
+                Ok(count * self.arrived(Transfers::atomic_at))
+            }
             WR_OUT_MBOX => Ok(self
                 .problem_state()
                 .with(|state| count(state.outbound.room()))),

@@ -11,19 +11,22 @@ pub(crate) mod lock;
 mod problem_state;
 mod proxy;
 
+use std::cell::RefCell;
 use std::sync::{Arc, Mutex, Weak};
 use std::time::Instant;
 
 use crate::event;
-use crate::interp::Spu;
+use crate::interp::{Observer, Spu};
+use crate::isa::Instruction;
 use crate::local_store::LocalStore;
 use crate::mfc::interconnect::{Interconnect, Unit};
 use crate::mfc::{DmaError, Policy};
 use crate::signal::{SignalMode, SignalRegister};
+use crate::simulated::{Simulation, SpeSide, SpuClock, Timed};
 use crate::stop::{Stop, Stopped};
 use channels::{RunningChannels, SpuState};
 use lock::lock;
-use problem_state::ProblemState;
+use problem_state::{ProblemState, State};
 use proxy::Proxy;
 
 pub use proxy::{ProxyCommand, TagWait};
@@ -40,13 +43,25 @@ pub trait Watcher: Send + Sync {
 pub struct Config {
     /// Modes of signal-notification registers 1 and 2.
     pub signal_modes: [SignalMode; 2],
-    /// When MFC commands are carried out.
+    /// When MFC commands are carried out. In simulated time their data always moves at once.
     pub policy: Policy,
 }
 
 struct Engine {
     spu: Spu,
     state: SpuState,
+    clock: RefCell<SpuClock>,
+}
+
+/// The clock of simulated time, and whoever else watches.
+struct Both<'a, A, B>(A, &'a mut B);
+
+impl<A: Observer, B: Observer> Observer for Both<'_, A, B> {
+    #[inline]
+    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
+        self.0.before_instruction(spu, instruction);
+        self.1.before_instruction(spu, instruction);
+    }
 }
 
 /// A synergistic processor element.
@@ -56,13 +71,22 @@ pub struct Spe {
     problem_state: Arc<ProblemState>,
     engine: Mutex<Engine>,
     proxy: Mutex<Proxy>,
+    simulated: Option<SpeSide>,
 }
 
 impl Spe {
     /// A new SPE on `interconnect`: local store and registers are 0.
     #[must_use]
     pub fn new(interconnect: &Arc<Interconnect>, config: Config) -> Arc<Self> {
-        let problem_state = Arc::new(ProblemState::new(config.signal_modes));
+        let simulated = interconnect.simulation().map(SpeSide::new);
+        let sleepers = simulated
+            .as_ref()
+            .map(|side| (Arc::clone(&side.simulation), side.key()));
+        let policy = match simulated {
+            Some(_) => Policy::AtOnce,
+            None => config.policy,
+        };
+        let problem_state = Arc::new(ProblemState::new(config.signal_modes, sleepers));
         let unit: Arc<dyn Unit> = problem_state.clone();
         interconnect.attach(Arc::downgrade(&unit));
         Arc::new(Self {
@@ -71,9 +95,11 @@ impl Spe {
             problem_state,
             engine: Mutex::new(Engine {
                 spu: Spu::default(),
-                state: SpuState::new(config.policy),
+                state: SpuState::new(policy, simulated.is_some()),
+                clock: RefCell::default(),
             }),
-            proxy: Mutex::new(Proxy::new(config.policy)),
+            proxy: Mutex::new(Proxy::new(policy)),
+            simulated,
         })
     }
 
@@ -91,35 +117,73 @@ impl Spe {
 
     /// Like [`run`](Self::run), but lets `prepare` set registers before the first instruction.
     pub fn run_prepared(&self, entry: u32, prepare: impl FnOnce(&mut Spu)) -> Stopped {
+        let mut stopped = self.run_observed(entry, u64::MAX, &mut (), prepare);
+        loop {
+            if let Some(stopped) = stopped {
+                return stopped;
+            }
+            let pc = self.with_spu(Spu::pc);
+            stopped = self.run_observed(pc, u64::MAX, &mut (), |_| ());
+        }
+    }
+
+    /// Like [`run_prepared`](Self::run_prepared), under the eyes of `observer` and for at most `limit`
+    /// instructions; `None` if the SPU would go on after them.
+    pub fn run_observed<O: Observer>(
+        &self,
+        entry: u32,
+        limit: u64,
+        observer: &mut O,
+        prepare: impl FnOnce(&mut Spu),
+    ) -> Option<Stopped> {
         let mut engine = lock(&self.engine);
-        let Engine { spu, state } = &mut *engine;
+        let Engine { spu, state, clock } = &mut *engine;
+        let clock: &RefCell<SpuClock> = clock;
         spu.set_pc(entry);
         prepare(spu);
+        if let Some(side) = &self.simulated {
+            side.start(clock);
+        }
         let mut channels = RunningChannels {
             own: state,
             spe: self,
+            clock,
+        };
+        let stop_at = |pc, reason| Stopped {
+            reason,
+            pc,
+            npc: pc,
         };
         let mut stopped = if self.problem_state.stop_requested() {
-            let pc = spu.pc();
-            Stopped {
-                reason: Stop::Requested,
-                pc,
-                npc: pc,
-            }
+            Some(stop_at(spu.pc(), Stop::Requested))
         } else {
-            spu.run(&self.local_store, &mut channels)
+            match &self.simulated {
+                None => spu.run_observed(&self.local_store, &mut channels, limit, observer),
+                Some(side) => {
+                    let mut both = Both(Timed::new(clock, &side.actor), observer);
+                    spu.run_observed(&self.local_store, &mut channels, limit, &mut both)
+                }
+            }
         };
         if let Err(fault) = channels.finish_commands() {
+            let pc = spu.pc();
+            let stopped = stopped.get_or_insert_with(|| stop_at(pc, Stop::Requested));
             stopped.reason = fault;
         }
         self.finish_proxy_commands();
-        if stopped.reason == Stop::Requested
+        if let Some(stopped) = &mut stopped
+            && stopped.reason == Stop::Requested
             && let Some(fault) = self.problem_state.take_stop_request()
         {
             stopped.reason = Stop::Dma(fault);
         }
-        drop(engine);
-        self.problem_state.announce();
+        match &self.simulated {
+            Some(side) => side.end(clock, state.mfc(), || self.problem_state.announce()),
+            None => {
+                drop(engine);
+                self.problem_state.announce();
+            }
+        }
         stopped
     }
 
@@ -133,16 +197,66 @@ impl Spe {
         self.problem_state.request_stop(None);
     }
 
+    /// The simulated time that the SPE is in, if it is.
+    #[must_use]
+    pub fn simulation(&self) -> Option<&Arc<Simulation>> {
+        self.interconnect.simulation()
+    }
+
+    /// In simulated time: `body` as one call of a PPE thread, in its turn. Else just `body`.
+    pub fn act<T>(&self, body: impl FnOnce() -> T) -> T {
+        match &self.simulated {
+            Some(side) => side.simulation.act(body),
+            None => body(),
+        }
+    }
+
+    /// In simulated time: the SPE is loaded and is to be run soon by some thread, so the others are not
+    /// to run ahead of it.
+    pub fn expect_run(&self) {
+        if let Some(side) = &self.simulated {
+            side.expect();
+        }
+    }
+
+    /// Gives the local store the effective address `ea` as far as simulated time is concerned.
+    pub fn map_local_store(&self, ea: u64) {
+        let unit: Arc<dyn Unit> = self.problem_state.clone();
+        self.interconnect.map_local_store(ea, Arc::downgrade(&unit));
+    }
+
+    /// A PPE thread looks at the problem state.
+    fn look<T>(&self, look: impl FnOnce(&mut State) -> T) -> T {
+        self.act(|| self.problem_state.with(look))
+    }
+
+    /// A PPE thread sleeps until `poll` yields or the deadline has passed.
+    fn wait<T>(
+        &self,
+        deadline: Option<Instant>,
+        mut poll: impl FnMut(&mut State) -> Option<T>,
+    ) -> Option<T> {
+        match &self.simulated {
+            None => self.problem_state.wait(deadline, poll),
+            Some(side) => {
+                let left = |deadline: Instant| deadline.saturating_duration_since(Instant::now());
+                let limit = deadline.map(left);
+                let poll = || self.problem_state.with(&mut poll);
+                side.simulation.wait(side.key(), limit, poll)
+            }
+        }
+    }
+
     /// Words that the inbound mailbox can take.
     #[must_use]
     pub fn inbound_room(&self) -> usize {
-        self.problem_state.with(|state| state.inbound.room())
+        self.look(|state| state.inbound.room())
     }
 
     /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline passed.
     /// A deadline that has passed already makes it a try; none makes it wait for ever.
     pub fn write_inbound(&self, word: u32, deadline: Option<Instant>) -> bool {
-        let written = self.problem_state.wait(deadline, |state| {
+        let written = self.wait(deadline, |state| {
             let was_empty = state.inbound.waiting() == 0;
             let written = state.inbound.write(word);
             if written && was_empty {
@@ -159,12 +273,12 @@ impl Spe {
     /// Words in the outbound mailbox.
     #[must_use]
     pub fn outbound_waiting(&self) -> usize {
-        self.problem_state.with(|state| state.outbound.waiting())
+        self.look(|state| state.outbound.waiting())
     }
 
     /// Takes a word from the outbound mailbox; sleeps while it is empty, until the deadline.
     pub fn read_outbound(&self, deadline: Option<Instant>) -> Option<u32> {
-        let word = self.problem_state.wait(deadline, |state| {
+        let word = self.wait(deadline, |state| {
             let word = state.outbound.read()?;
             state.events.raise(event::OUTBOUND_ROOM);
             Some(word)
@@ -178,14 +292,13 @@ impl Spe {
     /// Words in the outbound interrupt mailbox.
     #[must_use]
     pub fn outbound_interrupt_waiting(&self) -> usize {
-        self.problem_state
-            .with(|state| state.outbound_interrupt.waiting())
+        self.look(|state| state.outbound_interrupt.waiting())
     }
 
     /// Takes a word from the outbound interrupt mailbox; sleeps while it is empty, until the
     /// deadline.
     pub fn read_outbound_interrupt(&self, deadline: Option<Instant>) -> Option<u32> {
-        let word = self.problem_state.wait(deadline, |state| {
+        let word = self.wait(deadline, |state| {
             let word = state.outbound_interrupt.read()?;
             state.events.raise(event::OUTBOUND_INTERRUPT_ROOM);
             Some(word)
@@ -198,7 +311,7 @@ impl Spe {
 
     /// Writes a signal-notification register.
     pub fn signal(&self, register: SignalRegister, word: u32) {
-        self.problem_state.signal(register, word);
+        self.act(|| self.problem_state.signal(register, word));
     }
 
     /// Gives a signal-notification register the effective address `ea`, so that the `sndsig` of
@@ -216,7 +329,7 @@ impl Spe {
 
     /// Tells the watchers to look again: for what the SPE's owner keeps beside it.
     pub fn announce(&self) {
-        self.problem_state.announce();
+        self.act(|| self.problem_state.announce());
     }
 
     /// Ends one [`watch`](Self::watch) of this watcher.

@@ -14,12 +14,15 @@ use crate::mailbox::{INBOUND_DEPTH, Mailbox, OUTBOUND_DEPTH};
 use crate::mfc::DmaError;
 use crate::mfc::interconnect::{Reservation, Unit};
 use crate::signal::{Signal, SignalMode, SignalRegister};
+use crate::simulated::{Simulation, WaitKey};
 
 pub(crate) struct State {
     pub inbound: Mailbox,
     pub outbound: Mailbox,
     pub outbound_interrupt: Mailbox,
     pub signals: [Signal; 2],
+    /// From which cycle of simulated time on each signal can be read.
+    pub signals_arrive: [u64; 2],
     pub events: Events,
     /// A proxy command that failed: stops the SPU.
     pub fault: Option<DmaError>,
@@ -38,16 +41,22 @@ pub(crate) struct ProblemState {
     stop: AtomicBool,
     watchers: Mutex<Vec<Arc<dyn Watcher>>>,
     reservation: Reservation,
+    /// In simulated time: whom to tell that sleepers may be awake.
+    sleepers: Option<(Arc<Simulation>, WaitKey)>,
 }
 
 impl ProblemState {
-    pub(crate) fn new(signals: [SignalMode; 2]) -> Self {
+    pub(crate) fn new(
+        signals: [SignalMode; 2],
+        sleepers: Option<(Arc<Simulation>, WaitKey)>,
+    ) -> Self {
         Self {
             state: Mutex::new(State {
                 inbound: Mailbox::new(INBOUND_DEPTH),
                 outbound: Mailbox::new(OUTBOUND_DEPTH),
                 outbound_interrupt: Mailbox::new(OUTBOUND_DEPTH),
                 signals: signals.map(Signal::new),
+                signals_arrive: [0; 2],
                 events: Events::default(),
                 fault: None,
             }),
@@ -55,6 +64,14 @@ impl ProblemState {
             stop: AtomicBool::new(false),
             watchers: Mutex::default(),
             reservation: Reservation::new(),
+            sleepers,
+        }
+    }
+
+    fn wake(&self) {
+        self.changed.notify_all();
+        if let Some((simulation, key)) = &self.sleepers {
+            simulation.wake(*key);
         }
     }
 
@@ -72,7 +89,7 @@ impl ProblemState {
 
     /// Wakes whoever may wait for a change that was just made.
     pub(crate) fn announce(&self) {
-        self.changed.notify_all();
+        self.wake();
         let watchers = lock(&self.watchers).clone();
         for watcher in watchers {
             watcher.changed();
@@ -94,7 +111,7 @@ impl ProblemState {
     pub(crate) fn raise(&self, events: u32) {
         if events != 0 {
             self.with(|state| state.events.raise(events));
-            self.changed.notify_all();
+            self.wake();
         }
     }
 
@@ -169,10 +186,18 @@ impl Unit for ProblemState {
         self.raise(event::RESERVATION_LOST);
     }
 
+    fn signal_arrives(&self, register: SignalRegister, cycle: u64) {
+        self.with(|state| {
+            let arrives = &mut state.signals_arrive[register as usize];
+            *arrives = cycle.max(*arrives);
+        });
+    }
+
     fn signal(&self, register: SignalRegister, word: u32) {
-        let (at, event) = match register {
-            SignalRegister::One => (0, event::SIGNAL_1),
-            SignalRegister::Two => (1, event::SIGNAL_2),
+        let at = register as usize;
+        let event = match register {
+            SignalRegister::One => event::SIGNAL_1,
+            SignalRegister::Two => event::SIGNAL_2,
         };
         self.change(|state| {
             if state.signals[at].write(word) {

@@ -2,7 +2,8 @@
 //!
 //! The thread that calls carries the commands out, so nothing here waits for the SPU: on the console
 //! a proxy command of a context that does not run waits until it does. A command that fails while
-//! it runs stops the SPU, as the hardware's interrupt does.
+//! it runs stops the SPU, as the hardware's interrupt does. In simulated time a command takes as long as
+//! the call that gives it.
 
 use super::Spe;
 use super::lock::lock;
@@ -55,6 +56,7 @@ impl Spe {
             local_store: &self.local_store,
             interconnect: &self.interconnect,
             unit: &*self.problem_state,
+            moved: None,
         };
         match proxy.queue.run_one(tags, path) {
             Ok(ran) => ran.is_some(),
@@ -80,6 +82,11 @@ impl Spe {
             tag: command.tag,
         };
         let command = Command::new(command.opcode, parameters, Side::Proxy)?;
+        self.act(|| self.enqueue_proxy(command));
+        Ok(())
+    }
+
+    fn enqueue_proxy(&self, command: Command) {
         let mut proxy = lock(&self.proxy);
         if proxy.queue.room() == 0 {
             // Without lists there is always an oldest command that may run.
@@ -91,11 +98,14 @@ impl Spe {
         }
         drop(proxy);
         self.problem_state.announce();
-        Ok(())
     }
 
     /// The tags of `mask` that have nothing outstanding in the proxy queue.
     pub fn proxy_tags(&self, mask: u32, wait: TagWait) -> u32 {
+        self.act(|| self.idle_proxy_tags(mask, wait))
+    }
+
+    fn idle_proxy_tags(&self, mask: u32, wait: TagWait) -> u32 {
         let mut proxy = lock(&self.proxy);
         loop {
             let idle = mask & !proxy.queue.busy_tags();

@@ -1,0 +1,56 @@
+//! `spu dump`: what an SPU program is made of.
+
+mod listing;
+mod map;
+
+use std::io::{self, Write as _};
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::Args;
+
+use crate::failure::Failure;
+use crate::image::{parse, place, read};
+use map::Map;
+
+const EXAMPLES: &str = "\
+Examples:
+  spu dump program.elf           entry, local store, notes, disassembly
+  spu dump --map program.elf     without the disassembly
+  spu dump program.elf | less";
+
+/// Show an SPU program: entry, map of local store, notes, disassembly.
+///
+/// Labels come from the symbols, source lines from the line table, as far as the file has them.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Options {
+    /// SPU ELF executable
+    program: PathBuf,
+    /// Only entry, map and notes
+    #[arg(long)]
+    map: bool,
+}
+
+pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
+    let bytes = read(&options.program)?;
+    let image = parse(&options.program, &bytes)?;
+    let map = Map::of(&bytes).map_err(|error| Failure::Elf {
+        path: options.program.clone(),
+        error,
+    })?;
+    let mut text = format!("entry  {}\n", place(&image, image.entry()));
+    map.write(&mut text);
+    if !options.map {
+        let listed = listing::write(&bytes, &image, &mut text);
+        listed.map_err(|what| Failure::Contents {
+            path: options.program.clone(),
+            what,
+        })?;
+    }
+    match io::stdout().write_all(text.as_bytes()) {
+        // Whoever closed the pipe has seen enough.
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(ExitCode::SUCCESS),
+    }
+}

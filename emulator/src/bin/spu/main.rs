@@ -1,0 +1,48 @@
+//! `spu`: SPU programs without a PPE program.
+
+mod dump;
+mod failure;
+mod image;
+mod run;
+mod time;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+use failure::{USAGE, fail};
+
+/// Runs, traces and takes apart programs of the Cell Broadband Engine's SPU.
+#[derive(Parser)]
+#[command(name = "spu", version, max_term_width = 100)]
+struct CommandLine {
+    #[command(subcommand)]
+    verb: Verb,
+}
+
+#[derive(Subcommand)]
+enum Verb {
+    Run(Box<run::Options>),
+    Dump(dump::Options),
+    Time(Box<time::Arguments>),
+}
+
+fn main() -> ExitCode {
+    let line = match CommandLine::try_parse() {
+        Ok(line) => line,
+        Err(error) => {
+            // If not even that can be printed, the status says it.
+            let _ = error.print();
+            return if error.use_stderr() {
+                USAGE.into()
+            } else {
+                ExitCode::SUCCESS
+            };
+        }
+    };
+    let done = match line.verb {
+        Verb::Run(options) => run::run(&options),
+        Verb::Dump(options) => dump::dump(&options),
+        Verb::Time(arguments) => time::run(&arguments).map_err(Into::into),
+    };
+    done.unwrap_or_else(|failure| fail(&failure))
+}

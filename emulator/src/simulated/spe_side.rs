@@ -1,0 +1,135 @@
+//! One SPE in the race: its start and end, its acts, and the figures that it publishes.
+
+use std::cell::RefCell;
+use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::{Arc, Mutex};
+use std::time::Duration;
+
+use super::memory_system::Peer;
+use super::report::SpeReport;
+use super::turnstile::{Actor, Rank};
+use super::{Movement, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES};
+use super::{Simulation, SpuClock, Transfers, Wait, WaitKey};
+use crate::mfc::Interconnect;
+use crate::mfc::command::{Command, Operation};
+use crate::mfc::spu_side::SpuSide;
+use crate::spe::lock::lock;
+
+/// From the call that runs an SPE to its first instruction.
+const START_CYCLES: u64 = PPE_CALL_CYCLES + PPE_RUN_CYCLES;
+
+/// What an SPE keeps for simulated time beside its clock, which belongs to whoever runs the SPU.
+pub(crate) struct SpeSide {
+    pub simulation: Arc<Simulation>,
+    pub actor: Actor,
+    /// When the SPE was last made ready to run.
+    ready: AtomicU64,
+    /// Of those who wait for a change of this SPE.
+    key: WaitKey,
+    /// What MFC commands have moved since it was last timed.
+    pub moved: Mutex<Vec<Movement>>,
+    report: Arc<Mutex<SpeReport>>,
+}
+
+impl SpeSide {
+    pub fn new(simulation: &Arc<Simulation>) -> Self {
+        let (number, report) = simulation.add_spe();
+        Self {
+            simulation: Arc::clone(simulation),
+            actor: Actor::spe(&simulation.turnstile, Rank::spe(number)),
+            ready: AtomicU64::new(0),
+            key: simulation.new_key(),
+            moved: Mutex::default(),
+            report,
+        }
+    }
+
+    pub fn key(&self) -> WaitKey {
+        self.key
+    }
+
+    /// The SPE is to be run soon: nobody's clock passes the first that it could then show.
+    pub fn expect(&self) {
+        let ready = self.simulation.this_thread(None).resume();
+        let ready = ready.max(self.ready.fetch_max(ready, SeqCst));
+        self.actor.expect(ready + START_CYCLES);
+    }
+
+    /// This thread becomes the SPU. Its own clock counts, or, if it is new, the time since which the
+    /// SPE has been ready: not the host's time at which the thread happens to come.
+    pub fn start(&self, clock: &RefCell<SpuClock>) {
+        let ready = self.ready.load(SeqCst);
+        let thread = self.simulation.this_thread(Some(ready));
+        let begins = ready.max(thread.resume()) + START_CYCLES;
+        clock.borrow_mut().start(begins);
+        thread.actor().give_way_to(&self.actor, begins);
+    }
+
+    /// The SPU has stopped; `announce` tells others so, and the thread is the PPE's again.
+    pub fn end(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide, announce: impl FnOnce()) {
+        self.turn(clock);
+        self.publish(clock, mfc);
+        announce();
+        let back = self.actor.clock() + PPE_WAKE_CYCLES;
+        self.ready.store(back, SeqCst);
+        let thread = self.simulation.this_thread(Some(back));
+        self.actor.give_way_to(thread.actor(), back);
+    }
+
+    /// Waits until the SPU may act.
+    pub fn turn(&self, clock: &RefCell<SpuClock>) {
+        let now = clock.borrow().now();
+        self.actor.turn(now);
+    }
+
+    /// Sleeps until somebody changes something of this SPE, or until `limit`.
+    pub fn sleep(
+        &self,
+        clock: &RefCell<SpuClock>,
+        wait: Wait,
+        limit: Option<u64>,
+        pause: Option<Duration>,
+    ) {
+        let now = self.actor.sleep(self.key, limit, pause);
+        clock.borrow_mut().sleep(now, wait);
+    }
+
+    /// Gives the commands that were just carried out their time.
+    pub fn time_movements(&self, mfc: &mut SpuSide, now: u64, interconnect: &Interconnect) {
+        let moved = std::mem::take(&mut *lock(&self.moved));
+        if !moved.is_empty() {
+            let mut memory = self.simulation.memory();
+            mfc.change_transfers(|transfers| {
+                for movement in &moved {
+                    let complete = transfers.add(movement, now, &mut memory);
+                    let Command { operation, ea, .. } = movement.command;
+                    if operation == Operation::SendSignal {
+                        interconnect.signal_arrives(ea, complete);
+                    } else if movement
+                        .pieces
+                        .iter()
+                        .any(|piece| piece.peer != Peer::Memory)
+                    {
+                        self.simulation.serialise();
+                    }
+                }
+            });
+        }
+    }
+
+    /// Shows the figures as they are.
+    pub fn publish(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide) {
+        let clock = clock.borrow();
+        *lock(&self.report) = SpeReport {
+            clock: clock.now(),
+            stopped: clock.stopped(),
+            account: clock.timer().pipeline.account().clone(),
+            waits: clock.waits(),
+            commands: mfc
+                .transfers()
+                .map(Transfers::commands)
+                .copied()
+                .unwrap_or_default(),
+        };
+    }
+}

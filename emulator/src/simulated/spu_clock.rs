@@ -1,0 +1,129 @@
+//! An SPU's clock: what the pipelines count, and the time in which it does not run.
+
+use std::cell::RefCell;
+
+use super::report::Waits;
+use super::turnstile::Actor;
+use crate::interp::{Observer, Spu};
+use crate::isa::Instruction;
+use crate::timing::{Cause, Timer};
+
+/// What an SPU sleeps for in a channel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Wait {
+    Mailbox,
+    Signal,
+    Event,
+    Tag,
+    List,
+    Atomic,
+    Queue,
+}
+
+impl Wait {
+    fn cause(self) -> Cause {
+        match self {
+            Self::Mailbox | Self::Signal | Self::Event => Cause::Channel,
+            Self::Tag | Self::List | Self::Atomic | Self::Queue => Cause::Dma,
+        }
+    }
+
+    fn of(self, waits: &mut Waits) -> &mut u64 {
+        match self {
+            Self::Mailbox => &mut waits.mailbox,
+            Self::Signal => &mut waits.signal,
+            Self::Event => &mut waits.event,
+            Self::Tag => &mut waits.tag,
+            Self::List => &mut waits.list,
+            Self::Atomic => &mut waits.atomic,
+            Self::Queue => &mut waits.queue,
+        }
+    }
+}
+
+/// Invariant: the clock is the pipelines' clock and `stopped`.
+#[derive(Debug, Default)]
+pub(crate) struct SpuClock {
+    timer: Timer,
+    stopped: u64,
+    waits: Waits,
+}
+
+impl SpuClock {
+    pub fn now(&self) -> u64 {
+        self.stopped + self.timer.pipeline.clock()
+    }
+
+    pub fn timer(&self) -> &Timer {
+        &self.timer
+    }
+
+    pub fn stopped(&self) -> u64 {
+        self.stopped
+    }
+
+    pub fn waits(&self) -> Waits {
+        self.waits
+    }
+
+    /// The SPU starts at `cycle`, having stood still until then.
+    pub fn start(&mut self, cycle: u64) {
+        self.stopped += cycle.saturating_sub(self.now());
+    }
+
+    /// The SPU sleeps until `cycle` in the channel instruction that issued last.
+    pub fn sleep(&mut self, cycle: u64, wait: Wait) {
+        let slept = cycle.saturating_sub(self.now());
+        *wait.of(&mut self.waits) += slept;
+        let until = self.timer.pipeline.clock() + slept;
+        self.timer.pipeline.stall_until(until, wait.cause());
+    }
+}
+
+/// Instructions between two looks at the others' clocks: often enough not to hold them up, seldom
+/// enough to cost nothing.
+const INSTRUCTIONS_A_LOOK: u32 = 1024;
+/// The same where SPUs run one at a time: the spell for which one may be ahead of the others.
+const INSTRUCTIONS_A_SPELL: u32 = 256;
+
+/// Feeds the clock while the SPU runs.
+pub(crate) struct Timed<'a> {
+    clock: &'a RefCell<SpuClock>,
+    actor: &'a Actor,
+    /// To the next look.
+    left: u32,
+}
+
+impl<'a> Timed<'a> {
+    pub fn new(clock: &'a RefCell<SpuClock>, actor: &'a Actor) -> Self {
+        Self {
+            clock,
+            actor,
+            left: 0,
+        }
+    }
+}
+
+impl Observer for Timed<'_> {
+    #[inline]
+    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
+        let mut clock = self.clock.borrow_mut();
+        if self.left == 0 {
+            self.left = look(self.actor, clock.now());
+        }
+        self.left -= 1;
+        clock.timer.before_instruction(spu, instruction);
+    }
+}
+
+/// Lets others go first who are behind; gives the instructions to the next look.
+#[cold]
+fn look(actor: &Actor, now: u64) -> u32 {
+    if actor.runs_serially() {
+        actor.turn(now);
+        INSTRUCTIONS_A_SPELL
+    } else {
+        actor.progress(now);
+        INSTRUCTIONS_A_LOOK
+    }
+}

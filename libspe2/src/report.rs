@@ -1,0 +1,165 @@
+//! The report of simulated time: a JSON file.
+//!
+//! Invariant: the file at the path is whole at every moment, since each version is written beside it
+//! and then takes its place. It holds nothing of the host, so that equal runs give equal files.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
+
+use serde::Serialize;
+use spu_emulator::decrementer::TICKS_PER_SECOND;
+use spu_emulator::simulated::memory_system::CONSTANTS;
+use spu_emulator::simulated::{
+    self, CYCLES_PER_SECOND, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES, SpeReport,
+};
+use spu_emulator::timing::rules::MISS_CYCLES;
+
+/// Where the report goes.
+pub(crate) struct ReportFile {
+    path: PathBuf,
+    /// Held while a version is written.
+    beside: Mutex<PathBuf>,
+}
+
+impl ReportFile {
+    /// Fails if no report could be written there.
+    pub(crate) fn new(path: PathBuf) -> io::Result<Self> {
+        let mut name = match path.file_name() {
+            Some(name) if !path.is_dir() => name.to_owned(),
+            _ => return Err(io::Error::from_raw_os_error(libc::EISDIR)),
+        };
+        name.push(format!(".{}", std::process::id()));
+        let beside = path.with_file_name(name);
+        fs::write(&beside, "").and_then(|()| fs::remove_file(&beside))?;
+        Ok(Self {
+            path,
+            beside: Mutex::new(beside),
+        })
+    }
+
+    pub(crate) fn path(&self) -> &Path {
+        &self.path
+    }
+
+    pub(crate) fn write(&self, report: &simulated::Report) -> io::Result<()> {
+        let mut json = serde_json::to_vec_pretty(&Report::new(report))?;
+        json.push(b'\n');
+        let beside = self.beside.lock().unwrap_or_else(PoisonError::into_inner);
+        fs::write(&*beside, json)?;
+        fs::rename(&*beside, &self.path)
+    }
+}
+
+#[derive(Serialize)]
+struct Report {
+    cycles_per_second: u64,
+    timebase_per_second: u64,
+    /// The furthest clock.
+    cycles: u64,
+    seconds: f64,
+    /// Times that the SPEs did not wait for the PPE any longer.
+    absences: u64,
+    constants: BTreeMap<&'static str, u64>,
+    totals: Figures,
+    spes: Vec<Spe>,
+}
+
+#[derive(Serialize)]
+struct Spe {
+    /// Its clock: `stopped` and the cycles of its figures.
+    clock: u64,
+    stopped: u64,
+    #[serde(flatten)]
+    figures: Figures,
+}
+
+#[derive(Default, Serialize)]
+struct Figures {
+    /// Cycles in which it ran: the sum of `single_issue`, `dual_issue` and `stalls`.
+    cycles: u64,
+    instructions: u64,
+    single_issue: u64,
+    dual_issue: u64,
+    /// Share of the issuing cycles in which two instructions issued.
+    dual_issue_rate: f64,
+    stalls: BTreeMap<String, u64>,
+    /// Cycles that it did not sleep in a channel, and those that it did, by what it slept for.
+    busy: u64,
+    blocked: u64,
+    blocked_by: BTreeMap<&'static str, u64>,
+    dma_commands: u64,
+    atomic_commands: u64,
+    bytes_in: u64,
+    bytes_out: u64,
+}
+
+impl Report {
+    fn new(report: &simulated::Report) -> Self {
+        let mut constants = BTreeMap::from(CONSTANTS);
+        constants.extend([
+            ("branch_miss_cycles", MISS_CYCLES),
+            ("ppe_call_cycles", PPE_CALL_CYCLES),
+            ("ppe_run_cycles", PPE_RUN_CYCLES),
+            ("ppe_wake_cycles", PPE_WAKE_CYCLES),
+        ]);
+        let mut totals = Figures::default();
+        for spe in &report.spes {
+            totals.add(spe);
+        }
+        let spe = |spe: &SpeReport| {
+            let mut figures = Figures::default();
+            figures.add(spe);
+            Spe {
+                clock: spe.clock,
+                stopped: spe.stopped,
+                figures,
+            }
+        };
+        Self {
+            cycles_per_second: CYCLES_PER_SECOND,
+            timebase_per_second: TICKS_PER_SECOND,
+            cycles: report.clock(),
+            seconds: report.clock() as f64 / CYCLES_PER_SECOND as f64,
+            absences: report.absences,
+            constants,
+            totals,
+            spes: report.spes.iter().map(spe).collect(),
+        }
+    }
+}
+
+impl Figures {
+    fn add(&mut self, spe: &SpeReport) {
+        let account = &spe.account;
+        self.cycles += account.cycles();
+        self.instructions += account.instructions();
+        self.single_issue += account.single();
+        self.dual_issue += account.dual();
+        let issuing = self.single_issue + self.dual_issue;
+        self.dual_issue_rate = self.dual_issue as f64 / issuing.max(1) as f64;
+        for (cause, cycles) in account.waits() {
+            *self.stalls.entry(cause.to_string()).or_default() += cycles;
+        }
+        self.busy += spe.busy();
+        self.blocked += spe.waits.total();
+        let waits = &spe.waits;
+        for (name, cycles) in [
+            ("mailbox", waits.mailbox),
+            ("signal", waits.signal),
+            ("event", waits.event),
+            ("tag", waits.tag),
+            ("list", waits.list),
+            ("atomic", waits.atomic),
+            ("queue", waits.queue),
+        ] {
+            *self.blocked_by.entry(name).or_default() += cycles;
+        }
+        self.dma_commands += spe.commands.queued;
+        self.atomic_commands += spe.commands.atomic;
+        self.bytes_in += spe.commands.bytes_in;
+        self.bytes_out += spe.commands.bytes_out;
+    }
+}
