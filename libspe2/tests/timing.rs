@@ -1,0 +1,362 @@
+//! `LIBSPE2_TIMING` and `LIBSPE2_REPORT`. A program of its own and without the test harness: it runs
+//! itself again, as a program on libspe2 whose environment is its own affair.
+
+use std::ffi::{CString, OsStr};
+use std::fs;
+use std::os::unix::ffi::OsStrExt;
+use std::path::Path;
+use std::process::{Command, Output};
+use std::ptr;
+use std::thread;
+use std::time::Duration;
+
+use serde_json::Value;
+use spe2::context::{spe_context_create, spe_context_destroy};
+use spe2::event::{spe_event_handler_create, spe_event_handler_register, spe_event_wait};
+use spe2::image::{spe_image_open, spe_program_load};
+use spe2::mailbox::{spe_in_mbox_write, spe_out_intr_mbox_read, spe_out_mbox_read};
+use spe2::run::{spe_context_run, spe_stop_info_read};
+use spe2::types::{
+    SPE_DEFAULT_ENTRY, SPE_EVENT_OUT_INTR_MBOX, SPE_EVENT_SPE_STOPPED, SPE_EVENTS_ENABLE,
+    SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
+    SpeStopInfo, SpeStopResult,
+};
+
+const SPES: usize = 6;
+const FRAMES: u32 = 3;
+
+/// Adds to a shared counter until it is at 100 times the frame; answers with its own share. $4 is the
+/// counter's address, as libspe2 hands argp over.
+const PROGRAM: &str = "
+        lr      $2,$4
+        rotqbyi $3,$4,4
+        cwd     $14,0($13)
+frame:  rdch    $10,$ch29
+        brz     $10,over
+        mpyi    $10,$10,100
+        ila     $5,0
+take:   command GETLLAR, 0x10000, $3, 128, 0
+        rdch    $12,$ch27
+        lqa     $15,0x10000
+        clgt    $17,$10,$15
+        brz     $17,answer
+        ai      $16,$15,1
+        shufb   $16,$16,$15,$14
+        stqa    $16,0x10000
+        command PUTLLC, 0x10000, $3, 128, 0
+        rdch    $12,$ch27
+        brnz    $12,take
+        ai      $5,$5,1
+        ila     $20,100
+work:   fa      $21,$21,$22
+        ai      $20,$20,-1
+        brnz    $20,work
+        br      take
+answer: command GET, 0x11000, $3, 128, 4
+        wait_tags 1<<4
+        wrch    $ch30,$5
+        br      frame
+over:   wrch    $ch28,$5
+        stop    0x2007
+";
+
+#[repr(align(128))]
+struct Line([u8; 128]);
+
+#[derive(Clone, Copy)]
+struct Shared(*mut SpeContext);
+
+// SAFETY: libspe2 lets any thread use a context.
+unsafe impl Send for Shared {}
+
+fn last_error() -> std::io::Error {
+    std::io::Error::last_os_error()
+}
+
+fn mail(context: Shared, mut word: u32) {
+    // SAFETY: the context lives, and one word can be read.
+    let written = unsafe { spe_in_mbox_write(context.0, &raw mut word, 1, SPE_MBOX_ALL_BLOCKING) };
+    assert_eq!(written, 1);
+}
+
+fn unit(context: Shared, events: u32) -> SpeEventUnit {
+    SpeEventUnit {
+        events,
+        spe: context.0,
+        data: SpeEventData { u64: 0 },
+    }
+}
+
+fn run(context: Shared, argument: usize, delay: Duration) -> u32 {
+    thread::sleep(delay);
+    let mut entry = SPE_DEFAULT_ENTRY;
+    let argument = ptr::with_exposed_provenance_mut(argument);
+    // SAFETY: the context lives to the end of the process, and `entry` can be written.
+    let result = unsafe {
+        let (none, info) = (ptr::null_mut(), ptr::null_mut());
+        spe_context_run(context.0, &raw mut entry, 0, argument, none, info)
+    };
+    assert_eq!(result, 0, "{}", last_error());
+    entry
+}
+
+/// The program on libspe2: frames on six SPEs, whose answers it sleeps for. Of its contexts all but the
+/// last are destroyed.
+fn program(image: &OsStr, delay: Duration) {
+    let mut counter = Line([0; 128]);
+    let address = counter.0.as_mut_ptr().expose_provenance();
+    let name = CString::new(image.as_bytes()).unwrap();
+    // SAFETY: the name is a C string; everything below is given what was just created.
+    unsafe {
+        let image = spe_image_open(name.as_ptr());
+        assert!(!image.is_null(), "{}", last_error());
+        let handler = spe_event_handler_create();
+        let mut threads = Vec::new();
+        let mut contexts = Vec::new();
+        for number in 0..SPES {
+            let context = Shared(spe_context_create(SPE_EVENTS_ENABLE, ptr::null_mut()));
+            assert!(!context.0.is_null(), "{}", last_error());
+            assert_eq!(spe_program_load(context.0, image), 0);
+            let mut unit = unit(context, SPE_EVENT_OUT_INTR_MBOX | SPE_EVENT_SPE_STOPPED);
+            assert_eq!(spe_event_handler_register(handler, &raw mut unit), 0);
+            let delay = delay * ((number * 5) % SPES) as u32;
+            threads.push(thread::spawn(move || {
+                let context = context;
+                run(context, address, delay)
+            }));
+            contexts.push(context);
+        }
+        let mut sum = 0;
+        for frame in 1..=FRAMES {
+            for &context in &contexts {
+                thread::sleep(delay);
+                mail(context, frame);
+            }
+            let mut answers = 0;
+            while answers < SPES {
+                let mut found = unit(contexts[0], 0);
+                assert_eq!(spe_event_wait(handler, &raw mut found, 1, 200), 1);
+                assert_eq!(found.events, SPE_EVENT_OUT_INTR_MBOX);
+                let mut share = 0;
+                let read = SPE_MBOX_ANY_NONBLOCKING;
+                assert_eq!(
+                    spe_out_intr_mbox_read(found.spe, &raw mut share, 1, read),
+                    1
+                );
+                thread::sleep(delay);
+                sum += share;
+                answers += 1;
+            }
+        }
+        assert_eq!(sum, 100 * FRAMES);
+        for &context in &contexts {
+            mail(context, 0);
+        }
+        for thread in threads {
+            let mut found = unit(contexts[0], 0);
+            assert_eq!(spe_event_wait(handler, &raw mut found, 1, -1), 1);
+            assert_eq!(found.events, SPE_EVENT_SPE_STOPPED);
+            let mut info = SpeStopInfo {
+                stop_reason: 0,
+                result: SpeStopResult { reserved: 0 },
+                spu_status: 0,
+            };
+            assert_eq!(spe_stop_info_read(found.spe, &raw mut info), 0);
+            assert_eq!(info.result.code, 7);
+            thread.join().unwrap();
+        }
+        let mut last = 0;
+        assert_eq!(spe_out_mbox_read(contexts[0].0, &raw mut last, 1), 1);
+        // An event that does not come: 100 ms of the machine, in which nobody runs.
+        let mut none = unit(contexts[0], 0);
+        assert_eq!(spe_event_wait(handler, &raw mut none, 1, 100), 0);
+        for context in &contexts[1..] {
+            assert_eq!(spe_context_destroy(context.0), 0);
+        }
+    }
+}
+
+fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
+    let mut command = Command::new(std::env::current_exe().unwrap());
+    command.args(arguments).env_remove("LIBSPE2_TIMING");
+    command
+        .env_remove("LIBSPE2_REPORT")
+        .env_remove("LIBSPE2_MFC");
+    command.envs(environment.iter().copied()).output().unwrap()
+}
+
+/// Runs the program; its report.
+fn report(image: &Path, folder: &Path, delay: &str) -> String {
+    let path = folder.join("report.json");
+    let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new(delay)];
+    let environment = [
+        ("LIBSPE2_TIMING", OsStr::new("1")),
+        ("LIBSPE2_REPORT", path.as_os_str()),
+    ];
+    let output = child(&arguments, &environment);
+    assert!(output.status.success(), "{output:?}");
+    assert!(output.stderr.is_empty(), "{output:?}");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::remove_file(path).unwrap();
+    text
+}
+
+fn number(value: &Value, name: &str) -> u64 {
+    value[name]
+        .as_u64()
+        .unwrap_or_else(|| panic!("{name}: {}", value[name]))
+}
+
+fn sum(value: &Value) -> u64 {
+    value
+        .as_object()
+        .unwrap()
+        .values()
+        .map(|part| part.as_u64().unwrap())
+        .sum()
+}
+
+fn check_figures(figures: &Value) {
+    let of = |name| number(figures, name);
+    let stalls = sum(&figures["stalls"]);
+    assert_eq!(of("single_issue") + of("dual_issue") + stalls, of("cycles"));
+    assert_eq!(
+        of("single_issue") + 2 * of("dual_issue"),
+        of("instructions")
+    );
+    assert_eq!(of("busy") + of("blocked"), of("cycles"));
+    assert_eq!(sum(&figures["blocked_by"]), of("blocked"));
+    let rate = figures["dual_issue_rate"].as_f64().unwrap();
+    assert!(rate > 0.0 && rate < 1.0);
+}
+
+fn check_report(text: &str) {
+    let report: Value = serde_json::from_str(text).unwrap();
+    let spes = report["spes"].as_array().unwrap();
+    assert_eq!(spes.len(), SPES);
+    let total = |name| -> u64 { spes.iter().map(|spe| number(spe, name)).sum() };
+    for name in [
+        "cycles",
+        "instructions",
+        "busy",
+        "blocked",
+        "atomic_commands",
+        "bytes_in",
+    ] {
+        assert_eq!(number(&report["totals"], name), total(name), "{name}");
+    }
+    check_figures(&report["totals"]);
+    for spe in spes {
+        check_figures(spe);
+        assert_eq!(
+            number(spe, "stopped") + number(spe, "cycles"),
+            number(spe, "clock")
+        );
+        assert!(number(spe, "clock") <= number(&report, "cycles"));
+        assert_eq!(number(spe, "bytes_in"), u64::from(FRAMES) * 128);
+        assert_eq!(number(spe, "dma_commands"), u64::from(FRAMES));
+    }
+    assert!(total("atomic_commands") > u64::from(FRAMES) * 200);
+    let seconds = number(&report, "cycles") as f64 / 3.2e9;
+    assert!((report["seconds"].as_f64().unwrap() - seconds).abs() < 1e-12);
+    assert!(sum(&report["constants"]) > 0);
+}
+
+/// Creating a context with this environment fails so, and says why.
+fn refused(environment: &[(&str, &str)], errno: i32, told: &str) {
+    let environment: Vec<_> = environment
+        .iter()
+        .map(|&(name, value)| (name, OsStr::new(value)))
+        .collect();
+    let output = child(&[OsStr::new("create")], &environment);
+    assert_eq!(
+        output.status.code(),
+        Some(errno),
+        "{environment:?} {output:?}"
+    );
+    let stderr = String::from_utf8(output.stderr).unwrap();
+    assert!(
+        stderr.starts_with("libspe2: ") && stderr.contains(told),
+        "{stderr}"
+    );
+}
+
+fn assemble(folder: &Path) -> std::path::PathBuf {
+    let sources = folder.join("sources");
+    fs::create_dir(&sources).unwrap();
+    let text =
+        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{PROGRAM}\n");
+    fs::write(sources.join("program.s"), text).unwrap();
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let image = folder.join("program");
+    let built = spu_build::Tools::find().and_then(|tools| {
+        spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
+            .include(&root.join("../emulator/tests/machine"))
+            .build(&tools, &folder.join("objects"), &image)
+    });
+    if let Err(error) = built {
+        panic!("{error}\n(the SPU binutils come by ci/setup)");
+    }
+    let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
+    fs::set_permissions(&image, executable).unwrap();
+    image
+}
+
+fn main() {
+    let arguments: Vec<_> = std::env::args_os().collect();
+    match arguments.get(1).and_then(|mode| mode.to_str()) {
+        Some("run") => {
+            let delay = arguments[3].to_str().unwrap().parse().unwrap();
+            return program(&arguments[2], Duration::from_millis(delay));
+        }
+        Some("create") => {
+            // SAFETY: a context needs no gang.
+            let context = unsafe { spe_context_create(0, ptr::null_mut()) };
+            assert!(context.is_null());
+            std::process::exit(last_error().raw_os_error().unwrap());
+        }
+        _ => {}
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let image = assemble(folder.path());
+
+    let first = report(&image, folder.path(), "0");
+    check_report(&first);
+    for delay in ["0", "3", "0", "7"] {
+        assert_eq!(report(&image, folder.path(), delay), first, "delay {delay}");
+    }
+    // Nothing is left beside the report's place but what was there before.
+    let beside = fs::read_dir(folder.path()).unwrap().count();
+    assert_eq!(beside, 3);
+
+    refused(&[("LIBSPE2_TIMING", "yes")], libc::EINVAL, "LIBSPE2_TIMING");
+    refused(&[("LIBSPE2_TIMING", "")], libc::EINVAL, "LIBSPE2_TIMING");
+    refused(
+        &[("LIBSPE2_REPORT", "/tmp/x")],
+        libc::EINVAL,
+        "LIBSPE2_TIMING=1",
+    );
+    let on = ("LIBSPE2_TIMING", "1");
+    refused(
+        &[on, ("LIBSPE2_REPORT", "")],
+        libc::EINVAL,
+        "LIBSPE2_REPORT",
+    );
+    refused(
+        &[on, ("LIBSPE2_REPORT", "/")],
+        libc::EISDIR,
+        "LIBSPE2_REPORT: /:",
+    );
+    let nowhere = ("LIBSPE2_REPORT", "/nowhere/at/all");
+    refused(
+        &[on, nowhere],
+        libc::ENOENT,
+        "LIBSPE2_REPORT: /nowhere/at/all",
+    );
+    refused(
+        &[on, ("LIBSPE2_MFC", "at-last")],
+        libc::ENOTSUP,
+        "LIBSPE2_MFC=at-last",
+    );
+    println!("timing: ok");
+}
