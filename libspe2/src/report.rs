@@ -13,7 +13,7 @@ use serde::Serialize;
 use spu_emulator::decrementer::TICKS_PER_SECOND;
 use spu_emulator::simulated::memory_system::CONSTANTS;
 use spu_emulator::simulated::{
-    self, CYCLES_PER_SECOND, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES, SpeReport,
+    self, CYCLES_PER_SECOND, Figures, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES, SpeReport,
 };
 use spu_emulator::timing::rules::MISS_CYCLES;
 
@@ -76,26 +76,6 @@ struct Spe {
     figures: Figures,
 }
 
-#[derive(Default, Serialize)]
-struct Figures {
-    /// Cycles in which it ran: the sum of `single_issue`, `dual_issue` and `stalls`.
-    cycles: u64,
-    instructions: u64,
-    single_issue: u64,
-    dual_issue: u64,
-    /// Share of the issuing cycles in which two instructions issued.
-    dual_issue_rate: f64,
-    stalls: BTreeMap<String, u64>,
-    /// Cycles that it did not sleep in a channel, and those that it did, by what it slept for.
-    busy: u64,
-    blocked: u64,
-    blocked_by: BTreeMap<&'static str, u64>,
-    dma_commands: u64,
-    atomic_commands: u64,
-    bytes_in: u64,
-    bytes_out: u64,
-}
-
 impl Report {
     fn new(report: &simulated::Report) -> Self {
         let mut constants = BTreeMap::from(CONSTANTS);
@@ -128,38 +108,5 @@ impl Report {
             totals,
             spes: report.spes.iter().map(spe).collect(),
         }
-    }
-}
-
-impl Figures {
-    fn add(&mut self, spe: &SpeReport) {
-        let account = &spe.account;
-        self.cycles += account.cycles();
-        self.instructions += account.instructions();
-        self.single_issue += account.single();
-        self.dual_issue += account.dual();
-        let issuing = self.single_issue + self.dual_issue;
-        self.dual_issue_rate = self.dual_issue as f64 / issuing.max(1) as f64;
-        for (cause, cycles) in account.waits() {
-            *self.stalls.entry(cause.to_string()).or_default() += cycles;
-        }
-        self.busy += spe.busy();
-        self.blocked += spe.waits.total();
-        let waits = &spe.waits;
-        for (name, cycles) in [
-            ("mailbox", waits.mailbox),
-            ("signal", waits.signal),
-            ("event", waits.event),
-            ("tag", waits.tag),
-            ("list", waits.list),
-            ("atomic", waits.atomic),
-            ("queue", waits.queue),
-        ] {
-            *self.blocked_by.entry(name).or_default() += cycles;
-        }
-        self.dma_commands += spe.commands.queued;
-        self.atomic_commands += spe.commands.atomic;
-        self.bytes_in += spe.commands.bytes_in;
-        self.bytes_out += spe.commands.bytes_out;
     }
 }

@@ -1,7 +1,7 @@
 //! Simulated time: what several SPEs and the PPE do to each other happens in the order of their clocks.
 //!
 //! Each SPE has a clock in SPU cycles, which the pipeline model drives; each PPE thread that calls in
-//! has one too. A [`Turnstile`] lets whoever has the smallest clock act, wherever an act can be seen by
+//! has one too. A turnstile lets whoever has the smallest clock act, wherever an act can be seen by
 //! others: a mailbox, a signal, an event, an MFC command, an atomic line. Between acts an SPE runs
 //! freely on its host thread, since its instructions reach its own registers and local store only.
 //! Invariant: acts happen one at a time, in the order of (clock, rank), so that the same program gives
@@ -17,6 +17,7 @@
 
 pub mod absence;
 mod calendar;
+mod figures;
 pub mod memory_system;
 mod ppe;
 mod report;
@@ -35,6 +36,7 @@ use crate::spe::lock::lock;
 use memory_system::MemorySystem;
 use turnstile::Turnstile;
 
+pub use figures::Figures;
 pub use ppe::{PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES};
 pub use report::{Commands, Report, SpeReport, Waits};
 pub use turnstile::WaitKey;

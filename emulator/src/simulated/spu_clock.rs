@@ -4,8 +4,11 @@ use std::cell::RefCell;
 
 use super::report::Waits;
 use super::turnstile::Actor;
+use crate::channel::Channels;
 use crate::interp::{Observer, Spu};
 use crate::isa::Instruction;
+use crate::local_store::LocalStore;
+use crate::stop::Stopped;
 use crate::timing::{Cause, Timer};
 
 /// What an SPU sleeps for in a channel.
@@ -104,9 +107,37 @@ impl<'a> Timed<'a> {
     }
 }
 
-impl Observer for Timed<'_> {
+impl Timed<'_> {
+    /// Runs at most `limit` instructions, each after the clock and `observer` have seen it; `None` if
+    /// the SPU would go on. An interrupt shows one instruction that does not run.
+    ///
+    /// Instruction by instruction, so that the interpreter's loop exists once in the program: beside a
+    /// second one, for this observer, the compiler no longer inlines the arithmetic into either, and
+    /// without simulated time the tracer takes 1.4 times as long.
+    pub fn run<C: Channels, O: Observer>(
+        &mut self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        channels: &mut C,
+        limit: u64,
+        observer: &mut O,
+    ) -> Option<Stopped> {
+        for _ in 0..limit {
+            let word = local_store.load_word(spu.pc());
+            if let Some(instruction) = Instruction::decode(word) {
+                self.count(spu, instruction);
+                observer.before_instruction(spu, instruction);
+            }
+            let stopped = spu.step(local_store, channels);
+            if stopped.is_some() {
+                return stopped;
+            }
+        }
+        None
+    }
+
     #[inline]
-    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
+    fn count(&mut self, spu: &Spu, instruction: Instruction) {
         let mut clock = self.clock.borrow_mut();
         if self.left == 0 {
             self.left = look(self.actor, clock.now());

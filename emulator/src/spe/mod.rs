@@ -17,7 +17,6 @@ use std::time::Instant;
 
 use crate::event;
 use crate::interp::{Observer, Spu};
-use crate::isa::Instruction;
 use crate::local_store::LocalStore;
 use crate::mfc::interconnect::{Interconnect, Unit};
 use crate::mfc::{DmaError, Policy};
@@ -51,17 +50,6 @@ struct Engine {
     spu: Spu,
     state: SpuState,
     clock: RefCell<SpuClock>,
-}
-
-/// The clock of simulated time, and whoever else watches.
-struct Both<'a, A, B>(A, &'a mut B);
-
-impl<A: Observer, B: Observer> Observer for Both<'_, A, B> {
-    #[inline]
-    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
-        self.0.before_instruction(spu, instruction);
-        self.1.before_instruction(spu, instruction);
-    }
 }
 
 /// A synergistic processor element.
@@ -160,8 +148,8 @@ impl Spe {
             match &self.simulated {
                 None => spu.run_observed(&self.local_store, &mut channels, limit, observer),
                 Some(side) => {
-                    let mut both = Both(Timed::new(clock, &side.actor), observer);
-                    spu.run_observed(&self.local_store, &mut channels, limit, &mut both)
+                    let mut timed = Timed::new(clock, &side.actor);
+                    timed.run(spu, &self.local_store, &mut channels, limit, observer)
                 }
             }
         };

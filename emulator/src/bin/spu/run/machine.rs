@@ -6,12 +6,14 @@ use std::path::Path;
 use std::process::ExitCode;
 use std::sync::Arc;
 
+use serde::Serialize;
 use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LIMIT_MASK, LocalStore, SIZE};
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
 use spu_emulator::mfc::Interconnect;
 use spu_emulator::ppe_call::{Arena, CALL_WORD, CallError, Class, Library, Process};
+use spu_emulator::simulated::Figures;
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 
@@ -53,6 +55,7 @@ pub enum End {
 
 pub struct Machine {
     spe: Arc<Spe>,
+    interconnect: Arc<Interconnect>,
     memory: Arc<RegisteredMemory>,
     library: Library,
     entry: u32,
@@ -74,7 +77,10 @@ impl Machine {
             bytes.to_vec(),
             Access::ReadOnly,
         )?;
-        let interconnect = Interconnect::new(memory.clone());
+        let interconnect = match options.timing {
+            None => Interconnect::new(memory.clone()),
+            Some(_) => Interconnect::simulated(memory.clone()),
+        };
         let spe = Spe::new(&interconnect, Config::default());
         memory
             .register_local_store(LOCAL_STORE_EA, Arc::clone(spe.local_store()))
@@ -97,6 +103,7 @@ impl Machine {
         let arguments = arguments::prepare(options, &memory)?;
         let machine = Self {
             spe,
+            interconnect,
             memory,
             library: Library::new(Box::new(Process), Box::new(heap)),
             entry: image.entry(),
@@ -207,6 +214,18 @@ impl Machine {
             let text = self.spe.with_spu(registers);
             write_text(path.as_deref(), &text)?;
         }
+        if let (Some(path), Some(simulation)) = (&options.timing, self.interconnect.simulation()) {
+            let mut figures = Figures::default();
+            for spe in &simulation.report().spes {
+                figures.add(spe);
+            }
+            let text = if options.json {
+                json(&figures)
+            } else {
+                figures.table()
+            };
+            write_text(path.as_deref(), &text)?;
+        }
         for file in &options.dump_mem {
             let mut bytes = vec![0; file.size.0];
             let read = self.memory.read(file.ea, &mut bytes);
@@ -235,6 +254,12 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
                 .map_err(Failure::file(path))
         }
     }
+}
+
+/// Pretty JSON with an end of line. Maps with text keys and numbers can always be written.
+pub fn json(value: &impl Serialize) -> String {
+    let json = serde_json::to_string_pretty(value).unwrap_or_default();
+    format!("{json}\n")
 }
 
 /// Each register's four words; program counter and FPSCR first.

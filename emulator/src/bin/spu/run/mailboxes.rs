@@ -51,6 +51,9 @@ pub struct Mailboxes {
     outbound: Option<Output>,
     interrupt: Option<Output>,
     starved: bool,
+    /// In simulated time the PPE's calls have a place in it, which the SPU's own thread can't wait
+    /// for: nothing is exchanged, and the options exclude each other.
+    closed: bool,
 }
 
 impl Mailboxes {
@@ -64,11 +67,15 @@ impl Mailboxes {
             outbound: output(&options.out_mbox)?,
             interrupt: output(&options.out_intr_mbox)?,
             starved: false,
+            closed: options.timing.is_some(),
         })
     }
 
     /// Fills the inbound mailbox and empties the others. Words that no file is for are dropped.
     pub fn exchange(&mut self, spe: &Spe) {
+        if self.closed {
+            return;
+        }
         let at_once = Some(Instant::now());
         while let Some(&word) = self.inbound.front()
             && spe.write_inbound(word, at_once)
@@ -91,7 +98,7 @@ impl Mailboxes {
     pub fn before_channel(&mut self, spe: &Spe, instruction: Instruction) {
         self.exchange(spe);
         let waits = instruction.op == Op::Rdch && instruction.ra == IN_MBOX;
-        if waits && spe.inbound_room() == spu_emulator::mailbox::INBOUND_DEPTH {
+        if !self.closed && waits && spe.inbound_room() == spu_emulator::mailbox::INBOUND_DEPTH {
             self.starved = true;
             spe.request_stop();
         }

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 
-use clap::{Args, ValueEnum};
+use clap::{ArgGroup, Args, ValueEnum};
 
 use super::{machine, status};
 
@@ -14,6 +14,7 @@ Examples:
   spu run hello.elf                      run; the exit status is the program's
   spu run --start elfspe tool.elf a b    a program with main(argc, argv) (linked with crt2.o)
   spu run --trace --max-instructions 100 loop.elf
+  spu run --timing --json loop.elf       where the cycles went
   spu run --in-mbox commands.txt --out-mbox answers.txt server.elf
   spu run --main-memory 1M@0x60000000 --load-mem scene.bin@0x60000000 --arg 0x60000000:64 \\
           --dump-mem picture.bin@0x60080000:64K tracer.elf
@@ -29,7 +30,7 @@ Effective addresses:";
 /// address space) are served; files that the program opens are this computer's. Traces, statistics
 /// and registers go to standard error unless a file is named, since standard output is the program's.
 #[derive(Args)]
-#[command(after_help = after_help())]
+#[command(after_help = after_help(), group(ArgGroup::new("report").multiple(true)))]
 pub struct Options {
     /// SPU ELF executable
     pub program: PathBuf,
@@ -92,10 +93,14 @@ pub struct Options {
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, help_heading = "Output")]
     pub trace: Option<Option<PathBuf>>,
     /// Count instructions by class and name, loads, stores, branches, DMA commands
-    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, help_heading = "Output")]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub stats: Option<Option<PathBuf>>,
-    /// Statistics as JSON
-    #[arg(long, requires = "stats", help_heading = "Output")]
+    /// Run in simulated time: cycles, dual issue, stalls by cause; the decrementer counts it too. For
+    /// programs that do without mailboxes
+    #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
+    pub timing: Option<Option<PathBuf>>,
+    /// Statistics and timing as JSON
+    #[arg(long, requires = "report", help_heading = "Output")]
     pub json: bool,
     /// Write all registers at the end
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, help_heading = "Output")]
@@ -122,7 +127,7 @@ pub enum Start {
     /// addresses (64 bits each, a 0 after the last), envp is 0
     Spe,
     /// As elfspe starts it: $3 is the number of arguments, $4 describes their copy, which crt2.o
-    /// gets to the top of local store for main(argc, argv); argv[0] is the program's path
+    /// gets to the top of local store for main(argc, argv); `argv[0]` is the program's path
     Elfspe,
 }
 

@@ -9,7 +9,7 @@ use spu_emulator::interp::Spu;
 use spu_emulator::isa::{Class, Instruction, Op};
 use spu_emulator::local_store::{LIMIT_MASK, LocalStore};
 
-use super::machine::write_text;
+use super::machine::{json, write_text};
 use crate::failure::Failure;
 
 const LIST_ELEMENT: u32 = 8;
@@ -135,9 +135,7 @@ impl Statistics {
     pub fn write(mut self, executed: u64) -> Result<(), Failure> {
         self.summarise(executed);
         let text = if self.json {
-            // Maps with text keys and numbers can always be written.
-            let json = serde_json::to_string_pretty(&self.counts).unwrap_or_default();
-            format!("{json}\n")
+            json(&self.counts)
         } else {
             self.table()
         };
