@@ -154,6 +154,47 @@ fn late_transfers_change_nothing() {
     assert!(at_once == at_last);
 }
 
+/// In simulated time the statistics are the console's, and two runs have the same ones to the bit.
+#[test]
+fn simulated_time_repeats() {
+    let folder = tempfile::tempdir().unwrap();
+    let [first, second] = ["first", "second"].map(|name| {
+        let report = folder.path().join(name);
+        let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
+            .args([
+                "render",
+                "scenes/paper16.nff",
+                "--size",
+                "320x180",
+                "--stats",
+                "-",
+            ])
+            .envs([
+                ("LIBSPE2_TIMING", "1".as_ref()),
+                ("LIBSPE2_REPORT", report.as_os_str()),
+            ])
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .output()
+            .unwrap();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        let stats: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
+        (
+            stats["frames_per_second"].clone(),
+            stats["spu"].clone(),
+            fs::read(report).unwrap(),
+        )
+    });
+    assert_eq!(first.0, second.0);
+    assert_eq!(first.1, second.1);
+    assert!(first.2 == second.2, "the reports differ");
+    // A sixteenth of the frame that is said to take a forty-fourth of a second.
+    let frames_per_second = first.0.as_f64().unwrap();
+    assert!(
+        (300.0..1500.0).contains(&frames_per_second),
+        "{frames_per_second}"
+    );
+}
+
 #[test]
 fn statistics_on_standard_output_are_nothing_but_json() {
     let (out, _) = good(&[
