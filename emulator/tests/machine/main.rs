@@ -11,4 +11,6 @@ mod lists;
 mod mailboxes;
 mod ordering;
 mod random;
+#[path = "../spu_program/mod.rs"]
+mod spu_program;
 mod support;

@@ -1,11 +1,10 @@
 //! Assembling programs, and machines to run them on.
 
-use std::fs;
-use std::path::Path;
 use std::sync::{Arc, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
+pub use crate::spu_program::assemble;
 use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
@@ -19,27 +18,6 @@ pub const PATIENCE: Duration = Duration::from_secs(60);
 /// Main memory of every machine here starts at this address.
 pub const BASE: u64 = 0x3_4000_0000;
 pub const MEMORY: usize = 256 * 1024;
-
-/// The ELF image of a program; `_start` is put before the source.
-pub fn assemble(source: &str) -> Vec<u8> {
-    let folder = tempfile::tempdir().unwrap();
-    let sources = folder.path().join("sources");
-    fs::create_dir(&sources).unwrap();
-    let text =
-        format!("        .include \"prelude.inc\"\n        .global _start\n_start:\n{source}\n");
-    fs::write(sources.join("program.s"), text).unwrap();
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let image = folder.path().join("program");
-    let built = spu_build::Tools::find().and_then(|tools| {
-        spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("tests/machine"))
-            .build(&tools, &folder.path().join("objects"), &image)
-    });
-    if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
-    }
-    fs::read(image).unwrap()
-}
 
 pub struct Machine {
     pub memory: Arc<RegisteredMemory>,

@@ -4,5 +4,7 @@
 mod accounts;
 mod deterministic;
 mod ppe;
+#[path = "../spu_program/mod.rs"]
+mod spu_program;
 mod support;
 mod throughput;
