@@ -7,7 +7,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use layout::Field;
-use spu_build::{Image, Tools, stub};
+use spu_build::{Image, Tools, Version, stub};
 
 #[path = "ppu/work/layout.rs"]
 mod layout;
@@ -55,7 +55,11 @@ fn spu_program(root: &Path, out: &Path, image: &Path) -> Outcome<()> {
     for variable in Tools::VARIABLES {
         println!("cargo:rerun-if-env-changed={variable}");
     }
-    let program = Image::from_folder(&root.join("spu"), &root.join("linker/spu.ld"))?
+    let spu = root.join("spu");
+    let program = Image::new(&root.join("linker/spu.ld"))
+        .folder(&spu.join("main"))?
+        .kernels(&spu, Version::Scheduled)?
+        .only_used()
         .include(&root.join("spu/include"))
         .include(&generated);
     for input in program.inputs()? {

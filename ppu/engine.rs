@@ -6,13 +6,15 @@ use std::time::{Duration, Instant};
 
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-use crate::framebuffer::{Framebuffer, FramebufferError, Geometry};
+use crate::framebuffer::{Framebuffer, FramebufferError};
 use crate::scene::{Scene, SceneError};
 use crate::shared::SharedMemory;
 use crate::spe::{Context, Ended, Event, Events, Program, SpeError};
 use crate::statistics::FrameStatistics;
-use crate::work::layout::{Frame, MAX_SPHERES, MAX_SPUS, Sphere, Statistics, TileCounter};
-use crate::work::{self, Addresses, Refusal, Split};
+use crate::work::layout::{
+    Frame, MAX_SPHERES, MAX_SPUS, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
+};
+use crate::work::{self, Addresses, Order, Plan, Policy, Refusal, Size, Skip, Split};
 
 /// Why no frame came.
 #[derive(Debug, thiserror::Error)]
@@ -49,7 +51,7 @@ pub enum EngineError {
     Incomplete {
         /// Rays in the statistics.
         traced: u64,
-        /// Pixels of the picture.
+        /// Pixels of the tiles that were to be traced.
         wanted: u64,
     },
     /// An earlier error has left no SPUs to work with.
@@ -73,6 +75,11 @@ pub struct Settings {
     pub spus: u32,
     /// How the frame is split among them.
     pub split: Split,
+    /// What the SPUs need not test.
+    pub skip: Skip,
+    /// Whether what the framebuffer already shows is kept and only what has changed is traced. With
+    /// [`Skip::Nothing`] every frame is traced as a whole.
+    pub retain: bool,
     /// How long a frame may take before its SPUs count as lost.
     pub timeout: Duration,
     /// What they run.
@@ -83,7 +90,9 @@ impl Default for Settings {
     fn default() -> Self {
         Self {
             spus: 6,
-            split: Split::Tiles,
+            split: Split::default(),
+            skip: Skip::default(),
+            retain: true,
             timeout: Duration::from_secs(600),
             program: Program::tracer(),
         }
@@ -102,8 +111,11 @@ struct Spu {
 struct Records {
     frame: SharedMemory,
     spheres: SharedMemory,
-    tile_counter: SharedMemory,
+    unit_counter: SharedMemory,
     statistics: SharedMemory,
+    /// Room for a picture of units of one tile each.
+    units: SharedMemory,
+    costs: SharedMemory,
     framebuffer: Box<dyn Framebuffer>,
 }
 
@@ -116,6 +128,11 @@ pub struct Engine {
     records: Option<Records>,
     settings: Settings,
     number: u32,
+    plan: Plan,
+    /// The SPUs' answers to the last frame, as they lay in memory and as they are given out.
+    lines: Vec<Statistics>,
+    costs: Vec<UnitCost>,
+    statistics: FrameStatistics,
 }
 
 impl Engine {
@@ -127,18 +144,25 @@ impl Engine {
         if !(1..=MAX_SPUS).contains(&settings.spus) {
             return Err(EngineError::SpuCount(settings.spus));
         }
+        let most_units = work::tile_count(framebuffer.geometry()) as usize;
         let mut engine = Self {
             events: Events::create()?,
             spus: Vec::new(),
             records: Some(Records {
                 frame: SharedMemory::new(size_of::<Frame>()),
                 spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
-                tile_counter: SharedMemory::new(size_of::<TileCounter>()),
+                unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
                 statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
+                units: SharedMemory::new(most_units * size_of::<WorkUnit>()),
+                costs: SharedMemory::new(most_units * size_of::<UnitCost>()),
                 framebuffer,
             }),
             settings,
             number: 0,
+            plan: Plan::default(),
+            lines: vec![Statistics::new_zeroed(); settings.spus as usize],
+            costs: Vec::new(),
+            statistics: FrameStatistics::default(),
         };
         for number in 0..settings.spus {
             let context = Arc::new(Context::create()?);
@@ -162,45 +186,89 @@ impl Engine {
 
     /// The framebuffer; `None` once an SPU was lost that may still write there.
     pub fn framebuffer(&mut self) -> Option<&mut dyn Framebuffer> {
+        // Who asks may draw there.
+        self.plan.forget_pages();
         Some(self.records.as_mut()?.framebuffer.as_mut())
     }
 
-    /// Traces a frame into the framebuffer and presents it. `progress` is told from time to time which
-    /// part of the frame is done, 0 to 1.
+    /// Traces a frame into the framebuffer and presents it; what the framebuffer already shows is not
+    /// traced again. `progress` is told from time to time which part of the frame is done, 0 to 1.
     pub fn render(
         &mut self,
         scene: &Scene,
         progress: &mut dyn FnMut(f64),
-    ) -> Result<FrameStatistics, EngineError> {
+    ) -> Result<&FrameStatistics, EngineError> {
+        if let Err(error) = self.trace(scene, progress) {
+            self.plan.forget_pages();
+            return Err(error);
+        }
+        Ok(&self.statistics)
+    }
+
+    fn trace(&mut self, scene: &Scene, progress: &mut dyn FnMut(f64)) -> Result<(), EngineError> {
         let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+        let keeps = records.framebuffer.keeps_contents();
         let target = records.framebuffer.target();
-        let camera = scene.camera(target.geometry.width, target.geometry.height)?;
-        records.spheres.write(0, scene.sphere_bytes());
-        self.number = self.number.wrapping_add(1);
-        let addresses = Addresses {
-            spheres: records.spheres.address(),
-            tile_counter: records.tile_counter.address(),
-            statistics: records.statistics.address(),
+        let geometry = target.geometry;
+        let camera = scene.camera(geometry.width, geometry.height)?;
+        let Settings {
+            spus, split, skip, ..
+        } = self.settings;
+        let policy = Policy {
+            spus,
+            split,
+            skip,
+            retain: self.settings.retain && keeps && skip != Skip::Nothing,
         };
-        let Settings { spus, split, .. } = self.settings;
-        let frame = work::describe(scene, &camera, &target, addresses, self.number, spus, split);
-        // SAFETY: all addresses are those of records that the engine keeps as long as its SPUs run,
-        // the target is the framebuffer's own, and sizes and counts are theirs.
-        let statistics = unsafe { self.submit(&frame, progress)? };
-        let pixels = u64::from(target.geometry.width) * u64::from(target.geometry.height);
-        let traced = statistics.eye_rays();
-        if traced != pixels {
+        self.plan.make(scene, &camera, &target, policy);
+        let size = self.plan.size();
+        if size.pixels == 0 {
+            self.lines.fill(Statistics::new_zeroed());
+        } else {
+            records.spheres.write(0, self.plan.spheres().bytes());
+            records.units.write(0, self.plan.units().bytes());
+            self.number = self.number.wrapping_add(1);
+            let frame = work::describe(&Order {
+                scene,
+                camera: &camera,
+                target: &target,
+                addresses: Addresses {
+                    spheres: records.spheres.address(),
+                    unit_counter: records.unit_counter.address(),
+                    statistics: records.statistics.address(),
+                    units: records.units.address(),
+                    costs: records.costs.address(),
+                },
+                sphere_count: self.plan.spheres().records().len() as u32,
+                units: self.plan.units(),
+                number: self.number,
+                spus,
+                split,
+                skip,
+            });
+            // SAFETY: all addresses are those of records that the engine keeps as long as its SPUs
+            // run, the target is the framebuffer's own, and sizes and counts are theirs.
+            unsafe { self.exchange_frame(&frame, progress)? };
+        }
+        self.statistics.read(&self.lines, size);
+        let traced = self.statistics.eye_rays();
+        if traced != size.pixels {
             return Err(EngineError::Incomplete {
                 traced,
-                wanted: pixels,
+                wanted: size.pixels,
             });
         }
         let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+        let units = self.plan.units().lines().len();
+        self.costs.resize(units, UnitCost::new_zeroed());
+        records.costs.read(0, self.costs.as_mut_bytes());
+        self.plan.done(geometry, &self.costs);
         records.framebuffer.present()?;
-        Ok(statistics)
+        Ok(())
     }
 
-    /// Sends a descriptor as it is and waits for every SPU's answer.
+    /// Sends a descriptor as it is and waits for every SPU's answer. What the framebuffer shows counts
+    /// as unknown from then on.
     ///
     /// # Safety
     ///
@@ -210,22 +278,36 @@ impl Engine {
         &mut self,
         frame: &Frame,
         progress: &mut dyn FnMut(f64),
-    ) -> Result<FrameStatistics, EngineError> {
+    ) -> Result<&FrameStatistics, EngineError> {
+        self.plan.forget_pages();
+        // SAFETY: the caller's promise.
+        unsafe { self.exchange_frame(frame, progress)? };
+        self.statistics.read(&self.lines, Size::default());
+        Ok(&self.statistics)
+    }
+
+    /// [`Engine::submit`], up to the SPUs' statistics lines.
+    ///
+    /// # Safety
+    ///
+    /// As there.
+    unsafe fn exchange_frame(
+        &mut self,
+        frame: &Frame,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(), EngineError> {
         let records = self.records.as_mut().ok_or(EngineError::Lost)?;
-        let used = self.settings.spus as usize * size_of::<Statistics>();
+        self.lines.fill(Statistics::new_zeroed());
         records.frame.write(0, frame.as_bytes());
         records
-            .tile_counter
-            .write(0, TileCounter::new_zeroed().as_bytes());
-        records.statistics.write(0, &vec![0; used]);
+            .unit_counter
+            .write(0, UnitCounter::new_zeroed().as_bytes());
+        records.statistics.write(0, self.lines.as_bytes());
         let address = records.frame.address();
-        // SAFETY: the caller's promise.
-        unsafe { self.mail(address, frame, progress)? };
-
-        let mut lines = vec![Statistics::new_zeroed(); self.settings.spus as usize];
+        self.mail_watched(address, frame, progress)?;
         let records = self.records.as_ref().ok_or(EngineError::Lost)?;
-        records.statistics.read(0, lines.as_mut_bytes());
-        Ok(FrameStatistics::new(&lines))
+        records.statistics.read(0, self.lines.as_mut_bytes());
+        Ok(())
     }
 
     /// Mails an address to every SPU as that of `frame`, and waits for the answers.
@@ -234,6 +316,17 @@ impl Engine {
     ///
     /// As [`Engine::submit`]; and `address` may be one that the SPUs refuse, or that of `frame`.
     pub unsafe fn mail(
+        &mut self,
+        address: u64,
+        frame: &Frame,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(), EngineError> {
+        self.plan.forget_pages();
+        self.mail_watched(address, frame, progress)
+    }
+
+    /// Mails an address to every SPU and waits for the answers; gives the SPUs up if they are lost.
+    fn mail_watched(
         &mut self,
         address: u64,
         frame: &Frame,
@@ -262,7 +355,8 @@ impl Engine {
                 .mail(&[(address >> 32) as u32, address as u32])?;
         }
         let deadline = Instant::now() + self.settings.timeout;
-        let mut waiting = vec![true; self.spus.len()];
+        let mut waiting = [false; MAX_SPUS as usize];
+        waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
         // All SPUs are waited for, also after an error: they write to the frame's memory until then.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
@@ -299,17 +393,13 @@ impl Engine {
         first_error.map_or(Ok(()), Err)
     }
 
-    /// Part of a frame's tiles that SPUs have taken; 0 where they do not count them.
+    /// Part of a frame's units that SPUs have taken; 0 where they do not count them.
     fn part_done(&self, frame: &Frame) -> f64 {
-        let geometry = Geometry {
-            width: frame.width.get(),
-            height: frame.height.get(),
-        };
         let taken = self
             .records
             .as_ref()
-            .map_or(0, |records| records.tile_counter.peek_word(0));
-        (f64::from(taken) / f64::from(work::tile_count(geometry).max(1))).min(1.0)
+            .map_or(0, |records| records.unit_counter.peek_word(0));
+        (f64::from(taken) / f64::from(frame.unit_count.get().max(1))).min(1.0)
     }
 
     /// Gives up the SPUs. libspe2 has no call that stops one: its thread, its context

@@ -6,6 +6,7 @@
 
 pub mod engine;
 pub mod framebuffer;
+mod report;
 pub mod scene;
 mod shared;
 pub mod spe;
@@ -13,5 +14,6 @@ pub mod statistics;
 pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};
+pub use report::Report;
 pub use scene::{Scene, SceneError};
 pub use shared::SharedMemory;

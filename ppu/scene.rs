@@ -1,13 +1,12 @@
-//! The scene as SPUs are given it: from f64 and NFF's entities to the records of the work unit.
+//! The scene as it is traced: of NFF's entities those that are drawn.
 //!
 //! Invariant: every number in a [`Scene`] lies in the domain that the kernels state.
 
 use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
-use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use crate::work::layout::{MAX_SPHERES, Sphere};
+use crate::work::layout::MAX_SPHERES;
 
 /// Largest magnitude of a coordinate or a radius: its square is still a single.
 const LARGEST: f64 = (1_u64 << 62) as f64;
@@ -48,6 +47,17 @@ pub enum SceneError {
         /// What is wrong with it.
         source: nff::ViewError,
     },
+}
+
+/// A sphere that is drawn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Sphere {
+    /// Centre.
+    pub centre: DVec3,
+    /// Radius, over 0.
+    pub radius: f64,
+    /// Red, green and blue, each 0 to 1.
+    pub colour: DVec3,
 }
 
 /// A scene, ready to be handed to SPUs.
@@ -100,10 +110,9 @@ impl Scene {
             }
             let colour = scene.materials[sphere.material as usize].colour;
             spheres.push(Sphere {
-                centre: singles(sphere.centre),
-                radius: F32::new(sphere.radius as f32),
-                colour: singles(colour),
-                reserved: 0.into(),
+                centre: sphere.centre,
+                radius: sphere.radius,
+                colour,
             });
         }
         Ok(Self {
@@ -144,10 +153,10 @@ impl Scene {
         self.background
     }
 
-    /// Spheres that are drawn.
+    /// Spheres that are drawn, in the order of the file.
     #[must_use]
-    pub fn sphere_count(&self) -> u32 {
-        self.spheres.len() as u32
+    pub fn spheres(&self) -> &[Sphere] {
+        &self.spheres
     }
 
     /// Range of the depth shading.
@@ -160,12 +169,6 @@ impl Scene {
     #[must_use]
     pub fn not_drawn(&self) -> &[NotDrawn] {
         &self.not_drawn
-    }
-
-    /// The sphere records.
-    #[must_use]
-    pub fn sphere_bytes(&self) -> &[u8] {
-        self.spheres.as_bytes()
     }
 }
 

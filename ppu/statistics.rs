@@ -1,11 +1,10 @@
-//! What SPUs say of their frames, and what that comes to.
+//! What SPUs say of their frames.
 
 use serde::Serialize;
+use zerocopy::big_endian::U32;
 
+use crate::work::Size;
 use crate::work::layout::Statistics;
-
-/// Ticks of the decrementer a second on a PlayStation 3, in the emulator too.
-const PS3_TIMEBASE: f64 = 79_800_000.0;
 
 /// Rays of a packet.
 const PACKET_RAYS: u64 = 16;
@@ -13,24 +12,60 @@ const PACKET_RAYS: u64 = 16;
 /// One SPU's part of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SpuStatistics {
-    /// Tiles traced.
+    /// Tiles traced or filled.
     pub tiles: u64,
-    /// Packets of 16 rays traced.
+    /// Of these, filled with the background: nothing can be seen in them.
+    pub tiles_filled: u64,
+    /// Packets of 16 rays traced or filled.
     pub packets: u64,
+    /// Packets filled in tiles that were traced.
+    pub packets_filled: u64,
     /// Eye rays within the picture.
     pub eye_rays: u64,
     /// Eye rays that hit something.
     pub eye_hits: u64,
-    /// Tests of one ray with one object.
-    pub tests_made: u64,
-    /// Such tests that were found needless.
-    pub tests_skipped: u64,
+    /// Tests.
+    pub tests: Tests,
     /// Decrementer ticks at work.
     pub busy: u64,
     /// Ticks waiting for the MFC.
     pub dma_wait: u64,
     /// Ticks waiting for the frame.
     pub idle: u64,
+    /// Ticks at work, by what was done.
+    pub phases: Phases<u64>,
+}
+
+/// Tests of one ray with one object, and of groups of rays.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Tests {
+    /// Made.
+    pub made: u64,
+    /// Of these, those after which a hit was looked for: of a packet's rays one at least could hit.
+    pub hits_looked_for: u64,
+    /// Found needless by the SPUs.
+    pub skipped: u64,
+    /// Of these, those left out because all rays of a packet had hit something nearer.
+    pub hidden: u64,
+    /// With objects that no SPU was told of: the picture can't show them.
+    pub unseen: u64,
+    /// Tests of a frustum or of a packet's cone with an object; those are not among the tests above.
+    pub cull: u64,
+}
+
+/// Time by what it was spent on.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Phases<T> {
+    /// Fetching and checking the frame and its scene.
+    pub fetch: T,
+    /// Culling.
+    pub cull: T,
+    /// Making rays.
+    pub rays: T,
+    /// Testing rays with objects.
+    pub isect: T,
+    /// Shading and packing pixels.
+    pub shade: T,
 }
 
 /// One frame, SPU by SPU.
@@ -38,31 +73,39 @@ pub struct SpuStatistics {
 pub struct FrameStatistics {
     /// In order of the SPUs' numbers.
     pub spus: Vec<SpuStatistics>,
+    /// Tiles that already showed what they should, and were left alone.
+    pub tiles_retained: u64,
 }
 
 impl FrameStatistics {
-    pub(crate) fn new(lines: &[Statistics]) -> Self {
-        let wide = |word: zerocopy::big_endian::U32| u64::from(word.get());
-        let spus = lines.iter().map(|line| SpuStatistics {
-            tiles: wide(line.tiles),
-            packets: wide(line.packets),
-            eye_rays: wide(line.eye_rays),
-            eye_hits: wide(line.eye_hits),
-            tests_made: line.tests_made.get() * PACKET_RAYS,
-            tests_skipped: line.tests_skipped.get() * PACKET_RAYS,
-            busy: wide(line.busy),
-            dma_wait: wide(line.dma_wait),
-            idle: wide(line.idle),
-        });
-        Self {
-            spus: spus.collect(),
-        }
+    /// Reads the SPUs' lines of a frame that was planned to be of this size.
+    pub(crate) fn read(&mut self, lines: &[Statistics], size: Size) {
+        self.spus.clear();
+        let unseen = size.spheres_unseen;
+        self.spus
+            .extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
+        self.tiles_retained = size.tiles_retained;
     }
 
     /// Eye rays of all SPUs.
     #[must_use]
     pub fn eye_rays(&self) -> u64 {
         self.spus.iter().map(|spu| spu.eye_rays).sum()
+    }
+
+    /// Whether anything was traced.
+    #[must_use]
+    pub fn is_traced(&self) -> bool {
+        self.eye_rays() > 0
+    }
+
+    /// Tests of all SPUs.
+    #[must_use]
+    pub fn tests(&self) -> Tests {
+        self.spus.iter().fold(Tests::default(), |mut sum, spu| {
+            sum += spu.tests;
+            sum
+        })
     }
 
     /// Ticks from the mail to the last answer: the slowest SPU's.
@@ -76,158 +119,45 @@ impl FrameStatistics {
     }
 }
 
-/// Frames of one scene, summed up; its JSON is what `--stats` writes.
-#[derive(Clone, Debug, Serialize)]
-pub struct Report {
-    /// The scene.
-    pub scene: String,
-    /// Pixels across.
-    pub width: u32,
-    /// Pixels down.
-    pub height: u32,
-    /// SPUs used.
-    pub spus: u32,
-    /// Frames traced.
-    pub frames: u32,
-    /// Seconds of the host's clock, from the first mail to the last answer.
-    pub host_seconds: f64,
-    /// By the SPUs' decrementers: the console's time on a console.
-    pub frames_per_second: f64,
-    /// Per SPU.
-    pub spu: Vec<SpuReport>,
-    /// Rays by kind.
-    pub rays: Rays,
-    /// Tests of one ray with one object.
-    pub tests: Tests,
-}
-
-/// One SPU over all frames.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct SpuReport {
-    /// Seconds at work.
-    pub busy: f64,
-    /// Seconds waiting for the MFC.
-    pub dma_wait: f64,
-    /// Seconds waiting for a frame.
-    pub idle: f64,
-    /// Tiles traced.
-    pub tiles: u64,
-    /// Packets of 16 rays traced.
-    pub packets: u64,
-}
-
-/// Rays by kind, under the names of the Standard Procedural Databases.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Rays {
-    /// From the eye.
-    pub eye: u64,
-    /// Of these, those that hit something.
-    pub eye_hit: u64,
-    /// From mirrors: none yet.
-    pub reflected: u64,
-    /// Through glass: none yet.
-    pub refracted: u64,
-    /// To lights: none yet.
-    pub shadow: u64,
-}
-
-/// Tests of one ray with one object.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Tests {
-    /// Made.
-    pub made: u64,
-    /// Found needless.
-    pub skipped: u64,
-}
-
-impl Report {
-    /// Sums up `frames`, which took `host_seconds`.
-    #[must_use]
-    pub fn new(
-        scene: &str,
-        (width, height): (u32, u32),
-        frames: &[FrameStatistics],
-        host_seconds: f64,
-    ) -> Self {
-        let timebase = timebase();
-        let seconds = |ticks: u64| ticks as f64 / timebase;
-        let spus = frames.first().map_or(0, |frame| frame.spus.len());
-        let mut report = Self {
-            scene: scene.to_owned(),
-            width,
-            height,
-            spus: spus as u32,
-            frames: frames.len() as u32,
-            host_seconds,
-            frames_per_second: 0.0,
-            spu: vec![SpuReport::default(); spus],
-            rays: Rays::default(),
-            tests: Tests::default(),
-        };
-        for (sum, spu) in frames
-            .iter()
-            .flat_map(|frame| frame.spus.iter().enumerate())
-        {
-            let sum = &mut report.spu[sum];
-            sum.busy += seconds(spu.busy);
-            sum.dma_wait += seconds(spu.dma_wait);
-            sum.idle += seconds(spu.idle);
-            sum.tiles += spu.tiles;
-            sum.packets += spu.packets;
-            report.rays.eye += spu.eye_rays;
-            report.rays.eye_hit += spu.eye_hits;
-            report.tests.made += spu.tests_made;
-            report.tests.skipped += spu.tests_skipped;
+impl SpuStatistics {
+    fn of(line: &Statistics, spheres_unseen: u64) -> Self {
+        let wide = |word: U32| u64::from(word.get());
+        Self {
+            tiles: wide(line.tiles),
+            tiles_filled: wide(line.tiles_empty),
+            packets: wide(line.packets),
+            packets_filled: wide(line.packets_empty),
+            eye_rays: wide(line.eye_rays),
+            eye_hits: wide(line.eye_hits),
+            tests: Tests {
+                made: line.tests_made.get() * PACKET_RAYS,
+                hits_looked_for: line.hits_looked_for.get() * PACKET_RAYS,
+                skipped: line.tests_skipped.get() * PACKET_RAYS,
+                hidden: wide(line.tests_hidden) * PACKET_RAYS,
+                unseen: wide(line.packets) * spheres_unseen * PACKET_RAYS,
+                cull: wide(line.cull_tests),
+            },
+            busy: wide(line.busy),
+            dma_wait: wide(line.dma_wait),
+            idle: wide(line.idle),
+            phases: Phases {
+                fetch: wide(line.ticks_fetch),
+                cull: wide(line.ticks_cull),
+                rays: wide(line.ticks_rays),
+                isect: wide(line.ticks_isect),
+                shade: wide(line.ticks_shade),
+            },
         }
-        let ticks: u64 = frames.iter().map(FrameStatistics::ticks).sum();
-        if ticks > 0 {
-            report.frames_per_second = f64::from(report.frames) / seconds(ticks);
-        }
-        report
     }
 }
 
-/// Ticks of the decrementer a second: what Linux says of this machine, else the PlayStation 3's.
-fn timebase() -> f64 {
-    std::fs::read_to_string("/proc/cpuinfo")
-        .ok()
-        .as_deref()
-        .and_then(timebase_of)
-        .unwrap_or(PS3_TIMEBASE)
-}
-
-/// The `timebase` line of PowerPC's `/proc/cpuinfo`.
-fn timebase_of(cpuinfo: &str) -> Option<f64> {
-    let line = cpuinfo.lines().find(|line| line.starts_with("timebase"))?;
-    let ticks: f64 = line.split(':').nth(1)?.trim().parse().ok()?;
-    (ticks > 0.0).then_some(ticks)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_timebase_is_what_linux_says() {
-        let console = "cpu\t\t: Cell Broadband Engine, altivec supported\ntimebase\t: 79800000\n";
-        assert_eq!(timebase_of(console), Some(79_800_000.0));
-        assert_eq!(timebase_of("timebase : 0\n"), None);
-        assert_eq!(timebase_of("model name : another\n"), None);
-    }
-
-    #[test]
-    fn the_slowest_spu_sets_the_frame_rate() {
-        let spu = |busy, dma_wait| SpuStatistics {
-            busy,
-            dma_wait,
-            ..SpuStatistics::default()
-        };
-        let frame = FrameStatistics {
-            spus: vec![spu(798_000, 0), spu(1_000_000, 596_000)],
-        };
-        let report = Report::new("s", (4, 4), &[frame.clone(), frame], 1.0);
-        let expected = timebase() / 1_596_000.0;
-        assert!((report.frames_per_second - expected).abs() < 1e-9 * expected);
-        assert_eq!(report.frames, 2);
+impl std::ops::AddAssign for Tests {
+    fn add_assign(&mut self, other: Self) {
+        self.made += other.made;
+        self.hits_looked_for += other.hits_looked_for;
+        self.skipped += other.skipped;
+        self.hidden += other.hidden;
+        self.unseen += other.unseen;
+        self.cull += other.cull;
     }
 }

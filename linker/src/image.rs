@@ -6,27 +6,83 @@ use std::path::{Path, PathBuf};
 
 use crate::{Error, Tools, run};
 
+/// Which version of each kernel an image has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Version {
+    /// As written by hand.
+    Plain,
+    /// Scheduled, where there is such a version.
+    Scheduled,
+}
+
 /// An SPU program to be built.
 #[derive(Clone, Debug)]
 pub struct Image {
     sources: Vec<PathBuf>,
     includes: Vec<PathBuf>,
     script: PathBuf,
+    link: Vec<OsString>,
 }
 
 impl Image {
-    /// A program of all `.s` files in `folder` and its sub-folders, laid out by the linker script.
+    /// A program of all `.s` files in `folder` and its sub-folders.
     pub fn from_folder(folder: &Path, script: &Path) -> Result<Self, Error> {
-        let mut sources = Vec::new();
-        collect(folder, "s", &mut sources)?;
-        if sources.is_empty() {
-            return Err(Error::NoSources(folder.to_path_buf()));
-        }
-        Ok(Self {
-            sources,
+        Self::new(script).folder(folder)
+    }
+
+    /// A program without sources yet, laid out by the linker script.
+    #[must_use]
+    pub fn new(script: &Path) -> Self {
+        Self {
+            sources: Vec::new(),
             includes: Vec::new(),
             script: script.to_path_buf(),
-        })
+            link: Vec::new(),
+        }
+    }
+
+    /// Adds all `.s` files in `folder` and its sub-folders.
+    pub fn folder(mut self, folder: &Path) -> Result<Self, Error> {
+        let before = self.sources.len();
+        collect(folder, "s", &mut self.sources)?;
+        if self.sources.len() == before {
+            return Err(Error::NoSources(folder.to_path_buf()));
+        }
+        Ok(self)
+    }
+
+    /// Adds the kernels of `folder`: its sub-folder `plain` has them as written by hand; a file of the
+    /// same path in `folder` itself is the scheduled version.
+    pub fn kernels(self, folder: &Path, version: Version) -> Result<Self, Error> {
+        let plain = folder.join("plain");
+        let before = self.sources.len();
+        let mut image = self.folder(&plain)?;
+        if version == Version::Scheduled {
+            for source in &mut image.sources[before..] {
+                let scheduled = source
+                    .strip_prefix(&plain)
+                    .map(|path| folder.join(path))
+                    .unwrap_or_else(|_| source.clone());
+                if scheduled.is_file() {
+                    *source = scheduled;
+                }
+            }
+        }
+        Ok(image)
+    }
+
+    /// Leaves out sections that nothing refers to.
+    #[must_use]
+    pub fn only_used(mut self) -> Self {
+        self.link.push("--gc-sections".into());
+        self
+    }
+
+    /// Makes an image that is not started from its beginning: one of functions to be called.
+    #[must_use]
+    pub fn without_entry(mut self) -> Self {
+        self.link.push("--entry=0".into());
+        self
     }
 
     /// Adds a folder in which `.include` finds files.
@@ -67,11 +123,12 @@ impl Image {
             run(&mut tools.assemble(&assemble, &object, source))?;
             objects.push(object);
         }
-        let link = [
+        let mut link = self.link.clone();
+        link.extend([
             "--fatal-warnings".into(),
             "-T".into(),
             self.script.clone().into(),
-        ];
+        ]);
         run(&mut tools.link(&link, image, &objects))
     }
 }

@@ -11,7 +11,7 @@ mod tools;
 use std::path::PathBuf;
 use std::process::Command;
 
-pub use image::Image;
+pub use image::{Image, Version};
 pub use tools::Tools;
 
 /// Why a program was not built. Its `Display` is meant for the person who runs the build.

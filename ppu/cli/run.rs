@@ -6,9 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::statistics::{FrameStatistics, Report};
-use cellray::work::Split;
-use cellray::{Engine, Scene, Settings};
+use cellray::work::{Skip, Split};
+use cellray::{Engine, Report, Scene, Settings};
 use clap::Args;
 
 use super::Outcome;
@@ -25,6 +24,12 @@ pub struct Options {
     /// How the picture is split among the SPUs
     #[arg(long, value_enum, default_value_t)]
     pub split: Split,
+    /// Test every ray with every object, and trace every frame as a whole
+    #[arg(long)]
+    pub no_skip: bool,
+    /// Trace every frame as a whole, even where it already shows
+    #[arg(long)]
+    pub retrace: bool,
     /// Write statistics as JSON to a file, or - for standard output
     #[arg(long, value_name = "S.json")]
     pub stats: Option<PathBuf>,
@@ -53,29 +58,29 @@ pub fn frames(
     let settings = Settings {
         spus: options.spus,
         split: options.split,
+        skip: if options.no_skip {
+            Skip::Nothing
+        } else {
+            Skip::Misses
+        },
+        retain: !options.retrace,
         timeout: Duration::from_secs(options.timeout),
         ..Settings::default()
     };
     let mut engine = Engine::start(settings, framebuffer)?;
-    let mut frames: Vec<FrameStatistics> = Vec::new();
+    let mut report = Report::new(scene.file(), (width, height), options.spus);
     let mut progress = Progress::start();
     let start = Instant::now();
-    while !enough(frames.len()) {
-        let number = frames.len() + 1;
+    while !enough(report.frames as usize) {
+        let number = report.frames as usize + 1;
         let mut show = |part: f64| progress.show(number, part);
-        frames.push(engine.render(scene, &mut show)?);
+        let statistics = engine.render(scene, &mut show)?;
+        report.add(statistics, start.elapsed().as_secs_f64());
     }
     progress.end();
-    let report = Report::new(
-        scene.file(),
-        (width, height),
-        &frames,
-        start.elapsed().as_secs_f64(),
-    );
-    eprintln!(
-        "cellray: {}x{}, {} frame(s) on {} SPUs in {:.2} s; by the SPUs' clock {:.2} frames/s",
-        width, height, report.frames, report.spus, report.host_seconds, report.frames_per_second
-    );
+    for line in report.to_string().lines() {
+        eprintln!("cellray: {line}");
+    }
     match &options.stats {
         Some(path) => write_stats(path, &report),
         None => Ok(()),

@@ -233,6 +233,11 @@ impl Framebuffer for Device {
         Ok(())
     }
 
+    /// Private memory does. Into the device's own a console draws when the user switches to it.
+    fn keeps_contents(&self) -> bool {
+        self.shadow.is_some()
+    }
+
     fn describe(&self) -> String {
         let frames = match self.display.frames() {
             1 => "1 frame".to_owned(),

@@ -117,6 +117,11 @@ impl Framebuffer for File {
         Ok(())
     }
 
+    /// The file is this program's while it shows frames there; others read it.
+    fn keeps_contents(&self) -> bool {
+        true
+    }
+
     fn describe(&self) -> String {
         format!(
             "file {}, {}, stride {} bytes",

@@ -53,6 +53,10 @@ impl Framebuffer for Memory {
         Ok(())
     }
 
+    fn keeps_contents(&self) -> bool {
+        true
+    }
+
     fn describe(&self) -> String {
         format!(
             "memory, {}, stride {} bytes",

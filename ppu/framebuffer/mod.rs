@@ -148,6 +148,12 @@ pub trait Framebuffer: Send {
     /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be complete.
     fn present(&mut self) -> Result<(), FramebufferError>;
 
+    /// Whether what was last written to a target is still there when the same address is given out
+    /// again. Where others may write there too, it is not to be relied on.
+    fn keeps_contents(&self) -> bool {
+        false
+    }
+
     /// One line for people: what this is, its size, stride and how frames are shown.
     fn describe(&self) -> String;
 }

@@ -119,6 +119,10 @@ impl Framebuffer for Png {
         write_png(&self.path, &self.memory.rgb())
     }
 
+    fn keeps_contents(&self) -> bool {
+        self.memory.keeps_contents()
+    }
+
     fn describe(&self) -> String {
         format!("PNG picture {}, {}", self.path.display(), self.geometry())
     }

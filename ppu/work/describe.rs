@@ -2,23 +2,33 @@
 
 use nff::Camera;
 use zerocopy::FromZeros as _;
-use zerocopy::big_endian::{F32, U32};
+use zerocopy::big_endian::F32;
 
+use super::Units;
 use super::layout::{
-    FEATURE_SPHERES, Frame, MAGIC, MAX_SPUS, SPLIT_SLICES, SPLIT_TILES, TILE_HEIGHT, TILE_WIDTH,
-    VERSION,
+    FEATURE_SPHERES, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
-use crate::framebuffer::{Geometry, Target};
+use crate::framebuffer::Target;
 use crate::scene::{Scene, singles};
 
 /// How a frame is split among SPUs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
 pub enum Split {
-    /// Each SPU takes the next tile when it has finished one.
+    /// Each SPU takes the next work unit when it has finished one.
     #[default]
-    Tiles,
+    Units,
     /// Each SPU has its own consecutive part of the picture, as in the paper.
     Slices,
+}
+
+/// What need not be tested.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Skip {
+    /// What can't be hit.
+    #[default]
+    Misses,
+    /// Every ray is tested with every object, as in the paper.
+    Nothing,
 }
 
 /// Where the frame's records lie in main memory.
@@ -26,53 +36,72 @@ pub enum Split {
 pub struct Addresses {
     /// Sphere records.
     pub spheres: u64,
-    /// Tile counter.
-    pub tile_counter: u64,
+    /// Unit counter.
+    pub unit_counter: u64,
     /// Statistics records.
     pub statistics: u64,
+    /// Work units.
+    pub units: u64,
+    /// Lines for the units' costs.
+    pub costs: u64,
 }
 
-/// Tiles in a picture.
-#[must_use]
-pub fn tile_count(geometry: Geometry) -> u32 {
-    geometry.width.div_ceil(TILE_WIDTH) * geometry.height.div_ceil(TILE_HEIGHT)
-}
-
-/// First tile of each of `spus` equal slices; all further entries are the end of the last.
-#[must_use]
-pub fn slices(tiles: u32, spus: u32) -> [U32; MAX_SPUS as usize + 1] {
-    std::array::from_fn(|number| {
-        let first = u64::from(tiles) * number as u64 / u64::from(spus.max(1));
-        U32::new(first.min(u64::from(tiles)) as u32)
-    })
+/// All that a frame descriptor is made from.
+#[derive(Clone, Copy)]
+pub struct Order<'a> {
+    /// Depth shading and background.
+    pub scene: &'a Scene,
+    /// The eye's rays.
+    pub camera: &'a Camera,
+    /// Where the picture goes.
+    pub target: &'a Target,
+    /// Where the records lie.
+    pub addresses: Addresses,
+    /// Sphere records there.
+    pub sphere_count: u32,
+    /// The work units there.
+    pub units: &'a Units,
+    /// Number of the frame.
+    pub number: u32,
+    /// SPUs that share it.
+    pub spus: u32,
+    /// How they share it.
+    pub split: Split,
+    /// What they need not test.
+    pub skip: Skip,
 }
 
 /// The descriptor of a frame.
 #[must_use]
-pub fn describe(
-    scene: &Scene,
-    camera: &Camera,
-    target: &Target,
-    addresses: Addresses,
-    number: u32,
-    spus: u32,
-    split: Split,
-) -> Frame {
+pub fn describe(order: &Order) -> Frame {
+    let Order {
+        scene,
+        camera,
+        target,
+        addresses,
+        units,
+        ..
+    } = *order;
     let mut frame = Frame::new_zeroed();
     frame.magic = MAGIC.into();
     frame.version = VERSION.into();
     frame.size = (size_of::<Frame>() as u32).into();
-    frame.features = if scene.sphere_count() > 0 {
+    frame.features = if order.sphere_count > 0 {
         FEATURE_SPHERES
     } else {
         0
     }
     .into();
-    frame.number = number.into();
-    frame.spus = spus.into();
-    frame.split = match split {
-        Split::Tiles => SPLIT_TILES,
+    frame.number = order.number.into();
+    frame.spus = order.spus.into();
+    frame.split = match order.split {
+        Split::Units => SPLIT_UNITS,
         Split::Slices => SPLIT_SLICES,
+    }
+    .into();
+    frame.skip = match order.skip {
+        Skip::Misses => SKIP_MISSES,
+        Skip::Nothing => SKIP_NOTHING,
     }
     .into();
     frame.width = target.geometry.width.into();
@@ -80,9 +109,13 @@ pub fn describe(
     frame.stride = target.stride.into();
     frame.framebuffer = (target.base.as_ptr().expose_provenance() as u64).into();
     frame.spheres = addresses.spheres.into();
-    frame.tile_counter = addresses.tile_counter.into();
+    frame.unit_counter = addresses.unit_counter.into();
     frame.statistics = addresses.statistics.into();
-    frame.sphere_count = scene.sphere_count().into();
+    frame.units = addresses.units.into();
+    frame.costs = addresses.costs.into();
+    frame.unit_count = (units.lines().len() as u32).into();
+    frame.slices = units.slices();
+    frame.sphere_count = order.sphere_count.into();
     frame.red_shift = target.format.red_shift.into();
     frame.green_shift = target.format.green_shift.into();
     frame.blue_shift = target.format.blue_shift.into();
@@ -98,40 +131,13 @@ pub fn describe(
     frame.depth_far = far.into();
     frame.depth_scale = scale.into();
 
-    frame.eye = quadword(singles(camera.eye));
     frame.corner = quadword(singles(camera.corner));
     frame.right = quadword(singles(camera.right));
     frame.down = quadword(singles(camera.down));
     frame.background = quadword(singles(scene.background()));
-    frame.slices = slices(tile_count(target.geometry), spus);
     frame
 }
 
 fn quadword([x, y, z]: [F32; 3]) -> [F32; 4] {
     [x, y, z, F32::ZERO]
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn slices_cover_every_tile_once_and_differ_by_one_at_most() {
-        for tiles in [0, 1, 5, 6, 7, 900, 65536] {
-            for spus in 1..=MAX_SPUS {
-                let slices = slices(tiles, spus);
-                assert_eq!(slices[0].get(), 0);
-                let sizes: Vec<u32> = (0..spus as usize)
-                    .map(|number| slices[number + 1].get() - slices[number].get())
-                    .collect();
-                assert_eq!(
-                    sizes.iter().sum::<u32>(),
-                    tiles,
-                    "{tiles} tiles, {spus} SPUs"
-                );
-                assert!(sizes.iter().all(|size| size.abs_diff(tiles / spus) <= 1));
-                assert!(slices[spus as usize..].iter().all(|end| end.get() == tiles));
-            }
-        }
-    }
 }

@@ -82,17 +82,21 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 1;
+    VERSION = 2;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
     FEATURE_SPHERES = 1;
     /// All feature bits that this version knows.
     FEATURES_KNOWN = FEATURE_SPHERES;
-    /// `split`: every SPU takes the next tile from the shared counter.
-    SPLIT_TILES = 0;
-    /// `split`: every SPU has a fixed share of consecutive tiles, as in the paper.
+    /// `split`: every SPU takes the next work unit from the shared counter.
+    SPLIT_UNITS = 0;
+    /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
     SPLIT_SLICES = 1;
+    /// `skip`: every ray is tested with every object, as in the paper.
+    SKIP_NOTHING = 0;
+    /// `skip`: what can't be hit is not tested.
+    SKIP_MISSES = 1;
     /// Most SPUs that share a frame; `slices` has one entry more.
     MAX_SPUS = 16;
     /// Most pixels across and down.
@@ -101,10 +105,14 @@ constants! {
     MAX_STRIDE = 65520;
     /// Most spheres of a scene: what the local store has room for.
     MAX_SPHERES = 2048;
-    /// Pixels across a tile.
+    /// Pixels across a tile: groups side by side.
     TILE_WIDTH = 64;
-    /// Pixels down a tile.
+    /// Pixels down a tile: one group.
     TILE_HEIGHT = 16;
+    /// Pixels across and down a group: sixteen packets of 4x4 rays that are culled together.
+    GROUP_SIDE = 16;
+    /// Most tiles of a work unit: what its line has room for.
+    UNIT_TILES = 31;
     /// Largest position of a colour channel in the pixel word.
     MAX_SHIFT = 24;
     /// Most bytes of one DMA transfer.
@@ -126,7 +134,7 @@ record! {
         number: U32,
         /// SPUs that share the frame.
         spus: U32,
-        /// How tiles are handed out: a `SPLIT_` value.
+        /// How work units are handed out: a `SPLIT_` value.
         split: U32,
         /// Pixels across.
         width: U32,
@@ -138,10 +146,18 @@ record! {
         framebuffer: U64,
         /// Effective address of the sphere records; on a line.
         spheres: U64,
-        /// Effective address of the tile counter; on a line.
-        tile_counter: U64,
+        /// Effective address of the unit counter; on a line.
+        unit_counter: U64,
         /// Effective address of the statistics records, one a SPU in order; on a line.
         statistics: U64,
+        /// Effective address of the work units; on a line.
+        units: U64,
+        /// Effective address of the lines that take the units' costs; on a line.
+        costs: U64,
+        /// Work units.
+        unit_count: U32,
+        /// What need not be tested: a `SKIP_` value.
+        skip: U32,
         /// Sphere records.
         sphere_count: U32,
         /// Left shift of the red channel in the pixel word.
@@ -155,9 +171,7 @@ record! {
         /// One over the distance in which it fades.
         depth_scale: F32,
         /// Zero; keeps the vectors below on quadwords.
-        reserved: [U32; 4],
-        /// Eye: x, y, z, 0.
-        eye: [F32; 4],
+        reserved: [U32; 2],
         /// Direction through the centre of pixel (0, 0): x, y, z, 0.
         corner: [F32; 4],
         /// Step of that direction to the next pixel of a row.
@@ -166,7 +180,7 @@ record! {
         down: [F32; 4],
         /// Background colour: red, green, blue, 0.
         background: [F32; 4],
-        /// First tile of each SPU's slice; a slice ends where the next begins.
+        /// First work unit of each SPU's slice; a slice ends where the next begins.
         slices: [U32; 17],
         /// Zero; fills the last line.
         reserved_end: [U32; 31],
@@ -174,12 +188,20 @@ record! {
 }
 
 record! {
-    /// One sphere in main memory.
+    /// One sphere as the eye's rays meet it; the records come in rising order of `near`.
     Sphere as "SPHERE" {
-        /// Centre: x, y, z.
+        /// Centre less eye: x, y, z.
         centre: [F32; 3],
-        /// Radius, over 0.
-        radius: F32,
+        /// Radius squared.
+        radius_squared: F32,
+        /// No ray of the eye enters it nearer than this.
+        near: F32,
+        /// A unit direction d whose ray enters it has centre.d above this, by the SPU's rounding too.
+        ray_limit: F32,
+        /// The same for the middle d of a packet, some ray of which enters it.
+        packet_limit: F32,
+        /// Radius, and the rounding of the test with a plane through the eye.
+        reach: F32,
         /// Colour: red, green, blue, each 0 to 1.
         colour: [F32; 3],
         /// Zero.
@@ -188,12 +210,32 @@ record! {
 }
 
 record! {
-    /// The line from which SPUs take tiles by getllar and putllc.
-    TileCounter as "COUNTER" {
-        /// Number of the next tile; tiles are counted row by row from the top left.
+    /// The line from which SPUs take work units by getllar and putllc.
+    UnitCounter as "COUNTER" {
+        /// Number of the next work unit.
         next: U32,
         /// Zero; fills the line.
         reserved: [U32; 31],
+    }
+}
+
+record! {
+    /// One work unit: tiles that one SPU traces.
+    WorkUnit as "UNIT" {
+        /// Tiles, at least 1.
+        count: U32,
+        /// Their numbers, counted row by row from the top left.
+        tiles: [U32; 31],
+    }
+}
+
+record! {
+    /// What a work unit has cost: the SPU that traced it writes this to the unit's line of `costs`.
+    UnitCost as "COST" {
+        /// Tiles, as in the unit.
+        count: U32,
+        /// Decrementer ticks that each tile took.
+        ticks: [U32; 31],
     }
 }
 
@@ -202,9 +244,9 @@ record! {
     Statistics as "STATS" {
         /// Number of the frame.
         number: U32,
-        /// Tiles traced.
+        /// Tiles, traced or filled.
         tiles: U32,
-        /// Packets of 4x4 rays traced.
+        /// Packets of 4x4 rays, traced or filled.
         packets: U32,
         /// Eye rays within the picture.
         eye_rays: U32,
@@ -220,8 +262,28 @@ record! {
         tests_made: U64,
         /// Such tests that were found needless.
         tests_skipped: U64,
+        /// Of `tests_made`, those after which a hit was looked for.
+        hits_looked_for: U64,
+        /// Tiles that nothing can be seen in: filled.
+        tiles_empty: U32,
+        /// Packets of other tiles that nothing can be seen in: filled.
+        packets_empty: U32,
+        /// Tests left out because all of a packet's rays had hit something nearer.
+        tests_hidden: U32,
+        /// Tests of a frustum or of a packet's cone with an object.
+        cull_tests: U32,
+        /// Ticks spent fetching and checking the frame and its scene.
+        ticks_fetch: U32,
+        /// Ticks spent culling.
+        ticks_cull: U32,
+        /// Ticks spent making rays.
+        ticks_rays: U32,
+        /// Ticks spent testing rays with objects.
+        ticks_isect: U32,
+        /// Ticks spent shading and packing pixels.
+        ticks_shade: U32,
         /// Zero; fills the line.
-        reserved: [U32; 20],
+        reserved: [U32; 9],
     }
 }
 
@@ -236,7 +298,7 @@ record! {
         direction_z: [F32; 16],
         /// Distance of the nearest hit so far; the largest single if none.
         t: [F32; 16],
-        /// Number of the object hit, from 1; 0 if none.
+        /// Address of the record of the object hit; of the background's if none.
         object: [U32; 16],
     }
 }
@@ -254,12 +316,40 @@ record! {
 }
 
 record! {
-    /// Local store: a sphere as the eye's rays meet it, every value in all four lanes.
-    EyeSphere as "EYESPHERE" {
-        /// Centre less eye: x, y, z.
-        centre: [[F32; 4]; 3],
-        /// Radius squared.
-        radius_squared: [F32; 4],
+    /// Local store: a packet of the group at hand, and where its pixels go.
+    Place as "PLACE" {
+        /// Address of the packet.
+        packet: U32,
+        /// Address of its top left pixel in the tile buffer.
+        pixels: U32,
+        /// Column of that pixel in the picture.
+        x: U32,
+        /// Row of that pixel.
+        y: U32,
+    }
+}
+
+record! {
+    /// Local store: an object and a packet that is to be tested with it.
+    Pair as "PAIR" {
+        /// Address of the object's record.
+        object: U32,
+        /// Address of the packet.
+        packet: U32,
+        /// Anything.
+        unused: [U32; 2],
+    }
+}
+
+record! {
+    /// Local store: four planes through the eye, one a lane; their normals point inwards.
+    Frustum as "FRUSTUM" {
+        /// Unit normals, x.
+        normal_x: [F32; 4],
+        /// Unit normals, y.
+        normal_y: [F32; 4],
+        /// Unit normals, z.
+        normal_z: [F32; 4],
     }
 }
 
@@ -286,13 +376,11 @@ record! {
 }
 
 record! {
-    /// Local store: where a pixel's channels stand, every value in all four lanes.
-    PixelShifts as "SHIFTS" {
-        /// Left shift of red.
-        red: [U32; 4],
-        /// Left shift of green.
-        green: [U32; 4],
-        /// Left shift of blue.
+    /// Local store: how three quadwords of colour bytes become the framebuffer's words.
+    PixelShuffle as "PIXELS" {
+        /// Takes red and green to their places in the word.
+        red_green: [U32; 4],
+        /// Takes blue to its place.
         blue: [U32; 4],
     }
 }
@@ -301,14 +389,18 @@ record! {
 pub const RECORDS: &[Record] = &[
     Frame::RECORD,
     Sphere::RECORD,
-    TileCounter::RECORD,
+    UnitCounter::RECORD,
+    WorkUnit::RECORD,
+    UnitCost::RECORD,
     Statistics::RECORD,
     Packet::RECORD,
     Basis::RECORD,
-    EyeSphere::RECORD,
+    Place::RECORD,
+    Pair::RECORD,
+    Frustum::RECORD,
     Depth::RECORD,
     Colours::RECORD,
-    PixelShifts::RECORD,
+    PixelShuffle::RECORD,
 ];
 
 macro_rules! statuses {
@@ -355,20 +447,32 @@ statuses! {
     /// Must be a multiple of 128.
     Spheres = 12, "spheres";
     /// Must be a multiple of 128.
-    TileCounter = 13, "tile_counter";
+    UnitCounter = 13, "unit_counter";
     /// Must be a multiple of 128.
     Statistics = 14, "statistics";
     /// Must be at most 2048, and 0 without `FEATURE_SPHERES`.
     SphereCount = 15, "sphere_count";
-    /// Shifts must be at most 24.
+    /// Shifts must be 0, 8, 16 or 24, and differ.
     PixelFormat = 16, "red_shift, green_shift, blue_shift";
+    /// Must be a multiple of 128.
+    Units = 17, "units";
+    /// Must be a multiple of 128.
+    Costs = 18, "costs";
+    /// Must be at most the tiles of the picture.
+    UnitCount = 19, "unit_count";
+    /// Must be a known way to skip.
+    Skip = 20, "skip";
+    /// A unit's tiles must be 1 to 31, each within the picture.
+    Tile = 21, "tiles";
 }
 
 const _: () = {
     assert!(size_of::<Frame>() == 384);
-    assert!(size_of::<Sphere>() == 32);
-    assert!(size_of::<TileCounter>() == LINE as usize);
+    assert!(size_of::<Sphere>() == 48);
+    assert!(size_of::<UnitCounter>() == LINE as usize);
+    assert!(size_of::<WorkUnit>() == LINE as usize);
+    assert!(size_of::<UnitCost>() == LINE as usize);
     assert!(size_of::<Statistics>() == LINE as usize);
-    assert!(std::mem::offset_of!(Frame, eye) % 16 == 0);
+    assert!(std::mem::offset_of!(Frame, corner) % 16 == 0);
     assert!(std::mem::offset_of!(Frame, framebuffer) % 8 == 0);
 };

@@ -1,8 +1,21 @@
 //! Work units: what the PPU tells the SPUs of a frame, and what they answer.
 
+#[cfg(test)]
+mod arithmetic;
 mod describe;
 pub mod layout;
+mod lens;
+mod pages;
+mod plan;
 mod refusal;
+mod spheres;
+mod tiles;
+mod units;
 
-pub use describe::{Addresses, Split, describe, slices, tile_count};
+pub use describe::{Addresses, Order, Skip, Split, describe};
+pub use lens::{Lens, Rectangle};
+pub(crate) use plan::{Plan, Policy, Size};
 pub use refusal::Refusal;
+pub use spheres::EyeSpheres;
+pub use tiles::{tile_count, tile_pixels};
+pub use units::Units;

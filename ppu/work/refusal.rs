@@ -11,7 +11,8 @@ use super::layout::{Frame, Status};
 pub struct Refusal {
     /// The status word.
     pub status: u32,
-    /// Field of the frame descriptor that it is about; empty if the status is unknown.
+    /// Field of the frame descriptor or of a work unit that it is about; empty if the status is
+    /// unknown.
     pub field: &'static str,
     rule: &'static str,
     values: Vec<u64>,
@@ -73,7 +74,11 @@ impl fmt::Display for Refusal {
         if self.field.is_empty() {
             return write!(f, "answered with the unknown status {}", self.status);
         }
-        write!(f, "refused the frame descriptor: {} is ", self.field)?;
+        if self.values.is_empty() {
+            write!(f, "refused the work units: {}", self.field)?;
+        } else {
+            write!(f, "refused the frame descriptor: {} is ", self.field)?;
+        }
         for (number, value) in self.values.iter().enumerate() {
             let comma = if number == 0 { "" } else { ", " };
             write!(f, "{comma}{value} ({value:#x})")?;

@@ -6,11 +6,14 @@
 
         .section .bss
         .align  7
-        .global frame, basis, depth, shifts
+        .global frame, basis, basis_middles, depth, pixel_shuffle
 frame:  .skip   FRAME_SIZE
 basis:  .skip   BASIS_SIZE
+basis_middles:                          # of the middles of packets instead of pixels
+        .skip   BASIS_SIZE
 depth:  .skip   DEPTH_SIZE
-shifts: .skip   SHIFTS_SIZE
+pixel_shuffle:
+        .skip   PIXELS_SIZE
 
         .set    status,3
         .set    high,4
@@ -21,7 +24,23 @@ shifts: .skip   SHIFTS_SIZE
         .set    bad,18
         .set    m_splat,19
         .set    a_spread,20
-        .set    vector,21
+        .set    right,22
+        .set    down,23
+        .set    k_middle,24
+        .set    k_side,25
+        .set    m_red,22
+        .set    m_green,23
+        .set    m_blue,24
+        .set    lane,25
+        .set    shuffle,26
+        .set    k_ff,27
+
+        .section .rodata
+        .align  4
+lane_bytes:
+        .int    0x00000000,0x04040404,0x08080808,0x0c0c0c0c
+identity:
+        .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
 
 # Leaves frame_fetch with a status unless the register is 0.
 .macro  refuse_if bad_register:req, code:req
@@ -72,10 +91,19 @@ shifts: .skip   SHIFTS_SIZE
         spread_word \offset+8
 .endm
 
+# The bytes that a channel has in every pixel word; refuses a shift that is not of whole bytes.
+.macro  channel_bytes mask:req, channel:req
+        load_word $value,FRAME_\channel\()_shift,$a_frame
+        andi    $bad,$value,7
+        refuse_if $bad,PixelFormat
+        shl     \mask,$k_ff,$value
+        splat   \mask,\mask,$m_splat
+.endm
+
 # frame_fetch   fetches the descriptor, checks every field that could lead astray, sets up the frame
 #   In      $4 and $5 effective address, high word first
 #   Out     $3 STATUS_ value
-#   Uses    $3-$7, $10-$21, the frame's and the counts' driver registers
+#   Uses    $3-$7, $10-$27, the frame's driver registers
 function frame_fetch
         enter
         andi    $bad,$low,LINE-1
@@ -98,6 +126,8 @@ function frame_fetch
         refuse_if $bad,Spus
         require_at_most split,SPLIT_SLICES,Split
         ori     $g_split,$value,0
+        require_at_most skip,SKIP_MISSES,Skip
+        ori     $g_skip,$value,0
         require_from_one width,MAX_SIDE,Width
         ori     $g_width,$value,0
         require_from_one height,MAX_SIDE,Height
@@ -113,8 +143,10 @@ function frame_fetch
         refuse_if $bad,Stride
         require_aligned framebuffer,16,Framebuffer
         require_aligned spheres,LINE,Spheres
-        require_aligned tile_counter,LINE,TileCounter
+        require_aligned unit_counter,LINE,UnitCounter
         require_aligned statistics,LINE,Statistics
+        require_aligned units,LINE,Units
+        require_aligned costs,LINE,Costs
         require_at_most sphere_count,MAX_SPHERES,SphereCount
         ori     $g_spheres,$value,0
         load_word $limit,FRAME_features,$a_frame
@@ -126,9 +158,48 @@ function frame_fetch
         require_at_most green_shift,MAX_SHIFT,PixelFormat
         require_at_most blue_shift,MAX_SHIFT,PixelFormat
 
+        # The tiles, and what finds a tile's row: one over the tiles across.
+        ai      $g_across,$g_width,TILE_WIDTH-1
+        rotmi   $g_across,$g_across,-6
+        ai      $value,$g_height,TILE_HEIGHT-1
+        rotmi   $value,$value,-4
+    .if TILE_WIDTH != 1<<6 || TILE_HEIGHT != 1<<4
+        .error  "the shifts above are of other tiles"
+    .endif
+        mpyu    $g_tiles,$g_across,$value
+        csflt   $value,$g_across,0
+        frest   $g_inverse_across,$value
+        fi      $g_inverse_across,$value,$g_inverse_across
+        load_word $g_units,FRAME_unit_count,$a_frame
+        clgt    $bad,$g_units,$g_tiles
+        refuse_if $bad,UnitCount
+
+        # Where red, green and blue stand in a pixel's word: no two on the same byte.
+        splat_mask $m_splat
+        il      $k_ff,0xff
+        channel_bytes $m_red,red
+        channel_bytes $m_green,green
+        channel_bytes $m_blue,blue
+        xor     $bad,$m_red,$m_green
+        xor     $bad,$bad,$m_blue
+        cntb    $bad,$bad
+        sumb    $bad,$bad,$bad
+        andi    $bad,$bad,0x1f
+        xori    $bad,$bad,24
+        refuse_if $bad,PixelFormat
+        lqa     $lane,lane_bytes
+        ilhu    $shuffle,0x8080
+        iohl    $shuffle,0x8080                         # a byte of zeroes
+        selb    $shuffle,$shuffle,$lane,$m_red
+        orbi    $lane,$lane,0x10
+        selb    $shuffle,$shuffle,$lane,$m_green
+        stqa    $shuffle,pixel_shuffle+PIXELS_red_green
+        lqa     $shuffle,identity
+        selb    $shuffle,$shuffle,$lane,$m_blue
+        stqa    $shuffle,pixel_shuffle+PIXELS_blue
+
         load_word $g_buffer_high,FRAME_framebuffer,$a_frame
         load_word $g_buffer_low,FRAME_framebuffer+4,$a_frame
-        splat_mask $m_splat
         ila     $a_spread,basis
         spread_vector FRAME_corner
         spread_vector FRAME_right
@@ -136,16 +207,23 @@ function frame_fetch
         ila     $a_spread,depth
         spread_word FRAME_depth_far
         spread_word FRAME_depth_scale
-        ila     $a_spread,shifts
-        spread_word FRAME_red_shift
-        spread_word FRAME_green_shift
-        spread_word FRAME_blue_shift
-        il      $g_n_tiles,0
-        il      $g_n_packets,0
-        il      $g_n_rays,0
-        il      $g_n_hits,0
-        il      $g_tests_high,0
-        il      $g_tests_low,0
+
+        # A packet's middle is one and a half pixels from its first, and four from the next one.
+        ila     $a_spread,basis
+        ilhu    $k_middle,0x3fc0
+        ilhu    $k_side,0x4080
+    .irp axis, 0,16,32
+        lqd     $value,BASIS_corner+\axis($a_spread)
+        lqd     $right,BASIS_right+\axis($a_spread)
+        lqd     $down,BASIS_down+\axis($a_spread)
+        fma     $value,$right,$k_middle,$value
+        fma     $value,$down,$k_middle,$value
+        fm      $right,$right,$k_side
+        fm      $down,$down,$k_side
+        stqd    $value,BASIS_SIZE+BASIS_corner+\axis($a_spread)
+        stqd    $right,BASIS_SIZE+BASIS_right+\axis($a_spread)
+        stqd    $down,BASIS_SIZE+BASIS_down+\axis($a_spread)
+    .endr
         il      $status,STATUS_Done
 refused:
         leave

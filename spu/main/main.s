@@ -34,16 +34,17 @@ next_mail:
         rdch    $after,$SPU_RdDec
         sf      $g_idle,$after,$before
         ori     $g_mailed,$after,0
-        il      $g_dma_wait,0
         or      $either,$high,$low
         brz     $either,exit
 
+        brsl    $lr,statistics_reset
         ori     $4,$high,0
         ori     $5,$low,0
         brsl    $lr,frame_fetch
         brnz    $3,answer
         brsl    $lr,scene_fetch
-        brsl    $lr,tiles_trace
+        brsl    $lr,units_trace
+        brnz    $3,answer
         brsl    $lr,statistics_put
         il      $3,STATUS_Done
 answer:

@@ -8,6 +8,27 @@
         .align  7
 statistics:
         .skip   STATS_SIZE
+        .global counters
+counters:
+        .skip   COUNTERS_SIZE
+
+# statistics_reset   begins the counts of a frame
+#   Uses    $20
+        .set    zero,20
+
+function statistics_reset
+        il      $zero,0
+    .set    place,0
+    .rept   COUNTERS_SIZE/16
+        stqa    $zero,counters+place
+    .set    place,place+16
+    .endr
+        ori     $g_began,$g_mailed,0
+    .irp ticks, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade,n_hits
+        il      $g_\ticks,0
+    .endr
+        bi      $lr
+endfunction statistics_reset
 
 # statistics_put   fills the line and sends it; it has arrived when this returns
 #   Uses    $3, $10-$21
@@ -22,10 +43,23 @@ statistics:
         .set    size,18
         .set    tag,19
         .set    command,20
-        .set    zero,21
+        .set    more,21
 
 .macro  put_word field:req, register:req
         store_word \register,STATS_\field,$a_line,$t_quad,$t_mask
+.endm
+
+.macro  put_count field:req
+        lqa     $value,counters+COUNT_\field
+        rotqbyi $value,$value,4
+        put_word \field,$value
+.endm
+
+.macro  put_long_count field:req
+        lqa     $value,counters+COUNT_\field
+        put_word \field,$value
+        rotqbyi $value,$value,4
+        put_word \field+4,$value
 .endm
 
 function statistics_put
@@ -34,19 +68,37 @@ function statistics_put
         ila     $a_line,statistics
         load_word $value,FRAME_number,$a_frame
         put_word number,$value
-        put_word tiles,$g_n_tiles
-        put_word packets,$g_n_packets
-        put_word eye_rays,$g_n_rays
         rotqbyi $value,$g_n_hits,8
         a       $g_n_hits,$g_n_hits,$value
         rotqbyi $value,$g_n_hits,4
         a       $g_n_hits,$g_n_hits,$value
         put_word eye_hits,$g_n_hits
-        put_word tests_made,$g_tests_high
-        put_word tests_made+4,$g_tests_low
-        il      $zero,0
-        put_word tests_skipped,$zero
-        put_word tests_skipped+4,$zero
+    .irp field, tiles,packets,eye_rays,tiles_empty,packets_empty,tests_hidden,cull_tests
+        put_count \field
+    .endr
+        put_long_count tests_made
+        put_long_count hits_looked_for
+
+        # Every packet with every sphere, less the tests made.
+        lqa     $value,counters+COUNT_packets
+        rotqbyi $value,$value,4
+        mpyu    $low,$value,$g_spheres
+        rotmi   $value,$value,-16
+        mpyu    $value,$value,$g_spheres
+        rotmi   $high,$value,-16
+        shli    $value,$value,16
+        add_effective $high,$low,$value,$t_carry
+        lqa     $value,counters+COUNT_tests_made
+        rotqbyi $more,$value,4
+        bg      $t_carry,$more,$low                     # 1 unless it borrows
+        sf      $low,$more,$low
+        sfx     $t_carry,$value,$high
+        put_word tests_skipped,$t_carry
+        put_word tests_skipped+4,$low
+
+    .irp phase, fetch,cull,rays,isect,shade
+        put_word ticks_\phase,$g_ticks_\phase
+    .endr
         put_word dma_wait,$g_dma_wait
         put_word idle,$g_idle
         rdch    $value,$SPU_RdDec

@@ -1,0 +1,323 @@
+//! Frames of one scene, summed up: what `--stats` writes and a run says at its end.
+
+use std::fmt;
+
+use serde::Serialize;
+
+use crate::statistics::{FrameStatistics, Phases, Tests};
+
+/// Ticks of the decrementer a second on a PlayStation 3, in the emulator too.
+const PS3_TIMEBASE: f64 = 79_800_000.0;
+
+/// A run's frames; its JSON is what `--stats` writes. Times are in seconds.
+#[derive(Clone, Debug, Serialize)]
+pub struct Report {
+    /// The scene.
+    pub scene: String,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// SPUs used.
+    pub spus: u32,
+    /// Frames shown.
+    pub frames: u32,
+    /// Of these, those of which anything was traced; the others already were where they go.
+    pub frames_traced: u32,
+    /// Seconds of the host's clock, from the first mail to the last answer.
+    pub host_seconds: f64,
+    /// Frames traced a second by the SPUs' decrementers: the console's time on a console.
+    pub frames_per_second: f64,
+    /// Part of the time that the SPUs were at work in, until the slowest of each frame was done: 1 if
+    /// none ever waited for another or for a transfer.
+    pub busy_share: f64,
+    /// Largest part of its frames' time that an SPU waited for the MFC.
+    pub dma_wait_share: f64,
+    /// Per SPU.
+    pub spu: Vec<SpuReport>,
+    /// Time at work of all SPUs, by what was done.
+    pub phases: Phases<f64>,
+    /// Rays by kind.
+    pub rays: Rays,
+    /// Tests of one ray with one object, and of groups of rays.
+    pub tests: Tests,
+    /// Tiles by what became of them.
+    pub tiles: Tiles,
+    /// Packets by what became of them.
+    pub packets: Packets,
+    #[serde(skip)]
+    timebase: f64,
+    #[serde(skip)]
+    ticks: u64,
+}
+
+/// One SPU over all frames.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct SpuReport {
+    /// At work.
+    pub busy: f64,
+    /// Waiting for the MFC.
+    pub dma_wait: f64,
+    /// Waiting for a frame.
+    pub idle: f64,
+    /// `busy` in per cent of all three.
+    pub busy_percent: f64,
+    /// `dma_wait` in per cent of all three.
+    pub dma_wait_percent: f64,
+    /// `idle` in per cent of all three.
+    pub idle_percent: f64,
+    /// Tiles traced or filled.
+    pub tiles: u64,
+    /// Packets of 16 rays traced or filled.
+    pub packets: u64,
+    /// `busy` by what was done.
+    pub phases: Phases<f64>,
+}
+
+/// Rays by kind, under the names of the Standard Procedural Databases.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Rays {
+    /// From the eye.
+    pub eye: u64,
+    /// Of these, those that hit something.
+    pub eye_hit: u64,
+    /// From mirrors: none yet.
+    pub reflected: u64,
+    /// Through glass: none yet.
+    pub refracted: u64,
+    /// To lights: none yet.
+    pub shadow: u64,
+}
+
+/// Tiles by what became of them.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Tiles {
+    /// Traced.
+    pub traced: u64,
+    /// Filled with the background: nothing can be seen in them.
+    pub filled: u64,
+    /// Left alone: they already showed what they should.
+    pub retained: u64,
+}
+
+/// Packets by what became of them.
+#[derive(Clone, Copy, Debug, Default, Serialize)]
+pub struct Packets {
+    /// Traced, or filled with their whole tile.
+    pub traced: u64,
+    /// Filled with the background in a tile that was traced.
+    pub filled: u64,
+}
+
+impl Report {
+    /// A report on a scene at a size, with no frames as yet.
+    #[must_use]
+    pub fn new(scene: &str, (width, height): (u32, u32), spus: u32) -> Self {
+        Self {
+            scene: scene.to_owned(),
+            width,
+            height,
+            spus,
+            frames: 0,
+            frames_traced: 0,
+            host_seconds: 0.0,
+            frames_per_second: 0.0,
+            busy_share: 0.0,
+            dma_wait_share: 0.0,
+            spu: vec![SpuReport::default(); spus as usize],
+            phases: Phases::default(),
+            rays: Rays::default(),
+            tests: Tests::default(),
+            tiles: Tiles::default(),
+            packets: Packets::default(),
+            timebase: timebase(),
+            ticks: 0,
+        }
+    }
+
+    /// Adds a frame, at whose end the frames had taken `host_seconds`.
+    pub fn add(&mut self, frame: &FrameStatistics, host_seconds: f64) {
+        self.frames += 1;
+        self.frames_traced += u32::from(frame.is_traced());
+        self.host_seconds = host_seconds;
+        self.ticks += frame.ticks();
+        self.tests += frame.tests();
+        self.tiles.retained += frame.tiles_retained;
+        for (sum, spu) in self.spu.iter_mut().zip(&frame.spus) {
+            let seconds = |ticks: u64| ticks as f64 / self.timebase;
+            let phases = spu.phases.map(seconds);
+            sum.busy += seconds(spu.busy);
+            sum.dma_wait += seconds(spu.dma_wait);
+            sum.idle += seconds(spu.idle);
+            sum.tiles += spu.tiles;
+            sum.packets += spu.packets;
+            sum.phases = sum.phases.plus(phases);
+            self.phases = self.phases.plus(phases);
+            self.rays.eye += spu.eye_rays;
+            self.rays.eye_hit += spu.eye_hits;
+            self.tiles.traced += spu.tiles - spu.tiles_filled;
+            self.tiles.filled += spu.tiles_filled;
+            self.packets.traced += spu.packets - spu.packets_filled;
+            self.packets.filled += spu.packets_filled;
+        }
+        self.share();
+    }
+
+    /// Brings the quotients up to the sums.
+    fn share(&mut self) {
+        let part = |of: f64, all: f64| if all > 0.0 { of / all } else { 0.0 };
+        let seconds = self.ticks as f64 / self.timebase;
+        self.frames_per_second = part(f64::from(self.frames_traced), seconds);
+        self.busy_share = part(
+            self.spu.iter().map(|spu| spu.busy).sum(),
+            f64::from(self.spus) * seconds,
+        );
+        for spu in &mut self.spu {
+            let all = spu.busy + spu.dma_wait + spu.idle;
+            spu.busy_percent = 100.0 * part(spu.busy, all);
+            spu.dma_wait_percent = 100.0 * part(spu.dma_wait, all);
+            spu.idle_percent = 100.0 * part(spu.idle, all);
+        }
+        let waits = self.spu.iter().map(|spu| part(spu.dma_wait, seconds));
+        self.dma_wait_share = waits.fold(0.0, f64::max);
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { tests, tiles, .. } = self;
+        writeln!(
+            f,
+            "{}x{}, {} frame(s), {} traced, on {} SPUs in {:.2} s; by the SPUs' clock {:.2} frames/s",
+            self.width,
+            self.height,
+            self.frames,
+            self.frames_traced,
+            self.spus,
+            self.host_seconds,
+            self.frames_per_second
+        )?;
+        let all = tests.made + tests.skipped + tests.unseen;
+        writeln!(
+            f,
+            "tests: {:.2} of {:.2} million made, {:.2} million looked for a hit; tiles: {} traced, {} \
+             filled, {} retained",
+            tests.made as f64 / 1e6,
+            all as f64 / 1e6,
+            tests.hits_looked_for as f64 / 1e6,
+            tiles.traced,
+            tiles.filled,
+            tiles.retained
+        )?;
+        write!(
+            f,
+            "SPUs: {:.1} % busy, at most {:.1} % waiting for DMA",
+            100.0 * self.busy_share,
+            100.0 * self.dma_wait_share
+        )
+    }
+}
+
+impl Phases<u64> {
+    fn map(self, seconds: impl Fn(u64) -> f64) -> Phases<f64> {
+        Phases {
+            fetch: seconds(self.fetch),
+            cull: seconds(self.cull),
+            rays: seconds(self.rays),
+            isect: seconds(self.isect),
+            shade: seconds(self.shade),
+        }
+    }
+}
+
+impl Phases<f64> {
+    fn plus(self, other: Self) -> Self {
+        Self {
+            fetch: self.fetch + other.fetch,
+            cull: self.cull + other.cull,
+            rays: self.rays + other.rays,
+            isect: self.isect + other.isect,
+            shade: self.shade + other.shade,
+        }
+    }
+}
+
+/// Ticks of the decrementer a second: what Linux says of this machine, else the PlayStation 3's.
+fn timebase() -> f64 {
+    std::fs::read_to_string("/proc/cpuinfo")
+        .ok()
+        .as_deref()
+        .and_then(timebase_of)
+        .unwrap_or(PS3_TIMEBASE)
+}
+
+/// The `timebase` line of PowerPC's `/proc/cpuinfo`.
+fn timebase_of(cpuinfo: &str) -> Option<f64> {
+    let line = cpuinfo.lines().find(|line| line.starts_with("timebase"))?;
+    let ticks: f64 = line.split(':').nth(1)?.trim().parse().ok()?;
+    (ticks > 0.0).then_some(ticks)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::statistics::SpuStatistics;
+
+    #[test]
+    fn the_timebase_is_what_linux_says() {
+        let console = "cpu\t\t: Cell Broadband Engine, altivec supported\ntimebase\t: 79800000\n";
+        assert_eq!(timebase_of(console), Some(79_800_000.0));
+        assert_eq!(timebase_of("timebase : 0\n"), None);
+        assert_eq!(timebase_of("model name : another\n"), None);
+    }
+
+    fn frame(ticks: [(u64, u64); 2], eye_rays: u64) -> FrameStatistics {
+        let spu = |(busy, dma_wait)| SpuStatistics {
+            busy,
+            dma_wait,
+            idle: 100,
+            eye_rays,
+            tiles: 5,
+            tiles_filled: 2,
+            packets: 70,
+            packets_filled: 30,
+            ..SpuStatistics::default()
+        };
+        FrameStatistics {
+            spus: ticks.map(spu).into(),
+            tiles_retained: 3,
+        }
+    }
+
+    #[test]
+    fn the_slowest_spu_sets_the_frame_rate() {
+        let mut report = Report::new("s", (4, 4), 2);
+        let traced = frame([(798_000, 0), (1_000_000, 596_000)], 16);
+        report.add(&traced, 0.5);
+        report.add(&traced, 1.0);
+        let expected = timebase() / 1_596_000.0;
+        assert!((report.frames_per_second - expected).abs() < 1e-9 * expected);
+        assert_eq!((report.frames, report.frames_traced), (2, 2));
+        assert!((report.busy_share - 1_798_000.0 / 3_192_000.0).abs() < 1e-12);
+        assert!((report.dma_wait_share - 596_000.0 / 1_596_000.0).abs() < 1e-12);
+        assert_eq!((report.tiles.traced, report.tiles.filled), (12, 8));
+        assert_eq!(report.tiles.retained, 6);
+        assert_eq!((report.packets.traced, report.packets.filled), (160, 120));
+        for spu in &report.spu {
+            let percent = spu.busy_percent + spu.dma_wait_percent + spu.idle_percent;
+            assert!((percent - 100.0).abs() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn frames_that_nothing_was_traced_of_are_no_speed() {
+        let mut report = Report::new("s", (4, 4), 2);
+        report.add(&frame([(798_000, 0), (798_000, 0)], 16), 1.0);
+        let expected = report.frames_per_second;
+        report.add(&FrameStatistics::default(), 2.0);
+        assert_eq!((report.frames, report.frames_traced), (2, 1));
+        assert!((report.frames_per_second - expected).abs() < 1e-9 * expected);
+        let text = report.to_string();
+        assert!(text.contains("2 frame(s), 1 traced"), "{text}");
+    }
+}

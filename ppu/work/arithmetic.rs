@@ -1,0 +1,134 @@
+//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, in the order of
+//! the kernels' operations, and random cameras and spheres.
+
+use glam::DVec3;
+use nff::{Camera, View};
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::estimate::{fi, frsqest};
+use spu_emulator::float::single::{fm, fma, fnms, fs, to_f64};
+use zerocopy::big_endian::F32;
+
+use super::layout::Sphere;
+use crate::scene;
+
+/// A vector of the SPU's singles.
+pub type Singles = [u32; 3];
+
+const ONE: u32 = 0x3f80_0000;
+const HALF: u32 = 0x3f00_0000;
+
+pub fn bits(vector: [F32; 3]) -> Singles {
+    vector.map(|value| value.get().to_bits())
+}
+
+pub fn wide(vector: Singles) -> DVec3 {
+    DVec3::from_array(vector.map(to_f64))
+}
+
+fn nearest(vector: DVec3) -> Singles {
+    vector.to_array().map(|value| (value as f32).to_bits())
+}
+
+fn is_negative(value: u32) -> bool {
+    value >> 31 == 1
+}
+
+/// The unit direction through a point of the picture, which may lie between pixels.
+pub fn direction(camera: &Camera, x: f64, y: f64) -> Singles {
+    let [corner, right, down] = [camera.corner, camera.right, camera.down].map(nearest);
+    let [x, y] = [x, y].map(|value| (value as f32).to_bits());
+    let along = [0, 1, 2].map(|axis| fma(y, down[axis], fma(x, right[axis], corner[axis])));
+    let [dx, dy, dz] = along;
+    let length_squared = fma(dz, dz, fma(dy, dy, fm(dx, dx)));
+    let estimate = fi(length_squared, frsqest(length_squared));
+    let error = fnms(fm(length_squared, estimate), estimate, ONE);
+    let inverse = fma(error, fm(estimate, HALF), estimate);
+    along.map(|component| fm(component, inverse))
+}
+
+/// Whether a direction's product with the centre is above a limit, as `filter_spheres_r16` and
+/// `cull_spheres_p16` find it.
+pub fn is_above(limit: F32, centre: [F32; 3], direction: Singles) -> bool {
+    let product = |sum, (c, d)| fnms(c, d, sum);
+    let terms = bits(centre).into_iter().zip(direction);
+    is_negative(terms.fold(limit.get().to_bits(), product))
+}
+
+/// Whether a sphere is outside of a plane, as `frustum_spheres` finds it.
+pub fn is_outside(sphere: &Sphere, normal: Singles) -> bool {
+    let product = |sum, (c, n)| fma(c, n, sum);
+    let terms = bits(sphere.centre).into_iter().zip(normal);
+    is_negative(terms.fold(sphere.reach.get().to_bits(), product))
+}
+
+/// The entry that `isect_pairs_r16` finds.
+pub fn entry(sphere: &Sphere, [dx, dy, dz]: Singles) -> Option<f64> {
+    let [cx, cy, cz] = bits(sphere.centre);
+    let b = fma(cz, dz, fma(cy, dy, fm(cx, dx)));
+    let (lx, ly, lz) = (fnms(b, dx, cx), fnms(b, dy, cy), fnms(b, dz, cz));
+    let radius_squared = sphere.radius_squared.get().to_bits();
+    let disc = fnms(lz, lz, fnms(ly, ly, fnms(lx, lx, radius_squared)));
+    let y = fi(disc, frsqest(disc));
+    let s = fm(disc, y);
+    let root = fm(s, fma(fnms(s, y, ONE), HALF, ONE));
+    let t = fs(b, root);
+    (!is_negative(disc) && !is_negative(t)).then(|| to_f64(t))
+}
+
+/// A number between 2^`from` and 2^`to`, as likely in each octave.
+pub fn magnitude(random: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
+    random.random_range(from..to).exp2()
+}
+
+/// A random unit vector.
+pub fn unit(random: &mut ChaCha8Rng) -> DVec3 {
+    loop {
+        let vector = DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
+        if (0.01..1.0).contains(&vector.length()) {
+            return vector.normalize();
+        }
+    }
+}
+
+/// A vector at right angles to a unit vector.
+pub fn across(random: &mut ChaCha8Rng, along: DVec3) -> DVec3 {
+    along
+        .cross(unit(random))
+        .try_normalize()
+        .unwrap_or_else(|| along.any_orthonormal_vector())
+}
+
+/// A camera that looks anywhere from near the origin, with a narrow or a wide picture.
+pub fn camera(random: &mut ChaCha8Rng, width: u32, height: u32) -> Camera {
+    let from = unit(random) * magnitude(random, -6.0, 6.0);
+    let sight = unit(random);
+    let view = View {
+        from,
+        at: from + sight,
+        up: across(random, sight),
+        angle: if random.random() {
+            random.random_range(1.0..60.0)
+        } else {
+            random.random_range(60.0..179.0)
+        },
+        hither: 0.0,
+        resolution: (width, height),
+    };
+    view.camera(width, height).expect("a camera")
+}
+
+/// A sphere in a direction as seen from `eye`: small or large, far or close to the eye.
+pub fn sphere(random: &mut ChaCha8Rng, eye: DVec3, towards: DVec3) -> scene::Sphere {
+    let distance = magnitude(random, -10.0, 20.0);
+    let share = match random.random_range(0..3) {
+        0 => magnitude(random, -24.0, 0.0),
+        1 => random.random_range(0.0..1.0),
+        _ => 1.0 - magnitude(random, -24.0, 0.0),
+    };
+    scene::Sphere {
+        centre: eye + towards * distance,
+        radius: (distance * share).max(1e-9),
+        colour: DVec3::ONE,
+    }
+}

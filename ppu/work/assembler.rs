@@ -1,0 +1,45 @@
+//! The work-unit layout in the assembler's words: what build scripts write into `work_unit.inc`.
+//!
+//! Owns the names that the layout has in assembly. A build script includes this file next to
+//! `layout.rs`; the program itself does not.
+
+use std::fmt::Write as _;
+
+use super::layout::{self, Field};
+
+/// Sizes, offsets and constants of the layout, as the assembler's symbols.
+pub fn constants() -> String {
+    let mut text = String::from("# Generated from ppu/work/layout.rs.\n");
+    for (name, value, doc) in layout::CONSTANTS {
+        let _ = writeln!(text, ".set {name},{value:#x} #{doc}");
+    }
+    for record in layout::RECORDS {
+        let _ = writeln!(
+            text,
+            "\n#{}\n.set {}_SIZE,{}",
+            record.doc, record.name, record.size
+        );
+        for field in record.fields {
+            let Field {
+                name,
+                kind,
+                offset,
+                size,
+                doc,
+            } = field;
+            let _ = writeln!(
+                text,
+                ".set {}_{name},{offset} # {kind}, {size} bytes:{doc}",
+                record.name
+            );
+        }
+    }
+    for (name, status, field, doc) in layout::Status::ALL {
+        let _ = writeln!(
+            text,
+            ".set STATUS_{name},{} # {field}:{doc}",
+            *status as u32
+        );
+    }
+    text
+}

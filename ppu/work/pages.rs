@@ -1,0 +1,135 @@
+//! What the framebuffer's pages show, so that what has not changed is not traced again.
+//!
+//! Invariant: a page is known only while it shows a whole frame: from the moment it is to be written
+//! to until it is whole again, nothing is assumed of it.
+
+use glam::DVec3;
+use nff::Camera;
+use nff::depth::DepthShading;
+
+use super::lens::Lens;
+use super::tiles::TileSet;
+use crate::framebuffer::{Geometry, PixelFormat, Target};
+use crate::scene::{Scene, Sphere};
+
+/// Most pages that are remembered: no framebuffer has more.
+const MOST: usize = 4;
+
+/// The pages of a framebuffer.
+#[derive(Default)]
+pub struct Pages {
+    pages: Vec<Page>,
+    /// Number of the page that is being written to.
+    open: usize,
+}
+
+/// Where a page lies, and in which form.
+#[derive(Clone, Copy, PartialEq)]
+struct Place {
+    address: usize,
+    stride: u32,
+    geometry: Geometry,
+    format: PixelFormat,
+}
+
+struct Page {
+    place: Place,
+    /// Whether it shows what is said below.
+    whole: bool,
+    camera: Camera,
+    background: DVec3,
+    depth: DepthShading,
+    spheres: Vec<Sphere>,
+}
+
+impl Pages {
+    /// Nothing is known any more.
+    pub fn forget(&mut self) {
+        self.pages.clear();
+    }
+
+    /// Finds the tiles that differ between what a page shows and what it is to show; then it counts
+    /// as unknown until [`Pages::close`].
+    pub fn open(
+        &mut self,
+        target: &Target,
+        scene: &Scene,
+        camera: &Camera,
+        lens: &Lens,
+        changed: &mut TileSet,
+    ) {
+        let place = Place {
+            address: target.base.as_ptr().addr(),
+            stride: target.stride,
+            geometry: target.geometry,
+            format: target.format,
+        };
+        changed.clear(target.geometry);
+        let Some(found) = self.pages.iter().position(|page| page.place == place) else {
+            if self.pages.len() == MOST {
+                self.pages.clear();
+            }
+            changed.add_all();
+            self.open = self.pages.len();
+            self.pages.push(Page::new(place, scene, camera));
+            return;
+        };
+        self.open = found;
+        let page = &mut self.pages[found];
+        let same_view = page.camera == *camera
+            && page.background == scene.background()
+            && page.depth == scene.depth();
+        if page.whole && same_view {
+            page.changes(scene.spheres(), lens, changed);
+        } else {
+            changed.add_all();
+        }
+        page.show(scene, camera);
+    }
+
+    /// The page opened last shows its frame.
+    pub fn close(&mut self) {
+        if let Some(page) = self.pages.get_mut(self.open) {
+            page.whole = true;
+        }
+    }
+}
+
+impl Page {
+    fn new(place: Place, scene: &Scene, camera: &Camera) -> Self {
+        Self {
+            place,
+            whole: false,
+            camera: *camera,
+            background: scene.background(),
+            depth: scene.depth(),
+            spheres: scene.spheres().to_vec(),
+        }
+    }
+
+    /// Adds the tiles that old and new spheres may be seen in, where they differ.
+    fn changes(&self, spheres: &[Sphere], lens: &Lens, changed: &mut TileSet) {
+        let mut add = |sphere: &Sphere| changed.add(&lens.bounds(sphere.centre, sphere.radius));
+        for (old, new) in self.spheres.iter().zip(spheres) {
+            if old != new {
+                add(old);
+                add(new);
+            }
+        }
+        let both = self.spheres.len().min(spheres.len());
+        self.spheres[both..].iter().for_each(&mut add);
+        spheres[both..].iter().for_each(&mut add);
+    }
+
+    fn show(&mut self, scene: &Scene, camera: &Camera) {
+        self.whole = false;
+        self.camera = *camera;
+        self.background = scene.background();
+        self.depth = scene.depth();
+        self.spheres.clear();
+        self.spheres.extend_from_slice(scene.spheres());
+    }
+}
+
+#[cfg(test)]
+mod tests;

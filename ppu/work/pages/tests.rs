@@ -1,0 +1,172 @@
+use std::ptr::NonNull;
+
+use super::super::tiles::tile_count;
+use super::*;
+
+const SIZE: Geometry = Geometry {
+    width: 640,
+    height: 160,
+};
+const TILES: usize = 100;
+
+const HEAD: &str = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 640 160\n\
+                    b 0 0 1\nf 1 0.5 0.25 1 0 0 0 1\n";
+/// Small spheres left, in the middle and right; the first and the last set the depth shading's range.
+const SPHERES: &str = "s -2 -5 0 0.1\ns 0 0 0 0.1\ns 5 5 0 0.1\n";
+
+fn scene(text: &str) -> Scene {
+    let scene = nff::parse(text.as_bytes(), "test", &nff::Limits::default()).unwrap();
+    Scene::from_nff(&scene).unwrap()
+}
+
+/// Memory that nobody writes to: only its address counts here.
+struct Screen {
+    pages: [u128; 2],
+    known: Pages,
+}
+
+impl Screen {
+    fn new() -> Self {
+        Self {
+            pages: [0; 2],
+            known: Pages::default(),
+        }
+    }
+
+    fn target(&mut self, page: usize) -> Target {
+        Target {
+            base: NonNull::from(&mut self.pages[page]).cast(),
+            bytes: 640 * 160 * 4,
+            stride: 640 * 4,
+            geometry: SIZE,
+            format: PixelFormat::ARGB,
+        }
+    }
+
+    /// The tiles to be traced of a frame that is not finished.
+    fn open(&mut self, page: usize, scene: &Scene) -> Vec<u32> {
+        let target = self.target(page);
+        self.open_target(&target, scene)
+    }
+
+    fn open_target(&mut self, target: &Target, scene: &Scene) -> Vec<u32> {
+        let camera = scene.camera(SIZE.width, SIZE.height).unwrap();
+        let lens = Lens::new(&camera, SIZE);
+        let mut tiles = TileSet::default();
+        self.known.open(target, scene, &camera, &lens, &mut tiles);
+        tiles.numbers().to_vec()
+    }
+
+    fn show(&mut self, page: usize, scene: &Scene) -> Vec<u32> {
+        let tiles = self.open(page, scene);
+        self.known.close();
+        tiles
+    }
+}
+
+#[test]
+fn what_a_page_shows_is_not_traced_again() {
+    assert_eq!(tile_count(SIZE) as usize, TILES);
+    let scene = scene(&format!("{HEAD}{SPHERES}"));
+    let mut screen = Screen::new();
+    for page in [0, 1] {
+        assert_eq!(screen.show(page, &scene).len(), TILES, "page {page} is new");
+    }
+    for page in [0, 1, 1, 0] {
+        assert!(screen.show(page, &scene).is_empty());
+    }
+}
+
+#[test]
+fn of_what_has_moved_old_and_new_place_are_traced() {
+    let before = scene(&format!("{HEAD}{SPHERES}"));
+    // The middle one moves to the right by three spheres' widths.
+    let after = scene(&format!(
+        "{HEAD}{}",
+        SPHERES.replace("s 0 0 0", "s 0.6 0 0")
+    ));
+    let mut screen = Screen::new();
+    for page in [0, 1] {
+        screen.show(page, &before);
+    }
+    // 160 rows are 20 degrees and 10 away, so 0.1 are some 4.5 pixels: around column 320 and row 80
+    // before, 27 columns further now.
+    let around_both = [44, 45, 54, 55];
+    assert_eq!(screen.show(0, &after), around_both);
+    assert!(screen.show(0, &after).is_empty());
+    assert_eq!(
+        screen.show(1, &after),
+        around_both,
+        "each page has its own past"
+    );
+    assert_eq!(screen.show(1, &before), around_both);
+}
+
+#[test]
+fn a_new_colour_is_a_change() {
+    let before = scene(&format!("{HEAD}{SPHERES}"));
+    let mut screen = Screen::new();
+    screen.show(0, &before);
+    let red = "f 1 0 0 1 0 0 0 1\n";
+    let changed = SPHERES.replace("s 0 0 0", &format!("{red}s 0 0 0"));
+    // The last sphere has the new colour too.
+    assert_eq!(
+        screen.show(0, &scene(&format!("{HEAD}{changed}"))),
+        [44, 45, 47, 54, 55, 57]
+    );
+}
+
+#[test]
+fn what_comes_and_goes_is_a_change() {
+    let two = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\n"));
+    let three = scene(&format!("{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 0 0 0.1\n"));
+    let mut screen = Screen::new();
+    screen.show(0, &two);
+    assert_eq!(screen.show(0, &three), [44, 45, 54, 55]);
+    assert_eq!(screen.show(0, &two), [44, 45, 54, 55]);
+    let behind = scene(&format!(
+        "{HEAD}s -2 -5 0 0.1\ns 5 5 0 0.1\ns 0 -16 0 0.1\n"
+    ));
+    assert!(screen.show(0, &behind).is_empty());
+}
+
+#[test]
+fn another_view_background_or_depth_is_a_new_picture() {
+    let first = format!("{HEAD}{SPHERES}");
+    let mut screen = Screen::new();
+    for other in [
+        first.replace("from 0 -10 0", "from 0 -10 0.001"),
+        first.replace("b 0 0 1", "b 0 0 0.9"),
+        first.replace("s 5 5 0", "s 5 6 0"),
+        first.clone(),
+    ] {
+        screen.show(0, &scene(&first));
+        let expected = if other == first { 0 } else { TILES };
+        assert_eq!(screen.show(0, &scene(&other)).len(), expected, "{other}");
+    }
+}
+
+#[test]
+fn an_unfinished_frame_is_not_relied_on() {
+    let scene = scene(&format!("{HEAD}{SPHERES}"));
+    let mut screen = Screen::new();
+    screen.show(0, &scene);
+    assert!(screen.open(0, &scene).is_empty());
+    assert_eq!(screen.open(0, &scene).len(), TILES);
+    screen.known.close();
+    screen.known.forget();
+    assert_eq!(screen.open(0, &scene).len(), TILES);
+}
+
+#[test]
+fn the_same_address_in_another_form_is_another_page() {
+    let scene = scene(&format!("{HEAD}{SPHERES}"));
+    let mut screen = Screen::new();
+    screen.show(0, &scene);
+    let mut target = screen.target(0);
+    target.format.red_shift = 24;
+    assert_eq!(screen.open_target(&target, &scene).len(), TILES);
+    let mut target = screen.target(0);
+    target.stride += 16;
+    assert_eq!(screen.open_target(&target, &scene).len(), TILES);
+}

@@ -1,0 +1,95 @@
+//! The plan of a frame: which tiles are traced, in which units, with which spheres.
+//!
+//! Owns all that is carried from one frame to the next: what the pages show and what tiles cost. Its
+//! buffers serve for every frame.
+
+use nff::Camera;
+
+use super::lens::Lens;
+use super::pages::Pages;
+use super::tiles::{TileSet, tile_count, tile_pixels};
+use super::units::TileCosts;
+use super::{EyeSpheres, Skip, Split, Units};
+use crate::framebuffer::{Geometry, Target};
+use crate::scene::Scene;
+use crate::work::layout::UnitCost;
+
+/// How frames are planned.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Policy {
+    pub spus: u32,
+    pub split: Split,
+    pub skip: Skip,
+    /// Whether pages keep what was written to them, and what they show need not be traced again.
+    pub retain: bool,
+}
+
+/// Plans frames.
+#[derive(Default)]
+pub(crate) struct Plan {
+    spheres: EyeSpheres,
+    units: Units,
+    pages: Pages,
+    tiles: TileSet,
+    costs: TileCosts,
+    size: Size,
+}
+
+/// How much a planned frame is.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Size {
+    /// Pixels that are traced.
+    pub pixels: u64,
+    /// Tiles that already show what they shall.
+    pub tiles_retained: u64,
+    /// Spheres that the picture can't show.
+    pub spheres_unseen: u64,
+}
+
+impl Plan {
+    /// Plans a frame into `target`.
+    pub fn make(&mut self, scene: &Scene, camera: &Camera, target: &Target, policy: Policy) {
+        let geometry = target.geometry;
+        let lens = Lens::new(camera, geometry);
+        if !policy.retain {
+            self.pages.forget();
+        }
+        self.pages
+            .open(target, scene, camera, &lens, &mut self.tiles);
+        self.spheres.look(scene.spheres(), &lens, policy.skip);
+        let tiles = self.tiles.numbers();
+        let costs = self.costs.of(geometry);
+        self.units.cut(tiles, policy.spus, policy.split, costs);
+        self.size = Size {
+            pixels: tiles
+                .iter()
+                .map(|&tile| u64::from(tile_pixels(geometry, tile)))
+                .sum(),
+            tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64,
+            spheres_unseen: (scene.spheres().len() - self.spheres.records().len()) as u64,
+        };
+    }
+
+    /// The frame is in its page, and its units have cost what is said here.
+    pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
+        self.costs.learn(geometry, self.units.lines(), costs);
+        self.pages.close();
+    }
+
+    /// Pages may show anything.
+    pub fn forget_pages(&mut self) {
+        self.pages.forget();
+    }
+
+    pub fn spheres(&self) -> &EyeSpheres {
+        &self.spheres
+    }
+
+    pub fn units(&self) -> &Units {
+        &self.units
+    }
+
+    pub fn size(&self) -> Size {
+        self.size
+    }
+}

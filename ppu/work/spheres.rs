@@ -1,0 +1,136 @@
+//! Sphere records: what the rays of one eye need to know of each sphere, nearest first.
+//!
+//! Everything is worked out in f64 relative to the eye and rounded once. Invariant: the bounds are on
+//! the safe side of the SPU's arithmetic: a ray or packet for which a kernel could find an entry
+//! passes the tests of the sphere, and no entry is found nearer than the record's `near`. So leaving
+//! tests out changes no picture.
+
+use std::f64::consts::PI;
+
+use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::F32;
+
+use super::Skip;
+use super::layout::Sphere;
+use super::lens::Lens;
+use crate::scene::{self, singles};
+
+/// Rounding of the SPU's tests, in parts of the distance of a sphere's centre.
+///
+/// A dot product of three steps truncates each by up to 2^-23 of a sum of at most twice the distance,
+/// a unit direction is off by up to four units in the last place, the centre by half of one: 2^-20 in
+/// all. The distances of entries are off by as much again through the square root.
+const ROUNDING: f64 = 1.0 / (1 << 18) as f64;
+
+/// Radius, in parts of the distance, by which a sphere can seem larger to the kernels: that of the
+/// perpendicular from the centre to a ray.
+const PERPENDICULAR_ROUNDING: f64 = 1.0 / (1 << 20) as f64;
+
+/// Largest radius that a sphere can seem to have for the SPU's arithmetic.
+pub(super) fn seen_radius(distance: f64, radius: f64) -> f64 {
+    radius + PERPENDICULAR_ROUNDING * (distance + radius)
+}
+
+/// The sphere records of a frame; its buffers serve for the next.
+#[derive(Default)]
+pub struct EyeSpheres {
+    /// `near` and index in the scene of each sphere that is sent.
+    order: Vec<(f64, u32)>,
+    records: Vec<Sphere>,
+}
+
+impl EyeSpheres {
+    /// Makes the records of what a camera can see of `spheres`; of all of them with
+    /// [`Skip::Nothing`].
+    pub fn look(&mut self, spheres: &[scene::Sphere], lens: &Lens, skip: Skip) {
+        self.order.clear();
+        for (index, sphere) in (0..).zip(spheres) {
+            if skip == Skip::Nothing || can_be_seen(sphere, lens) {
+                self.order.push((near(sphere, lens), index));
+            }
+        }
+        // The index makes an unstable sort, which needs no memory, a stable one.
+        self.order
+            .sort_unstable_by(|(a, first), (b, second)| a.total_cmp(b).then(first.cmp(second)));
+        self.records.clear();
+        let records = self
+            .order
+            .iter()
+            .map(|&(_, index)| record(&spheres[index as usize], lens));
+        self.records.extend(records);
+    }
+
+    /// The records in rising order of `near`.
+    #[must_use]
+    pub fn records(&self) -> &[Sphere] {
+        &self.records
+    }
+
+    /// The records as they lie in memory.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.records.as_bytes()
+    }
+}
+
+/// Whether any ray of the picture may enter the sphere from outside.
+fn can_be_seen(sphere: &scene::Sphere, lens: &Lens) -> bool {
+    let distance = lens.to(sphere.centre).length();
+    let around_the_eye = sphere.radius >= distance * (1.0 + ROUNDING);
+    !around_the_eye && !lens.bounds(sphere.centre, sphere.radius).is_empty()
+}
+
+/// A distance that no ray enters the sphere before.
+fn near(sphere: &scene::Sphere, lens: &Lens) -> f64 {
+    let distance = lens.to(sphere.centre).length();
+    (distance - sphere.radius - ROUNDING * (distance + sphere.radius)).max(0.0)
+}
+
+fn record(sphere: &scene::Sphere, lens: &Lens) -> Sphere {
+    let to_centre = lens.to(sphere.centre);
+    let distance = to_centre.length();
+    let radius = sphere.radius;
+    let seen = seen_radius(distance, radius);
+    let rounding = ROUNDING * distance;
+    let always = f64::from(-f32::MAX);
+    let ray_limit = if seen < distance {
+        ((distance - seen) * (distance + seen)).sqrt() - rounding
+    } else {
+        always
+    };
+    let angle = (seen / distance).min(1.0).asin() + lens.packet_spread();
+    let packet_limit = if seen < distance && angle < PI {
+        distance * angle.cos() - rounding
+    } else {
+        always
+    };
+    let plane_rounding = ROUNDING + 2.0 * lens.direction_error();
+    Sphere {
+        centre: singles(to_centre),
+        radius_squared: F32::new((radius * radius) as f32),
+        near: down(near(sphere, lens)),
+        ray_limit: down(ray_limit),
+        packet_limit: down(packet_limit),
+        reach: up(radius + plane_rounding * (distance + radius)),
+        colour: singles(sphere.colour),
+        reserved: 0.into(),
+    }
+}
+
+/// The largest single that is no larger.
+fn down(value: f64) -> F32 {
+    let nearest = value.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32;
+    F32::new(if f64::from(nearest) > value {
+        nearest.next_down()
+    } else {
+        nearest
+    })
+}
+
+/// The smallest single that is no smaller; the largest there is for what is beyond it.
+fn up(value: f64) -> F32 {
+    F32::new(-down(-value).get())
+}
+
+#[cfg(test)]
+mod tests;

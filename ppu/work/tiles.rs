@@ -1,0 +1,121 @@
+//! The tiles of a picture: how many, how large, and sets of them.
+
+use super::layout::{TILE_HEIGHT, TILE_WIDTH};
+use super::lens::Rectangle;
+use crate::framebuffer::Geometry;
+
+/// Tiles in a picture.
+#[must_use]
+pub fn tile_count(geometry: Geometry) -> u32 {
+    across(geometry) * geometry.height.div_ceil(TILE_HEIGHT)
+}
+
+/// Pixels of a tile that lie within the picture.
+#[must_use]
+pub fn tile_pixels(geometry: Geometry, tile: u32) -> u32 {
+    let x = tile % across(geometry) * TILE_WIDTH;
+    let y = tile / across(geometry) * TILE_HEIGHT;
+    (geometry.width - x).min(TILE_WIDTH) * geometry.height.saturating_sub(y).min(TILE_HEIGHT)
+}
+
+fn across(geometry: Geometry) -> u32 {
+    geometry.width.div_ceil(TILE_WIDTH)
+}
+
+/// Some of a picture's tiles; its memory serves for the next picture.
+#[derive(Default)]
+pub struct TileSet {
+    geometry: Option<Geometry>,
+    wanted: Vec<bool>,
+    numbers: Vec<u32>,
+}
+
+impl TileSet {
+    /// Becomes the empty set of a picture's tiles.
+    pub fn clear(&mut self, geometry: Geometry) {
+        self.geometry = Some(geometry);
+        self.wanted.clear();
+        self.wanted.resize(tile_count(geometry) as usize, false);
+    }
+
+    /// Adds all tiles.
+    pub fn add_all(&mut self) {
+        self.wanted.fill(true);
+    }
+
+    /// Adds the tiles of some pixels of the picture.
+    pub fn add(&mut self, pixels: &Rectangle) {
+        let Some(geometry) = self.geometry.filter(|_| !pixels.is_empty()) else {
+            return;
+        };
+        let columns = pixels.x.start / TILE_WIDTH..pixels.x.end.div_ceil(TILE_WIDTH);
+        for row in pixels.y.start / TILE_HEIGHT..pixels.y.end.div_ceil(TILE_HEIGHT) {
+            let first = (row * across(geometry)) as usize;
+            self.wanted[first + columns.start as usize..first + columns.end as usize].fill(true);
+        }
+    }
+
+    /// Numbers of the tiles, rising.
+    pub fn numbers(&mut self) -> &[u32] {
+        self.numbers.clear();
+        let wanted = (0..).zip(&self.wanted).filter(|(_, wanted)| **wanted);
+        self.numbers.extend(wanted.map(|(tile, _)| tile));
+        &self.numbers
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const ODD: Geometry = Geometry {
+        width: 200,
+        height: 50,
+    };
+
+    #[test]
+    fn the_pixels_of_all_tiles_are_the_picture() {
+        for (width, height) in [
+            (1, 1),
+            (64, 16),
+            (65, 17),
+            (200, 50),
+            (1280, 720),
+            (8192, 8192),
+        ] {
+            let geometry = Geometry { width, height };
+            let pixels: u32 = (0..tile_count(geometry))
+                .map(|tile| tile_pixels(geometry, tile))
+                .sum();
+            assert_eq!(pixels, width * height);
+        }
+        // Four across, four down, the last column 8 wide, the last row 2 high.
+        assert_eq!(tile_count(ODD), 16);
+        assert_eq!(
+            [0, 3, 12, 15].map(|tile| tile_pixels(ODD, tile)),
+            [1024, 128, 128, 16]
+        );
+    }
+
+    #[test]
+    fn pixels_add_the_tiles_they_lie_in() {
+        let mut tiles = TileSet::default();
+        tiles.clear(ODD);
+        assert!(tiles.numbers().is_empty());
+        for (x, y, expected) in [
+            (0..0, 0..50, &[][..]),
+            (63..64, 15..16, &[0]),
+            (63..65, 15..17, &[0, 1, 4, 5]),
+            (192..200, 48..50, &[15]),
+            (64..128, 0..50, &[1, 5, 9, 13]),
+        ] {
+            tiles.clear(ODD);
+            tiles.add(&Rectangle { x, y });
+            assert_eq!(tiles.numbers(), expected);
+        }
+        tiles.add_all();
+        assert_eq!(tiles.numbers().len(), 16);
+        tiles.add(&Rectangle { x: 0..0, y: 0..0 });
+        assert_eq!(tiles.numbers().len(), 16);
+    }
+}

@@ -1,0 +1,160 @@
+//! Cutting a frame into work units, so that all SPUs are done at the same time.
+//!
+//! Invariant: a cut has every tile that it is given exactly once, 1 to [`UNIT_TILES`] of them a unit.
+
+use std::cmp::Reverse;
+
+use zerocopy::big_endian::U32;
+use zerocopy::{FromZeros as _, IntoBytes as _};
+
+use super::Split;
+use super::layout::{MAX_SPUS, UNIT_TILES, UnitCost, WorkUnit};
+use crate::framebuffer::Geometry;
+use crate::work::tile_count;
+
+/// Units an SPU where nothing is known of the tiles' costs: few enough that taking one costs nothing,
+/// enough that the last ones end together.
+const UNITS_AN_SPU: u32 = 24;
+
+/// With known costs a unit takes one in this many parts of an SPU's share of what is left: the first
+/// ones are large, the last ones small.
+const PARTS_OF_A_SHARE: u64 = 4;
+
+/// The work units of a frame; its buffers serve for the next.
+#[derive(Default)]
+pub struct Units {
+    lines: Vec<WorkUnit>,
+    /// Tiles in the order of the units.
+    order: Vec<u32>,
+    slices: [U32; MAX_SPUS as usize + 1],
+}
+
+impl Units {
+    /// Cuts `tiles`, whose numbers rise, into units for `spus` SPUs. `costs` has what each tile of the
+    /// picture took the last time; slices make no use of it.
+    pub fn cut(&mut self, tiles: &[u32], spus: u32, split: Split, costs: Option<&[u32]>) {
+        self.lines.clear();
+        let spus = spus.max(1);
+        match (split, costs) {
+            (Split::Slices, _) => return self.cut_slices(tiles, spus),
+            (Split::Units, None) => self.cut_runs(tiles, run_length(tiles.len(), spus)),
+            (Split::Units, Some(costs)) => self.cut_by_cost(tiles, u64::from(spus), costs),
+        }
+        self.slices = [U32::new(self.lines.len() as u32); MAX_SPUS as usize + 1];
+    }
+
+    /// The units.
+    #[must_use]
+    pub fn lines(&self) -> &[WorkUnit] {
+        &self.lines
+    }
+
+    /// The units as they lie in memory.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.lines.as_bytes()
+    }
+
+    /// First unit of each SPU's slice; all further entries are the end of the last.
+    #[must_use]
+    pub fn slices(&self) -> [U32; MAX_SPUS as usize + 1] {
+        self.slices
+    }
+
+    fn cut_runs(&mut self, tiles: &[u32], length: usize) {
+        for run in tiles.chunks(length) {
+            self.push(run);
+        }
+    }
+
+    /// As in the paper: as many tiles for each SPU, one behind the other.
+    fn cut_slices(&mut self, tiles: &[u32], spus: u32) {
+        let length = run_length(tiles.len(), spus);
+        let start = |number: usize| tiles.len() * number / spus as usize;
+        for number in 0..=MAX_SPUS as usize {
+            self.slices[number] = U32::new(self.lines.len() as u32);
+            if number < spus as usize {
+                self.cut_runs(&tiles[start(number)..start(number + 1)], length);
+            }
+        }
+    }
+
+    fn cut_by_cost(&mut self, tiles: &[u32], spus: u64, costs: &[u32]) {
+        let cost = |tile: u32| u64::from(costs.get(tile as usize).copied().unwrap_or(0).max(1));
+        let mut order = std::mem::take(&mut self.order);
+        order.clear();
+        order.extend_from_slice(tiles);
+        order.sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
+        let mut left: u64 = order.iter().map(|&tile| cost(tile)).sum();
+        let mut rest = order.as_slice();
+        while let Some((&first, others)) = rest.split_first() {
+            let share = left / (PARTS_OF_A_SHARE * spus);
+            let mut taken = cost(first);
+            let room = others.iter().take(UNIT_TILES as usize - 1);
+            let more = room.take_while(|&&tile| {
+                let fits = taken + cost(tile) <= share;
+                taken += if fits { cost(tile) } else { 0 };
+                fits
+            });
+            let (unit, behind) = rest.split_at(1 + more.count());
+            self.push(unit);
+            left -= taken;
+            rest = behind;
+        }
+        self.order = order;
+    }
+
+    fn push(&mut self, tiles: &[u32]) {
+        let mut unit = WorkUnit::new_zeroed();
+        unit.count = (tiles.len() as u32).into();
+        for (to, &tile) in unit.tiles.iter_mut().zip(tiles) {
+            *to = tile.into();
+        }
+        self.lines.push(unit);
+    }
+}
+
+fn run_length(tiles: usize, spus: u32) -> usize {
+    tiles
+        .div_ceil((UNITS_AN_SPU * spus) as usize)
+        .clamp(1, UNIT_TILES as usize)
+}
+
+/// What each tile of a picture took the last time it was traced, in decrementer ticks.
+#[derive(Default)]
+pub struct TileCosts {
+    geometry: Option<Geometry>,
+    ticks: Vec<u32>,
+}
+
+impl TileCosts {
+    /// The costs of a picture's tiles, if they are known.
+    #[must_use]
+    pub fn of(&self, geometry: Geometry) -> Option<&[u32]> {
+        (self.geometry == Some(geometry)).then_some(&self.ticks)
+    }
+
+    /// Takes over what the units of a frame have cost.
+    pub fn learn(&mut self, geometry: Geometry, units: &[WorkUnit], costs: &[UnitCost]) {
+        if self.geometry != Some(geometry) {
+            self.geometry = Some(geometry);
+            self.ticks.clear();
+            self.ticks.resize(tile_count(geometry) as usize, 0);
+        }
+        let answered = units
+            .iter()
+            .zip(costs)
+            .filter(|(unit, cost)| unit.count == cost.count);
+        for (unit, cost) in answered {
+            let tiles = unit.tiles.iter().take(unit.count.get() as usize);
+            for (tile, ticks) in tiles.zip(cost.ticks) {
+                if let Some(known) = self.ticks.get_mut(tile.get() as usize) {
+                    *known = ticks.get();
+                }
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

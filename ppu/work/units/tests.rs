@@ -1,0 +1,203 @@
+use rand::seq::SliceRandom as _;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use super::*;
+
+fn tiles(unit: &WorkUnit) -> Vec<u32> {
+    unit.tiles[..unit.count.get() as usize]
+        .iter()
+        .map(|tile| tile.get())
+        .collect()
+}
+
+/// Every wanted tile once, and units of the sizes that a line has room for.
+fn check(units: &Units, wanted: &[u32]) {
+    for unit in units.lines() {
+        assert!((1..=UNIT_TILES).contains(&unit.count.get()));
+        assert!(
+            unit.tiles[unit.count.get() as usize..]
+                .iter()
+                .all(|tile| tile.get() == 0)
+        );
+    }
+    let mut found: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
+    found.sort_unstable();
+    assert_eq!(found, wanted);
+}
+
+#[test]
+fn every_tile_is_in_one_unit() {
+    let mut random = ChaCha8Rng::seed_from_u64(21);
+    let mut units = Units::default();
+    for count in [0, 1, 5, 24, 25, 144, 145, 900, 5000, 65536] {
+        let mut wanted: Vec<u32> = (0..65536).collect();
+        wanted.shuffle(&mut random);
+        wanted.truncate(count);
+        wanted.sort_unstable();
+        let even = vec![7; 65536];
+        let costs: Vec<u32> = (0..65536)
+            .map(|_| random.random_range(0.0..32.0f64).exp2() as u32)
+            .collect();
+        for spus in [1, 2, 6, 16] {
+            for split in [Split::Units, Split::Slices] {
+                for costs in [None, Some(even.as_slice()), Some(costs.as_slice())] {
+                    units.cut(&wanted, spus, split, costs);
+                    check(&units, &wanted);
+                    assert!(units.lines().len() <= count.max(1));
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn without_costs_units_are_rows_of_tiles_some_24_for_each_spu() {
+    let wanted: Vec<u32> = (0..900).collect();
+    let mut units = Units::default();
+    units.cut(&wanted, 6, Split::Units, None);
+    let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
+    assert_eq!(order, wanted);
+    assert_eq!(units.lines().len(), 129);
+    units.cut(&wanted, 16, Split::Units, None);
+    assert_eq!(units.lines().len(), 300);
+    units.cut(&wanted, 1, Split::Units, None);
+    assert_eq!(units.lines().len(), 30, "31 tiles a unit is the most");
+    assert!(units.slices().iter().all(|first| first.get() == 30));
+}
+
+#[test]
+fn with_costs_the_dearest_tiles_come_first_and_the_last_units_are_small() {
+    let mut random = ChaCha8Rng::seed_from_u64(22);
+    let wanted: Vec<u32> = (0..900).collect();
+    let costs: Vec<u32> = wanted
+        .iter()
+        .map(|_| random.random_range(100..3000))
+        .collect();
+    let cost = |tile: &u32| u64::from(costs[*tile as usize]);
+    let mut units = Units::default();
+    units.cut(&wanted, 6, Split::Units, Some(&costs));
+    let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
+    assert!(order.is_sorted_by_key(|tile| Reverse(cost(tile))));
+    let sums: Vec<u64> = units
+        .lines()
+        .iter()
+        .map(|unit| tiles(unit).iter().map(cost).sum())
+        .collect();
+    let all: u64 = sums.iter().sum();
+    let mut left = all;
+    for (unit, sum) in units.lines().iter().zip(&sums) {
+        let share = left / 24;
+        assert!(*sum <= share || unit.count.get() == 1, "{sum} of {left}");
+        left -= sum;
+    }
+    assert!(
+        sums[0] > all / 30,
+        "the first unit is large: {} of {all}",
+        sums[0]
+    );
+    assert!(
+        sums[sums.len() - 6..].iter().all(|&sum| sum < all / 400),
+        "{sums:?}"
+    );
+}
+
+/// What a machine of SPUs that each take the next unit would make of a cut: the time of the last
+/// one over that of a perfect share.
+fn imbalance(units: &Units, spus: usize, costs: &[u32]) -> f64 {
+    let mut ends = vec![0u64; spus];
+    for unit in units.lines() {
+        let next = ends.iter_mut().min().unwrap();
+        *next += tiles(unit)
+            .iter()
+            .map(|&tile| u64::from(costs[tile as usize]))
+            .sum::<u64>();
+    }
+    let all: u64 = ends.iter().sum();
+    *ends.iter().max().unwrap() as f64 * spus as f64 / all as f64
+}
+
+#[test]
+fn known_costs_balance_an_uneven_picture() {
+    // One corner costs fifty times as much as the rest.
+    let wanted: Vec<u32> = (0..900).collect();
+    let dear = |tile: u32| tile % 20 >= 15 && tile / 20 >= 35;
+    let costs: Vec<u32> = wanted
+        .iter()
+        .map(|&tile| if dear(tile) { 5000 } else { 100 })
+        .collect();
+    let mut units = Units::default();
+    units.cut(&wanted, 6, Split::Units, Some(&costs));
+    let known = imbalance(&units, 6, &costs);
+    assert!(known < 1.03, "{known}");
+    units.cut(&wanted, 6, Split::Units, None);
+    let unknown = imbalance(&units, 6, &costs);
+    assert!(known < unknown, "{known} {unknown}");
+}
+
+#[test]
+fn slices_are_consecutive_and_equal_in_tiles() {
+    let mut units = Units::default();
+    for count in [0u32, 1, 5, 6, 7, 900, 65536] {
+        let wanted: Vec<u32> = (0..count).map(|tile| tile * 3).collect();
+        for spus in 1..=MAX_SPUS {
+            units.cut(&wanted, spus, Split::Slices, None);
+            check(&units, &wanted);
+            let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
+            assert_eq!(order, wanted);
+            let slices = units.slices().map(U32::get);
+            assert_eq!(slices[0], 0);
+            for number in 0..spus as usize {
+                let slice = &units.lines()[slices[number] as usize..slices[number + 1] as usize];
+                let tiles: u32 = slice.iter().map(|unit| unit.count.get()).sum();
+                assert!(
+                    tiles.abs_diff(count / spus) <= 1,
+                    "{count} tiles, {spus} SPUs"
+                );
+            }
+            let end = units.lines().len() as u32;
+            assert!(slices[spus as usize..].iter().all(|&first| first == end));
+        }
+    }
+}
+
+#[test]
+fn costs_are_those_of_the_last_time() {
+    let geometry = Geometry {
+        width: 256,
+        height: 32,
+    };
+    let mut costs = TileCosts::default();
+    assert_eq!(costs.of(geometry), None);
+    let mut units = Units::default();
+    let cost = |unit: &WorkUnit, ticks: u32| UnitCost {
+        count: unit.count,
+        ticks: [ticks.into(); 31],
+    };
+    units.cut(&[0, 1, 2, 3, 4, 5, 6, 7], 1, Split::Units, None);
+    let answers: Vec<UnitCost> = (10..)
+        .zip(units.lines())
+        .map(|(ticks, unit)| cost(unit, ticks))
+        .collect();
+    costs.learn(geometry, units.lines(), &answers);
+    assert_eq!(
+        costs.of(geometry),
+        Some(&[10, 11, 12, 13, 14, 15, 16, 17][..])
+    );
+    units.cut(&[2, 6], 1, Split::Units, costs.of(geometry));
+    assert_eq!(
+        units.lines().iter().flat_map(tiles).collect::<Vec<_>>(),
+        [6, 2]
+    );
+    let answers = [cost(&units.lines()[0], 50), UnitCost::new_zeroed()];
+    costs.learn(geometry, units.lines(), &answers);
+    assert_eq!(
+        costs.of(geometry),
+        Some(&[10, 11, 12, 13, 14, 15, 50, 17][..])
+    );
+    let other = Geometry {
+        width: 32,
+        height: 256,
+    };
+    assert_eq!(costs.of(other), None);
+}

@@ -1,0 +1,47 @@
+# isect_spheres16_r16   nearest hit of sixteen rays with sixteen spheres
+#   C       void isect_spheres16_r16(struct rays *, const struct ball *, int first_object);
+#   In      $3 rays, $4 sixteen spheres, $5 object number of the first; pointers 16-aligned
+#   Out     rays: t, object, where a hit is at 0 <= t < the t that was there
+#   Uses    $2-$64   Saves  -   Stack  0   Calls  -
+#   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
+#           leaves the ray alone)
+#   Error   24 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#           0.995 r of it
+#   Twin    oracle/src/twin/ball.rs
+#
+# Of equal hits the first counts. The rays stay in registers; the steps are in ball_tmpl.inc.
+
+        .include "macros.inc"
+        .include "ball_tmpl.inc"
+
+        .set    count,2
+        .set    a_rays,3
+        .set    a_ball,4
+        .set    object,5
+
+        ball_merges
+
+function isect_spheres16_r16
+        ball_masks
+        ball_nearest_constants
+        shufb   $object,$object,$object,$m_x
+        ball_rays $a_rays
+    .irp row, 0,1,2,3
+        lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
+    .endr
+        il      $count,16
+next_ball:
+        ball_splat $a_ball
+    .irp row, 0,1,2,3
+        ball_nearest \row, $object
+    .endr
+        ai      $object,$object,1
+        ai      $a_ball,$a_ball,BALL_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_ball
+    .irp row, 0,1,2,3
+        stqd    $t_best+\row,RAYS_t+16*\row($a_rays)
+        stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
+    .endr
+        bi      $lr
+endfunction isect_spheres16_r16

@@ -1,0 +1,46 @@
+# list_pairs_p16   pairs of one object with those packets of a group that a mask names
+#   C       struct pair *list_pairs_p16(unsigned mask, const struct place *, const void *object,
+#                                       struct pair *);
+#   In      $3 mask, 16 bits, the highest of packet 0; $4 the sixteen places of a group; $5 address
+#           of the object's record; $6 where the pairs go; pointers 16-aligned
+#   Out     the pairs; one more quadword may be written
+#           $3 behind the pairs
+#   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
+#   Domain  any
+#   Error   0
+#   Twin    oracle/src/twin/lists.rs
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "lists.inc"
+
+        .set    mask,3
+        .set    a_places,4
+        .set    object,5
+        .set    a_out,6
+        # constants
+        .set    m_pair,10
+        # temporaries
+        .set    pair,11
+        .set    bit,12
+
+        .section .rodata
+        .align  4
+        # A pair: the object's word, then the packet's out of a place.
+pair_of_object_and_place:
+        .int    0x00010203,0x10111213,0x14151617,0x18191a1b
+
+function list_pairs_p16
+        shli    $mask,$mask,4
+        lqa     $m_pair,pair_of_object_and_place
+    .set    packet,0
+    .rept   16
+        lqd     $pair,PLACE_SIZE*packet($a_places)
+        shufb   $pair,$object,$pair,$m_pair
+        stqd    $pair,0($a_out)
+        keep_if_named $a_out,$mask,packet,$bit
+    .set    packet,packet+1
+    .endr
+        ori     $3,$a_out,0
+        bi      $lr
+endfunction list_pairs_p16

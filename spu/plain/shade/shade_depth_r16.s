@@ -1,0 +1,126 @@
+# shade_depth_r16   the paper's shader: colours that fade to black with the distance of the hit
+#   C       vec_uint4 shade_depth_r16(const struct place *, int count, const struct depth *,
+#                                     struct colours *, const void *background);
+#   In      $3 places, $4 count (at least 1), $5 depth, $6 colours, $7 the background's record;
+#           pointers 16-aligned
+#   Out     colours of the places' packets, in order
+#           $3 rays that hit something, a count a lane
+#   Uses    $3, $4, $6, $10-$40   Saves  -   Stack  0   Calls  -
+#   Domain  the packets' objects are addresses of records with a colour
+#   Error   2 ulp of 1, each channel
+#   Twin    oracle/src/twin/shade_depth.rs
+#
+#   brightness = clamp((far - t) scale, 0, 1), 1 where nothing was hit
+#   colour = the record's colour brightness
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+
+        .set    a_place,3
+        .set    count,4
+        .set    a_depth,5
+        .set    a_colours,6
+        .set    background,7
+        # constants
+        .set    k_zero,10
+        .set    k_one,11
+        .set    k_far,12
+        .set    k_scale,13
+        .set    m_interleave,14
+        .set    m_low,15
+        .set    m_high,16
+        .set    m_third,17
+        # state
+        .set    missed,18                               # less one, a miss
+        .set    rays,19
+        # a row
+        .set    a_packet,20
+        .set    object,21
+        .set    t,22
+        .set    bright,23
+        .set    c_none,24
+        .set    c_over,25
+        .set    object1,26
+        .set    object2,27
+        .set    object3,28
+        .set    colour0,29
+        .set    colour1,30
+        .set    colour2,31
+        .set    colour3,32
+        .set    rg01,33
+        .set    rg23,34
+        .set    b01,35
+        .set    b23,36
+        .set    red,37
+        .set    green,38
+        .set    blue,39
+
+        .section .rodata
+        .align  4
+        # words of two quadwords A and B
+interleave:
+        .int    0x00010203,0x10111213,0x04050607,0x14151617 # A0 B0 A1 B1
+low:    .int    0x00010203,0x04050607,0x10111213,0x14151617 # A0 A1 B0 B1
+high:   .int    0x08090a0b,0x0c0d0e0f,0x18191a1b,0x1c1d1e1f # A2 A3 B2 B3
+third:  .int    0x08090a0b,0x18191a1b,0x08090a0b,0x18191a1b # A2 B2 A2 B2
+
+function shade_depth_r16
+        lqa     $m_interleave,interleave
+        lqa     $m_low,low
+        lqa     $m_high,high
+        lqa     $m_third,third
+        lqd     $k_far,DEPTH_far($a_depth)
+        lqd     $k_scale,DEPTH_scale($a_depth)
+        il      $k_zero,0
+        ilhu    $k_one,0x3f80
+        il      $missed,0
+        shli    $rays,$count,2                          # a lane
+        splat_mask $c_none
+        splat   $rays,$rays,$c_none
+        splat   $background,$background,$c_none
+next_packet:
+        lqd     $a_packet,0($a_place)
+    .irp row, 0,1,2,3
+        lqd     $object,PACKET_object+16*\row($a_packet)
+        lqd     $t,PACKET_t+16*\row($a_packet)
+
+        fs      $bright,$k_far,$t
+        fm      $bright,$bright,$k_scale
+        fcgt    $c_over,$k_zero,$bright
+        selb    $bright,$bright,$k_zero,$c_over
+        fcgt    $c_over,$bright,$k_one
+        selb    $bright,$bright,$k_one,$c_over
+        ceq     $c_none,$object,$background
+        selb    $bright,$bright,$k_one,$c_none
+        a       $missed,$missed,$c_none                 # true is -1
+
+        # Four colours, one a lane, turned into lanes of red, green and blue.
+        rotqbyi $object1,$object,4
+        rotqbyi $object2,$object,8
+        rotqbyi $object3,$object,12
+        lqd     $colour0,SPHERE_colour($object)
+        lqd     $colour1,SPHERE_colour($object1)
+        lqd     $colour2,SPHERE_colour($object2)
+        lqd     $colour3,SPHERE_colour($object3)
+        shufb   $rg01,$colour0,$colour1,$m_interleave
+        shufb   $rg23,$colour2,$colour3,$m_interleave
+        shufb   $b01,$colour0,$colour1,$m_third
+        shufb   $b23,$colour2,$colour3,$m_third
+        shufb   $red,$rg01,$rg23,$m_low
+        shufb   $green,$rg01,$rg23,$m_high
+        shufb   $blue,$b01,$b23,$m_low
+
+        fm      $red,$red,$bright
+        fm      $green,$green,$bright
+        fm      $blue,$blue,$bright
+        stqd    $red,COLOURS_red+16*\row($a_colours)
+        stqd    $green,COLOURS_green+16*\row($a_colours)
+        stqd    $blue,COLOURS_blue+16*\row($a_colours)
+    .endr
+        ai      $a_place,$a_place,PLACE_SIZE
+        ai      $a_colours,$a_colours,COLOURS_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_packet
+        a       $3,$rays,$missed
+        bi      $lr
+endfunction shade_depth_r16
