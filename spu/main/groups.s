@@ -18,6 +18,8 @@ colours:
         .skip   GROUP_PACKETS*COLOURS_SIZE
 group_places:                           # of a group at the origin of picture and tile buffer
         .skip   GROUP_PACKETS*PLACE_SIZE
+group_origin:
+        .skip   PLACE_SIZE
 places:                                 # of the packets at hand; lists are written one too far
         .skip   (GROUP_PACKETS+1)*PLACE_SIZE
 pairs:
@@ -228,9 +230,11 @@ placed:
         cwd     $c_over,PLACE_x($sp)
         shufb   $origin,$x,$origin,$c_over
         cwd     $c_over,PLACE_y($sp)
-        shufb   $5,$g_tile_y,$origin,$c_over
+        shufb   $origin,$g_tile_y,$origin,$c_over
+        stqa    $origin,group_origin
         ori     $3,$g_seen,0
         ila     $4,group_places
+        ila     $5,group_origin
         ila     $6,places
         brsl    $lr,list_places_p16
         ila     $g_places,places

@@ -1,8 +1,8 @@
 # list_places_p16   the places of those packets of a group that a mask names
-#   C       struct place *list_places_p16(unsigned mask, const struct place *, vec_uint4 origin,
-#                                         struct place *);
-#   In      $3 mask, 16 bits, the highest of packet 0; $4 the sixteen places of a group at the
-#           origin; $5 what to add to them; $6 where the list goes; pointers 16-aligned
+#   C       struct place *list_places_p16(unsigned mask, const struct place *,
+#                                         const struct place *origin, struct place *);
+#   In      $3 mask, 16 bits, the highest of packet 0; $4 the sixteen places of a group at 0, 0;
+#           $5 what to add to each of them; $6 where the list goes; pointers 16-aligned
 #   Out     the list; one more quadword may be written
 #           $3 behind the list
 #   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
@@ -16,14 +16,16 @@
 
         .set    mask,3
         .set    a_places,4
-        .set    origin,5
+        .set    a_origin,5
         .set    a_out,6
         # temporaries
         .set    place,10
         .set    bit,11
+        .set    origin,12
 
 function list_places_p16
         shli    $mask,$mask,4
+        lqd     $origin,0($a_origin)
     .set    packet,0
     .rept   16
         lqd     $place,PLACE_SIZE*packet($a_places)
