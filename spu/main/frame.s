@@ -160,12 +160,9 @@ function frame_fetch
 
         # The tiles, and what finds a tile's row: one over the tiles across.
         ai      $g_across,$g_width,TILE_WIDTH-1
-        rotmi   $g_across,$g_across,-6
+        rotmi   $g_across,$g_across,-TILE_WIDTH_LOG2
         ai      $value,$g_height,TILE_HEIGHT-1
-        rotmi   $value,$value,-4
-    .if TILE_WIDTH != 1<<6 || TILE_HEIGHT != 1<<4
-        .error  "the shifts above are of other tiles"
-    .endif
+        rotmi   $value,$value,-TILE_HEIGHT_LOG2
         mpyu    $g_tiles,$g_across,$value
         csflt   $value,$g_across,0
         frest   $g_inverse_across,$value

@@ -239,10 +239,7 @@ placed:
         brsl    $lr,list_places_p16
         ila     $g_places,places
         sf      $g_places,$g_places,$3
-        rotmi   $g_places,$g_places,-4
-    .if PLACE_SIZE != 1<<4
-        .error  "the shift above is of another place"
-    .endif
+        rotmi   $g_places,$g_places,-PLACE_SIZE_LOG2
         ila     $3,basis
         ila     $4,places
         ori     $5,$g_places,0
@@ -343,12 +340,12 @@ function pairs_hide
         rotqbyi $near,$near,SPHERE_near&15
         ila     $3,pairs
         sf      $4,$3,$g_pairs_end
-        rotmi   $4,$4,-4
+        rotmi   $4,$4,-PAIR_SIZE_LOG2
         ori     $5,$near,0
         brsl    $lr,hidden_pairs_r16
         sf      $amount,$3,$g_pairs_end
         ori     $g_pairs_end,$3,0
-        rotmi   $amount,$amount,-4
+        rotmi   $amount,$amount,-PAIR_SIZE_LOG2
         count   tests_hidden,$amount,$t_sum,$t_add,$t_carry
         leave
 endfunction pairs_hide
@@ -366,7 +363,7 @@ function all_pairs
 next_place:
         # The pairs of one packet more must find room.
         ila     $a_end,pairs+MAX_PAIRS*PAIR_SIZE
-        shli    $amount,$g_spheres,4
+        shli    $amount,$g_spheres,PAIR_SIZE_LOG2
         sf      $a_end,$amount,$a_end
         cgt     $bits,$g_pairs_end,$a_end
         brz     $bits,has_room
@@ -394,10 +391,7 @@ function pairs_test
         ila     $3,pairs
         sf      $amount,$3,$g_pairs_end
         ori     $g_pairs_end,$3,0
-        rotmi   $amount,$amount,-4
-    .if PAIR_SIZE != 1<<4
-        .error  "the shift above is of another pair"
-    .endif
+        rotmi   $amount,$amount,-PAIR_SIZE_LOG2
         brz     $amount,tested
         count   hits_looked_for,$amount,$t_sum,$t_add,$t_carry
         # Without skipping, filter_spheres_r16 has made the tests, and these are part of them.

@@ -44,8 +44,8 @@ function tile_place
         sf      $q,$c_over,$q
         and     $across,$g_across,$c_over
         sf      $g_tile_x,$across,$g_tile_x
-        shli    $g_tile_x,$g_tile_x,6
-        shli    $g_tile_y,$q,4
+        shli    $g_tile_x,$g_tile_x,TILE_WIDTH_LOG2
+        shli    $g_tile_y,$q,TILE_HEIGHT_LOG2
         sf      $g_tile_width,$g_tile_x,$g_width
         il      $limit,TILE_WIDTH
         minimum $g_tile_width,$g_tile_width,$limit,$c_over
@@ -92,10 +92,7 @@ function tile_trace
         brsl    $lr,frustum_spheres
         ila     $g_active,active
         sf      $g_active,$g_active,$3
-        rotmi   $g_active,$g_active,-4
-    .if PAIR_SIZE != 1<<4
-        .error  "the shift above is of another list"
-    .endif
+        rotmi   $g_active,$g_active,-PAIR_SIZE_LOG2
         phase_ends $g_ticks_cull,$amount
         brz     $g_active,empty
 trace:

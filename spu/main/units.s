@@ -12,9 +12,6 @@ units:  .skip   2*UNIT_SIZE
 costs:  .skip   2*COST_SIZE
 counter:
         .skip   COUNTER_SIZE
-    .if UNIT_SIZE != 1<<7 || COST_SIZE != 1<<7
-        .error  "units and costs are no lines: g_turn is shifted by 7"
-    .endif
 
         .set    a_unit,10
         .set    tiles,11
@@ -46,7 +43,7 @@ next_unit:
         ori     $g_unit,$g_unit_next,0
         il      $3,1<<TAG_UNIT
         brsl    $lr,dma_wait
-        shli    $a_unit,$g_turn,7
+        shli    $a_unit,$g_turn,UNIT_SIZE_LOG2
         ila     $g_a_unit,units
         a       $g_a_unit,$g_a_unit,$a_unit
         xori    $g_turn,$g_turn,1
@@ -185,9 +182,9 @@ function unit_request
         ila     $a_frame,frame
         load_word $high,FRAME_units,$a_frame
         load_word $low,FRAME_units+4,$a_frame
-        shli    $offset,$g_unit_next,7
+        shli    $offset,$g_unit_next,UNIT_SIZE_LOG2
         add_effective $high,$low,$offset,$t_carry
-        shli    $offset,$g_turn,7
+        shli    $offset,$g_turn,UNIT_SIZE_LOG2
         ila     $a_frame,units
         a       $a_frame,$a_frame,$offset
         il      $size,UNIT_SIZE
@@ -205,7 +202,7 @@ function costs_put
         ila     $a_frame,frame
         load_word $high,FRAME_costs,$a_frame
         load_word $low,FRAME_costs+4,$a_frame
-        shli    $offset,$g_unit,7
+        shli    $offset,$g_unit,COST_SIZE_LOG2
         add_effective $high,$low,$offset,$t_carry
         ai      $a_costs,$g_a_unit,2*UNIT_SIZE
         xori    $tag,$g_turn,1
