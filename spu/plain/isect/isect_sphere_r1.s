@@ -1,8 +1,8 @@
 # isect_sphere_r1   nearest hit of one ray with one sphere
 #   C       void isect_sphere_r1(struct ray *, const struct ball *, int object);
 #   In      $3 ray, $4 sphere, $5 object number; pointers 16-aligned
-#   Out     ray: t, object, if a hit is at 0 <= t < the t that was there
-#   Uses    $3-$38   Saves  -   Stack  0   Calls  -
+#   Out     ray: t, object, if a hit is at 0 < t < the t that was there
+#   Uses    $3-$40   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
 #   Error   24 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
@@ -56,6 +56,8 @@
         .set    t,36
         .set    c_meets,37
         .set    c_hit,38
+        .set    minus_t,39
+        .set    limit,40                                # -t of the nearest hit so far
 
 function isect_sphere_r1
         lqd     $ball,0($a_ball)
@@ -70,6 +72,7 @@ function isect_sphere_r1
         ilhu    $k_half,0x3f00
         ilhu    $k_one,0x3f80
         ilhu    $m_sign,0x8000
+        xor     $limit,$t_best,$m_sign
         fs      $centre,$ball,$origin
         shufb   $dx,$direction,$direction,$m_x
         shufb   $dy,$direction,$direction,$m_y
@@ -96,8 +99,9 @@ function isect_sphere_r1
         fnms    $e,$s,$y,$k_one                         # 1 - s y
         selb    $s,$s,$out,$m_sign
         fma     $e,$e,$k_half,$k_one
+        fms     $minus_t,$s,$e,$b
         fnms    $t,$s,$e,$b
-        clgt    $c_hit,$t_best,$t
+        cgt     $c_hit,$limit,$minus_t
         and     $c_hit,$c_hit,$c_meets
         selb    $t_best,$t_best,$t,$c_hit
         selb    $nearest,$nearest,$object,$c_hit

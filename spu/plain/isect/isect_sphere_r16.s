@@ -1,7 +1,7 @@
 # isect_sphere_r16   nearest hit of sixteen rays with one sphere
 #   C       void isect_sphere_r16(struct rays *, const struct ball *, int object);
 #   In      $3 rays, $4 sphere, $5 object number; pointers 16-aligned
-#   Out     rays: t, object, where a hit is at 0 <= t < the t that was there
+#   Out     rays: t, object, where a hit is at 0 < t < the t that was there
 #   Uses    $3-$64   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
@@ -9,7 +9,7 @@
 #           0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
-# The entry, or the exit of a ray from inside; a ray that leaves the surface outwards from 4 ulp of r
+# The entry, or the exit of a ray from inside; a ray that leaves the surface outwards from 6 ulp of r
 # above it does not meet it again. The steps are in ball_tmpl.inc.
 
         .include "macros.inc"
@@ -29,7 +29,9 @@ function isect_sphere_r16
         ball_rays $a_rays
     .irp row, 0,1,2,3
         lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
+        ball_turn_t \row
         ball_nearest \row, $object
+        ball_turn_t \row
         stqd    $t_best+\row,RAYS_t+16*\row($a_rays)
         stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
     .endr

@@ -1,7 +1,7 @@
 # isect_spheres16_r16   nearest hit of sixteen rays with sixteen spheres
 #   C       void isect_spheres16_r16(struct rays *, const struct ball *, int first_object);
 #   In      $3 rays, $4 sixteen spheres, $5 object number of the first; pointers 16-aligned
-#   Out     rays: t, object, where a hit is at 0 <= t < the t that was there
+#   Out     rays: t, object, where a hit is at 0 < t < the t that was there
 #   Uses    $2-$64   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
@@ -28,6 +28,7 @@ function isect_spheres16_r16
         ball_rays $a_rays
     .irp row, 0,1,2,3
         lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
+        ball_turn_t \row
     .endr
         il      $count,16
 next_ball:
@@ -40,6 +41,7 @@ next_ball:
         ai      $count,$count,-1
         brnz    $count,next_ball
     .irp row, 0,1,2,3
+        ball_turn_t \row
         stqd    $t_best+\row,RAYS_t+16*\row($a_rays)
         stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
     .endr

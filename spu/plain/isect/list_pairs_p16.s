@@ -37,7 +37,7 @@ function list_pairs_p16
     .rept   16
         lqd     $pair,PLACE_SIZE*packet($a_places)
         shufb   $pair,$object,$pair,$m_pair
-        stqd    $pair,0($a_out)
+        stqd    $pair,0($a_out)                         # may alias the one before
         keep_if_named $a_out,$mask,packet,$bit
     .set    packet,packet+1
     .endr

@@ -30,7 +30,7 @@ function list_places_p16
     .rept   16
         lqd     $place,PLACE_SIZE*packet($a_places)
         a       $place,$place,$origin
-        stqd    $place,0($a_out)
+        stqd    $place,0($a_out)                        # may alias the one before
         keep_if_named $a_out,$mask,packet,$bit
     .set    packet,packet+1
     .endr
