@@ -1,11 +1,12 @@
-# filter_spheres_r16   of an array of spheres, those that some of sixteen eye rays may enter
-#   C       struct pair *filter_spheres_r16(const struct packet *, const struct sphere *, int fours,
-#                                           struct pair *);
-#   In      $3 packet, $4 spheres, $5 spheres in fours (at least 1), $6 where pairs go;
-#           pointers 16-aligned
-#   Out     a pair for each such sphere, in order; one more quadword may be written
+# filter_spheres_r16   of an array of spheres, those that some ray of each packet may enter
+#   C       struct pair *filter_spheres_r16(const struct place *, int count, const struct sphere *,
+#                                           int fours, struct pair *);
+#   In      $3 places, $4 count (at least 1), $5 spheres, $6 spheres in fours (at least 1), $7 where
+#           pairs go; pointers 16-aligned
+#   Out     pairs of each of the places' packets with such spheres, packet by packet, spheres in
+#           order; one more quadword may be written
 #           $3 behind the last pair
-#   Uses    $3-$6, $10-$61   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$7, $10-$61   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them
 #   Error   0: no sphere is left out that a ray enters
 #   Twin    oracle/src/twin/cull.rs
@@ -15,15 +16,20 @@
 # passes here is tested exactly by isect_pairs_r16. Per ray
 #   s = limit - c.d, negative if it may be entered
 # and the signs of all sixteen are brought together on the odd pipe.
+#
+# One loop runs over packets and spheres, four spheres a pass: two loops, one in the other, would drain
+# and fill the pipeline for every packet.
 # Scheduled by spu schedule from filter_spheres_r16.s
 
         .include "work_unit.inc"
         .include "macros.inc"
+        .include "sizes.inc"
 
-        .set    a_packet,3
-        .set    a_sphere,4
-        .set    fours,5
-        .set    a_pairs,6
+        .set    a_place,3
+        .set    count,4
+        .set    first,5
+        .set    fours,6
+        .set    a_pairs,7
         # constants
         .set    m_x,10
         .set    m_y,11
@@ -31,1201 +37,1110 @@
         .set    m_limit,13
         .set    m_signs,14                              # top bytes of two quadwords' words
         .set    m_halves,15                             # the first half of one, the last of another
-        .set    m_pair,16
-        .set    k_next,17
-        .set    k_all,18
-        # the rays: rows 0 to 3 of the packet
-        .set    dx,20
-        .set    dy,24
-        .set    dz,28
-        # state: the pair of the sphere at hand, whose first word is the sphere's address; pairs so far
-        .set    pair,32
-        .set    found,33
+        .set    m_pair,16                               # the first word of one, then another's
+        .set    k_all,17
+        # state
+        .set    a_four,18                               # spheres at hand
+        .set    left,19                                 # fours left for the packet
+        .set    found,20                                # pairs so far
+        # the packet
+        .set    place,21
+        .set    dx,22                                   # to 25, a row each
+        .set    dy,26
+        .set    dz,30
         # the sphere
-        .set    quad,34
-        .set    more,35
-        .set    cx,36
-        .set    cy,37
-        .set    cz,38
-        .set    limit,39
+        .set    a_sphere,34
+        .set    pair,35
+        .set    quad,36
+        .set    more,37
+        .set    cx,38
+        .set    cy,39
+        .set    cz,40
+        .set    limit,41
         # temporaries
-        .set    s,40                                    # to 43
-        .set    signs,44
-        .set    signs_low,45
-        .set    c_any,46
-        .set    offset,47
+        .set    s,42                                    # to 45
+        .set    signs,46
+        .set    signs_low,47
+        .set    any,48
+        .set    offset,49
+        .set    c_last,50
 
         .section .rodata
         .align  4
 signs_of_two:
         .int    0x0004080c,0x1014181c,0x0004080c,0x1014181c
 halves: .int    0x00010203,0x04050607,0x18191a1b,0x1c1d1e1f
+pair_of_object_and_place:
+        .int    0x00010203,0x10111213,0x14151617,0x18191a1b
 
 function filter_spheres_r16
-        .set    fours_2,79
-        .set    pair_2,2
-        .set    pair_3,3
-        .set    more_2,4
-        .set    quad_2,7
-        .set    pair_4,16
-        .set    quad_3,8
-        .set    more_3,9
-        .set    limit_2,4
-        .set    cx_2,19
-        .set    s2_2,35
-        .set    cx_3,38
-        .set    s1_2,40
-        .set    limit_3,9
-        .set    s_2,41
-        .set    cz_2,34
-        .set    s3_2,36
-        .set    cy_2,39
-        .set    s1_3,42
-        .set    cy_3,43
-        .set    s_3,44
-        .set    quad_4,45
-        .set    more_4,46
-        .set    cz_3,7
-        .set    cz_4,8
-        .set    s2_3,37
-        .set    s3_3,4
-        .set    s3_4,19
-        .set    cx_4,47
-        .set    s1_4,32
-        .set    limit_4,46
-        .set    s2_4,48
-        .set    cy_4,49
-        .set    s_4,38
-        .set    cz_5,9
-        .set    s3_5,34
-        .set    s_5,36
-        .set    signs_2,39
-        .set    s2_5,34
-        .set    s_6,35
-        .set    s1_5,7
-        .set    more_5,19
-        .set    signs_3,8
-        .set    s3_6,37
-        .set    s1_6,38
-        .set    pair_5,19
-        .set    cx_5,41
-        .set    signs_low_2,4
-        .set    signs_4,7
-        .set    more_6,37
-        .set    quad_5,40
-        .set    signs_5,4
-        .set    s_7,8
-        .set    cy_5,45
-        .set    s3_7,39
-        .set    pair_6,48
-        .set    limit_5,37
-        .set    quad_6,46
-        .set    more_7,47
-        .set    s1_7,9
-        .set    s2_6,38
-        .set    offset_2,42
-        .set    signs_6,49
-        .set    cy_6,50
-        .set    cx_6,51
-        .set    s1_8,45
-        .set    s_8,2
-        .set    signs_low_3,35
-        .set    c_any_2,4
-        .set    limit_6,36
-        .set    cz_6,4
-        .set    c_any_3,8
-        .set    cy_7,9
-        .set    signs_7,3
-        .set    found_2,7
-        .set    signs_8,35
-        .set    s1_9,33
-        .set    pair_7,49
-        .set    s3_8,8
-        .set    s2_7,3
-        .set    more_8,39
-        .set    s1_10,16
-        .set    s2_8,2
-        .set    s2_9,7
-        .set    s3_9,9
-        .set    s_9,7
+        .set    count_2,79
+        .set    left_2,2
+        .set    place_2,8
+        .set    a_four_2,9
+        .set    more_2,30
+        .set    quad_2,62
+        .set    quad_3,2
+        .set    a_sphere_2,68
+        .set    c_last_2,21
+        .set    limit_2,49
+        .set    a_sphere_3,75
+        .set    cx_2,63
+        .set    a_sphere_4,26
+        .set    limit_3,65
+        .set    cx_3,55
+        .set    more_3,59
+        .set    a_four_3,21
+        .set    dy_2,28
+        .set    s3_2,48
+        .set    s1_2,31
+        .set    dy1_2,38
+        .set    s_2,40
+        .set    dy2_2,39
+        .set    s_3,30
+        .set    cy_2,67
+        .set    s2_2,27
+        .set    cy_3,69
+        .set    s1_3,32
+        .set    quad_4,51
+        .set    s2_3,33
+        .set    cx_4,61
+        .set    limit_4,64
+        .set    dz3_2,18
+        .set    dz2_2,37
+        .set    dz1_2,54
+        .set    dz_2,57
+        .set    s2_4,35
+        .set    cz_2,70
+        .set    cz_3,60
+        .set    limit_5,71
+        .set    cx_5,72
+        .set    cy_4,52
+        .set    more_4,36
+        .set    quad_5,41
+        .set    more_5,42
+        .set    quad_6,53
+        .set    s2_5,24
+        .set    s_4,27
+        .set    cz_4,74
+        .set    cy_5,76
+        .set    s2_6,2
+        .set    s_5,22
+        .set    cz_5,46
+        .set    s3_3,58
+        .set    s3_4,25
+        .set    s1_4,23
+        .set    c_last_3,42
+        .set    s_6,47
+        .set    pair_2,66
+        .set    signs_2,24
+        .set    s2_7,31
+        .set    signs_3,28
+        .set    signs_low_2,30
+        .set    s3_5,29
+        .set    place_3,79
+        .set    s_7,39
+        .set    s1_5,56
+        .set    s_8,52
+        .set    pair_3,73
+        .set    signs_4,2
+        .set    signs_5,57
+        .set    a_sphere_5,78
+        .set    pair_4,77
+        .set    offset_2,9
+        .set    a_four_4,8
+        .set    found_2,9
+        .set    c_last_4,2
+        .set    signs_low_3,21
+        .set    s2_8,28
+        .set    cz_6,41
+        .set    signs_6,51
+        .set    signs_7,47
+        .set    s1_6,55
+        .set    signs_8,56
+        .set    s1_7,21
+        .set    offset_3,55
+        .set    any_2,37
+        .set    any_3,39
+        .set    signs_9,31
+        .set    signs_10,21
+        .set    offset_4,26
+        .set    signs_low_4,24
+        .set    s1_8,22
+        .set    offset_5,23
+        .set    dx3_2,2
+        .set    found_3,3
+        .set    s2_9,4
+        .set    dy2_3,5
+        .set    s1_9,6
+        .set    cy_6,8
+        .set    s3_6,10
+        .set    s1_10,11
+        .set    dz_3,13
+        .set    s2_10,18
+        .set    pair_5,2
+        .set    pair_6,4
+        .set    s3_7,5
         .set    s1_11,8
-        .set    found_3,4
-        .set    signs_9,2
-        .set    found_4,3
-        .set    s2_10,9
-        .set    s3_10,16
-        .set    pair_8,5
-        .set    more_9,33
-        .set    s_10,9
-        .set    quad_7,38
-        .set    pair_9,43
-        .set    s2_11,47
-        .set    quad_8,50
-        .set    pair_10,51
-        .set    quad_9,52
-        .set    s_11,53
-        .set    more_10,54
-        .set    s3_11,55
-        .set    limit_7,33
-        .set    s1_12,36
-        .set    cx_7,39
-        .set    quad_10,56
-        .set    more_11,8
-        .set    s2_12,57
-        .set    cx_8,58
-        .set    s1_13,59
-        .set    cy_8,60
-        .set    s_12,61
-        .set    cx_9,62
-        .set    s3_12,33
-        .set    s1_14,54
-        .set    cy_9,63
-        .set    s_13,64
-        .set    cx_10,10
-        .set    s2_13,65
-        .set    limit_8,8
-        .set    s3_13,13
-        .set    cy_10,46
-        .set    cz_7,45
-        .set    cy_11,58
-        .set    cy_12,11
-        .set    s3_14,60
-        .set    cz_8,50
-        .set    s1_15,66
-        .set    signs_10,40
-        .set    s2_14,41
-        .set    signs_low_4,3
-        .set    s_14,4
-        .set    cz_9,39
-        .set    s2_15,52
-        .set    cz_10,12
-        .set    s1_16,56
-        .set    s_15,57
-        .set    s2_16,22
-        .set    s_16,20
-        .set    s3_15,23
-        .set    s1_17,10
-        .set    s2_17,21
-        .set    signs_low_5,37
-        .set    s_17,42
-        .set    signs_11,10
-        .set    s3_16,40
-        .set    s3_17,45
-        .set    s1_18,46
-        .set    signs_low_6,34
-        .set    signs_12,36
-        .set    signs_13,24
-        .set    signs_14,11
-        .set    signs_low_7,25
-        .set    s3_18,26
-        .set    s_18,16
-        .set    signs_low_8,12
-        .set    c_any_4,20
-        .set    signs_15,21
-        .set    c_any_5,7
-        .set    found_5,9
-        .set    c_any_6,11
-        .set    pair_11,10
-        .set    found_6,10
-        .set    offset_3,4
-        .set    offset_4,7
-        .set    offset_5,8
-        .set    offset_6,3
-        .set    quad_11,4
-        .set    more_12,7
-        .set    pair_12,8
-        .set    quad_12,9
-        .set    more_13,16
-        .set    limit_9,7
-        .set    cx_11,35
-        .set    limit_10,16
-        .set    more_14,36
-        .set    s_19,39
-        .set    cy_13,44
-        .set    s3_19,7
-        .set    s_20,19
-        .set    cx_12,48
-        .set    s1_19,49
-        .set    s2_18,50
-        .set    cy_14,35
-        .set    offset_7,51
-        .set    s_21,37
-        .set    s1_20,39
-        .set    s2_19,32
-        .set    s1_21,44
-        .set    s2_20,45
-        .set    s_22,34
-        .set    signs_low_9,39
-        .set    s2_21,19
-        .set    signs_16,16
-        .set    signs_low_10,7
-        .set    signs_17,9
-        .set    found_7,2
-        ilhu    $m_x,1                                  # 0e
-        fsmbi   $m_pair,0xf000                          # 0o
+        .set    signs_low_5,9
+        .set    any_4,10
+        .set    signs_low_6,11
+        .set    signs_11,5
+        .set    found_4,5
+        .set    a_sphere_6,2
+        .set    a_sphere_7,8
+        .set    a_sphere_8,9
+        .set    quad_7,22
+        .set    more_6,23
+        .set    a_four_5,24
+        .set    quad_8,25
+        .set    dx_2,26
+        .set    dx1_2,27
+        .set    c_last_5,28
+        .set    dx2_2,29
+        .set    dx3_3,30
+        .set    more_7,28
+        .set    cx_6,31
+        .set    limit_6,23
+        .set    dy_3,32
+        .set    dy1_3,33
+        .set    dy2_4,35
+        .set    dy3_2,37
+        .set    s1_12,28
+        .set    cy_7,40
+        .set    s2_11,46
+        .set    quad_9,47
+        .set    s3_8,23
+        .set    more_8,18
+        .set    s_9,31
+        .set    cy_8,48
+        .set    s1_13,49
+        .set    dz_4,51
+        .set    s2_12,52
+        .set    dz1_3,53
+        .set    s3_9,38
+        .set    dz2_3,41
+        .set    dz3_3,54
+        .set    cy_9,55
+        .set    cz_7,36
+        .set    cx_7,40
+        .set    limit_7,18
+        .set    cz_8,22
+        .set    cz_9,25
+        .set    cz_10,47
+        .set    pair_7,34
+        .set    offset_6,56
+        .set    pair_8,8
+        .set    pair_9,9
+        .set    s_10,21
+        .set    s1_14,26
+        .set    s3_10,18
+        .set    signs_12,29
+        .set    signs_low_7,28
+        .set    signs_13,22
+        .set    signs_low_8,23
+        .set    any_5,21
+        .set    found_5,2
+        .set    offset_7,20
+        mpyu    $count,$count,$fours                    # 0e passes
+        lqa     $m_signs,signs_of_two                   # 0o
 
-        ilhu    $m_y,0x405                              # 1e
-        rotqmbyi $pair,$a_packet,-4                      # 1o
+        ilhu    $m_x,1                                  # 1e
+        lqa     $m_halves,halves                        # 1o
 
-        ilhu    $m_z,0x809                              # 2e
-        lqa     $m_signs,signs_of_two                   # 2o
+        ilhu    $m_y,0x405                              # 2e
+        lqa     $m_pair,pair_of_object_and_place        # 2o
 
-        ilhu    $m_limit,0x405                          # 3e
-        lqa     $m_halves,halves                        # 3o
+        ilhu    $m_z,0x809                              # 3e
+        ilhu    $m_limit,0x405                          # 4e
 
-        il      $k_next,48                              # 4e
-        lqd     $dx,0($a_packet)                        # 4o
+        iohl    $m_x,515                                # 5e
+        iohl    $m_y,0x607                              # 6e
 
-        clgti   $fours_2,$fours,3                       # 5e at least as many passes as overlap
-        lqd     $dy,64($a_packet)                       # 5o
-
-        iohl    $m_x,515                                # 6e
-        lqd     $dz,128($a_packet)                      # 6o
-
-        iohl    $m_y,0x607                              # 7e
-        lqd     $dx+1,16($a_packet)                     # 7o
-
+        clgti   $count_2,$count,2                       # 7e at least as many passes as overlap
         iohl    $m_z,0xa0b                              # 8e
-        lqd     $dy+1,80($a_packet)                     # 8o
 
         iohl    $m_limit,0x607                          # 9e
-        lqd     $dz+1,144($a_packet)                    # 9o
-
         il      $k_all,-1                               # 10e
-        lqd     $dx+2,32($a_packet)                     # 10o
 
-        and     $k_next,$k_next,$m_pair                 # 11e of the first word alone
-        lqd     $dy+2,96($a_packet)                     # 11o
+        il      $found,0                                # 11e
+        ori     $a_four,$first,0                        # 12e
 
-        selb    $pair,$pair,$a_sphere,$m_pair           # 12e
-        lqd     $dz+2,160($a_packet)                    # 12o
+        ori     $left,$fours,0                          # 13e
+        brz     $count_2,next_four_short                # 13o too few passes
 
-        il      $found,0                                # 13e
-        lqd     $dx+3,48($a_packet)                     # 13o
+        ai      $left_2,$left,-1                        # 15e
+        lqd     $place_2,0($a_place)                    # 15o
 
-        lqd     $dy+3,112($a_packet)                    # 14o
-        lqd     $dz+3,176($a_packet)                    # 15o
+        ai      $a_four_2,$a_four,192                   # 16e
+        lqd     $more,16($a_four)                       # 16o
 
-        nop     $127                                    # 16e pairing
-        brz     $fours_2,next_four_short                # 16o too few passes
+        ceqi    $c_last,$left_2,0                       # 17e
+        lqd     $quad,0($a_four)                        # 17o
 
-        a       $pair_2,$pair,$k_next                   # 17e
-        lqd     $more,16($pair)                         # 17o
+        ai      $a_sphere,$a_four,0                     # 18e
+        lqd     $more_2,64($a_four)                     # 18o
 
-        ai      $fours,$fours,-1                        # 18e
-        lqd     $quad,0($pair)                          # 18o
+        selb    $a_four_2,$a_four_2,$first,$c_last      # 19e
+        lqd     $quad_2,48($a_four)                     # 19o
 
-        a       $pair_3,$pair_2,$k_next                 # 19e
-        lqd     $more_2,16($pair_2)                     # 19o
+        selb    $left,$left_2,$fours,$c_last            # 20e
+        lqd     $quad_3,96($a_four)                     # 20o
 
-        ai      $fours,$fours,-1                        # 20e
-        lqd     $quad_2,0($pair_2)                      # 20o
+        ai      $a_sphere_2,$a_four,48                  # 21e
+        lqd     $dx+2,32($place_2)                      # 21o
 
-        a       $pair_4,$pair_3,$k_next                 # 21e
-        lqd     $quad_3,0($pair_3)                      # 21o
+        ai      $left,$left,-1                          # 22e
+        lqd     $dx+3,48($place_2)                      # 22o
 
-        ai      $fours,$fours,-1                        # 22e
-        lqd     $more_3,16($pair_3)                     # 22o
+        ai      $count,$count,-1                        # 23e
+        lqd     $dx+1,16($place_2)                      # 23o
 
-        shufb   $limit,$more,$more,$m_limit             # 23o
-        shufb   $cx,$quad,$quad,$m_x                    # 24o
+        andi    $c_last_2,$c_last,16                    # 24e
+        lqd     $dx,0($place_2)                         # 24o
 
-        shufb   $cy,$quad,$quad,$m_y                    # 25o
-        shufb   $limit_2,$more_2,$more_2,$m_limit       # 26o
+        ceqi    $c_last,$left,0                         # 25e
+        shufb   $limit_2,$more_2,$more_2,$m_limit       # 25o
 
-        nop     $127                                    # 27e pairing
-        shufb   $cx_2,$quad_2,$quad_2,$m_x              # 27o
+        ai      $a_sphere_3,$a_four,96                  # 26e
+        shufb   $cx_2,$quad,$quad,$m_x                  # 26o
 
-        fnms    $s2_2,$cx,$dx+2,$limit                  # 28e
-        shufb   $cx_3,$quad_3,$quad_3,$m_x              # 28o
+        ai      $a_sphere_4,$a_four,144                 # 27e
+        shufb   $limit_3,$more,$more,$m_limit           # 27o
 
-        fnms    $s1_2,$cx,$dx+1,$limit                  # 29e
-        shufb   $limit_3,$more_3,$more_3,$m_limit       # 29o
+        a       $a_place,$a_place,$c_last_2             # 28e
+        shufb   $cx_3,$quad_2,$quad_2,$m_x              # 28o
 
-        fnms    $s_2,$cx,$dx,$limit                     # 30e
-        shufb   $cz_2,$quad,$quad,$m_z                  # 30o
+        ai      $count,$count,-1                        # 29e
+        lqd     $more_3,112($a_four)                    # 29o
 
-        fnms    $s3_2,$cx,$dx+3,$limit                  # 31e
-        shufb   $cy_2,$quad_2,$quad_2,$m_y              # 31o
+        ai      $a_four_3,$a_four_2,192                 # 30e
+        lqd     $dy_2,64($place_2)                      # 30o
 
-        fnms    $s1_3,$cx_2,$dx+1,$limit_2              # 32e
-        shufb   $cy_3,$quad_3,$quad_3,$m_y              # 32o
+        fnms    $s3_2,$cx_2,$dx+3,$limit_3              # 31e
+        lqd     $dy+3,112($place_2)                     # 31o
 
-        fnms    $s_3,$cx_2,$dx,$limit_2                 # 33e
-        lqd     $quad_4,0($pair_4)                      # 33o
+        fnms    $s1_2,$cx_3,$dx+1,$limit_2              # 32e
+        lqd     $dy1_2,80($place_2)                     # 32o
 
-        fnms    $s2_2,$cy,$dy+2,$s2_2                   # 34e
-        lqd     $more_4,16($pair_4)                     # 34o
+        fnms    $s_2,$cx_3,$dx,$limit_2                 # 33e
+        lqd     $dy2_2,96($place_2)                     # 33o
 
-        fnms    $s1_2,$cy,$dy+1,$s1_2                   # 35e
-        shlqbii $offset,$found,4                        # 35o
+        fnms    $s_3,$cx_2,$dx,$limit_3                 # 34e
+        shufb   $cy_2,$quad_2,$quad_2,$m_y              # 34o
 
-        fnms    $s_2,$cy,$dy,$s_2                       # 36e
-        shufb   $cz_3,$quad_2,$quad_2,$m_z              # 36o
+        fnms    $s2_2,$cx_2,$dx+2,$limit_3              # 35e
+        shufb   $cy_3,$quad,$quad,$m_y                  # 35o
 
-        fnms    $s3_2,$cy,$dy+3,$s3_2                   # 37e
-        shufb   $cz_4,$quad_3,$quad_3,$m_z              # 37o
+        fnms    $s1_3,$cx_2,$dx+1,$limit_3              # 36e
+        lqd     $quad_4,144($a_four)                    # 36o
 
-        fnms    $s2_3,$cx_2,$dx+2,$limit_2              # 38e
-        lnop                                            # 38o pairing
+        fnms    $s2_3,$cx_3,$dx+2,$limit_2              # 37e
+        shufb   $cx_4,$quad_3,$quad_3,$m_x              # 37o
 
-        fnms    $s3_3,$cx_2,$dx+3,$limit_2              # 39e
-        stqx    $pair,$a_pairs,$offset                  # 39o
+        fnms    $s1_2,$cy_2,$dy1_2,$s1_2                # 38e
+        shufb   $limit_4,$more_3,$more_3,$m_limit       # 38o
 
-        fnms    $s3_4,$cx_3,$dx+3,$limit_3              # 40e
-        shufb   $cx_4,$quad_4,$quad_4,$m_x              # 40o
+        fnms    $s_2,$cy_2,$dy_2,$s_2                   # 39e
+        lqd     $more_3,160($a_four)                    # 39o
 
-        fnms    $s1_4,$cx_3,$dx+1,$limit_3              # 41e
-        shufb   $limit_4,$more_4,$more_4,$m_limit       # 41o
+        fnms    $s3_2,$cy_3,$dy+3,$s3_2                 # 40e
+        lqd     $dz3_2,176($place_2)                    # 40o
 
-        fnms    $s2_4,$cx_3,$dx+2,$limit_3              # 42e
-        shufb   $cy_4,$quad_4,$quad_4,$m_y              # 42o
+        fnms    $s_3,$cy_3,$dy_2,$s_3                   # 41e
+        lqd     $dz2_2,160($place_2)                    # 41o
 
-        fnms    $s_4,$cx_3,$dx,$limit_3                 # 43e
-        shufb   $cz_5,$quad_4,$quad_4,$m_z              # 43o
+        fnms    $s1_3,$cy_3,$dy1_2,$s1_3                # 42e
+        lqd     $dz1_2,144($place_2)                    # 42o
 
-        fnms    $s2_2,$cz_2,$dz+2,$s2_2                 # 44e
-        fnms    $s1_2,$cz_2,$dz+1,$s1_2                 # 45e
+        fnms    $s2_2,$cy_3,$dy2_2,$s2_2                # 43e
+        lqd     $dz_2,128($place_2)                     # 43o
 
-        fnms    $s_2,$cz_2,$dz,$s_2                     # 46e
-        fnms    $s3_5,$cz_2,$dz+3,$s3_2                 # 47e
+        fnms    $s2_4,$cx_4,$dx+2,$limit_4              # 44e
+        shufb   $cz_2,$quad,$quad,$m_z                  # 44o
 
-        fnms    $s_5,$cy_2,$dy,$s_3                     # 48e
-        fnms    $s1_3,$cy_2,$dy+1,$s1_3                 # 49e
+        fnms    $s+3,$cx_3,$dx+3,$limit_2               # 45e
+        shufb   $cz_3,$quad_2,$quad_2,$m_z              # 45o
 
-        fnms    $s3_3,$cy_2,$dy+3,$s3_3                 # 50e
-        fnms    $s2_3,$cy_2,$dy+2,$s2_3                 # 51e
+        fnms    $s+1,$cx_4,$dx+1,$limit_4               # 46e
+        shufb   $limit_5,$more_3,$more_3,$m_limit       # 46o
 
-        fnms    $s3_4,$cy_3,$dy+3,$s3_4                 # 52e
-        shufb   $signs_2,$s_2,$s1_2,$m_signs            # 52o
+        fnms    $s2_3,$cy_2,$dy2_2,$s2_3                # 47e
+        shufb   $cx_5,$quad_4,$quad_4,$m_x              # 47o
 
-        fnms    $s1_2,$cy_3,$dy+1,$s1_4                 # 53e
-        shufb   $signs_low,$s2_2,$s3_5,$m_signs         # 53o
+        fnms    $s3_2,$cz_2,$dz3_2,$s3_2                # 48e
+        shufb   $cy_4,$quad_3,$quad_3,$m_y              # 48o
 
-        fnms    $s2_5,$cy_3,$dy+2,$s2_4                 # 54e
-        fnms    $s_6,$cy_3,$dy,$s_4                     # 55e
+        fnms    $s_2,$cz_3,$dz_2,$s_2                   # 49e
+        lqd     $more_4,16($a_four_2)                   # 49o
 
-        fnms    $s_5,$cz_3,$dz,$s_5                     # 56e
-        lnop                                            # 56o pairing
+        fnms    $s1_2,$cz_3,$dz1_2,$s1_2                # 50e
+        lqd     $quad_5,0($a_four_2)                    # 50o
 
-        fnms    $s+1,$cz_3,$dz+1,$s1_3                  # 57e
-        shufb   $signs,$signs_2,$signs_low,$m_halves    # 57o
+        fnms    $s_3,$cz_2,$dz_2,$s_3                   # 51e
+        lqd     $more_5,64($a_four_2)                   # 51o
 
-        fnms    $s2_3,$cz_3,$dz+2,$s2_3                 # 58e
-        fnms    $s+3,$cz_3,$dz+3,$s3_3                  # 59e
+        fnms    $s1_3,$cz_2,$dz1_2,$s1_3                # 52e
+        lqd     $quad_6,96($a_four_2)                   # 52o
 
-        a       $pair,$pair_4,$k_next                   # 60e
-        lnop                                            # 60o pairing
+        fnms    $s+2,$cz_2,$dz2_2,$s2_2                 # 53e
+        lqd     $more_3,112($a_four_2)                  # 53o
 
-        fnms    $s3_3,$cz_4,$dz+3,$s3_4                 # 61e
-        rotqbii $signs,$signs,1                         # 61o signs to the bytes' last bits
+        fnms    $s2_5,$cx_5,$dx+2,$limit_5              # 54e
+        lqd     $quad_2,48($a_four_2)                   # 54o
 
-        fnms    $s1_5,$cz_4,$dz+1,$s1_2                 # 62e
-        lqd     $more_5,16($pair)                       # 62o
+        fnms    $s_4,$cx_5,$dx,$limit_5                 # 55e
+        shufb   $cz_4,$quad_3,$quad_3,$m_z              # 55o
 
-        fnms    $s+2,$cz_4,$dz+2,$s2_5                  # 63e
-        lqd     $quad,0($pair)                          # 63o
+        fnms    $s+3,$cy_2,$dy+3,$s+3                   # 56e
+        shufb   $cy_5,$quad_4,$quad_4,$m_y              # 56o
 
-        fnms    $s,$cz_4,$dz,$s_6                       # 64e
-        shufb   $signs_3,$s_5,$s+1,$m_signs             # 64o
+        fnms    $s2_6,$cy_4,$dy2_2,$s2_4                # 57e
+        shufb   $pair,$a_sphere,$place_2,$m_pair        # 57o
 
-        fnms    $s2_2,$cx_4,$dx+2,$limit_4              # 65e
-        shufb   $signs_low,$s2_3,$s+3,$m_signs          # 65o
+        fnms    $s_5,$cx_4,$dx,$limit_4                 # 58e
+        shufb   $cz_5,$quad_4,$quad_4,$m_z              # 58o
 
-        fnms    $s_5,$cx_4,$dx,$limit_4                 # 66e
-        gbb     $signs,$signs                           # 66o
+        fnms    $s3_3,$cx_5,$dx+3,$limit_5              # 59e
+        shufb   $limit_2,$more_5,$more_5,$m_limit       # 59o
 
-        fnms    $s3_6,$cx_4,$dx+3,$limit_4              # 67e
-        lnop                                            # 67o pairing
+        fnms    $s3_4,$cx_4,$dx+3,$limit_4              # 60e
+        lqd     $quad_4,144($a_four_2)                  # 60o
 
-        fnms    $s1_6,$cx_4,$dx+1,$limit_4              # 68e
-        shufb   $limit,$more_5,$more_5,$m_limit         # 68o
+        fnms    $s1_4,$cx_5,$dx+1,$limit_5              # 61e
+        shufb   $cx_4,$quad_6,$quad_6,$m_x              # 61o
 
-        a       $pair_5,$pair,$k_next                   # 69e
-        shufb   $cx_5,$quad,$quad,$m_x                  # 69o
+        ai      $a_sphere,$a_four_2,0                   # 62e
+        shufb   $cx_2,$quad_5,$quad_5,$m_x              # 62o
 
-        cg      $c_any,$signs,$k_all                    # 70e 1 if any, else 0
-        shufb   $signs_low_2,$s+2,$s3_3,$m_signs        # 70o
+        selb    $left,$left,$fours,$c_last              # 63e
+        shufb   $limit_4,$more_3,$more_3,$m_limit       # 63o
 
-        fnms    $s2_2,$cy_4,$dy+2,$s2_2                 # 71e
-        shufb   $signs_4,$s,$s1_5,$m_signs              # 71o
+        andi    $c_last_3,$c_last,16                    # 64e
+        lqd     $more_3,160($a_four_2)                  # 64o
 
-        fnms    $s_5,$cy_4,$dy,$s_5                     # 72e
-        shufb   $signs_3,$signs_3,$signs_low,$m_halves  # 72o
+        fnms    $s_6,$cy_5,$dy_2,$s_4                   # 65e
+        shufb   $limit_3,$more_4,$more_4,$m_limit       # 65o
 
-        fnms    $s+3,$cy_4,$dy+3,$s3_6                  # 73e
-        lqd     $more_6,16($pair_5)                     # 73o
+        fnms    $s+1,$cy_4,$dy1_2,$s+1                  # 66e
+        shufb   $pair_2,$a_sphere_2,$place_2,$m_pair    # 66o
 
-        fnms    $s1_6,$cy_4,$dy+1,$s1_6                 # 74e
-        lqd     $quad_5,0($pair_5)                      # 74o
+        fnms    $s2_2,$cz_4,$dz2_2,$s2_6                # 67e
+        shufb   $cy_2,$quad_2,$quad_2,$m_y              # 67o
 
-        fnms    $s+2,$cx_5,$dx+2,$limit                 # 75e
-        shufb   $signs_5,$signs_4,$signs_low_2,$m_halves # 75o
+        fnms    $s2_6,$cy_5,$dy2_2,$s2_5                # 68e
+        shufb   $cx_3,$quad_2,$quad_2,$m_x              # 68o
 
-        fnms    $s1_5,$cx_5,$dx+1,$limit                # 76e
-        rotqbii $signs,$signs_3,1                       # 76o signs to the bytes' last bits
+        fnms    $s+3,$cz_3,$dz3_2,$s+3                  # 69e
+        shufb   $cy_3,$quad_5,$quad_5,$m_y              # 69o
 
-        fnms    $s_7,$cx_5,$dx,$limit                   # 77e
-        shufb   $cy_5,$quad,$quad,$m_y                  # 77o
+        ai      $a_sphere_2,$a_four_2,48                # 70e
+        shufb   $signs_2,$s_2,$s1_2,$m_signs            # 70o
 
-        fnms    $s3_7,$cx_5,$dx+3,$limit                # 78e
-        shufb   $cz_2,$quad,$quad,$m_z                  # 78o
+        fnms    $s2_7,$cz_3,$dz2_2,$s2_3                # 71e
+        shufb   $cz_2,$quad_5,$quad_5,$m_z              # 71o
 
-        a       $pair_6,$pair_5,$k_next                 # 79e
-        rotqbii $signs_5,$signs_5,1                     # 79o signs to the bytes' last bits
+        fnms    $s_5,$cy_4,$dy_2,$s_5                   # 72e
+        shufb   $signs_3,$s_3,$s1_3,$m_signs            # 72o
 
-        a       $found,$found,$c_any                    # 80e
-        shufb   $limit_5,$more_6,$more_6,$m_limit       # 80o
+        fnms    $s3_4,$cy_4,$dy+3,$s3_4                 # 73e
+        shufb   $signs_low_2,$s+2,$s3_2,$m_signs        # 73o
 
-        fnms    $s2_2,$cz_5,$dz+2,$s2_2                 # 81e
-        shufb   $cx_5,$quad_5,$quad_5,$m_x              # 81o
+        fnms    $s3_5,$cy_5,$dy+3,$s3_3                 # 74e
+        hbrr    next_four_back,next_four                # 74o hint
 
-        fnms    $s_5,$cz_5,$dz,$s_5                     # 82e
-        lqd     $quad_6,0($pair_6)                      # 82o
+        fnms    $s1_4,$cy_5,$dy1_2,$s1_4                # 75e
+        lqd     $place_3,0($a_place)                    # 75o
 
-        fnms    $s+3,$cz_5,$dz+3,$s+3                   # 83e
-        lqd     $more_7,16($pair_6)                     # 83o
+        fnms    $s_7,$cz_5,$dz_2,$s_6                   # 76e
+        shufb   $limit_5,$more_3,$more_3,$m_limit       # 76o
 
-        fnms    $s1_7,$cz_5,$dz+1,$s1_6                 # 84e
-        gbb     $signs,$signs                           # 84o
+        fnms    $s1_5,$cz_4,$dz1_2,$s+1                 # 77e
+        shufb   $signs_3,$signs_3,$signs_low_2,$m_halves # 77o
 
-        fnms    $s2_6,$cy_5,$dy+2,$s+2                  # 85e
-        shlqbii $offset_2,$found,4                      # 85o
+        fnms    $s_8,$cz_4,$dz_2,$s_5                   # 78e
+        shufb   $signs_low,$s2_7,$s+3,$m_signs          # 78o
 
-        fnms    $s1_5,$cy_5,$dy+1,$s1_5                 # 86e
-        gbb     $signs_6,$signs_5                       # 86o
+        fnms    $s3_4,$cz_4,$dz3_2,$s3_4                # 79e
+        shufb   $cx_5,$quad_4,$quad_4,$m_x              # 79o
 
-        fnms    $s_7,$cy_5,$dy,$s_7                     # 87e
-        shufb   $cy_6,$quad_5,$quad_5,$m_y              # 87o
+        fnms    $s+3,$cz_5,$dz3_2,$s3_5                 # 80e
+        shufb   $pair_3,$a_sphere_3,$place_2,$m_pair    # 80o
 
-        fnms    $s3_7,$cy_5,$dy+3,$s3_7                 # 88e
-        shufb   $cx_6,$quad_6,$quad_6,$m_x              # 88o
+        fnms    $s+2,$cz_5,$dz2_2,$s2_6                 # 81e
+        rotqbii $signs_4,$signs_3,1                     # 81o signs to the bytes' last bits
 
-        fnms    $s1_8,$cx_5,$dx+1,$limit_5              # 89e
-        stqx    $pair_2,$a_pairs,$offset_2              # 89o
+        fnms    $s1_2,$cz_5,$dz1_2,$s1_4                # 82e
+        shufb   $cz_4,$quad_6,$quad_6,$m_z              # 82o
 
-        fnms    $s_8,$cx_5,$dx,$limit_5                 # 90e
-        shufb   $signs_low_3,$s2_2,$s+3,$m_signs        # 90o
+        ai      $a_sphere_3,$a_four_2,96                # 83e
+        shufb   $signs_5,$signs_2,$signs_low,$m_halves  # 83o
 
-        cg      $c_any_2,$signs,$k_all                  # 91e 1 if any, else 0
-        shufb   $signs,$s_5,$s1_7,$m_signs              # 91o
+        ai      $a_sphere_5,$a_four_2,144               # 84e
+        shufb   $cy_5,$quad_4,$quad_4,$m_y              # 84o
 
-        fnms    $s+2,$cz_2,$dz+2,$s2_6                  # 92e
-        shufb   $limit_6,$more_7,$more_7,$m_limit       # 92o
+        selb    $a_four,$a_four_3,$first,$c_last        # 85e
+        shufb   $pair_4,$a_sphere_4,$place_2,$m_pair    # 85o
 
-        a       $found,$found,$c_any_2                  # 93e
-        shufb   $cz_6,$quad_5,$quad_5,$m_z              # 93o
-
-        fnms    $s1_5,$cz_2,$dz+1,$s1_5                 # 94e
-        hbrr    next_four_back,next_four                # 94o hint
-
-        fnms    $s,$cz_2,$dz,$s_7                       # 95e
-        shufb   $signs,$signs,$signs_low_3,$m_halves    # 95o
-
-        fnms    $s+3,$cz_2,$dz+3,$s3_7                  # 96e
-        shlqbii $offset,$found,4                        # 96o
-
-        cg      $c_any_3,$signs_6,$k_all                # 97e 1 if any, else 0
-        shufb   $cy_7,$quad_6,$quad_6,$m_y              # 97o
-
-        fnms    $s2_6,$cx_5,$dx+2,$limit_5              # 98e
-        shufb   $cz_2,$quad_6,$quad_6,$m_z              # 98o
-
-        fnms    $s3_6,$cx_5,$dx+3,$limit_5              # 99e
-        rotqbii $signs,$signs,1                         # 99o signs to the bytes' last bits
-
-        fnms    $s_8,$cy_6,$dy,$s_8                     # 100e
-        stqx    $pair_3,$a_pairs,$offset                # 100o
-
-        fnms    $s+1,$cy_6,$dy+1,$s1_8                  # 101e
-        shufb   $signs_7,$s,$s1_5,$m_signs              # 101o
-
-        a       $found_2,$found,$c_any_3                # 102e
-        shufb   $signs_low,$s+2,$s+3,$m_signs           # 102o
-
-        fnms    $s+3,$cx_6,$dx+3,$limit_6               # 103e
-        gbb     $signs_8,$signs                         # 103o
-
-        fnms    $s1_9,$cx_6,$dx+1,$limit_6              # 104e
-        shlqbii $offset,$found_2,4                      # 104o
-
-        a       $pair_7,$pair_6,$k_next                 # 105e
-        lnop                                            # 105o pairing
-
-        fnms    $s3_8,$cy_6,$dy+3,$s3_6                 # 106e
-        shufb   $signs,$signs_7,$signs_low,$m_halves    # 106o
-
-        fnms    $s2_7,$cy_6,$dy+2,$s2_6                 # 107e
-        lqd     $quad_4,0($pair_7)                      # 107o
-
-        fnms    $s,$cz_6,$dz,$s_8                       # 108e
-        stqx    $pair_4,$a_pairs,$offset                # 108o
-
-        fnms    $s+2,$cx_6,$dx+2,$limit_6               # 109e
-        lqd     $more_8,16($pair_7)                     # 109o
-
-        fnms    $s+1,$cz_6,$dz+1,$s+1                   # 110e
-        fnms    $s_4,$cx_6,$dx,$limit_6                 # 111e
-
-        fnms    $s3_6,$cy_7,$dy+3,$s+3                  # 112e
-        fnms    $s1_10,$cy_7,$dy+1,$s1_9                # 113e
-
-next_four:
-            fnms    $s+2,$cy_7,$dy+2,$s+2               # 0e
-            rotqbii $signs,$signs,1                     # 0o signs to the bytes' last bits
-
-            fnms    $s2_8,$cz_6,$dz+2,$s2_7             # 1e
-            lnop                                        # 1o pairing
-
-            cg      $c_any,$signs_8,$k_all              # 2e 1 if any, else 0
-            shufb   $signs_7,$s,$s+1,$m_signs           # 2o
-
-            fnms    $s+3,$cz_6,$dz+3,$s3_8              # 3e
-            shufb   $cx,$quad_4,$quad_4,$m_x            # 3o
-
-            a       $found,$found_2,$c_any              # 4e
-            shufb   $limit,$more_8,$more_8,$m_limit     # 4o
-
-            fnms    $s3_3,$cz_2,$dz+3,$s3_6             # 5e
-            shufb   $cy,$quad_4,$quad_4,$m_y            # 5o
-
-            fnms    $s+1,$cz_2,$dz+1,$s1_10             # 6e
-            shlqbii $offset,$found,4                    # 6o
-
-            fnms    $s,$cy_7,$dy,$s_4                   # 7e
-            lnop                                        # 7o pairing
-
-            fnms    $s2_9,$cx,$dx+2,$limit              # 8e
-            shufb   $cz,$quad_4,$quad_4,$m_z            # 8o
-
-            fnms    $s_7,$cx,$dx,$limit                 # 9e
-            gbb     $signs,$signs                       # 9o
-
-            fnms    $s3_9,$cx,$dx+3,$limit              # 10e
-            stqx    $pair,$a_pairs,$offset              # 10o
-
-            fnms    $s1_10,$cx,$dx+1,$limit             # 11e
-            shufb   $signs_low,$s2_8,$s+3,$m_signs      # 11o
-
-            a       $pair,$pair_7,$k_next               # 12e
-            fnms    $s+2,$cz_2,$dz+2,$s+2               # 13e
-
-            fnms    $s,$cz_2,$dz,$s                     # 14e
-            lqd     $more,16($pair)                     # 14o
-
-            fnms    $s2_8,$cy,$dy+2,$s2_9               # 15e
-            lqd     $quad,0($pair)                      # 15o
-
-            fnms    $s_9,$cy,$dy,$s_7                   # 16e
-            shufb   $signs_7,$signs_7,$signs_low,$m_halves # 16o
-
-            fnms    $s+3,$cy,$dy+3,$s3_9                # 17e
-            cg      $c_any,$signs,$k_all                # 18e 1 if any, else 0
-
-            fnms    $s1_11,$cy,$dy+1,$s1_10             # 19e
-            shufb   $signs_low,$s+2,$s3_3,$m_signs      # 19o
-
-            a       $found_3,$found,$c_any              # 20e
-            rotqbii $signs,$signs_7,1                   # 20o signs to the bytes' last bits
-
-            fnms    $s+2,$cz,$dz+2,$s2_8                # 21e
-            shufb   $limit,$more,$more,$m_limit         # 21o
-
-            fnms    $s_8,$cz,$dz,$s_9                   # 22e
-            shufb   $cx,$quad,$quad,$m_x                # 22o
-
-            fnms    $s+3,$cz,$dz+3,$s+3                 # 23e
-            shlqbii $offset,$found_3,4                  # 23o
-
-        ai      $fours,$fours,-1                        # 24e
-            shufb   $signs_7,$s,$s+1,$m_signs           # 24o
-
-            fnms    $s+1,$cz,$dz+1,$s1_11               # 25e
-            shufb   $cy,$quad,$quad,$m_y                # 25o
-
-            fnms    $s2_9,$cx,$dx+2,$limit              # 26e
-            shufb   $cz,$quad,$quad,$m_z                # 26o
-
-            fnms    $s1_11,$cx,$dx+1,$limit             # 27e
-            stqx    $pair_5,$a_pairs,$offset            # 27o
-
-            fnms    $s,$cx,$dx,$limit                   # 28e
-            shufb   $signs_7,$signs_7,$signs_low,$m_halves # 28o
-
-            a       $pair_5,$pair,$k_next               # 29e
-            gbb     $signs,$signs                       # 29o
-
-            fnms    $s3_9,$cx,$dx+3,$limit              # 30e
-            lqd     $more,16($pair_5)                   # 31o
-
-            fnms    $s2_9,$cy,$dy+2,$s2_9               # 32e
-            lqd     $quad,0($pair_5)                    # 32o
-
-            fnms    $s1_11,$cy,$dy+1,$s1_11             # 33e
-            shufb   $signs_low,$s+2,$s+3,$m_signs       # 33o
-
-            cg      $c_any,$signs,$k_all                # 34e 1 if any, else 0
-            shufb   $signs,$s_8,$s+1,$m_signs           # 34o
-
-            fnms    $s,$cy,$dy,$s                       # 35e
-            rotqbii $signs_9,$signs_7,1                 # 35o signs to the bytes' last bits
-
-            fnms    $s+3,$cy,$dy+3,$s3_9                # 36e
-            lnop                                        # 36o pairing
-
-            a       $found_4,$found_3,$c_any            # 37e
-            shufb   $limit,$more,$more,$m_limit         # 37o
-
-            fnms    $s+2,$cz,$dz+2,$s2_9                # 38e
-            shufb   $cx,$quad,$quad,$m_x                # 38o
-
-            fnms    $s+1,$cz,$dz+1,$s1_11               # 39e
-            shlqbii $offset,$found_4,4                  # 39o
-
-            nop     $127                                # 40e pairing
-            shufb   $cz_6,$quad,$quad,$m_z              # 40o
-
-            fnms    $s,$cz,$dz,$s                       # 41e
-            shufb   $cy,$quad,$quad,$m_y                # 41o
-
-            fnms    $s1_5,$cx,$dx+1,$limit              # 42e
-            shufb   $signs,$signs,$signs_low,$m_halves  # 42o
-
-            fnms    $s_7,$cx,$dx,$limit                 # 43e
-            stqx    $pair_6,$a_pairs,$offset            # 43o
-
-            a       $pair_6,$pair_5,$k_next             # 44e
-            gbb     $signs_9,$signs_9                   # 44o
-
-            fnms    $s2_10,$cx,$dx+2,$limit             # 45e
-            lnop                                        # 45o pairing
-
-            fnms    $s3_10,$cx,$dx+3,$limit             # 46e
-            lqd     $quad,0($pair_6)                    # 46o
-
-            fnms    $s+3,$cz,$dz+3,$s+3                 # 47e
-            lqd     $more,16($pair_6)                   # 47o
-
-            cg      $c_any,$signs_9,$k_all              # 48e 1 if any, else 0
-            shufb   $signs_9,$s,$s+1,$m_signs           # 48o
-
-            fnms    $s,$cy,$dy,$s_7                     # 49e
-            rotqbii $signs,$signs,1                     # 49o signs to the bytes' last bits
-
-            fnms    $s+1,$cy,$dy+1,$s1_5                # 50e
-            a       $found_2,$found_4,$c_any            # 51e
-
-            fnms    $s3_8,$cy,$dy+3,$s3_10              # 52e
-            shufb   $cx,$quad,$quad,$m_x                # 52o
-
-            fnms    $s2_7,$cy,$dy+2,$s2_10              # 53e
-            shufb   $limit,$more,$more,$m_limit         # 53o
-
-            nop     $127                                # 54e pairing
-            shlqbii $offset,$found_2,4                  # 54o
-
-            fnms    $s,$cz_6,$dz,$s                     # 55e
-            shufb   $signs_low,$s+2,$s+3,$m_signs       # 55o
-
-            shufb   $cy_7,$quad,$quad,$m_y              # 56o
-            fnms    $s+3,$cx,$dx+3,$limit               # 57e
-
-            fnms    $s1_10,$cx,$dx+1,$limit             # 58e
-            stqx    $pair_7,$a_pairs,$offset            # 58o
-
-            fnms    $s+2,$cx,$dx+2,$limit               # 59e
-            gbb     $signs_8,$signs                     # 59o
-
-            a       $pair_7,$pair_6,$k_next             # 60e
-            shufb   $cz_2,$quad,$quad,$m_z              # 60o
-
-            fnms    $s+1,$cz_6,$dz+1,$s+1               # 61e
-            shufb   $signs,$signs_9,$signs_low,$m_halves # 61o
-
-            fnms    $s_4,$cx,$dx,$limit                 # 62e
-            lqd     $quad_4,0($pair_7)                  # 62o
-
-            fnms    $s3_6,$cy_7,$dy+3,$s+3              # 63e
-            lqd     $more_8,16($pair_7)                 # 63o
-
-            fnms    $s1_10,$cy_7,$dy+1,$s1_10           # 64e
-next_four_back:
-        brnz    $fours,next_four                        # 64o
-
-next_four_drain:
-        a       $pair_2,$pair_7,$k_next                 # 0e
-        shufb   $cx,$quad_4,$quad_4,$m_x                # 0o
-
-        fnms    $s+2,$cy_7,$dy+2,$s+2                   # 1e
-        shufb   $limit,$more_8,$more_8,$m_limit         # 1o
-
-        a       $pair_8,$pair_2,$k_next                 # 2e
-        lqd     $more_9,16($pair_2)                     # 2o
-
-        fnms    $s_10,$cy_7,$dy,$s_4                    # 3e
-        lqd     $quad_7,0($pair_2)                      # 3o
-
-        a       $pair_9,$pair_8,$k_next                 # 4e
-        lqd     $more_4,16($pair_8)                     # 4o
-
-        fnms    $s2_11,$cx,$dx+2,$limit                 # 5e
-        lqd     $quad_8,0($pair_8)                      # 5o
-
-        a       $pair_10,$pair_9,$k_next                # 6e
-        lqd     $quad_9,0($pair_9)                      # 6o
-
-        fnms    $s_11,$cx,$dx,$limit                    # 7e
-        lqd     $more_10,16($pair_9)                    # 7o
-
-        fnms    $s3_11,$cx,$dx+3,$limit                 # 8e
-        shufb   $limit_7,$more_9,$more_9,$m_limit       # 8o
-
-        fnms    $s1_12,$cx,$dx+1,$limit                 # 9e
-        shufb   $cx_7,$quad_7,$quad_7,$m_x              # 9o
-
-        fnms    $s2_7,$cz_6,$dz+2,$s2_7                 # 10e
-        lqd     $quad_10,0($pair_10)                    # 10o
-
-        fnms    $s3_3,$cz_6,$dz+3,$s3_8                 # 11e
-        lqd     $more_11,16($pair_10)                   # 11o
-
-        fnms    $s3_6,$cz_2,$dz+3,$s3_6                 # 12e
-        shufb   $limit_4,$more_4,$more_4,$m_limit       # 12o
-
-        fnms    $s2_12,$cx_7,$dx+2,$limit_7             # 13e
-        shufb   $cx_8,$quad_8,$quad_8,$m_x              # 13o
-
-        fnms    $s1_13,$cx_7,$dx+1,$limit_7             # 14e
-        shufb   $cy_8,$quad_4,$quad_4,$m_y              # 14o
-
-        fnms    $s_12,$cx_7,$dx,$limit_7                # 15e
-        shufb   $cx_9,$quad_9,$quad_9,$m_x              # 15o
-
-        fnms    $s3_12,$cx_7,$dx+3,$limit_7             # 16e
-        shufb   $limit,$more_10,$more_10,$m_limit       # 16o
-
-        fnms    $s1_14,$cx_8,$dx+1,$limit_4             # 17e
-        shufb   $cy_9,$quad_7,$quad_7,$m_y              # 17o
-
-        fnms    $s_13,$cx_8,$dx,$limit_4                # 18e
-        shufb   $cx_10,$quad_10,$quad_10,$m_x           # 18o
-
-        fnms    $s2_13,$cx_8,$dx+2,$limit_4             # 19e
-        shufb   $limit_8,$more_11,$more_11,$m_limit     # 19o
-
-        fnms    $s3_13,$cx_8,$dx+3,$limit_4             # 20e
-        shufb   $cy_10,$quad_8,$quad_8,$m_y             # 20o
-
-        fnms    $s2_11,$cy_8,$dy+2,$s2_11               # 21e
-        shufb   $cz_7,$quad_4,$quad_4,$m_z              # 21o
-
-        fnms    $s_11,$cy_8,$dy,$s_11                   # 22e
-        shufb   $cy_11,$quad_9,$quad_9,$m_y             # 22o
-
-        fnms    $s3_11,$cy_8,$dy+3,$s3_11               # 23e
-        shufb   $cz,$quad_7,$quad_7,$m_z                # 23o
-
-        fnms    $s1_12,$cy_8,$dy+1,$s1_12               # 24e
-        shufb   $cy_12,$quad_10,$quad_10,$m_y           # 24o
-
-        fnms    $s3_14,$cx_9,$dx+3,$limit               # 25e
-        shufb   $cz_8,$quad_8,$quad_8,$m_z              # 25o
-
-        fnms    $s1_15,$cx_9,$dx+1,$limit               # 26e
-        shufb   $signs_10,$s,$s+1,$m_signs              # 26o
-
-        fnms    $s2_14,$cx_9,$dx+2,$limit               # 27e
-        shufb   $signs_low_4,$s2_7,$s3_3,$m_signs       # 27o
-
-        fnms    $s_14,$cx_9,$dx,$limit                  # 28e
-        shufb   $cz_9,$quad_9,$quad_9,$m_z              # 28o
-
-        fnms    $s2_15,$cy_9,$dy+2,$s2_12               # 29e
-        shufb   $cz_10,$quad_10,$quad_10,$m_z           # 29o
-
-        fnms    $s1_16,$cy_9,$dy+1,$s1_13               # 30e
-        rotqbii $signs,$signs,1                         # 30o signs to the bytes' last bits
-
-        fnms    $s_15,$cy_9,$dy,$s_12                   # 31e
-        shufb   $signs_7,$signs_10,$signs_low_4,$m_halves # 31o
-
-        fnms    $s3_12,$cy_9,$dy+3,$s3_12               # 32e
-        fnms    $s2_16,$cx_10,$dx+2,$limit_8            # 33e
-
-        fnms    $s_16,$cx_10,$dx,$limit_8               # 34e
-        gbb     $signs,$signs                           # 34o
-
-        fnms    $s3_15,$cx_10,$dx+3,$limit_8            # 35e
-        rotqbii $signs_7,$signs_7,1                     # 35o signs to the bytes' last bits
-
-        fnms    $s1_11,$cx_10,$dx+1,$limit_8            # 36e
-        fnms    $s1_17,$cz_2,$dz+1,$s1_10               # 37e
-
-        fnms    $s+2,$cz_2,$dz+2,$s+2                   # 38e
-        lnop                                            # 38o pairing
-
-        fnms    $s,$cz_2,$dz,$s_10                      # 39e
-        gbb     $signs_7,$signs_7                       # 39o
-
-        fnms    $s_10,$cy_10,$dy,$s_13                  # 40e
-        fnms    $s1_10,$cy_10,$dy+1,$s1_14              # 41e
-
-        fnms    $s3_13,$cy_10,$dy+3,$s3_13              # 42e
-        fnms    $s2_17,$cy_10,$dy+2,$s2_13              # 43e
-
-        fnms    $s2_5,$cz_7,$dz+2,$s2_11                # 44e
-        shufb   $signs_low_5,$s+2,$s3_6,$m_signs        # 44o
-
-        fnms    $s_17,$cz_7,$dz,$s_11                   # 45e
-        shufb   $signs_11,$s,$s1_17,$m_signs            # 45o
-
-        fnms    $s3_16,$cz_7,$dz+3,$s3_11               # 46e
-        fnms    $s1_12,$cz_7,$dz+1,$s1_12               # 47e
-
-        fnms    $s3_17,$cy_11,$dy+3,$s3_14              # 48e
-        lnop                                            # 48o pairing
-
-        fnms    $s1_18,$cy_11,$dy+1,$s1_15              # 49e
-        shufb   $signs_11,$signs_11,$signs_low_5,$m_halves # 49o
-
-        fnms    $s2_3,$cy_11,$dy+2,$s2_14               # 50e
-        fnms    $s_14,$cy_11,$dy,$s_14                  # 51e
-
-        fnms    $s2_14,$cz,$dz+2,$s2_15                 # 52e
-        shufb   $signs_low_6,$s2_5,$s3_16,$m_signs      # 52o
-
-        fnms    $s1_2,$cz,$dz+1,$s1_16                  # 53e
-        shufb   $signs_12,$s_17,$s1_12,$m_signs         # 53o
-
-        fnms    $s_17,$cz,$dz,$s_15                     # 54e
-        rotqbii $signs_11,$signs_11,1                   # 54o signs to the bytes' last bits
-
-        fnms    $s3_12,$cz,$dz+3,$s3_12                 # 55e
-        fnms    $s2_16,$cy_12,$dy+2,$s2_16              # 56e
-
-        fnms    $s_16,$cy_12,$dy,$s_16                  # 57e
-        shufb   $signs_13,$signs_12,$signs_low_6,$m_halves # 57o
-
-        fnms    $s3_15,$cy_12,$dy+3,$s3_15              # 58e
-        gbb     $signs_11,$signs_11                     # 58o
-
-        fnms    $s1_11,$cy_12,$dy+1,$s1_11              # 59e
-        lnop                                            # 59o pairing
-
-        fnms    $s_10,$cz_8,$dz,$s_10                   # 60e
-        shufb   $signs_14,$s_17,$s1_2,$m_signs          # 60o
-
-        fnms    $s1_10,$cz_8,$dz+1,$s1_10               # 61e
-        shufb   $signs_low_7,$s2_14,$s3_12,$m_signs     # 61o
-
-        fnms    $s2_17,$cz_8,$dz+2,$s2_17               # 62e
-        rotqbii $signs_13,$signs_13,1                   # 62o signs to the bytes' last bits
-
-        fnms    $s3_13,$cz_8,$dz+3,$s3_13               # 63e
-        fnms    $s3_18,$cz_9,$dz+3,$s3_17               # 64e
-
-        fnms    $s+1,$cz_9,$dz+1,$s1_18                 # 65e
-        shufb   $signs_14,$signs_14,$signs_low_7,$m_halves # 65o
-
-        fnms    $s+2,$cz_9,$dz+2,$s2_3                  # 66e
-        gbb     $signs_13,$signs_13                     # 66o
-
-        fnms    $s,$cz_9,$dz,$s_14                      # 67e
-        shufb   $signs_5,$s_10,$s1_10,$m_signs          # 67o
-
-        fnms    $s2_10,$cz_10,$dz+2,$s2_16              # 68e
-        lnop                                            # 68o pairing
-
-        fnms    $s_18,$cz_10,$dz,$s_16                  # 69e
-        shufb   $signs_low,$s2_17,$s3_13,$m_signs       # 69o
-
-        fnms    $s3_13,$cz_10,$dz+3,$s3_15              # 70e
-        rotqbii $signs_14,$signs_14,1                   # 70o signs to the bytes' last bits
-
-        fnms    $s1_11,$cz_10,$dz+1,$s1_11              # 71e
-        lnop                                            # 71o pairing
-
-        cg      $c_any,$signs_8,$k_all                  # 72e 1 if any, else 0
-        shufb   $signs_low_8,$s+2,$s3_18,$m_signs       # 72o
-
-        cg      $c_any_4,$signs,$k_all                  # 73e 1 if any, else 0
-        shufb   $signs_15,$s,$s+1,$m_signs              # 73o
-
-        a       $found,$found_2,$c_any                  # 74e
-        shufb   $signs_5,$signs_5,$signs_low,$m_halves  # 74o
-
-        cg      $c_any,$signs_7,$k_all                  # 75e 1 if any, else 0
-        gbb     $signs,$signs_14                        # 75o
-
-        a       $found_4,$found,$c_any_4                # 76e
-        shufb   $signs_low,$s2_10,$s3_13,$m_signs       # 76o
-
-        cg      $c_any_5,$signs_11,$k_all               # 77e 1 if any, else 0
-        shufb   $signs_3,$s_18,$s1_11,$m_signs          # 77o
-
-        a       $found_5,$found_4,$c_any                # 78e
-        shufb   $signs_11,$signs_15,$signs_low_8,$m_halves # 78o
-
-        cg      $c_any,$signs_13,$k_all                 # 79e 1 if any, else 0
-        shlqbii $offset,$found,4                        # 79o
-
-        a       $found_2,$found_5,$c_any_5              # 80e
-        rotqbii $signs_5,$signs_5,1                     # 80o signs to the bytes' last bits
-
-        cg      $c_any_6,$signs,$k_all                  # 81e 1 if any, else 0
-        shufb   $signs,$signs_3,$signs_low,$m_halves    # 81o
-
-        a       $found,$found_2,$c_any                  # 82e
-        rotqbii $signs_3,$signs_11,1                    # 82o signs to the bytes' last bits
-
-        a       $pair_11,$pair_10,$k_next               # 83e
-        stqx    $pair,$a_pairs,$offset                  # 83o
-
-        a       $found_6,$found,$c_any_6                # 84e
-        gbb     $signs_5,$signs_5                       # 84o
-
-        rotqbii $signs,$signs,1                         # 85o signs to the bytes' last bits
-        hbr     filter_spheres_r16_return,$lr           # 86o hint
+        a       $a_place,$a_place,$c_last_3             # 86e
+        shlqbii $offset_2,$found,4                      # 86o
 
         nop     $127                                    # 87e pairing
-        gbb     $signs_3,$signs_3                       # 87o
+        gbb     $signs,$signs_4                         # 87o
 
-        cg      $c_any,$signs_5,$k_all                  # 88e 1 if any, else 0
-        shlqbii $offset,$found_4,4                      # 88o
+next_four:
+        ai      $left_2,$left,-1                        # 0e
+            stqx    $pair,$a_pairs,$offset_2            # 0o
 
-        nop     $127                                    # 89e pairing
-        gbb     $signs_8,$signs                         # 89o
+        ai      $count,$count,-1                        # 1e
+        lqd     $more,16($a_four)                       # 1o
 
-        a       $found_4,$found_6,$c_any                # 90e
-        shlqbii $offset_3,$found_5,4                    # 90o
+            cg      $any,$signs,$k_all                  # 2e 1 if any, else 0
+            shufb   $signs_low,$s2_2,$s3_4,$m_signs     # 2o
 
-        cg      $c_any,$signs_3,$k_all                  # 91e 1 if any, else 0
-        shlqbii $offset_4,$found_2,4                    # 91o
+        ceqi    $c_last,$left_2,0                       # 3e
+            shufb   $pair,$a_sphere,$place_3,$m_pair    # 3o
 
-        nop     $127                                    # 92e pairing
-        shlqbii $offset_5,$found,4                      # 92o
+        ai      $a_four_4,$a_four,192                   # 4e
+            lqd     $dy,64($place_3)                    # 4o
 
-        a       $found_5,$found_4,$c_any                # 93e
-        stqx    $pair_5,$a_pairs,$offset                # 93o
+        ai      $a_sphere,$a_four,0                     # 5e
+            lqd     $dx+2,32($place_3)                  # 5o
 
-        cg      $c_any,$signs_8,$k_all                  # 94e 1 if any, else 0
-        shlqbii $offset,$found_6,4                      # 94o
+            a       $found_2,$found,$any                # 6e
+            lqd     $dx+3,48($place_3)                  # 6o
 
-        nop     $127                                    # 95e pairing
-        stqx    $pair_6,$a_pairs,$offset_3              # 95o
+        selb    $left,$left_2,$fours,$c_last            # 7e
+            lqd     $dx+1,16($place_3)                  # 7o
 
-        a       $found,$found_5,$c_any                  # 96e
-        shlqbii $offset_6,$found_4,4                    # 96o
+        andi    $c_last_4,$c_last,16                    # 8e
+            lqd     $dx,0($place_3)                     # 8o
 
-        nop     $127                                    # 97e pairing
-        stqx    $pair_7,$a_pairs,$offset_4              # 97o
+        lqd     $quad,0($a_four)                        # 9o
+            shufb   $signs_low_3,$s+2,$s+3,$m_signs     # 10o
 
-        shli    $found,$found,4                         # 98e
-        shlqbii $offset_3,$found_5,4                    # 98o
+            fnms    $s+2,$cx_5,$dx+2,$limit_5           # 11e
+            lqd     $dy+3,112($place_3)                 # 11o
 
-        stqx    $pair_2,$a_pairs,$offset_5              # 99o
-        stqx    $pair_8,$a_pairs,$offset                # 100o
+            fnms    $s2_2,$cx_4,$dx+2,$limit_4          # 12e
+            lqd     $dz+3,176($place_3)                 # 12o
 
-        nop     $127                                    # 101e pairing
-        stqx    $pair_9,$a_pairs,$offset_6              # 101o
+            fnms    $s2_8,$cx_3,$dx+2,$limit_2          # 13e
+        lqd     $more_2,64($a_four)                     # 13o
 
-        a       $a_packet,$a_pairs,$found               # 102e
-        stqx    $pair_10,$a_pairs,$offset_3             # 102o
+            fnms    $s+1,$cx_4,$dx+1,$limit_4           # 14e
+            shufb   $signs,$s_7,$s1_2,$m_signs          # 14o
 
-        nop     $127                                    # 103e pairing
-filter_spheres_r16_return:
-        bi      $lr                                     # 103o
+            fnms    $s+3,$cx_3,$dx+3,$limit_2           # 15e
+            lqd     $dz+2,160($place_3)                 # 15o
 
-next_four_short:
-        a       $pair_2,$pair,$k_next                   # 0e
-        lqd     $quad,0($pair)                          # 0o
+            fnms    $s1_2,$cx_3,$dx+1,$limit_2          # 16e
+            lqd     $dy1_2,80($place_3)                 # 16o
 
-        ai      $fours,$fours,-1                        # 1e
-        lqd     $more,16($pair)                         # 1o
+            fnms    $s,$cx_4,$dx,$limit_4               # 17e
+            lqd     $dy2_2,96($place_3)                 # 17o
 
-        a       $pair_3,$pair_2,$k_next                 # 2e
-        lqd     $quad_11,0($pair_2)                     # 2o
+            fnms    $s_2,$cx_3,$dx,$limit_2             # 18e
+            shufb   $cz_6,$quad_4,$quad_4,$m_z          # 18o
 
-        nop     $127                                    # 3e pairing
-        lqd     $more_12,16($pair_2)                    # 3o
+            fnms    $s3_2,$cx_2,$dx+3,$limit_3          # 19e
+        shufb   $limit_2,$more_2,$more_2,$m_limit       # 19o
 
-        a       $pair_12,$pair_3,$k_next                # 4e
-        lqd     $quad_12,0($pair_3)                     # 4o
+            fnms    $s_3,$cx_2,$dx,$limit_3             # 20e
+            shufb   $signs_6,$s_8,$s1_5,$m_signs        # 20o
 
-        lqd     $more_13,16($pair_3)                    # 5o
-        shufb   $cx,$quad,$quad,$m_x                    # 6o
+            fnms    $s_5,$cx_5,$dx,$limit_5             # 21e
+            shufb   $cy_4,$quad_6,$quad_6,$m_y          # 21o
 
-        shufb   $limit,$more,$more,$m_limit             # 7o
-        shufb   $cx_2,$quad_11,$quad_11,$m_x            # 8o
+            fnms    $s2_5,$cx_2,$dx+2,$limit_3          # 22e
+        lqd     $quad_6,96($a_four)                     # 22o
 
-        shufb   $limit_9,$more_12,$more_12,$m_limit     # 9o
-        shufb   $cx_11,$quad_12,$quad_12,$m_x           # 10o
+            fnms    $s+3,$cy_2,$dy+3,$s+3               # 23e
+            lqd     $dz1_2,144($place_3)                # 23o
 
-        fnms    $s,$cx,$dx,$limit                       # 11e
-        shufb   $limit_10,$more_13,$more_13,$m_limit    # 11o
+            fnms    $s_2,$cy_2,$dy,$s_2                 # 24e
+            shufb   $signs_7,$signs_6,$signs_low,$m_halves # 24o
 
-        fnms    $s+1,$cx,$dx+1,$limit                   # 12e
-        shufb   $cy,$quad,$quad,$m_y                    # 12o
+            fnms    $s3_2,$cy_3,$dy+3,$s3_2             # 25e
+        lqd     $quad_4,144($a_four)                    # 25o
 
-        fnms    $s+2,$cx,$dx+2,$limit                   # 13e
-        lqd     $quad_7,0($pair_12)                     # 13o
+            fnms    $s1_6,$cx_2,$dx+1,$limit_3          # 26e
+            rotqbii $signs_8,$signs_5,1                 # 26o signs to the bytes' last bits
 
-        fnms    $s+3,$cx,$dx+3,$limit                   # 14e
-        lqd     $more_14,16($pair_12)                   # 14o
+            fnms    $s_5,$cy_5,$dy,$s_5                 # 27e
+            lqd     $dz_2,128($place_3)                 # 27o
 
-        fnms    $s_19,$cx_2,$dx,$limit_9                # 15e
-        shufb   $cy_13,$quad_11,$quad_11,$m_y           # 15o
+            fnms    $s3_3,$cx_5,$dx+3,$limit_5          # 28e
+            rotqbii $signs_7,$signs_7,1                 # 28o signs to the bytes' last bits
 
-        fnms    $s1_8,$cx_2,$dx+1,$limit_9              # 16e
-        shufb   $cy_10,$quad_12,$quad_12,$m_y           # 16o
+            fnms    $s+1,$cy_4,$dy1_2,$s+1              # 29e
+        lqd     $more_3,112($a_four)                    # 29o
 
-        fnms    $s2_11,$cx_2,$dx+2,$limit_9             # 17e
-        shufb   $cz_2,$quad,$quad,$m_z                  # 17o
+            fnms    $s_3,$cy_3,$dy,$s_3                 # 30e
+            shufb   $cz_3,$quad_2,$quad_2,$m_z          # 30o
 
-        fnms    $s3_19,$cx_2,$dx+3,$limit_9             # 18e
-        shufb   $cz_6,$quad_11,$quad_11,$m_z            # 18o
+            fnms    $s3_4,$cx_4,$dx+3,$limit_4          # 31e
+        shufb   $cx_4,$quad_6,$quad_6,$m_x              # 31o
 
-        fnms    $s_20,$cx_11,$dx,$limit_10              # 19e
-        shufb   $cx_12,$quad_7,$quad_7,$m_x             # 19o
+            fnms    $s3_2,$cz_2,$dz+3,$s3_2             # 32e
+        lqd     $quad_2,48($a_four)                     # 32o
 
-        fnms    $s1_19,$cx_11,$dx+1,$limit_10           # 20e
-        shufb   $limit_6,$more_14,$more_14,$m_limit     # 20o
+            fnms    $s2_2,$cy_4,$dy2_2,$s2_2            # 33e
+        shufb   $cx_2,$quad,$quad,$m_x                  # 33o
 
-        fnms    $s2_18,$cx_11,$dx+2,$limit_10           # 21e
-        shufb   $cz_5,$quad_12,$quad_12,$m_z            # 21o
+            fnms    $s1_2,$cy_2,$dy1_2,$s1_2            # 34e
+            shufb   $signs,$signs,$signs_low_3,$m_halves # 34o
 
-        fnms    $s3_10,$cx_11,$dx+3,$limit_10           # 22e
-        shufb   $cy_14,$quad_7,$quad_7,$m_y             # 22o
+            fnms    $s1_7,$cy_3,$dy1_2,$s1_6            # 35e
+        shufb   $limit_4,$more_3,$more_3,$m_limit       # 35o
 
-        fnms    $s,$cy,$dy,$s                           # 23e
-        shufb   $cz,$quad_7,$quad_7,$m_z                # 23o
+            fnms    $s2_5,$cy_3,$dy2_2,$s2_5            # 36e
+            gbb     $signs_7,$signs_7                   # 36o
 
-        fnms    $s+1,$cy,$dy+1,$s+1                     # 24e
-        shlqbii $offset_7,$found,4                      # 24o
+            fnms    $s_2,$cz_3,$dz_2,$s_2               # 37e
+            shlqbii $offset_3,$found_2,4                # 37o
 
-        fnms    $s+2,$cy,$dy+2,$s+2                     # 25e
-        fnms    $s+3,$cy,$dy+3,$s+3                     # 26e
+            fnms    $s2_8,$cy_2,$dy2_2,$s2_8            # 38e
+            rotqbii $signs,$signs,1                     # 38o signs to the bytes' last bits
 
-        fnms    $s_21,$cy_13,$dy,$s_19                  # 27e
-        lnop                                            # 27o pairing
+            fnms    $s2_2,$cz_4,$dz+2,$s2_2             # 39e
+        lqd     $more_3,160($a_four)                    # 39o
 
-        fnms    $s1_20,$cy_13,$dy+1,$s1_8               # 28e
-        stqx    $pair,$a_pairs,$offset_7                # 28o
+            fnms    $s1_2,$cz_3,$dz1_2,$s1_2            # 40e
+            gbb     $signs_8,$signs_8                   # 40o
 
-        fnms    $s2_19,$cy_13,$dy+2,$s2_11              # 29e
-        fnms    $s3_19,$cy_13,$dy+3,$s3_19              # 30e
+            fnms    $s_3,$cz_2,$dz_2,$s_3               # 41e
+        shufb   $limit_3,$more,$more,$m_limit           # 41o
 
-        fnms    $s_20,$cy_10,$dy,$s_20                  # 31e
-        fnms    $s1_21,$cy_10,$dy+1,$s1_19              # 32e
+            fnms    $s+2,$cy_5,$dy2_2,$s+2              # 42e
+            stqx    $pair_2,$a_pairs,$offset_3          # 42o
 
-        fnms    $s2_20,$cy_10,$dy+2,$s2_18              # 33e
-        fnms    $s3_10,$cy_10,$dy+3,$s3_10              # 34e
+            fnms    $s+3,$cz_3,$dz+3,$s+3               # 43e
+            gbb     $signs,$signs                       # 43o
 
-        fnms    $s,$cz_2,$dz,$s                         # 35e
-        fnms    $s+1,$cz_2,$dz+1,$s+1                   # 36e
+            fnms    $s1_7,$cz_2,$dz1_2,$s1_7            # 44e
+            shufb   $pair_2,$a_sphere_2,$place_3,$m_pair # 44o
 
-        fnms    $s+2,$cz_2,$dz+2,$s+2                   # 37e
-        fnms    $s+3,$cz_2,$dz+3,$s+3                   # 38e
+            cg      $any_2,$signs_7,$k_all              # 45e 1 if any, else 0
+        shufb   $cy_2,$quad_2,$quad_2,$m_y              # 45o
 
-        fnms    $s_22,$cx_12,$dx,$limit_6               # 39e
-        fnms    $s1_18,$cx_12,$dx+1,$limit_6            # 40e
+        ai      $a_sphere_2,$a_four,48                  # 46e
+        shufb   $cx_3,$quad_2,$quad_2,$m_x              # 46o
 
-        fnms    $s2_11,$cx_12,$dx+2,$limit_6            # 41e
-        lnop                                            # 41o pairing
+            fnms    $s2_8,$cz_3,$dz+2,$s2_8             # 47e
+        shufb   $cy_3,$quad,$quad,$m_y                  # 47o
 
-        fnms    $s3_2,$cx_12,$dx+3,$limit_6             # 42e
-        shufb   $signs_10,$s,$s+1,$m_signs              # 42o
+            cg      $any_3,$signs_8,$k_all              # 48e 1 if any, else 0
+            shufb   $signs_9,$s_2,$s1_2,$m_signs        # 48o
 
-        fnms    $s_21,$cz_6,$dz,$s_21                   # 43e
+            fnms    $s2_5,$cz_2,$dz+2,$s2_5             # 49e
+        shufb   $cz_2,$quad,$quad,$m_z                  # 49o
+
+            a       $found_2,$found_2,$any_3            # 50e
+            shufb   $signs_10,$s_3,$s1_7,$m_signs       # 50o
+
+            fnms    $s1_4,$cx_5,$dx+1,$limit_5          # 51e
+        shufb   $limit_5,$more_3,$more_3,$m_limit       # 51o
+
+            fnms    $s,$cy_4,$dy,$s                     # 52e
+            shlqbii $offset_4,$found_2,4                # 52o
+
+            fnms    $s3_4,$cy_4,$dy+3,$s3_4             # 53e
+            shufb   $signs_low,$s2_8,$s+3,$m_signs      # 53o
+
+            a       $found_2,$found_2,$any_2            # 54e
+        shufb   $cx_5,$quad_4,$quad_4,$m_x              # 54o
+
+            fnms    $s+3,$cy_5,$dy+3,$s3_3              # 55e
+            shufb   $signs_low_4,$s2_5,$s3_2,$m_signs   # 55o
+
+            fnms    $s_7,$cz_6,$dz_2,$s_5               # 56e
+            stqx    $pair_3,$a_pairs,$offset_4          # 56o
+
+            fnms    $s1_8,$cy_5,$dy1_2,$s1_4            # 57e
+            shufb   $pair_3,$a_sphere_3,$place_3,$m_pair # 57o
+
+            fnms    $s_8,$cz_4,$dz_2,$s                 # 58e
+            shlqbii $offset_5,$found_2,4                # 58o
+
+            fnms    $s3_4,$cz_4,$dz+3,$s3_4             # 59e
+            shufb   $signs_10,$signs_10,$signs_low_4,$m_halves # 59o
+
+            fnms    $s1_5,$cz_4,$dz1_2,$s+1             # 60e
+        shufb   $cz_4,$quad_6,$quad_6,$m_z              # 60o
+
+            cg      $any,$signs,$k_all                  # 61e 1 if any, else 0
+            shufb   $signs_5,$signs_9,$signs_low,$m_halves # 61o
+
+        ai      $a_sphere_3,$a_four,96                  # 62e
+            stqx    $pair_4,$a_pairs,$offset_5          # 62o
+
+            a       $found,$found_2,$any                # 63e
+        shufb   $cy_5,$quad_4,$quad_4,$m_y              # 63o
+
+            fnms    $s+3,$cz_6,$dz+3,$s+3               # 64e
+            rotqbii $signs,$signs_10,1                  # 64o signs to the bytes' last bits
+
+            fnms    $s+2,$cz_6,$dz+2,$s+2               # 65e
+            shufb   $pair_4,$a_sphere_5,$place_3,$m_pair # 65o
+
+        ai      $a_sphere_5,$a_four,144                 # 66e
+            shlqbii $offset_2,$found,4                  # 66o
+
+        selb    $a_four,$a_four_4,$first,$c_last        # 67e
+        lqd     $place_3,0($a_place)                    # 67o
+
+        a       $a_place,$a_place,$c_last_4             # 68e
+            gbb     $signs,$signs                       # 68o
+
+            fnms    $s1_2,$cz_6,$dz1_2,$s1_8            # 69e
+next_four_back:
+        brnz    $count,next_four                        # 69o
+
+next_four_drain:
+        cg      $any,$signs,$k_all                      # 0e 1 if any, else 0
+        lqd     $dx+2,32($place_3)                      # 0o
+
+        nop     $127                                    # 1e pairing
+        lqd     $dx3_2,48($place_3)                     # 1o
+
+        a       $found_3,$found,$any                    # 2e
+        lqd     $dx+1,16($place_3)                      # 2o
+
+        lqd     $dx,0($place_3)                         # 3o
+        lqd     $dy,64($place_3)                        # 4o
+
+        nop     $127                                    # 5e pairing
+        lqd     $dy+3,112($place_3)                     # 5o
+
+        fnms    $s2_9,$cx_2,$dx+2,$limit_3              # 6e
+        lqd     $dy1_2,80($place_3)                     # 6o
+
+        fnms    $s3_2,$cx_2,$dx3_2,$limit_3             # 7e
+        lqd     $dy2_3,96($place_3)                     # 7o
+
+        fnms    $s1_9,$cx_2,$dx+1,$limit_3              # 8e
+        lqd     $dz+3,176($place_3)                     # 8o
+
+        fnms    $s_3,$cx_2,$dx,$limit_3                 # 9e
+        lqd     $dz+2,160($place_3)                     # 9o
+
+        fnms    $s2_8,$cx_3,$dx+2,$limit_2              # 10e
+        shufb   $cy_6,$quad_6,$quad_6,$m_y              # 10o
+
+        fnms    $s3_6,$cx_3,$dx3_2,$limit_2             # 11e
+        lqd     $dz1_2,144($place_3)                    # 11o
+
+        fnms    $s1_10,$cx_3,$dx+1,$limit_2             # 12e
+        lqd     $dz_3,128($place_3)                     # 12o
+
+        fnms    $s_2,$cx_3,$dx,$limit_2                 # 13e
+        shufb   $cz_3,$quad_2,$quad_2,$m_z              # 13o
+
+        fnms    $s2_10,$cx_4,$dx+2,$limit_4             # 14e
+        shufb   $signs_low,$s2_2,$s3_4,$m_signs         # 14o
+
+        fnms    $s+1,$cx_4,$dx+1,$limit_4               # 15e
+        shufb   $cz_6,$quad_4,$quad_4,$m_z              # 15o
+
+        fnms    $s,$cx_4,$dx,$limit_4                   # 16e
+        shufb   $signs_6,$s_8,$s1_5,$m_signs            # 16o
+
+        fnms    $s3_4,$cx_4,$dx3_2,$limit_4             # 17e
+        shufb   $signs_low_3,$s+2,$s+3,$m_signs         # 17o
+
+        fnms    $s+2,$cx_5,$dx+2,$limit_5               # 18e
+        shufb   $signs,$s_7,$s1_2,$m_signs              # 18o
+
+        fnms    $s_5,$cx_5,$dx,$limit_5                 # 19e
+        rotqbii $signs_8,$signs_5,1                     # 19o signs to the bytes' last bits
+
+        fnms    $s3_2,$cy_3,$dy+3,$s3_2                 # 20e
+        shufb   $signs_7,$signs_6,$signs_low,$m_halves  # 20o
+
+        fnms    $s3_3,$cx_5,$dx3_2,$limit_5             # 21e
+        hbr     filter_spheres_r16_return,$lr           # 21o hint
+
+        fnms    $s_3,$cy_3,$dy,$s_3                     # 22e
+        shufb   $signs,$signs,$signs_low_3,$m_halves    # 22o
+
+        fnms    $s1_7,$cy_3,$dy1_2,$s1_9                # 23e
+        gbb     $signs_8,$signs_8                       # 23o
+
+        fnms    $s2_5,$cy_3,$dy2_3,$s2_9                # 24e
+        rotqbii $signs_7,$signs_7,1                     # 24o signs to the bytes' last bits
+
+        fnms    $s1_4,$cx_5,$dx+1,$limit_5              # 25e
+        shlqbii $offset_3,$found_3,4                    # 25o
+
+        fnms    $s+3,$cy_2,$dy+3,$s3_6                  # 26e
+        rotqbii $signs,$signs,1                         # 26o signs to the bytes' last bits
+
+        fnms    $s_2,$cy_2,$dy,$s_2                     # 27e
+        stqx    $pair,$a_pairs,$offset_2                # 27o
+
+        fnms    $s1_2,$cy_2,$dy1_2,$s1_10               # 28e
+        gbb     $signs_7,$signs_7                       # 28o
+
+        fnms    $s2_8,$cy_2,$dy2_3,$s2_8                # 29e
+        shufb   $pair,$a_sphere,$place_3,$m_pair        # 29o
+
+        fnms    $s+1,$cy_6,$dy1_2,$s+1                  # 30e
+        gbb     $signs,$signs                           # 30o
+
+        fnms    $s2_2,$cy_6,$dy2_3,$s2_10               # 31e
+        stqx    $pair_2,$a_pairs,$offset_3              # 31o
+
+        fnms    $s,$cy_6,$dy,$s                         # 32e
+        shufb   $pair_2,$a_sphere_2,$place_3,$m_pair    # 32o
+
+        fnms    $s3_4,$cy_6,$dy+3,$s3_4                 # 33e
+        shufb   $pair_5,$a_sphere_3,$place_3,$m_pair    # 33o
+
+        fnms    $s_5,$cy_5,$dy,$s_5                     # 34e
+        shufb   $pair_6,$a_sphere_5,$place_3,$m_pair    # 34o
+
+        fnms    $s3_2,$cz_2,$dz+3,$s3_2                 # 35e
+        fnms    $s_3,$cz_2,$dz_3,$s_3                   # 36e
+
+        fnms    $s+2,$cy_5,$dy2_3,$s+2                  # 37e
+        fnms    $s1_7,$cz_2,$dz1_2,$s1_7                # 38e
+
+        fnms    $s2_5,$cz_2,$dz+2,$s2_5                 # 39e
+        fnms    $s3_7,$cy_5,$dy+3,$s3_3                 # 40e
+
+        fnms    $s1_9,$cy_5,$dy1_2,$s1_4                # 41e
+        fnms    $s_2,$cz_3,$dz_3,$s_2                   # 42e
+
+        fnms    $s1_2,$cz_3,$dz1_2,$s1_2                # 43e
         lnop                                            # 43o pairing
 
-        fnms    $s+1,$cz_6,$dz+1,$s1_20                 # 44e
-        shufb   $signs_low_9,$s+2,$s+3,$m_signs         # 44o
+        fnms    $s+3,$cz_3,$dz+3,$s+3                   # 44e
+        shufb   $signs_10,$s_3,$s1_7,$m_signs           # 44o
 
-        fnms    $s+2,$cz_6,$dz+2,$s2_19                 # 45e
-        fnms    $s+3,$cz_6,$dz+3,$s3_19                 # 46e
+        fnms    $s2_8,$cz_3,$dz+2,$s2_8                 # 45e
+        shufb   $signs_low_4,$s2_5,$s3_2,$m_signs       # 45o
 
-        fnms    $s_14,$cz_5,$dz,$s_20                   # 47e
-        lnop                                            # 47o pairing
+        fnms    $s2_2,$cz_4,$dz+2,$s2_2                 # 46e
+        fnms    $s_8,$cz_4,$dz_3,$s                     # 47e
 
-        fnms    $s1_5,$cz_5,$dz+1,$s1_21                # 48e
-        shufb   $signs,$signs_10,$signs_low_9,$m_halves # 48o
+        fnms    $s3_4,$cz_4,$dz+3,$s3_4                 # 48e
+        lnop                                            # 48o pairing
 
-        fnms    $s2_21,$cz_5,$dz+2,$s2_20               # 49e
-        lnop                                            # 49o pairing
+        fnms    $s1_11,$cz_4,$dz1_2,$s+1                # 49e
+        shufb   $signs_9,$s_2,$s1_2,$m_signs            # 49o
 
-        fnms    $s3_9,$cz_5,$dz+3,$s3_10                # 50e
-        shufb   $signs_16,$s_21,$s+1,$m_signs           # 50o
+        fnms    $s_7,$cz_6,$dz_3,$s_5                   # 50e
+        shufb   $signs_10,$signs_10,$signs_low_4,$m_halves # 50o
 
-        fnms    $s,$cy_14,$dy,$s_22                     # 51e
-        lnop                                            # 51o pairing
+        fnms    $s3_7,$cz_6,$dz+3,$s3_7                 # 51e
+        shufb   $signs_low_5,$s2_8,$s+3,$m_signs        # 51o
 
-        fnms    $s+1,$cy_14,$dy+1,$s1_18                # 52e
-        shufb   $signs_low,$s+2,$s+3,$m_signs           # 52o
+        fnms    $s+2,$cz_6,$dz+2,$s+2                   # 52e
+        fnms    $s1_9,$cz_6,$dz1_2,$s1_9                # 53e
 
-        fnms    $s+2,$cy_14,$dy+2,$s2_11                # 53e
-        rotqbii $signs,$signs,1                         # 53o signs to the bytes' last bits
+        cg      $any_4,$signs_8,$k_all                  # 54e 1 if any, else 0
+        shufb   $signs_low_6,$s2_2,$s3_4,$m_signs       # 54o
 
-        fnms    $s+3,$cy_14,$dy+3,$s3_2                 # 54e
-        shufb   $signs_5,$s_14,$s1_5,$m_signs           # 54o
+        cg      $any_2,$signs_7,$k_all                  # 55e 1 if any, else 0
+        shufb   $signs_6,$s_8,$s1_11,$m_signs           # 55o
 
-        a       $pair,$pair_12,$k_next                  # 55e
-        shufb   $signs_low_10,$s2_21,$s3_9,$m_signs     # 56o
+        a       $found_3,$found_3,$any_4                # 56e
+        shufb   $signs_5,$signs_9,$signs_low_5,$m_halves # 56o
 
-        fnms    $s,$cz,$dz,$s                           # 57e
-        shufb   $signs_17,$signs_16,$signs_low,$m_halves # 57o
+        cg      $any,$signs,$k_all                      # 57e 1 if any, else 0
+        rotqbii $signs,$signs_10,1                      # 57o signs to the bytes' last bits
 
-        fnms    $s+1,$cz,$dz+1,$s+1                     # 58e
-        gbb     $signs,$signs                           # 58o
+        a       $found_2,$found_3,$any_2                # 58e
+        shufb   $signs_low_3,$s+2,$s3_7,$m_signs        # 58o
 
-        fnms    $s+2,$cz,$dz+2,$s+2                     # 59e
-        lnop                                            # 59o pairing
+        nop     $127                                    # 59e pairing
+        shufb   $signs_11,$s_7,$s1_9,$m_signs           # 59o
 
-        fnms    $s+3,$cz,$dz+3,$s+3                     # 60e
-        shufb   $signs_5,$signs_5,$signs_low_10,$m_halves # 60o
+        a       $found,$found_2,$any                    # 60e
+        shufb   $signs_7,$signs_6,$signs_low_6,$m_halves # 60o
 
-        rotqbii $signs_4,$signs_17,1                    # 61o signs to the bytes' last bits
-        cg      $c_any,$signs,$k_all                    # 62e 1 if any, else 0
+        rotqbii $signs_8,$signs_5,1                     # 61o signs to the bytes' last bits
+        gbb     $signs,$signs                           # 62o
 
-        a       $found,$found,$c_any                    # 64e
-        rotqbii $signs,$signs_5,1                       # 64o signs to the bytes' last bits
+        shufb   $signs_11,$signs_11,$signs_low_3,$m_halves # 63o
+        rotqbii $signs_7,$signs_7,1                     # 64o signs to the bytes' last bits
 
-        shufb   $signs_5,$s,$s+1,$m_signs               # 65o
-        shufb   $signs_low,$s+2,$s+3,$m_signs           # 66o
+        nop     $127                                    # 65e pairing
+        gbb     $signs_8,$signs_8                       # 65o
 
-        gbb     $signs_4,$signs_4                       # 67o
-        gbb     $signs,$signs                           # 68o
+        cg      $any,$signs,$k_all                      # 66e 1 if any, else 0
+        shlqbii $offset_4,$found_3,4                    # 66o
 
-        shlqbii $offset,$found,4                        # 69o
-        shufb   $signs_5,$signs_5,$signs_low,$m_halves  # 70o
+        nop     $127                                    # 67e pairing
+        rotqbii $signs,$signs_11,1                      # 67o signs to the bytes' last bits
 
-        cg      $c_any,$signs_4,$k_all                  # 71e 1 if any, else 0
-        cg      $c_any_5,$signs,$k_all                  # 72e 1 if any, else 0
+        a       $found_3,$found,$any                    # 68e
+        gbb     $signs_7,$signs_7                       # 68o
 
-        a       $found,$found,$c_any                    # 73e
-        stqx    $pair_2,$a_pairs,$offset                # 73o
+        cg      $any_3,$signs_8,$k_all                  # 69e 1 if any, else 0
+        shlqbii $offset_5,$found_2,4                    # 69o
 
-        nop     $127                                    # 74e pairing
-        rotqbii $signs,$signs_5,1                       # 74o signs to the bytes' last bits
+        nop     $127                                    # 70e pairing
+        shlqbii $offset_2,$found,4                      # 70o
 
-        a       $found_7,$found,$c_any_5                # 75e
-        shlqbii $offset,$found,4                        # 75o
+        a       $found_4,$found_3,$any_3                # 71e
+        gbb     $signs,$signs                           # 71o
 
-        shlqbii $offset_3,$found_7,4                    # 77o
-        gbb     $signs,$signs                           # 78o
+        cg      $any_2,$signs_7,$k_all                  # 72e 1 if any, else 0
+        shlqbii $offset_3,$found_3,4                    # 72o
 
-        stqx    $pair_3,$a_pairs,$offset                # 79o
-        stqx    $pair_12,$a_pairs,$offset_3             # 81o
+        nop     $127                                    # 73e pairing
+        stqx    $pair_3,$a_pairs,$offset_4              # 73o
 
-        cg      $c_any,$signs,$k_all                    # 82e 1 if any, else 0
-        lnop                                            # 82o pairing
+        a       $found_3,$found_4,$any_2                # 74e
+        shlqbii $offset_4,$found_4,4                    # 74o
 
-        a       $found,$found_7,$c_any                  # 84e
-        brnz    $fours,next_four_short                  # 84o
+        cg      $any,$signs,$k_all                      # 75e 1 if any, else 0
+        stqx    $pair_4,$a_pairs,$offset_5              # 75o
 
-        shli    $found,$found,4                         # 86e
-        lnop                                            # 86o pairing
+        nop     $127                                    # 76e pairing
+        shlqbii $offset_5,$found_3,4                    # 76o
 
-        a       $a_packet,$a_pairs,$found               # 90e
-        bi      $lr                                     # 90o
+        a       $found,$found_3,$any                    # 77e
+        stqx    $pair,$a_pairs,$offset_2                # 77o
+
+        nop     $127                                    # 78e pairing
+        stqx    $pair_2,$a_pairs,$offset_3              # 78o
+
+        shli    $found,$found,4                         # 79e
+        stqx    $pair_5,$a_pairs,$offset_4              # 79o
+
+        nop     $127                                    # 80e pairing
+        stqx    $pair_6,$a_pairs,$offset_5              # 80o
+
+        a       $a_place,$a_pairs,$found                # 83e
+filter_spheres_r16_return:
+        bi      $lr                                     # 83o
+
+next_four_short:
+        ai      $a_sphere,$a_four,0                     # 0e
+        lqd     $place,0($a_place)                      # 0o
+
+        ai      $a_sphere_6,$a_four,48                  # 1e
+        lqd     $quad,0($a_four)                        # 1o
+
+        ai      $a_sphere_7,$a_four,96                  # 2e
+        lqd     $more,16($a_four)                       # 2o
+
+        ai      $a_sphere_8,$a_four,144                 # 3e
+        lqd     $quad_7,48($a_four)                     # 3o
+
+        ai      $left,$left,-1                          # 4e
+        lqd     $more_6,64($a_four)                     # 4o
+
+        ai      $a_four_5,$a_four,192                   # 5e
+        lqd     $quad_8,96($a_four)                     # 5o
+
+        ceqi    $c_last,$left,0                         # 6e
+        lqd     $dx_2,0($place)                         # 6o
+
+        ai      $count,$count,-1                        # 7e
+        lqd     $dx1_2,16($place)                       # 7o
+
+        andi    $c_last_5,$c_last,16                    # 8e
+        lqd     $dx2_2,32($place)                       # 8o
+
+        selb    $left,$left,$fours,$c_last              # 9e
+        lqd     $dx3_3,48($place)                       # 9o
+
+        a       $a_place,$a_place,$c_last_5             # 10e
+        lqd     $more_7,112($a_four)                    # 10o
+
+        shufb   $cx,$quad,$quad,$m_x                    # 11o
+        shufb   $limit,$more,$more,$m_limit             # 12o
+
+        shufb   $cx_6,$quad_7,$quad_7,$m_x              # 13o
+        shufb   $limit_6,$more_6,$more_6,$m_limit       # 14o
+
+        nop     $127                                    # 15e pairing
+        lqd     $dy_3,64($place)                        # 15o
+
+        fnms    $s,$cx,$dx_2,$limit                     # 16e
+        lqd     $dy1_3,80($place)                       # 16o
+
+        fnms    $s+1,$cx,$dx1_2,$limit                  # 17e
+        lqd     $dy2_4,96($place)                       # 17o
+
+        fnms    $s+2,$cx,$dx2_2,$limit                  # 18e
+        lqd     $dy3_2,112($place)                      # 18o
+
+        fnms    $s+3,$cx,$dx3_3,$limit                  # 19e
+        shufb   $cx,$quad_8,$quad_8,$m_x                # 19o
+
+        fnms    $s_7,$cx_6,$dx_2,$limit_6               # 20e
+        shufb   $limit,$more_7,$more_7,$m_limit         # 20o
+
+        fnms    $s1_12,$cx_6,$dx1_2,$limit_6            # 21e
+        shufb   $cy_7,$quad,$quad,$m_y                  # 21o
+
+        fnms    $s2_11,$cx_6,$dx2_2,$limit_6            # 22e
+        lqd     $quad_9,144($a_four)                    # 22o
+
+        fnms    $s3_8,$cx_6,$dx3_3,$limit_6             # 23e
+        lqd     $more_8,160($a_four)                    # 23o
+
+        fnms    $s_9,$cx,$dx_2,$limit                   # 24e
+        shufb   $cy_8,$quad_7,$quad_7,$m_y              # 24o
+
+        fnms    $s1_13,$cx,$dx1_2,$limit                # 25e
+        lqd     $dz_4,128($place)                       # 25o
+
+        fnms    $s2_12,$cx,$dx2_2,$limit                # 26e
+        lqd     $dz1_3,144($place)                      # 26o
+
+        fnms    $s3_9,$cx,$dx3_3,$limit                 # 27e
+        lqd     $dz2_3,160($place)                      # 27o
+
+        fnms    $s,$cy_7,$dy_3,$s                       # 28e
+        lqd     $dz3_3,176($place)                      # 28o
+
+        fnms    $s+1,$cy_7,$dy1_3,$s+1                  # 29e
+        shufb   $cy_9,$quad_8,$quad_8,$m_y              # 29o
+
+        fnms    $s+2,$cy_7,$dy2_4,$s+2                  # 30e
+        shufb   $cz_7,$quad,$quad,$m_z                  # 30o
+
+        fnms    $s+3,$cy_7,$dy3_2,$s+3                  # 31e
+        shufb   $cx_7,$quad_9,$quad_9,$m_x              # 31o
+
+        fnms    $s_7,$cy_8,$dy_3,$s_7                   # 32e
+        shufb   $limit_7,$more_8,$more_8,$m_limit       # 32o
+
+        fnms    $s1_12,$cy_8,$dy1_3,$s1_12              # 33e
+        shufb   $cz_8,$quad_7,$quad_7,$m_z              # 33o
+
+        fnms    $s2_11,$cy_8,$dy2_4,$s2_11              # 34e
+        shufb   $cz_9,$quad_8,$quad_8,$m_z              # 34o
+
+        fnms    $s3_8,$cy_8,$dy3_2,$s3_8                # 35e
+        shufb   $cy_8,$quad_9,$quad_9,$m_y              # 35o
+
+        fnms    $s_9,$cy_9,$dy_3,$s_9                   # 36e
+        shufb   $cz_10,$quad_9,$quad_9,$m_z             # 36o
+
+        fnms    $s1_13,$cy_9,$dy1_3,$s1_13              # 37e
+        shufb   $pair_7,$a_sphere,$place,$m_pair        # 37o
+
+        fnms    $s2_12,$cy_9,$dy2_4,$s2_12              # 38e
+        shlqbii $offset_6,$found,4                      # 38o
+
+        fnms    $s3_9,$cy_9,$dy3_2,$s3_9                # 39e
+        shufb   $pair_5,$a_sphere_6,$place,$m_pair      # 39o
+
+        fnms    $s,$cz_7,$dz_4,$s                       # 40e
+        shufb   $pair_8,$a_sphere_7,$place,$m_pair      # 40o
+
+        fnms    $s+1,$cz_7,$dz1_3,$s+1                  # 41e
+        shufb   $pair_9,$a_sphere_8,$place,$m_pair      # 41o
+
+        fnms    $s+2,$cz_7,$dz2_3,$s+2                  # 42e
+        stqx    $pair_7,$a_pairs,$offset_6              # 42o
+
+        fnms    $s+3,$cz_7,$dz3_3,$s+3                  # 43e
+        fnms    $s_10,$cx_7,$dx_2,$limit_7              # 44e
+
+        fnms    $s1_14,$cx_7,$dx1_2,$limit_7            # 45e
+        fnms    $s2_2,$cx_7,$dx2_2,$limit_7             # 46e
+
+        fnms    $s3_10,$cx_7,$dx3_3,$limit_7            # 47e
+        shufb   $signs_12,$s,$s+1,$m_signs              # 47o
+
+        fnms    $s,$cz_8,$dz_4,$s_7                     # 48e
+        lnop                                            # 48o pairing
+
+        fnms    $s+1,$cz_8,$dz1_3,$s1_12                # 49e
+        shufb   $signs_low_7,$s+2,$s+3,$m_signs         # 49o
+
+        fnms    $s+2,$cz_8,$dz2_3,$s2_11                # 50e
+        fnms    $s+3,$cz_8,$dz3_3,$s3_8                 # 51e
+
+        fnms    $s_5,$cz_9,$dz_4,$s_9                   # 52e
+        lnop                                            # 52o pairing
+
+        fnms    $s1_4,$cz_9,$dz1_3,$s1_13               # 53e
+        shufb   $signs,$signs_12,$signs_low_7,$m_halves # 53o
+
+        fnms    $s2_8,$cz_9,$dz2_3,$s2_12               # 54e
+        lnop                                            # 54o pairing
+
+        fnms    $s3_4,$cz_9,$dz3_3,$s3_9                # 55e
+        shufb   $signs_12,$s,$s+1,$m_signs              # 55o
+
+        fnms    $s,$cy_8,$dy_3,$s_10                    # 56e
+        lnop                                            # 56o pairing
+
+        fnms    $s+1,$cy_8,$dy1_3,$s1_14                # 57e
+        shufb   $signs_low_3,$s+2,$s+3,$m_signs         # 57o
+
+        fnms    $s+2,$cy_8,$dy2_4,$s2_2                 # 58e
+        rotqbii $signs,$signs,1                         # 58o signs to the bytes' last bits
+
+        fnms    $s+3,$cy_8,$dy3_2,$s3_10                # 59e
+        shufb   $signs_13,$s_5,$s1_4,$m_signs           # 59o
+
+        selb    $a_four,$a_four_5,$first,$c_last        # 60e
+        shufb   $signs_low_8,$s2_8,$s3_4,$m_signs       # 61o
+
+        fnms    $s,$cz_10,$dz_4,$s                      # 62e
+        shufb   $signs_10,$signs_12,$signs_low_3,$m_halves # 62o
+
+        fnms    $s+1,$cz_10,$dz1_3,$s+1                 # 63e
+        gbb     $signs,$signs                           # 63o
+
+        fnms    $s+2,$cz_10,$dz2_3,$s+2                 # 64e
+        lnop                                            # 64o pairing
+
+        fnms    $s+3,$cz_10,$dz3_3,$s+3                 # 65e
+        shufb   $signs_13,$signs_13,$signs_low_8,$m_halves # 65o
+
+        rotqbii $signs_10,$signs_10,1                   # 66o signs to the bytes' last bits
+        cg      $any,$signs,$k_all                      # 67e 1 if any, else 0
+
+        a       $found,$found,$any                      # 69e
+        rotqbii $signs,$signs_13,1                      # 69o signs to the bytes' last bits
+
+        shufb   $signs_13,$s,$s+1,$m_signs              # 70o
+        shufb   $signs_low,$s+2,$s+3,$m_signs           # 71o
+
+        gbb     $signs_10,$signs_10                     # 72o
+        gbb     $signs,$signs                           # 73o
+
+        shlqbii $offset,$found,4                        # 74o
+        shufb   $signs_13,$signs_13,$signs_low,$m_halves # 75o
+
+        cg      $any,$signs_10,$k_all                   # 76e 1 if any, else 0
+        cg      $any_5,$signs,$k_all                    # 77e 1 if any, else 0
+
+        a       $found,$found,$any                      # 78e
+        stqx    $pair_5,$a_pairs,$offset                # 78o
+
+        nop     $127                                    # 79e pairing
+        rotqbii $signs,$signs_13,1                      # 79o signs to the bytes' last bits
+
+        a       $found_5,$found,$any_5                  # 80e
+        shlqbii $offset,$found,4                        # 80o
+
+        shlqbii $offset_7,$found_5,4                    # 82o
+        gbb     $signs,$signs                           # 83o
+
+        stqx    $pair_8,$a_pairs,$offset                # 84o
+        stqx    $pair_9,$a_pairs,$offset_7              # 86o
+
+        cg      $any,$signs,$k_all                      # 87e 1 if any, else 0
+        lnop                                            # 87o pairing
+
+        a       $found,$found_5,$any                    # 89e
+        brnz    $count,next_four_short                  # 89o
+
+        shli    $found,$found,4                         # 91e
+        lnop                                            # 91o pairing
+
+        a       $a_place,$a_pairs,$found                # 95e
+        bi      $lr                                     # 95o
 endfunction filter_spheres_r16

@@ -247,13 +247,26 @@ placed:
         brsl    $lr,ray_setup_r16
         phase_ends $g_ticks_rays,$amount
 
-        ila     $g_pairs_end,pairs
         brz     $g_skip,all
         brsl    $lr,seen_pairs
-        br      shade
+        br      tested_all
 all:    brsl    $lr,all_pairs
-shade:
-        brsl    $lr,pairs_test
+        # What no ray of a packet has come near to is shaded without shader.
+        xor     $bits,$g_touched,$g_inside
+        brz     $bits,tested_all
+        count_bits $amount,$bits
+        count   packets_empty,$amount,$t_sum,$t_add,$t_carry
+        brsl    $lr,group_fill
+        brz     $g_touched,nothing_near
+        ori     $3,$g_touched,0
+        ila     $4,group_places
+        ila     $5,group_origin
+        ila     $6,places
+        brsl    $lr,list_places_p16
+        ila     $g_places,places
+        sf      $g_places,$g_places,$3
+        rotmi   $g_places,$g_places,-PLACE_SIZE_LOG2
+tested_all:
         phase_ends $g_ticks_isect,$amount
         ila     $3,places
         ori     $4,$g_places,0
@@ -274,12 +287,14 @@ whole:
         ori     $7,$g_row_bytes,0
         brsl    $lr,pack_r16
         phase_ends $g_ticks_shade,$amount
+        leave
+nothing_near:
+        phase_ends $g_ticks_isect,$amount
 done:
         leave
 endfunction group_trace
 
-# seen_pairs   pairs of the spheres with the packets that they may be seen from, front to back
-#   Out     pairs that are still to be tested
+# seen_pairs   tests the packets with the spheres that may be seen from them, front to back
 #   Uses    $3-$79, g_left, g_mask, g_touched, g_pairs_end
 #
 # As long as no packet comes twice, pairs are gathered. When one does, those before it are tested, and
@@ -289,6 +304,7 @@ function seen_pairs
         ori     $g_left,$g_active,0
         ila     $g_mask,masks
         il      $g_touched,0
+        ila     $g_pairs_end,pairs
 next_object:
         lqd     $mask,0($g_mask)
         and     $mask,$mask,$g_inside
@@ -310,6 +326,7 @@ none:
         ai      $g_mask,$g_mask,16
         ai      $g_left,$g_left,-1
         brnz    $g_left,next_object
+        brsl    $lr,pairs_test
         leave
 endfunction seen_pairs
 
@@ -350,38 +367,57 @@ function pairs_hide
         leave
 endfunction pairs_hide
 
-# all_pairs   pairs of all spheres with all packets, but for those whose rays all pass by
-#   Out     pairs that are still to be tested
+# all_pairs   tests all packets with all spheres
+#   Out     g_touched: the packets some rays of which may enter one
 #   Uses    $3-$79, g_left, g_mask, g_pairs_end
 function all_pairs
         enter
         mpyu    $amount,$g_places,$g_spheres
         count   tests_made,$amount,$t_sum,$t_add,$t_carry
+        il      $g_touched,0
+        brz     $g_spheres,nothing
+        # As many packets at once as all have room for their pairs.
         ori     $g_left,$g_places,0
         ila     $g_mask,places
-        brz     $g_spheres,nothing
+        il      $bits,MAX_PAIRS/GROUP_PACKETS
+        cgt     $bits,$g_spheres,$bits
+        brz     $bits,all_at_once
 next_place:
-        # The pairs of one packet more must find room.
-        ila     $a_end,pairs+MAX_PAIRS*PAIR_SIZE
-        shli    $amount,$g_spheres,PAIR_SIZE_LOG2
-        sf      $a_end,$amount,$a_end
-        cgt     $bits,$g_pairs_end,$a_end
-        brz     $bits,has_room
-        brsl    $lr,pairs_test
-has_room:
-        lqd     $3,PLACE_packet($g_mask)
-        ila     $4,spheres
-        ai      $5,$g_spheres,3
-        rotmi   $5,$5,-2
-        ori     $6,$g_pairs_end,0
-        brsl    $lr,filter_spheres_r16
-        ori     $g_pairs_end,$3,0
+        il      $4,1
+        brsl    $lr,places_filter
         ai      $g_mask,$g_mask,PLACE_SIZE
         ai      $g_left,$g_left,-1
         brnz    $g_left,next_place
+        leave
+all_at_once:
+        ori     $4,$g_left,0
+        brsl    $lr,places_filter
 nothing:
         leave
 endfunction all_pairs
+
+# places_filter   tests packets with all spheres
+#   In      $4 how many, from the place at g_mask on
+#   Out     g_touched
+#   Uses    $3-$79, g_pairs_end
+function places_filter
+        enter
+        ori     $3,$g_mask,0
+        ila     $5,spheres
+        ai      $6,$g_spheres,3
+        rotmi   $6,$6,-2
+        ila     $7,pairs
+        brsl    $lr,filter_spheres_r16
+        ori     $g_pairs_end,$3,0
+        ila     $3,pairs
+        sf      $4,$3,$g_pairs_end
+        rotmi   $4,$4,-PAIR_SIZE_LOG2
+        ila     $5,packets
+        brsl    $lr,mask_pairs_p16
+        or      $g_touched,$g_touched,$3
+        brsl    $lr,pairs_test
+        leave
+endfunction places_filter
 
 # pairs_test   looks for hits in all pairs
 #   Out     no pairs

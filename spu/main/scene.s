@@ -14,10 +14,12 @@ spheres:
         .skip   (MAX_SPHERES+PADDING_SPHERES)*SPHERE_SIZE
 
 # scene_fetch   starts to fetch the spheres, and sets up what stands around them
-#   Uses    $3-$7, $10-$17
+#   Uses    $3-$7, $10-$19
         .set    a_frame,15
         .set    quad,16
         .set    a_padding,17
+        .set    centre,18
+        .set    limits,19
 
 function scene_fetch
         enter
@@ -33,10 +35,11 @@ function scene_fetch
 
         lqd     $quad,FRAME_background($a_frame)
         stqa    $quad,background+SPHERE_colour
-        load_constant $quad,0x7fffffff                  # limits above every product
+        il      $centre,0
+        load_constant $limits,0x7fffffff                # above every product
     .rept   PADDING_SPHERES
-        stqd    $quad,0($a_padding)
-        stqd    $quad,16($a_padding)
+        stqd    $centre,0($a_padding)
+        stqd    $limits,16($a_padding)
         ai      $a_padding,$a_padding,SPHERE_SIZE
     .endr
         leave

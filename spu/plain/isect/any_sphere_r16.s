@@ -5,13 +5,14 @@
 #           above 0
 #   Uses    $3-$68   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62
-#   Error   10 ulp of the larger of t and r, by which t may be on the wrong side of the hit; origin up
+#   Error   30 ulp of the larger of t and r, by which t may be on the wrong side of the hit; origin up
 #           to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
 # A word of bits, not four masks: a caller branches on it as it is, and makes masks of it on the odd
 # pipe (fsm). No root is taken; the steps are in ball_tmpl.inc.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "ball_tmpl.inc"
 

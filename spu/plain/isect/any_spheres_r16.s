@@ -5,7 +5,7 @@
 #           above 0
 #   Uses    $2-$70   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62
-#   Error   10 ulp of the larger of t and r, by which t may be on the wrong side of the hit; origin up
+#   Error   30 ulp of the larger of t and r, by which t may be on the wrong side of the hit; origin up
 #           to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
@@ -13,6 +13,7 @@
 # quarter of a sphere, and within a chunk the loop is free of exits, as a pipelined one must be. The
 # steps are in ball_tmpl.inc.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "ball_tmpl.inc"
 

@@ -1,11 +1,12 @@
-# filter_spheres_r16   of an array of spheres, those that some of sixteen eye rays may enter
-#   C       struct pair *filter_spheres_r16(const struct packet *, const struct sphere *, int fours,
-#                                           struct pair *);
-#   In      $3 packet, $4 spheres, $5 spheres in fours (at least 1), $6 where pairs go;
-#           pointers 16-aligned
-#   Out     a pair for each such sphere, in order; one more quadword may be written
+# filter_spheres_r16   of an array of spheres, those that some ray of each packet may enter
+#   C       struct pair *filter_spheres_r16(const struct place *, int count, const struct sphere *,
+#                                           int fours, struct pair *);
+#   In      $3 places, $4 count (at least 1), $5 spheres, $6 spheres in fours (at least 1), $7 where
+#           pairs go; pointers 16-aligned
+#   Out     pairs of each of the places' packets with such spheres, packet by packet, spheres in
+#           order; one more quadword may be written
 #           $3 behind the last pair
-#   Uses    $3-$6, $10-$61   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$7, $10-$61   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them
 #   Error   0: no sphere is left out that a ray enters
 #   Twin    oracle/src/twin/cull.rs
@@ -15,14 +16,19 @@
 # passes here is tested exactly by isect_pairs_r16. Per ray
 #   s = limit - c.d, negative if it may be entered
 # and the signs of all sixteen are brought together on the odd pipe.
+#
+# One loop runs over packets and spheres, four spheres a pass: two loops, one in the other, would drain
+# and fill the pipeline for every packet.
 
         .include "work_unit.inc"
         .include "macros.inc"
+        .include "sizes.inc"
 
-        .set    a_packet,3
-        .set    a_sphere,4
-        .set    fours,5
-        .set    a_pairs,6
+        .set    a_place,3
+        .set    count,4
+        .set    first,5
+        .set    fours,6
+        .set    a_pairs,7
         # constants
         .set    m_x,10
         .set    m_y,11
@@ -30,35 +36,41 @@
         .set    m_limit,13
         .set    m_signs,14                              # top bytes of two quadwords' words
         .set    m_halves,15                             # the first half of one, the last of another
-        .set    m_pair,16
-        .set    k_next,17
-        .set    k_all,18
-        # the rays: rows 0 to 3 of the packet
-        .set    dx,20
-        .set    dy,24
-        .set    dz,28
-        # state: the pair of the sphere at hand, whose first word is the sphere's address; pairs so far
-        .set    pair,32
-        .set    found,33
+        .set    m_pair,16                               # the first word of one, then another's
+        .set    k_all,17
+        # state
+        .set    a_four,18                               # spheres at hand
+        .set    left,19                                 # fours left for the packet
+        .set    found,20                                # pairs so far
+        # the packet
+        .set    place,21
+        .set    dx,22                                   # to 25, a row each
+        .set    dy,26
+        .set    dz,30
         # the sphere
-        .set    quad,34
-        .set    more,35
-        .set    cx,36
-        .set    cy,37
-        .set    cz,38
-        .set    limit,39
+        .set    a_sphere,34
+        .set    pair,35
+        .set    quad,36
+        .set    more,37
+        .set    cx,38
+        .set    cy,39
+        .set    cz,40
+        .set    limit,41
         # temporaries
-        .set    s,40                                    # to 43
-        .set    signs,44
-        .set    signs_low,45
-        .set    c_any,46
-        .set    offset,47
+        .set    s,42                                    # to 45
+        .set    signs,46
+        .set    signs_low,47
+        .set    any,48
+        .set    offset,49
+        .set    c_last,50
 
         .section .rodata
         .align  4
 signs_of_two:
         .int    0x0004080c,0x1014181c,0x0004080c,0x1014181c
 halves: .int    0x00010203,0x04050607,0x18191a1b,0x1c1d1e1f
+pair_of_object_and_place:
+        .int    0x00010203,0x10111213,0x14151617,0x18191a1b
 
 function filter_spheres_r16
         load_constant $m_x,0x00010203
@@ -67,22 +79,22 @@ function filter_spheres_r16
         load_constant $m_limit,(SPHERE_ray_limit-16)*0x01010101+0x00010203
         lqa     $m_signs,signs_of_two
         lqa     $m_halves,halves
+        lqa     $m_pair,pair_of_object_and_place
         il      $k_all,-1
-        il      $k_next,SPHERE_SIZE
-        fsmbi   $m_pair,0xf000
-        and     $k_next,$k_next,$m_pair                 # of the first word alone
-        rotqmbyi $pair,$a_packet,-PAIR_packet
-        selb    $pair,$pair,$a_sphere,$m_pair
         il      $found,0
-    .irp row, 0,1,2,3
-        lqd     $dx+\row,PACKET_direction_x+16*\row($a_packet)
-        lqd     $dy+\row,PACKET_direction_y+16*\row($a_packet)
-        lqd     $dz+\row,PACKET_direction_z+16*\row($a_packet)
-    .endr
+        ori     $a_four,$first,0
+        ori     $left,$fours,0
+        mpyu    $count,$count,$fours                    # passes
 next_four:
+        lqd     $place,0($a_place)
+    .irp row, 0,1,2,3
+        lqd     $dx+\row,PACKET_direction_x+16*\row($place)
+        lqd     $dy+\row,PACKET_direction_y+16*\row($place)
+        lqd     $dz+\row,PACKET_direction_z+16*\row($place)
+    .endr
     .irp sphere, 0,1,2,3
-        lqd     $quad,0($pair)
-        lqd     $more,16($pair)
+        lqd     $quad,SPHERE_SIZE*\sphere($a_four)
+        lqd     $more,SPHERE_SIZE*\sphere+16($a_four)
         shufb   $cx,$quad,$quad,$m_x
         shufb   $cy,$quad,$quad,$m_y
         shufb   $cz,$quad,$quad,$m_z
@@ -97,15 +109,24 @@ next_four:
         shufb   $signs,$signs,$signs_low,$m_halves
         rotqbii $signs,$signs,1                         # signs to the bytes' last bits
         gbb     $signs,$signs
-        shlqbii $offset,$found,4
+        ai      $a_sphere,$a_four,SPHERE_SIZE*\sphere
+        shufb   $pair,$a_sphere,$place,$m_pair
+        shlqbii $offset,$found,PAIR_SIZE_LOG2
         stqx    $pair,$a_pairs,$offset
-        cg      $c_any,$signs,$k_all                    # 1 if any, else 0
-        a       $found,$found,$c_any
-        a       $pair,$pair,$k_next
+        cg      $any,$signs,$k_all                      # 1 if any, else 0
+        a       $found,$found,$any
     .endr
-        ai      $fours,$fours,-1
-        brnz    $fours,next_four
-        shli    $found,$found,4
+        # After the last sphere, the first one and the next packet.
+        ai      $left,$left,-1
+        ceqi    $c_last,$left,0
+        ai      $a_four,$a_four,4*SPHERE_SIZE
+        selb    $a_four,$a_four,$first,$c_last
+        selb    $left,$left,$fours,$c_last
+        andi    $c_last,$c_last,PLACE_SIZE
+        a       $a_place,$a_place,$c_last
+        ai      $count,$count,-1
+        brnz    $count,next_four
+        shli    $found,$found,PAIR_SIZE_LOG2
         a       $3,$a_pairs,$found
         bi      $lr
 endfunction filter_spheres_r16

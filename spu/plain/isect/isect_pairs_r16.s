@@ -114,12 +114,19 @@ next_pair:
         lqd     $nearest,PACKET_object+16*\row($a_packet)
         clgt    $hit,$t_best,$t
         andc    $hit,$hit,$disc                         # its signs alone count
+    .if \row == 0
+        # The odd pipe has less room than the even one for the last of the four.
+        rotmai  $hit,$hit,-31
+        selb    $t_best,$t_best,$t,$hit
+        selb    $nearest,$nearest,$object,$hit
+    .else
         rotqbii $hit,$hit,1
         gb      $hit,$hit
         shlqbii $hit,$hit,4
         lqx     $merge,$a_merges,$hit
         shufb   $t_best,$t_best,$t,$merge
         shufb   $nearest,$nearest,$object,$merge
+    .endif
         stqd    $t_best,PACKET_t+16*\row($a_packet)
         stqd    $nearest,PACKET_object+16*\row($a_packet)
     .endr

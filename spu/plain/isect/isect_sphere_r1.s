@@ -5,7 +5,7 @@
 #   Uses    $3-$40   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
-#   Error   24 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
@@ -13,6 +13,7 @@
 # Nothing but latency counts: vectors are handled as such where lanes don't meet, and every sum runs
 # over splats, so that it takes no rotation and comes out in all lanes, ready for the next vector.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
 

@@ -5,13 +5,14 @@
 #   Uses    $3-$64   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
-#   Error   24 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
 # The entry, or the exit of a ray from inside; a ray that leaves the surface outwards from 6 ulp of r
 # above it does not meet it again. The steps are in ball_tmpl.inc.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "ball_tmpl.inc"
 

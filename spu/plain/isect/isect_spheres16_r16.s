@@ -5,12 +5,13 @@
 #   Uses    $2-$64   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
-#   Error   24 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
 # Of equal hits the first counts. The rays stay in registers; the steps are in ball_tmpl.inc.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "ball_tmpl.inc"
 

@@ -4,7 +4,7 @@
 #   In      $3 rays, $4 what shear_r16 made of them, $5 triangles, $6 count (0 is none), $7 object
 #           number of the first; pointers 16-aligned
 #   Out     rays: t, object, u, v, where a hit has 0 < t < what was there
-#   Uses    $5-$7, $10-$53   Saves  -   Stack  0   Calls  -
+#   Uses    $5-$7, $10-$42   Saves  -   Stack  0   Calls  -
 #   Domain  rays.t >= 0; distances from the origin below 2^60; triangles higher than 2^-60 across
 #           the ray
 #   Error   5 ulp of t, 5e-5 in u and v; edges from 1/100 of the distance to all of it, area across
@@ -26,40 +26,39 @@
         .set    k_sign,11
         .set    m_splat,12
         .set    a_controls,13
-        # results, carried from triangle to triangle
+        # -t, carried from triangle to triangle; the rest of a hit waits in the rays, so that the
+        # pipelined loop has registers enough
         .set    n_best,14
-        .set    nearest,18
-        .set    u_best,22
-        .set    v_best,26
+        .set    best,18
         # the triangle
-        .set    vertex_a,30
-        .set    vertex_b,31
-        .set    vertex_c,32
+        .set    vertex_a,19
+        .set    vertex_b,20
+        .set    vertex_c,21
         # temporaries
-        .set    xa,33
-        .set    ya,34
-        .set    za,35
-        .set    xb,36
-        .set    yb,37
-        .set    zb,38
-        .set    xc,39
-        .set    yc,40
-        .set    zc,41
-        .set    axis,42
-        .set    origin,43
-        .set    slope,44
-        .set    p,42                                    # reused
-        .set    q,43                                    # reused
-        .set    u,45
-        .set    v,46
-        .set    w,47
-        .set    det,48
-        .set    inverse,49
-        .set    t_y,50
-        .set    t_e,51
-        .set    n,52
-        .set    outside,53
-        .set    control,48                              # reused
+        .set    xa,22
+        .set    ya,23
+        .set    za,24
+        .set    xb,25
+        .set    yb,26
+        .set    zb,27
+        .set    xc,28
+        .set    yc,29
+        .set    zc,30
+        .set    axis,31
+        .set    origin,32
+        .set    slope,33
+        .set    p,31                                    # reused
+        .set    q,32                                    # reused
+        .set    u,34
+        .set    v,35
+        .set    w,36
+        .set    det,37
+        .set    inverse,38
+        .set    t_y,39
+        .set    t_e,40
+        .set    n,41
+        .set    outside,42
+        .set    control,37                              # reused
 
         sign_controls_table
 
@@ -72,9 +71,6 @@ function isect_triangles_r16
         ila     $a_controls,sign_controls
     .irp row, 0,1,2,3
         lqd     $n_best+\row,RAYS_t+16*\row($a_rays)
-        lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
-        lqd     $u_best+\row,RAYS_u+16*\row($a_rays)
-        lqd     $v_best+\row,RAYS_v+16*\row($a_rays)
         xor     $n_best+\row,$n_best+\row,$k_sign
     .endr
 next_triangle:
@@ -87,9 +83,11 @@ next_triangle:
         andc    $control,$control,$outside
         sign_control $control,$control,$a_controls
         shufb   $n_best+\row,$n_best+\row,$n,$control
-        shufb   $nearest+\row,$nearest+\row,$object,$control
-        shufb   $u_best+\row,$u_best+\row,$u,$control
-        shufb   $v_best+\row,$v_best+\row,$v,$control
+    .irp field, object,u,v
+        lqd     $best,RAYS_\field+16*\row($a_rays)
+        shufb   $best,$best,$\field,$control
+        stqd    $best,RAYS_\field+16*\row($a_rays)
+    .endr
     .endr
         ai      $object,$object,1
         ai      $a_triangle,$a_triangle,TRIANGLE_SIZE
@@ -98,9 +96,6 @@ next_triangle:
     .irp row, 0,1,2,3
         xor     $n_best+\row,$n_best+\row,$k_sign
         stqd    $n_best+\row,RAYS_t+16*\row($a_rays)
-        stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
-        stqd    $u_best+\row,RAYS_u+16*\row($a_rays)
-        stqd    $v_best+\row,RAYS_v+16*\row($a_rays)
     .endr
         bi      $lr
 endfunction isect_triangles_r16

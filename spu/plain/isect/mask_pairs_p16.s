@@ -1,0 +1,51 @@
+# mask_pairs_p16   which of a group's sixteen packets are in a list of pairs
+#   C       unsigned mask_pairs_p16(const struct pair *, int count, const struct packet *);
+#   In      $3 pairs, $4 count (0 is none), $5 the group's first packet; pointers 16-aligned
+#   Out     $3 mask, 16 bits, the highest of packet 0
+#   Uses    $3-$4, $10-$15   Saves  -   Stack  0   Calls  -
+#   Domain  all packets are of the group
+#   Error   0
+#   Twin    oracle/src/twin/lists.rs
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+
+        .set    a_pair,3
+        .set    count,4
+        .set    a_packets,5
+        # constants
+        .set    k_first,10
+        .set    k_inverse,11
+        # state
+        .set    mask,12
+        # the pair
+        .set    number,13
+        .set    bit,14
+
+# A packet's number is its offset over PACKET_SIZE: so many quadwords, times one over them in 16 bits
+# of fraction, rounded up, which is exact for so few.
+        .set    QUADWORDS,PACKET_SIZE/16
+        .set    INVERSE,(65536+QUADWORDS-1)/QUADWORDS
+
+function mask_pairs_p16
+        il      $mask,0
+        brz     $count,none
+        ilhu    $k_first,0
+        iohl    $k_first,0x8000
+        il      $k_inverse,INVERSE
+next_pair:
+        lqd     $number,0($a_pair)
+        rotqbyi $number,$number,PAIR_packet
+        sf      $number,$a_packets,$number
+        rotmi   $number,$number,-4                      # quadwords
+        mpyu    $number,$number,$k_inverse
+        rotmi   $number,$number,-16
+        sfi     $number,$number,0
+        rotm    $bit,$k_first,$number
+        or      $mask,$mask,$bit
+        ai      $a_pair,$a_pair,PAIR_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_pair
+none:   ori     $3,$mask,0
+        bi      $lr
+endfunction mask_pairs_p16
