@@ -18,7 +18,7 @@ pub struct Arguments {
     /// Picture to write; without it the frames are traced and only measured
     #[arg(long, value_name = "F.png")]
     out: Option<PathBuf>,
-    /// How many times to trace the frame
+    /// Frames to show: a frame that stands still is traced once, unless --retrace asks for more
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     frames: u32,
 }

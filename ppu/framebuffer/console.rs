@@ -3,7 +3,7 @@
 //! Invariant: the mode found is put back when a [`Console`] is dropped, be it on return, on an error or
 //! by a panic's unwinding; and by [`restore_in_handler`] when a signal ends the program outright.
 
-use super::ioctl::{KD_GRAPHICS, KD_TEXT, KDGETMODE, KDSETMODE};
+use super::ioctl::{KD_GRAPHICS, KD_TEXT, KDGETMODE, KDSETMODE, VT_GETSTATE, VtStat};
 use std::fmt;
 use std::fs::{File, OpenOptions};
 use std::io;
@@ -15,12 +15,14 @@ use std::sync::atomic::{AtomicI32, Ordering};
 /// The terminal that is in graphics mode by our doing, for [`restore_in_handler`]; -1 for none.
 static TAKEN: AtomicI32 = AtomicI32::new(-1);
 
-/// The two calls that a virtual terminal answers: the seam for tests.
+/// The calls that a virtual terminal answers: the seam for tests.
 trait Terminal: Send {
     /// KDGETMODE.
     fn mode(&self) -> io::Result<i32>;
     /// KDSETMODE.
     fn set_mode(&self, mode: i32) -> io::Result<()>;
+    /// VT_GETSTATE: the number of the terminal that is on the screen, be it this one or another.
+    fn on_screen(&self) -> io::Result<u16>;
 }
 
 /// A virtual terminal in graphics mode.
@@ -28,6 +30,8 @@ pub(super) struct Console {
     name: &'static str,
     terminal: Box<dyn Terminal>,
     found: i32,
+    /// The terminal that was on the screen at the start, where that can be asked.
+    on_screen: Option<u16>,
 }
 
 impl Console {
@@ -41,11 +45,19 @@ impl Console {
     fn take(name: &'static str, terminal: Box<dyn Terminal>) -> io::Result<Console> {
         let found = terminal.mode()?;
         terminal.set_mode(KD_GRAPHICS)?;
+        let on_screen = terminal.on_screen().ok();
         Ok(Console {
             name,
             terminal,
             found,
+            on_screen,
         })
+    }
+
+    /// Whether the screen still is this program's alone: the kernel draws on it for the terminal that
+    /// the user switches to.
+    pub(super) fn has_the_screen(&self) -> bool {
+        self.on_screen.is_some() && self.terminal.on_screen().ok() == self.on_screen
     }
 }
 
@@ -114,6 +126,16 @@ impl Terminal for VirtualTerminal {
         );
         Ok(())
     }
+
+    fn on_screen(&self) -> io::Result<u16> {
+        let mut state = VtStat::default();
+        let terminal = self.file.as_raw_fd();
+        // SAFETY: the descriptor is open; VT_GETSTATE writes one vt_stat, here `state`.
+        if unsafe { libc::ioctl(terminal, VT_GETSTATE as libc::Ioctl, &mut state) } < 0 {
+            return Err(io::Error::last_os_error());
+        }
+        Ok(state.active)
+    }
 }
 
 impl Drop for VirtualTerminal {
@@ -139,6 +161,7 @@ mod tests {
         found: io::Result<i32>,
         denied: bool,
         told: Arc<Mutex<Vec<i32>>>,
+        on_screen: Arc<Mutex<Option<u16>>>,
     }
 
     impl Terminal for Noted {
@@ -157,6 +180,11 @@ mod tests {
                 Ok(())
             }
         }
+
+        fn on_screen(&self) -> io::Result<u16> {
+            let shown = *self.on_screen.lock().unwrap();
+            shown.ok_or(io::Error::from_raw_os_error(libc::ENOTTY))
+        }
     }
 
     fn noted(found: io::Result<i32>, denied: bool) -> (Box<Noted>, Arc<Mutex<Vec<i32>>>) {
@@ -166,6 +194,7 @@ mod tests {
                 found,
                 denied,
                 told: told.clone(),
+                on_screen: Arc::default(),
             }),
             told,
         )
@@ -203,9 +232,37 @@ mod tests {
     }
 
     #[test]
+    fn the_screen_is_lost_while_another_terminal_is_on_it() {
+        let (terminal, _) = noted(Ok(KD_TEXT), false);
+        let on_screen = terminal.on_screen.clone();
+        *on_screen.lock().unwrap() = Some(2);
+        let console = Console::take("tty", terminal).unwrap();
+        for (shown, ours) in [
+            (Some(2), true),
+            (Some(3), false),
+            (None, false),
+            (Some(2), true),
+        ] {
+            *on_screen.lock().unwrap() = shown;
+            assert_eq!(console.has_the_screen(), ours, "{shown:?}");
+        }
+        // Where it could not be asked at the start, it is not believed later.
+        let (terminal, _) = noted(Ok(KD_TEXT), false);
+        let on_screen = terminal.on_screen.clone();
+        let console = Console::take("tty", terminal).unwrap();
+        assert!(!console.has_the_screen());
+        *on_screen.lock().unwrap() = Some(2);
+        assert!(!console.has_the_screen());
+    }
+
+    #[test]
     fn the_kernel_says_what_is_no_terminal() {
         let null = VirtualTerminal::open(Path::new("/dev/null")).unwrap();
-        let answers = [null.mode().map(drop), null.set_mode(KD_GRAPHICS)];
+        let answers = [
+            null.mode().map(drop),
+            null.set_mode(KD_GRAPHICS),
+            null.on_screen().map(drop),
+        ];
         for answer in answers {
             // The second is the user-mode emulator's for a request that it does not know.
             let unknown = [Some(libc::ENOTTY), Some(libc::ENOSYS)];

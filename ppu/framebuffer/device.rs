@@ -233,9 +233,9 @@ impl Framebuffer for Device {
         Ok(())
     }
 
-    /// Private memory does. Into the device's own a console draws when the user switches to it.
+    /// Private memory does; the device's own as long as no other terminal is on the screen.
     fn keeps_contents(&self) -> bool {
-        self.shadow.is_some()
+        self.shadow.is_some() || self.console.as_ref().is_ok_and(Console::has_the_screen)
     }
 
     fn describe(&self) -> String {

@@ -72,6 +72,7 @@ pub(super) const FBIOGET_FSCREENINFO: u32 = 0x4602;
 pub(super) const FBIOPAN_DISPLAY: u32 = 0x4606;
 pub(super) const KDSETMODE: u32 = 0x4B3A;
 pub(super) const KDGETMODE: u32 = 0x4B3B;
+pub(super) const VT_GETSTATE: u32 = 0x5603;
 
 /// Console mode in which the kernel draws text.
 pub(super) const KD_TEXT: i32 = 0;
@@ -159,6 +160,19 @@ pub(super) struct Ps3fbIoctlRes {
     pub(super) yoff: u32,
     pub(super) num_frames: u32,
 }
+
+/// The answer to VT_GETSTATE.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct VtStat {
+    /// Number of the virtual terminal that is on the screen.
+    pub(super) active: u16,
+    pub(super) signal: u16,
+    /// Which terminals are open, a bit each.
+    pub(super) state: u16,
+}
+
+const _: () = assert!(size_of::<VtStat>() == 6);
 
 // Offsets measured with a powerpc64 compiler; those of the 32-bit fields hold on every machine.
 const _: () = {

@@ -148,8 +148,8 @@ pub trait Framebuffer: Send {
     /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be complete.
     fn present(&mut self) -> Result<(), FramebufferError>;
 
-    /// Whether what was last written to a target is still there when the same address is given out
-    /// again. Where others may write there too, it is not to be relied on.
+    /// Whether nobody else writes to the targets at this time. What is written from one such answer to
+    /// the next is still there then.
     fn keeps_contents(&self) -> bool {
         false
     }

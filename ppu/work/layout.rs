@@ -104,7 +104,7 @@ constants! {
     /// Most bytes from one row to the next: it is multiplied in 16 bits.
     MAX_STRIDE = 65520;
     /// Most spheres of a scene: what the local store has room for.
-    MAX_SPHERES = 2048;
+    MAX_SPHERES = 1024;
     /// Pixels across a tile: groups side by side.
     TILE_WIDTH = 64;
     /// Pixels down a tile: one group.
@@ -450,7 +450,7 @@ statuses! {
     UnitCounter = 13, "unit_counter";
     /// Must be a multiple of 128.
     Statistics = 14, "statistics";
-    /// Must be at most 2048, and 0 without `FEATURE_SPHERES`.
+    /// Must be at most 1024, and 0 without `FEATURE_SPHERES`.
     SphereCount = 15, "sphere_count";
     /// Shifts must be 0, 8, 16 or 24, and differ.
     PixelFormat = 16, "red_shift, green_shift, blue_shift";

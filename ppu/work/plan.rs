@@ -33,6 +33,7 @@ pub(crate) struct Plan {
     tiles: TileSet,
     costs: TileCosts,
     size: Size,
+    retain: bool,
 }
 
 /// How much a planned frame is.
@@ -51,7 +52,8 @@ impl Plan {
     pub fn make(&mut self, scene: &Scene, camera: &Camera, target: &Target, policy: Policy) {
         let geometry = target.geometry;
         let lens = Lens::new(camera, geometry);
-        if !policy.retain {
+        self.retain = policy.retain;
+        if !self.retain {
             self.pages.forget();
         }
         self.pages
@@ -73,7 +75,9 @@ impl Plan {
     /// The frame is in its page, and its units have cost what is said here.
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
-        self.pages.close();
+        if self.retain {
+            self.pages.close();
+        }
     }
 
     /// Pages may show anything.

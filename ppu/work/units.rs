@@ -12,19 +12,20 @@ use super::layout::{MAX_SPUS, UNIT_TILES, UnitCost, WorkUnit};
 use crate::framebuffer::Geometry;
 use crate::work::tile_count;
 
-/// Units an SPU where nothing is known of the tiles' costs: few enough that taking one costs nothing,
-/// enough that the last ones end together.
+/// Units an SPU where nothing is known of the tiles' costs, not counting the small ones at the end: few
+/// enough that taking one costs nothing.
 const UNITS_AN_SPU: u32 = 24;
 
-/// With known costs a unit takes one in this many parts of an SPU's share of what is left: the first
-/// ones are large, the last ones small.
+/// A unit is at most one in this many parts of an SPU's share of what is left: so the last ones are
+/// small.
 const PARTS_OF_A_SHARE: u64 = 4;
 
 /// The work units of a frame; its buffers serve for the next.
 #[derive(Default)]
 pub struct Units {
     lines: Vec<WorkUnit>,
-    /// Tiles in the order of the units.
+    /// Tiles, the dearest first, and in the order of the units.
+    falling: Vec<u32>,
     order: Vec<u32>,
     slices: [U32; MAX_SPUS as usize + 1],
 }
@@ -37,7 +38,7 @@ impl Units {
         let spus = spus.max(1);
         match (split, costs) {
             (Split::Slices, _) => return self.cut_slices(tiles, spus),
-            (Split::Units, None) => self.cut_runs(tiles, run_length(tiles.len(), spus)),
+            (Split::Units, None) => self.cut_runs(tiles, spus),
             (Split::Units, Some(costs)) => self.cut_by_cost(tiles, u64::from(spus), costs),
         }
         self.slices = [U32::new(self.lines.len() as u32); MAX_SPUS as usize + 1];
@@ -61,9 +62,15 @@ impl Units {
         self.slices
     }
 
-    fn cut_runs(&mut self, tiles: &[u32], length: usize) {
-        for run in tiles.chunks(length) {
-            self.push(run);
+    /// In the order of the tiles; towards the end of all tiles the runs get shorter.
+    fn cut_runs(&mut self, tiles: &[u32], spus: u32) {
+        let length = run_length(tiles.len(), spus);
+        let mut rest = tiles;
+        while !rest.is_empty() {
+            let share = rest.len() / (PARTS_OF_A_SHARE as usize * spus as usize);
+            let (unit, behind) = rest.split_at(share.clamp(1, length));
+            self.push(unit);
+            rest = behind;
         }
     }
 
@@ -74,18 +81,26 @@ impl Units {
         for number in 0..=MAX_SPUS as usize {
             self.slices[number] = U32::new(self.lines.len() as u32);
             if number < spus as usize {
-                self.cut_runs(&tiles[start(number)..start(number + 1)], length);
+                let slice = &tiles[start(number)..start(number + 1)];
+                slice.chunks(length).for_each(|unit| self.push(unit));
             }
         }
     }
 
     fn cut_by_cost(&mut self, tiles: &[u32], spus: u64, costs: &[u32]) {
         let cost = |tile: u32| u64::from(costs.get(tile as usize).copied().unwrap_or(0).max(1));
-        let mut order = std::mem::take(&mut self.order);
-        order.clear();
-        order.extend_from_slice(tiles);
-        order.sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
-        let mut left: u64 = order.iter().map(|&tile| cost(tile)).sum();
+        self.falling.clear();
+        self.falling.extend_from_slice(tiles);
+        self.falling
+            .sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
+        let mut left: u64 = tiles.iter().map(|&tile| cost(tile)).sum();
+        let dear = self
+            .falling
+            .partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
+        self.order.clear();
+        self.order.extend(spread(&self.falling, dear));
+
+        let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
         while let Some((&first, others)) = rest.split_first() {
             let share = left / (PARTS_OF_A_SHARE * spus);
@@ -112,6 +127,23 @@ impl Units {
         }
         self.lines.push(unit);
     }
+}
+
+/// Puts the cheap tiles, those from `dear` on, between the dear ones. Cheap tiles are little but a
+/// transfer: one behind the other they would wait for main memory. The last ones come at the end, so
+/// that there is no dear tile left to be waited for.
+fn spread(falling: &[u32], dear: usize) -> impl Iterator<Item = u32> {
+    let (mut dear, mut cheap) = (falling[..dear].iter(), falling[dear..].iter());
+    let (dears, all) = (dear.len(), falling.len());
+    (0..all).filter_map(move |place| {
+        let taken = dears - dear.len();
+        let next = if taken * all * 7 <= place * dears * 8 {
+            dear.next().or_else(|| cheap.next())
+        } else {
+            cheap.next().or_else(|| dear.next())
+        };
+        next.copied()
+    })
 }
 
 fn run_length(tiles: usize, spus: u32) -> usize {

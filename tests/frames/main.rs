@@ -3,4 +3,6 @@
 mod faults;
 mod pictures;
 mod protocol;
+mod random;
 mod recorder;
+mod retained;

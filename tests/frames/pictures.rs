@@ -3,49 +3,178 @@
 use std::ffi::c_void;
 use std::ptr::{self, NonNull};
 
+use crate::random::{random_scene, vector};
 use crate::recorder::{Recorder, nff_scene, render};
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, PixelFormat, Target};
-use cellray::work::Split;
+use cellray::work::{Skip, Split};
 use cellray::{Engine, Scene, Settings};
+use image::RgbImage;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+fn one_spu() -> Settings {
+    Settings {
+        spus: 1,
+        ..Settings::default()
+    }
+}
 
 #[test]
-fn one_to_six_spus_and_both_splits_give_the_same_bytes() {
+fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
     let scene = nff_scene("paper16.nff");
     // Widths that fill whole tiles, part of one, and no whole group of four pixels.
-    for (width, height) in [(256, 64), (101, 57), (1, 1), (3, 200)] {
-        let reference = render(&scene, width, height, 1, Split::Tiles);
+    for (width, height) in [(256, 64), (101, 57), (1, 1), (3, 200), (700, 33)] {
+        let reference = render(&scene, width, height, one_spu());
         for spus in 1..=6 {
-            for split in [Split::Tiles, Split::Slices] {
-                let picture = render(&scene, width, height, spus, split);
-                assert!(
-                    picture == reference,
-                    "{width}x{height}, {spus} SPUs, {split:?}"
-                );
+            for split in [Split::Units, Split::Slices] {
+                let settings = Settings {
+                    spus,
+                    split,
+                    retain: false,
+                    ..Settings::default()
+                };
+                let (framebuffer, shown) = Recorder::pair(width, height);
+                let mut engine = Engine::start(settings, framebuffer).unwrap();
+                let scene = Scene::from_nff(&scene).unwrap();
+                // The first frame's units are cut blindly, the further ones' by costs.
+                for frame in 1..=3 {
+                    engine.render(&scene, &mut |_| ()).unwrap();
+                    assert!(
+                        shown.lock().unwrap().take().unwrap() == reference,
+                        "{width}x{height}, {spus} SPUs, {split:?}, frame {frame}"
+                    );
+                }
             }
         }
     }
 }
 
 #[test]
-fn frames_that_follow_each_other_are_the_same() {
-    let scene = Scene::from_nff(&nff_scene("paper13.nff")).unwrap();
-    let (framebuffer, shown) = Recorder::pair(200, 100);
-    let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
-    let mut first = None;
-    for _ in 0..5 {
-        let statistics = engine.render(&scene, &mut |_| ()).unwrap();
-        assert_eq!(statistics.eye_rays(), 20_000);
-        let tests: u64 = statistics.spus.iter().map(|spu| spu.tests_made).sum();
-        let packets: u64 = statistics.spus.iter().map(|spu| spu.packets).sum();
-        assert_eq!(tests, packets * 16 * 13);
-        let picture = shown.lock().unwrap().take().unwrap();
-        assert!(*first.get_or_insert(picture.clone()) == picture);
+fn every_packet_is_accounted_for_with_every_sphere() {
+    let nff = nff_scene("paper13.nff");
+    let mut view_of_some = nff.clone();
+    // Seen through a keyhole, most of the spheres are out of the picture.
+    view_of_some.view.angle = 5.0;
+    for (nff, skip) in [
+        (&nff, Skip::Misses),
+        (&nff, Skip::Nothing),
+        (&view_of_some, Skip::Misses),
+        (&view_of_some, Skip::Nothing),
+    ] {
+        let scene = Scene::from_nff(nff).unwrap();
+        let (framebuffer, shown) = Recorder::pair(200, 100);
+        let settings = Settings {
+            skip,
+            retain: false,
+            ..Settings::default()
+        };
+        let mut engine = Engine::start(settings, framebuffer).unwrap();
+        let mut first = None;
+        for _ in 0..3 {
+            let statistics = engine.render(&scene, &mut |_| ()).unwrap();
+            assert_eq!(statistics.eye_rays(), 20_000);
+            let packets: u64 = statistics.spus.iter().map(|spu| spu.packets).sum();
+            assert_eq!(packets, 50 * 25);
+            let tiles: u64 = statistics.spus.iter().map(|spu| spu.tiles).sum();
+            assert_eq!(tiles, 4 * 7);
+            let tests = statistics.tests();
+            assert_eq!(tests.made + tests.skipped + tests.unseen, packets * 16 * 13);
+            assert!(tests.hidden <= tests.skipped);
+            assert!(tests.hits_looked_for <= tests.made, "{tests:?}");
+            if skip == Skip::Nothing {
+                assert_eq!((tests.skipped, tests.unseen, tests.cull), (0, 0, 0));
+            } else {
+                assert!(tests.made < packets * 16 * 13 / 5, "{tests:?}");
+                assert_eq!(tests.unseen > 0, nff.view.angle == 5.0);
+            }
+            let picture = shown.lock().unwrap().take().unwrap();
+            assert!(*first.get_or_insert(picture.clone()) == picture);
+        }
     }
+}
+
+#[test]
+fn tests_that_skipping_leaves_out_are_of_spheres_that_no_ray_comes_near() {
+    for name in ["paper1.nff", "paper13.nff", "spheres64.nff"] {
+        let scene = Scene::from_nff(&nff_scene(name)).unwrap();
+        let [skipping, without] = [Skip::Misses, Skip::Nothing].map(|skip| {
+            let settings = Settings {
+                skip,
+                ..Settings::default()
+            };
+            let (framebuffer, _) = Recorder::pair(320, 180);
+            let mut engine = Engine::start(settings, framebuffer).unwrap();
+            engine.render(&scene, &mut |_| ()).unwrap().tests()
+        });
+        // A packet's own rays are a closer test than its cone.
+        let near = skipping.made + skipping.hidden;
+        assert!(
+            without.hits_looked_for <= near,
+            "{name}: {skipping:?} {without:?}"
+        );
+        assert!(
+            without.hits_looked_for > near / 2,
+            "{name}: {skipping:?} {without:?}"
+        );
+    }
+}
+
+const SCENES: [&str; 8] = [
+    "paper1.nff",
+    "paper13.nff",
+    "paper16.nff",
+    "cluster.nff",
+    "spheres64.nff",
+    "spheres256.nff",
+    "empty.nff",
+    "fullscreen.nff",
+];
+
+/// Renders with and without skipping: the bytes must be the same.
+fn skipping_changes_nothing(scene: &nff::Scene, width: u32, height: u32) -> RgbImage {
+    let skipping = render(scene, width, height, Settings::default());
+    let settings = Settings {
+        skip: Skip::Nothing,
+        ..Settings::default()
+    };
+    let without = render(scene, width, height, settings);
+    assert!(skipping == without, "{scene:?} at {width}x{height}");
+    skipping
+}
+
+#[test]
+fn skipping_changes_no_scene() {
+    for name in SCENES {
+        for (width, height) in [(320, 180), (101, 57)] {
+            skipping_changes_nothing(&nff_scene(name), width, height);
+        }
+    }
+    skipping_changes_nothing(&nff::sphereflake::generate(2).unwrap(), 160, 120);
+}
+
+#[test]
+fn skipping_changes_no_random_scene() {
+    let mut random = ChaCha8Rng::seed_from_u64(31);
+    let mut shown = 0;
+    for number in 0..200 {
+        let count = random.random_range(1..60);
+        let mut scene = random_scene(&mut random, count);
+        let view = &mut scene.view;
+        // From outside and from among the spheres, through a keyhole and with a very wide picture.
+        view.from = vector(&mut random, if number % 2 == 0 { 12.0 } else { 3.0 });
+        view.at = vector(&mut random, 2.0);
+        let widest = random.random_range(2.0..7.4f64).exp2();
+        view.angle = random.random_range(1.0..widest);
+        let picture = skipping_changes_nothing(&scene, 90, 60);
+        let first = *picture.get_pixel(0, 0);
+        shown += u32::from(picture.pixels().any(|pixel| *pixel != first));
+    }
+    assert!(shown > 100, "{shown} of 200 pictures show anything");
 }
 
 /// Compares with f64: every pixel within 1/255 away from silhouettes, and not over 0.05 % off at all.
 fn like_the_reference(scene: &nff::Scene, width: u32, height: u32) {
-    let rendered = render(scene, width, height, 6, Split::Tiles);
+    let rendered = render(scene, width, height, Settings::default());
     let mut picture = oracle::Picture::black(width, height).unwrap();
     for (to, from) in picture.pixels_mut().iter_mut().zip(rendered.pixels()) {
         *to = from.0;
@@ -58,9 +187,14 @@ fn like_the_reference(scene: &nff::Scene, width: u32, height: u32) {
 }
 
 #[test]
-fn the_papers_scenes_are_like_the_reference() {
-    like_the_reference(&nff_scene("paper16.nff"), 1280, 720);
-    like_the_reference(&nff_scene("paper13.nff"), 640, 360);
+fn the_scenes_are_like_the_reference() {
+    for name in SCENES {
+        let (width, height) = match name {
+            "paper16.nff" => (1280, 720),
+            _ => (640, 360),
+        };
+        like_the_reference(&nff_scene(name), width, height);
+    }
 }
 
 #[test]
@@ -70,11 +204,16 @@ fn a_sphereflake_is_like_the_reference() {
 
 #[test]
 fn an_empty_scene_is_its_background() {
-    let text =
-        "v\nfrom 0 0 5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 64 64\nb 0.2 0.4 0.6\n";
-    let scene = nff::parse(text.as_bytes(), "empty", &nff::Limits::default()).unwrap();
-    let picture = render(&scene, 70, 20, 2, Split::Tiles);
-    assert!(picture.pixels().all(|pixel| pixel.0 == [51, 102, 153]));
+    let scene = nff_scene("empty.nff");
+    let expected = nff::depth::bytes(scene.background);
+    for spus in [1, 2, 6] {
+        let settings = Settings {
+            spus,
+            ..Settings::default()
+        };
+        let picture = render(&scene, 70, 20, settings);
+        assert!(picture.pixels().all(|pixel| pixel.0 == expected));
+    }
 }
 
 #[test]
@@ -163,8 +302,7 @@ impl Framebuffer for Straddling {
             &nff_scene("paper16.nff"),
             self.geometry.width,
             self.geometry.height,
-            1,
-            Split::Tiles,
+            one_spu(),
         );
         for (x, y, pixel) in expected.enumerate_pixels() {
             let offset = (y * STRIDE + x * 4) as usize;

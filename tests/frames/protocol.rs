@@ -4,10 +4,11 @@ use std::time::Duration;
 
 use crate::recorder::{Recorder, nff_scene};
 use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
-use cellray::work::layout::{Frame, Sphere, Statistics, TileCounter};
-use cellray::work::{self, Addresses, Split};
+use cellray::work::layout::{Frame, Statistics, UnitCounter, WorkUnit};
+use cellray::work::{self, Addresses, EyeSpheres, Lens, Order, Skip, Split, Units};
 use cellray::{Engine, EngineError, Scene, Settings, SharedMemory};
 use zerocopy::big_endian::U32;
+use zerocopy::{FromZeros as _, IntoBytes as _};
 
 /// Makes one field of a descriptor wrong.
 type Spoil = fn(&mut Frame);
@@ -16,6 +17,7 @@ type Spoil = fn(&mut Frame);
 struct Fixture {
     engine: Engine,
     frame: Frame,
+    units: SharedMemory,
     _memory: Vec<SharedMemory>,
     _framebuffer: Memory,
 }
@@ -28,17 +30,37 @@ fn fixture(spus: u32) -> Fixture {
     })
     .unwrap();
     let target = framebuffer.target();
-    let mut spheres = SharedMemory::new(size_of::<Sphere>() * scene.sphere_count() as usize);
-    spheres.write(0, scene.sphere_bytes());
-    let tile_counter = SharedMemory::new(size_of::<TileCounter>());
-    let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
-    let addresses = Addresses {
-        spheres: spheres.address(),
-        tile_counter: tile_counter.address(),
-        statistics: statistics.address(),
-    };
     let camera = scene.camera(64, 32).unwrap();
-    let frame = work::describe(&scene, &camera, &target, addresses, 1, spus, Split::Slices);
+    let mut records = EyeSpheres::default();
+    let lens = Lens::new(&camera, target.geometry);
+    records.look(scene.spheres(), &lens, Skip::Misses);
+    let mut spheres = SharedMemory::new(records.bytes().len());
+    spheres.write(0, records.bytes());
+    let mut cut = Units::default();
+    cut.cut(&[0, 1], spus, Split::Slices, None);
+    let mut units = SharedMemory::new(cut.bytes().len());
+    units.write(0, cut.bytes());
+    let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
+    let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
+    let costs = SharedMemory::new(cut.bytes().len());
+    let frame = work::describe(&Order {
+        scene: &scene,
+        camera: &camera,
+        target: &target,
+        addresses: Addresses {
+            spheres: spheres.address(),
+            unit_counter: unit_counter.address(),
+            statistics: statistics.address(),
+            units: units.address(),
+            costs: costs.address(),
+        },
+        sphere_count: records.records().len() as u32,
+        units: &cut,
+        number: 1,
+        spus,
+        split: Split::Slices,
+        skip: Skip::Misses,
+    });
     let settings = Settings {
         spus,
         timeout: Duration::from_secs(30),
@@ -48,7 +70,8 @@ fn fixture(spus: u32) -> Fixture {
     Fixture {
         engine: Engine::start(settings, recorder).unwrap(),
         frame,
-        _memory: vec![spheres, tile_counter, statistics],
+        units,
+        _memory: vec![spheres, unit_counter, statistics, costs],
         _framebuffer: framebuffer,
     }
 }
@@ -71,11 +94,11 @@ impl Fixture {
 
 #[test]
 fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
-    let cases: [(&str, &str, Spoil); 25] = [
+    let cases: [(&str, &str, Spoil); 32] = [
         ("magic", "0x43524119", |frame| {
             frame.magic = (0x4352_4159_u32 ^ 0x40).into()
         }),
-        ("version", "2 (0x2)", |frame| frame.version = 2.into()),
+        ("version", "1 (0x1)", |frame| frame.version = 1.into()),
         ("size", "256 (0x100)", |frame| frame.size = 256.into()),
         ("features", "2147483649", |frame| {
             frame.features = 0x8000_0001_u32.into()
@@ -101,9 +124,20 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
         ("spheres", "", |frame| {
             frame.spheres = (frame.spheres.get() + 64).into()
         }),
-        ("tile_counter", "", |frame| {
-            frame.tile_counter = (frame.tile_counter.get() + 4).into()
+        ("unit_counter", "", |frame| {
+            frame.unit_counter = (frame.unit_counter.get() + 4).into()
         }),
+        ("units", "", |frame| {
+            frame.units = (frame.units.get() + 64).into()
+        }),
+        ("costs", "", |frame| {
+            frame.costs = (frame.costs.get() + 8).into()
+        }),
+        ("unit_count", "3 (0x3)", |frame| frame.unit_count = 3.into()),
+        ("unit_count", "4294967295", |frame| {
+            frame.unit_count = u32::MAX.into()
+        }),
+        ("skip", "2 (0x2)", |frame| frame.skip = 2.into()),
         ("statistics", "", |frame| {
             frame.statistics = (frame.statistics.get() + 16).into()
         }),
@@ -115,6 +149,10 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
         }),
         ("sphere_count", "13 (0xd)", |frame| {
             frame.features = 0.into()
+        }),
+        ("red_shift", "8 (0x8)", |frame| frame.red_shift = 8.into()),
+        ("green_shift", "4 (0x4)", |frame| {
+            frame.green_shift = 4.into()
         }),
         ("red_shift", "25 (0x19)", |frame| {
             frame.red_shift = 25.into()
@@ -164,6 +202,34 @@ fn a_descriptor_at_an_odd_address_is_refused() {
 }
 
 #[test]
+fn a_work_unit_that_is_none_is_refused() {
+    let mut fixture = fixture(1);
+    let frame = fixture.frame;
+    let mut good = WorkUnit::new_zeroed();
+    fixture.units.read(0, good.as_mut_bytes());
+    let spoils: [fn(&mut WorkUnit); 5] = [
+        |unit| unit.count = 0.into(),
+        |unit| unit.count = 32.into(),
+        |unit| unit.count = u32::MAX.into(),
+        |unit| unit.tiles[0] = 2.into(),
+        |unit| unit.tiles[0] = u32::MAX.into(),
+    ];
+    for spoil in spoils {
+        let mut unit = good;
+        spoil(&mut unit);
+        fixture.units.write(0, unit.as_bytes());
+        let refusal = fixture.refused(&frame);
+        assert_eq!(refusal.field, "tiles");
+        assert_eq!(
+            refusal.to_string(),
+            "refused the work units: tiles: a unit's tiles must be 1 to 31, each within the picture"
+        );
+        fixture.units.write(0, good.as_bytes());
+        fixture.submit(&frame).unwrap();
+    }
+}
+
+#[test]
 fn slices_that_make_no_sense_stay_within_the_picture() {
     let mut fixture = fixture(2);
     let mut frame = fixture.frame;
@@ -175,10 +241,12 @@ fn slices_that_make_no_sense_stay_within_the_picture() {
 
 #[test]
 fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
-    let spoils: [(&str, Spoil); 3] = [
+    let spoils: [(&str, Spoil); 5] = [
         ("framebuffer", |frame| frame.framebuffer = 0x1000.into()),
         ("spheres", |frame| frame.spheres = 0x1000.into()),
         ("statistics", |frame| frame.statistics = 0x1000.into()),
+        ("units", |frame| frame.units = 0x1000.into()),
+        ("costs", |frame| frame.costs = 0x1000.into()),
     ];
     for (name, spoil) in spoils {
         let mut fixture = fixture(2);

@@ -3,7 +3,6 @@
 use std::sync::{Arc, Mutex};
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
-use cellray::work::Split;
 use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
 
@@ -45,6 +44,10 @@ impl Framebuffer for Recorder {
         Ok(())
     }
 
+    fn keeps_contents(&self) -> bool {
+        self.memory.keeps_contents()
+    }
+
     fn describe(&self) -> String {
         self.memory.describe()
     }
@@ -59,13 +62,8 @@ pub fn nff_scene(name: &str) -> nff::Scene {
 }
 
 /// A frame of a scene.
-pub fn render(scene: &nff::Scene, width: u32, height: u32, spus: u32, split: Split) -> RgbImage {
+pub fn render(scene: &nff::Scene, width: u32, height: u32, settings: Settings) -> RgbImage {
     let (framebuffer, shown) = Recorder::pair(width, height);
-    let settings = Settings {
-        spus,
-        split,
-        ..Settings::default()
-    };
     let mut engine = Engine::start(settings, framebuffer).unwrap();
     engine
         .render(&Scene::from_nff(scene).unwrap(), &mut |_| ())

@@ -41,6 +41,15 @@ fn ps3fb_alternates_two_frames_in_its_own_memory() {
 }
 
 #[test]
+fn contents_are_kept_in_private_memory_and_under_a_console_of_our_own() {
+    // The script has no console, so the device's own memory is not to be relied on.
+    let (device, _) = Script::ps3fb().open(None, Some(Mode::Direct));
+    assert!(!device.unwrap().keeps_contents());
+    let (device, _) = Script::ps3fb().open(None, Some(Mode::Shadow));
+    assert!(device.unwrap().keeps_contents());
+}
+
+#[test]
 fn ps3fb_with_borders_keeps_its_line_length() {
     let (device, witness) =
         Script::new("ps3fb", 1124, 644, 4544, 9 * MIB - 0x1_0000).open(None, None);

@@ -52,22 +52,29 @@ fn every_tile_is_in_one_unit() {
 }
 
 #[test]
-fn without_costs_units_are_rows_of_tiles_some_24_for_each_spu() {
+fn without_costs_units_are_runs_of_tiles_some_24_for_each_spu_and_shorter_at_the_end() {
     let wanted: Vec<u32> = (0..900).collect();
     let mut units = Units::default();
-    units.cut(&wanted, 6, Split::Units, None);
-    let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
-    assert_eq!(order, wanted);
-    assert_eq!(units.lines().len(), 129);
-    units.cut(&wanted, 16, Split::Units, None);
-    assert_eq!(units.lines().len(), 300);
-    units.cut(&wanted, 1, Split::Units, None);
-    assert_eq!(units.lines().len(), 30, "31 tiles a unit is the most");
-    assert!(units.slices().iter().all(|first| first.get() == 30));
+    for (spus, first, count) in [(6, 7, 22..32), (16, 3, 15..25), (1, 31, 28..45)] {
+        units.cut(&wanted, spus, Split::Units, None);
+        let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
+        assert_eq!(order, wanted);
+        let sizes: Vec<u32> = units.lines().iter().map(|unit| unit.count.get()).collect();
+        assert_eq!(sizes[0], first);
+        assert!(
+            sizes.is_sorted_by(|before, after| before >= after),
+            "{sizes:?}"
+        );
+        assert!(sizes[sizes.len() - 3..] == [1, 1, 1], "{sizes:?}");
+        let an_spu = units.lines().len() as u32 / spus;
+        assert!(count.contains(&an_spu), "{an_spu} on {spus} SPUs");
+        let end = units.lines().len() as u32;
+        assert!(units.slices().iter().all(|first| first.get() == end));
+    }
 }
 
 #[test]
-fn with_costs_the_dearest_tiles_come_first_and_the_last_units_are_small() {
+fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_are_small() {
     let mut random = ChaCha8Rng::seed_from_u64(22);
     let wanted: Vec<u32> = (0..900).collect();
     let costs: Vec<u32> = wanted
@@ -78,7 +85,18 @@ fn with_costs_the_dearest_tiles_come_first_and_the_last_units_are_small() {
     let mut units = Units::default();
     units.cut(&wanted, 6, Split::Units, Some(&costs));
     let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
-    assert!(order.is_sorted_by_key(|tile| Reverse(cost(tile))));
+    let mean = costs.iter().sum::<u32>() / 900;
+    let (dear, cheap): (Vec<u32>, Vec<u32>) =
+        order.iter().partition(|tile| cost(tile) * 2 >= mean.into());
+    assert!(dear.is_sorted_by_key(|tile| Reverse(cost(tile))));
+    assert!(cheap.is_sorted_by_key(|tile| Reverse(cost(tile))));
+    let early = |tile: &&u32| order[..450].contains(tile);
+    let share = cheap.iter().filter(early).count() as f64 / cheap.len() as f64;
+    assert!(
+        (0.2..0.5).contains(&share),
+        "{share} of the cheap tiles in the first half"
+    );
+    assert!(order[840..].iter().all(|tile| cheap.contains(tile)));
     let sums: Vec<u64> = units
         .lines()
         .iter()

@@ -1,0 +1,56 @@
+//! Random scenes.
+
+use glam::DVec3;
+use nff::{Material, Object, Scene, Shape, View};
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+
+/// A vector with coordinates up to `most`.
+pub fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|_| random.random_range(-most..most)))
+}
+
+/// A sphere of any of the scene's materials.
+pub fn sphere(random: &mut ChaCha8Rng, materials: usize) -> Object {
+    Object {
+        line: 0,
+        material: random.random_range(0..materials) as u32,
+        shape: Shape::Sphere {
+            centre: vector(random, 4.0),
+            radius: random.random_range(-6.0..0.5f64).exp2(),
+        },
+    }
+}
+
+/// Spheres of some colours, at most 4 from the origin each way, seen from 12 away.
+pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
+    let material = |colour| Material {
+        line: 0,
+        colour,
+        diffuse: 1.0,
+        specular: 0.0,
+        shine: 0.0,
+        transmittance: 0.0,
+        refraction_index: 1.0,
+    };
+    let materials: Vec<Material> = (0..5)
+        .map(|_| material(vector(random, 1.0).abs()))
+        .collect();
+    Scene {
+        name: "random".into(),
+        view: View {
+            from: DVec3::new(0.0, -12.0, 0.0),
+            at: DVec3::ZERO,
+            up: DVec3::new(0.1, 0.2, 1.0),
+            angle: 40.0,
+            hither: 0.0,
+            resolution: (64, 64),
+        },
+        background: DVec3::new(0.1, 0.2, 0.3),
+        lights: Vec::new(),
+        objects: (0..count)
+            .map(|_| sphere(random, materials.len()))
+            .collect(),
+        materials,
+    }
+}
