@@ -2,13 +2,13 @@
 //! to link against. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
-use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use layout::Field;
 use spu_build::{Image, Tools, Version, stub};
 
+#[path = "ppu/work/assembler.rs"]
+mod assembler;
 #[path = "ppu/work/layout.rs"]
 mod layout;
 
@@ -25,6 +25,7 @@ fn build() -> Outcome<()> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed=build.rs");
+    println!("cargo:rerun-if-changed=ppu/work/assembler.rs");
     println!("cargo:rerun-if-changed=ppu/work/layout.rs");
 
     let image = out.join("cellray-spu.elf");
@@ -48,7 +49,7 @@ fn build() -> Outcome<()> {
 fn spu_program(root: &Path, out: &Path, image: &Path) -> Outcome<()> {
     let generated = out.join("include");
     fs::create_dir_all(&generated)?;
-    fs::write(generated.join("work_unit.inc"), assembler_constants())?;
+    fs::write(generated.join("work_unit.inc"), assembler::constants())?;
 
     // The folders themselves are watched too: a new file changes its folder, not a listed file.
     println!("cargo:rerun-if-changed=spu");
@@ -66,43 +67,6 @@ fn spu_program(root: &Path, out: &Path, image: &Path) -> Outcome<()> {
         println!("cargo:rerun-if-changed={}", input.display());
     }
     Ok(program.build(&Tools::find()?, &out.join("objects"), image)?)
-}
-
-/// Sizes, offsets and constants of the work-unit layout, as the assembler's symbols.
-fn assembler_constants() -> String {
-    let mut text = String::from("# Generated from ppu/work/layout.rs.\n");
-    for (name, value, doc) in layout::CONSTANTS {
-        let _ = writeln!(text, ".set {name},{value:#x} #{doc}");
-    }
-    for record in layout::RECORDS {
-        let _ = writeln!(
-            text,
-            "\n#{}\n.set {}_SIZE,{}",
-            record.doc, record.name, record.size
-        );
-        for field in record.fields {
-            let Field {
-                name,
-                kind,
-                offset,
-                size,
-                doc,
-            } = field;
-            let _ = writeln!(
-                text,
-                ".set {}_{name},{offset} # {kind}, {size} bytes:{doc}",
-                record.name
-            );
-        }
-    }
-    for (name, status, field, doc) in layout::Status::ALL {
-        let _ = writeln!(
-            text,
-            ".set STATUS_{name},{} # {field}:{doc}",
-            *status as u32
-        );
-    }
-    text
 }
 
 /// Links the console's program against the names of libspe2 alone, so that no PS3 sysroot is needed.

@@ -4,11 +4,17 @@
 //!
 //! Singles are bit patterns here, as in [`spu_emulator::float`]: the host's `f32` is another format.
 
-pub mod isect_spheres;
+pub mod ball;
+pub mod cull;
+pub mod flat;
+pub mod isect_pairs;
+pub mod lists;
 pub mod math;
 pub mod pack;
 pub mod ray_setup;
+pub mod rectangle;
 pub mod shade_depth;
+pub mod triangle;
 
 /// Bit pattern of a single.
 pub type Single = u32;
@@ -25,4 +31,9 @@ pub const FARTHEST: Single = 0x7fff_ffff;
 /// What the select after a compare does: `chosen` where the compare was true.
 fn select(otherwise: u32, chosen: u32, condition: bool) -> u32 {
     if condition { chosen } else { otherwise }
+}
+
+/// Whether a single's sign is set, which is all that a mask of signs asks for: -0 is below 0.
+const fn below_zero(value: Single) -> bool {
+    value >> 31 != 0
 }

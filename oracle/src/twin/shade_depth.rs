@@ -1,8 +1,7 @@
-//! Twin of `spu/shade/shade_depth_r16.s`: the paper's shader.
+//! Twin of `spu/plain/shade/shade_depth_r16.s`: the paper's shader.
 
 use spu_emulator::float::single::{fcgt, fm, fs};
 
-use super::isect_spheres::Hit;
 use super::{ONE, Single, ZERO, select};
 
 /// Depth shading of a frame.
@@ -14,12 +13,13 @@ pub struct Depth {
     pub scale: Single,
 }
 
-/// Colour of a hit; entry 0 of the table is the background.
+/// The colour that a ray sees: that of what it meets at `t`, faded by the distance unless `none`, which
+/// says that it meets nothing and `colour` is the background's.
 #[must_use]
-pub fn shade_depth(hit: Hit, table: &[[Single; 3]], depth: Depth) -> [Single; 3] {
-    let bright = fm(fs(depth.far, hit.t), depth.scale);
+pub fn shade_depth(t: Single, colour: [Single; 3], none: bool, depth: Depth) -> [Single; 3] {
+    let bright = fm(fs(depth.far, t), depth.scale);
     let bright = select(bright, ZERO, fcgt(ZERO, bright) != 0);
     let bright = select(bright, ONE, fcgt(bright, ONE) != 0);
-    let bright = select(bright, ONE, hit.object == 0);
-    table[hit.object as usize].map(|channel| fm(channel, bright))
+    let bright = select(bright, ONE, none);
+    colour.map(|channel| fm(channel, bright))
 }

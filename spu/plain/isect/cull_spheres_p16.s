@@ -1,10 +1,10 @@
 # cull_spheres_p16   which of sixteen packets some eye ray may enter a sphere from, sphere by sphere
 #   C       void cull_spheres_p16(const struct packet *, const struct pair *, int count,
-#                                 vec_uint4 *);
+#                                 unsigned *);
 #   In      $3 the middle directions of sixteen packets, as a packet; $4 list whose entries' first
-#           words are the addresses of spheres; $5 count (at least 1); $6 where masks go;
-#           pointers 16-aligned
-#   Out     a quadword a sphere: in its first word 16 bits, the highest of packet 0
+#           words are the addresses of spheres; $5 count (at least 1); $6 where masks go, a word in
+#           every fourth; the other pointers 16-aligned
+#   Out     a mask a sphere: 16 bits, the highest of packet 0
 #   Uses    $4-$6, $10-$61   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them
 #   Error   0: no packet is left out a ray of which enters
@@ -26,6 +26,7 @@
         .set    m_limit,13
         .set    m_signs,14                              # top bytes of two quadwords' words
         .set    m_halves,15                             # packets 15, 0 to 14: see the rotation
+        .set    m_word,16
         # the middles
         .set    dx,20
         .set    dy,24
@@ -42,6 +43,7 @@
         .set    s,41                                    # to 44
         .set    signs,45
         .set    signs_low,46
+        .set    masks,47
 
         .section .rodata
         .align  4
@@ -54,6 +56,7 @@ function cull_spheres_p16
         load_constant $m_y,0x04050607
         load_constant $m_z,0x08090a0b
         load_constant $m_limit,(SPHERE_packet_limit-16)*0x01010101+0x00010203
+        cwd     $m_word,0($a_mask)
         lqa     $m_signs,signs_of_two
         lqa     $m_halves,halves
     .irp row, 0,1,2,3
@@ -79,7 +82,9 @@ next_sphere:
         shufb   $signs,$signs,$signs_low,$m_halves
         rotqbii $signs,$signs,1                         # the sign of byte k to the end of byte k-1
         gbb     $signs,$signs
-        stqd    $signs,0($a_mask)
+        lqd     $masks,0($a_mask)
+        shufb   $masks,$signs,$masks,$m_word
+        stqd    $masks,0($a_mask)
         ai      $a_list,$a_list,PAIR_SIZE
         ai      $a_mask,$a_mask,16
         ai      $count,$count,-1

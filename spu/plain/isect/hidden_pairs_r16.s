@@ -1,10 +1,9 @@
-# hidden_pairs_r16   drops the pairs in which all rays have hit something nearer
-#   C       struct pair *hidden_pairs_r16(struct pair *, int count, float near);
-#   In      $3 pairs of one object, $4 count (0 is none), $5 near: no ray meets the object nearer;
-#           pointers 16-aligned
+# hidden_pairs_r16   drops the pairs in which all rays have hit something nearer than the sphere
+#   C       struct pair *hidden_pairs_r16(struct pair *, int count);
+#   In      $3 pairs of packets and spheres, $4 count (0 is none); pointers 16-aligned
 #   Out     the other pairs, in order, from the same place on
 #           $3 behind the last of them
-#   Uses    $3-$5, $10-$29   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $10-$23   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
 #   Twin    oracle/src/twin/cull.rs
@@ -14,26 +13,27 @@
 
         .set    a_pair,3
         .set    count,4
-        .set    near,5
         # constants
-        .set    m_first,10
+        .set    m_near,10
         # state
         .set    a_out,11
         # the pair
         .set    pair,12
         .set    a_packet,13
-        .set    t,14                                    # to 17
-        .set    farther,18                              # to 21
-        .set    step,22
+        .set    near,14
+        .set    t,15                                    # to 18
+        .set    farther,19                              # to 22
+        .set    step,23
 
 function hidden_pairs_r16
         biz     $count,$lr
-        splat_mask $m_first
-        splat   $near,$near,$m_first
+        load_constant $m_near,(SPHERE_near-16)*0x01010101+0x00010203
         ori     $a_out,$a_pair,0
 next_pair:
         lqd     $pair,0($a_pair)
         rotqbyi $a_packet,$pair,PAIR_packet
+        lqd     $near,16($pair)
+        shufb   $near,$near,$near,$m_near
     .irp row, 0,1,2,3
         lqd     $t+\row,PACKET_t+16*\row($a_packet)
         fcgt    $farther+\row,$t+\row,$near

@@ -9,9 +9,10 @@
 #           0.995 r of it
 #   Twin    oracle/src/twin/ball.rs
 #
-# Gives the bits that isect_sphere_r16 gives, whose formulas and order of sums it has (ball_tmpl.inc).
-# Nothing but latency counts: vectors are handled as such where lanes don't meet, and every sum runs
-# over splats, so that it takes no rotation and comes out in all lanes, ready for the next vector.
+# Gives the bits that isect_sphere_r16 gives: its formulas and order of sums (ball_tmpl.inc).
+# Nothing but latency counts: vectors are handled as such where lanes don't meet, and every sum
+# runs over splats, so that it takes no rotation and comes out in all lanes, ready for the next
+# vector.
 
         .include "work_unit.inc"
         .include "macros.inc"

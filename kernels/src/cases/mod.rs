@@ -1,0 +1,4 @@
+//! Cases and measures of error, a file for each family of kernels.
+
+pub mod ball;
+pub mod eye;

@@ -1,0 +1,143 @@
+//! Measures kernels: a row for each case.
+
+use rand::SeedableRng as _;
+use rand_chacha::ChaCha8Rng;
+use serde::Serialize;
+
+use crate::bench::{Bench, SEED, Version};
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::source::Source;
+use crate::time::Time;
+
+/// What is known of a kernel.
+#[derive(Clone, Debug, Serialize)]
+pub struct Measured {
+    /// Its name.
+    pub kernel: &'static str,
+    /// The file of its plain version.
+    pub file: &'static str,
+    /// What it does.
+    pub doc: String,
+    /// Its C prototype.
+    pub prototype: String,
+    /// Worst error measured now, in what the header counts it in.
+    pub error: Option<f64>,
+    /// The error that its header states, with its domain.
+    pub stated_error: String,
+    /// Its cases.
+    pub cases: Vec<Timed>,
+}
+
+/// A case, timed.
+#[derive(Clone, Debug, Serialize)]
+pub struct Timed {
+    /// Its name.
+    pub case: &'static str,
+    /// Objects that the rays were tested with.
+    pub objects: u32,
+    /// Rays that a call tests with each object.
+    pub rays: u32,
+    /// The plain version.
+    pub plain: Cost,
+    /// The scheduled version, if there is one.
+    pub scheduled: Option<Cost>,
+}
+
+/// What a version costs.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Cost {
+    /// The whole call.
+    pub call: Time,
+    /// For a list: what further objects take.
+    pub stream: Option<Stream>,
+}
+
+/// What a list's further objects take.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Stream {
+    /// How many there were.
+    pub objects: u32,
+    /// For all of them.
+    pub time: Time,
+}
+
+impl Timed {
+    /// Cycles in which one ray is tested with one object, everything counted.
+    #[must_use]
+    pub fn cycles_a_test(&self, cost: &Cost) -> f64 {
+        cost.call.cycles as f64 / f64::from(self.objects * self.rays)
+    }
+
+    /// Cycles in which one ray is tested with one further object.
+    #[must_use]
+    pub fn cycles_in_stream(&self, cost: &Cost) -> Option<f64> {
+        let stream = cost.stream.as_ref()?;
+        Some(stream.time.cycles as f64 / f64::from(stream.objects * self.rays))
+    }
+}
+
+impl Cost {
+    /// What shows how well the pipes are used: the stream if there is one, else the call.
+    #[must_use]
+    pub fn main(&self) -> &Time {
+        self.stream
+            .as_ref()
+            .map_or(&self.call, |stream| &stream.time)
+    }
+}
+
+/// Measures a kernel; `None` if its source is missing or has no header.
+#[must_use]
+pub fn measure(bench: &mut Bench, kernel: &Kernel) -> Option<Measured> {
+    let source = Source::find(kernel.name)?;
+    let header = source.header()?;
+    // A generator of its own, so that a kernel's error does not hang on which others are measured.
+    let mut random = ChaCha8Rng::seed_from_u64(SEED);
+    let error = kernel.error.map(|error| error(bench, &mut random));
+    let cases = kernel.cases.iter().map(|case| {
+        let mut cost = |version| cost(bench, kernel.name, case, version);
+        Timed {
+            case: case.name,
+            objects: case.objects.first(),
+            rays: kernel.rays,
+            plain: cost(Version::Plain),
+            scheduled: source.scheduled.then(|| cost(Version::Scheduled)),
+        }
+    });
+    Some(Measured {
+        kernel: kernel.name,
+        file: source.file,
+        doc: header.doc,
+        prototype: header.prototype,
+        cases: cases.collect(),
+        error,
+        stated_error: header.error,
+    })
+}
+
+fn cost(bench: &mut Bench, kernel: &str, case: &Case, version: Version) -> Cost {
+    let mut time = |objects| {
+        bench.reset();
+        let arguments = (case.place)(bench, objects);
+        bench.time(version, kernel, &arguments)
+    };
+    let call = time(case.objects.first());
+    let stream = match case.objects {
+        Objects::Fixed(_) => None,
+        Objects::List(short, long) => Some(Stream {
+            objects: long - short,
+            time: call.up_to(&time(long)),
+        }),
+    };
+    Cost { call, stream }
+}
+
+impl Objects {
+    /// Objects of the call whose whole time is shown.
+    #[must_use]
+    pub const fn first(self) -> u32 {
+        match self {
+            Self::Fixed(count) | Self::List(count, _) => count,
+        }
+    }
+}

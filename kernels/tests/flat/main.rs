@@ -1,0 +1,6 @@
+//! The kernels of flat shapes: triangles, rectangles, planes.
+
+mod rays;
+mod rectangle;
+mod triangle;
+mod watertight;

@@ -1,0 +1,7 @@
+# endless   does not come to an end
+#   C       void endless(void);
+        .text
+        .align  3
+        .global endless
+endless:
+        br      endless

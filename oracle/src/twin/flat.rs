@@ -1,0 +1,68 @@
+//! Twin of `spu/include/flat.inc`: what the kernels of triangles and rectangles share.
+
+use spu_emulator::float::estimate::{fi, frest};
+use spu_emulator::float::single::{fma, fnms};
+
+use super::{ONE, Single};
+
+/// The sign of a word.
+pub(super) const SIGN: u32 = 0x8000_0000;
+
+/// What a ray has hit so far, and where on the object.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct FlatHit {
+    /// Distance.
+    pub t: Single,
+    /// Number of the object; 0 for none.
+    pub object: u32,
+    /// First coordinate on the object.
+    pub u: Single,
+    /// Second coordinate on the object.
+    pub v: Single,
+}
+
+/// A point where a ray meets the plane of an object.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Meeting {
+    /// Less the distance.
+    pub n: Single,
+    /// Coordinates on the object.
+    pub u: Single,
+    pub v: Single,
+    /// The sign is set if the point is not on the object.
+    pub outside: u32,
+}
+
+impl Meeting {
+    /// On the object, with 0 < t < `farthest`: compared as signed integers.
+    pub fn hits(&self, farthest: Single) -> bool {
+        (farthest ^ SIGN) as i32 > self.n as i32 && self.outside & SIGN == 0
+    }
+
+    /// The nearer of `hit` and this.
+    pub fn nearer(&self, hit: FlatHit, object: u32) -> FlatHit {
+        if self.hits(hit.t) {
+            FlatHit {
+                t: self.n ^ SIGN,
+                object,
+                u: self.u,
+                v: self.v,
+            }
+        } else {
+            hit
+        }
+    }
+}
+
+/// 1/x: estimate, interpolation, one Newton step.
+#[must_use]
+pub fn reciprocal(x: Single) -> Single {
+    over(ONE, x)
+}
+
+/// k/x for a k of 1 or a few ulps beside it.
+pub(super) fn over(k: Single, x: Single) -> Single {
+    let y = fi(x, frest(x));
+    let e = fnms(x, y, k);
+    fma(e, y, y)
+}
