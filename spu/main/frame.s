@@ -6,6 +6,9 @@
 
         .section .bss
         .align  7
+        .global inverse_across
+inverse_across:                         # one over the tiles across
+        .skip   16
         .global frame, basis, basis_middles, depth, pixel_shuffle
 frame:  .skip   FRAME_SIZE
 basis:  .skip   BASIS_SIZE
@@ -165,8 +168,9 @@ function frame_fetch
         rotmi   $value,$value,-TILE_HEIGHT_LOG2
         mpyu    $g_tiles,$g_across,$value
         csflt   $value,$g_across,0
-        frest   $g_inverse_across,$value
-        fi      $g_inverse_across,$value,$g_inverse_across
+        frest   $limit,$value
+        fi      $value,$value,$limit
+        stqa    $value,inverse_across
         load_word $g_units,FRAME_unit_count,$a_frame
         clgt    $bad,$g_units,$g_tiles
         refuse_if $bad,UnitCount

@@ -30,7 +30,8 @@ tile_lists:                             # likewise; empty tiles have EMPTY_LISTS
 function tile_place
         # The quotient of the tiles across may be one too small or too large.
         csflt   $q,$3,0
-        fm      $q,$q,$g_inverse_across
+        lqa     $limit,inverse_across
+        fm      $q,$q,$limit
         cflts   $q,$q,0
         mpyu    $across,$q,$g_across
         sf      $g_tile_x,$across,$3
@@ -100,13 +101,7 @@ trace:
         il      $3,1<<TAG_TILE
         shl     $3,$3,$g_parity
         brsl    $lr,dma_wait
-        phase_begins
-        il      $g_group_x,0
-next_group:
-        brsl    $lr,group_trace
-        ai      $g_group_x,$g_group_x,GROUP_SIDE
-        cgt     $amount,$g_tile_width,$g_group_x
-        brnz    $amount,next_group
+        brsl    $lr,tile_pixels
         ori     $3,$g_parity,0
         ori     $4,$g_parity,0
         xori    $g_parity,$g_parity,1
