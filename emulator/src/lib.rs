@@ -15,6 +15,7 @@ pub mod mailbox;
 pub mod memory;
 pub mod mfc;
 pub mod ppe_call;
+pub mod schedule;
 pub mod signal;
 pub mod simulated;
 pub mod spe;

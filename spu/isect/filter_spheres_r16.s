@@ -169,23 +169,24 @@ function filter_spheres_r16
         .set    s1_8,22
         .set    offset_5,23
         .set    dx3_2,2
-        .set    found_3,3
-        .set    s2_9,4
-        .set    dy2_3,5
-        .set    s1_9,6
-        .set    cy_6,8
-        .set    s3_6,10
-        .set    s1_10,11
-        .set    dz_3,13
-        .set    s2_10,18
+        .set    s2_9,3
+        .set    dy2_3,4
+        .set    s1_9,5
+        .set    cy_6,6
+        .set    s3_6,8
+        .set    s1_10,10
+        .set    dz_3,11
+        .set    s2_10,13
         .set    pair_5,2
-        .set    pair_6,4
-        .set    s3_7,5
-        .set    s1_11,8
-        .set    signs_low_5,9
+        .set    pair_6,3
+        .set    s3_7,4
+        .set    s1_11,6
+        .set    signs_low_5,8
         .set    any_4,10
         .set    signs_low_6,11
-        .set    signs_11,5
+        .set    found_3,6
+        .set    signs_11,4
+        .set    offset_6,4
         .set    found_4,5
         .set    a_sphere_6,2
         .set    a_sphere_7,8
@@ -229,7 +230,7 @@ function filter_spheres_r16
         .set    cz_9,25
         .set    cz_10,47
         .set    pair_7,34
-        .set    offset_6,56
+        .set    offset_7,56
         .set    pair_8,8
         .set    pair_9,9
         .set    s_10,21
@@ -241,7 +242,7 @@ function filter_spheres_r16
         .set    signs_low_8,23
         .set    any_5,21
         .set    found_5,2
-        .set    offset_7,20
+        .set    offset_8,20
         mpyu    $count,$count,$fours                    # 0e passes
         lqa     $m_signs,signs_of_two                   # 0o
 
@@ -699,224 +700,221 @@ next_four_back:
 
 next_four_drain:
         cg      $any,$signs,$k_all                      # 0e 1 if any, else 0
-        lqd     $dx+2,32($place_3)                      # 0o
+        stqx    $pair,$a_pairs,$offset_2                # 0o
 
         nop     $127                                    # 1e pairing
-        lqd     $dx3_2,48($place_3)                     # 1o
+        lqd     $dx+2,32($place_3)                      # 1o
 
-        a       $found_3,$found,$any                    # 2e
-        lqd     $dx+1,16($place_3)                      # 2o
+        a       $found_2,$found,$any                    # 2e
+        lqd     $dx3_2,48($place_3)                     # 2o
 
-        lqd     $dx,0($place_3)                         # 3o
-        lqd     $dy,64($place_3)                        # 4o
+        lqd     $dx+1,16($place_3)                      # 3o
+        lqd     $dx,0($place_3)                         # 4o
 
-        nop     $127                                    # 5e pairing
-        lqd     $dy+3,112($place_3)                     # 5o
+        lqd     $dy,64($place_3)                        # 5o
+        lqd     $dy+3,112($place_3)                     # 6o
 
-        fnms    $s2_9,$cx_2,$dx+2,$limit_3              # 6e
-        lqd     $dy1_2,80($place_3)                     # 6o
+        fnms    $s2_9,$cx_2,$dx+2,$limit_3              # 7e
+        lqd     $dy1_2,80($place_3)                     # 7o
 
-        fnms    $s3_2,$cx_2,$dx3_2,$limit_3             # 7e
-        lqd     $dy2_3,96($place_3)                     # 7o
+        fnms    $s3_2,$cx_2,$dx3_2,$limit_3             # 8e
+        lqd     $dy2_3,96($place_3)                     # 8o
 
-        fnms    $s1_9,$cx_2,$dx+1,$limit_3              # 8e
-        lqd     $dz+3,176($place_3)                     # 8o
+        fnms    $s1_9,$cx_2,$dx+1,$limit_3              # 9e
+        lqd     $dz+3,176($place_3)                     # 9o
 
-        fnms    $s_3,$cx_2,$dx,$limit_3                 # 9e
-        lqd     $dz+2,160($place_3)                     # 9o
+        fnms    $s_3,$cx_2,$dx,$limit_3                 # 10e
+        lqd     $dz+2,160($place_3)                     # 10o
 
-        fnms    $s2_8,$cx_3,$dx+2,$limit_2              # 10e
-        shufb   $cy_6,$quad_6,$quad_6,$m_y              # 10o
+        fnms    $s2_8,$cx_3,$dx+2,$limit_2              # 11e
+        shufb   $cy_6,$quad_6,$quad_6,$m_y              # 11o
 
-        fnms    $s3_6,$cx_3,$dx3_2,$limit_2             # 11e
-        lqd     $dz1_2,144($place_3)                    # 11o
+        fnms    $s3_6,$cx_3,$dx3_2,$limit_2             # 12e
+        lqd     $dz1_2,144($place_3)                    # 12o
 
-        fnms    $s1_10,$cx_3,$dx+1,$limit_2             # 12e
-        lqd     $dz_3,128($place_3)                     # 12o
+        fnms    $s1_10,$cx_3,$dx+1,$limit_2             # 13e
+        lqd     $dz_3,128($place_3)                     # 13o
 
-        fnms    $s_2,$cx_3,$dx,$limit_2                 # 13e
-        shufb   $cz_3,$quad_2,$quad_2,$m_z              # 13o
+        fnms    $s_2,$cx_3,$dx,$limit_2                 # 14e
+        shufb   $cz_3,$quad_2,$quad_2,$m_z              # 14o
 
-        fnms    $s2_10,$cx_4,$dx+2,$limit_4             # 14e
-        shufb   $signs_low,$s2_2,$s3_4,$m_signs         # 14o
+        fnms    $s2_10,$cx_4,$dx+2,$limit_4             # 15e
+        shufb   $signs_low,$s2_2,$s3_4,$m_signs         # 15o
 
-        fnms    $s+1,$cx_4,$dx+1,$limit_4               # 15e
-        shufb   $cz_6,$quad_4,$quad_4,$m_z              # 15o
+        fnms    $s+1,$cx_4,$dx+1,$limit_4               # 16e
+        shufb   $cz_6,$quad_4,$quad_4,$m_z              # 16o
 
-        fnms    $s,$cx_4,$dx,$limit_4                   # 16e
-        shufb   $signs_6,$s_8,$s1_5,$m_signs            # 16o
+        fnms    $s,$cx_4,$dx,$limit_4                   # 17e
+        shufb   $signs_6,$s_8,$s1_5,$m_signs            # 17o
 
-        fnms    $s3_4,$cx_4,$dx3_2,$limit_4             # 17e
-        shufb   $signs_low_3,$s+2,$s+3,$m_signs         # 17o
+        fnms    $s3_4,$cx_4,$dx3_2,$limit_4             # 18e
+        shufb   $signs_low_3,$s+2,$s+3,$m_signs         # 18o
 
-        fnms    $s+2,$cx_5,$dx+2,$limit_5               # 18e
-        shufb   $signs,$s_7,$s1_2,$m_signs              # 18o
+        fnms    $s+2,$cx_5,$dx+2,$limit_5               # 19e
+        shufb   $signs,$s_7,$s1_2,$m_signs              # 19o
 
-        fnms    $s_5,$cx_5,$dx,$limit_5                 # 19e
-        rotqbii $signs_8,$signs_5,1                     # 19o signs to the bytes' last bits
+        fnms    $s_5,$cx_5,$dx,$limit_5                 # 20e
+        rotqbii $signs_8,$signs_5,1                     # 20o signs to the bytes' last bits
 
-        fnms    $s3_2,$cy_3,$dy+3,$s3_2                 # 20e
-        shufb   $signs_7,$signs_6,$signs_low,$m_halves  # 20o
+        fnms    $s3_2,$cy_3,$dy+3,$s3_2                 # 21e
+        shufb   $signs_7,$signs_6,$signs_low,$m_halves  # 21o
 
-        fnms    $s3_3,$cx_5,$dx3_2,$limit_5             # 21e
-        hbr     filter_spheres_r16_return,$lr           # 21o hint
+        fnms    $s3_3,$cx_5,$dx3_2,$limit_5             # 22e
+        hbr     filter_spheres_r16_return,$lr           # 22o hint
 
-        fnms    $s_3,$cy_3,$dy,$s_3                     # 22e
-        shufb   $signs,$signs,$signs_low_3,$m_halves    # 22o
+        fnms    $s_3,$cy_3,$dy,$s_3                     # 23e
+        shufb   $signs,$signs,$signs_low_3,$m_halves    # 23o
 
-        fnms    $s1_7,$cy_3,$dy1_2,$s1_9                # 23e
-        gbb     $signs_8,$signs_8                       # 23o
+        fnms    $s1_7,$cy_3,$dy1_2,$s1_9                # 24e
+        gbb     $signs_8,$signs_8                       # 24o
 
-        fnms    $s2_5,$cy_3,$dy2_3,$s2_9                # 24e
-        rotqbii $signs_7,$signs_7,1                     # 24o signs to the bytes' last bits
+        fnms    $s2_5,$cy_3,$dy2_3,$s2_9                # 25e
+        rotqbii $signs_7,$signs_7,1                     # 25o signs to the bytes' last bits
 
-        fnms    $s1_4,$cx_5,$dx+1,$limit_5              # 25e
-        shlqbii $offset_3,$found_3,4                    # 25o
+        fnms    $s1_4,$cx_5,$dx+1,$limit_5              # 26e
+        shlqbii $offset_3,$found_2,4                    # 26o
 
-        fnms    $s+3,$cy_2,$dy+3,$s3_6                  # 26e
-        rotqbii $signs,$signs,1                         # 26o signs to the bytes' last bits
+        fnms    $s+3,$cy_2,$dy+3,$s3_6                  # 27e
+        rotqbii $signs,$signs,1                         # 27o signs to the bytes' last bits
 
-        fnms    $s_2,$cy_2,$dy,$s_2                     # 27e
-        stqx    $pair,$a_pairs,$offset_2                # 27o
+        fnms    $s_2,$cy_2,$dy,$s_2                     # 28e
+        shufb   $pair,$a_sphere,$place_3,$m_pair        # 28o
 
-        fnms    $s1_2,$cy_2,$dy1_2,$s1_10               # 28e
-        gbb     $signs_7,$signs_7                       # 28o
+        fnms    $s1_2,$cy_2,$dy1_2,$s1_10               # 29e
+        gbb     $signs_7,$signs_7                       # 29o
 
-        fnms    $s2_8,$cy_2,$dy2_3,$s2_8                # 29e
-        shufb   $pair,$a_sphere,$place_3,$m_pair        # 29o
+        fnms    $s2_8,$cy_2,$dy2_3,$s2_8                # 30e
+        stqx    $pair_2,$a_pairs,$offset_3              # 30o
 
-        fnms    $s+1,$cy_6,$dy1_2,$s+1                  # 30e
-        gbb     $signs,$signs                           # 30o
+        fnms    $s+1,$cy_6,$dy1_2,$s+1                  # 31e
+        gbb     $signs,$signs                           # 31o
 
-        fnms    $s2_2,$cy_6,$dy2_3,$s2_10               # 31e
-        stqx    $pair_2,$a_pairs,$offset_3              # 31o
-
-        fnms    $s,$cy_6,$dy,$s                         # 32e
+        fnms    $s2_2,$cy_6,$dy2_3,$s2_10               # 32e
         shufb   $pair_2,$a_sphere_2,$place_3,$m_pair    # 32o
 
-        fnms    $s3_4,$cy_6,$dy+3,$s3_4                 # 33e
+        fnms    $s,$cy_6,$dy,$s                         # 33e
         shufb   $pair_5,$a_sphere_3,$place_3,$m_pair    # 33o
 
-        fnms    $s_5,$cy_5,$dy,$s_5                     # 34e
+        fnms    $s3_4,$cy_6,$dy+3,$s3_4                 # 34e
         shufb   $pair_6,$a_sphere_5,$place_3,$m_pair    # 34o
 
-        fnms    $s3_2,$cz_2,$dz+3,$s3_2                 # 35e
-        fnms    $s_3,$cz_2,$dz_3,$s_3                   # 36e
+        fnms    $s_5,$cy_5,$dy,$s_5                     # 35e
+        fnms    $s3_2,$cz_2,$dz+3,$s3_2                 # 36e
 
-        fnms    $s+2,$cy_5,$dy2_3,$s+2                  # 37e
-        fnms    $s1_7,$cz_2,$dz1_2,$s1_7                # 38e
+        fnms    $s_3,$cz_2,$dz_3,$s_3                   # 37e
+        fnms    $s+2,$cy_5,$dy2_3,$s+2                  # 38e
 
-        fnms    $s2_5,$cz_2,$dz+2,$s2_5                 # 39e
-        fnms    $s3_7,$cy_5,$dy+3,$s3_3                 # 40e
+        fnms    $s1_7,$cz_2,$dz1_2,$s1_7                # 39e
+        fnms    $s2_5,$cz_2,$dz+2,$s2_5                 # 40e
 
-        fnms    $s1_9,$cy_5,$dy1_2,$s1_4                # 41e
-        fnms    $s_2,$cz_3,$dz_3,$s_2                   # 42e
+        fnms    $s3_7,$cy_5,$dy+3,$s3_3                 # 41e
+        fnms    $s1_9,$cy_5,$dy1_2,$s1_4                # 42e
 
-        fnms    $s1_2,$cz_3,$dz1_2,$s1_2                # 43e
-        lnop                                            # 43o pairing
+        fnms    $s_2,$cz_3,$dz_3,$s_2                   # 43e
+        fnms    $s1_2,$cz_3,$dz1_2,$s1_2                # 44e
 
-        fnms    $s+3,$cz_3,$dz+3,$s+3                   # 44e
-        shufb   $signs_10,$s_3,$s1_7,$m_signs           # 44o
+        fnms    $s+3,$cz_3,$dz+3,$s+3                   # 45e
+        shufb   $signs_10,$s_3,$s1_7,$m_signs           # 45o
 
-        fnms    $s2_8,$cz_3,$dz+2,$s2_8                 # 45e
-        shufb   $signs_low_4,$s2_5,$s3_2,$m_signs       # 45o
+        fnms    $s2_8,$cz_3,$dz+2,$s2_8                 # 46e
+        shufb   $signs_low_4,$s2_5,$s3_2,$m_signs       # 46o
 
-        fnms    $s2_2,$cz_4,$dz+2,$s2_2                 # 46e
-        fnms    $s_8,$cz_4,$dz_3,$s                     # 47e
+        fnms    $s2_2,$cz_4,$dz+2,$s2_2                 # 47e
+        fnms    $s_8,$cz_4,$dz_3,$s                     # 48e
 
-        fnms    $s3_4,$cz_4,$dz+3,$s3_4                 # 48e
-        lnop                                            # 48o pairing
+        fnms    $s3_4,$cz_4,$dz+3,$s3_4                 # 49e
+        lnop                                            # 49o pairing
 
-        fnms    $s1_11,$cz_4,$dz1_2,$s+1                # 49e
-        shufb   $signs_9,$s_2,$s1_2,$m_signs            # 49o
+        fnms    $s1_11,$cz_4,$dz1_2,$s+1                # 50e
+        shufb   $signs_9,$s_2,$s1_2,$m_signs            # 50o
 
-        fnms    $s_7,$cz_6,$dz_3,$s_5                   # 50e
-        shufb   $signs_10,$signs_10,$signs_low_4,$m_halves # 50o
+        fnms    $s_7,$cz_6,$dz_3,$s_5                   # 51e
+        shufb   $signs_10,$signs_10,$signs_low_4,$m_halves # 51o
 
-        fnms    $s3_7,$cz_6,$dz+3,$s3_7                 # 51e
-        shufb   $signs_low_5,$s2_8,$s+3,$m_signs        # 51o
+        fnms    $s3_7,$cz_6,$dz+3,$s3_7                 # 52e
+        shufb   $signs_low_5,$s2_8,$s+3,$m_signs        # 52o
 
-        fnms    $s+2,$cz_6,$dz+2,$s+2                   # 52e
-        fnms    $s1_9,$cz_6,$dz1_2,$s1_9                # 53e
+        fnms    $s+2,$cz_6,$dz+2,$s+2                   # 53e
+        fnms    $s1_9,$cz_6,$dz1_2,$s1_9                # 54e
 
-        cg      $any_4,$signs_8,$k_all                  # 54e 1 if any, else 0
-        shufb   $signs_low_6,$s2_2,$s3_4,$m_signs       # 54o
+        cg      $any_4,$signs_8,$k_all                  # 55e 1 if any, else 0
+        shufb   $signs_low_6,$s2_2,$s3_4,$m_signs       # 55o
 
-        cg      $any_2,$signs_7,$k_all                  # 55e 1 if any, else 0
-        shufb   $signs_6,$s_8,$s1_11,$m_signs           # 55o
+        cg      $any_2,$signs_7,$k_all                  # 56e 1 if any, else 0
+        shufb   $signs_6,$s_8,$s1_11,$m_signs           # 56o
 
-        a       $found_3,$found_3,$any_4                # 56e
-        shufb   $signs_5,$signs_9,$signs_low_5,$m_halves # 56o
+        a       $found_2,$found_2,$any_4                # 57e
+        shufb   $signs_5,$signs_9,$signs_low_5,$m_halves # 57o
 
-        cg      $any,$signs,$k_all                      # 57e 1 if any, else 0
-        rotqbii $signs,$signs_10,1                      # 57o signs to the bytes' last bits
+        cg      $any,$signs,$k_all                      # 58e 1 if any, else 0
+        rotqbii $signs,$signs_10,1                      # 58o signs to the bytes' last bits
 
-        a       $found_2,$found_3,$any_2                # 58e
-        shufb   $signs_low_3,$s+2,$s3_7,$m_signs        # 58o
+        a       $found_3,$found_2,$any_2                # 59e
+        shufb   $signs_low_3,$s+2,$s3_7,$m_signs        # 59o
 
-        nop     $127                                    # 59e pairing
-        shufb   $signs_11,$s_7,$s1_9,$m_signs           # 59o
+        nop     $127                                    # 60e pairing
+        shufb   $signs_11,$s_7,$s1_9,$m_signs           # 60o
 
-        a       $found,$found_2,$any                    # 60e
-        shufb   $signs_7,$signs_6,$signs_low_6,$m_halves # 60o
+        a       $found,$found_3,$any                    # 61e
+        shufb   $signs_7,$signs_6,$signs_low_6,$m_halves # 61o
 
-        rotqbii $signs_8,$signs_5,1                     # 61o signs to the bytes' last bits
-        gbb     $signs,$signs                           # 62o
+        rotqbii $signs_8,$signs_5,1                     # 62o signs to the bytes' last bits
+        gbb     $signs,$signs                           # 63o
 
-        shufb   $signs_11,$signs_11,$signs_low_3,$m_halves # 63o
-        rotqbii $signs_7,$signs_7,1                     # 64o signs to the bytes' last bits
+        shufb   $signs_11,$signs_11,$signs_low_3,$m_halves # 64o
+        rotqbii $signs_7,$signs_7,1                     # 65o signs to the bytes' last bits
 
-        nop     $127                                    # 65e pairing
-        gbb     $signs_8,$signs_8                       # 65o
+        nop     $127                                    # 66e pairing
+        gbb     $signs_8,$signs_8                       # 66o
 
-        cg      $any,$signs,$k_all                      # 66e 1 if any, else 0
-        shlqbii $offset_4,$found_3,4                    # 66o
+        cg      $any,$signs,$k_all                      # 67e 1 if any, else 0
+        shlqbii $offset_4,$found_2,4                    # 67o
 
-        nop     $127                                    # 67e pairing
-        rotqbii $signs,$signs_11,1                      # 67o signs to the bytes' last bits
+        nop     $127                                    # 68e pairing
+        rotqbii $signs,$signs_11,1                      # 68o signs to the bytes' last bits
 
-        a       $found_3,$found,$any                    # 68e
-        gbb     $signs_7,$signs_7                       # 68o
+        a       $found_2,$found,$any                    # 69e
+        gbb     $signs_7,$signs_7                       # 69o
 
-        cg      $any_3,$signs_8,$k_all                  # 69e 1 if any, else 0
-        shlqbii $offset_5,$found_2,4                    # 69o
+        cg      $any_3,$signs_8,$k_all                  # 70e 1 if any, else 0
+        shlqbii $offset_5,$found_3,4                    # 70o
 
-        nop     $127                                    # 70e pairing
-        shlqbii $offset_2,$found,4                      # 70o
+        nop     $127                                    # 71e pairing
+        shlqbii $offset_6,$found,4                      # 71o
 
-        a       $found_4,$found_3,$any_3                # 71e
-        gbb     $signs,$signs                           # 71o
+        a       $found_4,$found_2,$any_3                # 72e
+        gbb     $signs,$signs                           # 72o
 
-        cg      $any_2,$signs_7,$k_all                  # 72e 1 if any, else 0
-        shlqbii $offset_3,$found_3,4                    # 72o
+        cg      $any_2,$signs_7,$k_all                  # 73e 1 if any, else 0
+        shlqbii $offset_3,$found_2,4                    # 73o
 
-        nop     $127                                    # 73e pairing
-        stqx    $pair_3,$a_pairs,$offset_4              # 73o
+        nop     $127                                    # 74e pairing
+        stqx    $pair_3,$a_pairs,$offset_4              # 74o
 
-        a       $found_3,$found_4,$any_2                # 74e
-        shlqbii $offset_4,$found_4,4                    # 74o
+        a       $found_2,$found_4,$any_2                # 75e
+        shlqbii $offset_4,$found_4,4                    # 75o
 
-        cg      $any,$signs,$k_all                      # 75e 1 if any, else 0
-        stqx    $pair_4,$a_pairs,$offset_5              # 75o
+        cg      $any,$signs,$k_all                      # 76e 1 if any, else 0
+        stqx    $pair_4,$a_pairs,$offset_5              # 76o
 
-        nop     $127                                    # 76e pairing
-        shlqbii $offset_5,$found_3,4                    # 76o
+        nop     $127                                    # 77e pairing
+        shlqbii $offset_5,$found_2,4                    # 77o
 
-        a       $found,$found_3,$any                    # 77e
-        stqx    $pair,$a_pairs,$offset_2                # 77o
+        a       $found,$found_2,$any                    # 78e
+        stqx    $pair,$a_pairs,$offset_6                # 78o
 
-        nop     $127                                    # 78e pairing
-        stqx    $pair_2,$a_pairs,$offset_3              # 78o
+        nop     $127                                    # 79e pairing
+        stqx    $pair_2,$a_pairs,$offset_3              # 79o
 
-        shli    $found,$found,4                         # 79e
-        stqx    $pair_5,$a_pairs,$offset_4              # 79o
+        shli    $found,$found,4                         # 80e
+        stqx    $pair_5,$a_pairs,$offset_4              # 80o
 
-        nop     $127                                    # 80e pairing
-        stqx    $pair_6,$a_pairs,$offset_5              # 80o
+        nop     $127                                    # 81e pairing
+        stqx    $pair_6,$a_pairs,$offset_5              # 81o
 
-        a       $a_place,$a_pairs,$found                # 83e
+        a       $a_place,$a_pairs,$found                # 84e
 filter_spheres_r16_return:
-        bi      $lr                                     # 83o
+        bi      $lr                                     # 84o
 
 next_four_short:
         ai      $a_sphere,$a_four,0                     # 0e
@@ -1028,7 +1026,7 @@ next_four_short:
         shufb   $pair_7,$a_sphere,$place,$m_pair        # 37o
 
         fnms    $s2_12,$cy_9,$dy2_4,$s2_12              # 38e
-        shlqbii $offset_6,$found,4                      # 38o
+        shlqbii $offset_7,$found,4                      # 38o
 
         fnms    $s3_9,$cy_9,$dy3_2,$s3_9                # 39e
         shufb   $pair_5,$a_sphere_6,$place,$m_pair      # 39o
@@ -1040,7 +1038,7 @@ next_four_short:
         shufb   $pair_9,$a_sphere_8,$place,$m_pair      # 41o
 
         fnms    $s+2,$cz_7,$dz2_3,$s+2                  # 42e
-        stqx    $pair_7,$a_pairs,$offset_6              # 42o
+        stqx    $pair_7,$a_pairs,$offset_7              # 42o
 
         fnms    $s+3,$cz_7,$dz3_3,$s+3                  # 43e
         fnms    $s_10,$cx_7,$dx_2,$limit_7              # 44e
@@ -1126,11 +1124,11 @@ next_four_short:
         a       $found_5,$found,$any_5                  # 80e
         shlqbii $offset,$found,4                        # 80o
 
-        shlqbii $offset_7,$found_5,4                    # 82o
+        shlqbii $offset_8,$found_5,4                    # 82o
         gbb     $signs,$signs                           # 83o
 
         stqx    $pair_8,$a_pairs,$offset                # 84o
-        stqx    $pair_9,$a_pairs,$offset_7              # 86o
+        stqx    $pair_9,$a_pairs,$offset_8              # 86o
 
         cg      $any,$signs,$k_all                      # 87e 1 if any, else 0
         lnop                                            # 87o pairing

@@ -43,13 +43,25 @@
 function frustum_spheres
         .set    count_2,79
         .set    a_sphere_2,2
-        .set    more_2,6
-        .set    s_2,7
-        .set    quad_2,8
-        .set    cz_2,9
-        .set    s_3,6
-        .set    s_4,5
         .set    a_sphere_3,6
+        .set    quad_2,7
+        .set    more_2,8
+        .set    quad_3,9
+        .set    more_3,17
+        .set    s_2,18
+        .set    cx_2,19
+        .set    s_3,8
+        .set    cy_2,21
+        .set    a_sphere_4,19
+        .set    cz_2,22
+        .set    cx_3,7
+        .set    s_4,17
+        .set    a_sphere_5,18
+        .set    cz_3,19
+        .set    s_5,7
+        .set    s_6,22
+        .set    cz_4,9
+        .set    a_sphere_6,17
         ilhu    $m_x,1                                  # 0e
         lqd     $nx,0($a_frustum)                       # 0o
 
@@ -71,105 +83,186 @@ function frustum_spheres
         ori     $a_frustum,$a_list,0                    # 8e
         biz     $count,$lr                              # 8o
 
-        clgti   $count_2,$count,2                       # 9e at least as many passes as overlap
+        clgti   $count_2,$count,4                       # 9e at least as many passes as overlap
         brz     $count_2,next_sphere_short              # 11o too few passes
 
-        ai      $count,$count,-1                        # 12e
-        lqd     $more,16($a_sphere)                     # 12o
+        ai      $a_sphere_2,$a_sphere,48                # 12e
+        lqd     $quad,0($a_sphere)                      # 12o
 
-        nop     $127                                    # 13e pairing
-        lqd     $quad,0($a_sphere)                      # 13o
+        ai      $count,$count,-1                        # 13e
+        lqd     $more,16($a_sphere)                     # 13o
 
-        ai      $count,$count,-1                        # 14e
-        shlqbyi $a_sphere_2,$a_sphere,0                 # 14o copy
+        ai      $a_sphere_3,$a_sphere_2,48              # 14e
+        lqd     $quad_2,0($a_sphere_2)                  # 14o
 
-        ai      $a_sphere,$a_sphere,48                  # 15e
-        hbrr    next_sphere_back,next_sphere            # 15o hint
+        ai      $count,$count,-1                        # 15e
+        lqd     $more_2,16($a_sphere_2)                 # 15o
 
-        lqd     $more_2,16($a_sphere)                   # 17o
-        shufb   $s_2,$more,$more,$m_reach               # 18o
+        nop     $127                                    # 16e pairing
+        lqd     $quad_3,0($a_sphere_3)                  # 16o
 
-        shufb   $cx,$quad,$quad,$m_x                    # 19o
+        ai      $count,$count,-1                        # 17e
+        lqd     $more_3,16($a_sphere_3)                 # 17o
+
+        nop     $127                                    # 18e pairing
+        shufb   $cx,$quad,$quad,$m_x                    # 18o
+
+        ai      $count,$count,-1                        # 19e
+        shufb   $s_2,$more,$more,$m_reach               # 19o
+
         shufb   $cy,$quad,$quad,$m_y                    # 20o
+        shufb   $cx_2,$quad_2,$quad_2,$m_x              # 21o
 
-        lqd     $quad_2,0($a_sphere)                    # 21o
-        shufb   $cz_2,$quad,$quad,$m_z                  # 22o
+        nop     $127                                    # 22e pairing
+        shufb   $s_3,$more_2,$more_2,$m_reach           # 22o
 
         fma     $s_2,$cx,$nx,$s_2                       # 23e
-        shufb   $s_3,$more_2,$more_2,$m_reach           # 23o
+        shufb   $cz,$quad,$quad,$m_z                    # 23o
 
-        shufb   $cx,$quad_2,$quad_2,$m_x                # 27o
-        shufb   $cz,$quad_2,$quad_2,$m_z                # 28o
+        shufb   $cy_2,$quad_2,$quad_2,$m_y              # 24o
+        hbrr    next_sphere_back,next_sphere            # 25o hint
+
+        fma     $s_3,$cx_2,$nx,$s_3                     # 26e
+        shlqbyi $a_sphere_4,$a_sphere,0                 # 26o copy
+
+        ori     $cz_2,$cz,0                             # 27e copy
+        shufb   $cz,$quad_2,$quad_2,$m_z                # 27o
+
+        ai      $a_sphere,$a_sphere_3,48                # 28e
+        shufb   $cx_3,$quad_3,$quad_3,$m_x              # 28o
 
         fma     $s,$cy,$ny,$s_2                         # 29e
-        shufb   $cy,$quad_2,$quad_2,$m_y                # 29o
+        shufb   $s_4,$more_3,$more_3,$m_reach           # 29o
 
-        fma     $s_3,$cx,$nx,$s_3                       # 31e
-        fma     $s,$cz_2,$nz,$s                         # 35e
+        ori     $a_sphere_5,$a_sphere_4,0               # 30e copy
+        shlqbyi $a_sphere_2,$a_sphere_2,0               # 30o copy
+
+        ori     $cz_3,$cz,0                             # 31e copy
+        lqd     $quad,0($a_sphere)                      # 31o
+
+        fma     $s_3,$cy_2,$ny,$s_3                     # 32e
+        lqd     $more,16($a_sphere)                     # 32o
+
+        ori     $a_sphere_5,$a_sphere_5,0               # 33e copy
+        shufb   $cz,$quad_3,$quad_3,$m_z                # 33o
+
+        fma     $s_5,$cx_3,$nx,$s_4                     # 34e
+        shlqbyi $a_sphere_3,$a_sphere_3,0               # 34o copy
+
+        fma     $s_6,$cz_2,$nz,$s                       # 35e
+        stqd    $a_sphere_5,0($a_frustum)               # 35o
+
+        ori     $a_sphere_2,$a_sphere_2,0               # 36e copy
+        shufb   $cy,$quad_3,$quad_3,$m_y                # 36o
+
+        ori     $cz_4,$cz,0                             # 37e copy
+        fma     $s_3,$cz_3,$nz,$s_3                     # 38e
+
+        ori     $a_sphere_6,$a_sphere_2,0               # 39e copy
+        rotqbii $outside,$s_6,1                         # 41o signs to the words' last bits
+
+        nop     $127                                    # 42e pairing
+        gb      $outside,$outside                       # 45o
 
 next_sphere:
-        ai      $count,$count,-1                        # 0e
-            stqd    $a_sphere_2,0($a_frustum)           # 0o
+            ori     $a_sphere_2,$a_sphere_3,0           # 0e copy
+            shlqbyi $a_sphere_3,$a_sphere,0             # 0o copy
 
-            nop     $127                                # 1e pairing
-            shlqbyi $a_sphere_2,$a_sphere,0             # 1o copy
+            fma     $s,$cy,$ny,$s_5                     # 1e
+            shufb   $cx,$quad,$quad,$m_x                # 1o
 
-            ai      $a_sphere,$a_sphere,48              # 2e
-            rotqbii $outside,$s,1                       # 2o signs to the words' last bits
+            ceqi    $step,$outside,0                    # 2e
+            shufb   $s_5,$more,$more,$m_reach           # 2o
 
-        nop     $127                                    # 3e pairing
-        lqd     $more,16($a_sphere)                     # 4o
+            ai      $a_sphere,$a_sphere,48              # 3e
+            rotqbii $outside,$s_3,1                     # 3o signs to the words' last bits
 
-            fma     $s,$cy,$ny,$s_3                     # 5e
-        lqd     $quad,0($a_sphere)                      # 5o
+            andi    $step,$step,16                      # 4e
+            shufb   $cy,$quad,$quad,$m_y                # 4o
 
-            nop     $127                                # 6e pairing
-            gb      $outside,$outside                   # 6o
+        ai      $count,$count,-1                        # 5e
+            shufb   $cz,$quad,$quad,$m_z                # 5o
 
-            ceqi    $step,$outside,0                    # 10e
-        shufb   $s_3,$more,$more,$m_reach               # 10o
+            fma     $s_5,$cx,$nx,$s_5                   # 6e
+        lqd     $quad,0($a_sphere)                      # 6o
 
-            fma     $s,$cz,$nz,$s                       # 11e
-        shufb   $cx,$quad,$quad,$m_x                    # 11o
+            a       $a_frustum,$a_frustum,$step         # 7e
+        lqd     $more,16($a_sphere)                     # 7o
 
-            andi    $step,$step,16                      # 12e
-        shufb   $cz,$quad,$quad,$m_z                    # 12o
+            fma     $s_3,$cz_4,$nz,$s                   # 8e
+            gb      $outside,$outside                   # 8o
 
-        shufb   $cy,$quad,$quad,$m_y                    # 13o
-            a       $a_frustum,$a_frustum,$step         # 14e
+            ori     $cz_4,$cz,0                         # 9e copy
+            stqd    $a_sphere_6,0($a_frustum)           # 9o
 
-        fma     $s_3,$cx,$nx,$s_3                       # 15e
+            ori     $a_sphere_6,$a_sphere_2,0           # 10e copy
 next_sphere_back:
-        brnz    $count,next_sphere                      # 15o
+        brnz    $count,next_sphere                      # 10o
 
 next_sphere_drain:
-        fma     $s_4,$cy,$ny,$s_3                       # 0e
-        rotqbii $outside,$s,1                           # 0o signs to the words' last bits
+        fma     $s,$cy,$ny,$s_5                         # 0e
+        shufb   $cx,$quad,$quad,$m_x                    # 0o
 
-        ai      $a_sphere_3,$a_sphere,48                # 1e
-        hbr     frustum_spheres_return,$lr              # 1o hint
+        ceqi    $step,$outside,0                        # 1e
+        shufb   $s_5,$more,$more,$m_reach               # 1o
 
-        shlqbyi $a_sphere,$a_sphere,0                   # 2o copy
-        stqd    $a_sphere_2,0($a_frustum)               # 3o
+        ori     $a_sphere_2,$a_sphere_3,0               # 2e copy
+        shufb   $cy,$quad,$quad,$m_y                    # 2o
 
-        gb      $outside,$outside                       # 4o
-        fma     $s,$cz,$nz,$s_4                         # 6e
+        andi    $step,$step,16                          # 3e
+        shufb   $cz,$quad,$quad,$m_z                    # 3o
 
-        ceqi    $step,$outside,0                        # 8e
-        andi    $step,$step,16                          # 10e
+        ori     $a_sphere_2,$a_sphere_2,0               # 4e copy
+        rotqbii $outside,$s_3,1                         # 4o signs to the words' last bits
 
-        a       $a_frustum,$a_frustum,$step             # 12e
-        rotqbii $outside,$s,1                           # 12o signs to the words' last bits
+        fma     $s_5,$cx,$nx,$s_5                       # 5e
+        hbr     frustum_spheres_return,$lr              # 5o hint
 
-        stqd    $a_sphere,0($a_frustum)                 # 14o
+        fma     $s_3,$cz_4,$nz,$s                       # 6e
+        shlqbyi $a_sphere_3,$a_sphere,0                 # 6o copy
+
+        ori     $cz_4,$cz,0                             # 7e copy
+        lnop                                            # 7o pairing
+
+        a       $a_frustum,$a_frustum,$step             # 8e
+        gb      $outside,$outside                       # 8o
+
+        ai      $a_sphere,$a_sphere,48                  # 9e
+        lnop                                            # 9o pairing
+
+        ori     $a_sphere,$a_sphere_3,0                 # 10e copy
+        stqd    $a_sphere_6,0($a_frustum)               # 10o
+
+        fma     $s,$cy,$ny,$s_5                         # 11e
+        lnop                                            # 11o pairing
+
+        ceqi    $step,$outside,0                        # 12e
+        rotqbii $outside,$s_3,1                         # 12o signs to the words' last bits
+
+        ori     $a_sphere_6,$a_sphere,0                 # 13e copy
+        andi    $step,$step,16                          # 14e
+
+        a       $a_frustum,$a_frustum,$step             # 16e
         gb      $outside,$outside                       # 16o
+
+        fma     $s_3,$cz_4,$nz,$s                       # 17e
+        stqd    $a_sphere_2,0($a_frustum)               # 18o
 
         ceqi    $step,$outside,0                        # 20e
         andi    $step,$step,16                          # 22e
 
+        rotqbii $outside,$s_3,1                         # 23o signs to the words' last bits
         a       $a_frustum,$a_frustum,$step             # 24e
+
+        stqd    $a_sphere_6,0($a_frustum)               # 26o
+        gb      $outside,$outside                       # 27o
+
+        ceqi    $step,$outside,0                        # 31e
+        andi    $step,$step,16                          # 33e
+
+        a       $a_frustum,$a_frustum,$step             # 35e
 frustum_spheres_return:
-        bi      $lr                                     # 24o
+        bi      $lr                                     # 35o
 
 next_sphere_short:
         ai      $count,$count,-1                        # 0e

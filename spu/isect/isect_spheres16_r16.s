@@ -836,30 +836,27 @@ next_ball_drain:
         shufb   $nearest+2,$nearest+2,$object_2,$merge_3 # 62o
 
         xor     $t_best+2,$t_best+2,$m_sign             # 63e
-        stqd    $t_best+1,400($a_rays)                  # 63o
-
-        nop     $127                                    # 64e pairing
-        stqd    $nearest+1,464($a_rays)                 # 64o
-
         cgt     $hit_4,$t_best,$t_5                     # 65e
-        stqd    $t_best+2,416($a_rays)                  # 65o
-
-        nop     $127                                    # 66e pairing
-        stqd    $nearest+2,480($a_rays)                 # 66o
 
         andc    $hit,$hit_4,$disc                       # 67e
-        stqd    $t_best+3,432($a_rays)                  # 67o
-
-        stqd    $nearest+3,496($a_rays)                 # 68o
         rotqbii $hit,$hit,1                             # 69o
 
         gb      $hit,$hit                               # 73o
         shlqbii $hit,$hit,4                             # 77o
 
         lqx     $merge,$a_merges,$hit                   # 81o
-        shufb   $t_best,$t_best,$t_5,$merge             # 87o
+        stqd    $t_best+1,400($a_rays)                  # 82o
 
+        stqd    $nearest+1,464($a_rays)                 # 83o
+        stqd    $t_best+2,416($a_rays)                  # 84o
+
+        stqd    $nearest+2,480($a_rays)                 # 85o
+        stqd    $t_best+3,432($a_rays)                  # 86o
+
+        shufb   $t_best,$t_best,$t_5,$merge             # 87o
         shufb   $nearest,$nearest,$object_2,$merge      # 88o
+
+        stqd    $nearest+3,496($a_rays)                 # 89o
         xor     $t_best,$t_best,$m_sign                 # 91e
 
         stqd    $nearest,448($a_rays)                   # 92o

@@ -26,6 +26,10 @@ pairs:                                  # with further ones; without skipping, a
         .global active
 active:                                 # spheres of the tile's frustum
         .skip   (MAX_SPHERES+1)*PAIR_SIZE
+named:                                  # masks for a list
+        .skip   16
+named_again:
+        .skip   16
 masks:                                  # packets that each of them may be seen from, a word a group
         .skip   MAX_SPHERES*16
     .if TILE_GROUPS != 4 || TILE_HEIGHT != GROUP_SIDE
@@ -143,7 +147,6 @@ next_group_places:
         bi      $lr
 endfunction places_prepare
 
-        .set    mask,3
         .set    columns,20
         .set    rows,21
         .set    limit,22
@@ -348,17 +351,14 @@ full_\group:
     .endr
 filled:
         ila     $6,places
-    .irp group, 0,1,2,3
-        rotqbyi $mask,$g_seen,4*\group
-        brz     $mask,none_\group
-        ila     $4,tile_places+\group*GROUP_PACKETS*PLACE_SIZE
+        stqa    $g_seen,named
+        ila     $3,named
+        ila     $4,tile_places
         ila     $5,origin
-        brsl    $lr,list_places_p16
-        ori     $6,$3,0
-none_\group:
-    .endr
+        ila     $6,places
+        brsl    $lr,list_places_p64
         ila     $g_places,places
-        sf      $g_places,$g_places,$6
+        sf      $g_places,$g_places,$3
         rotmi   $g_places,$g_places,-PLACE_SIZE_LOG2
         leave
 endfunction seen_places
@@ -380,49 +380,38 @@ next_object:
         brz     $bits,room
         brsl    $lr,pairs_test
 room:
-    .irp group, 0,1,2,3
         lqd     $bits,0($g_mask)
         and     $bits,$bits,$g_inside
-        andc    $mask,$bits,$g_touched
-        rotqbyi $mask,$mask,4*\group
-        brz     $mask,no_first_\group
-        ila     $4,tile_places+\group*GROUP_PACKETS*PLACE_SIZE
-        brsl    $lr,object_of_mask
-        ori     $6,$g_first_end,0
-        brsl    $lr,list_pairs_p16
-        ori     $g_first_end,$3,0
-no_first_\group:
-        lqd     $bits,0($g_mask)
-        and     $bits,$bits,$g_inside
-        and     $mask,$bits,$g_touched
-        rotqbyi $mask,$mask,4*\group
-        brz     $mask,not_again_\group
-        ila     $4,tile_places+\group*GROUP_PACKETS*PLACE_SIZE
-        brsl    $lr,object_of_mask
-        ori     $6,$g_again_end,0
-        brsl    $lr,list_pairs_p16
-        ori     $g_again_end,$3,0
-not_again_\group:
-    .endr
-        lqd     $bits,0($g_mask)
-        and     $bits,$bits,$g_inside
+        and     $again,$bits,$g_touched
+        andc    $bits,$bits,$g_touched
+        stqa    $bits,named
+        stqa    $again,named_again
         or      $g_touched,$g_touched,$bits
+        orx     $again,$again
+        ila     $3,named
+        ila     $4,tile_places
+        ila     $5,masks-active
+        sf      $5,$5,$g_mask
+        lqd     $5,0($5)
+        ori     $6,$g_first_end,0
+        brnz    $again,both
+        brsl    $lr,list_pairs_p64
+        ori     $g_first_end,$3,0
+listed:
         ai      $g_mask,$g_mask,16
         ai      $g_left,$g_left,-1
         brnz    $g_left,next_object
         brsl    $lr,pairs_test
         leave
+both:
+        brsl    $lr,list_pairs_p64
+        ori     $g_first_end,$3,0
+        ila     $3,named_again
+        ori     $6,$g_again_end,0
+        brsl    $lr,list_pairs_p64
+        ori     $g_again_end,$3,0
+        br      listed
 endfunction seen_pairs
-
-# object_of_mask   the sphere whose masks are at g_mask
-#   Out     $5
-#   Uses    $5
-function object_of_mask
-        ila     $5,masks-active
-        sf      $5,$5,$g_mask
-        lqd     $5,0($5)
-        bi      $lr
-endfunction object_of_mask
 
 # pairs_test   looks for hits in the pairs of first spheres, then in those of further ones that are not
 # hidden

@@ -41,16 +41,15 @@ next_unit:
         clgt    $bad,$g_units,$g_unit_next
         brz     $bad,all_traced
         ori     $g_unit,$g_unit_next,0
-        il      $3,1<<TAG_UNIT
+        # The costs that stood in this buffer two units ago must have gone, too.
+        il      $3,1<<TAG_COST
+        shl     $3,$3,$g_turn
+        ori     $3,$3,1<<TAG_UNIT
         brsl    $lr,dma_wait
         shli    $a_unit,$g_turn,UNIT_SIZE_LOG2
         ila     $g_a_unit,units
         a       $g_a_unit,$g_a_unit,$a_unit
         xori    $g_turn,$g_turn,1
-        # The other buffer's costs must have gone before the next unit's come into it.
-        il      $3,1<<TAG_COST
-        shl     $3,$3,$g_turn
-        brsl    $lr,dma_wait
         brsl    $lr,unit_next
         brsl    $lr,unit_request
 

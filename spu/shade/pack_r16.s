@@ -280,11 +280,11 @@ next_packet_drain:
         stqd    $pixels,0($a_row_4)                     # 12o
 
         stqd    $pixels_7,0($a_row)                     # 13o
-        stqd    $pixels_6,0($a_row_5)                   # 14o
-
         stqd    $pixels_4,0($a_row_3)                   # 15o
+
+        stqd    $pixels_6,0($a_row_5)                   # 16o
 pack_r16_return:
-        bi      $lr                                     # 16o
+        bi      $lr                                     # 17o
 
 next_packet_short:
         ai      $count,$count,-1                        # 0e

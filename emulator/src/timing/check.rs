@@ -157,7 +157,9 @@ pub fn check(
             let model = match by_line.get(&line).map_or(&[][..], Vec::as_slice) {
                 [] => Model::NoInstruction,
                 &[address] => {
-                    slot(code, &labels, &loops, address, rules).map_or(Model::Unknown, Model::Slot)
+                    let words = |from, to| code.words(from, to);
+                    slot(&words, &labels, &loops, address, rules)
+                        .map_or(Model::Unknown, Model::Slot)
                 }
                 several => Model::Several(several.len()),
             };
@@ -174,9 +176,10 @@ pub fn check(
     Ok(outcome)
 }
 
-/// Where the model issues the instruction at `address`, counted from the label before.
-fn slot(
-    code: &Code,
+/// Where the model issues the instruction at `address`, counted from the label before. `words` gives
+/// the code from one address up to another.
+pub(crate) fn slot(
+    words: &dyn Fn(u32, u32) -> Vec<(u32, u32)>,
     labels: &BTreeSet<u32>,
     loops: &[Loop],
     address: u32,
@@ -195,7 +198,7 @@ fn slot(
     let issue = match in_loop {
         Some(steady) => issue_in(&steady.lines)?,
         None => {
-            let schedule = straight_line(&code.words(label, address + 4), rules);
+            let schedule = straight_line(&words(label, address + 4), rules);
             schedule.account.as_ref()?;
             issue_in(&schedule.lines)?
         }

@@ -4,7 +4,7 @@
 #   Out     rays: t, object, u, v, where a hit has 0 < t < what was there
 #   Uses    $5, $10-$46   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_rectangle_r16
-#   Error   8 ulp of t, 6e-5 in u and v; edges from 1/100 of the distance to all of it, 30 degrees
+#   Error   20 ulp of t, 5e-4 in u and v; edges from 1/100 of the distance to all of it, 30 degrees
 #           or more apart; incidence within 84 degrees of the normal; u and v from
 #           -0.5 to 1.5
 #   Twin    oracle/src/twin/rectangle.rs

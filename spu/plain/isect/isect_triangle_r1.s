@@ -2,7 +2,7 @@
 #   C       void isect_triangle_r1(struct ray *, const struct triangle *, int object);
 #   In      $3 ray, $4 triangle, $5 object number; pointers 16-aligned
 #   Out     ray: t, object, u, v, if a hit has 0 < t < what was there
-#   Uses    $5, $10-$64   Saves  -   Stack  0   Calls  -
+#   Uses    $5, $10-$68   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_triangles_r16; direction as shear_r16
 #   Error   none of its own: the bits of shear_r16 and isect_triangles_r16
 #   Twin    oracle/src/twin/triangle.rs
@@ -73,14 +73,18 @@
         # edges: opposite to a, b, c
         .set    p,58
         .set    q,59
-        .set    edges,60
-        .set    u,61
-        .set    v,62
-        .set    w,63
-        .set    det,64
+        .set    last_x,60
+        .set    last_y,61
+        .set    next_x,62
+        .set    next_y,63
+        .set    edges,64
+        .set    u,65
+        .set    v,66
+        .set    w,67
+        .set    det,68
         .set    n,58                                    # reused
         .set    outside,59                              # reused
-        .set    hit,60                                  # reused
+        .set    hit,64                                  # reused
 
         .section .rodata
         .align  4
@@ -138,13 +142,11 @@ function isect_triangle_r1
         fnms    $own_x,$slope_x,$own_z,$own_x
         fnms    $own_y,$slope_y,$own_z,$own_y
         # Lane k: the edge between the vertices before and after k.
-        shufb   $p,$own_x,$own_x,$m_last
-        shufb   $q,$own_y,$own_y,$m_next
-        fm      $p,$p,$q
-        shufb   $q,$own_y,$own_y,$m_last
-        shufb   $edges,$own_x,$own_x,$m_next
-        fm      $q,$q,$edges
-        fs      $edges,$p,$q
+        shufb   $last_x,$own_x,$own_x,$m_last
+        shufb   $last_y,$own_y,$own_y,$m_last
+        shufb   $next_x,$own_x,$own_x,$m_next
+        shufb   $next_y,$own_y,$own_y,$m_next
+        side_of_edge $edges,$last_x,$next_y,$last_y,$next_x,$p,$q
         splat   $u,$edges,$k_x
         splat   $v,$edges,$k_y
         splat   $w,$edges,$k_z

@@ -30,6 +30,8 @@ pub enum Failure {
     Run(#[from] RunError),
     #[error(transparent)]
     Time(#[from] TimeError),
+    #[error(transparent)]
+    Schedule(#[from] crate::schedule::Error),
 }
 
 impl Failure {

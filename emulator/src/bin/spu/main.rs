@@ -4,6 +4,7 @@ mod dump;
 mod failure;
 mod image;
 mod run;
+mod schedule;
 mod time;
 
 use clap::{Parser, Subcommand};
@@ -24,6 +25,7 @@ enum Verb {
     Run(Box<run::Options>),
     Dump(dump::Options),
     Time(Box<time::Arguments>),
+    Schedule(Box<schedule::Arguments>),
 }
 
 fn main() -> ExitCode {
@@ -43,6 +45,7 @@ fn main() -> ExitCode {
         Verb::Run(options) => run::run(&options),
         Verb::Dump(options) => dump::dump(&options),
         Verb::Time(arguments) => time::run(&arguments).map_err(Into::into),
+        Verb::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
     };
     done.unwrap_or_else(|failure| fail(&failure))
 }

@@ -1,8 +1,8 @@
-# list_pairs_p16   pairs of one object with those packets of a group that a mask names
-#   C       struct pair *list_pairs_p16(unsigned mask, const struct place *, const void *object,
-#                                       struct pair *);
-#   In      $3 mask, 16 bits, the highest of packet 0; $4 the sixteen places of a group; $5 address
-#           of the object's record; $6 where the pairs go; pointers 16-aligned
+# list_pairs_p64   pairs of one object with those packets of a tile that masks name
+#   C       struct pair *list_pairs_p64(const unsigned masks[4], const struct place *,
+#                                       const void *object, struct pair *);
+#   In      $3 masks, one for each sixteen packets: 16 bits, the highest of the first; $4 the places of
+#           64 packets; $5 address of the object's record; $6 where the pairs go; pointers 16-aligned
 #   Out     the pairs; one more quadword may be written
 #           $3 behind the pairs
 #   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
@@ -14,15 +14,16 @@
         .include "macros.inc"
         .include "lists.inc"
 
-        .set    mask,3
+        .set    a_masks,3
         .set    a_places,4
         .set    object,5
         .set    a_out,6
         # constants
         .set    m_pair,10
         # temporaries
-        .set    pair,11
-        .set    bit,12
+        .set    masks,11
+        .set    pair,12
+        .set    bit,13
 
         .section .rodata
         .align  4
@@ -30,17 +31,23 @@
 pair_of_object_and_place:
         .int    0x00010203,0x10111213,0x14151617,0x18191a1b
 
-function list_pairs_p16
-        shli    $mask,$mask,4
+function list_pairs_p64
+        lqd     $masks,0($a_masks)
         lqa     $m_pair,pair_of_object_and_place
+        shli    $masks,$masks,4
+    .set    entry,0
+    .rept   4
     .set    packet,0
     .rept   16
-        lqd     $pair,PLACE_SIZE*packet($a_places)
+        lqd     $pair,PLACE_SIZE*entry($a_places)
         shufb   $pair,$object,$pair,$m_pair
         stqd    $pair,0($a_out)                         # may alias the one before
-        keep_if_named $a_out,$mask,packet,$bit
+        keep_if_named $a_out,$masks,packet,$bit
     .set    packet,packet+1
+    .set    entry,entry+1
+    .endr
+        rotqbyi $masks,$masks,4
     .endr
         ori     $3,$a_out,0
         bi      $lr
-endfunction list_pairs_p16
+endfunction list_pairs_p64

@@ -1,0 +1,93 @@
+//! A scheduler for SPU assembly: plain code in, the same code for both pipes out.
+//!
+//! It takes an object and the source that it was assembled from, and writes the source again with
+//! each function scheduled: blocks by list scheduling, counted loops by software pipelining, all with
+//! the notes that `spu time --check` holds to the model. What it takes for granted of memory and
+//! registers is in `docs/schedule.md`. It knows the instruction table and the pipelines, nothing of
+//! what code computes. Invariant: the same input gives the same bytes.
+
+mod allocate;
+mod colour;
+mod copies;
+mod dependence;
+mod error;
+mod function;
+mod layout;
+mod list;
+mod memory;
+mod modulo;
+mod names;
+mod object;
+mod pipelined;
+mod random;
+mod source;
+mod text;
+mod values;
+mod words;
+
+pub use error::{ScheduleError, Unschedulable};
+use names::Names;
+use object::Plain;
+pub use pipelined::{Figures, LoopReport, Outcome};
+use source::Source;
+
+/// A scheduled source.
+#[derive(Clone, Debug)]
+pub struct Scheduled {
+    /// The new source.
+    pub text: String,
+    /// What became of its loops.
+    pub loops: Vec<LoopReport>,
+}
+
+/// Schedules all functions of a source. `object` is what the assembler makes of it with `-g` and
+/// without `--strip-local-absolute`; `path` names the source in messages and in the line table.
+pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, ScheduleError> {
+    let at = |(line, what): (u64, Unschedulable)| ScheduleError::At {
+        file: path.to_owned(),
+        line,
+        what,
+    };
+    let plain = Plain::parse(object)?;
+    if !plain.comes_from(path) {
+        return Err(ScheduleError::NotInTable(path.to_owned()));
+    }
+    let source = Source::new(source);
+    let functions = source.functions().map_err(at)?;
+    let given = source.register_names(&functions, &plain.numbers());
+    let mut names = Names::new(given, plain.names());
+    let mut loops = Vec::new();
+    let mut text = String::new();
+    let mut copied = 0;
+    let mut found = false;
+    for lines in &functions {
+        let Some(mut function) = plain.function(&lines.name, path).map_err(at)? else {
+            continue;
+        };
+        source.check(lines).map_err(at)?;
+        found = true;
+        // Without a line on it every register may be a result.
+        function.results = source.results(lines).unwrap_or(!0);
+        for block in &mut function.blocks {
+            for node in block.nodes.iter_mut().filter(|node| node.is_store()) {
+                node.may_alias = source.comment(node.line).contains("may alias");
+            }
+        }
+        function.fuse();
+        loops.extend(pipelined::pipeline(&mut function));
+        function.fuse();
+        let body = words::lay_out(&mut function, &mut names, &source);
+        source.copy(copied..lines.first + 1, path, &mut text);
+        let inside = (lines.first as u64 + 1, lines.end as u64 + 1);
+        for (name, number) in names.take_made(inside) {
+            text.push_str(&format!("        .set    {name},{number}\n"));
+        }
+        text.push_str(&body);
+        copied = lines.end;
+    }
+    if !found {
+        return Err(ScheduleError::NoFunction);
+    }
+    source.copy(copied..source.lines.len(), path, &mut text);
+    Ok(Scheduled { text, loops })
+}

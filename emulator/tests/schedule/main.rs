@@ -1,0 +1,9 @@
+//! `spu schedule`: what it writes does what the plain source does, and is timed as its notes say.
+
+#[path = "../float_model/random.rs"]
+mod random;
+
+mod errors;
+mod kernels;
+mod programs;
+mod support;

@@ -1,0 +1,46 @@
+# list_places_p64   the places of those packets of a tile that masks name
+#   C       struct place *list_places_p64(const unsigned masks[4], const struct place *,
+#                                         const struct place *origin, struct place *);
+#   In      $3 masks, one for each sixteen packets: 16 bits, the highest of the first; $4 the places of
+#           64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers 16-aligned
+#   Out     the list; one more quadword may be written
+#           $3 behind the list
+#   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
+#   Domain  any
+#   Error   0
+#   Twin    oracle/src/twin/lists.rs
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "lists.inc"
+
+        .set    a_masks,3
+        .set    a_places,4
+        .set    a_origin,5
+        .set    a_out,6
+        # temporaries
+        .set    masks,10
+        .set    place,11
+        .set    bit,12
+        .set    origin,13
+
+function list_places_p64
+        lqd     $masks,0($a_masks)
+        lqd     $origin,0($a_origin)
+        shli    $masks,$masks,4
+    .set    entry,0
+    .rept   4
+    .set    packet,0
+    .rept   16
+        lqd     $place,PLACE_SIZE*entry($a_places)
+        a       $place,$place,$origin
+        stqd    $place,0($a_out)                        # may alias the one before
+        keep_if_named $a_out,$masks,packet,$bit
+    .set    packet,packet+1
+    .set    entry,entry+1
+    .endr
+        rotqbyi $masks,$masks,4
+    .endr
+        ori     $3,$a_out,0
+        bi      $lr
+endfunction list_places_p64
