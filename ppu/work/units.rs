@@ -18,7 +18,7 @@ const UNITS_AN_SPU: u32 = 24;
 
 /// A unit is at most one in this many parts of an SPU's share of what is left: so the last ones are
 /// small.
-const PARTS_OF_A_SHARE: u64 = 4;
+const PARTS_OF_A_SHARE: u64 = 2;
 
 /// The work units of a frame; its buffers serve for the next.
 #[derive(Default)]
@@ -98,7 +98,8 @@ impl Units {
             .falling
             .partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
-        self.order.extend(spread(&self.falling, dear));
+        self.order
+            .extend(spread(&self.falling, dear, spus as usize));
 
         let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
@@ -129,21 +130,23 @@ impl Units {
     }
 }
 
-/// Puts the cheap tiles, those from `dear` on, between the dear ones. Cheap tiles are little but a
-/// transfer: one behind the other they would wait for main memory. The last ones come at the end, so
-/// that there is no dear tile left to be waited for.
-fn spread(falling: &[u32], dear: usize) -> impl Iterator<Item = u32> {
-    let (mut dear, mut cheap) = (falling[..dear].iter(), falling[dear..].iter());
-    let (dears, all) = (dear.len(), falling.len());
-    (0..all).filter_map(move |place| {
-        let taken = dears - dear.len();
-        let next = if taken * all * 7 <= place * dears * 8 {
-            dear.next().or_else(|| cheap.next())
-        } else {
-            cheap.next().or_else(|| dear.next())
-        };
-        next.copied()
-    })
+/// Cheap tiles that come last, for each SPU.
+const CHEAP_AT_THE_END: usize = 4;
+
+/// The first `dear` of the tiles, with the others evenly between them, but for a few at the end: tiles
+/// that are only filled wait for main memory when many come together, but they are the smallest that
+/// there is to even out when the SPUs finish.
+fn spread(falling: &[u32], dear: usize, spus: usize) -> impl Iterator<Item = u32> {
+    let (dear, cheap) = falling.split_at(dear);
+    let between = cheap.len().saturating_sub(CHEAP_AT_THE_END * spus);
+    let (between, last) = cheap.split_at(between);
+    let run = |number: usize| between.len() * number / dear.len();
+    let mixed = dear.iter().enumerate().flat_map(move |(number, tile)| {
+        std::iter::once(tile).chain(&between[run(number)..run(number + 1)])
+    });
+    // Without a dear tile, there is nothing to come between.
+    let alone = if dear.is_empty() { between } else { &[] };
+    mixed.chain(alone).chain(last).copied()
 }
 
 fn run_length(tiles: usize, spus: u32) -> usize {
