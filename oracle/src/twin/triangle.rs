@@ -1,7 +1,7 @@
 //! Twin of `spu/plain/isect/shear_r16.s`, `isect_triangles_r16.s`, `any_triangles_r16.s` and
 //! `isect_triangle_r1.s`: rays and triangles, watertight.
 
-use spu_emulator::float::single::{fa, fcmgt, fm, fma, fnms, fs};
+use spu_emulator::float::single::{fa, fcmgt, fm, fma, fms, fnms, fs};
 
 use super::Single;
 use super::flat::{FlatHit, Meeting, SIGN, over, reciprocal};
@@ -52,6 +52,13 @@ pub fn shear(origin: [Single; 3], direction: [Single; 3]) -> Shear {
     }
 }
 
+/// a b - c d, right to its last bits.
+fn side_of_edge(a: Single, b: Single, c: Single, d: Single) -> Single {
+    let product = fm(c, d);
+    let remainder = fms(c, d, product);
+    fs(fms(a, b, product), remainder)
+}
+
 /// Where the ray meets the triangle's plane.
 fn meet(ray: &Shear, triangle: &Triangle) -> Meeting {
     let seen = triangle.map(|vertex| {
@@ -60,10 +67,9 @@ fn meet(ray: &Shear, triangle: &Triangle) -> Meeting {
         [fnms(ray.slopes[0], z, x), fnms(ray.slopes[1], z, y), z]
     });
     let [[xa, ya, za], [xb, yb, zb], [xc, yc, zc]] = seen;
-    // Two truncated products, so that the edge's other side gets the same number but for its sign.
-    let u = fs(fm(xc, yb), fm(yc, xb));
-    let v = fs(fm(xa, yc), fm(ya, xc));
-    let w = fs(fm(xb, ya), fm(yb, xa));
+    let u = side_of_edge(xc, yb, yc, xb);
+    let v = side_of_edge(xa, yc, ya, xc);
+    let w = side_of_edge(xb, ya, yb, xa);
     let inverse = over(ABOVE_ONE, fa(fa(u, v), w));
     let [u, v, w] = [u, v, w].map(|edge| fm(edge, inverse));
     let depth = fma(w, zc, fma(v, zb, fm(u, za)));

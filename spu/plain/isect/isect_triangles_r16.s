@@ -7,7 +7,7 @@
 #   Uses    $5-$7, $10-$42   Saves  -   Stack  0   Calls  -
 #   Domain  rays.t >= 0; distances from the origin below 2^60; triangles higher than 2^-50 across
 #           the ray
-#   Error   5 ulp of t, 6e-5 in u and v; edges from 1/100 of the distance to all of it, area across
+#   Error   6 ulp of t, 8e-5 in u and v; edges from 1/100 of the distance to all of it, area across
 #           the ray above 1/20 of their square
 #   Twin    oracle/src/twin/triangle.rs
 
