@@ -17,8 +17,11 @@ use crate::work::tile_count;
 const UNITS_AN_SPU: u32 = 24;
 
 /// A unit is at most one in this many parts of an SPU's share of what is left: so the last ones are
-/// small.
+/// small. Fewer would leave SPUs idle at the end, more would have them wait for the counter.
 const PARTS_OF_A_SHARE: u64 = 2;
+
+/// The same in tiles, where their costs are not known.
+const PARTS_OF_UNKNOWN_COST: usize = 4;
 
 /// The work units of a frame; its buffers serve for the next.
 #[derive(Default)]
@@ -67,7 +70,7 @@ impl Units {
         let length = run_length(tiles.len(), spus);
         let mut rest = tiles;
         while !rest.is_empty() {
-            let share = rest.len() / (PARTS_OF_A_SHARE as usize * spus as usize);
+            let share = rest.len() / (PARTS_OF_UNKNOWN_COST * spus as usize);
             let (unit, behind) = rest.split_at(share.clamp(1, length));
             self.push(unit);
             rest = behind;

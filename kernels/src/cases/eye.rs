@@ -7,6 +7,7 @@ use oracle::twin::ball::Ball;
 use oracle::twin::isect_pairs::Hit;
 use spu_emulator::float::single::{from_f64, to_f64};
 use zerocopy::FromZeros as _;
+use zerocopy::big_endian::U32;
 
 use crate::bench::{self, Bench};
 use crate::cases::ball::{ball, unit};
@@ -21,7 +22,7 @@ const PACKETS: Objects = Objects::List(16, 64);
 /// A short list of spheres, and a long one.
 const SPHERES: Objects = Objects::List(16, 64);
 /// The packets that a mask may name.
-const NAMED: Objects = Objects::Fixed(16);
+const NAMED: Objects = Objects::Fixed(64);
 
 /// The kernels of this file.
 pub const KERNELS: &[Kernel] = &[
@@ -53,7 +54,7 @@ pub const KERNELS: &[Kernel] = &[
         error: None,
     },
     Kernel {
-        name: "list_places_p16",
+        name: "list_places_p64",
         rays: 1,
         cases: &[Case {
             name: "all named",
@@ -83,7 +84,7 @@ pub const KERNELS: &[Kernel] = &[
         error: None,
     },
     Kernel {
-        name: "list_pairs_p16",
+        name: "list_pairs_p64",
         rays: 1,
         cases: &[Case {
             name: "all named",
@@ -220,22 +221,29 @@ fn cull_spheres(bench: &mut Bench, count: u32) -> Vec<u32> {
     vec![middles.address, list.address, count, masks.address]
 }
 
-fn group_places(bench: &mut Bench) -> bench::Place {
-    let packets = packets(bench, &error::NO_HITS, 16);
+fn tile_places(bench: &mut Bench) -> bench::Place {
+    let packets = packets(bench, &error::NO_HITS, 64);
     put_places(bench, &packets, |_| [0; 3])
 }
 
 fn list_places(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let places = group_places(bench);
+    let places = tile_places(bench);
     let origin = put(bench, &[Place::new_zeroed()]);
     let list = list_room(bench, count as usize);
-    vec![0xffff, places.address, origin.address, list.address]
+    let masks = all_named(bench);
+    vec![masks.address, places.address, origin.address, list.address]
 }
 
 fn list_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let places = group_places(bench);
+    let places = tile_places(bench);
     let list = list_room(bench, count as usize);
-    vec![0xffff, places.address, places.address, list.address]
+    let masks = all_named(bench);
+    vec![masks.address, places.address, places.address, list.address]
+}
+
+/// Masks that name all packets of a tile.
+fn all_named(bench: &mut Bench) -> bench::Place {
+    put(bench, &[0xffff_u32; 4].map(U32::new))
 }
 
 fn ray_setup(bench: &mut Bench, count: u32) -> Vec<u32> {
@@ -280,7 +288,7 @@ fn hidden_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
 
 /// Each of the spheres with sixteen packets.
 fn isect_pairs(bench: &mut Bench, balls: &[Ball; 4], count: u32) -> Vec<u32> {
-    let packets = packets(bench, &error::NO_HITS, 16);
+    let packets = packets(bench, &error::NO_HITS, 64);
     let spheres = put(bench, &balls.each_ref().map(eye_records::sphere));
     let pairs: Vec<Pair> = (0..count as usize)
         .map(|number| {

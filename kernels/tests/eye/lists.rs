@@ -1,4 +1,4 @@
-//! `list_places_p16`, `list_pairs_p16` and `mask_pairs_p64`.
+//! `list_places_p64`, `list_pairs_p64` and `mask_pairs_p64`.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::eye::call::put;
@@ -12,18 +12,21 @@ use zerocopy::big_endian::U32;
 
 use crate::COUNTS;
 
-/// Most entries of a list: a group's packets.
-const GROUP: usize = 16;
-/// Packets of a tile: four groups.
+/// Packets of a tile: four groups of sixteen, each with a mask.
 const TILE: usize = 64;
+const GROUP: usize = 16;
 
 /// None, all, each alone, all but each, and random ones.
-fn masks(random: &mut ChaCha8Rng) -> Vec<u32> {
-    let mut masks = vec![0, 0xffff];
-    for packet in 0..GROUP {
-        masks.extend([1 << packet, 0xffff ^ 1 << packet]);
+fn masks(random: &mut ChaCha8Rng) -> Vec<[u32; 4]> {
+    let mut masks = vec![[0; 4], [0xffff; 4]];
+    for packet in 0..TILE {
+        let alone: [u32; 4] = std::array::from_fn(|group| {
+            let own = packet / GROUP == group;
+            if own { 1 << (packet % GROUP) } else { 0 }
+        });
+        masks.extend([alone, alone.map(|mask| mask ^ 0xffff)]);
     }
-    masks.extend((0..200).map(|_| random.random_range(0..0x1_0000)));
+    masks.extend((0..200).map(|_| std::array::from_fn(|_| random.random_range(0..0x1_0000))));
     masks
 }
 
@@ -44,21 +47,23 @@ fn words(place: &Place) -> [u32; 4] {
 fn listed_places_equal_the_twins() {
     let mut random = random();
     let mut bench = Bench::new();
-    for mask in masks(&mut random) {
-        let (places, origin): ([[u32; 4]; GROUP], [u32; 4]) = random.random();
+    for named in masks(&mut random) {
+        let places: [[u32; 4]; TILE] = std::array::from_fn(|_| random.random());
+        let origin: [u32; 4] = random.random();
         bench.reset();
         let group = put(&mut bench, &places.map(record));
         let first = put(&mut bench, &[record(origin)]);
-        let room = put(&mut bench, &[Place::new_zeroed(); GROUP + 1]);
-        let arguments = [mask, group.address, first.address, room.address];
-        let end = bench.call("list_places_p16", &arguments).value;
-        let found: [Place; GROUP + 1] = bench.read(room);
+        let room = put(&mut bench, &[Place::new_zeroed(); TILE + 1]);
+        let masks = put(&mut bench, &named.map(U32::new));
+        let arguments = [masks.address, group.address, first.address, room.address];
+        let end = bench.call("list_places_p64", &arguments).value;
+        let found: [Place; TILE + 1] = bench.read(room);
 
-        let expected = list_places(mask, &places, origin);
+        let expected = list_places(named, &places, origin);
         let bytes = (expected.len() * size_of::<Place>()) as u32;
-        assert_eq!(end, room.address + bytes, "mask {mask:#x}");
+        assert_eq!(end, room.address + bytes, "masks {named:x?}");
         for (found, expected) in found.iter().zip(&expected) {
-            assert_eq!(words(found), *expected, "mask {mask:#x}");
+            assert_eq!(words(found), *expected, "masks {named:x?}");
         }
     }
 }
@@ -67,21 +72,23 @@ fn listed_places_equal_the_twins() {
 fn listed_pairs_equal_the_twins() {
     let mut random = random();
     let mut bench = Bench::new();
-    for mask in masks(&mut random) {
-        let (places, object): ([[u32; 4]; GROUP], u32) = random.random();
+    for named in masks(&mut random) {
+        let places: [[u32; 4]; TILE] = std::array::from_fn(|_| random.random());
+        let object = random.random();
         bench.reset();
         let group = put(&mut bench, &places.map(record));
-        let room = put(&mut bench, &[Pair::new_zeroed(); GROUP + 1]);
-        let arguments = [mask, group.address, object, room.address];
-        let end = bench.call("list_pairs_p16", &arguments).value;
-        let found: [Pair; GROUP + 1] = bench.read(room);
+        let room = put(&mut bench, &[Pair::new_zeroed(); TILE + 1]);
+        let masks = put(&mut bench, &named.map(U32::new));
+        let arguments = [masks.address, group.address, object, room.address];
+        let end = bench.call("list_pairs_p64", &arguments).value;
+        let found: [Pair; TILE + 1] = bench.read(room);
 
-        let expected = list_pairs(mask, &places, object);
+        let expected = list_pairs(named, &places, object);
         let bytes = (expected.len() * size_of::<Pair>()) as u32;
-        assert_eq!(end, room.address + bytes, "mask {mask:#x}");
+        assert_eq!(end, room.address + bytes, "masks {named:x?}");
         for (found, expected) in found.iter().zip(&expected) {
             let found = [found.object.get(), found.packet.get()];
-            assert_eq!(found, *expected, "mask {mask:#x}");
+            assert_eq!(found, *expected, "masks {named:x?}");
         }
     }
 }

@@ -1,4 +1,4 @@
-//! Twins of `list_places_p16`, `list_pairs_p16` and `mask_pairs_p64` in `spu/plain/isect/`: lists of those
+//! Twins of `list_places_p64`, `list_pairs_p64` and `mask_pairs_p64` in `spu/plain/isect/`: lists of those
 //! packets that masks name, and the masks that name those of a list.
 
 /// The bit of a mask that names the group's first packet; those of the next ones are lower.
@@ -7,18 +7,18 @@ const FIRST: u32 = 0x8000;
 /// The words of a place: packet, pixels, x, y.
 pub type Place = [u32; 4];
 
-/// The places that a mask names, its highest of 16 bits the first, with `origin` added.
+/// The places that masks name, in each the highest of 16 bits the first, with `origin` added.
 #[must_use]
-pub fn list_places(mask: u32, places: &[Place; 16], origin: Place) -> Vec<Place> {
+pub fn list_places(masks: [u32; 4], places: &[Place; 64], origin: Place) -> Vec<Place> {
     let add = |place: &Place| std::array::from_fn(|word| place[word].wrapping_add(origin[word]));
-    named(mask, places).map(add).collect()
+    named(masks, places).map(add).collect()
 }
 
-/// The pairs of an object with the packets that a mask names: addresses of the object's record and of
+/// The pairs of an object with the packets that masks name: addresses of the object's record and of
 /// the packet.
 #[must_use]
-pub fn list_pairs(mask: u32, places: &[Place; 16], object: u32) -> Vec<[u32; 2]> {
-    named(mask, places)
+pub fn list_pairs(masks: [u32; 4], places: &[Place; 64], object: u32) -> Vec<[u32; 2]> {
+    named(masks, places)
         .map(|&[packet, ..]| [object, packet])
         .collect()
 }
@@ -33,8 +33,8 @@ pub fn mask_pairs(packets: &[usize]) -> [u32; 4] {
     masks
 }
 
-fn named(mask: u32, places: &[Place; 16]) -> impl Iterator<Item = &Place> {
-    let is_named = move |number: usize| mask & FIRST >> number != 0;
+fn named(masks: [u32; 4], places: &[Place; 64]) -> impl Iterator<Item = &Place> {
+    let is_named = move |number: usize| masks[number / 16] & FIRST >> (number % 16) != 0;
     places
         .iter()
         .enumerate()
