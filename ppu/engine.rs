@@ -214,11 +214,13 @@ impl Engine {
         let Settings {
             spus, split, skip, ..
         } = self.settings;
+        let keeps = keeps && skip != Skip::Nothing;
         let policy = Policy {
             spus,
             split,
             skip,
-            retain: self.settings.retain && keeps && skip != Skip::Nothing,
+            keeps,
+            retain: self.settings.retain && keeps,
         };
         self.plan.make(scene, &camera, &target, policy);
         let size = self.plan.size();

@@ -96,6 +96,8 @@ pub struct Tiles {
     pub traced: u64,
     /// Filled with the background: nothing can be seen in them.
     pub filled: u64,
+    /// Of these, not sent: they showed the background before.
+    pub blank: u64,
     /// Left alone: they already showed what they should.
     pub retained: u64,
 }
@@ -103,9 +105,9 @@ pub struct Tiles {
 /// Packets by what became of them.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Packets {
-    /// Traced, or filled with their whole tile.
+    /// Traced.
     pub traced: u64,
-    /// Filled with the background in a tile that was traced.
+    /// Filled with the background: nothing can be seen in them.
     pub filled: u64,
 }
 
@@ -157,6 +159,7 @@ impl Report {
             self.rays.eye_hit += spu.eye_hits;
             self.tiles.traced += spu.tiles - spu.tiles_filled;
             self.tiles.filled += spu.tiles_filled;
+            self.tiles.blank += spu.tiles_blank;
             self.packets.traced += spu.packets - spu.packets_filled;
             self.packets.filled += spu.packets_filled;
         }
@@ -201,12 +204,13 @@ impl fmt::Display for Report {
         writeln!(
             f,
             "tests: {:.2} of {:.2} million made, {:.2} million looked for a hit; tiles: {} traced, {} \
-             filled, {} retained",
+             filled ({} of them blank before), {} retained",
             tests.made as f64 / 1e6,
             all as f64 / 1e6,
             tests.hits_looked_for as f64 / 1e6,
             tiles.traced,
             tiles.filled,
+            tiles.blank,
             tiles.retained
         )?;
         write!(
@@ -279,6 +283,7 @@ mod tests {
             eye_rays,
             tiles: 5,
             tiles_filled: 2,
+            tiles_blank: 1,
             packets: 70,
             packets_filled: 30,
             ..SpuStatistics::default()
@@ -301,7 +306,7 @@ mod tests {
         assert!((report.busy_share - 1_798_000.0 / 3_192_000.0).abs() < 1e-12);
         assert!((report.dma_wait_share - 596_000.0 / 1_596_000.0).abs() < 1e-12);
         assert_eq!((report.tiles.traced, report.tiles.filled), (12, 8));
-        assert_eq!(report.tiles.retained, 6);
+        assert_eq!((report.tiles.blank, report.tiles.retained), (4, 6));
         assert_eq!((report.packets.traced, report.packets.filled), (160, 120));
         for spu in &report.spu {
             let percent = spu.busy_percent + spu.dma_wait_percent + spu.idle_percent;

@@ -16,9 +16,11 @@ pub struct SpuStatistics {
     pub tiles: u64,
     /// Of these, filled with the background: nothing can be seen in them.
     pub tiles_filled: u64,
+    /// Of these, not sent: they showed the background before.
+    pub tiles_blank: u64,
     /// Packets of 16 rays traced or filled.
     pub packets: u64,
-    /// Packets filled in tiles that were traced.
+    /// Of these, filled with the background.
     pub packets_filled: u64,
     /// Eye rays within the picture.
     pub eye_rays: u64,
@@ -125,6 +127,7 @@ impl SpuStatistics {
         Self {
             tiles: wide(line.tiles),
             tiles_filled: wide(line.tiles_empty),
+            tiles_blank: wide(line.tiles_blank),
             packets: wide(line.packets),
             packets_filled: wide(line.packets_empty),
             eye_rays: wide(line.eye_rays),

@@ -383,7 +383,7 @@ fn bad_scenes() {
     bad_scene(&format!("{VIEW}p 4000000000\n0 0 0\n"), &["bad.nff:9"]);
     bad_scene(&format!("{VIEW}q 1 2\n"), &["bad.nff:9", "q"]);
     let many = "s 0 0 0 1\n".repeat(2049);
-    bad_scene(&format!("{VIEW}{many}"), &["2049 spheres", "room for 2048"]);
+    bad_scene(&format!("{VIEW}{many}"), &["2049 spheres", "room for 1024"]);
     bad(&["render", "no/such/scene.nff"], &["no/such/scene.nff"]);
     bad(&["render", "sphereflake:99"], &["99"]);
 }

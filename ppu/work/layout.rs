@@ -113,6 +113,8 @@ constants! {
     GROUP_SIDE = 16;
     /// Most tiles of a work unit: what its line has room for.
     UNIT_TILES = 31;
+    /// With a tile's number in a unit: the framebuffer shows the background there. With a tile's cost: it does now.
+    TILE_BLANK = 0x8000_0000;
     /// Largest position of a colour channel in the pixel word.
     MAX_SHIFT = 24;
     /// Most bytes of one DMA transfer.
@@ -224,7 +226,7 @@ record! {
     WorkUnit as "UNIT" {
         /// Tiles, at least 1.
         count: U32,
-        /// Their numbers, counted row by row from the top left.
+        /// Their numbers, counted row by row from the top left; `TILE_BLANK` with them.
         tiles: [U32; 31],
     }
 }
@@ -234,7 +236,7 @@ record! {
     UnitCost as "COST" {
         /// Tiles, as in the unit.
         count: U32,
-        /// Decrementer ticks that each tile took.
+        /// Decrementer ticks that each tile took; `TILE_BLANK` with them.
         ticks: [U32; 31],
     }
 }
@@ -266,7 +268,9 @@ record! {
         hits_looked_for: U64,
         /// Tiles that nothing can be seen in: filled.
         tiles_empty: U32,
-        /// Packets of other tiles that nothing can be seen in: filled.
+        /// Of these, those that showed the background before: nothing was sent.
+        tiles_blank: U32,
+        /// Packets that nothing can be seen in, those of such tiles too: filled.
         packets_empty: U32,
         /// Tests left out because all of a packet's rays had hit something nearer.
         tests_hidden: U32,
@@ -283,7 +287,7 @@ record! {
         /// Ticks spent shading and packing pixels.
         ticks_shade: U32,
         /// Zero; fills the line.
-        reserved: [U32; 9],
+        reserved: [U32; 8],
     }
 }
 

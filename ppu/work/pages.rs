@@ -7,8 +7,10 @@ use glam::DVec3;
 use nff::Camera;
 use nff::depth::DepthShading;
 
+use super::layout::{TILE_BLANK, UnitCost, WorkUnit};
 use super::lens::Lens;
 use super::tiles::TileSet;
+use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
 use crate::scene::{Scene, Sphere};
 
@@ -40,6 +42,8 @@ struct Page {
     background: DVec3,
     depth: DepthShading,
     spheres: Vec<Sphere>,
+    /// Tiles that show nothing but the background.
+    blank: TileSet,
 }
 
 impl Pages {
@@ -71,7 +75,9 @@ impl Pages {
             }
             changed.add_all();
             self.open = self.pages.len();
-            self.pages.push(Page::new(place, scene, camera));
+            let mut page = Page::new(place, scene, camera);
+            page.blank.clear(target.geometry);
+            self.pages.push(page);
             return;
         };
         self.open = found;
@@ -79,6 +85,9 @@ impl Pages {
         let same_view = page.camera == *camera
             && page.background == scene.background()
             && page.depth == scene.depth();
+        if !page.whole || page.background != scene.background() {
+            page.blank.clear(target.geometry);
+        }
         if page.whole && same_view {
             page.changes(scene.spheres(), lens, changed);
         } else {
@@ -87,10 +96,18 @@ impl Pages {
         page.show(scene, camera);
     }
 
-    /// The page opened last shows its frame.
-    pub fn close(&mut self) {
+    /// Tiles of the page opened last that show nothing but the background.
+    pub fn blank(&self) -> Option<&TileSet> {
+        self.pages.get(self.open).map(|page| &page.blank)
+    }
+
+    /// The page opened last shows its frame, after these units with these costs.
+    pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost]) {
         if let Some(page) = self.pages.get_mut(self.open) {
             page.whole = true;
+            for (tile, cost) in units::tiles_and_costs(units, costs) {
+                page.blank.set(tile, cost & TILE_BLANK != 0);
+            }
         }
     }
 }
@@ -104,6 +121,7 @@ impl Page {
             background: scene.background(),
             depth: scene.depth(),
             spheres: scene.spheres().to_vec(),
+            blank: TileSet::default(),
         }
     }
 

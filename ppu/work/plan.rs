@@ -20,7 +20,9 @@ pub(crate) struct Policy {
     pub spus: u32,
     pub split: Split,
     pub skip: Skip,
-    /// Whether pages keep what was written to them, and what they show need not be traced again.
+    /// Whether pages keep what was written to them, so that the background need not be sent twice.
+    pub keeps: bool,
+    /// Whether what they show need not be traced again.
     pub retain: bool,
 }
 
@@ -33,7 +35,7 @@ pub(crate) struct Plan {
     tiles: TileSet,
     costs: TileCosts,
     size: Size,
-    retain: bool,
+    keeps: bool,
 }
 
 /// How much a planned frame is.
@@ -52,16 +54,22 @@ impl Plan {
     pub fn make(&mut self, scene: &Scene, camera: &Camera, target: &Target, policy: Policy) {
         let geometry = target.geometry;
         let lens = Lens::new(camera, geometry);
-        self.retain = policy.retain;
-        if !self.retain {
+        self.keeps = policy.keeps;
+        if !self.keeps {
             self.pages.forget();
         }
         self.pages
             .open(target, scene, camera, &lens, &mut self.tiles);
+        if !policy.retain {
+            self.tiles.add_all();
+        }
         self.spheres.look(scene.spheres(), &lens, policy.skip);
         let tiles = self.tiles.numbers();
         let costs = self.costs.of(geometry);
         self.units.cut(tiles, policy.spus, policy.split, costs);
+        if let Some(blank) = self.pages.blank() {
+            self.units.mark_blank(blank);
+        }
         self.size = Size {
             pixels: tiles
                 .iter()
@@ -75,8 +83,8 @@ impl Plan {
     /// The frame is in its page, and its units have cost what is said here.
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
-        if self.retain {
-            self.pages.close();
+        if self.keeps {
+            self.pages.close(self.units.lines(), costs);
         }
     }
 

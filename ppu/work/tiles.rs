@@ -43,6 +43,19 @@ impl TileSet {
         self.wanted.fill(true);
     }
 
+    /// Adds a tile, or takes it out.
+    pub fn set(&mut self, tile: u32, wanted: bool) {
+        if let Some(is_wanted) = self.wanted.get_mut(tile as usize) {
+            *is_wanted = wanted;
+        }
+    }
+
+    /// Whether a tile is among them.
+    #[must_use]
+    pub fn contains(&self, tile: u32) -> bool {
+        self.wanted.get(tile as usize).is_some_and(|wanted| *wanted)
+    }
+
     /// Adds the tiles of some pixels of the picture.
     pub fn add(&mut self, pixels: &Rectangle) {
         let Some(geometry) = self.geometry.filter(|_| !pixels.is_empty()) else {

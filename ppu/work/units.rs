@@ -8,7 +8,8 @@ use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::Split;
-use super::layout::{MAX_SPUS, UNIT_TILES, UnitCost, WorkUnit};
+use super::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
+use super::tiles::TileSet;
 use crate::framebuffer::Geometry;
 use crate::work::tile_count;
 
@@ -22,6 +23,10 @@ const PARTS_OF_A_SHARE: u64 = 2;
 
 /// The same in tiles, where their costs are not known.
 const PARTS_OF_UNKNOWN_COST: usize = 4;
+
+/// No unit need be smaller than one in this many parts of an SPU's share of the frame: what SPUs then
+/// wait for each other at the end is less than what they would wait for the counter.
+const PARTS_OF_THE_WHOLE: u64 = 40;
 
 /// The work units of a frame; its buffers serve for the next.
 #[derive(Default)]
@@ -97,6 +102,7 @@ impl Units {
         self.falling
             .sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
         let mut left: u64 = tiles.iter().map(|&tile| cost(tile)).sum();
+        let least = left / (PARTS_OF_THE_WHOLE * spus);
         let dear = self
             .falling
             .partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
@@ -107,7 +113,7 @@ impl Units {
         let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
         while let Some((&first, others)) = rest.split_first() {
-            let share = left / (PARTS_OF_A_SHARE * spus);
+            let share = (left / (PARTS_OF_A_SHARE * spus)).max(least);
             let mut taken = cost(first);
             let room = others.iter().take(UNIT_TILES as usize - 1);
             let more = room.take_while(|&&tile| {
@@ -121,6 +127,18 @@ impl Units {
             rest = behind;
         }
         self.order = order;
+    }
+
+    /// Marks those of the tiles that show nothing but the background.
+    pub fn mark_blank(&mut self, blank: &TileSet) {
+        for unit in &mut self.lines {
+            let count = unit.count.get() as usize;
+            for tile in unit.tiles.iter_mut().take(count) {
+                if blank.contains(tile.get()) {
+                    *tile |= TILE_BLANK;
+                }
+            }
+        }
     }
 
     fn push(&mut self, tiles: &[u32]) {
@@ -179,19 +197,28 @@ impl TileCosts {
             self.ticks.clear();
             self.ticks.resize(tile_count(geometry) as usize, 0);
         }
-        let answered = units
-            .iter()
-            .zip(costs)
-            .filter(|(unit, cost)| unit.count == cost.count);
-        for (unit, cost) in answered {
-            let tiles = unit.tiles.iter().take(unit.count.get() as usize);
-            for (tile, ticks) in tiles.zip(cost.ticks) {
-                if let Some(known) = self.ticks.get_mut(tile.get() as usize) {
-                    *known = ticks.get();
-                }
+        for (tile, cost) in tiles_and_costs(units, costs) {
+            if let Some(known) = self.ticks.get_mut(tile as usize) {
+                *known = cost & !TILE_BLANK;
             }
         }
     }
+}
+
+/// The tiles of the units that were answered, each with its cost.
+pub(super) fn tiles_and_costs<'a>(
+    units: &'a [WorkUnit],
+    costs: &'a [UnitCost],
+) -> impl Iterator<Item = (u32, u32)> + 'a {
+    let answered = units
+        .iter()
+        .zip(costs)
+        .filter(|(unit, cost)| unit.count == cost.count);
+    answered.flat_map(|(unit, cost)| {
+        let tiles = unit.tiles.iter().take(unit.count.get() as usize);
+        let tiles = tiles.map(|tile| tile.get() & !TILE_BLANK);
+        tiles.zip(cost.ticks.iter().map(|ticks| ticks.get()))
+    })
 }
 
 #[cfg(test)]

@@ -176,7 +176,8 @@ endfunction places_prepare
         a       \out,\out,\t_more
 .endm
 
-# tile_pixels   makes the pixels of the tile at hand
+# tile_pixels   makes the pixels of the tile at hand, unless they are all the background's
+#   Out     $3 whether there are any others
 #   Uses    $3-$79, the tile's driver registers
 function tile_pixels
         enter
@@ -231,8 +232,9 @@ placed:
         brsl    $lr,tile_cull
 culled:
         phase_ends $g_ticks_cull,$amount
+        orx     $3,$g_seen
+        brz     $3,done
         brsl    $lr,seen_places
-        brz     $g_places,done
         ila     $3,basis
         ila     $4,places
         ori     $5,$g_places,0
@@ -254,7 +256,7 @@ all:    brsl    $lr,all_pairs
         brsl    $lr,seen_places
 tested:
         phase_ends $g_ticks_isect,$amount
-        brz     $g_places,done
+        brz     $g_places,no_hits
         ila     $3,places
         ori     $4,$g_places,0
         ila     $5,depth
@@ -274,6 +276,8 @@ whole:
         ori     $7,$g_row_bytes,0
         brsl    $lr,pack_r16
         phase_ends $g_ticks_shade,$amount
+no_hits:
+        il      $3,1
 done:
         leave
 endfunction tile_pixels

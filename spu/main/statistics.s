@@ -73,7 +73,7 @@ function statistics_put
         rotqbyi $value,$g_n_hits,4
         a       $g_n_hits,$g_n_hits,$value
         put_word eye_hits,$g_n_hits
-    .irp field, tiles,packets,eye_rays,tiles_empty,packets_empty,tests_hidden,cull_tests
+    .irp field, tiles,packets,eye_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
         put_count \field
     .endr
         put_long_count tests_made

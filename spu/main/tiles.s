@@ -60,6 +60,7 @@ function tile_place
 endfunction tile_place
 
 # tile_trace   makes the pixels of the tile at hand, and starts to send them
+#   Out     $3 TILE_BLANK if they are the background's, else 0
 #   Uses    $3-$79, the tile's and the groups' driver registers
         .set    amount,10
         .set    t_sum,11
@@ -67,6 +68,15 @@ endfunction tile_place
         .set    t_carry,13
         .set    packets_down,14
         .set    one,15
+        .set    was,16
+
+.macro  packets_of_tile out:req, t_down:req
+        ai      \out,$g_tile_width,3
+        rotmi   \out,\out,-2
+        ai      \t_down,$g_tile_height,3
+        rotmi   \t_down,\t_down,-2
+        mpyu    \out,\out,\t_down
+.endm
 
 function tile_trace
         enter
@@ -74,11 +84,7 @@ function tile_trace
         count   tiles,$one,$t_sum,$t_add,$t_carry
         mpyu    $amount,$g_tile_width,$g_tile_height
         count   eye_rays,$amount,$t_sum,$t_add,$t_carry
-        ai      $amount,$g_tile_width,3
-        rotmi   $amount,$amount,-2
-        ai      $packets_down,$g_tile_height,3
-        rotmi   $packets_down,$packets_down,-2
-        mpyu    $amount,$amount,$packets_down
+        packets_of_tile $amount,$packets_down
         count   packets,$amount,$t_sum,$t_add,$t_carry
 
         brz     $g_spheres,empty
@@ -102,15 +108,21 @@ trace:
         shl     $3,$3,$g_parity
         brsl    $lr,dma_wait
         brsl    $lr,tile_pixels
+        brz     $3,empty
         ori     $3,$g_parity,0
         ori     $4,$g_parity,0
         xori    $g_parity,$g_parity,1
         brsl    $lr,tile_put
+        il      $3,0
         leave
 
 empty:
         il      $one,1
         count   tiles_empty,$one,$t_sum,$t_add,$t_carry
+        packets_of_tile $amount,$packets_down
+        count   packets_empty,$amount,$t_sum,$t_add,$t_carry
+        lqa     $was,tile_was_blank
+        brnz    $was,blank
         il      $3,1<<TAG_EMPTY
         shl     $3,$3,$g_empty_turn
         brsl    $lr,dma_wait
@@ -119,6 +131,11 @@ empty:
         ai      $g_empty_turn,$g_empty_turn,1
         andi    $g_empty_turn,$g_empty_turn,EMPTY_LISTS-1
         brsl    $lr,tile_put
+        br      is_blank
+blank:
+        count   tiles_blank,$one,$t_sum,$t_add,$t_carry
+is_blank:
+        ilhu    $3,TILE_BLANK>>16
         leave
 endfunction tile_trace
 

@@ -12,6 +12,9 @@ units:  .skip   2*UNIT_SIZE
 costs:  .skip   2*COST_SIZE
 counter:
         .skip   COUNTER_SIZE
+        .global tile_was_blank
+tile_was_blank:                         # TILE_BLANK or 0, of the tile at hand
+        .skip   16
 
         .set    a_unit,10
         .set    tiles,11
@@ -20,6 +23,7 @@ counter:
         .set    ticks,14
         .set    quad,15
         .set    mask,16
+        .set    blank,17
 
 # units_trace   traces this SPU's share of the frame; all pixels are in main memory at its end
 #   Out     $3 STATUS_ value
@@ -65,6 +69,10 @@ next_tile:
         ai      $a_word,$a_word,UNIT_tiles
         lqx     $3,$g_a_unit,$a_word
         rotqby  $3,$3,$a_word
+        ilhu    $blank,TILE_BLANK>>16
+        and     $blank,$3,$blank
+        stqa    $blank,tile_was_blank
+        xor     $3,$3,$blank
         clgt    $bad,$g_tiles,$3
         brz     $bad,refuse
         brsl    $lr,tile_place
@@ -73,6 +81,7 @@ next_tile:
         rdch    $ticks,$SPU_RdDec
         sf      $bad,$ticks,$g_tile_began               # it counts down
         ori     $g_tile_began,$ticks,0
+        or      $bad,$bad,$3
         shli    $a_word,$g_index,2
         ai      $a_word,$a_word,2*UNIT_SIZE+COST_ticks
         a       $a_unit,$g_a_unit,$a_word

@@ -12,6 +12,7 @@ use rand_chacha::ChaCha8Rng;
 use crate::random::{random_scene, sphere, vector};
 use crate::recorder::{Recorder, Shown, nff_scene, render};
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
+use cellray::statistics::FrameStatistics;
 use cellray::work::{Skip, Split};
 use cellray::{Engine, EngineError, Scene, Settings};
 
@@ -55,6 +56,31 @@ fn what_is_asked_to_be_traced_is_traced() {
             );
         }
     }
+}
+
+#[test]
+fn the_background_is_not_sent_twice() {
+    let scene = Scene::from_nff(&nff_scene("paper1.nff")).unwrap();
+    let retrace = Settings {
+        retain: false,
+        ..Settings::default()
+    };
+    let (framebuffer, shown) = Recorder::pair(640, 360);
+    let mut engine = Engine::start(retrace, framebuffer).unwrap();
+    let blank = |statistics: &FrameStatistics| -> (u64, u64) {
+        let spus = statistics.spus.iter();
+        spus.fold((0, 0), |(filled, blank), spu| {
+            (filled + spu.tiles_filled, blank + spu.tiles_blank)
+        })
+    };
+    let (filled, before) = blank(engine.render(&scene, &mut |_| ()).unwrap());
+    assert!(filled > 100 && before == 0, "{filled} {before}");
+    let picture = shown.lock().unwrap().take().unwrap();
+    assert_eq!(
+        blank(engine.render(&scene, &mut |_| ()).unwrap()),
+        (filled, filled)
+    );
+    assert!(shown.lock().unwrap().take().unwrap() == picture);
 }
 
 #[test]

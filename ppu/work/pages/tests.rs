@@ -1,6 +1,9 @@
 use std::ptr::NonNull;
 
+use zerocopy::FromZeros as _;
+
 use super::super::tiles::tile_count;
+use super::super::{Split, Units};
 use super::*;
 
 const SIZE: Geometry = Geometry {
@@ -59,7 +62,7 @@ impl Screen {
 
     fn show(&mut self, page: usize, scene: &Scene) -> Vec<u32> {
         let tiles = self.open(page, scene);
-        self.known.close();
+        self.known.close(&[], &[]);
         tiles
     }
 }
@@ -153,7 +156,7 @@ fn an_unfinished_frame_is_not_relied_on() {
     screen.show(0, &scene);
     assert!(screen.open(0, &scene).is_empty());
     assert_eq!(screen.open(0, &scene).len(), TILES);
-    screen.known.close();
+    screen.known.close(&[], &[]);
     screen.known.forget();
     assert_eq!(screen.open(0, &scene).len(), TILES);
 }
@@ -169,4 +172,36 @@ fn the_same_address_in_another_form_is_another_page() {
     let mut target = screen.target(0);
     target.stride += 16;
     assert_eq!(screen.open_target(&target, &scene).len(), TILES);
+}
+
+#[test]
+fn tiles_are_blank_while_the_background_stays() {
+    let mut screen = Screen::new();
+    let before = scene(&format!("{HEAD}{SPHERES}"));
+    screen.open(0, &before);
+    let mut units = Units::default();
+    units.cut(&[3, 5], 1, Split::Units, None);
+    let mut costs = vec![UnitCost::new_zeroed(); units.lines().len()];
+    for (unit, cost) in units.lines().iter().zip(&mut costs) {
+        cost.count = unit.count;
+        for (tile, ticks) in unit.tiles.iter().zip(&mut cost.ticks) {
+            *ticks = (7 | if tile.get() == 5 { TILE_BLANK } else { 0 }).into();
+        }
+    }
+    screen.known.close(units.lines(), &costs);
+    let blank = |screen: &Screen| {
+        let blank = screen.known.blank().unwrap();
+        (0..TILES as u32)
+            .filter(|&tile| blank.contains(tile))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(blank(&screen), [5]);
+    screen.open(1, &before);
+    assert_eq!(blank(&screen), [0; 0], "another page");
+    screen.open(0, &before);
+    assert_eq!(blank(&screen), [5]);
+    let other = scene(&format!("{}{SPHERES}", HEAD.replace("b 0 0 1", "b 0 1 0")));
+    screen.known.close(&[], &[]);
+    screen.open(0, &other);
+    assert_eq!(blank(&screen), [0; 0], "another background");
 }

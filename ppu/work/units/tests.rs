@@ -109,7 +109,7 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
     let all: u64 = sums.iter().sum();
     let mut left = all;
     for (unit, sum) in units.lines().iter().zip(&sums) {
-        let share = left / (6 * PARTS_OF_A_SHARE);
+        let share = (left / (6 * PARTS_OF_A_SHARE)).max(all / (6 * PARTS_OF_THE_WHOLE));
         assert!(*sum <= share || unit.count.get() == 1, "{sum} of {left}");
         left -= sum;
     }
@@ -119,7 +119,9 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
         sums[0]
     );
     assert!(
-        sums[sums.len() - 6..].iter().all(|&sum| sum < all / 400),
+        sums[sums.len() - 6..]
+            .iter()
+            .all(|&sum| sum <= all / (6 * PARTS_OF_THE_WHOLE)),
         "{sums:?}"
     );
 }

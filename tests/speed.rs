@@ -1,0 +1,91 @@
+//! What frames cost in simulated time: six SPUs at 3.2 GHz, 1280x720. Deterministic, so that a change
+//! that makes a frame slower than promised fails here, whatever machine runs it.
+
+use std::collections::BTreeMap;
+use std::process::Command;
+
+use serde_json::Value;
+
+/// The statistics of some frames of a scene in simulated time.
+fn simulated(scene: &str, options: &[&str]) -> Value {
+    let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
+        .args(["render", scene, "--size", "1280x720", "--stats", "-"])
+        .args(options)
+        .env("LIBSPE2_TIMING", "1")
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{errors}");
+    println!("{scene} {options:?}: {errors}");
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+fn number(statistics: &Value, name: &str) -> f64 {
+    statistics[name]
+        .as_f64()
+        .unwrap_or_else(|| panic!("no {name} in {statistics}"))
+}
+
+/// Every ray with every sphere: ten times the paper's 52 and 64 frames a second.
+#[test]
+fn brute_force() {
+    for (scene, frames_per_second) in [
+        ("scenes/paper16.nff", 650.0),
+        ("scenes/paper13.nff", 650.0),
+        ("scenes/fullscreen.nff", 600.0),
+    ] {
+        let found = simulated(scene, &["--no-skip"]);
+        let found = number(&found, "frames_per_second");
+        assert!(found >= frames_per_second, "{scene}: {found}");
+    }
+}
+
+/// With all that can be skipped, once the tiles' costs are known.
+#[test]
+fn everything_on() {
+    let scenes = BTreeMap::from([
+        ("scenes/paper1.nff", 3500.0),
+        ("scenes/paper13.nff", 1700.0),
+        ("scenes/paper16.nff", 1650.0),
+        ("scenes/spheres64.nff", 1650.0),
+        ("scenes/spheres256.nff", 1200.0),
+        ("scenes/fullscreen.nff", 980.0),
+    ]);
+    for (scene, frames_per_second) in scenes {
+        let found = simulated(scene, &["--retrace", "--frames", "6"]);
+        let rate = number(&found, "frames_per_second");
+        assert!(rate >= frames_per_second, "{scene}: {rate}");
+    }
+}
+
+/// No SPU waits for the others or for its transfers.
+#[test]
+fn spus_are_busy() {
+    let even = simulated("scenes/paper16.nff", &["--retrace", "--frames", "6"]);
+    assert!(number(&even, "busy_share") >= 0.97, "{even}");
+    assert!(number(&even, "dma_wait_share") <= 0.02, "{even}");
+    let uneven = simulated("scenes/cluster.nff", &["--retrace", "--frames", "40"]);
+    assert!(number(&uneven, "busy_share") >= 0.95, "{uneven}");
+    let slices = ["--retrace", "--frames", "6", "--split", "slices"];
+    let slices = simulated("scenes/cluster.nff", &slices);
+    assert!(
+        number(&slices, "busy_share") < 0.7,
+        "the scene is uneven: {slices}"
+    );
+}
+
+#[test]
+fn six_spus_do_what_one_does_six_times() {
+    for options in [&["--retrace", "--frames", "6"][..], &["--no-skip"]] {
+        let rate = |spus| {
+            let options = [options, &["--spus", spus]].concat();
+            number(
+                &simulated("scenes/paper16.nff", &options),
+                "frames_per_second",
+            )
+        };
+        let (six, one) = (rate("6"), rate("1"));
+        assert!(six >= 5.8 * one, "{options:?}: {six} and {one}");
+    }
+}
