@@ -305,21 +305,12 @@ function tile_cull
         ila     $6,background
         brsl    $lr,ray_setup_r16
 
-        il      $g_left,0
-next_group:
-        il      $3,PACKET_SIZE
-        mpyu    $3,$3,$g_left
-        ila     $4,middles
-        a       $3,$3,$4
+        # Masks of groups beside the picture mean nothing: g_inside has none of their packets.
+        ila     $3,middles
         ila     $4,active
         ori     $5,$g_active,0
-        shli    $6,$g_left,2
-        ila     $at,masks
-        a       $6,$6,$at
-        brsl    $lr,cull_spheres_p16
-        ai      $g_left,$g_left,1
-        cgt     $bits,$g_groups,$g_left
-        brnz    $bits,next_group
+        ila     $6,masks
+        brsl    $lr,cull_spheres_p64
         mpyu    $amount,$g_active,$g_groups
         count   cull_tests,$amount,$t_sum,$t_add,$t_carry
 

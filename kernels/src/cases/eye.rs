@@ -44,7 +44,7 @@ pub const KERNELS: &[Kernel] = &[
         error: None,
     },
     Kernel {
-        name: "cull_spheres_p16",
+        name: "cull_spheres_p64",
         rays: 16,
         cases: &[Case {
             name: "none seen",
@@ -211,7 +211,8 @@ fn frustum_spheres(bench: &mut Bench, ball: &Ball, count: u32) -> Vec<u32> {
 }
 
 fn cull_spheres(bench: &mut Bench, count: u32) -> Vec<u32> {
-    let middles = packets(bench, &error::NO_HITS, 1)[0];
+    let middles = eye_records::packet(&rays(), &error::NO_HITS);
+    let middles = put(bench, &[middles; 4]);
     let spheres = put_spheres(bench, &beside(), count);
     let list: Vec<Pair> = (0..count as usize)
         .map(|number| eye_records::pair(address::<Sphere>(spheres, number), 0))

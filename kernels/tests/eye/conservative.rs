@@ -233,7 +233,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_is_culled() {
     let results = (0..CAMERAS).map(|_| {
         let group = Group::any(&mut bench, &mut random);
         bench.reset();
-        let middles = bench.place(group.middles.as_bytes());
+        let middles = put(&mut bench, &[group.middles; 4]);
         let spheres = put(&mut bench, &group.records);
         let entries: Vec<Pair> = (0..SPHERES)
             .map(|number| eye_records::pair(address::<Sphere>(spheres, number), 0))
@@ -242,11 +242,15 @@ fn no_packet_a_ray_of_which_enters_a_sphere_is_culled() {
         let masks = bench.junk::<[[U32; 4]; SPHERES]>();
         let count = SPHERES as u32;
         let arguments = [middles.address, entries.address, count, masks.address];
-        bench.call("cull_spheres_p16", &arguments);
+        bench.call("cull_spheres_p64", &arguments);
         let masks: Vec<[U32; 4]> = bench.read_all(masks);
-        group.check("cull_spheres_p16", |sphere| masks[sphere][0].get())
+        group.check("cull_spheres_p64", |sphere| {
+            let [mask, others @ ..] = masks[sphere];
+            assert_eq!(others, [mask; 3], "the same middles");
+            mask.get()
+        })
     });
-    assert_both("cull_spheres_p16", results);
+    assert_both("cull_spheres_p64", results);
 }
 
 /// The planes around the tile of a pixel, to the outer edges of its pixels; normals point inwards.

@@ -1,4 +1,4 @@
-//! `filter_spheres_r16`, `cull_spheres_p16`, `frustum_spheres` and `hidden_pairs_r16`.
+//! `filter_spheres_r16`, `cull_spheres_p64`, `frustum_spheres` and `hidden_pairs_r16`.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::unit;
@@ -145,44 +145,44 @@ fn one_ray_of_sixteen_is_enough_for_the_filter() {
     assert_eq!(check_filter(&mut bench, &[packet], &[sphere; 4]), 0);
 }
 
-/// Checks `cull_spheres_p16` with its masks in that word of quadwords; gives how many packets were named.
+/// Checks `cull_spheres_p64`; gives how many packets were named.
 fn check_cull(
     bench: &mut Bench,
-    middles: &Vectors,
+    middles: &[Vectors; 4],
     spheres: &[Sphere],
     order: &[usize],
-    word: usize,
 ) -> u32 {
     bench.reset();
-    let packet = eye_records::packet(middles, &error::NO_HITS);
-    let packet = put(bench, &[packet]);
+    let packets = middles
+        .each_ref()
+        .map(|group| eye_records::packet(group, &error::NO_HITS));
+    let packets = put(bench, &packets);
     let records = put(bench, spheres);
     let entries: Vec<Pair> = order
         .iter()
         .map(|number| eye_records::pair(address::<Sphere>(records, *number), 0xdead_beef))
         .collect();
     let entries = put(bench, &entries);
-    const OTHERS: u32 = 0x5555_5555;
-    let quadwords = put(bench, &vec![[U32::new(OTHERS); 4]; order.len()]);
+    let masks = put(bench, &vec![[U32::new(0x5555_5555); 4]; order.len()]);
     let arguments = [
-        packet.address,
+        packets.address,
         entries.address,
         order.len() as u32,
-        quadwords.address + 4 * word as u32,
+        masks.address,
     ];
-    bench.call("cull_spheres_p16", &arguments);
-    let quadwords: Vec<[U32; 4]> = bench.read_all(quadwords);
+    bench.call("cull_spheres_p64", &arguments);
+    let masks: Vec<[U32; 4]> = bench.read_all(masks);
     let mut named = 0;
-    for (number, mut masks) in order.iter().zip(quadwords) {
-        let found = std::mem::replace(&mut masks[word], U32::new(OTHERS)).get();
-        assert_eq!(masks, [U32::new(OTHERS); 4], "a mask beside was changed");
+    for (number, masks) in order.iter().zip(masks) {
         let sphere = &spheres[*number];
         let (centre, limit) = (sphere.centre.map(bits), bits(sphere.packet_limit));
-        let expected = middles.iter().fold(0, |mask, middle| {
-            mask << 1 | u32::from(may_enter(*middle, centre, limit))
-        });
-        assert_eq!(found, expected, "{middles:x?}, {sphere:x?}");
-        named += found.count_ones();
+        for (middles, found) in middles.iter().zip(masks) {
+            let expected = middles.iter().fold(0, |mask, middle| {
+                mask << 1 | u32::from(may_enter(*middle, centre, limit))
+            });
+            assert_eq!(found.get(), expected, "{middles:x?}, {sphere:x?}");
+            named += expected.count_ones();
+        }
     }
     named
 }
@@ -193,13 +193,13 @@ fn culled_spheres_equal_the_twins() {
     let mut bench = Bench::new();
     for inputs in [Inputs::Sensible, Inputs::Any] {
         let (mut named, mut tried) = (0, 0);
-        for round in 0..40 {
+        for _ in 0..20 {
             for count in COUNTS {
-                let middles = inputs.directions(&mut random);
+                let middles = std::array::from_fn(|_| inputs.directions(&mut random));
                 let spheres = inputs.spheres(&mut random, 20);
                 let order: Vec<usize> = (0..count).map(|_| random.random_range(0..20)).collect();
-                named += check_cull(&mut bench, &middles, &spheres, &order, round % 4);
-                tried += 16 * count as u32;
+                named += check_cull(&mut bench, &middles, &spheres, &order);
+                tried += 64 * count as u32;
             }
         }
         assert!(named * 20 > tried && named < tried, "{named} of {tried}");

@@ -1,4 +1,4 @@
-//! Twins of the kernels that leave tests out: `filter_spheres_r16`, `cull_spheres_p16`,
+//! Twins of the kernels that leave tests out: `filter_spheres_r16`, `cull_spheres_p64`,
 //! `frustum_spheres` and `hidden_pairs_r16` in `spu/plain/isect/`.
 
 use spu_emulator::float::single::{fcgt, fma, fnms};
