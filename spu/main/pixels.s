@@ -26,6 +26,8 @@ pairs:                                  # with further ones; without skipping, a
         .global active
 active:                                 # spheres of the tile's frustum
         .skip   (MAX_SPHERES+1)*PAIR_SIZE
+packets_at_once:                        # as many as have room for pairs with all spheres
+        .skip   16
 named:                                  # masks for a list
         .skip   16
 named_again:
@@ -62,9 +64,10 @@ origin_with_y:
         .set    quad,16
         .set    m_splat,17
 
-# background_prepare   the background's pixels, and the buffer of empty tiles full of them
+# pixels_prepare   what all tiles of the frame share: the background's pixels, the buffer of empty tiles
+# full of them, how many packets are filtered at once
 #   Uses    $3-$79, g_background, g_pitch
-function background_prepare
+function pixels_prepare
         enter
         il      $g_pitch,0                              # of no tile
         # The background goes through the pixel format as any colour does.
@@ -88,6 +91,17 @@ function background_prepare
         brsl    $lr,pack_r16
         lqa     $g_background,pairs
 
+        il      $place,0
+        il      $quad,MAX_PAIRS
+next_packet_at_once:
+        sf      $quad,$g_spheres,$quad
+        cgti    $step,$quad,-1
+        sf      $place,$step,$place                     # true is -1
+        cgti    $left,$place,TILE_PACKETS-1
+        andc    $step,$step,$left
+        brnz    $step,next_packet_at_once
+        stqa    $place,packets_at_once
+
         ila     $a_place,tile_buffers+2*TILE_BYTES
         il      $left,TILE_BYTES/128
 next_line:
@@ -98,7 +112,7 @@ next_line:
         ai      $left,$left,-1
         brnz    $left,next_line
         leave
-endfunction background_prepare
+endfunction pixels_prepare
 
 # places_prepare   the places of a tile at the origin, for the row bytes of the tile at hand
 #   Uses    $10-$17, g_pitch
@@ -460,11 +474,8 @@ function all_pairs
         ila     $g_mask,places
         ori     $g_left,$g_places,0
 next_places:
-        # As many packets at once as all have room for their pairs: all, or one by one.
-        il      $limit,MAX_PAIRS/TILE_PACKETS
-        cgt     $bits,$g_spheres,$limit
-        il      $4,1
-        selb    $4,$g_left,$4,$bits
+        lqa     $4,packets_at_once
+        minimum $4,$4,$g_left,$bits
         sf      $g_left,$4,$g_left
         ori     $3,$g_mask,0
         shli    $bits,$4,PLACE_SIZE_LOG2

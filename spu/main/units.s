@@ -36,7 +36,7 @@ function units_trace
         brsl    $lr,unit_first
         brsl    $lr,unit_request
         brsl    $lr,planes_prepare
-        brsl    $lr,background_prepare
+        brsl    $lr,pixels_prepare
         phase_ends $g_ticks_fetch,$bad
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait
