@@ -188,7 +188,12 @@ impl Report {
 
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { tests, tiles, .. } = self;
+        let Self {
+            tests,
+            tiles,
+            packets,
+            ..
+        } = self;
         writeln!(
             f,
             "{}x{}, {} frame(s), {} traced, on {} SPUs in {:.2} s; by the SPUs' clock {:.2} frames/s",
@@ -203,22 +208,53 @@ impl fmt::Display for Report {
         let all = tests.made + tests.skipped + tests.unseen;
         writeln!(
             f,
-            "tests: {:.2} of {:.2} million made, {:.2} million looked for a hit; tiles: {} traced, {} \
-             filled ({} of them blank before), {} retained",
+            "tests: {:.2} of {:.2} million made, {:.2} million looked for a hit, {:.2} million hidden\n\
+             tiles: {} traced, {} filled ({} of them blank before), {} retained; packets: {} traced, {} \
+             filled",
             tests.made as f64 / 1e6,
             all as f64 / 1e6,
             tests.hits_looked_for as f64 / 1e6,
+            tests.hidden as f64 / 1e6,
             tiles.traced,
             tiles.filled,
             tiles.blank,
-            tiles.retained
+            tiles.retained,
+            packets.traced,
+            packets.filled
         )?;
-        write!(
+        let busy: f64 = self.spu.iter().map(|spu| spu.busy).sum();
+        let percent = |of: f64, all: f64| if all > 0.0 { 100.0 * of / all } else { 0.0 };
+        let phases = self.phases;
+        writeln!(
             f,
-            "SPUs: {:.1} % busy, at most {:.1} % waiting for DMA",
+            "SPUs: {:.1} % busy, at most {:.1} % waiting for DMA; at work: {:.1} % fetching, {:.1} % \
+             culling, {:.1} % making rays, {:.1} % testing, {:.1} % shading",
             100.0 * self.busy_share,
-            100.0 * self.dma_wait_share
-        )
+            100.0 * self.dma_wait_share,
+            percent(phases.fetch, busy),
+            percent(phases.cull, busy),
+            percent(phases.rays, busy),
+            percent(phases.isect, busy),
+            percent(phases.shade, busy)
+        )?;
+        // Of the frames' time, which the slowest SPU sets: what an SPU has left it waits for that one.
+        let seconds = self.ticks as f64 / self.timebase;
+        for (number, spu) in self.spu.iter().enumerate() {
+            let (busy, wait) = (percent(spu.busy, seconds), percent(spu.dma_wait, seconds));
+            let idle = (100.0 - busy - wait).max(0.0);
+            let end = if number + 1 < self.spu.len() {
+                "\n"
+            } else {
+                ""
+            };
+            write!(
+                f,
+                "SPU {number}: {busy:.1} % busy, {wait:.1} % waiting for DMA, {idle:.1} % idle; {} tiles, \
+                 {} packets{end}",
+                spu.tiles, spu.packets
+            )?;
+        }
+        Ok(())
     }
 }
 
