@@ -4,14 +4,16 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Parser;
-use kernels::bench::Bench;
 use kernels::catalogue::{self, Kernel};
 use kernels::document::{self, DocumentError};
-use kernels::measure::{Measured, measure};
+use kernels::measure::{MeasureError, measure_all};
+use kernels::schedule::{ScheduleError, Workshop};
+use kernels::source::SOURCES;
 use kernels::table::markdown;
 use thiserror::Error;
 
-/// Times the kernels of the SPU program by the emulator's pipelines and measures their errors.
+/// Times the kernels of the SPU program by the emulator's pipelines and measures their errors;
+/// makes their scheduled versions.
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Arguments {
@@ -24,17 +26,25 @@ struct Arguments {
     /// Write the table into a document, between its markers.
     #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "json"])]
     write: Option<PathBuf>,
-    /// Fail if the document's table is not what is measured now.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "json", "write"])]
-    check: Option<PathBuf>,
+    /// Fail if the document's table is not what is measured now; with --schedule and without FILE,
+    /// if scheduled versions are not what would be written.
+    #[arg(long, value_name = "FILE", num_args = 0..=1, conflicts_with_all = ["names", "json", "write"])]
+    check: Option<Option<PathBuf>>,
+    /// Write the scheduled versions of all kernels, made of the plain ones.
+    #[arg(long, conflicts_with_all = ["names", "json", "write"])]
+    schedule: bool,
 }
 
 #[derive(Debug, Error)]
 enum Failure {
     #[error("there is no kernel {name}; there are {known}")]
     Unknown { name: String, known: String },
-    #[error("{0}: no source, or its header has not the house's form")]
-    Header(&'static str),
+    #[error("--check takes FILE, or --schedule beside it")]
+    CheckOfWhat,
+    #[error(transparent)]
+    Measure(#[from] MeasureError),
+    #[error(transparent)]
+    Schedule(#[from] ScheduleError),
     #[error(transparent)]
     Document(#[from] DocumentError),
     #[error("the table as JSON: {0}")]
@@ -52,10 +62,16 @@ fn main() -> ExitCode {
 }
 
 fn run(arguments: &Arguments) -> Result<(), Failure> {
-    let measured = measure_all(&chosen(&arguments.names)?)?;
+    match (arguments.schedule, &arguments.check) {
+        (true, None) => return Ok(Workshop::here()?.write(SOURCES)?),
+        (true, Some(None)) => return Ok(Workshop::here()?.check(SOURCES)?),
+        (true, Some(Some(_))) | (false, Some(None)) => return Err(Failure::CheckOfWhat),
+        (false, _) => {}
+    }
+    let measured = measure_all(chosen(&arguments.names)?)?;
     if let Some(file) = &arguments.write {
         document::write(file, &markdown(&measured))?;
-    } else if let Some(file) = &arguments.check {
+    } else if let Some(Some(file)) = &arguments.check {
         document::check(file, &markdown(&measured))?;
     } else if arguments.json {
         println!("{}", serde_json::to_string_pretty(&measured)?);
@@ -81,12 +97,4 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Kernel>, Failure> {
             })
     };
     names.iter().map(find).collect()
-}
-
-fn measure_all(kernels: &[&Kernel]) -> Result<Vec<Measured>, Failure> {
-    let mut bench = Bench::new();
-    let measured = kernels
-        .iter()
-        .map(|kernel| measure(&mut bench, kernel).ok_or(Failure::Header(kernel.name)));
-    measured.collect()
 }

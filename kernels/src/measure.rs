@@ -3,9 +3,12 @@
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
 use serde::Serialize;
+use thiserror::Error;
 
 use crate::bench::{Bench, SEED, Version};
 use crate::catalogue::{Case, Kernel, Objects};
+use crate::loops::Loop;
+use crate::schedule::{ScheduleError, Workshop};
 use crate::source::Source;
 use crate::time::Time;
 
@@ -26,6 +29,19 @@ pub struct Measured {
     pub stated_error: String,
     /// Its cases.
     pub cases: Vec<Timed>,
+    /// Its loops.
+    pub loops: Vec<Loop>,
+}
+
+/// Why a kernel is not measured.
+#[derive(Debug, Error)]
+pub enum MeasureError {
+    /// Nothing is known of it.
+    #[error("{0}: no source, or its header has not the house's form")]
+    Header(&'static str),
+    /// Its loops can't be scheduled.
+    #[error(transparent)]
+    Schedule(#[from] ScheduleError),
 }
 
 /// A case, timed.
@@ -86,11 +102,27 @@ impl Cost {
     }
 }
 
-/// Measures a kernel; `None` if its source is missing or has no header.
-#[must_use]
-pub fn measure(bench: &mut Bench, kernel: &Kernel) -> Option<Measured> {
-    let source = Source::find(kernel.name)?;
-    let header = source.header()?;
+/// Measures kernels.
+pub fn measure_all(
+    kernels: impl IntoIterator<Item = &'static Kernel>,
+) -> Result<Vec<Measured>, MeasureError> {
+    let mut bench = Bench::new();
+    let workshop = Workshop::here()?;
+    kernels
+        .into_iter()
+        .map(|kernel| measure(&mut bench, &workshop, kernel))
+        .collect()
+}
+
+fn measure(
+    bench: &mut Bench,
+    workshop: &Workshop,
+    kernel: &Kernel,
+) -> Result<Measured, MeasureError> {
+    let source = Source::find(kernel.name);
+    let known = source.and_then(|source| Some((source, source.header()?)));
+    let (source, header) = known.ok_or(MeasureError::Header(kernel.name))?;
+    let scheduled = workshop.schedule(source)?;
     // A generator of its own, so that a kernel's error does not hang on which others are measured.
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let error = kernel.error.map(|error| error(bench, &mut random));
@@ -104,7 +136,7 @@ pub fn measure(bench: &mut Bench, kernel: &Kernel) -> Option<Measured> {
             scheduled: source.scheduled.then(|| cost(Version::Scheduled)),
         }
     });
-    Some(Measured {
+    Ok(Measured {
         kernel: kernel.name,
         file: source.file,
         doc: header.doc,
@@ -112,6 +144,7 @@ pub fn measure(bench: &mut Bench, kernel: &Kernel) -> Option<Measured> {
         cases: cases.collect(),
         error,
         stated_error: header.error,
+        loops: scheduled.loops.iter().map(Loop::from).collect(),
     })
 }
 

@@ -7,7 +7,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use spu_emulator::schedule::{self as scheduler, LoopReport, Outcome, Scheduled};
+use spu_emulator::schedule::{self as scheduler, Scheduled};
 use spu_emulator::timing::Rules;
 use spu_emulator::timing::check::{self, CheckError};
 use spu_emulator::timing::code::{Code, CodeError};
@@ -15,8 +15,7 @@ use tempfile::TempDir;
 use thiserror::Error;
 
 use crate::assembler::{Assembler, AssemblerError};
-use crate::measure::Loop;
-use crate::source::{SOURCES, Source};
+use crate::source::Source;
 
 /// The constants that the build generates from the layouts of records.
 const WORK_UNIT: &str = include_str!(concat!(env!("OUT_DIR"), "/include/work_unit.inc"));
@@ -104,9 +103,9 @@ impl Workshop {
             .map_err(|source| ScheduleError::Scheduler { path, source })
     }
 
-    /// Writes the scheduled version of every kernel.
-    pub fn write(&self) -> Result<(), ScheduleError> {
-        for kernel in SOURCES {
+    /// Writes the scheduled versions of kernels.
+    pub fn write(&self, kernels: &[Source]) -> Result<(), ScheduleError> {
+        for kernel in kernels {
             let scheduled = self.schedule(kernel)?;
             let path = self.root.join(kernel.scheduled_file());
             fs::write(&path, scheduled.text)
@@ -115,11 +114,11 @@ impl Workshop {
         Ok(())
     }
 
-    /// Compares every scheduled version with what the scheduler makes now; the error names all that
+    /// Compares the scheduled versions of kernels with what the scheduler makes now; the error names all that
     /// are stale.
-    pub fn check(&self) -> Result<(), ScheduleError> {
+    pub fn check(&self, kernels: &[Source]) -> Result<(), ScheduleError> {
         let mut stale = Vec::new();
-        for kernel in SOURCES {
+        for kernel in kernels {
             let file = kernel.scheduled_file();
             let path = self.root.join(&file);
             let found = match fs::read_to_string(&path) {
@@ -154,18 +153,6 @@ impl Workshop {
     fn assemble(&self, kernel: &Source, path: &Path) -> Result<Vec<u8>, ScheduleError> {
         let object = self.work.path().join(format!("{}.o", kernel.name));
         Ok(self.assembler.assemble(path, &object)?)
-    }
-}
-
-impl From<&LoopReport> for Loop {
-    fn from(report: &LoopReport) -> Self {
-        Self {
-            name: report.name.clone(),
-            outcome: match &report.outcome {
-                Outcome::Pipelined(figures) => Ok(figures.into()),
-                Outcome::Plain(why) => Err(why.clone()),
-            },
-        }
     }
 }
 

@@ -37,6 +37,12 @@ impl Source {
         SOURCES.iter().find(|source| source.name == name)
     }
 
+    /// The file of the scheduled version, from the repository's root.
+    #[must_use]
+    pub fn scheduled_file(&self) -> String {
+        self.file.replacen("spu/plain/", "spu/", 1)
+    }
+
     /// The header; `None` if it has not the house's form.
     #[must_use]
     pub fn header(&self) -> Option<Header> {

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
+use crate::loops::Form;
 use crate::measure::{Cost, Measured, Timed};
 
 /// The columns of a version in the table of times.
@@ -13,6 +14,8 @@ const VERSIONS: [&str; 2] = ["plain", "scheduled"];
 pub fn markdown(kernels: &[Measured]) -> String {
     let mut text = String::new();
     times(&mut text, kernels);
+    text.push('\n');
+    loops(&mut text, kernels);
     text.push('\n');
     errors(&mut text, kernels);
     text.push('\n');
@@ -74,6 +77,41 @@ fn percent(share: f64) -> String {
     } else {
         String::new()
     }
+}
+
+fn loops(text: &mut String, kernels: &[Measured]) {
+    let mut rows = vec![
+        [
+            "kernel", "loop", "even", "odd", "bound", "interval", "stages", "reached",
+        ]
+        .map(String::from),
+    ];
+    for kernel in kernels {
+        for found in &kernel.loops {
+            let [even, odd, bound, interval, stages, reached] = match &found.form {
+                Form::Pipelined(cycles) => [
+                    cycles.even.to_string(),
+                    cycles.odd.to_string(),
+                    cycles.bound.to_string(),
+                    cycles.interval.to_string(),
+                    cycles.stages.to_string(),
+                    percent(cycles.reached()),
+                ],
+                Form::Straight(_) => [const { String::new() }; 6],
+            };
+            rows.push([
+                kernel.kernel.into(),
+                found.name.clone(),
+                even,
+                odd,
+                bound,
+                interval,
+                stages,
+                reached,
+            ]);
+        }
+    }
+    write_table(text, &rows, 2..8);
 }
 
 fn errors(text: &mut String, kernels: &[Measured]) {

@@ -4,9 +4,26 @@ use std::collections::BTreeSet;
 
 use kernels::bench::{Bench, random};
 use kernels::catalogue;
+use kernels::flat_records;
 use kernels::records::{Ball, Ray, Rays};
 use kernels::source::{SOURCES, Source};
 use std::mem::offset_of;
+
+#[test]
+fn every_kernel_has_a_row() {
+    let rows: Vec<&str> = catalogue::kernels().map(|kernel| kernel.name).collect();
+    let named: BTreeSet<&str> = rows.iter().copied().collect();
+    assert_eq!(rows.len(), named.len(), "one row each: {rows:?}");
+    let kernels: BTreeSet<&str> = SOURCES.iter().map(|source| source.name).collect();
+    assert_eq!(named, kernels);
+    for kernel in catalogue::kernels() {
+        assert!(!kernel.cases.is_empty(), "{} has no case", kernel.name);
+        let stated = Source::find(kernel.name).and_then(Source::header);
+        let stated = stated.and_then(|header| header.stated_error());
+        let counts = stated.is_some_and(|error| error > 0.0);
+        assert_eq!(kernel.error.is_some(), counts, "{}", kernel.name);
+    }
+}
 
 #[test]
 fn every_header_can_be_read() {
@@ -71,19 +88,22 @@ fn every_case_can_be_called() {
     }
 }
 
-/// Every `.set NAME_field,offset` of `rays.inc`, against the records in Rust.
-#[test]
-fn the_records_are_the_assemblers() {
-    let text = include_str!("../../spu/include/rays.inc");
-    let found: BTreeSet<(&str, usize)> = text
-        .lines()
+/// Every `.set NAME_field,offset` of an included file.
+fn offsets(text: &'static str) -> BTreeSet<(&'static str, usize)> {
+    text.lines()
         .filter_map(|line| line.trim_start().strip_prefix(".set"))
+        .map(str::trim)
+        .filter(|line| line.starts_with(|first: char| first.is_ascii_uppercase()))
         .map(|line| {
-            let (name, value) = line.trim().split_once(',').expect("a value");
+            let (name, value) = line.split_once(',').expect("a value");
             let value = value.split_whitespace().next().expect("a value");
             (name, value.parse().expect("a number"))
         })
-        .collect();
+        .collect()
+}
+
+#[test]
+fn the_records_of_rays_are_the_assemblers() {
     let expected = BTreeSet::from([
         ("RAYS_origin_x", offset_of!(Rays, origin_x)),
         ("RAYS_origin_y", offset_of!(Rays, origin_y)),
@@ -103,5 +123,49 @@ fn the_records_are_the_assemblers() {
         ("BALL_radius_squared", offset_of!(Ball, radius_squared)),
         ("BALL_SIZE", size_of::<Ball>()),
     ]);
-    assert_eq!(found, expected);
+    assert_eq!(
+        offsets(include_str!("../../spu/include/rays.inc")),
+        expected
+    );
+}
+
+#[test]
+fn the_records_of_flat_shapes_are_the_assemblers() {
+    const QUADWORD: usize = 16;
+    const ROWS: usize = 64;
+    let axes = offset_of!(flat_records::Shears, axes);
+    let origin = offset_of!(flat_records::Shears, origin);
+    let slopes = offset_of!(flat_records::Shears, slopes);
+    let expected = BTreeSet::from([
+        ("RAYS_u", offset_of!(flat_records::Rays, u)),
+        ("RAYS_v", offset_of!(flat_records::Rays, v)),
+        ("RAY_u", offset_of!(flat_records::OneRay, u)),
+        ("RAY_v", offset_of!(flat_records::OneRay, v)),
+        ("TRIANGLE_a", 0),
+        ("TRIANGLE_b", QUADWORD),
+        ("TRIANGLE_c", 2 * QUADWORD),
+        ("TRIANGLE_SIZE", 3 * QUADWORD),
+        ("RECTANGLE_point", 0),
+        ("RECTANGLE_normal", QUADWORD),
+        ("RECTANGLE_dual_u", 2 * QUADWORD),
+        ("RECTANGLE_dual_v", 3 * QUADWORD),
+        ("RECTANGLE_SIZE", 4 * QUADWORD),
+        ("SHEAR_axis_x", axes),
+        ("SHEAR_axis_y", axes + ROWS),
+        ("SHEAR_axis_z", axes + 2 * ROWS),
+        ("SHEAR_origin_x", origin),
+        ("SHEAR_origin_y", origin + ROWS),
+        ("SHEAR_origin_z", origin + 2 * ROWS),
+        ("SHEAR_slope_x", slopes),
+        ("SHEAR_slope_y", slopes + ROWS),
+        (
+            "SHEAR_minus_per_z",
+            offset_of!(flat_records::Shears, minus_per_z),
+        ),
+        ("SHEAR_SIZE", size_of::<flat_records::Shears>()),
+    ]);
+    assert_eq!(
+        offsets(include_str!("../../spu/include/flat.inc")),
+        expected
+    );
 }

@@ -61,3 +61,17 @@ fn finds_a_document_stale() {
     assert!(kernels(&["--check", path]).status.success());
     assert!(!kernels(&["--check", path, "--json"]).status.success());
 }
+
+#[test]
+fn says_what_check_wants() {
+    for arguments in [&["--check"][..], &["--schedule", "--check", "kernels.md"]] {
+        let output = kernels(arguments);
+        assert!(!output.status.success(), "{arguments:?}");
+        let error = text(&output.stderr);
+        assert!(
+            error.contains("--check takes FILE, or --schedule"),
+            "{error}"
+        );
+    }
+    assert!(!kernels(&["--schedule", "isect_sphere_r1"]).status.success());
+}

@@ -1,23 +1,8 @@
-//! `docs/kernels.md` says what is measured now, and a document that does not is found out.
+//! A document is written between its markers only, and one that is stale is found out.
 
 use std::fs;
-use std::path::Path;
 
-use kernels::bench::Bench;
-use kernels::catalogue;
 use kernels::document::{BEGIN, DocumentError, END, check, write};
-use kernels::measure::measure;
-use kernels::table::markdown;
-
-#[test]
-fn the_document_is_up_to_date() {
-    let mut bench = Bench::new();
-    let measured: Vec<_> = catalogue::kernels()
-        .map(|kernel| measure(&mut bench, kernel).expect("a kernel with a header"))
-        .collect();
-    let document = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/kernels.md");
-    check(&document, &markdown(&measured)).unwrap_or_else(|error| panic!("{error}"));
-}
 
 #[test]
 fn what_is_outside_the_markers_stays() {

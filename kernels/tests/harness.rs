@@ -17,6 +17,11 @@ const SOURCES: &[Source] = &[
         false,
     ),
     source("beside", include_str!("harness/plain/room/beside.s"), false),
+    source(
+        "follows",
+        include_str!("harness/plain/room/follows.s"),
+        true,
+    ),
     source("writes", include_str!("harness/plain/room/writes.s"), true),
     source(
         "returns",
@@ -73,6 +78,15 @@ fn a_good_kernel_is_called() {
         }
     );
     assert_eq!(bench.read::<[u8; 16]>(place)[..4], 42_u32.to_be_bytes());
+}
+
+#[test]
+fn what_a_kernel_without_scheduled_version_writes_is_there_for_the_next() {
+    let mut bench = bench();
+    let place = bench.place(&40_u32.to_be_bytes().repeat(4));
+    for (kernel, value) in [("good", 41), ("follows", 43), ("good", 44)] {
+        assert_eq!(bench.call(kernel, &[place.address]).value, value);
+    }
 }
 
 #[test]

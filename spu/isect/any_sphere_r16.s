@@ -3,7 +3,7 @@
 #   In      $3 rays, $4 sphere; pointers 16-aligned
 #   Out     $3 a bit a ray, 0x8000 of the first: hit between 0 and t. None for a ray whose t is not
 #           above 0
-#   Uses    $3-$5, $10-$67   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$67   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62
 #   Error   30 ulp of the larger of t and r: nearer to a hit, t may count as on its other side;
 #           origin up to 30 radii from the centre, ray within 0.995 r of it

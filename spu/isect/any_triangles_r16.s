@@ -4,7 +4,7 @@
 #   In      $3 rays, $4 what shear_r16 made of them, $5 triangles, $6 count (0 is none); pointers
 #           16-aligned
 #   Out     $3 a bit a ray, 0x8000 of the first: a triangle is hit with 0 < t < rays.t
-#   Uses    $3-$6, $10-$55   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$3, $5-$77, $79   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_triangles_r16
 #   Error   none of its own: hits exactly what isect_triangles_r16 hits
 #   Twin    oracle/src/twin/triangle.rs

@@ -5,7 +5,7 @@
 #           words are the addresses of spheres; $5 count (at least 1); $6 where masks go; pointers
 #           16-aligned
 #   Out     four masks a sphere, one for each sixteen packets: 16 bits, the highest of the first
-#   Uses    $4-$6, $10-$35   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$55, $79   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them
 #   Error   0: no packet is left out a ray of which enters
 #   Twin    oracle/src/twin/cull.rs

@@ -6,7 +6,7 @@
 #   Out     pairs of each of the places' packets with such spheres, packet by packet, spheres in
 #           order; one more quadword may be written
 #           $3 behind the last pair
-#   Uses    $3-$7, $10-$61   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$6, $8-$79   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them
 #   Error   0: no sphere is left out that a ray enters
 #   Twin    oracle/src/twin/cull.rs

@@ -5,7 +5,7 @@
 #   Out     a quadword for each such sphere, in order, whose first word is its address; one more
 #           quadword may be written
 #           $3 behind the list
-#   Uses    $3-$6, $10-$39   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$27, $79   Saves  -   Stack  0   Calls  -
 #   Domain  unit normals, within 4 ulp; reach as the PPU makes it
 #   Error   0: no sphere is left out that has a point in the frustum
 #   Twin    oracle/src/twin/cull.rs

@@ -2,7 +2,7 @@
 #   C       void isect_spheres16_r16(struct rays *, const struct ball *, int first_object);
 #   In      $3 rays, $4 sixteen spheres, $5 object number of the first; pointers 16-aligned
 #   Out     rays: t, object, where a hit is at 0 < t < the t that was there
-#   Uses    $3-$5, $10-$67   Saves  -   Stack  0   Calls  -
+#   Uses    $2, $4-$79   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
 #           leaves the ray alone)
 #   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within

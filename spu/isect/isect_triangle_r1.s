@@ -2,7 +2,7 @@
 #   C       void isect_triangle_r1(struct ray *, const struct triangle *, int object);
 #   In      $3 ray, $4 triangle, $5 object number; pointers 16-aligned
 #   Out     ray: t, object, u, v, if a hit has 0 < t < what was there
-#   Uses    $5, $10-$68   Saves  -   Stack  0   Calls  -
+#   Uses    $2, $5, $10-$68   Saves  -   Stack  0   Calls  -
 #   Domain  as isect_triangles_r16; direction as shear_r16
 #   Error   none of its own: the bits of shear_r16 and isect_triangles_r16
 #   Twin    oracle/src/twin/triangle.rs

@@ -4,10 +4,10 @@
 #   In      $3 rays, $4 what shear_r16 made of them, $5 triangles, $6 count (0 is none), $7 object
 #           number of the first; pointers 16-aligned
 #   Out     rays: t, object, u, v, where a hit has 0 < t < what was there
-#   Uses    $5-$7, $10-$42   Saves  -   Stack  0   Calls  -
+#   Uses    $2, $4-$79   Saves  -   Stack  0   Calls  -
 #   Domain  rays.t >= 0; distances from the origin below 2^60; triangles higher than 2^-50 across
 #           the ray
-#   Error   5 ulp of t, 6e-5 in u and v; edges from 1/100 of the distance to all of it, area across
+#   Error   6 ulp of t, 8e-5 in u and v; edges from 1/100 of the distance to all of it, area across
 #           the ray above 1/20 of their square
 #   Twin    oracle/src/twin/triangle.rs
 # Scheduled by spu schedule from isect_triangles_r16.s
@@ -415,10 +415,10 @@ function isect_triangles_r16
         lqd     $n_best+1,400($a_rays)                  # 2o
 
         ilhu    $k_sign,0x8000                          # 3e
-        lqd     $n_best+2,416($a_rays)                  # 3o
+        lqd     $signs,416($a_rays)                     # 3o
 
         clgti   $count_2,$count,2                       # 4e at least as many passes as overlap
-        lqd     $n_best+3,432($a_rays)                  # 4o
+        lqd     $signs+1,432($a_rays)                   # 4o
 
         iohl    $k_above_one,2                          # 5e
         shufb   $object,$object,$object,$m_splat        # 5o
@@ -427,9 +427,9 @@ function isect_triangles_r16
         xor     $n_best,$n_best,$k_sign                 # 7e
 
         xor     $n_best+1,$n_best+1,$k_sign             # 8e
-        xor     $n_best+2,$n_best+2,$k_sign             # 9e
+        xor     $signs,$signs,$k_sign                   # 9e
 
-        xor     $n_best+3,$n_best+3,$k_sign             # 10e
+        xor     $signs+1,$signs+1,$k_sign               # 10e
         brz     $count_2,next_triangle_short            # 10o too few passes
 
         ai      $count,$count,-1                        # 11e
@@ -894,7 +894,7 @@ function isect_triangles_r16
         andc    $control_6,$control_5,$outside_5        # 218e
         lqd     $q_3,240($a_shear)                      # 218o
 
-        cgt     $control_7,$n_best+2,$n                 # 219e 0 < t < t_best
+        cgt     $control_7,$signs,$n                    # 219e 0 < t < t_best
         shufb   $yc_2,$vertex_c_2,$vertex_c_2,$p_2      # 219o
 
         fs      $yb_2,$yb_2,$q_2                        # 220e
@@ -939,7 +939,7 @@ function isect_triangles_r16
         fs      $xa_3,$xa_3,$q_6                        # 233e
         shufb   $za_4,$vertex_a_2,$vertex_a_2,$p_9      # 233o
 
-        cgt     $control_9,$n_best+3,$n_5               # 234e 0 < t < t_best
+        cgt     $control_9,$signs+1,$n_5                # 234e 0 < t < t_best
         shufb   $zb_6,$vertex_b_2,$vertex_b_2,$p_9      # 234o
 
         fs      $xc_5,$xc_3,$q_6                        # 235e
@@ -1189,7 +1189,7 @@ function isect_triangles_r16
         frest   $t_y_3,$control_2                       # 343o
 
         fa      $control_4,$control_4,$w_6              # 346e
-        shufb   $n_best+3,$n_best+3,$n_5,$control_15    # 346o
+        shufb   $signs+1,$signs+1,$n_5,$control_15      # 346o
 
         fi      $t_y_3,$control_2,$t_y_3                # 347e
         shufb   $best_5,$best_5,$v_9,$control_14        # 347o
@@ -1219,7 +1219,7 @@ function isect_triangles_r16
         shufb   $best_5,$best_13,$object,$control       # 356o
 
         fi      $t_y_6,$control_4,$t_y_6                # 357e
-        shufb   $n_best+2,$n_best+2,$n,$control         # 357o
+        shufb   $signs,$signs,$n,$control               # 357o
 
         ai      $object,$object,1                       # 358e
         shufb   $best_10,$best_14,$v,$control           # 358o
@@ -1354,7 +1354,7 @@ next_triangle:
         fs      $yc_5,$yc_5,$q_11                       # 37e
         lqd     $p_6,96($a_shear)                       # 37o
 
-            cgt     $control_7,$n_best+2,$n             # 38e 0 < t < t_best
+            cgt     $control_7,$signs,$n                # 38e 0 < t < t_best
         shufb   $yb_2,$vertex_b_2,$vertex_b_2,$p_2      # 38o
 
             fma     $n_6,$w_10,$zc_7,$n_4               # 39e
@@ -1390,7 +1390,7 @@ next_triangle:
         fs      $zc_4,$zc_4,$q_9                        # 49e
         shufb   $xa_4,$vertex_a_2,$vertex_a_2,$p_7      # 49o
 
-            cgt     $control_9,$n_best+3,$n_5           # 50e 0 < t < t_best
+            cgt     $control_9,$signs+1,$n_5            # 50e 0 < t < t_best
         shufb   $xb_4,$vertex_b_2,$vertex_b_2,$p_7      # 50o
 
         fs      $xc_2,$xc_2,$q_3                        # 51e
@@ -1700,7 +1700,7 @@ next_triangle:
             shufb   $best_16,$best_11,$u_10,$control_14 # 174o
 
         fma     $inverse_2,$t_e_2,$t_y_2,$t_y_2         # 175e
-            shufb   $n_best+2,$n_best+2,$n,$control     # 175o
+            shufb   $signs,$signs,$n,$control           # 175o
 
         fi      $t_y_6,$control_4,$t_y_6                # 176e
             stqd    $best_5,576($a_rays)                # 176o
@@ -1721,7 +1721,7 @@ next_triangle:
             stqd    $best_5,480($a_rays)                # 181o
 
         fm      $u_8,$u_2,$inverse_2                    # 182e
-            shufb   $n_best+3,$n_best+3,$n_5,$control_15 # 182o
+            shufb   $signs+1,$signs+1,$n_5,$control_15  # 182o
 
         fnms    $t_e,$control_4,$t_y_6,$k_above_one     # 183e
             shufb   $best_17,$best_9,$v_8,$control_15   # 183o
@@ -1807,7 +1807,7 @@ next_triangle_drain:
         rotqbii $control_6,$control_6,1                 # 34o
 
         or      $outside,$outside,$w_8                  # 35e
-        cgt     $control_7,$n_best+2,$n                 # 36e 0 < t < t_best
+        cgt     $control_7,$signs,$n                    # 36e 0 < t < t_best
 
         or      $outside_2,$outside_2,$w_11             # 37e
         lnop                                            # 37o pairing
@@ -1818,7 +1818,7 @@ next_triangle_drain:
         cgt     $control_11,$n_best,$n_7                # 39e 0 < t < t_best
         lnop                                            # 39o pairing
 
-        cgt     $control_17,$n_best+3,$n_5              # 40e 0 < t < t_best
+        cgt     $control_17,$signs+1,$n_5               # 40e 0 < t < t_best
         rotqbii $control_8,$control_8,1                 # 40o
 
         andc    $control_12,$control_11,$outside_3      # 41e
@@ -1887,8 +1887,8 @@ next_triangle_drain:
         shufb   $n_best+1,$n_best+1,$n_2,$control       # 81o
         shufb   $n_best,$n_best,$n_7,$control_14        # 82o
 
-        shufb   $n_best+2,$n_best+2,$n,$control_17      # 83o
-        shufb   $n_best+3,$n_best+3,$n_5,$control_15    # 84o
+        shufb   $signs,$signs,$n,$control_17            # 83o
+        shufb   $signs+1,$signs+1,$n_5,$control_15      # 84o
 
         xor     $n_best+1,$n_best+1,$k_sign             # 85e
         stqd    $best_20,496($a_rays)                   # 85o
@@ -1896,10 +1896,10 @@ next_triangle_drain:
         xor     $n_best,$n_best,$k_sign                 # 86e
         shufb   $best,$best_15,$u_11,$control_15        # 86o
 
-        xor     $n_best+2,$n_best+2,$k_sign             # 87e
+        xor     $signs,$signs,$k_sign                   # 87e
         shufb   $best_17,$best_9,$v_10,$control_15      # 87o
 
-        xor     $n_best+3,$n_best+3,$k_sign             # 88e
+        xor     $signs+1,$signs+1,$k_sign               # 88e
         stqd    $best_5,544($a_rays)                    # 88o
 
         stqd    $best_21,512($a_rays)                   # 89o
@@ -1911,8 +1911,8 @@ next_triangle_drain:
         stqd    $n_best,384($a_rays)                    # 93o
         stqd    $n_best+1,400($a_rays)                  # 94o
 
-        stqd    $n_best+2,416($a_rays)                  # 95o
-        stqd    $n_best+3,432($a_rays)                  # 96o
+        stqd    $signs,416($a_rays)                     # 95o
+        stqd    $signs+1,432($a_rays)                   # 96o
 
         nop     $127                                    # 97e pairing
 isect_triangles_r16_return:
@@ -2321,7 +2321,7 @@ next_triangle_short:
         andc    $control_14,$control_2,$outside_10      # 205e
         lnop                                            # 205o pairing
 
-        cgt     $control_24,$n_best+2,$n_14             # 206e 0 < t < t_best
+        cgt     $control_24,$signs,$n_14                # 206e 0 < t < t_best
         gb      $control_23,$control_23                 # 206o
 
         rotqbii $control_14,$control_14,1               # 207o
@@ -2336,7 +2336,7 @@ next_triangle_short:
         gb      $control_24,$control_24                 # 214o
         lqx     $control_23,$control_23,$a_controls     # 215o
 
-        cgt     $control_25,$n_best+3,$n_15             # 216e 0 < t < t_best
+        cgt     $control_25,$signs+1,$n_15              # 216e 0 < t < t_best
         shlqbii $control_14,$control_14,4               # 216o
 
         andc    $control_25,$control_25,$outside_9      # 218e
@@ -2379,7 +2379,7 @@ next_triangle_short:
         shufb   $n_best,$n_best,$n_12,$control_23       # 243o
 
         lqx     $control,$control,$a_controls           # 244o
-        shufb   $n_best+2,$n_best+2,$n_14,$control_24   # 245o
+        shufb   $signs,$signs,$n_14,$control_24         # 245o
 
         stqd    $best_34,528($a_rays)                   # 246o
         hbrr    next_triangle_short_back,next_triangle_short # 247o hint
@@ -2391,7 +2391,7 @@ next_triangle_short:
         shufb   $best_37,$best_29,$object,$control      # 252o
 
         ai      $object,$object,1                       # 253e
-        shufb   $n_best+3,$n_best+3,$n_15,$control      # 253o
+        shufb   $signs+1,$signs+1,$n_15,$control        # 253o
 
         stqd    $best,624($a_rays)                      # 254o
         stqd    $best_34,560($a_rays)                   # 255o
@@ -2406,14 +2406,14 @@ next_triangle_short_back:
         xor     $n_best+1,$n_best+1,$k_sign             # 259e
         lnop                                            # 259o pairing
 
-        xor     $n_best+2,$n_best+2,$k_sign             # 260e
+        xor     $signs,$signs,$k_sign                   # 260e
         stqd    $n_best,384($a_rays)                    # 260o
 
-        xor     $n_best+3,$n_best+3,$k_sign             # 261e
+        xor     $signs+1,$signs+1,$k_sign               # 261e
         stqd    $n_best+1,400($a_rays)                  # 261o
 
-        stqd    $n_best+2,416($a_rays)                  # 262o
-        stqd    $n_best+3,432($a_rays)                  # 263o
+        stqd    $signs,416($a_rays)                     # 262o
+        stqd    $signs+1,432($a_rays)                   # 263o
 
         nop     $127                                    # 264e pairing
 isect_triangles_r16_return_2:

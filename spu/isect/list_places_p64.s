@@ -5,7 +5,7 @@
 #           64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers 16-aligned
 #   Out     the list; one more quadword may be written
 #           $3 behind the list
-#   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$3, $5-$46   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
 #   Twin    oracle/src/twin/lists.rs

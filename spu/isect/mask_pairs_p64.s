@@ -2,7 +2,7 @@
 #   C       vec_uint4 mask_pairs_p64(const struct pair *, int count, const struct packet *);
 #   In      $3 pairs, $4 count (0 is none), $5 the tile's first packet; pointers 16-aligned
 #   Out     $3 a mask for each sixteen packets: 16 bits, the highest of the first
-#   Uses    $3-$4, $10-$17   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$4, $6-$16, $79   Saves  -   Stack  0   Calls  -
 #   Domain  all packets are of the tile, which has at most 64
 #   Error   0
 #   Twin    oracle/src/twin/lists.rs

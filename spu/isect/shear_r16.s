@@ -2,7 +2,7 @@
 #   C       void shear_r16(const struct rays *, struct shear *);
 #   In      $3 rays, $4 shear; pointers 16-aligned
 #   Out     shear
-#   Uses    $10-$37   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$3, $5-$54   Saves  -   Stack  0   Calls  -
 #   Domain  the longest component of a direction is from 2^-62 to 2^62
 #   Error   1.5 ulp: of 1 in the slopes, of itself in 1 / direction z
 #   Twin    oracle/src/twin/triangle.rs

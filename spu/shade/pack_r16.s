@@ -4,7 +4,7 @@
 #   In      $3 places, $4 count (at least 1), $5 their colours, in order, $6 shuffle, $7 bytes from
 #           row to row of the tile buffer; pointers and pitch multiples of 16
 #   Out     the places' pixels, four rows of a quadword each
-#   Uses    $3-$5, $10-$27   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$6, $8-$34, $79   Saves  -   Stack  0   Calls  -
 #   Domain  any colour: below 0 is 0, above 1 is 1
 #   Error   0.50001 of 255, each channel
 #   Twin    oracle/src/twin/pack.rs

@@ -5,7 +5,7 @@
 #           pointers 16-aligned
 #   Out     colours of the places' packets, in order
 #           $3 rays that hit something, a count a lane
-#   Uses    $3, $4, $6, $10-$40   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$42, $79   Saves  -   Stack  0   Calls  -
 #   Domain  the packets' objects are addresses of records with a colour
 #   Error   2 ulp of 1, each channel
 #   Twin    oracle/src/twin/shade_depth.rs

@@ -25,6 +25,8 @@ mod text;
 mod values;
 mod words;
 
+use std::collections::BTreeMap;
+
 pub use error::{ScheduleError, Unschedulable};
 use names::Names;
 use object::Plain;
@@ -54,18 +56,17 @@ pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, Sc
     }
     let source = Source::new(source);
     let functions = source.functions().map_err(at)?;
-    let given = source.register_names(&functions, &plain.numbers());
+    let numbers = plain.numbers();
+    let given = source.register_names(&functions, &numbers);
     let mut names = Names::new(given, plain.names());
     let mut loops = Vec::new();
-    let mut text = String::new();
-    let mut copied = 0;
-    let mut found = false;
+    let mut bodies = Vec::new();
+    let mut used = BTreeMap::new();
     for lines in &functions {
         let Some(mut function) = plain.function(&lines.name, path).map_err(at)? else {
             continue;
         };
         source.check(lines).map_err(at)?;
-        found = true;
         // Without a line on it every register may be a result.
         function.results = source.results(lines).unwrap_or(!0);
         for block in &mut function.blocks {
@@ -76,18 +77,26 @@ pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, Sc
         function.fuse();
         loops.extend(pipelined::pipeline(&mut function));
         function.fuse();
-        let body = words::lay_out(&mut function, &mut names, &source);
-        source.copy(copied..lines.first + 1, path, &mut text);
+        let (body, written) = words::lay_out(&mut function, &mut names, &source);
+        if let Some(line) = source.uses(lines) {
+            *used.entry(line).or_insert(0) |= written;
+        }
         let inside = (lines.first as u64 + 1, lines.end as u64 + 1);
-        for (name, number) in names.take_made(inside) {
+        bodies.push((lines, names.take_made(inside), body));
+    }
+    if bodies.is_empty() {
+        return Err(ScheduleError::NoFunction);
+    }
+    let mut text = String::new();
+    let mut copied = 0;
+    for (lines, made, body) in bodies {
+        source.copy(copied..lines.first + 1, path, &used, &mut text);
+        for (name, number) in made {
             text.push_str(&format!("        .set    {name},{number}\n"));
         }
         text.push_str(&body);
         copied = lines.end;
     }
-    if !found {
-        return Err(ScheduleError::NoFunction);
-    }
-    source.copy(copied..source.lines.len(), path, &mut text);
+    source.copy(copied..source.lines.len(), path, &used, &mut text);
     Ok(Scheduled { text, loops })
 }

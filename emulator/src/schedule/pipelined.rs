@@ -8,7 +8,9 @@
 use super::colour::colour;
 use super::copies;
 use super::dependence::{Edge, counter, cyclic, obstacle};
-use super::function::{Block, BlockId, Flow, Function, Leaves, Node, POOL, Reference, bit};
+use super::function::{
+    Block, BlockId, Flow, Function, Leaves, Node, POOL, Reference, Registers, bit,
+};
 use super::layout::plain;
 use super::modulo::{Problem, impossible, longest};
 use crate::isa::{Class, Op, Pipe};
@@ -19,6 +21,10 @@ const PLACED: usize = 16_000;
 const ATTEMPTS: (usize, usize) = (24, 160);
 /// Schedules of one interval among which the best is taken.
 const KEPT: usize = 12;
+/// Lives of values that are tried at each interval: its own length, then shorter by so many parts
+/// of it. The shorter, the more copies, and the more room each instruction has.
+const LIVES: i64 = 5;
+const LIFE_PARTS: i64 = 12;
 /// Instructions between a hint and its branch that stay within reach with what fills pairs.
 const HINT_REACH: usize = 200;
 /// Cycles or instructions of a kernel above which it holds its hint itself.
@@ -191,60 +197,68 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     // Where full pipes draw out a short chain, values get their copies as if passes were shorter.
     let unlimited = (3..=minimum).find(recurrence).unwrap_or(minimum);
     let short = (longest_chain(&true_edges, body.len()) / 2).max(unlimited);
-    let intervals = minimum..plain_cycles.max(minimum + 1);
-    for (interval, life) in intervals.flat_map(|interval| [(interval, interval), (interval, short)])
-    {
+    let lives = |interval: i64| {
+        let part = (interval / LIFE_PARTS).max(1);
+        let shorter = (0..LIVES).map(move |parts| interval - parts * part);
+        shorter.chain(Some(short).filter(|&short| short <= interval))
+    };
+    for interval in minimum..plain_cycles.max(minimum + 1) {
         let hinted = with_hint(body, interval, block.id);
-        let nodes = (life <= interval)
-            .then(|| copies::insert(&hinted, interval, life))
-            .flatten();
-        let Some(nodes) = nodes else {
-            continue;
-        };
-        let mut edges = cyclic(&nodes);
-        edges.extend(hint_edges(&nodes));
-        let problem = Problem::new(&nodes, &edges, interval);
-        let mut best: Option<(u64, u32, Vec<Node>, Vec<i64>)> = None;
-        let mut found = 0;
-        let attempts = (PLACED / nodes.len()).clamp(ATTEMPTS.0, ATTEMPTS.1);
-        for attempt in 0..attempts as u64 {
-            let Some(mut times) = problem.attempt(attempt) else {
+        let mut tried = Vec::new();
+        for life in lives(interval) {
+            let copied = copies::insert(&hinted, interval, life);
+            let Some(nodes) = copied.filter(|nodes| !tried.contains(&nodes.len())) else {
                 continue;
             };
-            problem.sink(&mut times);
-            let Some((coloured, registers)) = colour(&nodes, &times, interval, live) else {
+            tried.push(nodes.len());
+            let mut edges = cyclic(&nodes);
+            edges.extend(hint_edges(&nodes));
+            let Some(found) = search(&nodes, &edges, interval, live) else {
                 continue;
             };
-            let last = times.iter().max().copied().unwrap_or(0);
-            let stages = (last / interval + 1) as u64;
-            let better =
-                |best: &(u64, u32, Vec<Node>, Vec<i64>)| (stages, registers) < (best.0, best.1);
-            if best.as_ref().is_none_or(better) {
-                best = Some((stages, registers, coloured, times));
-            }
-            found += 1;
-            if found == KEPT {
-                break;
-            }
-        }
-        if let Some((stages, registers, coloured, times)) = best {
             let figures = Figures {
                 even,
                 odd,
                 minimum: minimum as u64,
                 interval: interval as u64,
-                stages,
-                registers,
-                copies: nodes.iter().filter(|node| node.line == 0).count()
-                    - nodes
-                        .iter()
-                        .filter(|node| node.class() == Class::Hb)
-                        .count(),
+                stages: found.stages,
+                registers: found.registers,
+                copies: nodes.len() - hinted.len(),
             };
-            return Ok(in_rows(&coloured, &times, interval, figures));
+            return Ok(in_rows(&found.nodes, &found.times, interval, figures));
         }
     }
     Err("no schedule with overlapping passes is shorter, or registers are too few".into())
+}
+
+/// A schedule of a loop's body.
+struct Found {
+    stages: u64,
+    registers: u32,
+    /// With registers.
+    nodes: Vec<Node>,
+    times: Vec<i64>,
+}
+
+/// Of some schedules of this interval, the one of fewest stages, then fewest registers.
+fn search(nodes: &[Node], edges: &[Edge], interval: i64, live: Registers) -> Option<Found> {
+    let problem = Problem::new(nodes, edges, interval);
+    let attempts = (PLACED / nodes.len()).clamp(ATTEMPTS.0, ATTEMPTS.1) as u64;
+    let schedules = (0..attempts).filter_map(|attempt| {
+        let mut times = problem.attempt(attempt)?;
+        problem.sink(&mut times);
+        let (nodes, registers) = colour(nodes, &times, interval, live)?;
+        let last = times.iter().max().copied().unwrap_or(0);
+        Some(Found {
+            stages: (last / interval + 1) as u64,
+            registers,
+            nodes,
+            times,
+        })
+    });
+    schedules
+        .take(KEPT)
+        .min_by_key(|found| (found.stages, found.registers))
 }
 
 /// Cycles of the longest chain within a pass.

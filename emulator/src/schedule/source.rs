@@ -1,6 +1,7 @@
 //! The text of a plain source: what the scheduler keeps of it.
 
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::path::Path;
 
 use super::error::Unschedulable;
@@ -13,6 +14,12 @@ const EXPANDED: [&str; 28] = [
     ".ifdef", ".ifndef", ".ifeq", ".ifne", ".ifge", ".ifgt", ".ifle", ".iflt", ".else", ".elseif",
     ".endif", ".align", ".p2align", ".balign", ".loc", ".error", ".warning",
 ];
+
+/// How a header begins the registers that a function writes, and goes on in a further line.
+const USES: &str = "#   Uses    ";
+const FURTHER: &str = "#           ";
+/// Columns of a line.
+const WIDTH: usize = 100;
 
 /// A function's lines, counted from 0.
 #[derive(Clone, Debug)]
@@ -110,13 +117,18 @@ impl<'a> Source<'a> {
     }
 
     /// The names of registers. `numbers` are the values at the end of the source: a name that has
-    /// changed, or that also stands for a plain number, is left out.
-    pub fn register_names(
+    /// changed, or that also stands for a plain number, is left out. Of the files that the source
+    /// includes only these values are known: one of their names counts if the source has none for
+    /// its number, and they no second one.
+    pub fn register_names<'n>(
         &self,
         functions: &[Lines],
-        numbers: &BTreeMap<String, u64>,
-    ) -> Vec<Name<'a>> {
-        let mut names = Vec::new();
+        numbers: &'n BTreeMap<String, u64>,
+    ) -> Vec<Name<'n>>
+    where
+        'a: 'n,
+    {
+        let mut names = self.included_names(numbers);
         for (at, line) in self.lines.iter().enumerate() {
             let Some((name, value)) = set(line) else {
                 continue;
@@ -136,6 +148,31 @@ impl<'a> Source<'a> {
             });
         }
         names
+    }
+
+    fn included_names<'n>(&self, numbers: &'n BTreeMap<String, u64>) -> Vec<Name<'n>> {
+        let own: Vec<&str> = self
+            .lines
+            .iter()
+            .filter_map(|line| Some(set(line)?.0))
+            .collect();
+        let is_taken = |number: u64| own.iter().any(|&name| numbers.get(name) == Some(&number));
+        let mut by_number: BTreeMap<u64, Vec<&'n str>> = BTreeMap::new();
+        for (name, &number) in numbers {
+            // Constants are written in capitals.
+            let is_register = number < 128 && name.starts_with(|c: char| c.is_ascii_lowercase());
+            if is_register && !own.contains(&name.as_str()) && !is_taken(number) {
+                by_number.entry(number).or_default().push(name);
+            }
+        }
+        let only = by_number.into_iter().filter(|(_, names)| names.len() == 1);
+        only.map(|(number, names)| Name {
+            line: 0,
+            name: names[0],
+            number: number as u8,
+            inside: false,
+        })
+        .collect()
     }
 
     /// Whether a name stands somewhere without the sign of a register.
@@ -169,16 +206,29 @@ impl<'a> Source<'a> {
         let mut registers = 0;
         let first = out(self.lines[header]).unwrap_or_default();
         let more = self.lines[header + 1..].iter();
-        let more = more.map_while(|line| line.strip_prefix("#           "));
+        let more = more.map_while(|line| line.strip_prefix(FURTHER));
         for text in [first].into_iter().chain(more) {
             registers |= named_registers(text);
         }
         Some(registers)
     }
 
+    /// The line of the header that says which registers a function writes, counted from 0.
+    pub fn uses(&self, function: &Lines) -> Option<usize> {
+        self.lines[..function.first]
+            .iter()
+            .rposition(|line| line.starts_with(USES))
+    }
+
     /// Copies lines, counted from 0; one that names the source, called `path`, comes behind the
-    /// comment that heads it.
-    pub fn copy(&self, range: std::ops::Range<usize>, path: &str, text: &mut String) {
+    /// comment that heads it. The lines of `used` are given these registers in place of theirs.
+    pub fn copy(
+        &self,
+        range: Range<usize>,
+        path: &str,
+        used: &BTreeMap<usize, Registers>,
+        text: &mut String,
+    ) {
         let header = self.lines.iter().take_while(|line| line.starts_with('#'));
         let behind = header.count();
         for at in range {
@@ -188,7 +238,10 @@ impl<'a> Source<'a> {
                 text.push_str(&name.to_string_lossy());
                 text.push('\n');
             }
-            text.push_str(self.lines[at]);
+            match used.get(&at) {
+                Some(&registers) => push_uses(self.lines[at], registers, text),
+                None => text.push_str(self.lines[at]),
+            }
             text.push('\n');
         }
     }
@@ -242,4 +295,103 @@ fn named_registers(text: &str) -> Registers {
         before = Some((number, rest));
     }
     registers
+}
+
+/// A header's line of the registers that a function writes, with others in their place. What else it
+/// says stays.
+fn push_uses(line: &str, registers: Registers, text: &mut String) {
+    let given = &line[USES.len()..];
+    let rest = given.find("   ").map_or("", |at| &given[at..]);
+    let mut ranges = ranges(registers);
+    let last = ranges.pop().unwrap_or_else(|| "-".to_owned());
+    let parts = ranges.into_iter().map(|range| range + ",");
+    let mut written = USES.to_owned();
+    for part in parts.chain([last + rest]) {
+        if !written.ends_with("  ") {
+            let fits = written.len() + 1 + part.len() <= WIDTH;
+            if fits {
+                written.push(' ');
+            } else {
+                text.push_str(&written);
+                text.push('\n');
+                written = FURTHER.to_owned();
+            }
+        }
+        written.push_str(&part);
+    }
+    text.push_str(&written);
+}
+
+/// The registers from $2 on, as `$3` and `$10-$12`.
+fn ranges(registers: Registers) -> Vec<String> {
+    let mut ranges = Vec::new();
+    let mut register = 2u8;
+    while register < 128 {
+        let first = register;
+        while register < 128 && registers & bit(register) != 0 {
+            register += 1;
+        }
+        match register - first {
+            0 => register += 1,
+            1 => ranges.push(format!("${first}")),
+            _ => ranges.push(format!("${first}-${}", register - 1)),
+        }
+    }
+    ranges
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn written(line: &str, registers: &[u8]) -> String {
+        let set = registers
+            .iter()
+            .fold(0, |set, &register| set | bit(register));
+        let mut text = String::new();
+        push_uses(line, set, &mut text);
+        text
+    }
+
+    #[test]
+    fn a_header_is_given_the_registers_that_the_schedule_writes() {
+        let line = "#   Uses    $3-$4, $10-$23   Saves  -   Stack  0   Calls  -";
+        assert_eq!(
+            written(line, &[0, 1, 3, 5, 6, 7, 79, 127]),
+            "#   Uses    $3, $5-$7, $79, $127   Saves  -   Stack  0   Calls  -"
+        );
+        assert_eq!(written("#   Uses    $3", &[2]), "#   Uses    $2");
+        assert_eq!(
+            written("#   Uses    $3   Saves  -", &[]),
+            "#   Uses    -   Saves  -"
+        );
+    }
+
+    #[test]
+    fn many_registers_take_further_lines() {
+        let every_other: Vec<u8> = (2..80).step_by(2).collect();
+        let text = written(
+            "#   Uses    $3   Saves  -   Stack  0   Calls  -",
+            &every_other,
+        );
+        let lines: Vec<&str> = text.lines().collect();
+        assert!(
+            lines.len() > 1 && lines.iter().all(|line| line.len() <= WIDTH),
+            "{text}"
+        );
+        assert!(
+            lines[1..].iter().all(|line| line.starts_with(FURTHER)),
+            "{text}"
+        );
+        assert_eq!(
+            named_registers(&text),
+            every_other
+                .iter()
+                .fold(0, |set, &register| set | bit(register))
+        );
+        assert!(
+            text.ends_with("$78   Saves  -   Stack  0   Calls  -"),
+            "{text}"
+        );
+    }
 }

@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use super::function::{Block, BlockId, Function, Node, Reference};
+use super::function::{Block, BlockId, Function, Node, Reference, Registers, bit};
 use super::layout::{fill, plain};
 use super::names::Names;
 use super::source::Source;
@@ -17,12 +17,12 @@ const HINT_WORDS: usize = 255;
 /// Instructions between a hint and its branch that stay within that with what fills pairs.
 const HINT_REACH: usize = 150;
 
-/// The schedule of a function as text.
+/// The schedule of a function as text, and the registers that it writes.
 pub(super) fn lay_out(
     function: &mut Function,
     names: &mut Names<'_>,
     source: &Source<'_>,
-) -> String {
+) -> (String, Registers) {
     hint_returns(function);
     hint_loops(function);
     let mut blocks = scheduled(function);
@@ -54,7 +54,10 @@ pub(super) fn lay_out(
         labels.insert(block.id, label);
     }
     let words = words(function, blocks, &labels, &branches);
-    text::write(&words, &labels, &branches, names, source)
+    let written = words.iter().filter_map(|word| word.node.writes());
+    let written = written.fold(0, |set, register| set | bit(register));
+    let text = text::write(&words, &labels, &branches, names, source);
+    (text, written)
 }
 
 /// The words of each block.

@@ -10,8 +10,8 @@ use zerocopy::IntoBytes as _;
 use crate::bench::Bench;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::records;
-
-type Vector = [f64; 3];
+use crate::vector::dot;
+pub use crate::vector::{Vector, unit};
 
 /// Packets that an error is measured over.
 const PACKETS: u32 = 4000;
@@ -168,17 +168,6 @@ fn packet(bench: &mut Bench, balls: &[Ball], further: &[u32]) -> Vec<u32> {
     let balls: Vec<records::Ball> = balls.iter().map(records::Ball::new).collect();
     let balls = bench.place(balls.as_bytes());
     [&[rays.address, balls.address], further].concat()
-}
-
-fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// The vector at length 1.
-#[must_use]
-pub fn unit(vector: Vector) -> Vector {
-    let length = dot(vector, vector).sqrt();
-    vector.map(|component| component / length)
 }
 
 /// A direction, all equally likely.

@@ -2,3 +2,4 @@
 
 pub mod ball;
 pub mod eye;
+pub mod flat;

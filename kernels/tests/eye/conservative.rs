@@ -19,7 +19,7 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, from_f64, to_f64};
 use zerocopy::big_endian::U32;
-use zerocopy::{FromBytes as _, IntoBytes as _};
+use zerocopy::FromBytes as _;
 
 const SIZE: Geometry = Geometry {
     width: 320,

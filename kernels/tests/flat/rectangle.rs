@@ -1,17 +1,16 @@
 //! `isect_rectangle_r16`, `any_rectangle_r16`, `isect_plane_r16`: against their twin bit for bit and
 //! against `f64`.
 
-use crate::rays::{
-    Ray, Rays, code, cross, dot, in_cube, keeps_stated_errors, less, magnitude, point, quad, ulps,
-    unit,
-};
+use crate::rays::{code, keeps_stated_errors};
+use kernels::cases::flat::{around_rectangle, on_plane, put_rectangle, rectangle};
+use kernels::flat_records::{Ray, Rays, point};
+use kernels::vector::ulps;
 use kernels::{Bench, random};
 use oracle::twin::flat::FlatHit;
 use oracle::twin::rectangle::{Rectangle, any_rectangle, isect_plane, isect_rectangle};
 use rand::Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use zerocopy::IntoBytes as _;
-use zerocopy::big_endian::F32;
 
 /// Runs the kernels on sixteen rays and compares every lane with the twin; gives the hits with the
 /// rectangle and with its plane.
@@ -22,14 +21,7 @@ fn check(
     rectangle: &Rectangle,
 ) -> [[FlatHit; 16]; 2] {
     bench.reset();
-    let Rectangle {
-        point,
-        normal,
-        dual_u,
-        dual_v,
-    } = *rectangle;
-    let record: [[F32; 4]; 4] = [point, normal, dual_u, dual_v].map(|vector| quad(vector, random));
-    let rectangle_place = bench.place(record.as_bytes());
+    let rectangle_place = put_rectangle(bench, rectangle, || random.random());
     let places = [(); 2].map(|()| bench.place(Rays::pack(rays).as_bytes()));
     let object = random.random();
 
@@ -60,32 +52,6 @@ fn check(
     })
 }
 
-/// A parallelogram of these edges, made as a scene makes it: in f64, then rounded.
-fn rectangle(corner: [f64; 3], first: [f64; 3], second: [f64; 3]) -> Rectangle {
-    let across = cross(first, second);
-    let square = dot(across, across);
-    Rectangle {
-        point: point(corner),
-        normal: point(unit(across)),
-        dual_u: point(cross(second, across).map(|component| component / square)),
-        dual_v: point(cross(across, first).map(|component| component / square)),
-    }
-}
-
-/// t, u, v where the ray meets the plane, in f64 for the very singles that the kernel was given; and
-/// the cosine of its incidence.
-fn exact(ray: &Ray, rectangle: &Rectangle) -> ([f64; 3], f64) {
-    let origin = ray.origin.map(to_f64);
-    let direction = ray.direction.map(to_f64);
-    let normal = rectangle.normal.map(to_f64);
-    let beside = less(origin, rectangle.point.map(to_f64));
-    let along = dot(normal, direction);
-    let t = -dot(normal, beside) / along;
-    let hit = std::array::from_fn(|axis| beside[axis] + t * direction[axis]);
-    let [u, v] = [rectangle.dual_u, rectangle.dual_v].map(|dual| dot(dual.map(to_f64), hit));
-    ([t, u, v], along.abs())
-}
-
 #[test]
 fn equals_its_twin_and_keeps_its_error_bounds() {
     let mut random = random();
@@ -93,30 +59,10 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
     let (mut worst_t, mut worst_uv, mut hits, mut by_plane) = (0.0_f64, 0.0_f64, 0, 0);
     let mut wrong = 0;
     for _ in 0..2000 {
-        let origin = in_cube(10.0, &mut random);
-        let distance = magnitude(1.0..100.0, &mut random);
-        let size = distance * magnitude(0.01..1.0, &mut random);
-        let towards = unit(in_cube(1.0, &mut random));
-        let corner: [f64; 3] = std::array::from_fn(|axis| origin[axis] + distance * towards[axis]);
-        let [first, second] = loop {
-            let edges = [(); 2].map(|()| in_cube(size, &mut random));
-            let lengths = edges.map(|edge| dot(edge, edge).sqrt());
-            let sine = dot(cross(edges[0], edges[1]), cross(edges[0], edges[1])).sqrt()
-                / (lengths[0] * lengths[1]);
-            if sine > 0.5 && lengths.iter().all(|length| *length > size / 2.0) {
-                break edges;
-            }
-        };
-        let rectangle = rectangle(corner, first, second);
-        let rays = std::array::from_fn(|_| {
-            let [u, v] = [(); 2].map(|()| random.random_range(-0.5..1.5));
-            let target: [f64; 3] =
-                std::array::from_fn(|axis| corner[axis] + u * first[axis] + v * second[axis]);
-            Ray::new(point(origin), point(unit(less(target, origin))))
-        });
+        let (rectangle, rays, distance) = around_rectangle(&mut random);
         let [within, plane] = check(&mut bench, &mut random, &rays, &rectangle);
         for ((ray, within), plane) in rays.iter().zip(within).zip(plane) {
-            let ([t, u, v], incidence) = exact(ray, &rectangle);
+            let ([t, u, v], incidence) = on_plane(ray, &rectangle);
             if incidence < 0.1 || t < distance / 2.0 {
                 continue;
             }

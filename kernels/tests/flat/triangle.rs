@@ -1,29 +1,17 @@
 //! `shear_r16`, `isect_triangles_r16`, `any_triangles_r16`, `isect_triangle_r1`: against their twin
 //! bit for bit and against `f64`. That meshes are watertight is tested in `watertight.rs`.
 
-use crate::rays::{
-    Point, Ray, Rays, code, cross, dot, in_cube, keeps_stated_errors, less, magnitude, point, quad,
-    sheared, ulps, unit,
-};
-use kernels::single::{bits, single};
+use crate::rays::{code, keeps_stated_errors, sheared};
+use kernels::cases::flat::error::error_of_shear;
+use kernels::cases::flat::{aimed_at_triangle, on_triangle, put_triangles};
+use kernels::flat_records::{OneRay, Point, Ray, Rays, point};
+use kernels::vector::{in_cube, ulps, unit};
 use kernels::{Bench, random};
 use oracle::twin::flat::FlatHit;
 use oracle::twin::triangle::{Shear, Triangle, any_triangle, isect_triangles, shear};
 use rand::Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use zerocopy::big_endian::{F32, U32};
-use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Unaligned};
-
-#[derive(FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
-#[repr(C)]
-struct RayRecord {
-    origin: [F32; 4],
-    direction: [F32; 4],
-    t: [F32; 4],
-    object: [U32; 4],
-    u: [F32; 4],
-    v: [F32; 4],
-}
+use zerocopy::IntoBytes as _;
 
 /// Runs the kernels on sixteen rays, compares every lane with the twin, and gives the hits.
 fn check(
@@ -41,11 +29,7 @@ fn check(
         expected
     });
 
-    let records: Vec<[[F32; 4]; 3]> = triangles
-        .iter()
-        .map(|triangle| triangle.map(|vertex| quad(vertex, random)))
-        .collect();
-    let triangles_place = bench.place(records.as_bytes());
+    let triangles_place = put_triangles(bench, triangles.iter().copied(), || random.random());
     let rays_place = bench.place(packed.as_bytes());
     let shear_place = bench.place(sheared.as_bytes());
     let arguments = [
@@ -86,74 +70,13 @@ fn one_ray(
     triangle: &Triangle,
     object: u32,
 ) -> FlatHit {
-    let mut record = RayRecord::new_zeroed();
-    random.fill(record.as_mut_bytes());
-    record.origin = quad(ray.origin, random);
-    record.direction = quad(ray.direction, random);
-    record.t[0] = single(ray.hit.t);
-    record.object[0] = ray.hit.object.into();
-    record.u[0] = single(ray.hit.u);
-    record.v[0] = single(ray.hit.v);
-    let ray_place = bench.place(record.as_bytes());
-    let record = triangle.map(|vertex| quad(vertex, random));
-    let triangle_place = bench.place(record.as_bytes());
+    let ray = bench.place(OneRay::new(ray, random).as_bytes());
+    let triangle = put_triangles(bench, [*triangle], || random.random());
     bench.call(
         "isect_triangle_r1",
-        &[ray_place.address, triangle_place.address, object],
+        &[ray.address, triangle.address, object],
     );
-    let record: RayRecord = bench.read(ray_place);
-    FlatHit {
-        t: bits(record.t[0]),
-        object: record.object[0].get(),
-        u: bits(record.u[0]),
-        v: bits(record.v[0]),
-    }
-}
-
-/// t, u, v where the ray meets the triangle's plane, in f64 for the very singles that the kernel was
-/// given (Möller and Trumbore).
-fn exact(ray: &Ray, triangle: &Triangle) -> [f64; 3] {
-    let [a, b, c] = triangle.map(|vertex| vertex.map(to_f64));
-    let direction = ray.direction.map(to_f64);
-    let (first, second) = (less(a, c), less(b, c));
-    let beside = less(ray.origin.map(to_f64), c);
-    let across = cross(direction, second);
-    let turned = cross(beside, first);
-    let determinant = dot(first, across);
-    [
-        dot(second, turned) / determinant,
-        dot(beside, across) / determinant,
-        dot(direction, turned) / determinant,
-    ]
-}
-
-/// A triangle of the stated domain and a ray to a point in it.
-fn in_domain(random: &mut impl Rng) -> (Ray, Triangle) {
-    let origin = point(in_cube(10.0, random));
-    loop {
-        let distance = magnitude(1.0..100.0, random);
-        let size = distance * magnitude(0.01..1.0, random);
-        let towards = unit(in_cube(1.0, random));
-        let triangle: Triangle = std::array::from_fn(|_| {
-            let offset = in_cube(size / 2.0, random);
-            point(std::array::from_fn(|axis| {
-                to_f64(origin[axis]) + distance * towards[axis] + offset[axis]
-            }))
-        });
-        let [a, b, c] = triangle.map(|vertex| vertex.map(to_f64));
-        let mut weights: [f64; 3] = std::array::from_fn(|_| random.random_range(0.01..1.0));
-        let sum: f64 = weights.iter().sum();
-        weights = weights.map(|weight| weight / sum);
-        let target: [f64; 3] = std::array::from_fn(|axis| {
-            weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]
-        });
-        let direction = unit(less(target, origin.map(to_f64)));
-        // How large it looks: twice its area across the ray, by its size.
-        let seen = dot(cross(less(a, c), less(b, c)), direction).abs();
-        if seen > 0.1 * size * size {
-            return (Ray::new(origin, point(direction)), triangle);
-        }
-    }
+    bench.read::<OneRay>(ray).hit()
 }
 
 #[test]
@@ -162,25 +85,21 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
     let mut bench = Bench::new();
     let (mut worst_t, mut worst_uv, mut worst_slope, mut hits) = (0.0_f64, 0.0_f64, 0.0_f64, 0);
     for _ in 0..2000 {
-        let cases: [(Ray, Triangle); 16] = std::array::from_fn(|_| in_domain(&mut random));
+        let cases: [(Ray, Triangle); 16] = std::array::from_fn(|_| aimed_at_triangle(&mut random));
         let rays = cases.map(|(ray, _)| ray);
         let triangles = cases.map(|(_, triangle)| triangle);
+        let shears = sheared(&mut bench, &[Rays::pack(&rays)]).remove(0);
         for (lane, hit) in check(&mut bench, &mut random, &rays, &triangles, 1)
             .iter()
             .enumerate()
         {
             let ray = &rays[lane];
             assert_ne!(hit.object, 0, "{ray:x?} misses what it is aimed at");
-            let shear = shear(ray.origin, ray.direction);
-            let [x, y, z] = shear.axes.map(|axis| to_f64(ray.direction[axis]));
-            for (slope, exact) in shear.slopes.into_iter().zip([x / z, y / z]) {
-                worst_slope = worst_slope.max((to_f64(slope) - exact).abs() * 2_f64.powi(23));
-            }
-            worst_slope = worst_slope.max(ulps(to_f64(shear.minus_per_z), -1.0 / z));
+            worst_slope = worst_slope.max(error_of_shear(ray, &shears, lane));
             // Another triangle may stand before it: then that one's domain is not known.
             if hit.object as usize == lane + 1 {
                 hits += 1;
-                let [t, u, v] = exact(ray, &triangles[lane]);
+                let [t, u, v] = on_triangle(ray, &triangles[lane]);
                 worst_t = worst_t.max(ulps(to_f64(hit.t), t));
                 worst_uv = worst_uv
                     .max((to_f64(hit.u) - u).abs())
@@ -307,7 +226,7 @@ fn a_hit_has_to_be_nearer_than_the_last() {
     let mut random = random();
     let mut bench = Bench::new();
     for _ in 0..100 {
-        let (mut ray, triangle) = in_domain(&mut random);
+        let (mut ray, triangle) = aimed_at_triangle(&mut random);
         let [hit, ..] = check(&mut bench, &mut random, &[ray; 16], &[triangle], 1);
         for (ulps, object) in [(0, 7), (1, 2)] {
             ray.hit = FlatHit {

@@ -1,16 +1,16 @@
 //! Triangles leak nothing: every ray from inside a closed mesh hits it, also those that are aimed
 //! at its edges and vertices, however thin its triangles are and wherever it lies.
 
-use crate::rays::{
-    Point, Ray, Rays, cross, dot, in_cube, less, magnitude, point, quad, sheared, unit,
-};
+use crate::rays::sheared;
+use kernels::cases::flat::put_triangles;
+use kernels::flat_records::{Point, Ray, Rays, point};
+use kernels::vector::{cross, dot, in_cube, less, magnitude, unit};
 use kernels::{Bench, random};
 use oracle::twin::triangle::Triangle;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
 use zerocopy::IntoBytes as _;
-use zerocopy::big_endian::F32;
 
 /// The faces of an icosahedron by vertex: those around 0, those around 11, and between.
 fn faces() -> Vec<[usize; 3]> {
@@ -167,11 +167,7 @@ fn trace(
             .collect();
         let packed: Vec<Rays> = rays.iter().map(Rays::pack).collect();
         let sheared = sheared(bench, &packed);
-        let records: Vec<[[F32; 4]; 3]> = triangles
-            .iter()
-            .map(|triangle| triangle.map(|vertex| quad(vertex, random)))
-            .collect();
-        let triangles_place = bench.place(records.as_bytes());
+        let triangles_place = put_triangles(bench, triangles.iter().copied(), || random.random());
         for ((rays, packed), sheared) in rays.iter().zip(packed).zip(sheared) {
             let rays_place = bench.place(packed.as_bytes());
             let shear_place = bench.place(sheared.as_bytes());

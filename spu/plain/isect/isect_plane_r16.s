@@ -26,34 +26,6 @@
         .set    k_one,13
         .set    k_sign,14
         .set    a_controls,15
-        # the record
-        .set    point_x,16
-        .set    point_y,17
-        .set    point_z,18
-        .set    normal_x,19
-        .set    normal_y,20
-        .set    normal_z,21
-        .set    dual_u_x,22
-        .set    dual_u_y,23
-        .set    dual_u_z,24
-        .set    dual_v_x,25
-        .set    dual_v_y,26
-        .set    dual_v_z,27
-        .set    record,28
-        # the row
-        .set    beside_x,29
-        .set    beside_y,30
-        .set    beside_z,31
-        .set    direction_x,32
-        .set    direction_y,33
-        .set    direction_z,34
-        .set    along,35
-        .set    inverse,36
-        .set    t_y,37
-        .set    t_e,38
-        .set    n,39
-        .set    u,40
-        .set    v,41
         .set    n_best,42
         .set    nearest,43
         .set    u_best,44

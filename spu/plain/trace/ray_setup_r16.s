@@ -4,7 +4,7 @@
 #   In      $3 basis, $4 places, $5 count (at least 1), $6 address of the background's record;
 #           pointers 16-aligned
 #   Out     the places' packets: direction, t, object
-#   Uses    $4-$6, $10-$39   Saves  -   Stack  0   Calls  -
+#   Uses    $4-$6, $10-$43   Saves  -   Stack  0   Calls  -
 #   Domain  the direction through each pixel is not 0 and below 2^63 in length; pixels below 2^23
 #   Error   1.5 ulp of 1, each component
 #   Twin    oracle/src/twin/ray_setup.rs
