@@ -5,7 +5,7 @@
 #           64 packets; $5 address of the object's record; $6 where the pairs go; pointers 16-aligned
 #   Out     the pairs; one more quadword may be written
 #           $3 behind the pairs
-#   Uses    $2-$3, $6-$53   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$4, $6-$33   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
 #   Twin    oracle/src/twin/lists.rs
@@ -23,8 +23,8 @@
         .set    m_pair,10
         # temporaries
         .set    masks,11
-        .set    pair,12
-        .set    bit,13
+        .set    bit,12
+        .set    pair,13                                 # to 28
 
         .section .rodata
         .align  4
@@ -33,749 +33,675 @@ pair_of_object_and_place:
         .int    0x00010203,0x10111213,0x14151617,0x18191a1b
 
 function list_pairs_p64
-        .set    packet,16
-        .set    bit_2,2
-        .set    masks_2,3
+        .set    masks_2,2
+        .set    bit_2,3
         .set    bit_3,7
         .set    bit_4,8
-        .set    masks_3,9
-        .set    a_out_2,2
-        .set    masks_4,8
-        .set    a_out_3,13
-        .set    bit_5,6
-        .set    a_out_4,7
-        .set    bit_6,14
-        .set    masks_5,15
-        .set    bit_7,15
-        .set    bit_8,16
-        .set    a_out_5,14
-        .set    a_out_6,16
-        .set    bit_9,17
-        .set    bit_10,18
-        .set    bit_11,19
-        .set    a_out_7,15
-        .set    a_out_8,17
-        .set    a_out_9,18
-        .set    bit_12,20
-        .set    bit_13,21
+        .set    a_out_2,9
+        .set    a_out_3,3
+        .set    a_out_4,12
+        .set    bit_5,28
+        .set    pair15_2,29
+        .set    a_out_5,8
+        .set    bit_6,6
+        .set    a_out_6,7
+        .set    bit_7,9
+        .set    bit_8,13
+        .set    masks_3,8
+        .set    masks_4,6
+        .set    a_out_7,11
+        .set    bit_9,20
+        .set    pair7_2,21
+        .set    bit_10,22
+        .set    pair8_2,23
+        .set    pair9_2,24
+        .set    bit_11,25
+        .set    pair10_2,26
+        .set    a_out_8,20
+        .set    pair11_2,27
+        .set    pair12_2,28
+        .set    bit_12,29
+        .set    pair13_2,30
+        .set    a_out_9,22
+        .set    pair14_2,31
+        .set    pair15_3,32
+        .set    bit_13,33
+        .set    a_out_10,25
         .set    bit_14,11
-        .set    a_out_10,19
-        .set    a_out_11,20
-        .set    a_out_12,11
-        .set    bit_15,22
-        .set    bit_16,23
-        .set    bit_17,24
-        .set    a_out_13,21
-        .set    a_out_14,22
-        .set    a_out_15,23
-        .set    bit_18,25
-        .set    bit_19,26
-        .set    bit_20,27
-        .set    a_out_16,24
-        .set    bit_21,12
-        .set    pair_2,14
-        .set    a_out_17,12
-        .set    a_out_18,25
-        .set    a_out_19,26
-        .set    bit_22,28
-        .set    bit_23,29
+        .set    pair7_3,14
+        .set    pair9_3,9
+        .set    bit_15,15
+        .set    bit_16,16
+        .set    a_out_11,13
+        .set    bit_17,14
+        .set    a_out_12,14
+        .set    bit_18,2
+        .set    a_out_13,2
+        .set    bit_19,21
+        .set    pair8_3,22
+        .set    pair9_4,23
+        .set    bit_20,24
+        .set    pair10_3,25
+        .set    pair11_3,26
+        .set    pair12_3,27
+        .set    pair13_3,29
+        .set    a_out_14,21
+        .set    pair14_3,30
+        .set    pair15_4,31
+        .set    bit_21,32
+        .set    a_out_15,24
+        .set    pair8_4,13
+        .set    pair11_4,14
+        .set    bit_22,23
+        .set    pair10_4,24
+        .set    pair11_5,25
+        .set    pair12_4,26
+        .set    bit_23,27
+        .set    pair13_4,28
+        .set    pair14_4,29
+        .set    pair15_5,4
         .set    bit_24,30
-        .set    a_out_20,27
-        .set    a_out_21,28
-        .set    a_out_22,29
-        .set    bit_25,31
-        .set    bit_26,32
-        .set    bit_27,3
-        .set    a_out_23,30
-        .set    a_out_24,31
-        .set    a_out_25,33
-        .set    bit_28,34
-        .set    pair_3,15
-        .set    a_out_26,35
-        .set    a_out_27,32
-        .set    a_out_28,36
-        .set    pair_4,17
-        .set    bit_29,37
-        .set    a_out_29,34
-        .set    a_out_30,38
-        .set    pair_5,3
-        .set    pair_6,18
-        .set    bit_30,39
-        .set    bit_31,40
-        .set    a_out_31,37
-        .set    a_out_32,41
-        .set    a_out_33,39
-        .set    bit_32,42
-        .set    bit_33,9
-        .set    a_out_34,40
-        .set    a_out_35,42
-        .set    pair_7,19
-        .set    a_out_36,9
-        .set    bit_34,43
-        .set    bit_35,44
-        .set    bit_36,45
-        .set    a_out_37,46
-        .set    a_out_38,44
-        .set    bit_37,47
-        .set    bit_38,48
-        .set    a_out_39,43
-        .set    a_out_40,45
-        .set    pair_8,20
-        .set    a_out_41,47
-        .set    a_out_42,49
-        .set    bit_39,50
-        .set    bit_40,51
-        .set    a_out_43,48
-        .set    a_out_44,50
-        .set    bit_41,52
-        .set    bit_42,53
-        .set    a_out_45,51
-        .set    pair_9,21
-        .set    a_out_46,52
-        .set    a_out_47,53
-        .set    a_out_48,3
-        .set    pair_10,8
-        .set    pair_11,6
-        lqa     $m_pair,pair_of_object_and_place        # 0o
-        lqd     $pair,0($a_places)                      # 1o
+        .set    a_out_16,23
+        .set    pair10_5,12
+        .set    a_out_17,4
+        lqd     $masks,0($a_masks)                      # 0o
+        lqa     $m_pair,pair_of_object_and_place        # 1o
 
-        lqd     $masks,0($a_masks)                      # 2o
-        shufb   $pair,$object,$pair,$m_pair             # 7o
+        lqd     $pair,0($a_places)                      # 2o
+        lqd     $pair+1,16($a_places)                   # 3o
 
-        shli    $masks,$masks,4                         # 8e
-        stqd    $pair,0($a_out)                         # 11o may alias the one before
+        lqd     $pair+2,32($a_places)                   # 4o
+        lqd     $pair+3,48($a_places)                   # 5o
 
-        rotmi   $bit,$masks,-15                         # 12e
-        lqd     $pair,16($a_places)                     # 12o
+        shli    $masks,$masks,4                         # 6e
+        lqd     $pair+4,64($a_places)                   # 6o
 
-        rotmi   $bit_2,$masks,-14                       # 13e
-        rotqbyi $masks_2,$masks,4                       # 13o
+        lqd     $pair+5,80($a_places)                   # 7o
+        shufb   $pair,$object,$pair,$m_pair             # 8o
 
-        rotmi   $bit_3,$masks,-13                       # 14e
-        rotmi   $bit_4,$masks,-12                       # 15e
+        nop     $127                                    # 9e pairing
+        lqd     $pair+6,96($a_places)                   # 9o
 
-        andi    $bit,$bit,16                            # 16e
-        lnop                                            # 16o pairing
+        rotmi   $bit,$masks,-15                         # 10e
+        rotqbyi $masks_2,$masks,4                       # 10o
 
-        andi    $bit_2,$bit_2,16                        # 17e
-        rotqbyi $masks_3,$masks_2,4                     # 17o
+        rotmi   $bit_2,$masks,-14                       # 11e
+        shufb   $pair+1,$object,$pair+1,$m_pair         # 11o
 
-        a       $a_out,$a_out,$bit                      # 18e
-        shufb   $pair,$object,$pair,$m_pair             # 18o
+        rotmi   $bit_3,$masks,-13                       # 12e
+        lqd     $pair+7,112($a_places)                  # 12o
 
-        andi    $bit,$bit_3,16                          # 19e
-        a       $a_out_2,$a_out,$bit_2                  # 20e
+        rotmi   $bit_4,$masks,-12                       # 13e
+        shufb   $pair+2,$object,$pair+2,$m_pair         # 13o
 
-        andi    $bit_3,$bit_4,16                        # 21e
-        rotqbyi $masks_4,$masks_3,4                     # 21o
+        andi    $bit,$bit,16                            # 14e
+        lqd     $pair+8,128($a_places)                  # 14o
 
-        a       $a_out_3,$a_out_2,$bit                  # 22e
-        stqd    $pair,0($a_out)                         # 22o may alias the one before
+        andi    $bit_2,$bit_2,16                        # 15e
+        shufb   $pair+3,$object,$pair+3,$m_pair         # 15o
 
-        rotmi   $bit_5,$masks,-11                       # 23e
-        lqd     $pair,32($a_places)                     # 23o
+        a       $a_out_2,$a_out,$bit                    # 16e
+        lqd     $pair+9,144($a_places)                  # 16o
 
-        a       $a_out_4,$a_out_3,$bit_3                # 24e
-        lnop                                            # 24o pairing
+        andi    $bit,$bit_3,16                          # 17e
+        lqd     $pair+10,160($a_places)                 # 17o
 
-        rotmi   $bit_6,$masks,-10                       # 25e
-        rotqbyi $masks_5,$masks_4,4                     # 25o
+        a       $a_out_3,$a_out_2,$bit_2                # 18e
+        lqd     $pair+11,176($a_places)                 # 18o
 
-        rotmi   $bit_7,$masks,-9                        # 26e
-        andi    $bit_5,$bit_5,16                        # 27e
+        rotmi   $bit_3,$masks,-11                       # 19e
+        lqd     $pair+12,192($a_places)                 # 19o
+
+        a       $a_out_4,$a_out_3,$bit                  # 20e
+        lqd     $pair+13,208($a_places)                 # 20o
+
+        andi    $bit_4,$bit_4,16                        # 21e
+        lqd     $pair+14,224($a_places)                 # 21o
+
+        rotmi   $bit_5,$masks,-10                       # 22e
+        lqd     $pair15_2,240($a_places)                # 22o
+
+        a       $a_out_5,$a_out_4,$bit_4                # 23e
+        shufb   $pair+4,$object,$pair+4,$m_pair         # 23o
+
+        andi    $bit_3,$bit_3,16                        # 24e
+        stqd    $pair,0($a_out)                         # 24o may alias the one before
+
+        rotmi   $bit_6,$masks,-9                        # 25e
+        shufb   $pair+5,$object,$pair+5,$m_pair         # 25o
+
+        a       $a_out_6,$a_out_5,$bit_3                # 26e
+        stqd    $pair+1,0($a_out_2)                     # 26o may alias the one before
+
+        andi    $bit_7,$bit_5,16                        # 27e
+        shufb   $pair+6,$object,$pair+6,$m_pair         # 27o
 
         rotmi   $bit_8,$masks,-8                        # 28e
-        lnop                                            # 28o pairing
+        stqd    $pair+2,0($a_out_3)                     # 28o may alias the one before
 
-        a       $a_out,$a_out_4,$bit_5                  # 29e
-        shufb   $pair,$object,$pair,$m_pair             # 29o
+        a       $a_out_3,$a_out_6,$bit_7                # 29e
+        shufb   $pair+7,$object,$pair+7,$m_pair         # 29o
 
         andi    $bit_6,$bit_6,16                        # 30e
-        andi    $bit_7,$bit_7,16                        # 31e
+        stqd    $pair+3,0($a_out_4)                     # 30o may alias the one before
 
-        a       $a_out_5,$a_out,$bit_6                  # 32e
-        lnop                                            # 32o pairing
+        rotmi   $bit,$masks,-7                          # 31e
+        shufb   $pair+8,$object,$pair+8,$m_pair         # 31o
 
-        andi    $bit_8,$bit_8,16                        # 33e
-        stqd    $pair,0($a_out_2)                       # 33o may alias the one before
+        a       $a_out,$a_out_3,$bit_6                  # 32e
+        stqd    $pair+4,0($a_out_5)                     # 32o may alias the one before
 
-        a       $a_out_2,$a_out_5,$bit_7                # 34e
-        lqd     $pair,48($a_places)                     # 34o
+        andi    $bit_4,$bit_8,16                        # 33e
+        shufb   $pair+9,$object,$pair+9,$m_pair         # 33o
 
-        rotmi   $bit_7,$masks,-7                        # 35e
-        a       $a_out_6,$a_out_2,$bit_8                # 36e
+        rotmi   $bit_7,$masks,-6                        # 34e
+        stqd    $pair+5,0($a_out_6)                     # 34o may alias the one before
 
-        rotmi   $bit_9,$masks,-6                        # 37e
-        rotmi   $bit_10,$masks,-5                       # 38e
+        a       $a_out_6,$a_out,$bit_4                  # 35e
+        shufb   $pair+10,$object,$pair+10,$m_pair       # 35o
 
-        andi    $bit_7,$bit_7,16                        # 39e
-        lnop                                            # 39o pairing
+        andi    $bit,$bit,16                            # 36e
+        stqd    $pair+6,0($a_out_3)                     # 36o may alias the one before
 
-        rotmi   $bit_11,$masks,-4                       # 40e
-        shufb   $pair,$object,$pair,$m_pair             # 40o
+        rotmi   $bit_2,$masks,-5                        # 37e
+        shufb   $pair+11,$object,$pair+11,$m_pair       # 37o
 
-        a       $a_out_7,$a_out_6,$bit_7                # 41e
-        andi    $bit_9,$bit_9,16                        # 42e
+        a       $a_out_5,$a_out_6,$bit                  # 38e
+        stqd    $pair+7,0($a_out)                       # 38o may alias the one before
 
-        andi    $bit_10,$bit_10,16                      # 43e
-        lnop                                            # 43o pairing
+        andi    $bit,$bit_7,16                          # 39e
+        shufb   $pair+12,$object,$pair+12,$m_pair       # 39o
 
-        a       $a_out_8,$a_out_7,$bit_9                # 44e
-        stqd    $pair,0($a_out_3)                       # 44o may alias the one before
+        rotmi   $bit_6,$masks,-4                        # 40e
+        stqd    $pair+8,0($a_out_6)                     # 40o may alias the one before
 
-        andi    $bit,$bit_11,16                         # 45e
-        lqd     $pair,64($a_places)                     # 45o
+        a       $a_out_6,$a_out_5,$bit                  # 41e
+        shufb   $pair+13,$object,$pair+13,$m_pair       # 41o
 
-        a       $a_out_9,$a_out_8,$bit_10               # 46e
-        rotmi   $bit_11,$masks,-3                       # 47e
+        andi    $bit,$bit_2,16                          # 42e
+        stqd    $pair+9,0($a_out_5)                     # 42o may alias the one before
 
-        a       $a_out_3,$a_out_9,$bit                  # 48e
-        rotmi   $bit_12,$masks,-2                       # 49e
+        rotmi   $bit_2,$masks,-3                        # 43e
+        shufb   $pair+14,$object,$pair+14,$m_pair       # 43o
 
-        rotmi   $bit_13,$masks,-1                       # 50e
+        a       $a_out_5,$a_out_6,$bit                  # 44e
+        stqd    $pair+10,0($a_out_6)                    # 44o may alias the one before
+
+        andi    $bit,$bit_6,16                          # 45e
+        shufb   $pair+15,$object,$pair15_2,$m_pair      # 45o
+
+        rotmi   $bit_6,$masks,-2                        # 46e
+        stqd    $pair+11,0($a_out_5)                    # 46o may alias the one before
+
+        a       $a_out_6,$a_out_5,$bit                  # 47e
+        rotqbyi $masks_3,$masks_2,4                     # 47o
+
+        andi    $bit,$bit_2,16                          # 48e
+        lnop                                            # 48o pairing
+
+        rotmi   $bit_2,$masks,-1                        # 49e
+        stqd    $pair+12,0($a_out_6)                    # 49o may alias the one before
+
+        a       $a_out_6,$a_out_6,$bit                  # 50e
         lnop                                            # 50o pairing
 
-        andi    $bit_11,$bit_11,16                      # 51e
-        shufb   $pair,$object,$pair,$m_pair             # 51o
+        andi    $bit,$bit_6,16                          # 51e
+        rotqbyi $masks_4,$masks_3,4                     # 51o
 
-        rotmi   $bit_14,$masks,0                        # 52e
-        a       $a_out_10,$a_out_3,$bit_11              # 53e
+        rotmi   $bit_7,$masks,0                         # 52e
+        stqd    $pair+13,0($a_out_6)                    # 52o may alias the one before
 
-        andi    $bit_12,$bit_12,16                      # 54e
-        lnop                                            # 54o pairing
+        a       $a_out_6,$a_out_6,$bit                  # 53e
+        andi    $bit,$bit_2,16                          # 54e
 
-        andi    $bit_13,$bit_13,16                      # 55e
-        stqd    $pair,0($a_out_4)                       # 55o may alias the one before
+        rotmi   $bit_2,$masks_2,-15                     # 55e
+        stqd    $pair+14,0($a_out_6)                    # 55o may alias the one before
 
-        a       $a_out_4,$a_out_10,$bit_12              # 56e
-        lqd     $pair,80($a_places)                     # 56o
+        a       $a_out_6,$a_out_6,$bit                  # 56e
+        rotqbyi $masks,$masks_4,4                       # 56o
 
-        andi    $bit_14,$bit_14,16                      # 57e
-        a       $a_out_11,$a_out_4,$bit_13              # 58e
+        andi    $bit,$bit_7,16                          # 57e
+        lnop                                            # 57o pairing
 
-        rotmi   $bit_13,$masks_2,-15                    # 59e
-        a       $a_out_12,$a_out_11,$bit_14             # 60e
+        rotmi   $bit_7,$masks_2,-14                     # 58e
+        stqd    $pair+15,0($a_out_6)                    # 58o may alias the one before
 
-        rotmi   $bit_15,$masks_2,-14                    # 61e
-        lnop                                            # 61o pairing
+        a       $a_out_6,$a_out_6,$bit                  # 59e
+        lqd     $pair,256($a_places)                    # 59o
 
-        rotmi   $bit_16,$masks_2,-13                    # 62e
-        shufb   $pair,$object,$pair,$m_pair             # 62o
+        andi    $bit,$bit_2,16                          # 60e
+        lqd     $pair+1,272($a_places)                  # 60o
 
-        andi    $bit_13,$bit_13,16                      # 63e
-        rotmi   $bit_17,$masks_2,-12                    # 64e
+        rotmi   $bit_2,$masks_2,-13                     # 61e
+        lqd     $pair+2,288($a_places)                  # 61o
 
-        a       $a_out_13,$a_out_12,$bit_13             # 65e
-        lnop                                            # 65o pairing
+        a       $a_out_7,$a_out_6,$bit                  # 62e
+        lqd     $pair+3,304($a_places)                  # 62o
 
-        andi    $bit_15,$bit_15,16                      # 66e
-        stqd    $pair,0($a_out)                         # 66o may alias the one before
+        andi    $bit,$bit_7,16                          # 63e
+        lqd     $pair+4,320($a_places)                  # 63o
 
-        andi    $bit_5,$bit_16,16                       # 67e
-        lqd     $pair,96($a_places)                     # 67o
+        rotmi   $bit_7,$masks_2,-12                     # 64e
+        lqd     $pair+5,336($a_places)                  # 64o
 
-        a       $a_out_14,$a_out_13,$bit_15             # 68e
-        andi    $bit_16,$bit_17,16                      # 69e
+        a       $a_out_4,$a_out_7,$bit                  # 65e
+        shufb   $pair,$object,$pair,$m_pair             # 65o
 
-        a       $a_out,$a_out_14,$bit_5                 # 70e
-        rotmi   $bit_17,$masks_2,-11                    # 71e
+        andi    $bit_2,$bit_2,16                        # 66e
+        lqd     $pair+6,352($a_places)                  # 66o
 
-        a       $a_out_15,$a_out,$bit_16                # 72e
-        lnop                                            # 72o pairing
+        rotmi   $bit_9,$masks_2,-11                     # 67e
+        shufb   $pair+1,$object,$pair+1,$m_pair         # 67o
 
-        rotmi   $bit_18,$masks_2,-10                    # 73e
-        shufb   $pair,$object,$pair,$m_pair             # 73o
+        a       $a_out_3,$a_out_4,$bit_2                # 68e
+        lqd     $pair7_2,368($a_places)                 # 68o
 
-        rotmi   $bit_19,$masks_2,-9                     # 74e
-        andi    $bit_17,$bit_17,16                      # 75e
+        andi    $bit_7,$bit_7,16                        # 69e
+        shufb   $pair+2,$object,$pair+2,$m_pair         # 69o
 
-        rotmi   $bit_20,$masks_2,-8                     # 76e
-        lnop                                            # 76o pairing
+        rotmi   $bit_10,$masks_2,-10                    # 70e
+        lqd     $pair8_2,384($a_places)                 # 70o
 
-        a       $a_out_16,$a_out_15,$bit_17             # 77e
-        stqd    $pair,0($a_out_5)                       # 77o may alias the one before
+        a       $a_out_2,$a_out_3,$bit_7                # 71e
+        shufb   $pair+3,$object,$pair+3,$m_pair         # 71o
 
-        andi    $bit_21,$bit_18,16                      # 78e
-        lqd     $pair_2,112($a_places)                  # 78o
+        andi    $bit_9,$bit_9,16                        # 72e
+        lqd     $pair9_2,400($a_places)                 # 72o
 
-        andi    $bit_18,$bit_19,16                      # 79e
-        a       $a_out_17,$a_out_16,$bit_21             # 80e
+        rotmi   $bit_11,$masks_2,-9                     # 73e
+        lqd     $pair10_2,416($a_places)                # 73o
 
-        andi    $bit_19,$bit_20,16                      # 81e
-        a       $a_out_18,$a_out_17,$bit_18             # 82e
+        a       $a_out_8,$a_out_2,$bit_9                # 74e
+        lqd     $pair11_2,432($a_places)                # 74o
 
-        rotmi   $bit_20,$masks_2,-7                     # 83e
-        lnop                                            # 83o pairing
+        andi    $bit_10,$bit_10,16                      # 75e
+        lqd     $pair12_2,448($a_places)                # 75o
 
-        a       $a_out_19,$a_out_18,$bit_19             # 84e
-        shufb   $pair_2,$object,$pair_2,$m_pair         # 84o
+        rotmi   $bit_12,$masks_2,-8                     # 76e
+        lqd     $pair13_2,464($a_places)                # 76o
 
-        rotmi   $bit_22,$masks_2,-6                     # 85e
-        rotmi   $bit_23,$masks_2,-5                     # 86e
+        a       $a_out_9,$a_out_8,$bit_10               # 77e
+        lqd     $pair14_2,480($a_places)                # 77o
 
-        andi    $bit_20,$bit_20,16                      # 87e
-        lnop                                            # 87o pairing
+        andi    $bit_11,$bit_11,16                      # 78e
+        lqd     $pair15_3,496($a_places)                # 78o
 
-        rotmi   $bit_24,$masks_2,-4                     # 88e
-        stqd    $pair_2,0($a_out_2)                     # 88o may alias the one before
+        rotmi   $bit_13,$masks_2,-7                     # 79e
+        shufb   $pair+4,$object,$pair+4,$m_pair         # 79o
 
-        a       $a_out_2,$a_out_19,$bit_20              # 89e
-        lqd     $pair_2,128($a_places)                  # 89o
+        a       $a_out_10,$a_out_9,$bit_11              # 80e
+        stqd    $pair,0($a_out_6)                       # 80o may alias the one before
 
-        andi    $bit_20,$bit_22,16                      # 90e
-        andi    $bit_22,$bit_23,16                      # 91e
+        andi    $bit_3,$bit_12,16                       # 81e
+        shufb   $pair+5,$object,$pair+5,$m_pair         # 81o
 
-        a       $a_out_20,$a_out_2,$bit_20              # 92e
-        andi    $bit_23,$bit_24,16                      # 93e
+        rotmi   $bit_8,$masks_2,-6                      # 82e
+        stqd    $pair+1,0($a_out_7)                     # 82o may alias the one before
 
-        a       $a_out_21,$a_out_20,$bit_22             # 94e
-        lnop                                            # 94o pairing
+        a       $a_out_6,$a_out_10,$bit_3               # 83e
+        shufb   $pair+6,$object,$pair+6,$m_pair         # 83o
 
-        rotmi   $bit_24,$masks_2,-3                     # 95e
-        shufb   $pair_2,$object,$pair_2,$m_pair         # 95o
+        andi    $bit_14,$bit_13,16                      # 84e
+        stqd    $pair+2,0($a_out_4)                     # 84o may alias the one before
 
-        a       $a_out_22,$a_out_21,$bit_23             # 96e
-        rotmi   $bit_25,$masks_2,-2                     # 97e
+        rotmi   $bit,$masks_2,-5                        # 85e
+        shufb   $pair7_3,$object,$pair7_2,$m_pair       # 85o
 
-        rotmi   $bit_26,$masks_2,-1                     # 98e
-        lnop                                            # 98o pairing
+        a       $a_out_7,$a_out_6,$bit_14               # 86e
+        stqd    $pair+3,0($a_out_3)                     # 86o may alias the one before
 
-        andi    $bit_24,$bit_24,16                      # 99e
-        stqd    $pair_2,0($a_out_6)                     # 99o may alias the one before
+        andi    $bit_2,$bit_8,16                        # 87e
+        shufb   $pair+8,$object,$pair8_2,$m_pair        # 87o
 
-        rotmi   $bit_27,$masks_2,0                      # 100e
-        lqd     $pair_2,144($a_places)                  # 100o
+        rotmi   $bit_8,$masks_2,-4                      # 88e
+        stqd    $pair+4,0($a_out_2)                     # 88o may alias the one before
 
-        a       $a_out_6,$a_out_22,$bit_24              # 101e
-        andi    $bit_24,$bit_25,16                      # 102e
+        a       $a_out_3,$a_out_7,$bit_2                # 89e
+        shufb   $pair9_3,$object,$pair9_2,$m_pair       # 89o
 
-        andi    $bit_25,$bit_26,16                      # 103e
-        a       $a_out_23,$a_out_6,$bit_24              # 104e
+        andi    $bit,$bit,16                            # 90e
+        stqd    $pair+5,0($a_out_8)                     # 90o may alias the one before
 
-        andi    $bit_27,$bit_27,16                      # 105e
-        lnop                                            # 105o pairing
+        rotmi   $bit_15,$masks_2,-3                     # 91e
+        shufb   $pair+10,$object,$pair10_2,$m_pair      # 91o
 
-        a       $a_out_24,$a_out_23,$bit_25             # 106e
-        shufb   $pair_2,$object,$pair_2,$m_pair         # 106o
+        a       $a_out_4,$a_out_3,$bit                  # 92e
+        stqd    $pair+6,0($a_out_9)                     # 92o may alias the one before
 
-        rotmi   $bit_26,$masks_3,-15                    # 107e
-        a       $a_out_25,$a_out_24,$bit_27             # 108e
+        andi    $bit_8,$bit_8,16                        # 93e
+        shufb   $pair+11,$object,$pair11_2,$m_pair      # 93o
 
-        rotmi   $bit_27,$masks_3,-14                    # 109e
-        lnop                                            # 109o pairing
+        rotmi   $bit_16,$masks_2,-2                     # 94e
+        stqd    $pair7_3,0($a_out_10)                   # 94o may alias the one before
 
-        rotmi   $bit_28,$masks_3,-13                    # 110e
-        stqd    $pair_2,0($a_out_7)                     # 110o may alias the one before
+        a       $a_out_11,$a_out_4,$bit_8               # 95e
+        shufb   $pair+12,$object,$pair12_2,$m_pair      # 95o
 
-        andi    $bit_6,$bit_26,16                       # 111e
-        lqd     $pair_3,160($a_places)                  # 111o
+        andi    $bit_17,$bit_15,16                      # 96e
+        stqd    $pair+8,0($a_out_6)                     # 96o may alias the one before
 
-        rotmi   $bit_26,$masks_3,-12                    # 112e
-        a       $a_out_5,$a_out_25,$bit_6               # 113e
+        rotmi   $bit_3,$masks_2,-1                      # 97e
+        shufb   $pair+13,$object,$pair13_2,$m_pair      # 97o
 
-        andi    $bit_27,$bit_27,16                      # 114e
-        andi    $bit_28,$bit_28,16                      # 115e
+        a       $a_out_12,$a_out_11,$bit_17             # 98e
+        stqd    $pair9_3,0($a_out_7)                    # 98o may alias the one before
 
-        a       $a_out_26,$a_out_5,$bit_27              # 116e
-        lnop                                            # 116o pairing
+        andi    $bit_7,$bit_16,16                       # 99e
+        shufb   $pair+14,$object,$pair14_2,$m_pair      # 99o
 
-        andi    $bit_27,$bit_26,16                      # 117e
-        shufb   $pair_3,$object,$pair_3,$m_pair         # 117o
+        rotmi   $bit_18,$masks_2,0                      # 100e
+        stqd    $pair+10,0($a_out_3)                    # 100o may alias the one before
 
-        a       $a_out_27,$a_out_26,$bit_28             # 118e
-        rotmi   $bit_28,$masks_3,-11                    # 119e
+        a       $a_out_3,$a_out_12,$bit_7               # 101e
+        shufb   $pair+15,$object,$pair15_3,$m_pair      # 101o
 
-        a       $a_out_28,$a_out_27,$bit_27             # 120e
-        lnop                                            # 120o pairing
+        andi    $bit_3,$bit_3,16                        # 102e
+        stqd    $pair+11,0($a_out_4)                    # 102o may alias the one before
 
-        rotmi   $bit_27,$masks_3,-10                    # 121e
-        stqd    $pair_3,0($a_out_8)                     # 121o may alias the one before
+        rotmi   $bit,$masks_3,-15                       # 103e
+        stqd    $pair+12,0($a_out_11)                   # 103o may alias the one before
 
-        rotmi   $bit_7,$masks_3,-9                      # 122e
-        lqd     $pair_4,176($a_places)                  # 122o
+        a       $a_out_6,$a_out_3,$bit_3                # 104e
+        stqd    $pair+13,0($a_out_12)                   # 104o may alias the one before
 
-        andi    $bit_28,$bit_28,16                      # 123e
-        rotmi   $bit_29,$masks_3,-8                     # 124e
+        andi    $bit_18,$bit_18,16                      # 105e
+        stqd    $pair+14,0($a_out_3)                    # 105o may alias the one before
 
-        a       $a_out_29,$a_out_28,$bit_28             # 125e
-        andi    $bit_27,$bit_27,16                      # 126e
+        rotmi   $bit_2,$masks_3,-14                     # 106e
+        stqd    $pair+15,0($a_out_6)                    # 106o may alias the one before
 
-        andi    $bit_7,$bit_7,16                        # 127e
-        lnop                                            # 127o pairing
+        a       $a_out_13,$a_out_6,$bit_18              # 107e
+        lqd     $pair,512($a_places)                    # 107o
 
-        a       $a_out_30,$a_out_29,$bit_27             # 128e
-        shufb   $pair_5,$object,$pair_4,$m_pair         # 128o
+        andi    $bit,$bit,16                            # 108e
+        lqd     $pair+1,528($a_places)                  # 108o
 
-        andi    $bit_9,$bit_29,16                       # 129e
-        a       $a_out_7,$a_out_30,$bit_7               # 130e
+        rotmi   $bit_3,$masks_3,-13                     # 109e
+        lqd     $pair+2,544($a_places)                  # 109o
 
-        rotmi   $bit_29,$masks_3,-7                     # 131e
-        lnop                                            # 131o pairing
+        a       $a_out_2,$a_out_13,$bit                 # 110e
+        lqd     $pair+3,560($a_places)                  # 110o
 
-        a       $a_out_8,$a_out_7,$bit_9                # 132e
-        stqd    $pair_5,0($a_out_9)                     # 132o may alias the one before
+        andi    $bit,$bit_2,16                          # 111e
+        lqd     $pair+4,576($a_places)                  # 111o
 
-        rotmi   $bit_27,$masks_3,-6                     # 133e
-        lqd     $pair_6,192($a_places)                  # 133o
+        rotmi   $bit_2,$masks_3,-12                     # 112e
+        lqd     $pair+5,592($a_places)                  # 112o
 
-        rotmi   $bit_30,$masks_3,-5                     # 134e
-        andi    $bit_29,$bit_29,16                      # 135e
+        a       $a_out_7,$a_out_2,$bit                  # 113e
+        shufb   $pair,$object,$pair,$m_pair             # 113o
 
-        rotmi   $bit_31,$masks_3,-4                     # 136e
-        a       $a_out_31,$a_out_8,$bit_29              # 137e
+        andi    $bit,$bit_3,16                          # 114e
+        lqd     $pair+6,608($a_places)                  # 114o
 
-        andi    $bit_27,$bit_27,16                      # 138e
-        lnop                                            # 138o pairing
+        rotmi   $bit_3,$masks_3,-11                     # 115e
+        shufb   $pair+1,$object,$pair+1,$m_pair         # 115o
 
-        andi    $bit_30,$bit_30,16                      # 139e
-        shufb   $pair_6,$object,$pair_6,$m_pair         # 139o
+        a       $a_out_4,$a_out_7,$bit                  # 116e
+        lqd     $pair+7,624($a_places)                  # 116o
 
-        a       $a_out_32,$a_out_31,$bit_27             # 140e
-        andi    $bit_27,$bit_31,16                      # 141e
+        andi    $bit_2,$bit_2,16                        # 117e
+        shufb   $pair+2,$object,$pair+2,$m_pair         # 117o
 
-        a       $a_out_33,$a_out_32,$bit_30             # 142e
-        lnop                                            # 142o pairing
+        rotmi   $bit_19,$masks_3,-10                    # 118e
+        lqd     $pair8_3,640($a_places)                 # 118o
 
-        rotmi   $bit_31,$masks_3,-3                     # 143e
-        stqd    $pair_6,0($a_out_3)                     # 143o may alias the one before
+        a       $a_out_3,$a_out_4,$bit_2                # 119e
+        shufb   $pair+3,$object,$pair+3,$m_pair         # 119o
 
-        a       $a_out_3,$a_out_33,$bit_27              # 144e
-        lqd     $pair_5,208($a_places)                  # 144o
+        andi    $bit_3,$bit_3,16                        # 120e
+        lqd     $pair9_4,656($a_places)                 # 120o
 
-        rotmi   $bit_10,$masks_3,-2                     # 145e
-        rotmi   $bit_32,$masks_3,-1                     # 146e
+        rotmi   $bit_20,$masks_3,-9                     # 121e
+        lqd     $pair10_3,672($a_places)                # 121o
 
-        andi    $bit_31,$bit_31,16                      # 147e
-        rotmi   $bit_33,$masks_3,0                      # 148e
+        a       $a_out_6,$a_out_3,$bit_3                # 122e
+        lqd     $pair11_3,688($a_places)                # 122o
 
-        a       $a_out_34,$a_out_3,$bit_31              # 149e
-        lnop                                            # 149o pairing
+        andi    $bit_19,$bit_19,16                      # 123e
+        lqd     $pair12_3,704($a_places)                # 123o
 
-        andi    $bit_10,$bit_10,16                      # 150e
-        shufb   $pair_5,$object,$pair_5,$m_pair         # 150o
+        rotmi   $bit_5,$masks_3,-8                      # 124e
+        lqd     $pair13_3,720($a_places)                # 124o
 
-        andi    $bit_32,$bit_32,16                      # 151e
-        a       $a_out_9,$a_out_34,$bit_10              # 152e
+        a       $a_out_14,$a_out_6,$bit_19              # 125e
+        lqd     $pair14_3,736($a_places)                # 125o
 
-        andi    $bit_33,$bit_33,16                      # 153e
-        lnop                                            # 153o pairing
+        andi    $bit_20,$bit_20,16                      # 126e
+        lqd     $pair15_4,752($a_places)                # 126o
 
-        a       $a_out_35,$a_out_9,$bit_32              # 154e
-        stqd    $pair_5,0($a_out_10)                    # 154o may alias the one before
+        rotmi   $bit_21,$masks_3,-7                     # 127e
+        shufb   $pair+4,$object,$pair+4,$m_pair         # 127o
 
-        rotmi   $bit_27,$masks_4,-15                    # 155e
-        lqd     $pair_7,224($a_places)                  # 155o
+        a       $a_out_15,$a_out_14,$bit_20             # 128e
+        stqd    $pair,0($a_out_13)                      # 128o may alias the one before
 
-        a       $a_out_36,$a_out_35,$bit_33             # 156e
-        rotmi   $bit_34,$masks_4,-14                    # 157e
+        andi    $bit_18,$bit_5,16                       # 129e
+        shufb   $pair+5,$object,$pair+5,$m_pair         # 129o
 
-        rotmi   $bit_35,$masks_4,-13                    # 158e
-        andi    $bit_27,$bit_27,16                      # 159e
+        rotmi   $bit_8,$masks_3,-6                      # 130e
+        stqd    $pair+1,0($a_out_2)                     # 130o may alias the one before
 
-        rotmi   $bit_36,$masks_4,-12                    # 160e
-        lnop                                            # 160o pairing
+        a       $a_out_13,$a_out_15,$bit_18             # 131e
+        shufb   $pair+6,$object,$pair+6,$m_pair         # 131o
 
-        a       $a_out_37,$a_out_36,$bit_27             # 161e
-        shufb   $pair_5,$object,$pair_7,$m_pair         # 161o
+        andi    $bit_7,$bit_21,16                       # 132e
+        stqd    $pair+2,0($a_out_7)                     # 132o may alias the one before
 
-        andi    $bit_11,$bit_34,16                      # 162e
-        andi    $bit_34,$bit_35,16                      # 163e
+        rotmi   $bit_14,$masks_3,-5                     # 133e
+        shufb   $pair+7,$object,$pair+7,$m_pair         # 133o
 
-        a       $a_out_10,$a_out_37,$bit_11             # 164e
-        lnop                                            # 164o pairing
+        a       $a_out_2,$a_out_13,$bit_7               # 134e
+        stqd    $pair+3,0($a_out_4)                     # 134o may alias the one before
 
-        andi    $bit_35,$bit_36,16                      # 165e
-        stqd    $pair_5,0($a_out_4)                     # 165o may alias the one before
+        andi    $bit,$bit_8,16                          # 135e
+        shufb   $pair8_4,$object,$pair8_3,$m_pair       # 135o
 
-        a       $a_out_4,$a_out_10,$bit_34              # 166e
-        lqd     $pair_5,240($a_places)                  # 166o
+        rotmi   $bit_17,$masks_3,-4                     # 136e
+        stqd    $pair+4,0($a_out_3)                     # 136o may alias the one before
 
-        rotmi   $bit_34,$masks_4,-11                    # 167e
-        a       $a_out_38,$a_out_4,$bit_35              # 168e
+        a       $a_out_3,$a_out_2,$bit                  # 137e
+        shufb   $pair+9,$object,$pair9_4,$m_pair        # 137o
 
-        rotmi   $bit_36,$masks_4,-10                    # 169e
-        rotmi   $bit_37,$masks_4,-9                     # 170e
+        andi    $bit,$bit_14,16                         # 138e
+        stqd    $pair+5,0($a_out_6)                     # 138o may alias the one before
 
-        andi    $bit_34,$bit_34,16                      # 171e
-        lnop                                            # 171o pairing
+        rotmi   $bit_3,$masks_3,-3                      # 139e
+        shufb   $pair+10,$object,$pair10_3,$m_pair      # 139o
 
-        rotmi   $bit_38,$masks_4,-8                     # 172e
-        shufb   $pair_5,$object,$pair_5,$m_pair         # 172o
+        a       $a_out_7,$a_out_3,$bit                  # 140e
+        stqd    $pair+6,0($a_out_14)                    # 140o may alias the one before
 
-        a       $a_out_39,$a_out_38,$bit_34             # 173e
-        andi    $bit_36,$bit_36,16                      # 174e
+        andi    $bit,$bit_17,16                         # 141e
+        shufb   $pair11_4,$object,$pair11_3,$m_pair     # 141o
 
-        andi    $bit_37,$bit_37,16                      # 175e
-        lnop                                            # 175o pairing
+        rotmi   $bit_15,$masks_3,-2                     # 142e
+        stqd    $pair+7,0($a_out_15)                    # 142o may alias the one before
 
-        a       $a_out_40,$a_out_39,$bit_36             # 176e
-        stqd    $pair_5,0($a_out_11)                    # 176o may alias the one before
+        a       $a_out_4,$a_out_7,$bit                  # 143e
+        shufb   $pair+12,$object,$pair12_3,$m_pair      # 143o
 
-        andi    $bit_27,$bit_38,16                      # 177e
-        lqd     $pair_8,256($a_places)                  # 177o
+        andi    $bit_3,$bit_3,16                        # 144e
+        stqd    $pair8_4,0($a_out_13)                   # 144o may alias the one before
 
-        a       $a_out_41,$a_out_40,$bit_37             # 178e
-        rotmi   $bit_38,$masks_4,-7                     # 179e
+        rotmi   $bit_18,$masks_3,-1                     # 145e
+        shufb   $pair+13,$object,$pair13_3,$m_pair      # 145o
 
-        a       $a_out_42,$a_out_41,$bit_27             # 180e
-        rotmi   $bit_27,$masks_4,-6                     # 181e
+        a       $a_out_6,$a_out_4,$bit_3                # 146e
+        stqd    $pair+9,0($a_out_2)                     # 146o may alias the one before
 
-        rotmi   $bit_39,$masks_4,-5                     # 182e
-        lnop                                            # 182o pairing
+        andi    $bit_7,$bit_15,16                       # 147e
+        shufb   $pair+14,$object,$pair14_3,$m_pair      # 147o
 
-        andi    $bit_38,$bit_38,16                      # 183e
-        shufb   $pair_8,$object,$pair_8,$m_pair         # 183o
+        rotmi   $bit_4,$masks_3,0                       # 148e
+        stqd    $pair+10,0($a_out_3)                    # 148o may alias the one before
 
-        rotmi   $bit_40,$masks_4,-4                     # 184e
-        a       $a_out_43,$a_out_42,$bit_38             # 185e
+        a       $a_out_3,$a_out_6,$bit_7                # 149e
+        shufb   $pair+15,$object,$pair15_4,$m_pair      # 149o
 
-        andi    $bit_27,$bit_27,16                      # 186e
-        lnop                                            # 186o pairing
+        andi    $bit_18,$bit_18,16                      # 150e
+        stqd    $pair11_4,0($a_out_7)                   # 150o may alias the one before
 
-        andi    $bit_39,$bit_39,16                      # 187e
-        stqd    $pair_8,0($a_out_12)                    # 187o may alias the one before
+        rotmi   $bit_7,$masks_4,-15                     # 151e
+        stqd    $pair+12,0($a_out_4)                    # 151o may alias the one before
 
-        a       $a_out_12,$a_out_43,$bit_27             # 188e
-        lqd     $pair_5,272($a_places)                  # 188o
+        a       $a_out_13,$a_out_3,$bit_18              # 152e
+        stqd    $pair+13,0($a_out_6)                    # 152o may alias the one before
 
-        andi    $bit_12,$bit_40,16                      # 189e
-        a       $a_out_44,$a_out_12,$bit_39             # 190e
+        andi    $bit,$bit_4,16                          # 153e
+        stqd    $pair+14,0($a_out_3)                    # 153o may alias the one before
 
-        rotmi   $bit_40,$masks_4,-3                     # 191e
-        a       $a_out_11,$a_out_44,$bit_12             # 192e
+        rotmi   $bit_2,$masks_4,-14                     # 154e
+        stqd    $pair+15,0($a_out_13)                   # 154o may alias the one before
 
-        rotmi   $bit_41,$masks_4,-2                     # 193e
-        lnop                                            # 193o pairing
+        a       $a_out_13,$a_out_13,$bit                # 155e
+        lqd     $pair,768($a_places)                    # 155o
 
-        rotmi   $bit_42,$masks_4,-1                     # 194e
-        shufb   $pair_5,$object,$pair_5,$m_pair         # 194o
+        andi    $bit,$bit_7,16                          # 156e
+        lqd     $pair+1,784($a_places)                  # 156o
 
-        andi    $bit_40,$bit_40,16                      # 195e
-        rotmi   $bit_4,$masks_4,0                       # 196e
+        rotmi   $bit_3,$masks_4,-13                     # 157e
+        lqd     $pair+2,800($a_places)                  # 157o
 
-        a       $a_out_45,$a_out_11,$bit_40             # 197e
-        lnop                                            # 197o pairing
+        a       $a_out_5,$a_out_13,$bit                 # 158e
+        lqd     $pair+3,816($a_places)                  # 158o
 
-        andi    $bit_41,$bit_41,16                      # 198e
-        stqd    $pair_5,0($a_out_13)                    # 198o may alias the one before
+        andi    $bit,$bit_2,16                          # 159e
+        lqd     $pair+4,832($a_places)                  # 159o
 
-        andi    $bit_27,$bit_42,16                      # 199e
-        lqd     $pair_9,288($a_places)                  # 199o
+        rotmi   $bit_2,$masks_4,-12                     # 160e
+        lqd     $pair+5,848($a_places)                  # 160o
 
-        a       $a_out_46,$a_out_45,$bit_41             # 200e
-        andi    $bit_4,$bit_4,16                        # 201e
+        a       $a_out_2,$a_out_5,$bit                  # 161e
+        shufb   $pair,$object,$pair,$m_pair             # 161o
 
-        a       $a_out_47,$a_out_46,$bit_27             # 202e
-        a       $a_out_48,$a_out_47,$bit_4              # 204e
+        andi    $bit,$bit_3,16                          # 162e
+        lqd     $pair+6,864($a_places)                  # 162o
 
-        shufb   $pair_10,$object,$pair_9,$m_pair        # 205o
-        ori     $a_masks,$a_out_48,0                    # 206e
+        rotmi   $bit_3,$masks_4,-11                     # 163e
+        shufb   $pair+1,$object,$pair+1,$m_pair         # 163o
 
-        stqd    $pair_10,0($a_out_14)                   # 209o may alias the one before
-        lqd     $pair_10,304($a_places)                 # 210o
+        a       $a_out_7,$a_out_2,$bit                  # 164e
+        lqd     $pair+7,880($a_places)                  # 164o
 
-        shufb   $pair_10,$object,$pair_10,$m_pair       # 216o
-        stqd    $pair_10,0($a_out)                      # 220o may alias the one before
+        andi    $bit,$bit_2,16                          # 165e
+        shufb   $pair+2,$object,$pair+2,$m_pair         # 165o
 
-        lqd     $pair_11,320($a_places)                 # 221o
-        shufb   $pair_11,$object,$pair_11,$m_pair       # 227o
+        rotmi   $bit_2,$masks_4,-10                     # 166e
+        lqd     $pair+8,896($a_places)                  # 166o
 
-        stqd    $pair_11,0($a_out_15)                   # 231o may alias the one before
-        lqd     $pair_11,336($a_places)                 # 232o
+        a       $a_out_4,$a_out_7,$bit                  # 167e
+        shufb   $pair+3,$object,$pair+3,$m_pair         # 167o
 
-        shufb   $pair_11,$object,$pair_11,$m_pair       # 238o
-        stqd    $pair_11,0($a_out_16)                   # 242o may alias the one before
+        andi    $bit_3,$bit_3,16                        # 168e
+        lqd     $pair+9,912($a_places)                  # 168o
 
-        lqd     $pair_11,352($a_places)                 # 243o
-        shufb   $pair_11,$object,$pair_11,$m_pair       # 249o
+        rotmi   $bit_22,$masks_4,-9                     # 169e
+        lqd     $pair10_4,928($a_places)                # 169o
 
-        stqd    $pair_11,0($a_out_17)                   # 253o may alias the one before
-        lqd     $pair,368($a_places)                    # 254o
+        a       $a_out_6,$a_out_4,$bit_3                # 170e
+        lqd     $pair11_5,944($a_places)                # 170o
 
-        shufb   $pair,$object,$pair,$m_pair             # 260o
-        stqd    $pair,0($a_out_18)                      # 264o may alias the one before
+        andi    $bit_2,$bit_2,16                        # 171e
+        lqd     $pair12_4,960($a_places)                # 171o
 
-        lqd     $pair,384($a_places)                    # 265o
-        shufb   $pair,$object,$pair,$m_pair             # 271o
+        rotmi   $bit_23,$masks_4,-8                     # 172e
+        lqd     $pair13_4,976($a_places)                # 172o
 
-        stqd    $pair,0($a_out_19)                      # 275o may alias the one before
-        lqd     $pair,400($a_places)                    # 276o
+        a       $a_out_3,$a_out_6,$bit_2                # 173e
+        lqd     $pair14_4,992($a_places)                # 173o
 
-        shufb   $pair,$object,$pair,$m_pair             # 282o
-        stqd    $pair,0($a_out_2)                       # 286o may alias the one before
+        andi    $bit_22,$bit_22,16                      # 174e
+        lqd     $pair15_5,1008($a_places)               # 174o
 
-        lqd     $pair,416($a_places)                    # 287o
-        shufb   $pair,$object,$pair,$m_pair             # 293o
+        rotmi   $bit_24,$masks_4,-7                     # 175e
+        shufb   $pair+4,$object,$pair+4,$m_pair         # 175o
 
-        stqd    $pair,0($a_out_20)                      # 297o may alias the one before
-        lqd     $pair,432($a_places)                    # 298o
+        a       $a_out_16,$a_out_3,$bit_22              # 176e
+        stqd    $pair,0($a_out_13)                      # 176o may alias the one before
 
-        shufb   $pair,$object,$pair,$m_pair             # 304o
-        stqd    $pair,0($a_out_21)                      # 308o may alias the one before
+        andi    $bit_18,$bit_23,16                      # 177e
+        shufb   $pair+5,$object,$pair+5,$m_pair         # 177o
 
-        lqd     $pair,448($a_places)                    # 309o
-        shufb   $pair,$object,$pair,$m_pair             # 315o
+        rotmi   $bit_8,$masks_4,-6                      # 178e
+        stqd    $pair+1,0($a_out_5)                     # 178o may alias the one before
 
-        stqd    $pair,0($a_out_22)                      # 319o may alias the one before
-        lqd     $pair,464($a_places)                    # 320o
+        a       $a_out_13,$a_out_16,$bit_18             # 179e
+        hbr     list_pairs_p64_return,$lr               # 179o hint
 
-        shufb   $pair,$object,$pair,$m_pair             # 326o
-        stqd    $pair,0($a_out_6)                       # 330o may alias the one before
+        andi    $bit_4,$bit_24,16                       # 180e
+        shufb   $pair+6,$object,$pair+6,$m_pair         # 180o
 
-        lqd     $pair,480($a_places)                    # 331o
-        shufb   $pair,$object,$pair,$m_pair             # 337o
+        rotmi   $bit_17,$masks_4,-5                     # 181e
+        stqd    $pair+2,0($a_out_2)                     # 181o may alias the one before
 
-        stqd    $pair,0($a_out_23)                      # 341o may alias the one before
-        lqd     $pair,496($a_places)                    # 342o
+        a       $a_out_5,$a_out_13,$bit_4               # 182e
+        shufb   $pair+7,$object,$pair+7,$m_pair         # 182o
 
-        shufb   $pair,$object,$pair,$m_pair             # 348o
-        stqd    $pair,0($a_out_24)                      # 352o may alias the one before
+        andi    $bit_7,$bit_8,16                        # 183e
+        stqd    $pair+3,0($a_out_7)                     # 183o may alias the one before
 
-        lqd     $pair,512($a_places)                    # 353o
-        shufb   $pair,$object,$pair,$m_pair             # 359o
+        rotmi   $bit_14,$masks_4,-4                     # 184e
+        shufb   $pair+8,$object,$pair+8,$m_pair         # 184o
 
-        stqd    $pair,0($a_out_25)                      # 363o may alias the one before
-        lqd     $pair,528($a_places)                    # 364o
+        a       $a_out_2,$a_out_5,$bit_7                # 185e
+        stqd    $pair+4,0($a_out_4)                     # 185o may alias the one before
 
-        shufb   $pair,$object,$pair,$m_pair             # 370o
-        stqd    $pair,0($a_out_5)                       # 374o may alias the one before
+        andi    $bit,$bit_17,16                         # 186e
+        shufb   $pair+9,$object,$pair+9,$m_pair         # 186o
 
-        lqd     $pair,544($a_places)                    # 375o
-        shufb   $pair,$object,$pair,$m_pair             # 381o
+        rotmi   $bit_8,$masks_4,-3                      # 187e
+        stqd    $pair+5,0($a_out_6)                     # 187o may alias the one before
 
-        stqd    $pair,0($a_out_26)                      # 385o may alias the one before
-        lqd     $pair,560($a_places)                    # 386o
+        a       $a_out_6,$a_out_2,$bit                  # 188e
+        shufb   $pair10_5,$object,$pair10_4,$m_pair     # 188o
 
-        shufb   $pair,$object,$pair,$m_pair             # 392o
-        stqd    $pair,0($a_out_27)                      # 396o may alias the one before
+        andi    $bit_14,$bit_14,16                      # 189e
+        stqd    $pair+6,0($a_out_3)                     # 189o may alias the one before
 
-        lqd     $pair,576($a_places)                    # 397o
-        shufb   $pair,$object,$pair,$m_pair             # 403o
+        rotmi   $bit_2,$masks_4,-2                      # 190e
+        shufb   $pair+11,$object,$pair11_5,$m_pair      # 190o
 
-        stqd    $pair,0($a_out_28)                      # 407o may alias the one before
-        lqd     $pair,592($a_places)                    # 408o
+        a       $a_out_7,$a_out_6,$bit_14               # 191e
+        stqd    $pair+7,0($a_out_16)                    # 191o may alias the one before
 
-        shufb   $pair,$object,$pair,$m_pair             # 414o
-        stqd    $pair,0($a_out_29)                      # 418o may alias the one before
+        andi    $bit_8,$bit_8,16                        # 192e
+        shufb   $pair+12,$object,$pair12_4,$m_pair      # 192o
 
-        lqd     $pair,608($a_places)                    # 419o
-        shufb   $pair,$object,$pair,$m_pair             # 425o
+        rotmi   $bit_17,$masks_4,-1                     # 193e
+        stqd    $pair+8,0($a_out_13)                    # 193o may alias the one before
 
-        stqd    $pair,0($a_out_30)                      # 429o may alias the one before
-        lqd     $pair,624($a_places)                    # 430o
+        a       $a_out_13,$a_out_7,$bit_8               # 194e
+        shufb   $pair+13,$object,$pair13_4,$m_pair      # 194o
 
-        shufb   $pair,$object,$pair,$m_pair             # 436o
-        stqd    $pair,0($a_out_7)                       # 440o may alias the one before
+        andi    $bit_2,$bit_2,16                        # 195e
+        stqd    $pair+9,0($a_out_5)                     # 195o may alias the one before
 
-        lqd     $pair,640($a_places)                    # 441o
-        hbr     list_pairs_p64_return,$lr               # 442o hint
+        rotmi   $bit_6,$masks_4,0                       # 196e
+        shufb   $pair+14,$object,$pair14_4,$m_pair      # 196o
 
-        shufb   $pair,$object,$pair,$m_pair             # 447o
-        stqd    $pair,0($a_out_8)                       # 451o may alias the one before
+        a       $a_out_3,$a_out_13,$bit_2               # 197e
+        stqd    $pair10_5,0($a_out_2)                   # 197o may alias the one before
 
-        lqd     $pair,656($a_places)                    # 452o
-        shufb   $pair,$object,$pair,$m_pair             # 458o
+        andi    $bit,$bit_17,16                         # 198e
+        shufb   $pair+15,$object,$pair15_5,$m_pair      # 198o
 
-        stqd    $pair,0($a_out_31)                      # 462o may alias the one before
-        lqd     $pair,672($a_places)                    # 463o
+        nop     $127                                    # 199e pairing
+        stqd    $pair+11,0($a_out_6)                    # 199o may alias the one before
 
-        shufb   $pair,$object,$pair,$m_pair             # 469o
-        stqd    $pair,0($a_out_32)                      # 473o may alias the one before
+        a       $a_out_17,$a_out_3,$bit                 # 200e
+        stqd    $pair+12,0($a_out_7)                    # 200o may alias the one before
 
-        lqd     $pair,688($a_places)                    # 474o
-        shufb   $pair,$object,$pair,$m_pair             # 480o
+        andi    $bit,$bit_6,16                          # 201e
+        stqd    $pair+13,0($a_out_13)                   # 201o may alias the one before
 
-        stqd    $pair,0($a_out_33)                      # 484o may alias the one before
-        lqd     $pair,704($a_places)                    # 485o
+        nop     $127                                    # 202e pairing
+        stqd    $pair+14,0($a_out_3)                    # 202o may alias the one before
 
-        shufb   $pair,$object,$pair,$m_pair             # 491o
-        stqd    $pair,0($a_out_3)                       # 495o may alias the one before
+        a       $a_out,$a_out_17,$bit                   # 203e
+        stqd    $pair+15,0($a_out_17)                   # 203o may alias the one before
 
-        lqd     $pair,720($a_places)                    # 496o
-        shufb   $pair,$object,$pair,$m_pair             # 502o
-
-        stqd    $pair,0($a_out_34)                      # 506o may alias the one before
-        lqd     $pair,736($a_places)                    # 507o
-
-        shufb   $pair,$object,$pair,$m_pair             # 513o
-        stqd    $pair,0($a_out_9)                       # 517o may alias the one before
-
-        lqd     $pair,752($a_places)                    # 518o
-        shufb   $pair,$object,$pair,$m_pair             # 524o
-
-        stqd    $pair,0($a_out_35)                      # 528o may alias the one before
-        lqd     $pair,768($a_places)                    # 529o
-
-        shufb   $pair,$object,$pair,$m_pair             # 535o
-        stqd    $pair,0($a_out_36)                      # 539o may alias the one before
-
-        lqd     $pair,784($a_places)                    # 540o
-        shufb   $pair,$object,$pair,$m_pair             # 546o
-
-        stqd    $pair,0($a_out_37)                      # 550o may alias the one before
-        lqd     $pair,800($a_places)                    # 551o
-
-        shufb   $pair,$object,$pair,$m_pair             # 557o
-        stqd    $pair,0($a_out_10)                      # 561o may alias the one before
-
-        lqd     $pair,816($a_places)                    # 562o
-        shufb   $pair,$object,$pair,$m_pair             # 568o
-
-        stqd    $pair,0($a_out_4)                       # 572o may alias the one before
-        lqd     $pair,832($a_places)                    # 573o
-
-        shufb   $pair,$object,$pair,$m_pair             # 579o
-        stqd    $pair,0($a_out_38)                      # 583o may alias the one before
-
-        lqd     $pair,848($a_places)                    # 584o
-        shufb   $pair,$object,$pair,$m_pair             # 590o
-
-        stqd    $pair,0($a_out_39)                      # 594o may alias the one before
-        lqd     $pair,864($a_places)                    # 595o
-
-        shufb   $pair,$object,$pair,$m_pair             # 601o
-        stqd    $pair,0($a_out_40)                      # 605o may alias the one before
-
-        lqd     $pair,880($a_places)                    # 606o
-        shufb   $pair,$object,$pair,$m_pair             # 612o
-
-        stqd    $pair,0($a_out_41)                      # 616o may alias the one before
-        lqd     $pair,896($a_places)                    # 617o
-
-        shufb   $pair,$object,$pair,$m_pair             # 623o
-        stqd    $pair,0($a_out_42)                      # 627o may alias the one before
-
-        lqd     $pair,912($a_places)                    # 628o
-        shufb   $pair,$object,$pair,$m_pair             # 634o
-
-        stqd    $pair,0($a_out_43)                      # 638o may alias the one before
-        lqd     $pair,928($a_places)                    # 639o
-
-        shufb   $pair,$object,$pair,$m_pair             # 645o
-        stqd    $pair,0($a_out_12)                      # 649o may alias the one before
-
-        lqd     $pair,944($a_places)                    # 650o
-        shufb   $pair,$object,$pair,$m_pair             # 656o
-
-        stqd    $pair,0($a_out_44)                      # 660o may alias the one before
-        lqd     $pair,960($a_places)                    # 661o
-
-        shufb   $pair,$object,$pair,$m_pair             # 667o
-        stqd    $pair,0($a_out_11)                      # 671o may alias the one before
-
-        lqd     $pair,976($a_places)                    # 672o
-        shufb   $pair,$object,$pair,$m_pair             # 678o
-
-        stqd    $pair,0($a_out_45)                      # 682o may alias the one before
-        lqd     $pair,992($a_places)                    # 683o
-
-        shufb   $pair,$object,$pair,$m_pair             # 689o
-        stqd    $pair,0($a_out_46)                      # 693o may alias the one before
-
-        lqd     $pair,1008($a_places)                   # 694o
-        shufb   $pair,$object,$pair,$m_pair             # 700o
-
-        stqd    $pair,0($a_out_47)                      # 704o may alias the one before
+        ori     $a_masks,$a_out,0                       # 205e
 list_pairs_p64_return:
-        bi      $lr                                     # 705o
+        bi      $lr                                     # 205o
 endfunction list_pairs_p64

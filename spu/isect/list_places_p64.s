@@ -5,7 +5,7 @@
 #           64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers 16-aligned
 #   Out     the list; one more quadword may be written
 #           $3 behind the list
-#   Uses    $2-$3, $5-$46   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$42   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
 #   Twin    oracle/src/twin/lists.rs
@@ -21,728 +21,716 @@
         .set    a_out,6
         # temporaries
         .set    masks,10
-        .set    place,11
-        .set    bit,12
-        .set    origin,13
+        .set    bit,11
+        .set    origin,12
+        .set    place,13                                # to 28
 
 function list_places_p64
-        .set    packet,16
-        .set    bit_2,2
-        .set    bit_3,3
-        .set    masks_2,5
+        .set    masks_2,2
+        .set    bit_2,3
+        .set    bit_3,5
         .set    bit_4,7
-        .set    masks_3,8
-        .set    a_out_2,2
-        .set    masks_4,7
+        .set    a_out_2,8
         .set    a_out_3,3
+        .set    masks_3,6
         .set    bit_5,9
-        .set    bit_6,14
-        .set    masks_5,15
-        .set    a_out_4,9
-        .set    a_out_5,12
-        .set    bit_7,15
-        .set    bit_8,16
-        .set    a_out_6,14
-        .set    bit_9,17
-        .set    a_out_7,16
-        .set    a_out_8,15
-        .set    bit_10,18
-        .set    bit_11,19
-        .set    a_out_9,18
-        .set    bit_12,10
-        .set    a_out_10,17
-        .set    bit_13,20
-        .set    a_out_11,10
-        .set    bit_14,21
-        .set    a_out_12,20
-        .set    a_out_13,19
-        .set    bit_15,22
-        .set    bit_16,23
-        .set    a_out_14,22
-        .set    a_out_15,21
-        .set    bit_17,24
-        .set    bit_18,25
-        .set    a_out_16,11
-        .set    place_2,14
-        .set    a_out_17,23
-        .set    bit_19,26
-        .set    a_out_18,25
-        .set    place_3,16
-        .set    a_out_19,24
-        .set    bit_20,27
-        .set    bit_21,28
-        .set    a_out_20,27
-        .set    bit_22,5
-        .set    a_out_21,26
-        .set    bit_23,29
-        .set    a_out_22,5
-        .set    place_4,3
-        .set    bit_24,30
-        .set    a_out_23,29
-        .set    a_out_24,28
-        .set    bit_25,31
-        .set    bit_26,32
-        .set    a_out_25,31
-        .set    a_out_26,30
-        .set    bit_27,33
-        .set    bit_28,34
-        .set    a_out_27,32
-        .set    bit_29,35
-        .set    a_out_28,34
-        .set    place_5,9
-        .set    a_out_29,33
-        .set    a_out_30,36
-        .set    bit_30,37
-        .set    place_6,10
-        .set    a_out_31,37
-        .set    a_out_32,8
-        .set    bit_31,38
-        .set    bit_32,39
-        .set    a_out_33,38
-        .set    place_7,19
-        .set    a_out_34,35
-        .set    a_out_35,40
-        .set    bit_33,41
-        .set    a_out_36,41
-        .set    a_out_37,39
-        .set    bit_34,42
-        .set    bit_35,43
-        .set    bit_36,44
-        .set    a_out_38,43
-        .set    place_8,22
-        .set    a_out_39,42
-        .set    a_out_40,45
-        .set    bit_37,46
-        .set    a_out_41,44
-        .set    a_out_42,46
+        .set    a_out_4,5
+        .set    bit_6,13
+        .set    a_out_5,11
+        .set    masks_4,29
+        .set    bit_7,30
+        .set    a_out_6,9
+        .set    masks_5,31
+        .set    bit_8,31
+        .set    a_out_7,7
+        .set    bit_9,32
+        .set    a_out_8,13
+        .set    a_out_9,30
+        .set    bit_10,33
+        .set    a_out_10,31
+        .set    bit_11,34
+        .set    bit_12,35
+        .set    a_out_11,32
+        .set    bit_13,36
+        .set    a_out_12,33
+        .set    bit_14,37
+        .set    bit_15,10
+        .set    bit_16,38
+        .set    a_out_13,34
+        .set    a_out_14,35
+        .set    bit_17,39
+        .set    a_out_15,37
+        .set    a_out_16,10
+        .set    bit_18,40
+        .set    a_out_17,36
+        .set    bit_19,41
+        .set    a_out_18,38
+        .set    bit_20,42
+        .set    bit_21,14
+        .set    bit_22,15
+        .set    a_out_19,14
+        .set    bit_23,16
+        .set    a_out_20,15
+        .set    a_out_21,40
+        .set    bit_24,17
+        .set    a_out_22,17
+        .set    bit_25,18
+        .set    bit_26,19
+        .set    bit_27,2
+        .set    place1_2,18
+        .set    bit_28,20
+        .set    place_2,21
+        .set    a_out_23,16
+        .set    place2_2,22
+        .set    place6_2,23
+        .set    place3_2,24
+        .set    a_out_24,2
+        .set    place4_2,25
+        .set    place5_2,26
+        .set    bit_29,28
+        .set    place13_2,30
+        .set    place7_2,31
+        .set    place10_2,32
+        .set    place11_2,33
+        .set    place9_2,34
+        .set    place12_2,35
+        .set    place15_2,37
+        .set    place8_2,41
+        .set    place3_3,21
+        .set    bit_30,8
+        .set    place5_3,3
+        .set    place7_3,15
+        .set    a_out_25,19
+        .set    place1_3,16
+        .set    place2_3,17
+        .set    place6_3,20
+        .set    bit_31,21
+        .set    bit_32,24
+        .set    place3_4,26
+        .set    bit_33,27
+        .set    place7_4,28
+        .set    place4_3,30
+        .set    place15_3,31
+        .set    place5_4,32
+        .set    place14_2,34
+        .set    place8_3,35
+        .set    place13_3,37
+        .set    a_out_26,21
+        .set    place7_5,18
+        .set    place4_4,27
+        .set    bit_34,6
+        .set    place5_5,17
+        .set    place8_4,8
+        .set    place3_5,20
+        .set    place7_6,21
+        .set    place8_5,28
+        .set    place6_4,30
+        .set    place13_4,31
+        .set    place15_4,4
         lqd     $masks,0($a_masks)                      # 0o
-        lqd     $origin,0($a_origin)                    # 1o
+        lqd     $place,0($a_places)                     # 1o
 
-        lqd     $place,0($a_places)                     # 2o
+        lqd     $origin,0($a_origin)                    # 2o
+        lqd     $place+2,32($a_places)                  # 3o
+
+        lqd     $place+15,240($a_places)                # 4o
+        lqd     $place+1,16($a_places)                  # 5o
+
         shli    $masks,$masks,4                         # 6e
+        lqd     $place+3,48($a_places)                  # 6o
+
+        nop     $127                                    # 7e pairing
+        lqd     $place+4,64($a_places)                  # 7o
 
         a       $place,$place,$origin                   # 8e
-        lnop                                            # 8o pairing
+        lqd     $place+5,80($a_places)                  # 8o
+
+        a       $place+2,$place+2,$origin               # 9e
+        lqd     $place+10,160($a_places)                # 9o
 
         rotmi   $bit,$masks,-15                         # 10e
-        stqd    $place,0($a_out)                        # 10o may alias the one before
+        rotqbyi $masks_2,$masks,4                       # 10o
 
         rotmi   $bit_2,$masks,-14                       # 11e
-        lqd     $place,16($a_places)                    # 11o
+        lqd     $place+13,208($a_places)                # 11o
 
         rotmi   $bit_3,$masks,-13                       # 12e
-        rotqbyi $masks_2,$masks,4                       # 12o
+        lqd     $place+7,112($a_places)                 # 12o
 
         rotmi   $bit_4,$masks,-12                       # 13e
+        lqd     $place+8,128($a_places)                 # 13o
+
         andi    $bit,$bit,16                            # 14e
+        lqd     $place+9,144($a_places)                 # 14o
 
         andi    $bit_2,$bit_2,16                        # 15e
-        lnop                                            # 15o pairing
+        lqd     $place+11,176($a_places)                # 15o
 
-        a       $a_out,$a_out,$bit                      # 16e
-        rotqbyi $masks_3,$masks_2,4                     # 16o
+        a       $a_out_2,$a_out,$bit                    # 16e
+        lqd     $place+6,96($a_places)                  # 16o
 
-        a       $place,$place,$origin                   # 17e
-        a       $a_out_2,$a_out,$bit_2                  # 18e
+        andi    $bit,$bit_4,16                          # 17e
+        lqd     $place+14,224($a_places)                # 17o
 
-        andi    $bit,$bit_3,16                          # 19e
+        a       $a_out_3,$a_out_2,$bit_2                # 18e
+        lqd     $place+12,192($a_places)                # 18o
+
+        rotmi   $bit_4,$masks,-10                       # 19e
         stqd    $place,0($a_out)                        # 19o may alias the one before
 
-        andi    $bit_3,$bit_4,16                        # 20e
-        lqd     $place,32($a_places)                    # 20o
+        andi    $bit_3,$bit_3,16                        # 20e
+        rotqbyi $masks_3,$masks_2,4                     # 20o
 
-        a       $a_out,$a_out_2,$bit                    # 21e
-        rotqbyi $masks_4,$masks_3,4                     # 21o
+        rotmi   $bit_5,$masks,-11                       # 21e
+        a       $a_out_4,$a_out_3,$bit_3                # 22e
 
-        rotmi   $bit,$masks,-11                         # 22e
-        a       $a_out_3,$a_out,$bit_3                  # 23e
+        rotmi   $bit_6,$masks,-9                        # 23e
+        lnop                                            # 23o pairing
 
-        rotmi   $bit_5,$masks,-10                       # 24e
-        lnop                                            # 24o pairing
+        a       $a_out_5,$a_out_4,$bit                  # 24e
+        rotqbyi $masks_4,$masks_3,4                     # 24o
 
-        rotmi   $bit_6,$masks,-9                        # 25e
-        rotqbyi $masks_5,$masks_4,4                     # 25o
+        andi    $bit_5,$bit_5,16                        # 25e
+        rotmi   $bit_7,$masks,-8                        # 26e
 
-        a       $place,$place,$origin                   # 26e
-        andi    $bit,$bit,16                            # 27e
+        a       $a_out_6,$a_out_5,$bit_5                # 27e
+        lnop                                            # 27o pairing
 
-        andi    $bit_5,$bit_5,16                        # 28e
-        stqd    $place,0($a_out_2)                      # 28o may alias the one before
+        andi    $bit_4,$bit_4,16                        # 28e
+        rotqbyi $masks_5,$masks_4,4                     # 28o
 
-        a       $a_out_2,$a_out_3,$bit                  # 29e
-        lqd     $place,48($a_places)                    # 29o
+        rotmi   $bit_8,$masks,-7                        # 29e
+        a       $a_out_7,$a_out_6,$bit_4                # 30e
 
-        andi    $bit,$bit_6,16                          # 30e
-        a       $a_out_4,$a_out_2,$bit_5                # 31e
+        andi    $bit_7,$bit_7,16                        # 31e
+        rotmi   $bit_9,$masks,-6                        # 32e
 
-        rotmi   $bit_6,$masks,-8                        # 32e
-        a       $a_out_5,$a_out_4,$bit                  # 33e
+        andi    $bit_6,$bit_6,16                        # 33e
+        andi    $bit_8,$bit_8,16                        # 34e
 
-        rotmi   $bit_7,$masks,-7                        # 34e
-        a       $place,$place,$origin                   # 35e
+        a       $a_out_8,$a_out_7,$bit_6                # 35e
+        andi    $bit_9,$bit_9,16                        # 36e
 
-        andi    $bit_6,$bit_6,16                        # 36e
-        lnop                                            # 36o pairing
+        a       $a_out_9,$a_out_8,$bit_7                # 37e
+        rotmi   $bit_10,$masks,-5                       # 38e
 
-        rotmi   $bit_8,$masks,-6                        # 37e
-        stqd    $place,0($a_out)                        # 37o may alias the one before
+        a       $a_out_10,$a_out_9,$bit_8               # 39e
+        rotmi   $bit_11,$masks,-4                       # 40e
 
-        a       $a_out,$a_out_5,$bit_6                  # 38e
-        lqd     $place,64($a_places)                    # 38o
+        rotmi   $bit_12,$masks,-3                       # 41e
+        andi    $bit_10,$bit_10,16                      # 42e
 
-        andi    $bit_6,$bit_7,16                        # 39e
-        rotmi   $bit_7,$masks,-5                        # 40e
+        a       $a_out_11,$a_out_10,$bit_9              # 43e
+        rotmi   $bit_13,$masks,0                        # 44e
 
-        a       $a_out_6,$a_out,$bit_6                  # 41e
-        andi    $bit_8,$bit_8,16                        # 42e
+        a       $a_out_12,$a_out_11,$bit_10             # 45e
+        andi    $bit_12,$bit_12,16                      # 46e
 
-        rotmi   $bit_9,$masks,-4                        # 43e
-        a       $place,$place,$origin                   # 44e
+        rotmi   $bit_14,$masks,-2                       # 47e
+        andi    $bit_11,$bit_11,16                      # 48e
 
-        a       $a_out_7,$a_out_6,$bit_8                # 45e
-        lnop                                            # 45o pairing
+        rotmi   $bit_15,$masks,-1                       # 49e
+        rotmi   $bit_16,$masks_2,-15                    # 50e
 
-        andi    $bit_7,$bit_7,16                        # 46e
-        stqd    $place,0($a_out_3)                      # 46o may alias the one before
+        andi    $bit_14,$bit_14,16                      # 51e
+        a       $a_out_13,$a_out_12,$bit_11             # 52e
 
-        andi    $bit_3,$bit_9,16                        # 47e
-        lqd     $place,80($a_places)                    # 47o
+        andi    $bit_15,$bit_15,16                      # 53e
+        a       $a_out_14,$a_out_13,$bit_12             # 54e
 
-        a       $a_out_8,$a_out_7,$bit_7                # 48e
-        rotmi   $bit_9,$masks,-3                        # 49e
+        rotmi   $bit_17,$masks_2,-14                    # 55e
+        a       $a_out_15,$a_out_14,$bit_14             # 56e
 
-        a       $a_out_3,$a_out_8,$bit_3                # 50e
-        rotmi   $bit_10,$masks,-2                       # 51e
+        andi    $bit_16,$bit_16,16                      # 57e
+        a       $a_out_16,$a_out_15,$bit_15             # 58e
 
-        rotmi   $bit_11,$masks,-1                       # 52e
-        a       $place,$place,$origin                   # 53e
+        rotmi   $bit_18,$masks_2,-11                    # 59e
+        andi    $bit_13,$bit_13,16                      # 60e
 
-        andi    $bit_9,$bit_9,16                        # 54e
-        lnop                                            # 54o pairing
+        andi    $bit_17,$bit_17,16                      # 61e
+        a       $a_out_17,$a_out_16,$bit_13             # 62e
 
-        andi    $bit_10,$bit_10,16                      # 55e
-        stqd    $place,0($a_out_2)                      # 55o may alias the one before
+        rotmi   $bit_19,$masks_2,-13                    # 63e
+        a       $place+1,$place+1,$origin               # 64e
 
-        a       $a_out_2,$a_out_3,$bit_9                # 56e
-        lqd     $place,96($a_places)                    # 56o
+        a       $a_out_18,$a_out_17,$bit_16             # 65e
+        lnop                                            # 65o pairing
 
-        andi    $bit_9,$bit_11,16                       # 57e
-        a       $a_out_9,$a_out_2,$bit_10               # 58e
+        rotmi   $bit_20,$masks_2,-12                    # 66e
+        stqd    $place+1,0($a_out_2)                    # 66o may alias the one before
 
-        rotmi   $bit_12,$masks,0                        # 59e
-        a       $a_out_10,$a_out_9,$bit_9               # 60e
+        a       $a_out_2,$a_out_18,$bit_17              # 67e
+        stqd    $place+2,0($a_out_3)                    # 67o may alias the one before
 
-        rotmi   $bit_11,$masks_2,-15                    # 61e
-        a       $place,$place,$origin                   # 62e
+        andi    $bit_2,$bit_19,16                       # 68e
+        a       $place+6,$place+6,$origin               # 69e
 
-        andi    $bit_12,$bit_12,16                      # 63e
-        lnop                                            # 63o pairing
+        a       $a_out_3,$a_out_2,$bit_2                # 70e
+        andi    $bit_21,$bit_20,16                      # 71e
 
-        rotmi   $bit_13,$masks_2,-14                    # 64e
-        stqd    $place,0($a_out_4)                      # 64o may alias the one before
+        rotmi   $bit_22,$masks_2,-10                    # 72e
+        a       $a_out_19,$a_out_3,$bit_21              # 73e
 
-        a       $a_out_4,$a_out_10,$bit_12              # 65e
-        lqd     $place,112($a_places)                   # 65o
+        a       $place+5,$place+5,$origin               # 74e
+        rotmi   $bit_17,$masks_2,-8                     # 75e
 
-        andi    $bit_12,$bit_11,16                      # 66e
-        rotmi   $bit_11,$masks_2,-13                    # 67e
+        andi    $bit_22,$bit_22,16                      # 76e
+        a       $place+3,$place+3,$origin               # 77e
 
-        a       $a_out_11,$a_out_4,$bit_12              # 68e
-        andi    $bit_13,$bit_13,16                      # 69e
+        rotmi   $bit_19,$masks_2,-9                     # 78e
+        lnop                                            # 78o pairing
 
-        rotmi   $bit_14,$masks_2,-12                    # 70e
-        a       $place,$place,$origin                   # 71e
+        a       $place+7,$place+7,$origin               # 79e
+        stqd    $place+3,0($a_out_4)                    # 79o may alias the one before
 
-        a       $a_out_12,$a_out_11,$bit_13             # 72e
-        lnop                                            # 72o pairing
+        andi    $bit_3,$bit_18,16                       # 80e
+        andi    $bit_23,$bit_17,16                      # 81e
 
-        andi    $bit_11,$bit_11,16                      # 73e
-        stqd    $place,0($a_out_5)                      # 73o may alias the one before
+        a       $place+8,$place+8,$origin               # 82e
+        a       $a_out_4,$a_out_19,$bit_3               # 83e
 
-        andi    $bit,$bit_14,16                         # 74e
-        lqd     $place,128($a_places)                   # 74o
+        rotmi   $bit_17,$masks_2,-5                     # 84e
+        a       $a_out_20,$a_out_4,$bit_22              # 85e
 
-        a       $a_out_13,$a_out_12,$bit_11             # 75e
-        rotmi   $bit_14,$masks_2,-11                    # 76e
+        a       $place+9,$place+9,$origin               # 86e
+        andi    $bit_18,$bit_19,16                      # 87e
 
-        a       $a_out_5,$a_out_13,$bit                 # 77e
-        rotmi   $bit_15,$masks_2,-10                    # 78e
+        a       $place+4,$place+4,$origin               # 88e
+        a       $a_out_21,$a_out_20,$bit_18             # 89e
 
-        rotmi   $bit_16,$masks_2,-9                     # 79e
-        a       $place,$place,$origin                   # 80e
+        a       $place+12,$place+12,$origin             # 90e
+        stqd    $place+4,0($a_out_5)                    # 90o may alias the one before
 
-        andi    $bit_14,$bit_14,16                      # 81e
-        lnop                                            # 81o pairing
+        a       $a_out_5,$a_out_21,$bit_23              # 91e
+        stqd    $place+5,0($a_out_6)                    # 91o may alias the one before
 
-        andi    $bit_15,$bit_15,16                      # 82e
-        stqd    $place,0($a_out)                        # 82o may alias the one before
+        rotmi   $bit_5,$masks_2,-7                      # 92e
+        stqd    $place+6,0($a_out_7)                    # 92o may alias the one before
 
-        a       $a_out,$a_out_5,$bit_14                 # 83e
-        lqd     $place,144($a_places)                   # 83o
+        rotmi   $bit_4,$masks_2,-6                      # 93e
+        stqd    $place+7,0($a_out_8)                    # 93o may alias the one before
 
-        andi    $bit_14,$bit_16,16                      # 84e
-        a       $a_out_14,$a_out,$bit_15                # 85e
+        rotmi   $bit_6,$masks_2,-2                      # 94e
+        stqd    $place+8,0($a_out_9)                    # 94o may alias the one before
 
-        rotmi   $bit_16,$masks_2,-8                     # 86e
-        a       $a_out_15,$a_out_14,$bit_14             # 87e
+        rotmi   $bit_23,$masks_2,-3                     # 95e
+        stqd    $place+9,0($a_out_10)                   # 95o may alias the one before
 
-        rotmi   $bit_17,$masks_2,-7                     # 88e
-        a       $place,$place,$origin                   # 89e
+        andi    $bit_5,$bit_5,16                        # 96e
+        andi    $bit_4,$bit_4,16                        # 97e
 
-        andi    $bit_16,$bit_16,16                      # 90e
-        lnop                                            # 90o pairing
+        a       $a_out_6,$a_out_5,$bit_5                # 98e
+        a       $place+11,$place+11,$origin             # 99e
 
-        rotmi   $bit_18,$masks_2,-6                     # 91e
-        stqd    $place,0($a_out_6)                      # 91o may alias the one before
+        a       $place+13,$place+13,$origin             # 100e
+        a       $a_out_7,$a_out_6,$bit_4                # 101e
 
-        a       $a_out_16,$a_out_15,$bit_16             # 92e
-        lqd     $place_2,160($a_places)                 # 92o
+        andi    $bit_24,$bit_17,16                      # 102e
+        andi    $bit_23,$bit_23,16                      # 103e
 
-        andi    $bit_16,$bit_17,16                      # 93e
-        rotmi   $bit_17,$masks_2,-5                     # 94e
+        a       $a_out_22,$a_out_7,$bit_24              # 104e
+        a       $place+10,$place+10,$origin             # 105e
 
-        a       $a_out_17,$a_out_16,$bit_16             # 95e
-        andi    $bit_18,$bit_18,16                      # 96e
+        a       $place+15,$place+15,$origin             # 106e
+        lnop                                            # 106o pairing
 
-        rotmi   $bit_19,$masks_2,-4                     # 97e
-        a       $place_2,$place_2,$origin               # 98e
+        rotmi   $bit_25,$masks_2,-4                     # 107e
+        stqd    $place+10,0($a_out_11)                  # 107o may alias the one before
 
-        a       $a_out_18,$a_out_17,$bit_18             # 99e
-        lnop                                            # 99o pairing
+        rotmi   $bit_26,$masks_2,0                      # 108e
+        stqd    $place+11,0($a_out_12)                  # 108o may alias the one before
 
-        andi    $bit_17,$bit_17,16                      # 100e
-        stqd    $place_2,0($a_out_7)                    # 100o may alias the one before
+        a       $place+14,$place+14,$origin             # 109e
+        stqd    $place+12,0($a_out_13)                  # 109o may alias the one before
 
-        andi    $bit_6,$bit_19,16                       # 101e
-        lqd     $place_3,176($a_places)                 # 101o
+        andi    $bit_6,$bit_6,16                        # 110e
+        stqd    $place+13,0($a_out_14)                  # 110o may alias the one before
 
-        a       $a_out_19,$a_out_18,$bit_17             # 102e
-        rotmi   $bit_19,$masks_2,-3                     # 103e
+        andi    $bit_25,$bit_25,16                      # 111e
+        stqd    $place+14,0($a_out_15)                  # 111o may alias the one before
 
-        a       $a_out_6,$a_out_19,$bit_6               # 104e
-        rotmi   $bit_20,$masks_2,-2                     # 105e
+        rotmi   $bit_27,$masks_2,-1                     # 112e
+        stqd    $place+15,0($a_out_16)                  # 112o may alias the one before
 
-        rotmi   $bit_21,$masks_2,-1                     # 106e
-        a       $place_3,$place_3,$origin               # 107e
+        a       $a_out_16,$a_out_22,$bit_25             # 113e
+        lqd     $place1_2,272($a_places)                # 113o
 
-        andi    $bit_19,$bit_19,16                      # 108e
-        lnop                                            # 108o pairing
+        rotmi   $bit_28,$masks_3,-14                    # 114e
+        lqd     $place_2,256($a_places)                 # 114o
 
-        andi    $bit_20,$bit_20,16                      # 109e
-        stqd    $place_3,0($a_out_8)                    # 109o may alias the one before
+        a       $a_out_23,$a_out_16,$bit_23             # 115e
+        lqd     $place2_2,288($a_places)                # 115o
 
-        a       $a_out_8,$a_out_6,$bit_19               # 110e
-        lqd     $place_3,192($a_places)                 # 110o
+        andi    $bit_27,$bit_27,16                      # 116e
+        lqd     $place6_2,352($a_places)                # 116o
 
-        andi    $bit_19,$bit_21,16                      # 111e
-        a       $a_out_20,$a_out_8,$bit_20              # 112e
+        a       $a_out_8,$a_out_23,$bit_6               # 117e
+        lqd     $place+14,480($a_places)                # 117o
 
-        rotmi   $bit_22,$masks_2,0                      # 113e
-        a       $a_out_21,$a_out_20,$bit_19             # 114e
+        andi    $bit_26,$bit_26,16                      # 118e
+        lqd     $place3_2,304($a_places)                # 118o
 
-        rotmi   $bit_21,$masks_3,-15                    # 115e
-        a       $place_3,$place_3,$origin               # 116e
+        a       $a_out_24,$a_out_8,$bit_27              # 119e
+        lqd     $place4_2,320($a_places)                # 119o
 
-        andi    $bit_22,$bit_22,16                      # 117e
-        lnop                                            # 117o pairing
+        a       $place_2,$place_2,$origin               # 120e
+        lqd     $place5_2,336($a_places)                # 120o
 
-        rotmi   $bit_23,$masks_3,-14                    # 118e
-        stqd    $place_3,0($a_out_3)                    # 118o may alias the one before
+        rotmi   $bit_29,$masks_3,-15                    # 121e
+        lqd     $place13_2,464($a_places)               # 121o
 
-        a       $a_out_22,$a_out_21,$bit_22             # 119e
-        lqd     $place_4,208($a_places)                 # 119o
+        a       $place1_2,$place1_2,$origin             # 122e
+        lqd     $place7_2,368($a_places)                # 122o
 
-        andi    $bit_8,$bit_21,16                       # 120e
-        rotmi   $bit_21,$masks_3,-13                    # 121e
+        a       $place2_2,$place2_2,$origin             # 123e
+        lqd     $place10_2,416($a_places)               # 123o
 
-        a       $a_out_7,$a_out_22,$bit_8               # 122e
-        andi    $bit_23,$bit_23,16                      # 123e
+        andi    $bit_28,$bit_28,16                      # 124e
+        lqd     $place11_2,432($a_places)               # 124o
 
-        rotmi   $bit_24,$masks_3,-12                    # 124e
-        a       $place_4,$place_4,$origin               # 125e
+        andi    $bit_29,$bit_29,16                      # 125e
+        lqd     $place9_2,400($a_places)                # 125o
 
-        a       $a_out_23,$a_out_7,$bit_23              # 126e
-        lnop                                            # 126o pairing
+        a       $place4_2,$place4_2,$origin             # 126e
+        lqd     $place12_2,448($a_places)               # 126o
 
-        andi    $bit_21,$bit_21,16                      # 127e
-        stqd    $place_4,0($a_out_2)                    # 127o may alias the one before
+        a       $place6_2,$place6_2,$origin             # 127e
+        lqd     $place15_2,496($a_places)               # 127o
 
-        andi    $bit_2,$bit_24,16                       # 128e
-        lqd     $place_4,224($a_places)                 # 128o
+        rotmi   $bit_17,$masks_3,-13                    # 128e
+        lqd     $place8_2,384($a_places)                # 128o
 
-        a       $a_out_24,$a_out_23,$bit_21             # 129e
-        rotmi   $bit_24,$masks_3,-11                    # 130e
+        rotmi   $bit_20,$masks_3,-11                    # 129e
+        stqd    $place_2,0($a_out_17)                   # 129o may alias the one before
 
-        a       $a_out_2,$a_out_24,$bit_2               # 131e
-        rotmi   $bit_25,$masks_3,-10                    # 132e
+        a       $place3_3,$place3_2,$origin             # 130e
+        stqd    $place1_2,0($a_out_18)                  # 130o may alias the one before
 
-        rotmi   $bit_26,$masks_3,-9                     # 133e
-        a       $place_4,$place_4,$origin               # 134e
+        rotmi   $bit_25,$masks_3,-12                    # 131e
+        stqd    $place2_2,0($a_out_2)                   # 131o may alias the one before
 
-        andi    $bit_24,$bit_24,16                      # 135e
-        lnop                                            # 135o pairing
+        andi    $bit_30,$bit_17,16                      # 132e
+        stqd    $place3_3,0($a_out_3)                   # 132o may alias the one before
 
-        andi    $bit_25,$bit_25,16                      # 136e
-        stqd    $place_4,0($a_out_9)                    # 136o may alias the one before
+        a       $place5_3,$place5_2,$origin             # 133e
+        stqd    $place4_2,0($a_out_19)                  # 133o may alias the one before
 
-        a       $a_out_9,$a_out_2,$bit_24               # 137e
-        lqd     $place_4,240($a_places)                 # 137o
+        a       $place+8,$place8_2,$origin              # 134e
+        lnop                                            # 134o pairing
 
-        andi    $bit_24,$bit_26,16                      # 138e
-        a       $a_out_25,$a_out_9,$bit_25              # 139e
+        a       $a_out_19,$a_out_24,$bit_26             # 135e
+        stqd    $place5_3,0($a_out_4)                   # 135o may alias the one before
 
-        rotmi   $bit_26,$masks_3,-8                     # 140e
-        a       $a_out_26,$a_out_25,$bit_24             # 141e
+        rotmi   $bit_2,$masks_3,-10                     # 136e
+        stqd    $place6_2,0($a_out_20)                  # 136o may alias the one before
 
-        rotmi   $bit_27,$masks_3,-7                     # 142e
-        a       $place_4,$place_4,$origin               # 143e
+        a       $a_out_4,$a_out_19,$bit_29              # 137e
+        a       $place7_3,$place7_2,$origin             # 138e
 
-        andi    $bit_26,$bit_26,16                      # 144e
-        lnop                                            # 144o pairing
+        a       $a_out_25,$a_out_4,$bit_28              # 139e
+        lnop                                            # 139o pairing
 
-        rotmi   $bit_28,$masks_3,-6                     # 145e
-        stqd    $place_4,0($a_out_10)                   # 145o may alias the one before
+        a       $place+9,$place9_2,$origin              # 140e
+        stqd    $place7_3,0($a_out_21)                  # 140o may alias the one before
 
-        a       $a_out_10,$a_out_26,$bit_26             # 146e
-        lqd     $place_4,256($a_places)                 # 146o
+        a       $a_out_2,$a_out_25,$bit_30              # 141e
+        stqd    $place+8,0($a_out_5)                    # 141o may alias the one before
 
-        andi    $bit_26,$bit_27,16                      # 147e
-        rotmi   $bit_27,$masks_3,-5                     # 148e
+        a       $place+12,$place12_2,$origin            # 142e
+        stqd    $place+9,0($a_out_6)                    # 142o may alias the one before
 
-        a       $a_out_27,$a_out_10,$bit_26             # 149e
-        andi    $bit_28,$bit_28,16                      # 150e
+        a       $place+11,$place11_2,$origin            # 143e
+        a       $place+14,$place+14,$origin             # 144e
 
-        rotmi   $bit_29,$masks_3,-4                     # 151e
-        a       $place_4,$place_4,$origin               # 152e
+        andi    $bit,$bit_25,16                         # 145e
+        a       $place+15,$place15_2,$origin            # 146e
 
-        a       $a_out_28,$a_out_27,$bit_28             # 153e
-        lnop                                            # 153o pairing
+        a       $a_out_6,$a_out_2,$bit                  # 147e
+        andi    $bit,$bit_20,16                         # 148e
 
-        andi    $bit_27,$bit_27,16                      # 154e
-        stqd    $place_4,0($a_out_4)                    # 154o may alias the one before
+        andi    $bit_2,$bit_2,16                        # 149e
+        a       $a_out_5,$a_out_6,$bit                  # 150e
 
-        andi    $bit_3,$bit_29,16                       # 155e
-        lqd     $place_5,272($a_places)                 # 155o
+        rotmi   $bit_22,$masks_3,-7                     # 151e
+        a       $a_out_3,$a_out_5,$bit_2                # 152e
 
-        a       $a_out_29,$a_out_28,$bit_27             # 156e
-        rotmi   $bit_29,$masks_3,-3                     # 157e
+        a       $place+10,$place10_2,$origin            # 153e
+        a       $place+13,$place13_2,$origin            # 154e
 
-        a       $a_out_30,$a_out_29,$bit_3              # 158e
-        rotmi   $bit_3,$masks_3,-2                      # 159e
+        rotmi   $bit_25,$masks_3,-9                     # 155e
+        stqd    $place+10,0($a_out_7)                   # 155o may alias the one before
 
-        rotmi   $bit_30,$masks_3,-1                     # 160e
-        a       $place_5,$place_5,$origin               # 161e
+        rotmi   $bit_4,$masks_3,-8                      # 156e
+        stqd    $place+11,0($a_out_22)                  # 156o may alias the one before
 
-        andi    $bit_29,$bit_29,16                      # 162e
-        lnop                                            # 162o pairing
+        andi    $bit_22,$bit_22,16                      # 157e
+        stqd    $place+12,0($a_out_16)                  # 157o may alias the one before
 
-        andi    $bit_3,$bit_3,16                        # 163e
-        stqd    $place_5,0($a_out_11)                   # 163o may alias the one before
+        rotmi   $bit_15,$masks_3,-6                     # 158e
+        stqd    $place+13,0($a_out_23)                  # 158o may alias the one before
 
-        a       $a_out_4,$a_out_30,$bit_29              # 164e
-        lqd     $place_6,288($a_places)                 # 164o
+        andi    $bit_23,$bit_25,16                      # 159e
+        stqd    $place+14,0($a_out_8)                   # 159o may alias the one before
 
-        andi    $bit_29,$bit_30,16                      # 165e
-        a       $a_out_31,$a_out_4,$bit_3               # 166e
+        andi    $bit_4,$bit_4,16                        # 160e
+        stqd    $place+15,0($a_out_24)                  # 160o may alias the one before
 
-        rotmi   $bit_3,$masks_3,0                       # 167e
-        a       $a_out_32,$a_out_31,$bit_29             # 168e
+        a       $a_out_24,$a_out_3,$bit_23              # 161e
+        lqd     $place,512($a_places)                   # 161o
 
-        rotmi   $bit_29,$masks_4,-15                    # 169e
-        a       $place_6,$place_6,$origin               # 170e
+        andi    $bit_15,$bit_15,16                      # 162e
+        lqd     $place1_3,528($a_places)                # 162o
 
-        andi    $bit_3,$bit_3,16                        # 171e
-        lnop                                            # 171o pairing
+        a       $a_out_7,$a_out_24,$bit_4               # 163e
+        lqd     $place2_3,544($a_places)                # 163o
 
-        rotmi   $bit_31,$masks_4,-14                    # 172e
-        stqd    $place_6,0($a_out_12)                   # 172o may alias the one before
+        rotmi   $bit_25,$masks_3,-3                     # 164e
+        lqd     $place6_3,608($a_places)                # 164o
 
-        a       $a_out_11,$a_out_32,$bit_3              # 173e
-        lqd     $place_4,304($a_places)                 # 173o
+        a       $a_out_20,$a_out_7,$bit_22              # 165e
+        lqd     $place+9,656($a_places)                 # 165o
 
-        andi    $bit_13,$bit_29,16                      # 174e
-        rotmi   $bit_29,$masks_4,-13                    # 175e
+        rotmi   $bit_31,$masks_3,-5                     # 166e
+        lqd     $place+10,672($a_places)                # 166o
 
-        a       $a_out_12,$a_out_11,$bit_13             # 176e
-        andi    $bit_31,$bit_31,16                      # 177e
+        rotmi   $bit_32,$masks_3,-2                     # 167e
+        lqd     $place+12,704($a_places)                # 167o
 
-        rotmi   $bit_32,$masks_4,-12                    # 178e
-        a       $place_4,$place_4,$origin               # 179e
+        a       $place1_3,$place1_3,$origin             # 168e
+        lqd     $place3_4,560($a_places)                # 168o
 
-        a       $a_out_33,$a_out_12,$bit_31             # 180e
-        lnop                                            # 180o pairing
+        rotmi   $bit_33,$masks_3,-4                     # 169e
+        lqd     $place7_4,624($a_places)                # 169o
 
-        andi    $bit_29,$bit_29,16                      # 181e
-        stqd    $place_4,0($a_out_13)                   # 181o may alias the one before
+        andi    $bit_31,$bit_31,16                      # 170e
+        lqd     $place4_3,576($a_places)                # 170o
 
-        andi    $bit_3,$bit_32,16                       # 182e
-        lqd     $place_7,320($a_places)                 # 182o
+        andi    $bit_25,$bit_25,16                      # 171e
+        lqd     $place15_3,752($a_places)               # 171o
 
-        a       $a_out_34,$a_out_33,$bit_29             # 183e
-        rotmi   $bit_32,$masks_4,-11                    # 184e
+        a       $place,$place,$origin                   # 172e
+        lqd     $place5_4,592($a_places)                # 172o
 
-        a       $a_out_35,$a_out_34,$bit_3              # 185e
-        rotmi   $bit_3,$masks_4,-10                     # 186e
+        andi    $bit_33,$bit_33,16                      # 173e
+        lqd     $place11_2,688($a_places)               # 173o
 
-        rotmi   $bit_33,$masks_4,-9                     # 187e
-        a       $place_7,$place_7,$origin               # 188e
+        a       $a_out_16,$a_out_20,$bit_15             # 174e
+        lqd     $place14_2,736($a_places)               # 174o
 
-        andi    $bit_32,$bit_32,16                      # 189e
-        lnop                                            # 189o pairing
+        andi    $bit_32,$bit_32,16                      # 175e
+        lqd     $place8_3,640($a_places)                # 175o
 
-        andi    $bit_3,$bit_3,16                        # 190e
-        stqd    $place_7,0($a_out_5)                    # 190o may alias the one before
+        rotmi   $bit_13,$masks_3,-1                     # 176e
+        lqd     $place13_3,720($a_places)               # 176o
 
-        a       $a_out_5,$a_out_35,$bit_32              # 191e
-        lqd     $place_7,336($a_places)                 # 191o
+        a       $a_out_26,$a_out_16,$bit_31             # 177e
+        stqd    $place,0($a_out_19)                     # 177o may alias the one before
 
-        andi    $bit_32,$bit_33,16                      # 192e
-        a       $a_out_36,$a_out_5,$bit_3               # 193e
+        rotmi   $bit_6,$masks_4,-15                     # 178e
+        stqd    $place1_3,0($a_out_4)                   # 178o may alias the one before
 
-        rotmi   $bit_3,$masks_4,-8                      # 194e
-        a       $a_out_37,$a_out_36,$bit_32             # 195e
+        a       $a_out_4,$a_out_26,$bit_33              # 179e
+        andi    $bit_21,$bit_13,16                      # 180e
 
-        rotmi   $bit_34,$masks_4,-7                     # 196e
-        a       $place_7,$place_7,$origin               # 197e
+        a       $a_out_23,$a_out_4,$bit_25              # 181e
+        a       $place7_5,$place7_4,$origin             # 182e
 
-        andi    $bit_3,$bit_3,16                        # 198e
-        lnop                                            # 198o pairing
+        a       $place4_4,$place4_3,$origin             # 183e
+        andi    $bit_6,$bit_6,16                        # 184e
 
-        rotmi   $bit_35,$masks_4,-6                     # 199e
-        stqd    $place_7,0($a_out)                      # 199o may alias the one before
+        a       $place2_3,$place2_3,$origin             # 185e
+        a       $place3_4,$place3_4,$origin             # 186e
 
-        a       $a_out,$a_out_37,$bit_3                 # 200e
-        lqd     $place_4,352($a_places)                 # 200o
+        rotmi   $bit_34,$masks_3,0                      # 187e
+        stqd    $place2_3,0($a_out_25)                  # 187o may alias the one before
 
-        andi    $bit_11,$bit_34,16                      # 201e
-        rotmi   $bit_34,$masks_4,-5                     # 202e
+        a       $place5_5,$place5_4,$origin             # 188e
+        stqd    $place3_4,0($a_out_2)                   # 188o may alias the one before
 
-        a       $a_out_13,$a_out,$bit_11                # 203e
-        andi    $bit_35,$bit_35,16                      # 204e
+        a       $place8_4,$place8_3,$origin             # 189e
+        stqd    $place4_4,0($a_out_6)                   # 189o may alias the one before
 
-        rotmi   $bit_36,$masks_4,-4                     # 205e
-        a       $place_4,$place_4,$origin               # 206e
+        a       $place+9,$place+9,$origin               # 190e
+        stqd    $place5_5,0($a_out_5)                   # 190o may alias the one before
 
-        a       $a_out_38,$a_out_13,$bit_35             # 207e
-        lnop                                            # 207o pairing
+        andi    $bit,$bit_34,16                         # 191e
+        a       $place+10,$place+10,$origin             # 192e
 
-        andi    $bit_34,$bit_34,16                      # 208e
-        stqd    $place_4,0($a_out_14)                   # 208o may alias the one before
+        rotmi   $bit_34,$masks_4,-14                    # 193e
+        a       $place+6,$place6_3,$origin              # 194e
 
-        andi    $bit_3,$bit_36,16                       # 209e
-        lqd     $place_8,368($a_places)                 # 209o
+        a       $a_out_6,$a_out_23,$bit_32              # 195e
+        lnop                                            # 195o pairing
 
-        a       $a_out_39,$a_out_38,$bit_34             # 210e
-        rotmi   $bit_36,$masks_4,-3                     # 211e
+        rotmi   $bit_24,$masks_4,-12                    # 196e
+        stqd    $place+6,0($a_out_3)                    # 196o may alias the one before
 
-        a       $a_out_40,$a_out_39,$bit_3              # 212e
-        rotmi   $bit_3,$masks_4,-2                      # 213e
+        a       $a_out_3,$a_out_6,$bit_21               # 197e
+        stqd    $place7_5,0($a_out_24)                  # 197o may alias the one before
 
-        rotmi   $bit_37,$masks_4,-1                     # 214e
-        a       $place_8,$place_8,$origin               # 215e
+        rotmi   $bit_27,$masks_4,-11                    # 198e
+        stqd    $place8_4,0($a_out_7)                   # 198o may alias the one before
 
-        andi    $bit_36,$bit_36,16                      # 216e
-        lnop                                            # 216o pairing
+        a       $a_out_7,$a_out_3,$bit                  # 199e
+        stqd    $place+9,0($a_out_20)                   # 199o may alias the one before
 
-        andi    $bit_3,$bit_3,16                        # 217e
-        stqd    $place_8,0($a_out_15)                   # 217o may alias the one before
+        a       $place+12,$place+12,$origin             # 200e
+        stqd    $place+10,0($a_out_16)                  # 200o may alias the one before
 
-        a       $a_out_15,$a_out_40,$bit_36             # 218e
-        lqd     $place_8,384($a_places)                 # 218o
+        a       $a_out_2,$a_out_7,$bit_6                # 201e
+        rotmi   $bit,$masks_4,-13                       # 202e
 
-        rotmi   $bit_4,$masks_4,0                       # 219e
-        a       $a_out_41,$a_out_15,$bit_3              # 220e
+        a       $place+11,$place11_2,$origin            # 203e
+        a       $place+14,$place14_2,$origin            # 204e
 
-        andi    $bit_3,$bit_37,16                       # 221e
-        a       $a_out_42,$a_out_41,$bit_3              # 223e
+        andi    $bit_34,$bit_34,16                      # 205e
+        stqd    $place+11,0($a_out_26)                  # 205o may alias the one before
 
-        a       $place_4,$place_8,$origin               # 224e
-        andi    $bit_4,$bit_4,16                        # 225e
+        andi    $bit,$bit,16                            # 206e
+        stqd    $place+12,0($a_out_4)                   # 206o may alias the one before
 
-        nop     $127                                    # 226e pairing
-        stqd    $place_4,0($a_out_16)                   # 226o may alias the one before
+        andi    $bit_3,$bit_24,16                       # 207e
+        andi    $bit_27,$bit_27,16                      # 208e
 
-        a       $a_out_3,$a_out_42,$bit_4               # 227e
-        lqd     $place,400($a_places)                   # 227o
+        a       $a_out,$a_out_2,$bit_34                 # 209e
+        rotmi   $bit_15,$masks_4,-10                    # 210e
 
-        ori     $a_masks,$a_out_3,0                     # 229e
-        a       $place,$place,$origin                   # 233e
+        a       $place+13,$place13_3,$origin            # 211e
+        a       $a_out_5,$a_out,$bit                    # 212e
 
-        stqd    $place,0($a_out_17)                     # 235o may alias the one before
-        lqd     $place,416($a_places)                   # 236o
+        a       $place+15,$place15_3,$origin            # 213e
+        stqd    $place+13,0($a_out_23)                  # 213o may alias the one before
 
-        a       $place,$place,$origin                   # 242e
-        stqd    $place,0($a_out_18)                     # 244o may alias the one before
+        a       $a_out_4,$a_out_5,$bit_3                # 214e
+        stqd    $place+14,0($a_out_6)                   # 214o may alias the one before
 
-        lqd     $place,432($a_places)                   # 245o
-        a       $place,$place,$origin                   # 251e
+        andi    $bit_5,$bit_15,16                       # 215e
+        stqd    $place+15,0($a_out_3)                   # 215o may alias the one before
 
-        stqd    $place,0($a_out_19)                     # 253o may alias the one before
-        lqd     $place,448($a_places)                   # 254o
+        a       $a_out_24,$a_out_4,$bit_27              # 216e
+        lqd     $place+2,800($a_places)                 # 216o
 
-        a       $place,$place,$origin                   # 260e
-        stqd    $place,0($a_out_6)                      # 262o may alias the one before
+        rotmi   $bit_2,$masks_4,-9                      # 217e
+        lqd     $place+1,784($a_places)                 # 217o
 
-        lqd     $place,464($a_places)                   # 263o
-        a       $place,$place,$origin                   # 269e
+        a       $a_out_6,$a_out_24,$bit_5               # 218e
+        lqd     $place+4,832($a_places)                 # 218o
 
-        stqd    $place,0($a_out_8)                      # 271o may alias the one before
-        lqd     $place,480($a_places)                   # 272o
+        rotmi   $bit_15,$masks_4,-6                     # 219e
+        lqd     $place,768($a_places)                   # 219o
 
-        a       $place,$place,$origin                   # 278e
-        stqd    $place,0($a_out_20)                     # 280o may alias the one before
+        rotmi   $bit_23,$masks_4,-8                     # 220e
+        lqd     $place+9,912($a_places)                 # 220o
 
-        lqd     $place,496($a_places)                   # 281o
-        a       $place,$place,$origin                   # 287e
+        rotmi   $bit_25,$masks_4,-4                     # 221e
+        lqd     $place+10,928($a_places)                # 221o
 
-        stqd    $place,0($a_out_21)                     # 289o may alias the one before
-        lqd     $place,512($a_places)                   # 290o
+        a       $place+2,$place+2,$origin               # 222e
+        lqd     $place+11,944($a_places)                # 222o
 
-        a       $place,$place,$origin                   # 296e
-        stqd    $place,0($a_out_22)                     # 298o may alias the one before
+        andi    $bit_2,$bit_2,16                        # 223e
+        lqd     $place+12,960($a_places)                # 223o
 
-        lqd     $place,528($a_places)                   # 299o
-        a       $place,$place,$origin                   # 305e
+        rotmi   $bit_26,$masks_4,-7                     # 224e
+        lqd     $place3_5,816($a_places)                # 224o
 
-        stqd    $place,0($a_out_7)                      # 307o may alias the one before
-        lqd     $place,544($a_places)                   # 308o
+        a       $a_out_3,$a_out_6,$bit_2                # 225e
+        lqd     $place7_6,880($a_places)                # 225o
 
-        a       $place,$place,$origin                   # 314e
-        stqd    $place,0($a_out_23)                     # 316o may alias the one before
+        andi    $bit_15,$bit_15,16                      # 226e
+        lqd     $place+14,992($a_places)                # 226o
 
-        lqd     $place,560($a_places)                   # 317o
-        a       $place,$place,$origin                   # 323e
+        a       $place,$place,$origin                   # 227e
+        hbr     list_places_p64_return,$lr              # 227o hint
 
-        stqd    $place,0($a_out_24)                     # 325o may alias the one before
-        lqd     $place,576($a_places)                   # 326o
+        andi    $bit_26,$bit_26,16                      # 228e
+        lqd     $place5_2,848($a_places)                # 228o
 
-        a       $place,$place,$origin                   # 332e
-        stqd    $place,0($a_out_2)                      # 334o may alias the one before
+        a       $place+1,$place+1,$origin               # 229e
+        lqd     $place8_5,896($a_places)                # 229o
 
-        lqd     $place,592($a_places)                   # 335o
-        a       $place,$place,$origin                   # 341e
+        a       $place3_5,$place3_5,$origin             # 230e
+        lqd     $place6_4,864($a_places)                # 230o
 
-        stqd    $place,0($a_out_9)                      # 343o may alias the one before
-        lqd     $place,608($a_places)                   # 344o
+        andi    $bit_23,$bit_23,16                      # 231e
+        lqd     $place13_4,976($a_places)               # 231o
 
-        a       $place,$place,$origin                   # 350e
-        stqd    $place,0($a_out_25)                     # 352o may alias the one before
+        rotmi   $bit_9,$masks_4,-5                      # 232e
+        lqd     $place15_4,1008($a_places)              # 232o
 
-        lqd     $place,624($a_places)                   # 353o
-        a       $place,$place,$origin                   # 359e
+        a       $a_out_23,$a_out_3,$bit_23              # 233e
+        stqd    $place,0($a_out_7)                      # 233o may alias the one before
 
-        stqd    $place,0($a_out_26)                     # 361o may alias the one before
-        lqd     $place,640($a_places)                   # 362o
+        andi    $bit_4,$bit_25,16                       # 234e
+        stqd    $place+1,0($a_out_2)                    # 234o may alias the one before
 
-        hbr     list_places_p64_return,$lr              # 363o hint
-        a       $place,$place,$origin                   # 368e
+        a       $a_out_2,$a_out_23,$bit_26              # 235e
+        stqd    $place+2,0($a_out)                      # 235o may alias the one before
 
-        stqd    $place,0($a_out_10)                     # 370o may alias the one before
-        lqd     $place,656($a_places)                   # 371o
+        andi    $bit_34,$bit_9,16                       # 236e
+        stqd    $place3_5,0($a_out_5)                   # 236o may alias the one before
 
-        a       $place,$place,$origin                   # 377e
-        stqd    $place,0($a_out_27)                     # 379o may alias the one before
+        a       $a_out_16,$a_out_2,$bit_15              # 237e
+        rotmi   $bit,$masks_4,-3                        # 238e
 
-        lqd     $place,672($a_places)                   # 380o
-        a       $place,$place,$origin                   # 386e
+        rotmi   $bit_6,$masks_4,-2                      # 239e
+        a       $place+5,$place5_2,$origin              # 240e
 
-        stqd    $place,0($a_out_28)                     # 388o may alias the one before
-        lqd     $place,688($a_places)                   # 389o
+        a       $place+4,$place+4,$origin               # 241e
+        a       $place+6,$place6_4,$origin              # 242e
 
-        a       $place,$place,$origin                   # 395e
-        stqd    $place,0($a_out_29)                     # 397o may alias the one before
+        a       $place+10,$place+10,$origin             # 243e
+        stqd    $place+4,0($a_out_4)                    # 243o may alias the one before
 
-        lqd     $place,704($a_places)                   # 398o
-        a       $place,$place,$origin                   # 404e
+        a       $place+11,$place+11,$origin             # 244e
+        stqd    $place+5,0($a_out_24)                   # 244o may alias the one before
 
-        stqd    $place,0($a_out_30)                     # 406o may alias the one before
-        lqd     $place,720($a_places)                   # 407o
+        a       $a_out,$a_out_16,$bit_34                # 245e
+        stqd    $place+6,0($a_out_6)                    # 245o may alias the one before
 
-        a       $place,$place,$origin                   # 413e
-        stqd    $place,0($a_out_4)                      # 415o may alias the one before
+        a       $place+7,$place7_6,$origin              # 246e
+        rotmi   $bit_27,$masks_4,-1                     # 247e
 
-        lqd     $place,736($a_places)                   # 416o
-        a       $place,$place,$origin                   # 422e
+        a       $place+8,$place8_5,$origin              # 248e
+        stqd    $place+7,0($a_out_3)                    # 248o may alias the one before
 
-        stqd    $place,0($a_out_31)                     # 424o may alias the one before
-        lqd     $place,752($a_places)                   # 425o
+        a       $place+9,$place+9,$origin               # 249e
+        lnop                                            # 249o pairing
 
-        a       $place,$place,$origin                   # 431e
-        stqd    $place,0($a_out_32)                     # 433o may alias the one before
+        a       $place+13,$place13_4,$origin            # 250e
+        stqd    $place+8,0($a_out_23)                   # 250o may alias the one before
 
-        lqd     $place,768($a_places)                   # 434o
-        a       $place,$place,$origin                   # 440e
+        andi    $bit_27,$bit_27,16                      # 251e
+        stqd    $place+9,0($a_out_2)                    # 251o may alias the one before
 
-        stqd    $place,0($a_out_11)                     # 442o may alias the one before
-        lqd     $place,784($a_places)                   # 443o
+        a       $a_out_3,$a_out,$bit_4                  # 252e
+        stqd    $place+10,0($a_out_16)                  # 252o may alias the one before
 
-        a       $place,$place,$origin                   # 449e
-        stqd    $place,0($a_out_12)                     # 451o may alias the one before
+        andi    $bit,$bit,16                            # 253e
+        stqd    $place+11,0($a_out)                     # 253o may alias the one before
 
-        lqd     $place,800($a_places)                   # 452o
-        a       $place,$place,$origin                   # 458e
+        andi    $bit_3,$bit_6,16                        # 254e
+        a       $a_out,$a_out_3,$bit                    # 255e
 
-        stqd    $place,0($a_out_33)                     # 460o may alias the one before
-        lqd     $place,816($a_places)                   # 461o
+        rotmi   $bit,$masks_4,0                         # 256e
+        a       $a_out_4,$a_out,$bit_3                  # 257e
 
-        a       $place,$place,$origin                   # 467e
-        stqd    $place,0($a_out_34)                     # 469o may alias the one before
+        a       $place+12,$place+12,$origin             # 258e
+        a       $place+14,$place+14,$origin             # 259e
 
-        lqd     $place,832($a_places)                   # 470o
-        a       $place,$place,$origin                   # 476e
+        andi    $bit,$bit,16                            # 260e
+        stqd    $place+12,0($a_out_3)                   # 260o may alias the one before
 
-        stqd    $place,0($a_out_35)                     # 478o may alias the one before
-        lqd     $place,848($a_places)                   # 479o
+        a       $a_out_24,$a_out_4,$bit_27              # 261e
+        stqd    $place+13,0($a_out)                     # 261o may alias the one before
 
-        a       $place,$place,$origin                   # 485e
-        stqd    $place,0($a_out_5)                      # 487o may alias the one before
+        a       $place+15,$place15_4,$origin            # 262e
+        stqd    $place+14,0($a_out_4)                   # 262o may alias the one before
 
-        lqd     $place,864($a_places)                   # 488o
-        a       $place,$place,$origin                   # 494e
+        a       $a_out,$a_out_24,$bit                   # 263e
+        stqd    $place+15,0($a_out_24)                  # 264o may alias the one before
 
-        stqd    $place,0($a_out_36)                     # 496o may alias the one before
-        lqd     $place,880($a_places)                   # 497o
-
-        a       $place,$place,$origin                   # 503e
-        stqd    $place,0($a_out_37)                     # 505o may alias the one before
-
-        lqd     $place,896($a_places)                   # 506o
-        a       $place,$place,$origin                   # 512e
-
-        stqd    $place,0($a_out)                        # 514o may alias the one before
-        lqd     $place,912($a_places)                   # 515o
-
-        a       $place,$place,$origin                   # 521e
-        stqd    $place,0($a_out_13)                     # 523o may alias the one before
-
-        lqd     $place,928($a_places)                   # 524o
-        a       $place,$place,$origin                   # 530e
-
-        stqd    $place,0($a_out_38)                     # 532o may alias the one before
-        lqd     $place,944($a_places)                   # 533o
-
-        a       $place,$place,$origin                   # 539e
-        stqd    $place,0($a_out_39)                     # 541o may alias the one before
-
-        lqd     $place,960($a_places)                   # 542o
-        a       $place,$place,$origin                   # 548e
-
-        stqd    $place,0($a_out_40)                     # 550o may alias the one before
-        lqd     $place,976($a_places)                   # 551o
-
-        a       $place,$place,$origin                   # 557e
-        stqd    $place,0($a_out_15)                     # 559o may alias the one before
-
-        lqd     $place,992($a_places)                   # 560o
-        a       $place,$place,$origin                   # 566e
-
-        stqd    $place,0($a_out_41)                     # 568o may alias the one before
-        lqd     $place,1008($a_places)                  # 569o
-
-        a       $place,$place,$origin                   # 575e
-        stqd    $place,0($a_out_42)                     # 577o may alias the one before
-
-        nop     $127                                    # 578e pairing
+        ori     $a_masks,$a_out,0                       # 265e
 list_places_p64_return:
-        bi      $lr                                     # 578o
+        bi      $lr                                     # 265o
 endfunction list_places_p64

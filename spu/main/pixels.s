@@ -416,6 +416,10 @@ both:
         brsl    $lr,list_pairs_p64
         ori     $g_first_end,$3,0
         ila     $3,named_again
+        ila     $4,tile_places
+        ila     $5,masks-active
+        sf      $5,$5,$g_mask
+        lqd     $5,0($5)
         ori     $6,$g_again_end,0
         brsl    $lr,list_pairs_p64
         ori     $g_again_end,$3,0
@@ -522,8 +526,19 @@ function group_fill
         minimum $columns,$columns,$limit,$c_over
         ai      $columns,$columns,3
         rotmi   $columns,$columns,-2
-next_column:
         # Rows below the picture are room of the buffer that is not sent.
+        ceqi    $c_over,$columns,4
+        brz     $c_over,next_column
+    .rept   TILE_HEIGHT
+        stqd    $g_background,0($a_column)
+        stqd    $g_background,16($a_column)
+        stqd    $g_background,32($a_column)
+        stqd    $g_background,48($a_column)
+        a       $a_column,$a_column,$g_row_bytes
+    .endr
+        bi      $lr
+
+next_column:
         ori     $a_row,$a_column,0
     .rept   TILE_HEIGHT
         stqd    $g_background,0($a_row)

@@ -5,7 +5,7 @@
 #           64 packets; $5 address of the object's record; $6 where the pairs go; pointers 16-aligned
 #   Out     the pairs; one more quadword may be written
 #           $3 behind the pairs
-#   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
+#   Uses    $3, $6, $10-$28   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
 #   Twin    oracle/src/twin/lists.rs
@@ -22,8 +22,8 @@
         .set    m_pair,10
         # temporaries
         .set    masks,11
-        .set    pair,12
-        .set    bit,13
+        .set    bit,12
+        .set    pair,13                                 # to 28
 
         .section .rodata
         .align  4
@@ -39,12 +39,16 @@ function list_pairs_p64
     .rept   4
     .set    packet,0
     .rept   16
-        lqd     $pair,PLACE_SIZE*entry($a_places)
-        shufb   $pair,$object,$pair,$m_pair
-        stqd    $pair,0($a_out)                         # may alias the one before
-        keep_if_named $a_out,$masks,packet,$bit
+        lqd     $pair+packet,PLACE_SIZE*entry($a_places)
+        shufb   $pair+packet,$object,$pair+packet,$m_pair
     .set    packet,packet+1
     .set    entry,entry+1
+    .endr
+    .set    packet,0
+    .rept   16
+        stqd    $pair+packet,0($a_out)                  # may alias the one before
+        keep_if_named $a_out,$masks,packet,$bit
+    .set    packet,packet+1
     .endr
         rotqbyi $masks,$masks,4
     .endr

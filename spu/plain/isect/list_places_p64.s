@@ -5,7 +5,7 @@
 #           64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers 16-aligned
 #   Out     the list; one more quadword may be written
 #           $3 behind the list
-#   Uses    $3, $6, $10-$13   Saves  -   Stack  0   Calls  -
+#   Uses    $3, $6, $10-$28   Saves  -   Stack  0   Calls  -
 #   Domain  any
 #   Error   0
 #   Twin    oracle/src/twin/lists.rs
@@ -20,9 +20,9 @@
         .set    a_out,6
         # temporaries
         .set    masks,10
-        .set    place,11
-        .set    bit,12
-        .set    origin,13
+        .set    bit,11
+        .set    origin,12
+        .set    place,13                                # to 28
 
 function list_places_p64
         lqd     $masks,0($a_masks)
@@ -32,12 +32,16 @@ function list_places_p64
     .rept   4
     .set    packet,0
     .rept   16
-        lqd     $place,PLACE_SIZE*entry($a_places)
-        a       $place,$place,$origin
-        stqd    $place,0($a_out)                        # may alias the one before
-        keep_if_named $a_out,$masks,packet,$bit
+        lqd     $place+packet,PLACE_SIZE*entry($a_places)
+        a       $place+packet,$place+packet,$origin
     .set    packet,packet+1
     .set    entry,entry+1
+    .endr
+    .set    packet,0
+    .rept   16
+        stqd    $place+packet,0($a_out)                 # may alias the one before
+        keep_if_named $a_out,$masks,packet,$bit
+    .set    packet,packet+1
     .endr
         rotqbyi $masks,$masks,4
     .endr
