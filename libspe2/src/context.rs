@@ -11,7 +11,7 @@ use spu_emulator::signal::SignalMode;
 use spu_emulator::spe::{Config, Spe};
 
 use crate::error::{self, Errno};
-use crate::machine::{machine, policy, write_report};
+use crate::machine::{machine, policy, write_reports};
 use crate::process_memory::ProcessMemory;
 use crate::stop_record::StopRecords;
 use crate::types::{
@@ -164,7 +164,7 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
             drop(Arc::from_raw(owned.base_private.cast::<Context>()));
         }
         drop(context);
-        write_report();
+        write_reports();
         Ok(0)
     })
 }

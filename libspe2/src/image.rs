@@ -11,6 +11,7 @@ use std::sync::atomic::Ordering::SeqCst;
 use libc::{c_char, c_int};
 use spu_emulator::elf::{self, ElfError, Image, TOE_SIZE};
 use spu_emulator::memory::MainMemory;
+use spu_emulator::timing::profile::ProgramId;
 
 use crate::context::context;
 use crate::error::{self, Errno};
@@ -165,6 +166,7 @@ pub unsafe extern "C" fn spe_program_load(
                 .map_err(|_| Errno(libc::EINVAL))?;
             store.write(toe, &shadow);
         }
+        context.spe.profile_as(ProgramId::of(&bytes));
         context.entry.store(image.entry(), SeqCst);
         context.spe.expect_run();
         Ok(0)

@@ -5,11 +5,11 @@
 
 use std::env;
 use std::ffi::OsString;
+use std::io;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
 use spu_emulator::mfc::{Interconnect, Policy};
-use spu_emulator::simulated::Simulation;
 
 use crate::error::Errno;
 use crate::process_memory::ProcessMemory;
@@ -17,6 +17,7 @@ use crate::report::ReportFile;
 
 const TIMING: &str = "LIBSPE2_TIMING";
 const REPORT: &str = "LIBSPE2_REPORT";
+const PROFILE: &str = "LIBSPE2_PROFILE";
 const MFC: &str = "LIBSPE2_MFC";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
@@ -25,6 +26,7 @@ static MACHINE: OnceLock<Machine> = OnceLock::new();
 pub(crate) struct Machine {
     pub(crate) interconnect: Arc<Interconnect>,
     report: Option<ReportFile>,
+    profile: Option<ReportFile>,
 }
 
 /// The machine, made now if there is none.
@@ -34,7 +36,7 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     }
     let made = Machine::from_environment()?;
     let machine = MACHINE.get_or_init(|| made);
-    if machine.report.is_some() {
+    if machine.report.is_some() || machine.profile.is_some() {
         // SAFETY: the function takes nothing and is there as long as the process is.
         unsafe { libc::atexit(report_at_exit) };
     }
@@ -42,16 +44,29 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
 }
 
 extern "C" fn report_at_exit() {
-    write_report();
+    write_reports();
 }
 
-/// Writes the report, where one is asked for. A failure is told, and no reason to fail.
-pub(crate) fn write_report() {
-    if let Some(machine) = MACHINE.get()
-        && let (Some(file), Some(simulation)) = (&machine.report, machine.simulation())
-        && let Err(error) = file.write(&simulation.report())
-    {
-        eprintln!("libspe2: {REPORT}: {}: {error}", file.path().display());
+/// Writes the report and the profile, where they are asked for. A failure is told, and no reason to
+/// fail.
+pub(crate) fn write_reports() {
+    let Some(machine) = MACHINE.get() else {
+        return;
+    };
+    let Some(simulation) = machine.interconnect.simulation() else {
+        return;
+    };
+    if let Some(file) = &machine.report {
+        tell(REPORT, file, file.write_report(&simulation.report()));
+    }
+    if let (Some(file), Some(profile)) = (&machine.profile, simulation.profile()) {
+        tell(PROFILE, file, file.write_profile(&profile));
+    }
+}
+
+fn tell(name: &str, file: &ReportFile, written: io::Result<()>) {
+    if let Err(error) = written {
+        eprintln!("libspe2: {name}: {}: {error}", file.path().display());
     }
 }
 
@@ -77,43 +92,44 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
         Some(name) if name == "at-last" => Policy::AtLast,
         Some(name) => return Err(refused(MFC, "is at-once or at-last", &name)),
     };
-    if policy == Policy::AtLast && machine()?.simulation().is_some() {
+    if policy == Policy::AtLast && machine()?.interconnect.simulation().is_some() {
         eprintln!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
         return Err(Errno(libc::ENOTSUP));
     }
     Ok(policy)
 }
 
+/// Where the file goes that this variable asks for.
+fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
+    let Some(path) = env::var_os(name) else {
+        return Ok(None);
+    };
+    if path.is_empty() {
+        return Err(refused(name, "is a path", &path));
+    }
+    if !timing {
+        eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
+        return Err(Errno(libc::EINVAL));
+    }
+    let path = PathBuf::from(path);
+    let told = |error: &io::Error| eprintln!("libspe2: {name}: {}: {error}", path.display());
+    Ok(Some(ReportFile::new(path.clone()).inspect_err(told)?))
+}
+
 impl Machine {
     fn from_environment() -> Result<Self, Errno> {
         let memory = Arc::new(ProcessMemory);
         let timing = timing()?;
-        let report = match env::var_os(REPORT) {
-            None => None,
-            Some(path) if path.is_empty() => return Err(refused(REPORT, "is a path", &path)),
-            Some(_) if !timing => {
-                eprintln!("libspe2: {REPORT} reports simulated time: set {TIMING}=1 with it");
-                return Err(Errno(libc::EINVAL));
-            }
-            Some(path) => {
-                let path = PathBuf::from(path);
-                let told = |error: &std::io::Error| {
-                    eprintln!("libspe2: {REPORT}: {}: {error}", path.display());
-                };
-                Some(ReportFile::new(path.clone()).inspect_err(told)?)
-            }
-        };
+        let report = place(REPORT, timing)?;
+        let profile = place(PROFILE, timing)?;
         Ok(Self {
-            interconnect: if timing {
-                Interconnect::simulated(memory)
-            } else {
-                Interconnect::new(memory)
+            interconnect: match (timing, &profile) {
+                (false, _) => Interconnect::new(memory),
+                (true, None) => Interconnect::simulated(memory),
+                (true, Some(_)) => Interconnect::profiled(memory),
             },
             report,
+            profile,
         })
-    }
-
-    fn simulation(&self) -> Option<&Arc<Simulation>> {
-        self.interconnect.simulation()
     }
 }

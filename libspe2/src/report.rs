@@ -1,4 +1,4 @@
-//! The report of simulated time: a JSON file.
+//! The report of simulated time and the profile: JSON files.
 //!
 //! Invariant: the file at the path is whole at every moment, since each version is written beside it
 //! and then takes its place. It holds nothing of the host, so that equal runs give equal files.
@@ -15,9 +15,10 @@ use spu_emulator::simulated::memory_system::CONSTANTS;
 use spu_emulator::simulated::{
     self, CYCLES_PER_SECOND, Figures, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES, SpeReport,
 };
+use spu_emulator::timing::profile::ProfileFile;
 use spu_emulator::timing::rules::MISS_CYCLES;
 
-/// Where the report goes.
+/// Where a report or a profile goes.
 pub(crate) struct ReportFile {
     path: PathBuf,
     /// Held while a version is written.
@@ -25,7 +26,7 @@ pub(crate) struct ReportFile {
 }
 
 impl ReportFile {
-    /// Fails if no report could be written there.
+    /// Fails if nothing could be written there.
     pub(crate) fn new(path: PathBuf) -> io::Result<Self> {
         let mut name = match path.file_name() {
             Some(name) if !path.is_dir() => name.to_owned(),
@@ -44,8 +45,15 @@ impl ReportFile {
         &self.path
     }
 
-    pub(crate) fn write(&self, report: &simulated::Report) -> io::Result<()> {
-        let mut json = serde_json::to_vec_pretty(&Report::new(report))?;
+    pub(crate) fn write_report(&self, report: &simulated::Report) -> io::Result<()> {
+        self.write(serde_json::to_vec_pretty(&Report::new(report))?)
+    }
+
+    pub(crate) fn write_profile(&self, profile: &ProfileFile) -> io::Result<()> {
+        self.write(serde_json::to_vec(profile)?)
+    }
+
+    fn write(&self, mut json: Vec<u8>) -> io::Result<()> {
         json.push(b'\n');
         let beside = self.beside.lock().unwrap_or_else(PoisonError::into_inner);
         fs::write(&*beside, json)?;

@@ -1,4 +1,4 @@
-//! `LIBSPE2_TIMING` and `LIBSPE2_REPORT`. A program of its own and without the test harness: it runs
+//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT` and `LIBSPE2_PROFILE`. A program of its own and without the test harness: it runs
 //! itself again, as a program on libspe2 whose environment is its own affair.
 
 use std::ffi::{CString, OsStr};
@@ -21,6 +21,8 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
+use spu_emulator::timing::code::Code;
+use spu_emulator::timing::profile::{ProfileFile, View};
 
 const SPES: usize = 6;
 const FRAMES: u32 = 3;
@@ -181,24 +183,66 @@ fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
     command.args(arguments).env_remove("LIBSPE2_TIMING");
     command
         .env_remove("LIBSPE2_REPORT")
+        .env_remove("LIBSPE2_PROFILE")
         .env_remove("LIBSPE2_MFC");
     command.envs(environment.iter().copied()).output().unwrap()
+}
+
+/// Runs the program with its files at these places.
+fn run_program(image: &Path, delay: &str, files: &[(&str, &Path)]) {
+    let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new(delay)];
+    let mut environment = vec![("LIBSPE2_TIMING", OsStr::new("1"))];
+    environment.extend(files.iter().map(|(name, path)| (*name, path.as_os_str())));
+    let output = child(&arguments, &environment);
+    assert!(output.status.success(), "{output:?}");
+    assert!(output.stderr.is_empty(), "{output:?}");
+}
+
+fn take(path: &Path) -> String {
+    let text = fs::read_to_string(path).unwrap();
+    fs::remove_file(path).unwrap();
+    text
 }
 
 /// Runs the program; its report.
 fn report(image: &Path, folder: &Path, delay: &str) -> String {
     let path = folder.join("report.json");
-    let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new(delay)];
-    let environment = [
-        ("LIBSPE2_TIMING", OsStr::new("1")),
-        ("LIBSPE2_REPORT", path.as_os_str()),
+    run_program(image, delay, &[("LIBSPE2_REPORT", &path)]);
+    take(&path)
+}
+
+/// Runs the program; its report and its profile.
+fn profile(image: &Path, folder: &Path, delay: &str) -> [String; 2] {
+    let paths = ["report.json", "profile.json"].map(|name| folder.join(name));
+    let files = [
+        ("LIBSPE2_REPORT", paths[0].as_path()),
+        ("LIBSPE2_PROFILE", &paths[1]),
     ];
-    let output = child(&arguments, &environment);
-    assert!(output.status.success(), "{output:?}");
-    assert!(output.stderr.is_empty(), "{output:?}");
-    let text = fs::read_to_string(&path).unwrap();
-    fs::remove_file(path).unwrap();
-    text
+    run_program(image, delay, &files);
+    paths.map(|path| take(&path))
+}
+
+/// Holds each SPE's profile to its figures in the report, cause by cause.
+fn check_profile(image: &Path, report: &str, text: &str) {
+    let report: Value = serde_json::from_str(report).unwrap();
+    let profile = ProfileFile::parse(text.as_bytes()).unwrap();
+    let spes = report["spes"].as_array().unwrap();
+    assert_eq!(profile.cycles().count(), spes.len());
+    for (at, (figures, cycles)) in spes.iter().zip(profile.cycles()).enumerate() {
+        assert_eq!(cycles, number(figures, "cycles"));
+        let tally = profile.tally(at);
+        assert_eq!(tally.issued, number(figures, "instructions"));
+        assert_eq!(tally.joined, number(figures, "dual_issue"));
+        assert_eq!(tally.stalls.total(), sum(&figures["stalls"]));
+        for (cause, cycles) in tally.stalls.by_cost() {
+            assert_eq!(cycles, number(&figures["stalls"], &cause.to_string()));
+        }
+    }
+    // All of it is of the program that was loaded.
+    let image = fs::read(image).unwrap();
+    let code = Code::parse(&image).unwrap();
+    let view = View::new(&code, &image, &profile).unwrap();
+    assert_eq!(view.total().cycles(), profile.cycles().sum::<u64>());
 }
 
 fn number(value: &Value, name: &str) -> u64 {
@@ -325,6 +369,11 @@ fn main() {
     for delay in ["0", "3", "0", "7"] {
         assert_eq!(report(&image, folder.path(), delay), first, "delay {delay}");
     }
+    let [with_profile, profiled] = profile(&image, folder.path(), "0");
+    assert_eq!(with_profile, first, "a profile changes nothing");
+    check_profile(&image, &first, &profiled);
+    let again = profile(&image, folder.path(), "3");
+    assert_eq!(again, [with_profile, profiled]);
     // Nothing is left beside the report's place but what was there before.
     let beside = fs::read_dir(folder.path()).unwrap().count();
     assert_eq!(beside, 3);
@@ -336,7 +385,17 @@ fn main() {
         libc::EINVAL,
         "LIBSPE2_TIMING=1",
     );
+    refused(
+        &[("LIBSPE2_PROFILE", "/tmp/x"), ("LIBSPE2_TIMING", "0")],
+        libc::EINVAL,
+        "LIBSPE2_PROFILE is about simulated time: set LIBSPE2_TIMING=1",
+    );
     let on = ("LIBSPE2_TIMING", "1");
+    refused(
+        &[on, ("LIBSPE2_PROFILE", "/nowhere/at/all")],
+        libc::ENOENT,
+        "LIBSPE2_PROFILE: /nowhere/at/all",
+    );
     refused(
         &[on, ("LIBSPE2_REPORT", "")],
         libc::EINVAL,

@@ -20,6 +20,7 @@ mod calendar;
 mod figures;
 pub mod memory_system;
 mod ppe;
+mod published;
 mod report;
 mod spe_side;
 mod spu_clock;
@@ -33,7 +34,9 @@ use crate::decrementer::TICKS_PER_SECOND;
 use crate::memory::MainMemory;
 use crate::mfc::Interconnect;
 use crate::spe::lock::lock;
+use crate::timing::profile::ProfileFile;
 use memory_system::MemorySystem;
+use published::Published;
 use turnstile::Turnstile;
 
 pub use figures::Figures;
@@ -78,16 +81,19 @@ pub struct Simulation {
     /// Lives as long as the machine: PPE threads remember the machine by it.
     alive: Arc<()>,
     memory: Mutex<MemorySystem>,
-    spes: Mutex<Vec<Arc<Mutex<SpeReport>>>>,
+    spes: Mutex<Vec<Arc<Mutex<Published>>>>,
+    /// Whether the SPUs keep a profile.
+    profiled: bool,
 }
 
 impl Simulation {
-    fn new() -> Arc<Self> {
+    fn new(profiled: bool) -> Arc<Self> {
         Arc::new(Self {
             turnstile: Arc::default(),
             alive: Arc::default(),
             memory: Mutex::default(),
             spes: Mutex::default(),
+            profiled,
         })
     }
 
@@ -97,11 +103,11 @@ impl Simulation {
     }
 
     /// A new SPE: its number, and where it publishes its figures.
-    fn add_spe(&self) -> (u64, Arc<Mutex<SpeReport>>) {
+    fn add_spe(&self) -> (u64, Arc<Mutex<Published>>) {
         let mut spes = lock(&self.spes);
-        let report = Arc::new(Mutex::new(SpeReport::default()));
-        spes.push(Arc::clone(&report));
-        (spes.len() as u64 - 1, report)
+        let published = Arc::new(Mutex::new(Published::new(self.profiled)));
+        spes.push(Arc::clone(&published));
+        (spes.len() as u64 - 1, published)
     }
 
     /// A key that nobody else waits on.
@@ -127,12 +133,25 @@ impl Simulation {
     pub fn report(&self) -> Report {
         let spes = lock(&self.spes)
             .iter()
-            .map(|report| lock(report).clone())
+            .map(|published| lock(published).report().clone())
             .collect();
         Report {
             absences: self.turnstile.absences(),
             spes,
         }
+    }
+
+    /// The profile of every SPE, of the same moments as the [`report`](Self::report) is; `None` unless
+    /// the machine was made to keep one.
+    #[must_use]
+    pub fn profile(&self) -> Option<ProfileFile> {
+        self.profiled.then(|| {
+            let mut file = ProfileFile::new(CYCLES_PER_SECOND);
+            for published in &*lock(&self.spes) {
+                file.add_spe(lock(published).programs());
+            }
+            file
+        })
     }
 }
 
@@ -140,7 +159,13 @@ impl Interconnect {
     /// A machine with this memory, in simulated time.
     #[must_use]
     pub fn simulated(memory: Arc<dyn MainMemory>) -> Arc<Self> {
-        Self::with_simulation(memory, Simulation::new())
+        Self::with_simulation(memory, Simulation::new(false))
+    }
+
+    /// A machine with this memory, in simulated time, that keeps the [profile](Simulation::profile).
+    #[must_use]
+    pub fn profiled(memory: Arc<dyn MainMemory>) -> Arc<Self> {
+        Self::with_simulation(memory, Simulation::new(true))
     }
 }
 

@@ -6,7 +6,7 @@ use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use super::memory_system::Peer;
-use super::report::SpeReport;
+use super::published::Published;
 use super::turnstile::{Actor, Rank};
 use super::{Movement, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES};
 use super::{Simulation, SpuClock, Transfers, Wait, WaitKey};
@@ -14,6 +14,7 @@ use crate::mfc::Interconnect;
 use crate::mfc::command::{Command, Operation};
 use crate::mfc::spu_side::SpuSide;
 use crate::spe::lock::lock;
+use crate::timing::profile::ProgramId;
 
 /// From the call that runs an SPE to its first instruction.
 const START_CYCLES: u64 = PPE_CALL_CYCLES + PPE_RUN_CYCLES;
@@ -28,20 +29,25 @@ pub(crate) struct SpeSide {
     key: WaitKey,
     /// What MFC commands have moved since it was last timed.
     pub moved: Mutex<Vec<Movement>>,
-    report: Arc<Mutex<SpeReport>>,
+    published: Arc<Mutex<Published>>,
 }
 
 impl SpeSide {
     pub fn new(simulation: &Arc<Simulation>) -> Self {
-        let (number, report) = simulation.add_spe();
+        let (number, published) = simulation.add_spe();
         Self {
             simulation: Arc::clone(simulation),
             actor: Actor::spe(&simulation.turnstile, Rank::spe(number)),
             ready: AtomicU64::new(0),
             key: simulation.new_key(),
             moved: Mutex::default(),
-            report,
+            published,
         }
+    }
+
+    /// The SPU's clock at its start.
+    pub fn new_clock(&self) -> SpuClock {
+        SpuClock::new(self.simulation.profiled)
     }
 
     pub fn key(&self) -> WaitKey {
@@ -69,6 +75,7 @@ impl SpeSide {
     pub fn end(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide, announce: impl FnOnce()) {
         self.turn(clock);
         self.publish(clock, mfc);
+        clock.borrow_mut().stop();
         announce();
         let back = self.actor.clock() + PPE_WAKE_CYCLES;
         self.ready.store(back, SeqCst);
@@ -119,17 +126,13 @@ impl SpeSide {
 
     /// Shows the figures as they are.
     pub fn publish(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide) {
-        let clock = clock.borrow();
-        *lock(&self.report) = SpeReport {
-            clock: clock.now(),
-            stopped: clock.stopped(),
-            account: clock.timer().pipeline.account().clone(),
-            waits: clock.waits(),
-            commands: mfc
-                .transfers()
-                .map(Transfers::commands)
-                .copied()
-                .unwrap_or_default(),
-        };
+        let commands = mfc.transfers().map(Transfers::commands);
+        let commands = commands.copied().unwrap_or_default();
+        lock(&self.published).publish(&mut clock.borrow_mut(), commands);
+    }
+
+    /// What runs from now on is this program.
+    pub fn load(&self, program: ProgramId) {
+        lock(&self.published).load(program);
     }
 }

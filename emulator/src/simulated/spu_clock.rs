@@ -9,6 +9,7 @@ use crate::interp::{Observer, Spu};
 use crate::isa::Instruction;
 use crate::local_store::LocalStore;
 use crate::stop::Stopped;
+use crate::timing::profile::{Profile, Recording};
 use crate::timing::{Cause, Timer};
 
 /// What an SPU sleeps for in a channel.
@@ -50,9 +51,18 @@ pub(crate) struct SpuClock {
     timer: Timer,
     stopped: u64,
     waits: Waits,
+    /// If the SPU is profiled.
+    recording: Option<Recording>,
 }
 
 impl SpuClock {
+    pub fn new(profiled: bool) -> Self {
+        Self {
+            recording: profiled.then(Recording::default),
+            ..Self::default()
+        }
+    }
+
     pub fn now(&self) -> u64 {
         self.stopped + self.timer.pipeline.clock()
     }
@@ -80,6 +90,23 @@ impl SpuClock {
         *wait.of(&mut self.waits) += slept;
         let until = self.timer.pipeline.clock() + slept;
         self.timer.pipeline.stall_until(until, wait.cause());
+        if let Some(recording) = &mut self.recording {
+            recording.charge_last(&self.timer.pipeline);
+        }
+    }
+
+    /// Hands over all charges so far, if the SPU is profiled.
+    pub fn hand_over(&mut self, to: &mut Profile) {
+        if let Some(recording) = &mut self.recording {
+            recording.hand_over(to);
+        }
+    }
+
+    /// The SPU has stopped.
+    pub fn stop(&mut self) {
+        if let Some(recording) = &mut self.recording {
+            recording.stopped();
+        }
     }
 }
 
@@ -122,10 +149,27 @@ impl Timed<'_> {
         limit: u64,
         observer: &mut O,
     ) -> Option<Stopped> {
+        if self.clock.borrow().recording.is_some() {
+            self.run_as::<true, _, _>(spu, local_store, channels, limit, observer)
+        } else {
+            self.run_as::<false, _, _>(spu, local_store, channels, limit, observer)
+        }
+    }
+
+    /// [`run`](Self::run), whose loop exists twice so that a profile costs nothing where there is none.
+    #[inline(never)]
+    fn run_as<const RECORDED: bool, C: Channels, O: Observer>(
+        &mut self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        channels: &mut C,
+        limit: u64,
+        observer: &mut O,
+    ) -> Option<Stopped> {
         for _ in 0..limit {
             let word = local_store.load_word(spu.pc());
             if let Some(instruction) = Instruction::decode(word) {
-                self.count(spu, instruction);
+                self.count::<RECORDED>(spu, instruction);
                 observer.before_instruction(spu, instruction);
             }
             let stopped = spu.step(local_store, channels);
@@ -137,13 +181,19 @@ impl Timed<'_> {
     }
 
     #[inline]
-    fn count(&mut self, spu: &Spu, instruction: Instruction) {
+    fn count<const RECORDED: bool>(&mut self, spu: &Spu, instruction: Instruction) {
         let mut clock = self.clock.borrow_mut();
         if self.left == 0 {
             self.left = look(self.actor, clock.now());
         }
         self.left -= 1;
-        clock.timer.before_instruction(spu, instruction);
+        let SpuClock {
+            timer, recording, ..
+        } = &mut *clock;
+        match recording {
+            Some(recording) if RECORDED => timer.record(spu, instruction, recording),
+            _ => timer.before_instruction(spu, instruction),
+        }
     }
 }
 

@@ -23,6 +23,7 @@ use crate::mfc::{DmaError, Policy};
 use crate::signal::{SignalMode, SignalRegister};
 use crate::simulated::{Simulation, SpeSide, SpuClock, Timed};
 use crate::stop::{Stop, Stopped};
+use crate::timing::profile::ProgramId;
 use channels::{RunningChannels, SpuState};
 use lock::lock;
 use problem_state::{ProblemState, State};
@@ -74,6 +75,7 @@ impl Spe {
             Some(_) => Policy::AtOnce,
             None => config.policy,
         };
+        let clock = simulated.as_ref().map(SpeSide::new_clock);
         let problem_state = Arc::new(ProblemState::new(config.signal_modes, sleepers));
         let unit: Arc<dyn Unit> = problem_state.clone();
         interconnect.attach(Arc::downgrade(&unit));
@@ -84,7 +86,7 @@ impl Spe {
             engine: Mutex::new(Engine {
                 spu: Spu::default(),
                 state: SpuState::new(policy, simulated.is_some()),
-                clock: RefCell::default(),
+                clock: RefCell::new(clock.unwrap_or_default()),
             }),
             proxy: Mutex::new(Proxy::new(policy)),
             simulated,
@@ -204,6 +206,13 @@ impl Spe {
     pub fn expect_run(&self) {
         if let Some(side) = &self.simulated {
             side.expect();
+        }
+    }
+
+    /// In simulated time: what runs from now on is charged to this program, in the machine's profile.
+    pub fn profile_as(&self, program: ProgramId) {
+        if let Some(side) = &self.simulated {
+            side.load(program);
         }
     }
 

@@ -99,22 +99,67 @@ impl fmt::Display for Cause {
     }
 }
 
-/// Cycles by what happened in them. Invariant: each cycle is counted once.
+/// Cycles in which nothing issued, by cause.
 #[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Stalls([u64; Cause::COUNT]);
+
+impl Default for Stalls {
+    fn default() -> Self {
+        Self([0; Cause::COUNT])
+    }
+}
+
+impl Stalls {
+    /// Those of one cause.
+    #[must_use]
+    pub const fn of(&self, cause: Cause) -> u64 {
+        self.0[cause.index()]
+    }
+
+    /// All of them.
+    #[must_use]
+    pub fn total(&self) -> u64 {
+        self.0.iter().sum()
+    }
+
+    /// Causes that cost cycles, and how many, the most expensive first.
+    #[must_use]
+    pub fn by_cost(&self) -> Vec<(Cause, u64)> {
+        let mut stalls: Vec<_> = Cause::all()
+            .map(|cause| (cause, self.of(cause)))
+            .filter(|&(_, cycles)| cycles != 0)
+            .collect();
+        stalls.sort_by_key(|&(_, cycles)| std::cmp::Reverse(cycles));
+        stalls
+    }
+
+    /// What was added since `earlier`, which is an older state of these.
+    #[must_use]
+    pub fn since(&self, earlier: &Self) -> Self {
+        Self(std::array::from_fn(|cause| {
+            self.0[cause] - earlier.0[cause]
+        }))
+    }
+
+    #[inline]
+    pub(super) fn add(&mut self, cause: Cause, cycles: u64) {
+        self.0[cause.index()] += cycles;
+    }
+
+    /// Adds all of `others`.
+    pub(super) fn extend(&mut self, others: &Self) {
+        for (sum, cycles) in self.0.iter_mut().zip(others.0) {
+            *sum += cycles;
+        }
+    }
+}
+
+/// Cycles by what happened in them. Invariant: each cycle is counted once.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Account {
     single: u64,
     dual: u64,
-    waits: [u64; Cause::COUNT],
-}
-
-impl Default for Account {
-    fn default() -> Self {
-        Self {
-            single: 0,
-            dual: 0,
-            waits: [0; Cause::COUNT],
-        }
-    }
+    stalls: Stalls,
 }
 
 impl Account {
@@ -133,24 +178,25 @@ impl Account {
     /// Cycles in which none issued for this cause.
     #[must_use]
     pub const fn waited(&self, cause: Cause) -> u64 {
-        self.waits[cause.index()]
+        self.stalls.of(cause)
+    }
+
+    /// Cycles in which none issued, by cause.
+    #[must_use]
+    pub const fn stalls(&self) -> &Stalls {
+        &self.stalls
     }
 
     /// Causes that cost cycles, and how many, the most expensive first.
     #[must_use]
     pub fn waits(&self) -> Vec<(Cause, u64)> {
-        let mut waits: Vec<_> = Cause::all()
-            .map(|cause| (cause, self.waited(cause)))
-            .filter(|&(_, cycles)| cycles != 0)
-            .collect();
-        waits.sort_by_key(|&(_, cycles)| std::cmp::Reverse(cycles));
-        waits
+        self.stalls.by_cost()
     }
 
     /// Cycles in which none issued.
     #[must_use]
     pub fn stalled(&self) -> u64 {
-        self.waits.iter().sum()
+        self.stalls.total()
     }
 
     /// All cycles.
@@ -180,13 +226,13 @@ impl Account {
         Self {
             single: self.single - earlier.single,
             dual: self.dual - earlier.dual,
-            waits: std::array::from_fn(|cause| self.waits[cause] - earlier.waits[cause]),
+            stalls: self.stalls.since(&earlier.stalls),
         }
     }
 
     #[inline]
     pub(super) fn add_wait(&mut self, cause: Cause, cycles: u64) {
-        self.waits[cause.index()] += cycles;
+        self.stalls.add(cause, cycles);
     }
 
     #[inline]

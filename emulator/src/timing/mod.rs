@@ -20,13 +20,14 @@ mod lines;
 mod listing;
 mod loops;
 mod pipeline;
+pub mod profile;
 mod recurrence;
 pub mod report;
 pub mod rules;
 mod schedule;
 mod timer;
 
-pub use account::{Account, Cause};
+pub use account::{Account, Cause, Stalls};
 pub use hint_distance::{HintDistance, Verdict};
 pub use loops::{Loop, Recurrence, Steady, find_loops};
 pub use pipeline::{Issue, Pipeline};

@@ -1,6 +1,6 @@
 //! Feeds a [`Pipeline`] from the interpreter.
 
-use super::pipeline::Pipeline;
+use super::pipeline::{Issue, Pipeline};
 use crate::interp::{Observer, Spu};
 use crate::isa::{Class, Instruction, Op};
 use crate::local_store::LIMIT_MASK;
@@ -27,9 +27,32 @@ impl Timer {
     }
 }
 
-impl Observer for Timer {
+/// Learns of each instruction as it is timed. The unit type records nothing, and costs nothing.
+pub(crate) trait Recorder {
+    /// The instruction at `pc` has issued.
     #[inline]
-    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
+    fn issued(&mut self, pc: u32, instruction: Instruction, issue: &Issue, pipeline: &Pipeline) {
+        let _ = (pc, instruction, issue, pipeline);
+    }
+
+    /// It is known where the instruction that issued last went, which is a branch or a stop.
+    #[inline]
+    fn branched(&mut self, pipeline: &Pipeline) {
+        let _ = pipeline;
+    }
+}
+
+impl Recorder for () {}
+
+impl Timer {
+    /// [`before_instruction`](Observer::before_instruction), written down by `recorder`.
+    #[inline]
+    pub(crate) fn record<R: Recorder>(
+        &mut self,
+        spu: &Spu,
+        instruction: Instruction,
+        recorder: &mut R,
+    ) {
         let pc = spu.pc();
         if let Some((previous, class)) = self.previous {
             // A channel instruction that had to wait is run again: it has issued already.
@@ -41,13 +64,24 @@ impl Observer for Timer {
                 self.pipeline
                     .branched(previous, (!straight_on).then_some(pc));
             }
+            if class == Class::Br {
+                recorder.branched(&self.pipeline);
+            }
         }
         let class = instruction.op.row().class;
         self.previous = Some((pc, class));
-        self.pipeline.issue(pc, instruction);
+        let issue = self.pipeline.issue(pc, instruction);
+        recorder.issued(pc, instruction, &issue, &self.pipeline);
         if instruction.op == Op::Hbr {
             let target = spu.register(instruction.ra).preferred();
             self.pipeline.hint_target(target);
         }
+    }
+}
+
+impl Observer for Timer {
+    #[inline]
+    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
+        self.record(spu, instruction, &mut ());
     }
 }

@@ -4,6 +4,7 @@
 mod accounts;
 mod deterministic;
 mod ppe;
+mod profile;
 #[path = "../spu_program/mod.rs"]
 mod spu_program;
 mod support;

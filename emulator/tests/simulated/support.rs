@@ -13,6 +13,7 @@ use spu_emulator::mfc::Interconnect;
 use spu_emulator::simulated::{Report, SpeReport};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
+use spu_emulator::timing::profile::{ProfileFile, ProgramId};
 
 pub const BASE: u64 = 0x3_4000_0000;
 pub const MEMORY: usize = 1 << 20;
@@ -26,11 +27,20 @@ pub struct Machine {
 
 impl Machine {
     pub fn new() -> Self {
+        Self::on(Interconnect::simulated)
+    }
+
+    /// One that keeps a profile.
+    pub fn profiled() -> Self {
+        Self::on(Interconnect::profiled)
+    }
+
+    fn on(interconnect: impl FnOnce(Arc<dyn MainMemory>) -> Arc<Interconnect>) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory
             .register(BASE, vec![0; MEMORY], Access::ReadWrite)
             .unwrap();
-        let interconnect = Interconnect::simulated(memory.clone());
+        let interconnect = interconnect(memory.clone());
         Self {
             memory,
             interconnect,
@@ -40,10 +50,20 @@ impl Machine {
     /// An SPE with a program that is to be run soon, and its entry.
     pub fn loaded(&self, image: &[u8]) -> (Arc<Spe>, u32) {
         let spe = Spe::new(&self.interconnect, Config::default());
+        (Arc::clone(&spe), Self::load(&spe, image))
+    }
+
+    /// Loads a program that is to be run soon; its entry.
+    pub fn load(spe: &Spe, image: &[u8]) -> u32 {
+        spe.profile_as(ProgramId::of(image));
         let image = Image::parse(image).unwrap();
         image.load(spe.local_store(), 0);
         spe.expect_run();
-        (spe, image.entry())
+        image.entry()
+    }
+
+    pub fn profile(&self) -> Option<ProfileFile> {
+        self.interconnect.simulation().unwrap().profile()
     }
 
     pub fn report(&self) -> Report {

@@ -31,6 +31,8 @@ pub enum Failure {
     #[error(transparent)]
     Time(#[from] TimeError),
     #[error(transparent)]
+    Profile(#[from] crate::profile::Error),
+    #[error(transparent)]
     Schedule(#[from] crate::schedule::Error),
 }
 

@@ -3,6 +3,7 @@
 mod dump;
 mod failure;
 mod image;
+mod profile;
 mod run;
 mod schedule;
 mod time;
@@ -25,6 +26,7 @@ enum Verb {
     Run(Box<run::Options>),
     Dump(dump::Options),
     Time(Box<time::Arguments>),
+    Profile(profile::Arguments),
     Schedule(Box<schedule::Arguments>),
 }
 
@@ -45,6 +47,7 @@ fn main() -> ExitCode {
         Verb::Run(options) => run::run(&options),
         Verb::Dump(options) => dump::dump(&options),
         Verb::Time(arguments) => time::run(&arguments).map_err(Into::into),
+        Verb::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
         Verb::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
     };
     done.unwrap_or_else(|failure| fail(&failure))

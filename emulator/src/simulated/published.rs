@@ -1,0 +1,67 @@
+//! What an SPE shows of itself: the figures and the profile of one moment.
+
+use super::SpuClock;
+use super::report::{Commands, SpeReport};
+use crate::timing::profile::{Profile, ProgramId};
+
+/// Invariant: the profile's cycles are those of the report's account.
+#[derive(Default)]
+pub(super) struct Published {
+    report: SpeReport,
+    profiles: Option<Profiles>,
+}
+
+/// A profile a program, in the order of their loading.
+struct Profiles {
+    programs: Vec<(Option<ProgramId>, Profile)>,
+    /// The one that is in local store.
+    loaded: usize,
+}
+
+impl Published {
+    pub fn new(profiled: bool) -> Self {
+        Self {
+            report: SpeReport::default(),
+            profiles: profiled.then(|| Profiles {
+                programs: vec![(None, Profile::default())],
+                loaded: 0,
+            }),
+        }
+    }
+
+    pub fn report(&self) -> &SpeReport {
+        &self.report
+    }
+
+    /// The programs that ran.
+    pub fn programs(&self) -> impl Iterator<Item = (Option<ProgramId>, &Profile)> {
+        let programs = self.profiles.iter().flat_map(|profiles| &profiles.programs);
+        programs
+            .filter(|(_, profile)| !profile.entries().is_empty())
+            .map(|(id, profile)| (*id, profile))
+    }
+
+    /// What is published from now on is of this program.
+    pub fn load(&mut self, id: ProgramId) {
+        if let Some(Profiles { programs, loaded }) = &mut self.profiles {
+            let known = programs.iter().position(|(known, _)| *known == Some(id));
+            *loaded = known.unwrap_or_else(|| {
+                programs.push((Some(id), Profile::default()));
+                programs.len() - 1
+            });
+        }
+    }
+
+    pub fn publish(&mut self, clock: &mut SpuClock, commands: Commands) {
+        self.report = SpeReport {
+            clock: clock.now(),
+            stopped: clock.stopped(),
+            account: clock.timer().pipeline.account().clone(),
+            waits: clock.waits(),
+            commands,
+        };
+        if let Some(Profiles { programs, loaded }) = &mut self.profiles {
+            clock.hand_over(&mut programs[*loaded].1);
+        }
+    }
+}
