@@ -1,7 +1,7 @@
 //! Scenes as Eric Haines' Neutral File Format (NFF) gives them.
 //!
-//! Owns the scene data, the text format both ways, the camera that a view stands for, the
-//! sphereflake of the Standard Procedural Databases and the depth-shading model. Knows nothing of
+//! Owns the scene data, the text format both ways, the camera that a view stands for, the triangles
+//! of a polygon, the sphereflake of the Standard Procedural Databases and the depth-shading model. Knows nothing of
 //! work units, SPUs or pictures.
 //!
 //! Invariant: a [`Scene`] that [`parse`] returned has a valid view, only finite numbers of at most
@@ -13,6 +13,7 @@ mod lines;
 mod parse;
 mod scene;
 pub mod sphereflake;
+mod triangles;
 mod view;
 mod words;
 mod write;
@@ -21,7 +22,8 @@ pub use error::{Error, Excerpt, Fault};
 pub use lines::Limits;
 pub use parse::{parse, read};
 pub use scene::{Light, Material, Object, Scene, Shape};
-pub use view::{Camera, MAX_SIDE, View, ViewError};
+pub use triangles::{area_vector, triangles};
+pub use view::{Camera, MAX_SIDE, View, ViewError, unit};
 pub use words::MAX_MAGNITUDE;
 
 use std::path::Path;

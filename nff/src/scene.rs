@@ -100,6 +100,18 @@ pub enum Shape {
     },
 }
 
+impl Scene {
+    /// The brightness of a light, red, green and blue: its colour, as it stands, where the file gives
+    /// one; else a grey by the Standard Procedural Databases' rule, sqrt(n) / (2 n) of all n lights.
+    #[must_use]
+    pub fn brightness(&self, light: &Light) -> DVec3 {
+        let count = self.lights.len().max(1) as f64;
+        light
+            .colour
+            .unwrap_or(DVec3::splat(count.sqrt() / (2.0 * count)))
+    }
+}
+
 impl PartialEq for Scene {
     fn eq(&self, other: &Self) -> bool {
         self.view == other.view

@@ -148,8 +148,9 @@ pub(crate) fn check_size(width: u32, height: u32) -> Result<(), ViewError> {
 }
 
 /// `vector` at length 1; nothing where it has no direction. Its largest component is brought to 1
-/// first, because the squares of tiny ones are 0.
-fn unit(vector: DVec3) -> Option<DVec3> {
+/// first, because the squares of tiny ones are 0 and those of huge ones infinite.
+#[must_use]
+pub fn unit(vector: DVec3) -> Option<DVec3> {
     let largest = vector.abs().max_element();
     (largest > 0.0 && vector.is_finite()).then(|| (vector / largest).normalize())
 }

@@ -1,5 +1,5 @@
-//! The reference: the depth-shading model of [`nff::depth`] traced in `f64`, and the comparison of
-//! pictures with it.
+//! The reference: the depth-shading model of [`nff::depth`] and Whitted's model of `docs/shading.md`
+//! traced in `f64`, and the comparison of pictures with them.
 //!
 //! Owns what is true about a picture. Knows nothing of work units or of how the picture under test
 //! came about. Invariant: the reference shares no formula with a kernel or its twin; `nff` gives only
@@ -7,9 +7,17 @@
 
 mod compare;
 mod picture;
+#[cfg(test)]
+mod random;
+mod ray;
+mod rows;
+mod shapes;
+mod silhouette;
 mod sphere;
 mod tracer;
+mod tree;
 pub mod twin;
+pub mod whitted;
 
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
 pub use picture::{MAX_PIXELS, Picture};
@@ -37,6 +45,27 @@ pub enum Error {
         width: u32,
         /// Rows.
         height: u32,
+    },
+    /// A ray depth of 0 or above [`whitted::MAX_DEPTH`].
+    #[error("a ray depth of {0} is not from 1 to {max}", max = whitted::MAX_DEPTH)]
+    Depth(u32),
+    /// A transmitting material into which no ray can be refracted.
+    #[error("{scene}:{line}: an index of refraction of 0 refracts nothing (T is above 0)")]
+    RefractionIndex {
+        /// The scene's name.
+        scene: String,
+        /// Line of the material.
+        line: u32,
+    },
+    /// A patch too large to be cut into triangles.
+    #[error("{scene}:{line}: a patch of {vertices} vertices, more than {max}", max = shapes::MAX_PATCH_VERTICES)]
+    PatchVertices {
+        /// The scene's name.
+        scene: String,
+        /// Line of the patch.
+        line: u32,
+        /// How many it has.
+        vertices: usize,
     },
     /// A PNG that can't be read or written.
     #[error("{}: {source}", path.display())]

@@ -7,16 +7,20 @@ use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use clap::{Parser, Subcommand};
+use clap::error::ErrorKind;
+use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
 use nff::Scene;
 use nff::depth::not_drawn;
-use oracle::{Comparison, DIFFERENCE_SCALE, Picture};
+use oracle::whitted::{self, Counts};
+use oracle::{Comparison, DIFFERENCE_SCALE, Picture, Reference};
 
 const EXAMPLES: &str = "Examples:
   oracle render scenes/paper16.nff --size 1280x720 --out paper16.png
   oracle render sphereflake:2 --out flake.png
   oracle compare frame.png scenes/paper16.nff
   oracle compare frame.png sphereflake:2 --json --diff difference.png
+  oracle render scenes/whitted16.nff --model whitted --out whitted16.png
+  oracle render sphereflake:4 --model whitted --corners --stats --out balls.png
 
 SCENE is an NFF file, or sphereflake:LEVEL for a generated one (level 2 has 91 spheres).";
 
@@ -33,7 +37,8 @@ enum Verb {
     /// Compares a picture of a scene with the reference.
     ///
     /// A pixel is wrong if a channel is off by more than 1/255. It is on a silhouette if a
-    /// neighbour shows another sphere or its ray passes a sphere's edge within 1e-5 of the radius.
+    /// neighbour shows another sphere or its ray passes a sphere's edge within 1e-5 of the radius;
+    /// with --model whitted if a neighbour's rays meet other objects or see other lights.
     #[command(after_help = EXAMPLES)]
     Compare {
         /// The picture, a PNG; the reference is rendered at its size
@@ -45,6 +50,8 @@ enum Verb {
         json: bool,
         #[arg(long, value_name = "PNG", help = difference_help())]
         diff: Option<PathBuf>,
+        #[command(flatten)]
+        model: Model,
     },
     /// Renders a scene.
     #[command(after_help = EXAMPLES)]
@@ -57,7 +64,91 @@ enum Verb {
         /// Where to write the picture
         #[arg(long, value_name = "PNG")]
         out: PathBuf,
+        /// Prints how many rays there were as JSON (whitted)
+        #[arg(long)]
+        stats: bool,
+        #[command(flatten)]
+        model: Model,
     },
+}
+
+/// How a scene is to look.
+#[derive(Args)]
+struct Model {
+    /// What gives the pixels their colours
+    #[arg(long = "model", value_enum, default_value_t = Name::Depth)]
+    name: Name,
+    /// Most rays in a chain, the eye ray counted; 5 if not given (whitted)
+    #[arg(long, value_name = "N", value_parser = ray_depth())]
+    ray_depth: Option<u32>,
+    /// Lets glass reflect more the flatter it is looked at, by Schlick (whitted)
+    #[arg(long)]
+    fresnel: bool,
+    /// Sends eye rays through the corners of pixels and averages four, as SPD asks for (whitted)
+    #[arg(long)]
+    corners: bool,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Name {
+    /// The nearer, the brighter: the paper's; spheres only
+    Depth,
+    /// Lights, shadows, mirrors and glass, all shapes
+    Whitted,
+}
+
+impl Model {
+    /// Refuses what depth shading has no use for; `stats` is the option that is not the model's own.
+    fn check(&self, stats: bool) {
+        let given = [
+            (self.ray_depth.is_some(), "--ray-depth"),
+            (self.fresnel, "--fresnel"),
+            (self.corners, "--corners"),
+            (stats, "--stats"),
+        ];
+        let stray = given.into_iter().find(|&(given, _)| given);
+        if let (Name::Depth, Some((_, option))) = (self.name, stray) {
+            let message = format!("{option} needs --model whitted");
+            Cli::command()
+                .error(ErrorKind::ArgumentConflict, message)
+                .exit();
+        }
+    }
+
+    /// Renders a scene, and tells what of it the model leaves out.
+    fn trace(&self, scene: &Scene, (width, height): (u32, u32)) -> Result<Traced, oracle::Error> {
+        match self.name {
+            Name::Depth => {
+                for left_out in not_drawn(scene) {
+                    eprintln!("{left_out}");
+                }
+                let reference = oracle::trace(scene, width, height)?;
+                Ok(Traced {
+                    reference,
+                    counts: None,
+                })
+            }
+            Name::Whitted => {
+                let options = whitted::Options {
+                    depth: self.ray_depth.unwrap_or(whitted::Options::default().depth),
+                    fresnel: self.fresnel,
+                    corners: self.corners,
+                };
+                let (reference, counts) = whitted::trace(scene, width, height, &options)?;
+                Ok(Traced {
+                    reference,
+                    counts: Some(counts),
+                })
+            }
+        }
+    }
+}
+
+/// A scene as rendered.
+struct Traced {
+    reference: Reference,
+    /// The rays, where the model counts them.
+    counts: Option<Counts>,
 }
 
 fn main() -> ExitCode {
@@ -67,8 +158,21 @@ fn main() -> ExitCode {
             scene,
             json,
             diff,
-        } => compare(&picture, &scene, json, diff.as_deref()),
-        Verb::Render { scene, size, out } => render(&scene, size, &out),
+            model,
+        } => {
+            model.check(false);
+            compare(&picture, &scene, &model, json, diff.as_deref())
+        }
+        Verb::Render {
+            scene,
+            size,
+            out,
+            stats,
+            model,
+        } => {
+            model.check(stats);
+            render(&scene, &model, size, &out, stats)
+        }
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -81,10 +185,11 @@ fn main() -> ExitCode {
 
 type Done = Result<(), Box<dyn std::error::Error>>;
 
-fn compare(picture: &Path, scene: &Path, json: bool, diff: Option<&Path>) -> Done {
+fn compare(picture: &Path, scene: &Path, model: &Model, json: bool, diff: Option<&Path>) -> Done {
     let picture = Picture::read_png(picture)?;
-    let scene = load(scene)?;
-    let reference = oracle::trace(&scene, picture.width(), picture.height())?;
+    let scene = nff::load(scene)?;
+    let size = (picture.width(), picture.height());
+    let reference = model.trace(&scene, size)?.reference;
     let result = oracle::compare(&picture, &reference)?;
     if let Some(diff) = diff {
         oracle::difference(&picture, &reference.picture)?.write_png(diff)?;
@@ -120,31 +225,36 @@ fn report(result: &Comparison, picture: &Picture) -> String {
     )
 }
 
-fn render(scene: &Path, size: Option<(u32, u32)>, out: &Path) -> Done {
-    let scene = load(scene)?;
+fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, stats: bool) -> Done {
+    let scene = nff::load(scene)?;
     let (width, height) = size.unwrap_or(scene.view.resolution);
-    let reference = oracle::trace(&scene, width, height)?;
+    let Traced { reference, counts } = model.trace(&scene, (width, height))?;
     reference.picture.write_png(out)?;
     let covered = reference.covered * 100.0;
+    let what = match model.name {
+        Name::Depth => "spheres",
+        Name::Whitted => "objects",
+    };
     eprintln!(
-        "{}: {width}x{height}, spheres cover {covered:.1} %",
+        "{}: {width}x{height}, {what} cover {covered:.1} %",
         out.display()
     );
-    Ok(())
-}
-
-/// Loads a scene and tells what of it is not drawn.
-fn load(scene: &Path) -> Result<Scene, nff::Error> {
-    let scene = nff::load(scene)?;
-    for left_out in not_drawn(&scene) {
-        eprintln!("{left_out}");
+    if let Some(counts) = counts.filter(|_| stats) {
+        let mut text = serde_json::to_string(&counts)?;
+        text.push('\n');
+        io::stdout().write_all(text.as_bytes())?;
     }
-    Ok(scene)
+    Ok(())
 }
 
 /// What `--diff` does.
 fn difference_help() -> String {
     format!("Writes the absolute difference, {DIFFERENCE_SCALE} times amplified")
+}
+
+/// The ray depths there are.
+fn ray_depth() -> clap::builder::RangedI64ValueParser<u32> {
+    clap::value_parser!(u32).range(1..=i64::from(whitted::MAX_DEPTH))
 }
 
 /// A size such as 1280x720.

@@ -67,27 +67,7 @@ impl Sphere {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    /// A fixed sequence of well-mixed numbers (Steele's splitmix64).
-    struct Random(u64);
-
-    impl Random {
-        fn next(&mut self) -> u64 {
-            self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-            let mixed = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-            let mixed = (mixed ^ (mixed >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-            mixed ^ (mixed >> 31)
-        }
-
-        /// From -`most` to `most`.
-        fn whole(&mut self, most: i64) -> i64 {
-            (self.next() % (2 * most as u64 + 1)) as i64 - most
-        }
-
-        fn triple(&mut self, most: i64) -> [i64; 3] {
-            [self.whole(most), self.whole(most), self.whole(most)]
-        }
-    }
+    use crate::random::Random;
 
     fn vector(triple: [i64; 3]) -> DVec3 {
         DVec3::from_array(triple.map(|n| n as f64))

@@ -1,17 +1,13 @@
-//! The picture of a scene, and which of its pixels lie on silhouettes.
+//! The picture of a scene by depth shading, and which of its pixels lie on silhouettes.
 //!
 //! Invariant: what is skipped for speed changes no pixel.
-
-use std::iter;
-use std::sync::{Mutex, PoisonError};
-use std::thread;
 
 use glam::DVec3;
 use nff::depth::{self, DepthShading};
 use nff::{Camera, Scene};
 
 use crate::sphere::Sphere;
-use crate::{Error, Picture};
+use crate::{Error, Picture, rows, silhouette};
 
 /// How near to a sphere's edge, in radii, a ray counts as on it: some hundred roundings of single
 /// precision, in which a kernel may well take the other side.
@@ -22,10 +18,12 @@ const EDGE: f64 = 1e-5;
 pub struct Reference {
     /// The picture.
     pub picture: Picture,
-    /// Whether a pixel is on a silhouette: its nearest sphere is not that of all eight neighbours,
-    /// or its ray passes a sphere's edge within 1e-5 of the radius. Order as in the picture.
+    /// Whether a pixel is on a silhouette. By depth shading: its nearest sphere is not that of all
+    /// eight neighbours, or its ray passes a sphere's edge within 1e-5 of the radius. By Whitted: the
+    /// rays that it takes meet other objects, or see other lights, than those of a neighbour. Order
+    /// as in the picture.
     pub silhouette: Vec<bool>,
-    /// Share of the pixels that show a sphere, from 0 to 1.
+    /// Share of the eye rays that meet an object, from 0 to 1.
     pub covered: f64,
 }
 
@@ -62,24 +60,13 @@ pub fn trace(scene: &Scene, width: u32, height: u32) -> Result<Reference, Error>
     let stage = Stage::new(scene, camera);
     let mut sights = vec![Sight::default(); picture.pixels().len()];
     let row = width as usize;
-    let threads = thread::available_parallelism().map_or(1, usize::from);
-    {
-        let rows = picture
-            .pixels_mut()
-            .chunks_mut(row)
-            .zip(sights.chunks_mut(row));
-        let rows = Mutex::new((0..height).zip(rows));
-        // Bound to its own statement, so that the lock is not held over the row.
-        let next = || rows.lock().unwrap_or_else(PoisonError::into_inner).next();
-        thread::scope(|scope| {
-            for _ in 0..threads {
-                scope.spawn(|| {
-                    iter::from_fn(next)
-                        .for_each(|(y, (pixels, sights))| stage.row(y, pixels, sights));
-                });
-            }
-        });
-    }
+    let rows = picture
+        .pixels_mut()
+        .chunks_mut(row)
+        .zip(sights.chunks_mut(row));
+    rows::each((0..height).zip(rows), |(y, (pixels, sights))| {
+        stage.row(y, pixels, sights);
+    });
     let hits = sights
         .iter()
         .filter(|sight| sight.nearest.is_some())
@@ -157,18 +144,14 @@ impl Stage {
 
 /// The mask of [`Reference::silhouette`].
 fn silhouette(sights: &[Sight], width: usize) -> Vec<bool> {
-    let height = sights.len() / width;
-    let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);
-    let on_silhouette = |(index, sight): (usize, &Sight)| {
-        let (x, y) = (index % width, index / width);
-        sight.on_edge
-            || around(y, height).any(|y| {
-                let row = &sights[y * width..][around(x, width)];
-                row.iter()
-                    .any(|neighbour| neighbour.nearest != sight.nearest)
-            })
-    };
-    sights.iter().enumerate().map(on_silhouette).collect()
+    let nearest: Vec<_> = sights.iter().map(|sight| sight.nearest).collect();
+    let jumps = silhouette::mask(&nearest, width);
+    let on_edge = sights.iter().map(|sight| sight.on_edge);
+    jumps
+        .into_iter()
+        .zip(on_edge)
+        .map(|(a, b)| a || b)
+        .collect()
 }
 
 #[cfg(test)]

@@ -173,3 +173,55 @@ fn the_help_has_examples() {
     assert!(done.status.success());
     assert!(text(&done.stdout).contains("oracle compare frame.png scenes/paper16.nff"));
 }
+
+#[test]
+fn whitteds_model_counts_its_rays_and_compares() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let scene = ["sphereflake:1", "--model", "whitted", "--ray-depth", "3"];
+    let size = ["--size", "64x48", "--out", "w.png", "--stats", "--corners"];
+    let done = oracle(folder.path(), &[&["render"], &scene[..], &size].concat());
+    assert!(done.status.success(), "{}", text(&done.stderr));
+    // Everything is drawn, so nothing is told but the picture's name and share.
+    assert_eq!(text(&done.stderr), "w.png: 64x48, objects cover 100.0 %\n");
+    let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+    let count = |name: &str| found[name].as_u64().expect("a count");
+    assert_eq!(count("eye"), 65 * 49);
+    assert_eq!(count("eye_hit"), count("eye"));
+    assert_eq!(
+        count("eye") + count("reflected") + count("refracted"),
+        count("hit") + count("background")
+    );
+    assert!(count("shadow") > count("hit"));
+
+    let compare = |options: &[&str]| {
+        let arguments = [&["compare", "w.png", "--json"], &scene[..], options].concat();
+        let done = oracle(folder.path(), &arguments);
+        assert!(done.status.success(), "{}", text(&done.stderr));
+        let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
+        found["wrong_pixels"].as_u64().expect("a count")
+    };
+    assert_eq!(compare(&["--corners"]), 0);
+    assert!(compare(&[]) > 100);
+}
+
+#[test]
+fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let base = ["render", "sphereflake:1", "--out", "b.png"];
+    for option in [
+        &["--stats"][..],
+        &["--corners"],
+        &["--fresnel"],
+        &["--ray-depth", "3"],
+    ] {
+        let done = oracle(folder.path(), &[&base, option].concat());
+        assert_eq!(done.status.code(), Some(2), "{option:?}");
+        let message = format!("{} needs --model whitted", option[0]);
+        assert!(text(&done.stderr).contains(&message), "{option:?}");
+    }
+    for depth in ["0", "17", "-1", "x"] {
+        let option = ["--model", "whitted", "--ray-depth", depth];
+        let done = oracle(folder.path(), &[&base[..], &option].concat());
+        assert_eq!(done.status.code(), Some(2), "{depth}");
+    }
+}

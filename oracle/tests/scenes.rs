@@ -3,7 +3,8 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use nff::depth;
+use nff::{Shape, depth};
+use oracle::whitted::{Options, trace};
 
 fn file(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -47,4 +48,45 @@ fn no_two_spheres_of_the_papers_scenes_intersect() {
             }
         }
     }
+}
+
+#[test]
+fn whitted16_is_the_benchmark_that_it_says_it_is() {
+    let scene = nff::read(&file("whitted16.nff")).expect("a scene");
+    let is_sphere = |shape: &Shape| matches!(shape, Shape::Sphere { .. });
+    let (spheres, rest): (Vec<_>, Vec<_>) = scene
+        .objects
+        .iter()
+        .map(|object| &object.shape)
+        .partition(|shape| is_sphere(shape));
+    assert_eq!((spheres.len(), scene.lights.len()), (16, 2));
+    assert!(matches!(rest[..], [Shape::Polygon { .. }]), "{rest:?}");
+    assert_eq!(scene.view.resolution, (1280, 720));
+}
+
+#[test]
+fn the_scenes_of_whitteds_model_use_what_they_show() {
+    let rays = |name: &str| {
+        let scene = nff::read(&file(name)).expect("a scene");
+        let options = Options::default();
+        let (reference, counts) = trace(&scene, 320, 180, &options).expect("a picture");
+        assert!((0.5..0.95).contains(&reference.covered), "{name}");
+        assert!(counts.shadow > counts.eye_hit, "{name}");
+        assert!(counts.reflected > counts.eye / 2, "{name}");
+        (counts, scene.objects)
+    };
+    for name in ["whitted16.nff", "glass.nff", "shapes.nff"] {
+        assert!(rays(name).0.refracted > 2000, "{name}");
+    }
+    assert_eq!(rays("mirrors.nff").0.refracted, 0);
+    let (_, objects) = rays("shapes.nff");
+    let has = |wanted: fn(&Shape) -> bool| objects.iter().any(|object| wanted(&object.shape));
+    assert!(has(
+        |it| matches!(it, Shape::Sphere { radius, .. } if *radius < 0.0)
+    ));
+    assert!(has(|it| matches!(it, Shape::Cone { .. })));
+    assert!(has(|it| matches!(it, Shape::Patch { .. })));
+    assert!(has(
+        |it| matches!(it, Shape::Polygon { vertices } if vertices.len() == 10)
+    ));
 }

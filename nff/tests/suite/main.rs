@@ -6,4 +6,5 @@ mod entities;
 mod faults;
 mod properties;
 mod sphereflake;
+mod triangles;
 mod view;

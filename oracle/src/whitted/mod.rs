@@ -1,0 +1,118 @@
+//! Pictures by the model of Whitted (1980), as `docs/shading.md` writes it down.
+//!
+//! Owns the grid of eye rays and what becomes of their colours. Invariant: the same scene and options
+//! give the same picture and the same counts, however many threads there are.
+
+mod light;
+mod path;
+mod stage;
+
+use glam::DVec3;
+use nff::{Scene, depth};
+
+use crate::{Error, Picture, Reference, rows, silhouette};
+pub use path::Counts;
+use path::Path;
+use stage::Stage;
+
+/// Greatest ray depth: each hit on glass starts two rays, so that a depth of n may cost 2^n.
+pub const MAX_DEPTH: u32 = 16;
+
+/// How a scene is traced.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Options {
+    /// Most rays in a chain, the eye ray counted, from 1 to [`MAX_DEPTH`].
+    pub depth: u32,
+    /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
+    pub fresnel: bool,
+    /// Whether eye rays go through the corners of the pixels, the four of each averaged, as the
+    /// Standard Procedural Databases ask for; else through their centres.
+    pub corners: bool,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            depth: 5,
+            fresnel: false,
+            corners: false,
+        }
+    }
+}
+
+/// What an eye ray saw.
+#[derive(Debug, Clone, Copy, Default)]
+struct Sample {
+    colour: DVec3,
+    /// [`Path::signature`].
+    signature: u64,
+}
+
+/// The picture of a scene with its silhouettes, and the rays that it took.
+///
+/// # Errors
+/// A size that the view or a [`Picture`] can't have, a depth out of range, glass without an index of
+/// refraction and a patch of too many vertices.
+pub fn trace(
+    scene: &Scene,
+    width: u32,
+    height: u32,
+    options: &Options,
+) -> Result<(Reference, Counts), Error> {
+    let mut picture = Picture::black(width, height)?;
+    let mut camera = scene
+        .view
+        .camera(width, height)
+        .map_err(|source| Error::View {
+            scene: scene.name.clone(),
+            source,
+        })?;
+    let more = u32::from(options.corners);
+    let (columns, lines) = (width + more, height + more);
+    if options.corners {
+        camera.corner -= (camera.right + camera.down) / 2.0;
+    }
+    let stage = Stage::new(scene, options)?;
+
+    let row = columns as usize;
+    let mut samples = vec![Sample::default(); row * lines as usize];
+    let mut counts = vec![Counts::default(); lines as usize];
+    let items = (0..lines).zip(samples.chunks_mut(row)).zip(&mut counts);
+    rows::each(items, |((y, samples), counts)| {
+        for (x, sample) in (0..).zip(samples) {
+            let mut path = Path::default();
+            let colour = stage.eye(camera.eye, camera.direction(x, y), &mut path);
+            *sample = Sample {
+                colour: colour.clamp(DVec3::ZERO, DVec3::ONE),
+                signature: path.signature(),
+            };
+            *counts += path.counts;
+        }
+    });
+    let counts = counts.into_iter().fold(Counts::default(), |mut sum, row| {
+        sum += row;
+        sum
+    });
+
+    let pixel = |(x, y): (usize, usize)| {
+        let first = y * row + x;
+        if options.corners {
+            [first, first + 1, first + row, first + row + 1].map(|at| samples[at])
+        } else {
+            [samples[first]; 4]
+        }
+    };
+    let places = (0..height as usize).flat_map(|y| (0..width as usize).map(move |x| (x, y)));
+    let mut signatures = Vec::with_capacity(picture.pixels().len());
+    for (bytes, corners) in picture.pixels_mut().iter_mut().zip(places.map(pixel)) {
+        let [a, b, c, d] = corners.map(|sample| sample.colour);
+        *bytes = depth::bytes(((a + b) + (c + d)) / 4.0);
+        signatures.push(corners.map(|sample| sample.signature));
+    }
+    let reference = Reference {
+        picture,
+        silhouette: silhouette::mask(&signatures, width as usize),
+        covered: counts.eye_hit as f64 / counts.eye as f64,
+    };
+    Ok((reference, counts))
+}

@@ -1,0 +1,202 @@
+//! A scene made ready for rays, and the colour that a ray sees.
+//!
+//! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest depth;
+//! a ray that can't matter, of weight 0, is not started and not counted.
+
+use glam::DVec3;
+use nff::{Material, Scene, Shape};
+
+use super::light;
+use super::path::Path;
+use super::{MAX_DEPTH, Options};
+use crate::Error;
+use crate::ray::Ray;
+use crate::shapes::{MAX_PATCH_VERTICES, Surface};
+use crate::tree::Tree;
+
+pub(super) struct Stage<'a> {
+    tree: Tree,
+    /// Of each surface.
+    materials: Vec<&'a Material>,
+    /// Position and brightness of each light.
+    lights: Vec<(DVec3, DVec3)>,
+    background: DVec3,
+    options: Options,
+}
+
+/// What a ray meets.
+struct Hit<'a> {
+    material: &'a Material,
+    point: DVec3,
+    /// The surface's normal, on the ray's side.
+    normal: DVec3,
+    /// The normal that shades, on the ray's side.
+    smooth: DVec3,
+    /// Whether the ray comes from outside of what transmits.
+    outside: bool,
+}
+
+impl<'a> Stage<'a> {
+    pub(super) fn new(scene: &'a Scene, options: &Options) -> Result<Self, Error> {
+        if !(1..=MAX_DEPTH).contains(&options.depth) {
+            return Err(Error::Depth(options.depth));
+        }
+        let (mut surfaces, mut materials) = (Vec::new(), Vec::new());
+        for object in &scene.objects {
+            let Some(material) = scene.materials.get(object.material as usize) else {
+                continue;
+            };
+            let transmits = material.transmittance > 0.0;
+            if transmits && material.refraction_index == 0.0 {
+                return Err(Error::RefractionIndex {
+                    scene: scene.name.clone(),
+                    line: material.line,
+                });
+            }
+            if let Shape::Patch { vertices, .. } = &object.shape
+                && vertices.len() > MAX_PATCH_VERTICES
+            {
+                return Err(Error::PatchVertices {
+                    scene: scene.name.clone(),
+                    line: object.line,
+                    vertices: vertices.len(),
+                });
+            }
+            if let Some(surface) = Surface::new(&object.shape, transmits) {
+                surfaces.push(surface);
+                materials.push(material);
+            }
+        }
+        let brightness = |light| scene.brightness(light);
+        Ok(Self {
+            tree: Tree::new(surfaces),
+            materials,
+            lights: scene
+                .lights
+                .iter()
+                .map(|light| (light.position, brightness(light)))
+                .collect(),
+            background: scene.background,
+            options: *options,
+        })
+    }
+
+    /// The colour of an eye ray; the direction need not have length 1.
+    pub(super) fn eye(&self, eye: DVec3, direction: DVec3, path: &mut Path) -> DVec3 {
+        let colour = self.look(&Ray::new(eye, direction.normalize()), 1, path);
+        path.counts.eye += 1;
+        colour
+    }
+
+    /// The colour that a ray sees, which is the `depth`th of its chain.
+    fn look(&self, ray: &Ray, depth: u32, path: &mut Path) -> DVec3 {
+        let Some(hit) = self.meet(ray, path) else {
+            path.counts.background += 1;
+            return self.background;
+        };
+        path.counts.hit += 1;
+        path.counts.eye_hit += u64::from(depth == 1);
+        let lit = self.lit(&hit, ray.direction, path);
+        if depth < self.options.depth {
+            lit + self.bounced(&hit, ray.direction, depth + 1, path)
+        } else {
+            lit
+        }
+    }
+
+    /// The nearest hit of a ray.
+    fn meet(&self, ray: &Ray, path: &mut Path) -> Option<Hit<'a>> {
+        let Some((index, distance)) = self.tree.nearest(ray) else {
+            path.note(0);
+            return None;
+        };
+        let place = self.tree.surface(index).place(ray, distance);
+        let outside = place.normal.dot(ray.direction) < 0.0;
+        path.note(1 + 2 * index as u64 + u64::from(outside));
+        let (normal, smooth) = if outside {
+            (place.normal, place.smooth)
+        } else {
+            (-place.normal, -place.smooth)
+        };
+        let seen = smooth.dot(ray.direction) < 0.0;
+        Some(Hit {
+            material: self.materials[index],
+            point: place.point,
+            normal,
+            smooth: if seen { smooth } else { normal },
+            outside,
+        })
+    }
+
+    /// What a hit sends back of the lights.
+    fn lit(&self, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
+        let material = hit.material;
+        let mut sum = DVec3::ZERO;
+        if material.diffuse == 0.0 && material.specular == 0.0 {
+            return sum;
+        }
+        for &(position, brightness) in &self.lights {
+            let distance = hit.point.distance(position);
+            let Some(to_light) = nff::unit(position - hit.point) else {
+                continue;
+            };
+            if hit.smooth.dot(to_light) <= 0.0 || hit.normal.dot(to_light) <= 0.0 {
+                path.note(0);
+                continue;
+            }
+            path.counts.shadow += 1;
+            let hidden = self.tree.any(&Ray::new(hit.point, to_light), distance);
+            path.note(1 + u64::from(hidden));
+            if !hidden {
+                sum += brightness * light::shine(material, hit.smooth, direction, to_light);
+            }
+        }
+        sum
+    }
+
+    /// What a hit reflects and lets through; the rays for that are the `depth`th of their chains.
+    fn bounced(&self, hit: &Hit, direction: DVec3, depth: u32, path: &mut Path) -> DVec3 {
+        let material = hit.material;
+        let (mut mirror, mut through) = (material.specular, None);
+        if material.transmittance > 0.0 {
+            let index = material.refraction_index;
+            let ratio = if hit.outside { index.recip() } else { index };
+            // Across a patch the smooth normal's direction may stay on this side of the surface.
+            let refracted =
+                light::refracted(direction, hit.smooth, ratio).and_then(|(found, beyond)| {
+                    if found.dot(hit.normal) < 0.0 {
+                        Some((found, beyond))
+                    } else {
+                        light::refracted(direction, hit.normal, ratio)
+                    }
+                });
+            let share = match refracted {
+                None => 1.0,
+                Some((_, beyond)) if self.options.fresnel => {
+                    light::schlick(ratio, -direction.dot(hit.smooth), beyond)
+                }
+                Some(_) => 0.0,
+            };
+            mirror += material.transmittance * share;
+            let weight = material.transmittance * (1.0 - share);
+            through = refracted.map(|(found, _)| (found, weight));
+        }
+
+        let mut sum = DVec3::ZERO;
+        if mirror > 0.0 {
+            let reflected = light::reflected(direction, hit.smooth);
+            let reflected = if reflected.dot(hit.normal) > 0.0 {
+                reflected
+            } else {
+                light::reflected(direction, hit.normal)
+            };
+            path.counts.reflected += 1;
+            sum += mirror * self.look(&Ray::new(hit.point, reflected), depth, path);
+        }
+        if let Some((refracted, weight)) = through.filter(|&(_, weight)| weight > 0.0) {
+            path.counts.refracted += 1;
+            sum += weight * self.look(&Ray::new(hit.point, refracted), depth, path);
+        }
+        sum
+    }
+}

@@ -1,0 +1,118 @@
+//! Counts of rays: those published for the Standard Procedural Databases, and sums that must hold.
+
+use std::fmt::Write as _;
+use std::path::Path;
+
+use oracle::whitted::{Counts, Options, trace};
+
+const SPD: Options = Options {
+    depth: 5,
+    fresnel: false,
+    corners: true,
+};
+
+/// The database's scene "tetra": tetrahedra of four polygons in half a cube's corners, halved
+/// `size` - 1 times. Numbers as published.
+fn tetra(size: u32) -> nff::Scene {
+    let mut text = "v\nfrom 1.022846 -3.177154 -2.174512\nat -0.004103 -0.004103 0.216539\n\
+        up -0.816497 -0.816497 0.816497\nangle 45\nhither 1\nresolution 512 512\n\
+        b 0.078 0.361 0.753\nl 2 -18 -5\nf 1 0.2 0.2 1 0 0 0 1\n"
+        .to_owned();
+    let mut pending = vec![([0.0; 3], 1.0, size)];
+    while let Some((centre, half, size)) = pending.pop() {
+        // The corners of a cube whose signs have a positive product.
+        let corners = [(-1, -1, 1), (-1, 1, -1), (1, -1, -1), (1, 1, 1)].map(|(x, y, z)| {
+            let signs = [x, y, z].map(f64::from);
+            move |reach: f64| -> [f64; 3] {
+                std::array::from_fn(|axis| centre[axis] + signs[axis] * reach)
+            }
+        });
+        if size > 1 {
+            let parts = corners.map(|corner| (corner(half / 2.0), half / 2.0, size - 1));
+            pending.extend(parts);
+            continue;
+        }
+        for face in [[0, 1, 2], [3, 2, 1], [2, 3, 0], [1, 0, 3]] {
+            text.push_str("p 3\n");
+            for vertex in face {
+                let [x, y, z] = corners[vertex](half);
+                writeln!(text, "{x} {y} {z}").expect("text grows");
+            }
+        }
+    }
+    nff::parse(text.as_bytes(), "tetra", &nff::Limits::default()).expect("a scene")
+}
+
+fn counts(scene: &nff::Scene, options: &Options) -> Counts {
+    let counts = trace(scene, 512, 512, options).expect("a picture").1;
+    assert_eq!(
+        counts.eye + counts.reflected + counts.refracted,
+        counts.hit + counts.background
+    );
+    counts
+}
+
+/// Within 0.1 % of a published count.
+fn near(found: u64, published: u64) {
+    let off = found.abs_diff(published) as f64 / published as f64;
+    assert!(off < 1e-3, "{found}, published {published}");
+}
+
+#[test]
+fn the_published_counts_of_balls() {
+    let scene = nff::sphereflake::generate(4).expect("a scene");
+    let counts = counts(&scene, &SPD);
+    assert_eq!((counts.eye, counts.eye_hit), (263_169, 263_169));
+    assert_eq!(counts.refracted, 0);
+    near(counts.reflected, 175_095);
+    near(counts.shadow, 954_368);
+}
+
+#[test]
+fn the_published_counts_of_tetra() {
+    let scene = tetra(6);
+    assert_eq!(scene.objects.len(), 4096);
+    let counts = counts(&scene, &SPD);
+    assert_eq!((counts.reflected, counts.refracted), (0, 0));
+    near(counts.eye_hit, 49_788);
+    near(counts.shadow, 46_112);
+}
+
+#[test]
+fn eye_rays_go_through_centres_or_corners() {
+    let scene = nff::sphereflake::generate(1).expect("a scene");
+    let centres = Options {
+        corners: false,
+        ..SPD
+    };
+    assert_eq!(counts(&scene, &centres).eye, 512 * 512);
+    assert_eq!(counts(&scene, &SPD).eye, 513 * 513);
+    // An edge through the middle of the middle column: two of a pixel's corners are white.
+    let edge = "v\nfrom 0 0 10\nat 0 0 0\nup 0 1 0\nangle 10\nhither 0\nresolution 3 3\nb 1 1 1\n\
+        f 1 1 1 1 0 1 0 1\np 4\n0 -9 0\n9 -9 0\n9 9 0\n0 9 0\n";
+    let edge = nff::parse(edge.as_bytes(), "edge", &nff::Limits::default()).expect("a scene");
+    let (smooth, _) = trace(&edge, 3, 3, &SPD).expect("a picture");
+    let row = [[255; 3], [128; 3], [0; 3]];
+    assert_eq!(smooth.picture.pixels(), row.repeat(3));
+}
+
+#[test]
+fn a_greater_depth_adds_rays_and_a_picture_is_the_same_again() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../scenes");
+    let scene = nff::read(&folder.join("glass.nff")).expect("a scene");
+    let at = |depth| {
+        let options = Options {
+            depth,
+            ..Options::default()
+        };
+        trace(&scene, 160, 90, &options).expect("a picture")
+    };
+    let mut rays = 0;
+    for depth in 1..=6 {
+        let (_, counts) = at(depth);
+        let sum = counts.eye + counts.reflected + counts.refracted;
+        assert!(sum > rays, "depth {depth}: {sum}");
+        rays = sum;
+    }
+    assert_eq!(at(5), at(5));
+}
