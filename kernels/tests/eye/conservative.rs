@@ -18,8 +18,8 @@ use oracle::twin::ray_setup::Basis;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, from_f64, to_f64};
-use zerocopy::big_endian::U32;
 use zerocopy::FromBytes as _;
+use zerocopy::big_endian::U32;
 
 const SIZE: Geometry = Geometry {
     width: 320,
