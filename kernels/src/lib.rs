@@ -5,7 +5,6 @@
 //! made ([`schedule`]) and the table of all that ([`table`]). Knows nothing of frames. Invariant: no number in the table is copied from anywhere;
 //! what a header states stands beside it.
 
-pub mod assembler;
 pub mod bench;
 pub mod cases;
 pub mod catalogue;

@@ -7,6 +7,7 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use spu_build::Tools;
 use spu_emulator::schedule::{self as scheduler, Scheduled};
 use spu_emulator::timing::Rules;
 use spu_emulator::timing::check::{self, CheckError};
@@ -14,7 +15,6 @@ use spu_emulator::timing::code::{Code, CodeError};
 use tempfile::TempDir;
 use thiserror::Error;
 
-use crate::assembler::{Assembler, AssemblerError};
 use crate::source::Source;
 
 /// The constants that the build generates from the layouts of records.
@@ -25,7 +25,7 @@ const WORK_UNIT: &str = include_str!(concat!(env!("OUT_DIR"), "/include/work_uni
 pub enum ScheduleError {
     /// A source is not assembled.
     #[error(transparent)]
-    Assembler(#[from] AssemblerError),
+    Assembler(#[from] spu_build::Error),
     /// A file can't be read or written.
     #[error("{}: {source}", path.display())]
     File {
@@ -67,7 +67,8 @@ pub enum ScheduleError {
 #[derive(Debug)]
 pub struct Workshop {
     root: PathBuf,
-    assembler: Assembler,
+    tools: Tools,
+    includes: Vec<PathBuf>,
     work: TempDir,
 }
 
@@ -84,7 +85,8 @@ impl Workshop {
         let includes = vec![root.join("spu/include"), work.path().to_path_buf()];
         Ok(Self {
             root: root.to_path_buf(),
-            assembler: Assembler::find(includes)?,
+            tools: Tools::find()?,
+            includes,
             work,
         })
     }
@@ -152,7 +154,12 @@ impl Workshop {
 
     fn assemble(&self, kernel: &Source, path: &Path) -> Result<Vec<u8>, ScheduleError> {
         let object = self.work.path().join(format!("{}.o", kernel.name));
-        Ok(self.assembler.assemble(path, &object)?)
+        // The scheduler needs the names of registers, which an image leaves out.
+        self.tools.assemble(&self.includes, &[], &object, path)?;
+        fs::read(&object).map_err(|source| ScheduleError::File {
+            path: object,
+            source,
+        })
     }
 }
 

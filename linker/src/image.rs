@@ -102,25 +102,18 @@ impl Image {
         Ok(inputs)
     }
 
-    /// Assembles and links into `image`; object files go into `work`. Warnings count as errors:
-    /// of an operand out of range, the assembler only warns.
+    /// Assembles and links into `image`; object files go into `work`. Warnings count as errors.
     pub fn build(&self, tools: &Tools, work: &Path, image: &Path) -> Result<(), Error> {
         let file_error = |source| Error::File {
             path: work.to_path_buf(),
             source,
         };
         fs::create_dir_all(work).map_err(file_error)?;
-        let mut assemble: Vec<OsString> = ["--fatal-warnings", "-g", "--strip-local-absolute"]
-            .map(OsString::from)
-            .to_vec();
-        for folder in &self.includes {
-            assemble.extend(["-I".into(), folder.into()]);
-        }
         let mut objects = Vec::new();
         for (number, source) in self.sources.iter().enumerate() {
             let stem = source.file_stem().unwrap_or_default().to_string_lossy();
             let object = work.join(format!("{number:02}-{stem}.o"));
-            run(&mut tools.assemble(&assemble, &object, source))?;
+            tools.assemble(&self.includes, &["--strip-local-absolute"], &object, source)?;
             objects.push(object);
         }
         let mut link = self.link.clone();

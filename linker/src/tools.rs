@@ -5,7 +5,7 @@ use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::Error;
+use crate::{Error, run};
 
 /// The SPU assembler and linker of this machine.
 #[derive(Clone, Debug)]
@@ -34,11 +34,24 @@ impl Tools {
         })
     }
 
-    /// Assembles one source; `options` are the assembler's own.
-    pub(crate) fn assemble(&self, options: &[OsString], object: &Path, source: &Path) -> Command {
-        let mut command = self.assembler.command("-c", "-Wa,", options);
+    /// Assembles one source, with line tables; `.include` finds files in `includes`, `further` are
+    /// options of the assembler's own. Warnings count as errors: of an operand out of range, the
+    /// assembler only warns.
+    pub fn assemble(
+        &self,
+        includes: &[PathBuf],
+        further: &[&str],
+        object: &Path,
+        source: &Path,
+    ) -> Result<(), Error> {
+        let mut options: Vec<OsString> = ["--fatal-warnings", "-g"].map(OsString::from).to_vec();
+        options.extend(further.iter().map(OsString::from));
+        for folder in includes {
+            options.extend(["-I".into(), folder.into()]);
+        }
+        let mut command = self.assembler.command("-c", "-Wa,", &options);
         command.arg("-o").arg(object).arg(source);
-        command
+        run(&mut command)
     }
 
     /// Links objects; `options` are the linker's own.
