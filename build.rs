@@ -9,7 +9,7 @@ use spu_build::{Image, Tools, Version, stub};
 
 #[path = "ppu/work/assembler.rs"]
 mod assembler;
-#[path = "ppu/work/layout.rs"]
+#[path = "ppu/work/layout/mod.rs"]
 mod layout;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
@@ -26,7 +26,7 @@ fn build() -> Outcome<()> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed=build.rs");
     println!("cargo:rerun-if-changed=ppu/work/assembler.rs");
-    println!("cargo:rerun-if-changed=ppu/work/layout.rs");
+    println!("cargo:rerun-if-changed=ppu/work/layout");
 
     let image = out.join("cellray-spu.elf");
     println!("cargo:rerun-if-env-changed=CELLRAY_SPU_IMAGE");

@@ -10,7 +10,7 @@ use spu_build::{Image, Tools, Version};
 
 #[path = "../ppu/work/assembler.rs"]
 mod assembler;
-#[path = "../ppu/work/layout.rs"]
+#[path = "../ppu/work/layout/mod.rs"]
 mod layout;
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
@@ -34,7 +34,7 @@ fn build() -> Outcome<()> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     let spu = here.join("../spu").canonicalize()?;
     println!("cargo:rerun-if-changed=build.rs");
-    for input in ["ppu/work/assembler.rs", "ppu/work/layout.rs", "spu"] {
+    for input in ["ppu/work/assembler.rs", "ppu/work/layout", "spu"] {
         println!("cargo:rerun-if-changed=../{input}");
     }
     for variable in Tools::VARIABLES {

@@ -1,7 +1,7 @@
 //! The work-unit layout in the assembler's words: what build scripts write into `work_unit.inc`.
 //!
 //! Owns the names that the layout has in assembly. A build script includes this file next to
-//! `layout.rs`; the program itself does not.
+//! `layout`; the program itself does not.
 
 use std::fmt::Write as _;
 
@@ -9,7 +9,7 @@ use super::layout::{self, Field};
 
 /// Sizes, offsets and constants of the layout, as the assembler's symbols.
 pub fn constants() -> String {
-    let mut text = String::from("# Generated from ppu/work/layout.rs.\n");
+    let mut text = String::from("# Generated from ppu/work/layout.\n");
     for (name, value, doc) in layout::CONSTANTS {
         let _ = writeln!(text, ".set {name},{value:#x} #{doc}");
     }
