@@ -11,6 +11,7 @@ mod refusal;
 mod spheres;
 mod tiles;
 mod units;
+mod whitted;
 
 pub use describe::{Addresses, Order, Skip, Split, describe};
 pub use lens::{Lens, Rectangle};
@@ -19,3 +20,4 @@ pub use refusal::Refusal;
 pub use spheres::EyeSpheres;
 pub use tiles::{tile_count, tile_pixels};
 pub use units::Units;
+pub use whitted::{BlockError, BlockOptions, SceneBlock};

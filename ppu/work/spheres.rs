@@ -128,7 +128,7 @@ fn down(value: f64) -> F32 {
 }
 
 /// The smallest single that is no smaller; the largest there is for what is beyond it.
-fn up(value: f64) -> F32 {
+pub(super) fn up(value: f64) -> F32 {
     F32::new(-down(-value).get())
 }
 

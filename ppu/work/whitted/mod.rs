@@ -1,0 +1,259 @@
+//! The scene of Whitted's model as SPUs take it: one block of records that lies at `SCENE_ADDRESS` of
+//! every local store.
+//!
+//! What is where in the block is settled once, when the scene is loaded: all addresses, the materials
+//! and the trees. For each eye only what lies somewhere is written anew, relative to the eye, in `f64`
+//! and rounded once; so a scene far from its origin loses nothing near the eye. The block begins with
+//! the background's object, for rays that hit nothing.
+//!
+//! Invariant: a block fits the local store with the rays that wait; all its addresses lie within it.
+//! What it does not keep is the order of the file: of equally near surfaces any may be hit.
+
+mod ball;
+mod block;
+mod error;
+mod materials;
+mod objects;
+mod planted;
+mod range;
+mod tree;
+
+use glam::DVec3;
+use nff::Scene;
+use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::U32;
+
+use self::block::Block;
+use self::materials::Light;
+use self::objects::{Kind, Object};
+use self::planted::Planted;
+use self::range::Place;
+use super::layout::{
+    self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
+};
+
+pub use error::BlockError;
+
+/// Rays that wait at each depth from the second on, in parts of those that are traced together.
+const QUEUES: usize = 3;
+/// Rays of a packet.
+const PACKET: usize = 16;
+
+/// How a scene is traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct BlockOptions {
+    /// Most rays in a chain, the eye's counted, from 1 to [`MAX_DEPTH`].
+    pub ray_depth: u32,
+    /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
+    pub fresnel: bool,
+}
+
+impl Default for BlockOptions {
+    fn default() -> Self {
+        Self {
+            ray_depth: 5,
+            fresnel: false,
+        }
+    }
+}
+
+/// A scene's block; its buffers serve for every eye.
+pub struct SceneBlock {
+    file: String,
+    ray_depth: u32,
+    lights: Vec<Light>,
+    light_address: u32,
+    planted: [Planted; 4],
+    block: Block,
+}
+
+impl SceneBlock {
+    /// Lays out a scene and writes it as its own view sees it.
+    ///
+    /// # Errors
+    /// A scene that does not fit, numbers that the SPU's format has no room for, glass without an index
+    /// of refraction, and a ray depth out of range.
+    pub fn new(scene: &Scene, options: BlockOptions) -> Result<Self, BlockError> {
+        if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
+            return Err(BlockError::RayDepth(options.ray_depth));
+        }
+        let mut block = Block::default();
+        add_background(scene, &mut block)?;
+        let lights = lights(scene)?;
+        let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
+
+        let found = objects(scene)?;
+        let mut materials = vec![None; scene.materials.len()];
+        for object in found.iter().flatten() {
+            let index = object.material as usize;
+            if materials[index].is_none() {
+                let material = &scene.materials[index];
+                let record = materials::record(scene, material, options.fresnel)?;
+                materials[index] = Some(block.append(record.as_bytes()));
+            }
+        }
+        let material = |object: &Object| {
+            let address = materials[object.material as usize];
+            U32::new(address.unwrap_or(SCENE_ADDRESS))
+        };
+        let planted =
+            Kind::ALL.map(|kind| Planted::new(kind, &found[kind as usize], material, &mut block));
+        block.finish();
+
+        let mut scene_block = Self {
+            file: scene.name.clone(),
+            ray_depth: options.ray_depth,
+            lights,
+            light_address,
+            planted,
+            block,
+        };
+        scene_block.check_room()?;
+        scene_block.look(scene.view.from)?;
+        Ok(scene_block)
+    }
+
+    /// Writes the block for an eye.
+    ///
+    /// # Errors
+    /// An eye out of range; the block is then the last one's.
+    pub fn look(&mut self, eye: DVec3) -> Result<(), BlockError> {
+        let place = Place {
+            file: &self.file,
+            line: None,
+        };
+        place.vector("eye", eye)?;
+        let size = size_of::<layout::Light>();
+        let places = (self.light_address..).step_by(size);
+        for (address, light) in places.zip(&self.lights) {
+            let record = light.record(eye);
+            self.block
+                .at(address, size)
+                .copy_from_slice(record.as_bytes());
+        }
+        for planted in &self.planted {
+            planted.write(eye, &mut self.block);
+        }
+        Ok(())
+    }
+
+    /// The block as it goes to local store, whole lines.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.block.bytes()
+    }
+
+    /// Spheres, parallelograms, triangles and cones.
+    #[must_use]
+    pub fn trees(&self) -> [Tree; 4] {
+        self.planted.each_ref().map(Planted::tree)
+    }
+
+    /// Address of the first light.
+    #[must_use]
+    pub fn light_address(&self) -> u32 {
+        self.light_address
+    }
+
+    /// How many lights there are.
+    #[must_use]
+    pub fn light_count(&self) -> u32 {
+        self.lights.len() as u32
+    }
+
+    /// Most rays in a chain.
+    #[must_use]
+    pub fn ray_depth(&self) -> u32 {
+        self.ray_depth
+    }
+
+    /// Packets that are traced together: as many as there is room for.
+    #[must_use]
+    pub fn batch(&self) -> u32 {
+        let fits = |batch: &u32| self.bytes().len() <= room(*batch, self.ray_depth);
+        (1..=MAX_BATCH).rev().find(fits).unwrap_or(1)
+    }
+
+    fn check_room(&self) -> Result<(), BlockError> {
+        let (needed, room) = (self.bytes().len(), room(1, self.ray_depth));
+        if needed <= room {
+            return Ok(());
+        }
+        let (count, size, what) = self
+            .planted
+            .iter()
+            .map(|planted| (planted.count(), planted.size(), planted.kind().name()))
+            .max_by_key(|&(_, size, _)| size)
+            .unwrap_or_default();
+        // Nodes and materials get fewer with the objects.
+        let others = needed - size;
+        let fit = room.saturating_sub(others) * count / size.max(1);
+        Err(BlockError::TooLarge {
+            file: self.file.clone(),
+            needed,
+            room,
+            ray_depth: self.ray_depth,
+            fit,
+            count,
+            what,
+        })
+    }
+}
+
+/// Bytes for a scene beside the rays that wait.
+fn room(batch: u32, ray_depth: u32) -> usize {
+    let waiting = QUEUES * PACKET * size_of::<QueuedRay>();
+    (SCENE_ROOM as usize).saturating_sub(waiting * (batch * (ray_depth - 1)) as usize)
+}
+
+/// Begins a block with what rays hit that hit nothing.
+fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
+    let material = materials::background(scene)?;
+    let size = size_of::<layout::Object>();
+    let address = block.reserve(size);
+    let object = objects::background(block.append(material.as_bytes()));
+    block.at(address, size).copy_from_slice(object.as_bytes());
+    Ok(())
+}
+
+fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
+    if let Some(light) = scene.lights.get(MAX_LIGHTS as usize) {
+        return Err(BlockError::TooManyLights {
+            file: scene.name.clone(),
+            line: light.line,
+        });
+    }
+    let lights = scene.lights.iter();
+    lights.map(|light| Light::of(scene, light)).collect()
+}
+
+/// The objects of each kind.
+fn objects(scene: &Scene) -> Result<[Vec<Object>; 4], BlockError> {
+    let mut found: [Vec<Object>; 4] = Default::default();
+    for object in &scene.objects {
+        let Some(material) = scene.materials.get(object.material as usize) else {
+            continue;
+        };
+        let place = Place {
+            file: &scene.name,
+            line: Some(object.line),
+        };
+        objects::of_shape(&object.shape, material, place, &mut |form, sides| {
+            let kind = form.kind();
+            let found = &mut found[kind as usize];
+            if found.len() == MAX_OBJECTS as usize {
+                return Err(place.too_many(kind.name()));
+            }
+            found.push(Object {
+                form,
+                sides,
+                material: object.material,
+            });
+            Ok(())
+        })?;
+    }
+    Ok(found)
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,308 @@
+//! Each record against the scene that it was made from.
+
+use super::*;
+use crate::work::layout::{
+    Cone, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHINES, MATERIAL_TRANSMITS, Material,
+    Object as Head, Patch, Rectangle, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH, Triangle,
+};
+
+/// The only object of a kind.
+fn only(block: &SceneBlock, kind: Kind) -> U32 {
+    let leaves = block.leaves(kind);
+    assert_eq!(leaves.len(), 1, "{kind:?}");
+    leaves[0]
+}
+
+/// Gain, slope, offset and sides.
+fn surface(head: &Head) -> ([f32; 3], u32) {
+    let numbers = [head.gain, head.slope, head.offset].map(F32::get);
+    (numbers, head.sides.get())
+}
+
+fn point(vector: [F32; 4]) -> DVec3 {
+    assert_eq!(vector[3], F32::ZERO);
+    wide([vector[0], vector[1], vector[2]])
+}
+
+/// The height over the surface of a point relative to the eye, by the formula of all shapes.
+fn height(head: &Head, point: DVec3) -> f64 {
+    let [gain, slope, offset] = surface(head).0.map(f64::from);
+    let from_centre = point - wide(head.centre);
+    let along = from_centre.dot(wide(head.axis));
+    let across = from_centre - along * wide(head.axis);
+    gain * across.length() + slope * along - offset
+}
+
+#[test]
+fn the_background_comes_first() {
+    let block = block("b 0.25 0.5 0.75\n");
+    let head: &Head = block.at(U32::new(SCENE_ADDRESS));
+    assert_eq!(wide(head.centre), DVec3::ZERO);
+    assert_eq!(wide(head.axis), DVec3::Z);
+    assert_eq!(surface(head), ([0.0, 1.0, 0.0], SIDES_BOTH));
+    assert_eq!(head.leave.get(), 0.0);
+    let material: &Material = block.at(head.material);
+    assert_eq!(wide(material.emission), DVec3::new(0.25, 0.5, 0.75));
+    assert_eq!(material.flags.get(), 0);
+    assert_eq!(wide(material.colour), DVec3::ZERO);
+    assert_eq!(block.bytes().len() % 128, 0);
+    assert!(block.bytes()[144..].iter().all(|byte| *byte == 0));
+}
+
+#[test]
+fn spheres() {
+    let rest = "s 1 2 3 4\n";
+    let head = |rest: &str| *block(rest).at::<Head>(only(&block(rest), Kind::Sphere));
+    let outside = head(rest);
+    assert_eq!(wide(outside.centre), DVec3::new(1.0, 2.0, 3.0));
+    assert_eq!(wide(outside.axis), DVec3::ZERO);
+    assert_eq!(surface(&outside), ([1.0, 0.0, 4.0], 0));
+    assert_eq!(outside.leave.get(), 10.0 / (1 << 20) as f32);
+    let inside = head("s 1 2 3 -4\n");
+    assert_eq!(surface(&inside), ([-1.0, 0.0, -4.0], SIDES_EXIT));
+    let glass = "f 1 1 1 0 0 0 1 1.5\n";
+    assert_eq!(head(&format!("{glass}{rest}")).sides.get(), SIDES_BOTH);
+    assert_eq!(
+        head(&format!("{glass}s 0 0 0 -1\n")).sides.get(),
+        SIDES_BOTH
+    );
+}
+
+#[test]
+fn parallelograms() {
+    let block = block("p 4\n1 0 -5\n3 0 -5\n4 3 -5\n2 3 -5\n");
+    let record: &Rectangle = block.at(only(&block, Kind::Rectangle));
+    let head: &Head = block.at(only(&block, Kind::Rectangle));
+    assert_eq!(wide(head.centre), DVec3::new(1.0, 0.0, -5.0));
+    assert_eq!(wide(head.axis), DVec3::Z);
+    assert_eq!(surface(head), ([0.0, 1.0, 0.0], 0));
+    let (u, v) = (point(record.dual_u), point(record.dual_v));
+    for (vertex, expected) in [
+        (DVec3::new(1.0, 0.0, -5.0), (0.0, 0.0)),
+        (DVec3::new(3.0, 0.0, -5.0), (1.0, 0.0)),
+        (DVec3::new(4.0, 3.0, -5.0), (1.0, 1.0)),
+        (DVec3::new(2.0, 3.0, -5.0), (0.0, 1.0)),
+    ] {
+        let from_corner = vertex - wide(head.centre);
+        let found = (u.dot(from_corner), v.dot(from_corner));
+        let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
+        assert!(off < 1e-6, "{found:?}");
+    }
+    // Corner 6, edges up to 3 + 3 off.
+    assert_eq!(head.leave.get(), 12.0 / (1 << 20) as f32);
+}
+
+#[test]
+fn polygons_are_triangles() {
+    // A corner that is off makes two of them; a concave one has its reflex corner in both.
+    let off = block("p 4\n0 0 -5\n2 0 -5\n2 2.001 -5\n0 2 -5\n");
+    assert_eq!(off.leaves(Kind::Rectangle).len(), 0);
+    assert_eq!(off.leaves(Kind::Triangle).len(), 2);
+    let arrow = block("p 4\n0 0 -5\n4 0 -5\n1 1 -5\n0 4 -5\n");
+    for leaf in arrow.leaves(Kind::Triangle) {
+        let record: &Triangle = arrow.at(leaf);
+        let head: &Head = arrow.at(leaf);
+        let [a, b, c] = [record.a, record.b, record.c].map(point);
+        assert_eq!(wide(head.axis), DVec3::Z);
+        assert_eq!(wide(head.centre), a);
+        assert!((b - a).cross(c - a).z > 0.0);
+        assert!([a, b, c].contains(&DVec3::new(1.0, 1.0, -5.0)));
+    }
+    // What has no area is not there, alone or as a part.
+    let flat = block("p 3\n0 0 0\n1 1 1\n2 2 2\np 4\n0 0 -5\n2 0 -5\n0 2 -5\n0 2 -5\n");
+    assert_eq!(flat.leaves(Kind::Triangle).len(), 1);
+    // Edges that cross: both parts face the polygon's own way.
+    let crossed = block("p 5\n0 0 -5\n9 0 -5\n9 9 -5\n4 4 -5\n8 2 -5\n");
+    for leaf in crossed.leaves(Kind::Triangle) {
+        let record: &Triangle = crossed.at(leaf);
+        let [a, b, c] = [record.a, record.b, record.c].map(point);
+        assert!((b - a).cross(c - a).z > 0.0);
+    }
+}
+
+#[test]
+fn patches_keep_their_vertices_normals() {
+    let corners = "0 0 -5 0 0 2\n2 0 -5 3 0 4\n2 2 -5 0 0 0\n0 2 -5 0 1 0\n";
+    let block = block(&format!("pp 4\n{corners}"));
+    let leaves = block.leaves(Kind::Triangle);
+    assert_eq!(leaves.len(), 2, "also if it is a parallelogram");
+    let expected = [
+        (DVec3::new(0.0, 0.0, -5.0), DVec3::Z),
+        (DVec3::new(2.0, 0.0, -5.0), DVec3::new(0.6, 0.0, 0.8)),
+        (DVec3::new(2.0, 2.0, -5.0), DVec3::ZERO),
+        (DVec3::new(0.0, 2.0, -5.0), DVec3::Y),
+    ];
+    for leaf in leaves {
+        let record: &Patch = block.at(leaf);
+        let triangle: &Triangle = block.at(leaf);
+        assert_eq!(surface(block.at(leaf)).1, SIDES_SMOOTH);
+        let corners = [
+            (triangle.a, record.normal_a),
+            (triangle.b, record.normal_b),
+            (triangle.c, record.normal_c),
+        ];
+        for (vertex, normal) in corners {
+            let at = |(place, _): &&(DVec3, DVec3)| *place == point(vertex);
+            let (_, wanted) = expected.iter().find(at).expect("a vertex of the patch");
+            assert!(wanted.distance(point(normal)) < 1e-7);
+        }
+    }
+}
+
+#[test]
+fn cones() {
+    let cone = |radii: [f64; 2]| {
+        let [low, high] = radii;
+        let block = block(&format!("c\n1 1 -9 {low}\n1 5 -9 {high}\n"));
+        let leaf = only(&block, Kind::Cone);
+        (*block.at::<Head>(leaf), *block.at::<Cone>(leaf))
+    };
+    let (head, record) = cone([3.0, 1.0]);
+    assert_eq!(wide(head.centre), DVec3::new(1.0, 1.0, -9.0));
+    assert_eq!(wide(head.axis), DVec3::Y);
+    let numbers = [record.radius, record.growth, record.height].map(F32::get);
+    assert_eq!(numbers, [3.0, -0.5, 4.0]);
+    let (numbers, sides) = surface(&head);
+    assert_eq!(sides, SIDES_BOTH, "an open sheet");
+    let gain = 1.25f32.sqrt().recip();
+    for (found, expected) in numbers.into_iter().zip([gain, 0.5 * gain, 3.0 * gain]) {
+        assert!((found - expected).abs() < 1e-6, "{numbers:?}");
+    }
+    // On the surface at half the height, and one off it.
+    let on = DVec3::new(1.0, 3.0, -7.0);
+    let out = DVec3::new(0.0, 1.0, 2.0) / 5f64.sqrt();
+    assert!(height(&head, on).abs() < 1e-6);
+    assert!((height(&head, on + out) - 1.0).abs() < 1e-6);
+
+    let (head, record) = cone([-3.0, -1.0]);
+    assert_eq!(record.radius.get(), 3.0);
+    assert_eq!(head.sides.get(), SIDES_EXIT);
+    assert!((height(&head, on + out) + 1.0).abs() < 1e-6);
+    let (cylinder, _) = cone([2.0, 2.0]);
+    assert_eq!(surface(&cylinder).0, [1.0, 0.0, 2.0]);
+    let (point, _) = cone([0.0, -2.0]);
+    assert_eq!(point.sides.get(), SIDES_EXIT);
+}
+
+#[test]
+fn materials() {
+    let material = |text: &str, fresnel: bool| {
+        let scene = scene(&format!("f {text}\ns 0 0 0 1\n"));
+        let block = of(
+            &scene,
+            BlockOptions {
+                fresnel,
+                ..Default::default()
+            },
+        );
+        let head: &Head = block.at(only(&block, Kind::Sphere));
+        *block.at::<Material>(head.material)
+    };
+    let shares = |it: &Material| {
+        [
+            it.diffuse,
+            it.highlight,
+            it.exponent,
+            it.mirror,
+            it.transmittance,
+        ]
+        .map(F32::get)
+    };
+    let optics = |it: &Material| [it.index, it.inverse_index, it.schlick, it.grazing].map(F32::get);
+
+    let dull = material("0.25 0.5 0.75 0.5 0 7 0 0", true);
+    assert_eq!(wide(dull.colour), DVec3::new(0.25, 0.5, 0.75));
+    assert_eq!(shares(&dull), [0.5, 0.0, 28.0, 0.0, 0.0]);
+    assert_eq!(optics(&dull), [1.0, 1.0, 0.0, 0.0]);
+    assert_eq!(dull.flags.get(), MATERIAL_LIT);
+    let mirror = material("1 1 1 0 0.5 3 0 1", false);
+    assert_eq!(shares(&mirror), [0.0, 0.5, 12.0, 0.5, 0.0]);
+    assert_eq!(
+        mirror.flags.get(),
+        MATERIAL_LIT | MATERIAL_SHINES | MATERIAL_MIRRORS
+    );
+    let glass = material("1 1 1 0 0 0 0.75 1.5", false);
+    assert_eq!(shares(&glass), [0.0, 0.0, 0.0, 0.0, 0.75]);
+    assert_eq!(optics(&glass), [1.5, 1.0 / 1.5, 0.0, 0.0]);
+    assert_eq!(glass.flags.get(), MATERIAL_TRANSMITS | MATERIAL_MIRRORS);
+    let fresnel = material("1 1 1 0 0 0 0.75 1.5", true);
+    assert_eq!(optics(&fresnel), [1.5, 1.0 / 1.5, 0.04, 0.96]);
+    assert_eq!(material("0 0 0 0 0 0 0 1", false).flags.get(), 0);
+}
+
+#[test]
+fn objects_share_their_material() {
+    let block = block("f 0 1 0 1 0 0 0 1\ns 0 0 0 1\ns 5 0 0 1\nf 0 0 1 1 0 0 0 1\ns 9 0 0 1\n");
+    let colour = |leaf: &U32| {
+        let head: &Head = block.at(*leaf);
+        (
+            head.material,
+            wide(block.at::<Material>(head.material).colour),
+        )
+    };
+    let found: Vec<_> = block.leaves(Kind::Sphere).iter().map(colour).collect();
+    assert_eq!(found[0], found[1]);
+    assert_eq!(found[0].1, DVec3::Y);
+    assert_eq!(found[2].1, DVec3::Z);
+    // The one that nothing has is not sent: background, 2 materials, 3 objects, a node.
+    let used = 144 + 2 * 96 + 3 * 48 + 80;
+    assert_eq!(block.bytes().len(), usize::next_multiple_of(used, 128));
+}
+
+#[test]
+fn lights() {
+    let mut block = block("l 1 2 3\nl 4 5 6 0.25 0.5 1\n");
+    assert_eq!(block.light_count(), 2);
+    block.look(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
+    let light = |block: &SceneBlock, number: u32| {
+        let address = U32::new(block.light_address() + number * 32);
+        *block.at::<layout::Light>(address)
+    };
+    let first = light(&block, 0);
+    assert_eq!(wide(first.position), DVec3::new(0.0, 1.0, 2.0));
+    assert_eq!(first.directional.get(), 0);
+    let grey = 2f64.sqrt() / 4.0;
+    assert!(wide(first.brightness).distance(DVec3::splat(grey)) < 1e-7);
+    let second = light(&block, 1);
+    assert_eq!(wide(second.position), DVec3::new(3.0, 4.0, 5.0));
+    assert_eq!(wide(second.brightness), DVec3::new(0.25, 0.5, 1.0));
+}
+
+#[test]
+fn far_from_the_origin_nothing_near_the_eye_is_lost() {
+    let far = DVec3::new(1e6, -2e6, 3e6);
+    let at = |x: f64, y: f64, z: f64| {
+        let place = far + DVec3::new(x, y, z);
+        format!("{} {} {}", place.x, place.y, place.z)
+    };
+    let rest = format!(
+        "l {}\ns {} 0.001\np 3\n{}\n{}\n{}\n",
+        at(0.125, 0.25, 0.5),
+        at(0.001, 0.002, 0.003),
+        at(0.0, 0.0, -0.5),
+        at(0.001, 0.0, -0.5),
+        at(0.0, 0.001, -0.5)
+    );
+    let mut block = block(&rest);
+    block.look(far).expect("an eye");
+    // What the scene's own f64 coordinates still have there.
+    let exact = 1e-9;
+    let sphere: &Head = block.at(only(&block, Kind::Sphere));
+    assert!(wide(sphere.centre).distance(DVec3::new(0.001, 0.002, 0.003)) < exact);
+    assert!(sphere.leave.get() < 1e-7);
+    let triangle: &Triangle = block.at(only(&block, Kind::Triangle));
+    assert!(point(triangle.b).distance(DVec3::new(0.001, 0.0, -0.5)) < exact);
+    let light: &layout::Light = block.at(U32::new(block.light_address()));
+    assert!(wide(light.position).distance(DVec3::new(0.125, 0.25, 0.5)) < exact);
+}
+
+#[test]
+fn a_block_is_that_of_its_last_eye() {
+    let scene = nff::sphereflake::generate(2).expect("a scene");
+    let mut block = of(&scene, BlockOptions::default());
+    let first = block.bytes().to_vec();
+    block.look(DVec3::new(-3.0, 4.0, 1.0)).expect("an eye");
+    assert_ne!(block.bytes(), first);
+    block.look(scene.view.from).expect("an eye");
+    assert_eq!(block.bytes(), first);
+}
