@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
-use crate::cases::{ball, eye, flat};
+use crate::cases::{ball, eye, flat, whitted};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -40,7 +40,12 @@ pub enum Objects {
 
 /// Every kernel that there are cases for.
 pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
-    [eye::KERNELS, ball::KERNELS, flat::KERNELS]
-        .into_iter()
-        .flatten()
+    [
+        eye::KERNELS,
+        ball::KERNELS,
+        flat::KERNELS,
+        whitted::rays::KERNELS,
+    ]
+    .into_iter()
+    .flatten()
 }

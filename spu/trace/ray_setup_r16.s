@@ -8,54 +8,26 @@
 #   Domain  the direction through each pixel is not 0 and below 2^63 in length; pixels below 2^23
 #   Error   1.5 ulp of 1, each component
 #   Twin    oracle/src/twin/ray_setup.rs
-#
-# Register k of each direction component holds row k of the 4x4 pixels, a pixel a lane:
-#   d = corner + fx right + fy down, over its length
 # Scheduled by spu schedule from ray_setup_r16.s
 
         .include "work_unit.inc"
         .include "macros.inc"
         .include "math.inc"
+        .include "eye_ray_tmpl.inc"
 
         .set    a_basis,3
         .set    a_place,4
         .set    count,5
         .set    background,6
         # constants
-        .set    k_half,10
-        .set    k_one,11
         .set    k_lanes,12
         .set    k_far,13
         .set    m_packet,14
         .set    m_x,15
         .set    m_y,16
-        .set    corner_x,17
-        .set    corner_y,18
-        .set    corner_z,19
-        .set    right_x,20
-        .set    right_y,21
-        .set    right_z,22
-        .set    down_x,23
-        .set    down_y,24
-        .set    down_z,25
         # the packet
         .set    place,26
         .set    a_packet,27
-        .set    fx,28
-        .set    fy,29
-        .set    k_row,40                                # to 43: the row's number
-        # the top row's directions, without down
-        .set    base_x,30
-        .set    base_y,31
-        .set    base_z,32
-        # temporaries
-        .set    dx,33
-        .set    dy,34
-        .set    dz,35
-        .set    length,36
-        .set    inverse,37
-        .set    t_y,38
-        .set    t_e,39
 
         .section .rodata
         .align  4
@@ -74,7 +46,7 @@ function ray_setup_r16
         .set    a_packet_3,48
         .set    base_x_2,7
         .set    base_y_2,2
-        .set    base_z_2,53
+        .set    base_y1_2,53
         .set    dx_2,3
         .set    dx_3,8
         .set    dy_2,9
@@ -196,13 +168,13 @@ function ray_setup_r16
         iohl    $m_y,0xe0f                              # 6e
         lqd     $down_y,112($a_basis)                   # 6o
 
-        ilhu    $k_half,0x3f00                          # 7e
+        iohl    $k_far,0xffff                           # 7e
         lqd     $corner_z,32($a_basis)                  # 7o
 
-        ilhu    $k_one,0x3f80                           # 8e
+        ilhu    $k_half,0x3f00                          # 8e
         lqd     $right_z,80($a_basis)                   # 8o
 
-        iohl    $k_far,0xffff                           # 9e
+        ilhu    $k_one,0x3f80                           # 9e
         lqd     $down_z,128($a_basis)                   # 9o
 
         il      $k_row,0                                # 10e
@@ -256,7 +228,7 @@ function ray_setup_r16
         fma     $base_x_2,$fx_3,$right_x,$corner_x      # 37e
         fma     $base_y_2,$fx_3,$right_y,$corner_y      # 38e
 
-        fma     $base_z_2,$fx_3,$right_z,$corner_z      # 39e
+        fma     $base_y1_2,$fx_3,$right_z,$corner_z     # 39e
         lnop                                            # 39o pairing
 
         csflt   $fx,$place,0                            # 40e its words x and y
@@ -274,10 +246,10 @@ function ray_setup_r16
         fma     $dy_3,$t_y,$down_y,$base_y_2            # 46e
         stqd    $k_far,208($a_packet_2)                 # 46o
 
-        fma     $dz_2,$t_y_2,$down_z,$base_z_2          # 47e
+        fma     $dz_2,$t_y_2,$down_z,$base_y1_2         # 47e
         shufb   $fx_2,$fx,$fx,$m_x                      # 47o
 
-        fma     $dz,$t_y,$down_z,$base_z_2              # 48e
+        fma     $dz,$t_y,$down_z,$base_y1_2             # 48e
         shufb   $fy_2,$fx,$fx,$m_y                      # 48o
 
         fm      $length,$dx_2,$dx_2                     # 49e
@@ -310,16 +282,16 @@ function ray_setup_r16
         fm      $length_5,$dx_7,$dx_7                   # 58e
         shlqbyi $dx_9,$dx_7,0                           # 58o copy
 
-        fma     $dz_3,$t_y_4,$down_z,$base_z_2          # 59e
+        fma     $dz_3,$t_y_4,$down_z,$base_y1_2         # 59e
         shlqbyi $dy_8,$dy_6,0                           # 59o copy
 
-        fma     $dz_4,$t_y_3,$down_z,$base_z_2          # 60e
+        fma     $dz_4,$t_y_3,$down_z,$base_y1_2         # 60e
         shlqbyi $dy_9,$dy_7,0                           # 60o copy
 
-        fma     $length,$dz_2,$dz_2,$length             # 61e squared
+        fma     $length,$dz_2,$dz_2,$length             # 61e
         stqd    $k_far,224($a_packet_2)                 # 61o
 
-        fma     $length_3,$dz,$dz,$length_3             # 62e squared
+        fma     $length_3,$dz,$dz,$length_3             # 62e
         fma     $length_6,$dy_7,$dy_7,$length_4         # 63e
 
         fma     $length_5,$dy_6,$dy_6,$length_5         # 64e
@@ -334,8 +306,8 @@ function ray_setup_r16
         fa      $t_y_6,$fy_2,$k_row+1                   # 68e
         frsqest $t_y_7,$length_3                        # 68o
 
-        fma     $length_6,$dz_3,$dz_3,$length_6         # 69e squared
-        fma     $length_5,$dz_4,$dz_4,$length_5         # 70e squared
+        fma     $length_6,$dz_3,$dz_3,$length_6         # 69e
+        fma     $length_5,$dz_4,$dz_4,$length_5         # 70e
 
         fi      $t_y_5,$length,$t_y_5                   # 71e
         fi      $t_y_8,$length_3,$t_y_7                 # 72e
@@ -349,7 +321,7 @@ function ray_setup_r16
         fa      $t_y_3,$fy_2,$k_row+2                   # 76e
         frsqest $t_y_9,$length_5                        # 76o
 
-        fma     $base_z_2,$fx_3,$right_z,$corner_z      # 77e
+        fma     $base_y1_2,$fx_3,$right_z,$corner_z     # 77e
         fm      $t_e_2,$length,$t_y_5                   # 78e
 
         fm      $t_e_3,$length_3,$t_y_8                 # 79e
@@ -377,7 +349,7 @@ function ray_setup_r16
         shlqbyi $dx_11,$dx_10,0                         # 93o copy
 
         fm      $inverse_7,$t_y_9,$k_half               # 94e
-        fma     $dz_5,$t_y_6,$down_z,$base_z_2          # 95e
+        fma     $dz_5,$t_y_6,$down_z,$base_y1_2         # 95e
 
         fma     $dy_3,$t_y,$down_y,$base_y_3            # 96e
         fm      $dy_10,$dy_4,$inverse_5                 # 97e
@@ -413,7 +385,7 @@ next_packet:
             fm      $t_e,$length_6,$t_y_10              # 1e
             lnop                                        # 1o pairing
 
-            fma     $dz,$t_y,$down_z,$base_z_2          # 2e
+            fma     $dz,$t_y,$down_z,$base_y1_2         # 2e
             shlqbyi $dy_13,$dy_12,0                     # 2o copy
 
             fma     $length_7,$dy_3,$dy_3,$length_7     # 3e
@@ -428,13 +400,13 @@ next_packet:
             fm      $dx,$dx_4,$inverse_5                # 8e
         lqd     $place,0($a_place)                      # 8o
 
-            fma     $length_7,$dz,$dz,$length_7         # 9e squared
+            fma     $length_7,$dz,$dz,$length_7         # 9e
             fma     $inverse,$t_e_5,$inverse_7,$t_y_9   # 10e
 
             fma     $length_6,$dy_7,$dy_7,$length_4     # 11e
             shlqbyi $dx_4,$dx_13,0                      # 11o copy
 
-            fma     $length,$dz_5,$dz_5,$length         # 12e squared
+            fma     $length,$dz_5,$dz_5,$length         # 12e
             fma     $inverse_8,$t_e,$inverse_4,$t_y_10  # 13e
 
         csflt   $fx,$place,0                            # 14e its words x and y
@@ -461,13 +433,13 @@ next_packet:
             fm      $dy_3,$dy_9,$inverse_8              # 21e
         shufb   $fx_2,$fx,$fx,$m_x                      # 21o
 
-            fma     $dz_3,$t_y_4,$down_z,$base_z_2      # 22e
+            fma     $dz_3,$t_y_4,$down_z,$base_y1_2     # 22e
         shufb   $fy_2,$fx,$fx,$m_y                      # 22o
 
             fm      $dz_7,$dz_4,$inverse                # 23e
             stqd    $dy,96($a_packet_3)                 # 23o
 
-            fma     $dz_4,$t_y_3,$down_z,$base_z_2      # 24e
+            fma     $dz_4,$t_y_3,$down_z,$base_y1_2     # 24e
             shlqbyi $dy_9,$dy_7,0                       # 24o copy
 
             fi      $t_y_11,$length,$t_y_5              # 25e
@@ -482,10 +454,10 @@ next_packet:
         fa      $fx_3,$fx_2,$k_lanes                    # 28e
             stqd    $dx_5,32($a_packet_3)               # 28o
 
-            fma     $length_6,$dz_3,$dz_3,$length_6     # 29e squared
+            fma     $length_6,$dz_3,$dz_3,$length_6     # 29e
             stqd    $dz_7,160($a_packet_3)              # 29o
 
-            fma     $length_5,$dz_4,$dz_4,$length_5     # 30e squared
+            fma     $length_5,$dz_4,$dz_4,$length_5     # 30e
             shlqbyi $a_packet_3,$a_packet_2,0           # 30o copy
 
         fa      $t_y_2,$fy_2,$k_row+1                   # 31e
@@ -527,7 +499,7 @@ next_packet:
             fma     $inverse_5,$t_e,$inverse_2,$t_y_11  # 44e
         stqd    $k_far,224($a_packet_2)                 # 44o
 
-        fma     $base_z_2,$fx_3,$right_z,$corner_z      # 45e
+        fma     $base_y1_2,$fx_3,$right_z,$corner_z     # 45e
         fma     $dy_6,$t_y_3,$down_y,$base_y_4          # 46e
 
             fm      $inverse_4,$t_y_10,$k_half          # 47e
@@ -548,7 +520,7 @@ next_packet:
             fm      $dy_11,$dy_11,$inverse              # 57e
             stqd    $dy_13,80($a_packet_3)              # 57o
 
-        fma     $dz_5,$t_y_2,$down_z,$base_z_2          # 58e
+        fma     $dz_5,$t_y_2,$down_z,$base_y1_2         # 58e
         lnop                                            # 58o pairing
 
         fma     $dx_2,$t_y,$down_x,$base_x_2            # 59e
@@ -586,13 +558,13 @@ next_packet_drain:
         fm      $length_3,$dx_7,$dx_7                   # 1e
         shlqbyi $dy_14,$dy_3,0                          # 1o copy
 
-        fma     $dz,$t_y,$down_z,$base_z_2              # 2e
+        fma     $dz,$t_y,$down_z,$base_y1_2             # 2e
         shlqbyi $dx_14,$dx_13,0                         # 2o copy
 
         fma     $length_7,$dy_3,$dy_3,$length_7         # 3e
         shlqbyi $dy_15,$dy_6,0                          # 3o copy
 
-        fma     $dz_9,$t_y_3,$down_z,$base_z_2          # 4e
+        fma     $dz_9,$t_y_3,$down_z,$base_y1_2         # 4e
         shlqbyi $a_packet_4,$a_packet_2,0               # 4o copy
 
         fma     $length_8,$dy_7,$dy_7,$length_4         # 5e
@@ -604,17 +576,17 @@ next_packet_drain:
         fma     $length_3,$dy_6,$dy_6,$length_3         # 7e
         shlqbyi $dy_16,$dy_7,0                          # 7o copy
 
-        fma     $dz_10,$t_y_4,$down_z,$base_z_2         # 8e
+        fma     $dz_10,$t_y_4,$down_z,$base_y1_2        # 8e
         shlqbyi $dx_16,$dx_7,0                          # 8o copy
 
-        fma     $length_7,$dz,$dz,$length_7             # 9e squared
+        fma     $length_7,$dz,$dz,$length_7             # 9e
         fm      $t_e,$length_6,$t_y_10                  # 10e
 
         fnms    $t_e_5,$t_e_4,$t_y_9,$k_one             # 11e
-        fma     $length,$dz_5,$dz_5,$length             # 12e squared
+        fma     $length,$dz_5,$dz_5,$length             # 12e
 
-        fma     $length_5,$dz_9,$dz_9,$length_3         # 13e squared
-        fma     $length_3,$dz_10,$dz_10,$length_8       # 14e squared
+        fma     $length_5,$dz_9,$dz_9,$length_3         # 13e
+        fma     $length_3,$dz_10,$dz_10,$length_8       # 14e
 
         fm      $dx,$dx_4,$inverse_5                    # 15e
         frsqest $t_y,$length_7                          # 15o
@@ -765,7 +737,7 @@ next_packet_short:
         fma     $base_x,$fx,$right_x,$corner_x          # 23e
         fma     $base_y,$fx,$right_y,$corner_y          # 24e
 
-        fma     $base_z,$fx,$right_z,$corner_z          # 25e
+        fma     $base_y+1,$fx,$right_z,$corner_z        # 25e
         fma     $dx,$t_y,$down_x,$base_x                # 29e
 
         fma     $dx_3,$t_y_14,$down_x,$base_x           # 30e
@@ -784,24 +756,24 @@ next_packet_short:
         fma     $dy_8,$t_y_15,$down_y,$base_y           # 39e
 
         fm      $length_11,$dx_4,$dx_4                  # 40e
-        fma     $dz_7,$t_y,$down_z,$base_z              # 41e
+        fma     $dz_7,$t_y,$down_z,$base_y+1            # 41e
 
         fma     $length,$dy,$dy,$length                 # 42e
-        fma     $dz_13,$t_y_14,$down_z,$base_z          # 43e
+        fma     $dz_13,$t_y_14,$down_z,$base_y+1        # 43e
 
         fma     $length_9,$dy_17,$dy_17,$length_9       # 44e
-        fma     $dz_12,$t_y_6,$down_z,$base_z           # 45e
+        fma     $dz_12,$t_y_6,$down_z,$base_y+1         # 45e
 
         fma     $length_10,$dy_12,$dy_12,$length_10     # 46e
-        fma     $dz_14,$t_y_15,$down_z,$base_z          # 47e
+        fma     $dz_14,$t_y_15,$down_z,$base_y+1        # 47e
 
         fma     $length_12,$dy_8,$dy_8,$length_11       # 48e
-        fma     $length,$dz_7,$dz_7,$length             # 49e squared
+        fma     $length,$dz_7,$dz_7,$length             # 49e
 
-        fma     $length_9,$dz_13,$dz_13,$length_9       # 50e squared
-        fma     $length_10,$dz_12,$dz_12,$length_10     # 52e squared
+        fma     $length_9,$dz_13,$dz_13,$length_9       # 50e
+        fma     $length_10,$dz_12,$dz_12,$length_10     # 52e
 
-        fma     $length_12,$dz_14,$dz_14,$length_12     # 54e squared
+        fma     $length_12,$dz_14,$dz_14,$length_12     # 54e
         frsqest $t_y,$length                            # 55o
 
         frsqest $t_y_16,$length_9                       # 56o

@@ -3,3 +3,4 @@
 pub mod ball;
 pub mod eye;
 pub mod flat;
+pub mod whitted;

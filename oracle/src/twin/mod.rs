@@ -5,10 +5,14 @@
 //! Singles are bit patterns here, as in [`spu_emulator::float`]: the host's `f32` is another format.
 
 pub mod ball;
+pub mod bound;
 pub mod cull;
+pub mod cull_nodes;
+pub mod eye_rays;
 pub mod flat;
 pub mod isect_pairs;
 pub mod lists;
+pub mod load_rays;
 pub mod math;
 pub mod pack;
 pub mod ray_setup;

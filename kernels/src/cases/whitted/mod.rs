@@ -1,0 +1,3 @@
+//! The kernels of Whitted's model.
+
+pub mod rays;

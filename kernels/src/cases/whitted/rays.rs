@@ -1,0 +1,157 @@
+//! The kernels that make packets of rays, and those that leave out what no ray of a packet meets.
+
+pub mod call;
+pub mod fans;
+
+use oracle::twin::bound::{Bound, bound};
+use oracle::twin::eye_rays::{Ray, View};
+use oracle::twin::load_rays::Queued;
+use oracle::twin::ray_setup::Basis;
+use oracle::twin::{FARTHEST, ONE, ZERO};
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+
+use crate::bench::Bench;
+use crate::cases::ball::unit;
+use crate::cases::eye::error::camera;
+use crate::catalogue::{Case, Kernel, Objects};
+use call::{Ball, Child};
+
+/// A packet, and a batch of them.
+const PACKETS: Objects = Objects::List(1, 8);
+/// A short list of candidates, and a long one.
+const NODES: Objects = Objects::List(16, 64);
+/// The distance of singles from 1/2 to 1.
+const ULP_OF_1: f64 = 1.0 / (1 << 23) as f64;
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        name: "eye_rays_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let corners: Vec<[u32; 2]> = (0..count).map(|packet| [4 * packet, 0]).collect();
+                call::put_eye_rays(bench, &view(), &corners, 0).1
+            },
+        }],
+        error: Some(eye_rays_error),
+    },
+    Kernel {
+        name: "load_rays_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let queue = vec![QUEUED; 16 * count as usize];
+                call::put_queue(bench, &queue, 16 * count, 0, 0).1
+            },
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "bound_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| call::put_for_bounds(bench, &vec![rays(); count as usize]).1,
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "cull_nodes",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| cull_nodes(bench, [0.0, 50.0, -50.0], count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| cull_nodes(bench, [0.0, 0.0, -50.0], count),
+            },
+        ],
+        error: None,
+    },
+];
+
+/// The camera of the cases: along -z.
+fn view() -> View {
+    View {
+        basis: Basis {
+            corner: [-0.5, 0.5, -1.0].map(from_f64),
+            right: [0.001, 0.0, 0.0].map(from_f64),
+            down: [0.0, -0.001, 0.0].map(from_f64),
+        },
+        background: 0,
+        width: 1000,
+        height: 1000,
+    }
+}
+
+/// A ray that waits.
+const QUEUED: Queued = Queued {
+    origin: [ONE; 3],
+    weight: ONE,
+    direction: [ZERO, ZERO, ONE],
+    pixel: 0,
+};
+
+/// Rays about -z.
+fn rays() -> [Ray; 16] {
+    std::array::from_fn(|lane| {
+        let step = |at: usize| (at as f64 - 1.5) * 0.01;
+        Ray {
+            origin: [ZERO; 3],
+            direction: unit([step(lane % 4), step(lane / 4), -1.0]).map(from_f64),
+            t: FARTHEST,
+            object: 0,
+            weight: ONE,
+            pixel: 0,
+        }
+    })
+}
+
+/// Candidates of nodes with four equal children and one packet.
+fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
+    let child = Child {
+        ball: Ball {
+            centre: centre.map(from_f64),
+            radius: ONE,
+        },
+        address: 0,
+    };
+    let bounds: [Bound; 1] = [bound(&rays())];
+    let pairs = vec![[0, 0]; count as usize];
+    call::put_candidates(bench, &[[child; 4]], &bounds, &pairs).arguments
+}
+
+/// Largest error of a direction's component, in ulps of 1.
+fn eye_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for round in 0..1000 {
+        let basis = camera(random);
+        let view = View { basis, ..view() };
+        let corner = [round * 7 % 2048 * 4, round * 3 % 2048 * 4];
+        let [first, right, down] =
+            [basis.corner, basis.right, basis.down].map(|vector| vector.map(to_f64));
+        let packets = call::eye_rays(bench, &view, &[corner], 0);
+        for (lane, ray) in (0..).zip(&packets[0]) {
+            let (x, y) = (
+                f64::from(corner[0] + lane % 4),
+                f64::from(corner[1] + lane / 4),
+            );
+            let exact = std::array::from_fn(|k| first[k] + x * right[k] + y * down[k]);
+            for (found, exact) in ray.direction.iter().zip(unit(exact)) {
+                worst = worst.max((to_f64(*found) - exact).abs() / ULP_OF_1);
+            }
+        }
+    }
+    worst
+}

@@ -1,0 +1,137 @@
+# cull_nodes   of nodes under packets' bounds, the children that some ray of the packet may meet
+#   C       struct candidate *cull_nodes(const struct candidate *, int count, struct candidate *);
+#   In      $3 candidates whose objects are NODEs, $4 count (0 is none), $5 where the list goes;
+#           pointers 16-aligned
+#   Out     candidates of such children, node by node, children in order: object is the child, the
+#           rest the node's; one more quadword may be written
+#           $3 behind the list
+#   Uses    $3-$4, $10-$45   Saves  -   Stack  0   Calls  -
+#   Domain  bounds as bound_r16 makes them; the radius of a child's ball with a slack of 2^-18
+#           (|c| + R), c its centre, R its radius; of a lane without a child, less the largest
+#           single; distances from 2^-60 to 2^60
+#   Error   0: no child is left out that a ray of the packet meets, from inside or within its t
+#   Twin    oracle/src/twin/cull_nodes.rs
+#
+# The four children stand in the four lanes. Seen from the bound's apex, with v = c - apex:
+#   a = v.axis                  along the cone
+#   perp = |v - a axis|         beside its axis
+#   S = R + radius              the rays, shrunk to the apex, meet a ball that has grown by as much
+# and a child is left out if one of these is below 0:
+#   S - perp cosine + a sine    S less the distance from the cone's side
+#   S + a                       all of the ball is behind the apex
+#   S + farthest - a            all of it is too far
+# The perpendicular keeps the digits of a distant ball. Of its length 12 bits are enough: the
+# bound's cosine is less by as much.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+
+        .set    a_first,3                               # candidate
+        .set    count,4
+        .set    a_list,5
+        # constants
+        .set    m_child,10                              # to 13: a word and three of another
+        # state
+        .set    a_candidate,14
+        .set    found,15                                # bytes of the list so far
+        # the candidate
+        .set    candidate,16
+        .set    a_bound,17
+        .set    child,18
+        # the bound
+        .set    apex_x,19
+        .set    apex_y,20
+        .set    apex_z,21
+        .set    axis_x,22
+        .set    axis_y,23
+        .set    axis_z,24
+        .set    cosine,25
+        .set    sine,26
+        .set    ball,27                                 # the rays' radius
+        .set    farthest,28
+        # the children
+        .set    vx,29
+        .set    vy,30
+        .set    vz,31
+        .set    reach,32                                # S
+        .set    along,33
+        .set    perp,34
+        .set    t_y,35
+        .set    beside,36
+        .set    ahead,37
+        .set    near,38
+        .set    step,39                                 # to 42
+        .set    entry,43
+        # the candidate once more: what came before is far away by then
+        .set    a_again,44
+        .set    again,45
+
+        .section .rodata
+        .align  4
+children:
+    .irp child, 0,1,2,3
+        .int    0x00010203+0x04040404*\child,0x14151617,0x18191a1b,0x1c1d1e1f
+    .endr
+
+function cull_nodes
+        ori     $a_candidate,$a_first,0
+        ori     $a_again,$a_first,0
+        ori     $3,$a_list,0
+        biz     $count,$lr
+        il      $found,0
+    .irp child, 0,1,2,3
+        lqa     $m_child+\child,children+16*\child
+    .endr
+next_node:
+        lqd     $candidate,0($a_candidate)
+        rotqbyi $a_bound,$candidate,CANDIDATE_bound
+        lqd     $reach,NODE_radius($candidate)
+        lqd     $cosine,BOUND_cosine($a_bound)
+        lqd     $sine,BOUND_sine($a_bound)
+        lqd     $ball,BOUND_radius($a_bound)
+        lqd     $farthest,BOUND_farthest($a_bound)
+    .irp axis, x,y,z
+        lqd     $v\axis,NODE_\axis($candidate)
+        lqd     $apex_\axis,BOUND_apex_\axis($a_bound)
+        lqd     $axis_\axis,BOUND_axis_\axis($a_bound)
+        fs      $v\axis,$v\axis,$apex_\axis
+    .endr
+        fm      $along,$vx,$axis_x
+        fma     $along,$vy,$axis_y,$along
+        fma     $along,$vz,$axis_z,$along
+        fa      $reach,$reach,$ball
+        fa      $ahead,$reach,$along
+        fa      $near,$reach,$farthest
+        fs      $near,$near,$along
+        or      $ahead,$ahead,$near
+        fma     $beside,$along,$sine,$reach
+        fnms    $vx,$along,$axis_x,$vx
+        fnms    $vy,$along,$axis_y,$vy
+        fnms    $vz,$along,$axis_z,$vz
+        fm      $perp,$vx,$vx
+        fma     $perp,$vy,$vy,$perp
+        fma     $perp,$vz,$vz,$perp                     # squared
+        frsqest $t_y,$perp
+        fi      $t_y,$perp,$t_y
+        fm      $perp,$perp,$t_y
+        fnms    $beside,$perp,$cosine,$beside
+        nor     $step,$beside,$ahead                    # sign set: the child stays
+        rotmi   $step,$step,4-31
+        andi    $step,$step,CANDIDATE_SIZE
+    .irp child, 1,2,3
+        rotqbyi $step+\child,$step,4*\child
+    .endr
+        lqd     $again,0($a_again)
+        lqd     $child,NODE_child($again)
+    .irp child, 0,1,2,3
+        shufb   $entry,$child,$again,$m_child+\child
+        stqx    $entry,$3,$found
+        a       $found,$found,$step+\child
+    .endr
+        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
+        ai      $a_again,$a_again,CANDIDATE_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_node
+        a       $3,$3,$found
+        bi      $lr
+endfunction cull_nodes

@@ -1,0 +1,109 @@
+# eye_rays_r16   eye rays through the centres of pixels, as packets of rays from anywhere
+#   C       void eye_rays_r16(const struct place *, int count, const struct basis *,
+#                             unsigned background, int width, int height);
+#   In      $3 places, $4 count (at least 1), $5 basis, $6 address of the background's OBJECT,
+#           $7 width and $8 height of the picture; pointers 16-aligned
+#   Out     the places' RAYS16, all of their words
+#   Uses    $3-$8, $10-$63   Saves  -   Stack  0   Calls  -
+#   Domain  the direction through each pixel is not 0 and below 2^63 in length; pixels below 2^23;
+#           a place's pixels: the sum of its top left pixel, rows of TILE_WIDTH sums
+#   Error   1.5 ulp of 1, each component of a direction
+#   Twin    oracle/src/twin/eye_rays.rs
+#
+# Beyond the picture's right and lower edges the rays are not there: t is -1, the weight 0.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "math.inc"
+        .include "eye_ray_tmpl.inc"
+
+        .set    a_place,3
+        .set    count,4
+        .set    a_basis,5
+        .set    background,6
+        .set    width,7
+        .set    height,8                                # of the picture
+        # constants
+        .set    k_lanes,12
+        .set    k_far,13
+        .set    m_splat,14
+        .set    m_x,15
+        .set    m_y,16
+        .set    m_pixels,44
+        .set    k_zero,45
+        .set    k_absent,46
+        .set    k_offset,47                             # to 50: from the sum of the top left pixel
+        .set    k_below,51                              # to 54: rows of the picture below this one
+        .set    k_pitch,55
+        # the packet
+        .set    place,26
+        .set    a_packet,27
+        .set    x,56
+        .set    y,57
+        .set    pixels,58
+        .set    c_column,59
+        # the row
+        .set    c_within,60
+        .set    t,61
+        .set    weight,62
+        .set    pixel,63
+
+        .set    SUM_SIZE,16
+
+        .section .rodata
+        .align  4
+lanes:  .int    0,1,2,3
+
+function eye_rays_r16
+        splat_mask $m_splat
+        splat   $background,$background,$m_splat
+        splat   $width,$width,$m_splat
+        splat   $k_below,$height,$m_splat
+        load_constant $m_pixels,PLACE_pixels*0x01010101+0x00010203
+        load_constant $m_x,PLACE_x*0x01010101+0x00010203
+        load_constant $m_y,PLACE_y*0x01010101+0x00010203
+        load_constant $k_far,0x7fffffff
+        ilhu    $k_absent,0xbf80
+        il      $k_zero,0
+        lqa     $k_lanes,lanes
+        mpyi    $k_offset,$k_lanes,SUM_SIZE
+        il      $k_pitch,SUM_SIZE*TILE_WIDTH
+    .irp row, 1,2,3
+        a       $k_offset+\row,$k_offset+\row-1,$k_pitch
+        ai      $k_below+\row,$k_below,-\row
+    .endr
+        load_camera $a_basis
+next_packet:
+        lqd     $place,0($a_place)
+        rotqbyi $a_packet,$place,PLACE_packet
+        shufb   $pixels,$place,$place,$m_pixels
+        shufb   $x,$place,$place,$m_x
+        shufb   $y,$place,$place,$m_y
+        a       $x,$x,$k_lanes
+        cgt     $c_column,$width,$x
+        csflt   $fx,$x,0
+        csflt   $fy,$y,0
+        eye_ray_columns
+    .irp row, 0,1,2,3
+        eye_ray_row \row
+        stqd    $k_zero,RAYS16_origin_x+16*\row($a_packet)
+        stqd    $k_zero,RAYS16_origin_y+16*\row($a_packet)
+        stqd    $k_zero,RAYS16_origin_z+16*\row($a_packet)
+        stqd    $dx,RAYS16_direction_x+16*\row($a_packet)
+        stqd    $dy,RAYS16_direction_y+16*\row($a_packet)
+        stqd    $dz,RAYS16_direction_z+16*\row($a_packet)
+        stqd    $background,RAYS16_object+16*\row($a_packet)
+        cgt     $c_within,$k_below+\row,$y
+        and     $c_within,$c_within,$c_column
+        selb    $t,$k_absent,$k_far,$c_within
+        and     $weight,$c_within,$k_one
+        a       $pixel,$pixels,$k_offset+\row
+        stqd    $t,RAYS16_t+16*\row($a_packet)
+        stqd    $weight,RAYS16_weight+16*\row($a_packet)
+        stqd    $pixel,RAYS16_pixel+16*\row($a_packet)
+    .endr
+        ai      $a_place,$a_place,PLACE_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_packet
+        bi      $lr
+endfunction eye_rays_r16
