@@ -134,11 +134,13 @@ fn no_child_that_a_ray_meets_is_left_out() {
     }
 }
 
-/// The balls are near enough to the rays that rounding alone would lose some.
+/// The balls are near enough to the rays, and the bounds to both, that little less would not do.
 #[test]
-fn without_slack_some_are_left_out() {
-    let lost: usize = FANS.iter().map(|fan| sum(*fan, 0.0).lost).sum();
-    assert!(lost > 0);
+fn with_radii_a_hair_too_small_some_are_left_out() {
+    for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
+        let sum = sum(fan, -SLACK / 4.0);
+        assert!(sum.lost > sum.met / 1000, "{fan:?}: {sum:?}");
+    }
 }
 
 /// Where rays go about one way, most of what they miss is left out.
