@@ -45,6 +45,7 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         ball::KERNELS,
         flat::KERNELS,
         whitted::rays::KERNELS,
+        whitted::shade::KERNELS,
     ]
     .into_iter()
     .flatten()

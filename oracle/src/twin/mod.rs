@@ -18,6 +18,7 @@ pub mod pack;
 pub mod ray_setup;
 pub mod rectangle;
 pub mod shade_depth;
+pub mod surfaces;
 pub mod triangle;
 
 /// Bit pattern of a single.

@@ -1,3 +1,4 @@
 //! The kernels of Whitted's model.
 
 pub mod rays;
+pub mod shade;

@@ -1,0 +1,290 @@
+//! `surfaces_r16`.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::ball::any_direction;
+use kernels::cases::whitted::shade::call::{self, Hit};
+use kernels::cases::whitted::shade::error::{any_hits, any_material};
+use kernels::cases::whitted::shade::records;
+use kernels::cases::whitted::shade::shapes::Shape;
+use kernels::layout::Surfaces;
+use kernels::vector::{Vector, dot, magnitude};
+use oracle::twin::ball::{self, Ball};
+use oracle::twin::surfaces::{Material, Object, Ray, Surface, surface};
+use oracle::twin::{FARTHEST, Single};
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{fm, fma, fnms, from_f64, to_f64};
+use zerocopy::IntoBytes as _;
+
+use crate::COUNTS;
+
+/// Compares with the twin; gives the twin's surfaces.
+fn check(
+    bench: &mut Bench,
+    kernel: &str,
+    hits: &[[Hit; 16]],
+    objects: &[(Object, usize)],
+    materials: &[Material],
+) -> Vec<[Surface; 16]> {
+    let (found, addresses, counts) = call::surfaces(bench, kernel, hits, objects, materials);
+    let mut expected_counts = [0; 4];
+    let mut all = Vec::new();
+    for (hits, found) in hits.iter().zip(&found) {
+        let expected = hits.map(|hit| {
+            let (object, material) = &objects[hit.object];
+            surface(&hit.ray, object, &materials[*material])
+        });
+        let at = hits.map(|hit| addresses[objects[hit.object].1]);
+        let record = records::surfaces(&expected, &expected.map(|lane| lane.plane), at);
+        assert_same(found, &record, kernel, hits);
+        for (lane, hit) in hits.iter().enumerate() {
+            expected_counts[lane % 4] += u32::from(hit.object != 0 && hit.ray.t >> 31 == 0);
+        }
+        all.push(expected);
+    }
+    assert_eq!(counts, expected_counts, "rays that hit something");
+    all
+}
+
+fn assert_same(found: &Surfaces, expected: &Surfaces, kernel: &str, hits: &[Hit; 16]) {
+    for field in Surfaces::RECORD.fields {
+        let bytes = field.offset..field.offset + field.size;
+        assert_eq!(
+            found.as_bytes()[bytes.clone()],
+            expected.as_bytes()[bytes],
+            "{kernel}: {} of {hits:x?}",
+            field.name
+        );
+    }
+}
+
+/// The ray of a hit, or one that is not there.
+fn perhaps(hit: Hit, random: &mut ChaCha8Rng) -> Hit {
+    let mut hit = hit;
+    match random.random_range(0..8) {
+        0 => hit.ray.t = from_f64(-1.0),
+        1 => (hit.ray.t, hit.object) = (FARTHEST, 0),
+        _ => {}
+    }
+    hit
+}
+
+#[test]
+fn scenes_equal_the_twin_in_lists_of_any_length() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..20 {
+        for count in COUNTS {
+            let (_, mut objects, first) = any_hits(&mut random);
+            let materials: Vec<Material> = (0..5).map(|_| any_material(&mut random)).collect();
+            for (object, material) in &mut objects {
+                object.sides = random.random::<u32>() << 29;
+                *material = random.random_range(0..materials.len());
+            }
+            let hits: Vec<[Hit; 16]> = (0..count)
+                .map(|_| first.map(|hit| perhaps(hit, &mut random)))
+                .collect();
+            check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
+        }
+    }
+}
+
+fn any_object(random: &mut ChaCha8Rng) -> Object {
+    Object {
+        centre: random.random(),
+        gain: random.random(),
+        axis: random.random(),
+        slope: random.random(),
+        offset: random.random(),
+        leave: random.random(),
+        sides: random.random(),
+    }
+}
+
+fn any_bits_of_a_material(random: &mut ChaCha8Rng) -> Material {
+    Material {
+        colour: random.random(),
+        diffuse: random.random(),
+        highlight: random.random(),
+        exponent: random.random(),
+        mirror: random.random(),
+        transmittance: random.random(),
+        inverse_index: random.random(),
+        index: random.random(),
+        schlick: random.random(),
+        grazing: random.random(),
+        emission: random.random(),
+        flags: random.random(),
+    }
+}
+
+#[test]
+fn any_bits_at_all_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..1000 {
+        let materials: [Material; 3] = [(); 3].map(|()| any_bits_of_a_material(&mut random));
+        let objects: Vec<(Object, usize)> = (0..6)
+            .map(|number| (any_object(&mut random), number % 3))
+            .collect();
+        let hits = [[(); 16]; 2].map(|packet| {
+            packet.map(|()| Hit {
+                ray: Ray {
+                    origin: random.random(),
+                    direction: random.random(),
+                    t: random.random(),
+                },
+                object: random.random_range(0..6),
+            })
+        });
+        check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
+    }
+}
+
+fn vector(v: [Single; 3]) -> Vector {
+    v.map(to_f64)
+}
+
+/// Where a ray starts that leaves on the side of the normal, and one that goes through.
+fn starts(surface: &Surface) -> [[Single; 3]; 2] {
+    let Surface {
+        point,
+        plane,
+        leave,
+        ..
+    } = *surface;
+    [
+        std::array::from_fn(|k| fma(leave, plane[k], point[k])),
+        std::array::from_fn(|k| fnms(leave, plane[k], point[k])),
+    ]
+}
+
+#[test]
+fn normals_are_the_shapes_on_the_rays_side() {
+    let mut random = random();
+    let material = any_material(&mut random);
+    let mut worst = 0.0_f64;
+    for _ in 0..2000 {
+        let (shapes, objects, hits) = any_hits(&mut random);
+        for (lane, (shape, hit)) in shapes.iter().zip(&hits).enumerate() {
+            let found = surface(&hit.ray, &objects[lane + 1].0, &material);
+            let (_, normal) = shape.at(vector(found.point));
+            let towards = dot(normal, vector(hit.ray.direction));
+            let plane = vector(found.plane);
+            if towards.abs() > 1e-3 {
+                let side = -towards.signum();
+                let ratio = if side > 0.0 {
+                    material.inverse_index
+                } else {
+                    material.index
+                };
+                assert_eq!(found.ratio, ratio, "{hit:x?}");
+                // What the singles of the coordinates leave open, seen from the centre.
+                let leave = to_f64(found.leave);
+                let radius = if shape.gain == 0.0 {
+                    f64::INFINITY
+                } else {
+                    ((shape.offset - shape.slope * dot(
+                        kernels::vector::less(vector(found.point), shape.centre),
+                        shape.axis,
+                    )) / shape.gain)
+                        .abs()
+                };
+                for k in 0..3 {
+                    let error = (plane[k] - side * normal[k]).abs();
+                    worst = worst.max(error / (2_f64.powi(-21) + leave / radius));
+                }
+            }
+            assert!(dot(plane, vector(hit.ray.direction)) <= 1e-6, "{hit:x?}");
+        }
+    }
+    println!("normals: {worst:.3}");
+    assert!(worst <= 1.0, "{worst}");
+}
+
+#[test]
+fn rays_start_on_the_side_that_they_go_to() {
+    let mut random = random();
+    let material = any_material(&mut random);
+    let mut nearest = f64::INFINITY;
+    for _ in 0..4000 {
+        let (shapes, objects, hits) = any_hits(&mut random);
+        for (lane, (shape, hit)) in shapes.iter().zip(&hits).enumerate() {
+            let found = surface(&hit.ray, &objects[lane + 1].0, &material);
+            let (_, normal) = shape.at(vector(found.point));
+            let side = dot(normal, vector(found.plane)).signum();
+            let [outside, inside] = starts(&found).map(|start| side * shape.at(vector(start)).0);
+            nearest = nearest.min(outside.min(-inside) / to_f64(found.leave));
+        }
+    }
+    println!("nearest start: {nearest:.3} of leave");
+    assert!(nearest >= 0.5, "{nearest}");
+}
+
+/// Rays that leave a sphere, and rays that go on inside it, with the steps of the sphere kernels.
+#[test]
+fn spheres_are_left_and_entered() {
+    const OBJECT: u32 = 7;
+    let mut random = random();
+    let material = any_material(&mut random);
+    for _ in 0..40_000 {
+        let centre = any_direction(&mut random).map(|x| 100.0 * x);
+        let centre = centre.map(|x| to_f64(from_f64(x)));
+        let radius = from_f64(magnitude(0.01..30.0, &mut random));
+        let shape = Shape::sphere(centre, to_f64(radius));
+        let hit = shape.any_ray(&mut random);
+        let found = surface(&hit, &shape.object(), &material);
+        let sphere = Ball {
+            centre: centre.map(from_f64),
+            radius_squared: fm(radius, radius),
+        };
+        let (_, outwards) = shape.at(vector(found.point));
+        let from_outside = dot(outwards, vector(found.plane)) > 0.0;
+        let mut leaving = any_direction(&mut random);
+        if dot(leaving, outwards) < 0.0 {
+            leaving = leaving.map(|x| -x);
+        }
+        let [near, beyond] = starts(&found);
+        let (outside, inside) = if from_outside {
+            (near, beyond)
+        } else {
+            (beyond, near)
+        };
+        let meets = |origin, direction: Vector| {
+            let ray = ball::Ray {
+                origin,
+                direction: direction.map(from_f64),
+                t: FARTHEST,
+                object: 0,
+            };
+            ball::nearest(ray, &sphere, OBJECT).object == OBJECT
+        };
+        assert!(!meets(outside, leaving), "{found:x?}, {sphere:x?}");
+        assert!(
+            meets(inside, leaving.map(|x| -x)) && meets(inside, leaving),
+            "{found:x?}, {sphere:x?}"
+        );
+    }
+}
+
+#[test]
+fn a_point_in_the_centre_has_a_finite_normal() {
+    let sphere = Shape::sphere([1.0, 2.0, 3.0], 1.0).object();
+    let cone = Shape::cone([1.0, 2.0, 3.0], [0.0, 0.0, 1.0], 1.0, -1.0).object();
+    let mut bench = Bench::new();
+    let material = any_material(&mut random());
+    let ray = Ray {
+        origin: [1.0, 2.0, 2.0].map(from_f64),
+        direction: [0.0, 0.0, 1.0].map(from_f64),
+        t: from_f64(1.0),
+    };
+    let hits: [Hit; 16] = std::array::from_fn(|lane| Hit {
+        ray,
+        object: lane % 2,
+    });
+    let objects = [(sphere, 0), (cone, 0)];
+    let found = check(&mut bench, "surfaces_r16", &[hits], &objects, &[material]);
+    assert_eq!(vector(found[0][0].plane), [0.0; 3]);
+    let cosine = to_f64(from_f64(0.5_f64.sqrt()));
+    assert_eq!(vector(found[0][1].plane), [0.0, 0.0, -cosine]);
+}

@@ -1,0 +1,28 @@
+# lambert_r16   what a light adds to surfaces without a highlight
+#   C       void lambert_r16(const struct site *, int count, const struct light *,
+#                            const struct object *background);
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers 16-aligned
+#   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met nothing
+#   Uses    $3-$4, $6-$25   Saves  -   Stack  0   Calls  -
+#   Domain  N.L > 0 where there is a shadow ray; shares from 0 to 1
+#   Error   8 ulp of the brightness
+#   Twin    oracle/src/twin/light.rs
+#
+#   lit += brightness diffuse (N.L) colour
+# The same bits as light_r16 of a highlight of 0.
+
+        .include "light_tmpl.inc"
+
+function lambert_r16
+        light_begin
+next_site:
+        lqd     $a_surfaces,SITE_surfaces($a_site)
+        rotqbyi $a_shadow,$a_surfaces,SITE_shadow
+    .irp row, 0,1,2,3
+        light_row \row
+        light_add \row
+    .endr
+        light_next
+        brnz    $count,next_site
+        bi      $lr
+endfunction lambert_r16

@@ -1,0 +1,139 @@
+# shadow_rays_r16   rays from where sixteen rays have hit to a light
+#   C       vec_uint4 shadow_rays_r16(const struct site *, int count, const struct light *,
+#                                     const struct object *background);
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers 16-aligned
+#   Out     the sites' shadow rays: origin, direction, t, object; weight and pixel stay as they are
+#           $3 shadow rays, a count a lane
+#   Uses    $3-$4, $6-$7, $10-$50   Saves  -   Stack  0   Calls  -
+#   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0, the
+#           direction then of length 1
+#   Error   4 ulp of 1, each component of the direction; t 4 ulp and 3 of the coordinates' size
+#   Twin    oracle/src/twin/shadow_rays.rs
+#
+#   to = position - point, L = to / |to|, t = |to|; L = position, t the largest if directional
+#   ray where N.L > 0, plane.L > 0 and diffuse or highlight > 0; else t = -1
+#   origin = point + leave plane
+# A light exactly at the point has L = 0, so N.L = 0: no ray.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "math.inc"
+
+        .set    a_site,3
+        .set    count,4
+        .set    a_light,5
+        .set    background,6
+        # constants
+        .set    k_half,7
+        .set    k_one,10
+        .set    k_farthest,11
+        .set    k_minus_one,12
+        .set    k_near,13                               # 0 of a directional light, else 1
+        .set    c_directional,14
+        .set    light_x,15
+        .set    light_y,16
+        .set    light_z,17
+        # state
+        .set    rays,18
+        # the site
+        .set    a_surfaces,19
+        .set    a_shadow,20
+        # a row
+        .set    point_x,21
+        .set    point_y,22
+        .set    point_z,23
+        .set    to_x,24
+        .set    to_y,25
+        .set    to_z,26
+        .set    normal_x,27
+        .set    normal_y,28
+        .set    normal_z,29
+        .set    plane_x,30
+        .set    plane_y,31
+        .set    plane_z,32
+        .set    leave,33
+        .set    share,34
+        .set    diffuse,35
+        .set    squared,36
+        .set    inverse,37
+        .set    t,38
+        .set    facing,39
+        .set    facing_plane,40
+        # temporaries
+        .set    light,41
+        .set    m_lane,42
+        .set    t_y,43
+        .set    t_e,44
+
+# out = a . b, of the registers a_x to a_z and b_x to b_z.
+.macro  dot_f4 out:req, a:req, b:req
+        fm      \out,$\a\()_x,$\b\()_x
+        fma     \out,$\a\()_y,$\b\()_y,\out
+        fma     \out,$\a\()_z,$\b\()_z,\out
+.endm
+
+# A word of the light, in every lane.
+.macro  splat_word out:req, pattern:req
+        load_constant $m_lane,\pattern
+        splat   \out,$light,$m_lane
+.endm
+
+function shadow_rays_r16
+        ilhu    $k_half,0x3f00
+        ilhu    $k_one,0x3f80
+        load_constant $k_farthest,0x7fffffff
+        ilhu    $k_minus_one,0xbf80
+        lqd     $light,LIGHT_position($a_light)
+        splat_word $light_x,0x00010203
+        splat_word $light_y,0x04050607
+        splat_word $light_z,0x08090a0b
+        splat_word $c_directional,0x0c0d0e0f
+        andc    $k_near,$k_one,$c_directional
+        splat_mask $m_lane
+        splat   $background,$background,$m_lane
+        il      $rays,0
+next_site:
+        lqd     $a_surfaces,SITE_surfaces($a_site)
+        rotqbyi $a_shadow,$a_surfaces,SITE_shadow
+    .irp row, 0,1,2,3
+    .irp axis, x,y,z
+        lqd     $point_\axis,SURFACES_point_\axis+16*\row($a_surfaces)
+        lqd     $normal_\axis,SURFACES_normal_\axis+16*\row($a_surfaces)
+        lqd     $plane_\axis,SURFACES_plane_\axis+16*\row($a_surfaces)
+        fnms    $to_\axis,$point_\axis,$k_near,$light_\axis
+    .endr
+        dot_f4  $squared,to,to
+        rsqrt_f4 $inverse,$squared,$t_y,$t_e,$k_half,$k_one
+        fm      $t,$squared,$inverse
+        selb    $t,$t,$k_farthest,$c_directional
+        selb    $inverse,$inverse,$k_one,$c_directional
+    .irp axis, x,y,z
+        fm      $to_\axis,$to_\axis,$inverse
+        stqd    $to_\axis,RAYS16_direction_\axis+16*\row($a_shadow)
+    .endr
+        dot_f4  $facing,normal,to
+        dot_f4  $facing_plane,plane,to
+        lqd     $share,SURFACES_highlight+16*\row($a_surfaces)
+        lqd     $diffuse,SURFACES_diffuse+16*\row($a_surfaces)
+        or      $share,$share,$diffuse
+        cgti    $facing,$facing,0
+        cgti    $facing_plane,$facing_plane,0
+        cgti    $share,$share,0
+        and     $facing,$facing,$facing_plane
+        and     $facing,$facing,$share
+        sf      $rays,$facing,$rays                     # true is -1
+        selb    $t,$k_minus_one,$t,$facing
+        stqd    $t,RAYS16_t+16*\row($a_shadow)
+        stqd    $background,RAYS16_object+16*\row($a_shadow)
+        lqd     $leave,SURFACES_leave+16*\row($a_surfaces)
+    .irp axis, x,y,z
+        fma     $point_\axis,$leave,$plane_\axis,$point_\axis
+        stqd    $point_\axis,RAYS16_origin_\axis+16*\row($a_shadow)
+    .endr
+    .endr
+        ai      $a_site,$a_site,SITE_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_site
+        ori     $3,$rays,0
+        bi      $lr
+endfunction shadow_rays_r16
