@@ -5,12 +5,12 @@
 #           $6 the background's object; pointers 16-aligned
 #   Out     the packets' surfaces; of a ray that is not there (t < 0) anything, but shares of 0
 #           $3 rays that hit something, a count a lane
-#   Uses    $2-$79
-#   Saves   -   Stack  0   Calls  -
+#   Uses    $2-$79   Saves  -   Stack  0   Calls  -
 #   Domain  the rays' objects are addresses of objects, also of rays that are not there; |d| = 1
 #           within 4 ulp, t below 2^20; OBJECT_leave is 2^-20 (|centre x| + |centre y| + |centre z|
 #           + |offset|)
-#   Error   1
+#   Error   0.2 of SURFACES_leave, distance of a point from its surface; normals 2^-23 + leave/(4 r),
+#           each component, r the distance from the axis or the centre
 #   Twin    oracle/src/twin/surfaces.rs
 #
 # The odd pipe is the bound: of the 112 instructions there, 34 load and store rays and surfaces,

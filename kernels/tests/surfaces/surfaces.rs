@@ -1,4 +1,4 @@
-//! `surfaces_r16`.
+//! `surfaces_r16`, `surfaces_same_r16` and `same_objects_r16`.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::any_direction;
@@ -6,17 +6,15 @@ use kernels::cases::whitted::shade::call::{self, Hit};
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::records;
 use kernels::cases::whitted::shade::shapes::Shape;
-use kernels::layout::Surfaces;
 use kernels::vector::{Vector, dot, magnitude};
 use oracle::twin::ball::{self, Ball};
-use oracle::twin::surfaces::{Material, Object, Ray, Surface, surface};
+use oracle::twin::surfaces::{Material, Object, Ray, Surface, same_objects, surface};
 use oracle::twin::{FARTHEST, Single};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, fnms, from_f64, to_f64};
-use zerocopy::IntoBytes as _;
 
-use crate::COUNTS;
+use crate::{COUNTS, assert_same};
 
 /// Compares with the twin; gives the twin's surfaces.
 fn check(
@@ -36,7 +34,7 @@ fn check(
         });
         let at = hits.map(|hit| addresses[objects[hit.object].1]);
         let record = records::surfaces(&expected, &expected.map(|lane| lane.plane), at);
-        assert_same(found, &record, kernel, hits);
+        assert_same(found, &record, &format!("{kernel}: {hits:x?}"));
         for (lane, hit) in hits.iter().enumerate() {
             expected_counts[lane % 4] += u32::from(hit.object != 0 && hit.ray.t >> 31 == 0);
         }
@@ -44,18 +42,6 @@ fn check(
     }
     assert_eq!(counts, expected_counts, "rays that hit something");
     all
-}
-
-fn assert_same(found: &Surfaces, expected: &Surfaces, kernel: &str, hits: &[Hit; 16]) {
-    for field in Surfaces::RECORD.fields {
-        let bytes = field.offset..field.offset + field.size;
-        assert_eq!(
-            found.as_bytes()[bytes.clone()],
-            expected.as_bytes()[bytes],
-            "{kernel}: {} of {hits:x?}",
-            field.name
-        );
-    }
 }
 
 /// The ray of a hit, or one that is not there.
@@ -85,6 +71,38 @@ fn scenes_equal_the_twin_in_lists_of_any_length() {
                 .map(|_| first.map(|hit| perhaps(hit, &mut random)))
                 .collect();
             check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
+            // Both kernels give the same of packets that both may be given.
+            let object = random.random_range(0..objects.len());
+            let mut hits = hits;
+            for hit in hits.iter_mut().flatten() {
+                hit.object = object;
+            }
+            for kernel in ["surfaces_r16", "surfaces_same_r16"] {
+                check(&mut bench, kernel, &hits, &objects, &materials);
+            }
+        }
+    }
+}
+
+#[test]
+fn packets_of_one_object_are_told_from_others() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for count in [1, 2, 3, 8, 32] {
+        for _ in 0..100 {
+            let packets: Vec<[u32; 16]> = (0..count)
+                .map(|_| {
+                    let mut objects = [random.random(); 16];
+                    // Another object in one lane is enough.
+                    if random.random() {
+                        let lane: usize = random.random_range(0..16);
+                        objects[lane] ^= 1 << random.random_range(0..32);
+                    }
+                    objects
+                })
+                .collect();
+            let found = call::same_objects(&mut bench, &packets);
+            assert_eq!(found, same_objects(&packets), "{packets:x?}");
         }
     }
 }
@@ -138,6 +156,11 @@ fn any_bits_at_all_equal_the_twin() {
             })
         });
         check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
+        let same = hits.map(|packet| {
+            let object = packet[0].object;
+            packet.map(|hit| Hit { object, ..hit })
+        });
+        check(&mut bench, "surfaces_same_r16", &same, &objects, &materials);
     }
 }
 
@@ -184,10 +207,13 @@ fn normals_are_the_shapes_on_the_rays_side() {
                 let radius = if shape.gain == 0.0 {
                     f64::INFINITY
                 } else {
-                    ((shape.offset - shape.slope * dot(
-                        kernels::vector::less(vector(found.point), shape.centre),
-                        shape.axis,
-                    )) / shape.gain)
+                    ((shape.offset
+                        - shape.slope
+                            * dot(
+                                kernels::vector::less(vector(found.point), shape.centre),
+                                shape.axis,
+                            ))
+                        / shape.gain)
                         .abs()
                 };
                 for k in 0..3 {

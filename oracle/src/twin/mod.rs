@@ -4,6 +4,7 @@
 //!
 //! Singles are bit patterns here, as in [`spu_emulator::float`]: the host's `f32` is another format.
 
+pub mod accumulate;
 pub mod ball;
 pub mod bound;
 pub mod cull;
@@ -11,6 +12,7 @@ pub mod cull_nodes;
 pub mod eye_rays;
 pub mod flat;
 pub mod isect_pairs;
+pub mod light;
 pub mod lists;
 pub mod load_rays;
 pub mod math;
@@ -18,6 +20,7 @@ pub mod pack;
 pub mod ray_setup;
 pub mod rectangle;
 pub mod shade_depth;
+pub mod shadow_rays;
 pub mod surfaces;
 pub mod triangle;
 

@@ -1,5 +1,5 @@
 //! Twin of `spu/plain/shade/surfaces_r16.s` and `surfaces_same_r16.s`: where a ray has hit an object,
-//! and what the surface is there.
+//! and what the surface is there; and of `same_objects_r16.s`.
 
 use spu_emulator::float::single::{fa, fm, fma, fms, fnms, fs};
 
@@ -114,8 +114,7 @@ pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
 pub fn surface(ray: &Ray, object: &Object, material: &Material) -> Surface {
     let there = !below_zero(ray.t);
     let share = |value| select(0, value, there);
-    let reached: [Single; 3] =
-        std::array::from_fn(|k| fma(ray.t, ray.direction[k], ray.origin[k]));
+    let reached: [Single; 3] = std::array::from_fn(|k| fma(ray.t, ray.direction[k], ray.origin[k]));
     let [x, y, z] = reached.map(|component| component & !SIGN);
     let far = fa(fa(x, y), z);
 
@@ -148,4 +147,13 @@ pub fn surface(ray: &Ray, object: &Object, material: &Material) -> Surface {
         lit: material.emission,
         flags: share(material.flags | object.sides),
     }
+}
+
+/// A bit for each packet whose rays have all hit the same object, the last one's the lowest.
+#[must_use]
+pub fn same_objects(packets: &[[u32; 16]]) -> u32 {
+    let same = |objects: &[u32; 16]| objects.iter().all(|object| *object == objects[0]);
+    packets
+        .iter()
+        .fold(0, |bits, objects| bits << 1 | u32::from(same(objects)))
 }

@@ -141,6 +141,18 @@ pub fn lit(surfaces: &Surfaces) -> [[Single; 3]; 16] {
     vectors([surfaces.lit_red, surfaces.lit_green, surfaces.lit_blue])
 }
 
+/// Surfaces of which nothing is known but what they send back.
+#[must_use]
+pub fn lit_surfaces(lit: &[[Single; 3]; 16]) -> Surfaces {
+    let [lit_red, lit_green, lit_blue] = components(lit);
+    Surfaces {
+        lit_red,
+        lit_green,
+        lit_blue,
+        ..Surfaces::new_zeroed()
+    }
+}
+
 fn components(vectors: &[[Single; 3]; 16]) -> [[F32; 16]; 3] {
     [0, 1, 2].map(|axis| vectors.map(|vector| single(vector[axis])))
 }

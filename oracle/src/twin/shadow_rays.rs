@@ -1,0 +1,43 @@
+//! Twin of `spu/plain/shade/shadow_rays_r16.s`: the ray from a hit to a light.
+
+use spu_emulator::float::single::{fm, fma, fnms};
+
+use super::math::rsqrt;
+use super::surfaces::{Ray, Surface, dot};
+use super::{FARTHEST, ONE, Single, ZERO, select};
+
+/// The t of a ray that is not there: -1.
+pub const NOT_THERE: Single = 0xbf80_0000;
+
+/// Where a light is, as `LIGHT` has it.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Position, or the unit direction to it.
+    pub position: [Single; 3],
+    /// Whether it is infinitely far.
+    pub directional: bool,
+}
+
+/// Whether a single has no sign and is not +0: above 0, if it is no denormal.
+const fn above_zero(value: Single) -> bool {
+    value.cast_signed() > 0
+}
+
+/// The ray from a surface, with the normal that shades, to a light; t is -1 if there is none.
+#[must_use]
+pub fn shadow_ray(surface: &Surface, normal: [Single; 3], light: &Place) -> Ray {
+    let near = select(ONE, ZERO, light.directional);
+    let to: [Single; 3] = std::array::from_fn(|k| fnms(surface.point[k], near, light.position[k]));
+    let squared = dot(to, to);
+    let inverse = rsqrt(squared);
+    let t = select(fm(squared, inverse), FARTHEST, light.directional);
+    let inverse = select(inverse, ONE, light.directional);
+    let direction = to.map(|component| fm(component, inverse));
+    let lit = above_zero(surface.highlight | surface.diffuse);
+    let facing = above_zero(dot(normal, direction)) && above_zero(dot(surface.plane, direction));
+    Ray {
+        origin: std::array::from_fn(|k| fma(surface.leave, surface.plane[k], surface.point[k])),
+        direction,
+        t: select(NOT_THERE, t, facing && lit),
+    }
+}

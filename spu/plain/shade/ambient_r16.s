@@ -1,0 +1,56 @@
+# ambient_r16   what light from everywhere adds to surfaces
+#   C       void ambient_r16(struct surfaces *, int count, const float *brightness);
+#   In      $3 surfaces, one behind the other, $4 packets (at least 1), $5 red, green, blue, anything;
+#           pointers 16-aligned
+#   Out     the surfaces: lit
+#   Uses    $3-$4, $10-$20   Saves  -   Stack  0   Calls  -
+#   Domain  shares from 0 to 1
+#   Error   4 ulp of the brightness
+#   Twin    oracle/src/twin/light.rs
+#
+#   lit += brightness diffuse colour
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+
+        .set    a_surfaces,3
+        .set    count,4
+        .set    a_bright,5
+        # constants
+        .set    step,6
+        .set    bright_red,7
+        .set    bright_green,8
+        .set    bright_blue,9
+        # a row
+        .set    diffuse,10
+        .set    colour,11
+        .set    lit,12
+        # temporaries
+        .set    bright,13
+        .set    m_lane,14
+
+function ambient_r16
+        lqd     $bright,0($a_bright)
+        load_constant $m_lane,0x00010203
+        splat   $bright_red,$bright,$m_lane
+        load_constant $m_lane,0x04050607
+        splat   $bright_green,$bright,$m_lane
+        load_constant $m_lane,0x08090a0b
+        splat   $bright_blue,$bright,$m_lane
+        il      $step,SURFACES_SIZE
+next_packet:
+    .irp row, 0,1,2,3
+        lqd     $diffuse,SURFACES_diffuse+16*\row($a_surfaces)
+    .irp channel, red,green,blue
+        lqd     $colour,SURFACES_\channel+16*\row($a_surfaces)
+        fm      $colour,$colour,$diffuse
+        lqd     $lit,SURFACES_lit_\channel+16*\row($a_surfaces)
+        fma     $lit,$bright_\channel,$colour,$lit
+        stqd    $lit,SURFACES_lit_\channel+16*\row($a_surfaces)
+    .endr
+    .endr
+        a       $a_surfaces,$a_surfaces,$step
+        ai      $count,$count,-1
+        brnz    $count,next_packet
+        bi      $lr
+endfunction ambient_r16
