@@ -2,10 +2,10 @@
 #   C       void accumulate_r16(const struct rays16 *, const struct surfaces *, int count);
 #   In      $3 rays, $4 surfaces, $5 packets (at least 1); both one behind the other, 16-aligned
 #   Out     the rays' pixels: sums of red, green, blue; the fourth word anything
-#   Uses    $2-$49, $79   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$48, $79   Saves  -   Stack  0   Calls  -
 #   Domain  each lane's pixel is the address of a quadword, also of a ray that is not there; any lanes
 #           may have the same one
-#   Error   3 ulp of the largest sum, each addition
+#   Error   1.5 ulp of the sum, each addition, shares not below 0
 #   Twin    oracle/src/twin/accumulate.rs
 #
 #   pixel += weight lit
@@ -68,11 +68,11 @@ second: .int    0x04050607,0x14151617,0x0c0d0e0f,0x04050607 # P1 Q1 P3
 third:  .int    0x08090a0b,0x18191a1b,0x00010203,0x08090a0b # P2 Q2 P0
 fourth: .int    0x0c0d0e0f,0x1c1d1e1f,0x04050607,0x0c0d0e0f # P3 Q3 P1
 
-# more += the share of an earlier ray with the same pixel.
-.macro  with_earlier lane:req, earlier:req
+# out = more + the share of an earlier ray with the same pixel.
+.macro  with_earlier out:req, more:req, lane:req, earlier:req
         ceq     $c_same,$pixel\lane,$pixel\earlier
         and     $c_same,$c_same,$share\earlier
-        fa      $more\lane,$more\lane,$c_same
+        fa      \out,\more,$c_same
 .endm
 
 function accumulate_r16
@@ -82,155 +82,154 @@ function accumulate_r16
         .set    red_2,7
         .set    green_2,8
         .set    pixel_2,9
-        .set    green_3,2
-        .set    pixel3_2,20
-        .set    c_same_2,8
-        .set    pixel0_2,24
-        .set    low_2,25
+        .set    pixel2_2,20
+        .set    pixel3_2,2
+        .set    c_same_2,24
+        .set    pixel0_2,25
+        .set    low_2,26
+        .set    sum0_2,36
         .set    high_2,21
         .set    c_same_3,6
-        .set    c_same_4,26
+        .set    c_same_4,29
         .set    c_same_5,32
-        .set    c_same_6,21
-        .set    share1_2,22
-        .set    weight_3,25
-        .set    pixel2_2,8
+        .set    share1_2,26
+        .set    c_same_6,33
+        .set    share2_2,22
+        .set    sum1_2,21
+        .set    weight_3,35
         .set    blue_3,34
+        .set    pixel2_3,39
         .set    pixel1_2,9
-        .set    low_3,39
-        .set    red_3,42
-        .set    more1_2,45
-        .set    green_4,48
+        .set    red_3,32
         .set    share0_2,6
-        .set    share1_3,39
+        .set    more1_2,26
+        .set    share1_3,42
         .set    high_3,7
-        .set    pixel_3,23
+        .set    green_3,46
         .set    c_same_7,22
-        .set    pixel_4,32
-        .set    more1_3,26
-        .set    share3_2,45
-        .set    share2_2,7
-        .set    c_same_8,33
+        .set    pixel_3,23
+        .set    share3_2,24
+        .set    pixel_4,7
+        .set    c_same_8,8
+        .set    sum0_3,31
         .set    pixel0_3,21
-        .set    more3_2,46
+        .set    more3_2,26
         .set    pixel3_3,22
-        .set    pixel2_3,49
+        .set    blue_4,8
+        .set    pixel2_4,24
         .set    pixel1_3,23
-        .set    pixel3_4,45
-        .set    more3_3,26
-        .set    pixel2_4,46
-        .set    pixel0_4,47
-        .set    c_same_9,31
-        .set    pixel1_4,33
-        .set    blue_4,27
-        .set    more2_2,28
-        .set    c_same_10,35
-        .set    c_same_11,29
-        .set    c_same_12,30
-        .set    sum0_2,31
-        .set    blue_5,26
-        .set    red_4,27
-        .set    more1_4,32
-        .set    blue_6,35
-        .set    red_5,34
-        .set    green_5,25
-        .set    green_6,40
-        .set    more2_3,7
-        .set    low_4,28
-        .set    high_4,26
-        .set    sum0_3,6
-        .set    share0_3,32
-        .set    share3_3,27
-        .set    share2_3,26
-        .set    share1_4,7
-        .set    c_same_13,25
-        .set    more3_4,27
-        .set    more2_4,6
-        .set    c_same_14,9
-        .set    blue_7,8
-        .set    more3_5,24
-        .set    more2_5,20
-        .set    red_6,25
-        .set    c_same_15,7
+        .set    c_same_9,34
+        .set    pixel3_4,29
+        .set    c_same_10,40
+        .set    c_same_11,27
+        .set    weight_4,34
+        .set    c_same_12,28
+        .set    pixel0_4,45
+        .set    c_same_13,20
+        .set    sum0_4,26
+        .set    green_4,27
+        .set    sum3_2,30
+        .set    c_same_14,31
+        .set    blue_5,35
+        .set    c_same_15,38
+        .set    red_4,46
+        .set    more1_3,20
+        .set    green_5,42
+        .set    low_3,47
+        .set    pixel2_5,31
+        .set    share0_3,33
+        .set    share1_4,8
+        .set    sum0_5,6
+        .set    share3_3,26
+        .set    share2_3,7
+        .set    sum3_3,27
+        .set    blue_6,30
+        .set    more3_3,20
+        .set    c_same_16,9
+        .set    red_5,25
+        .set    c_same_17,2
+        .set    blue_7,9
         .set    share0_4,7
-        .set    share2_4,9
-        .set    share1_5,8
-        .set    c_same_16,2
-        .set    more3_6,6
-        .set    more3_7,2
-        .set    weight_4,24
-        .set    pixel1_5,34
-        .set    pixel0_5,6
-        .set    red_7,9
-        .set    share3_4,22
-        .set    share0_5,21
-        .set    c_same_17,23
-        .set    pixel_5,42
-        .set    pixel_6,33
-        .set    more3_8,22
-        .set    green_7,23
-        .set    blue_8,25
-        .set    weight_5,26
-        .set    pixel0_6,31
-        .set    c_same_18,39
-        .set    pixel1_6,40
-        .set    c_same_19,27
-        .set    more2_6,24
-        .set    c_same_20,28
-        .set    red_8,29
-        .set    pixel2_5,30
+        .set    more3_4,6
+        .set    red_6,2
+        .set    pixel3_5,7
+        .set    c_same_18,21
+        .set    c_same_19,26
+        .set    share1_5,24
+        .set    low_4,33
+        .set    weight_5,25
+        .set    pixel2_6,35
+        .set    pixel1_4,34
+        .set    pixel0_5,9
+        .set    blue_8,20
+        .set    sum1_3,24
+        .set    high_4,2
+        .set    blue_9,2
+        .set    pixel0_6,8
+        .set    sum0_6,20
+        .set    pixel_5,31
+        .set    green_6,39
+        .set    weight_6,27
+        .set    green_7,25
+        .set    blue_10,26
+        .set    c_same_20,30
         .set    low_5,36
-        .set    sum0_4,9
-        .set    share3_5,37
-        .set    share2_5,23
-        .set    more3_9,25
-        .set    more3_10,9
-        .set    blue_9,21
-        .set    c_same_21,24
-        .set    red_9,6
-        .set    more2_7,25
-        .set    pixel0_7,8
-        .set    c_same_22,20
-        .set    pixel3_5,24
-        .set    share2_6,21
-        .set    sum0_5,34
-        .set    red_10,20
-        .set    pixel2_6,39
-        .set    more1_5,42
-        .set    green_8,45
-        .set    pixel_7,6
-        .set    low_6,46
-        .set    weight_6,47
-        .set    share0_6,33
-        .set    share3_6,42
-        .set    share1_6,2
-        .set    pixel3_6,35
-        .set    more3_11,42
-        .set    red_11,46
-        .set    pixel2_7,48
-        .set    pixel1_7,6
-        .set    green_9,34
-        .set    c_same_23,40
-        .set    more2_8,27
-        .set    pixel0_8,28
-        .set    pixel3_7,31
-        .set    green_10,26
-        .set    sum0_6,27
-        .set    more1_6,29
-        .set    pixel1_8,32
-        .set    c_same_24,45
-        .set    low_7,49
-        .set    share0_7,20
-        .set    more1_7,22
-        .set    share3_7,29
-        .set    sum0_7,26
-        .set    red_12,8
-        .set    sum0_8,24
-        .set    low_8,26
-        .set    high_5,8
-        .set    share0_8,9
-        .set    more3_12,7
-        .set    sum0_9,8
+        .set    green_8,38
+        .set    red_7,39
+        .set    more1_4,32
+        .set    share0_5,42
+        .set    share1_6,33
+        .set    sum0_7,21
+        .set    share3_4,20
+        .set    share2_4,2
+        .set    blue_11,25
+        .set    sum3_4,26
+        .set    red_8,6
+        .set    c_same_21,7
+        .set    low_6,21
+        .set    c_same_22,3
+        .set    green_9,2
+        .set    pixel3_6,24
+        .set    low_7,25
+        .set    weight_7,26
+        .set    share1_7,25
+        .set    c_same_23,35
+        .set    share2_5,21
+        .set    blue_12,22
+        .set    sum1_4,34
+        .set    red_9,20
+        .set    low_8,32
+        .set    more1_5,6
+        .set    weight_8,33
+        .set    share3_5,45
+        .set    blue_13,21
+        .set    red_10,35
+        .set    pixel0_7,36
+        .set    sum1_5,6
+        .set    pixel3_7,34
+        .set    more3_5,7
+        .set    pixel2_7,45
+        .set    c_same_24,41
+        .set    pixel_6,27
+        .set    sum1_6,7
+        .set    pixel0_8,30
+        .set    low_9,31
+        .set    pixel3_8,47
+        .set    pixel2_8,48
+        .set    share0_6,32
+        .set    share1_8,29
+        .set    high_5,20
+        .set    pixel1_5,22
+        .set    share3_6,2
+        .set    share2_6,20
+        .set    c_same_25,25
+        .set    more3_6,2
+        .set    blue_14,7
+        .set    red_11,8
+        .set    green_10,9
+        .set    sum1_7,2
+        .set    share1_9,20
+        .set    share3_7,6
         ilhu    $m_lane0,1                              # 0e
         lqa     $m_first,first                          # 0o
 
@@ -283,22 +282,22 @@ function accumulate_r16
         shufb   $pixel3,$pixel,$pixel,$m_lane3          # 23o
 
         fm      $blue_2,$blue_2,$weight_2               # 24e
-        shufb   $pixel2,$pixel,$pixel,$m_lane2          # 24o
+        shufb   $pixel2_2,$pixel,$pixel,$m_lane2        # 24o
 
         fm      $red_2,$red_2,$weight_2                 # 25e
         rotqbyi $blue,$blue,8                           # 25o
 
-        fm      $green_3,$green_2,$weight_2             # 26e
+        fm      $green_2,$green_2,$weight_2             # 26e
         shufb   $pixel1,$pixel,$pixel,$m_lane1          # 26o
 
         ceq     $c_same,$pixel3,$pixel0                 # 27e
         shufb   $pixel3_2,$pixel_2,$pixel_2,$m_lane3    # 27o
 
-        ceq     $c_same_2,$pixel2,$pixel0               # 28e
+        ceq     $c_same_2,$pixel2_2,$pixel0             # 28e
         shufb   $pixel0_2,$pixel_2,$pixel_2,$m_lane0    # 28o
 
         selb    $low_2,$red,$blue,$m_behind             # 29e
-        lqx     $sum0,$a_nothing,$pixel0                # 29o
+        lqx     $sum0_2,$a_nothing,$pixel0              # 29o
 
         selb    $high_2,$blue,$red,$m_behind            # 30e
         rotqbyi $blue,$blue_2,8                         # 30o
@@ -309,630 +308,582 @@ function accumulate_r16
         ceq     $c_same_4,$pixel1,$pixel0               # 32e
         shufb   $share3,$high_2,$green,$m_fourth        # 32o
 
-        ceq     $c_same_5,$pixel2,$pixel1               # 33e
-        shufb   $share2,$high_2,$green,$m_third         # 33o
+        ceq     $c_same_5,$pixel2_2,$pixel1             # 33e
+        shufb   $share1_2,$low_2,$green,$m_second       # 33o
 
-        ceq     $c_same_6,$pixel3,$pixel2               # 34e
-        shufb   $share1_2,$low_2,$green,$m_second       # 34o
+        ceq     $c_same_6,$pixel3,$pixel2_2             # 34e
+        shufb   $share2_2,$high_2,$green,$m_third       # 34o
 
         and     $c_same,$c_same,$share0                 # 35e
-        lqx     $sum1,$a_nothing,$pixel1                # 35o
+        lqx     $sum1_2,$a_nothing,$pixel1              # 35o
 
-        ori     $more3,$share3,0                        # 36e
-        lqx     $sum2,$a_nothing,$pixel2                # 36o
+        and     $c_same_2,$c_same_2,$share0             # 36e
+        lqd     $weight_3,544($a_rays)                  # 36o
 
-        ori     $more2,$share2,0                        # 37e
-        lqx     $sum3,$a_nothing,$pixel3                # 37o
+        fa      $more3,$share3,$c_same                  # 37e
+        lqd     $blue_3,0x5e0($a_surfaces)              # 37o
 
-        fa      $more3,$more3,$c_same                   # 38e
-        lqd     $weight_3,544($a_rays)                  # 38o
+        and     $c_same_3,$c_same_3,$share1_2           # 38e
+        lqx     $sum2,$a_nothing,$pixel2_2              # 38o
 
-        and     $c_same,$c_same_2,$share0               # 39e
-        shufb   $pixel2_2,$pixel_2,$pixel_2,$m_lane2    # 39o
+        fa      $more2,$share2_2,$c_same_2              # 39e
+        lqx     $sum3,$a_nothing,$pixel3                # 39o
 
-        and     $c_same_3,$c_same_3,$share1_2           # 40e
-        lqd     $blue_3,0x5e0($a_surfaces)              # 40o
+        and     $c_same,$c_same_4,$share0               # 40e
+        shufb   $pixel2_3,$pixel_2,$pixel_2,$m_lane2    # 40o
 
-        fa      $more2,$more2,$c_same                   # 41e
+        selb    $low,$red_2,$blue,$m_behind             # 41e
         shufb   $pixel1_2,$pixel_2,$pixel_2,$m_lane1    # 41o
 
-        selb    $low_3,$red_2,$blue,$m_behind           # 42e
+        and     $c_same_4,$c_same_5,$share1_2           # 42e
         lqd     $red_3,0x560($a_surfaces)               # 42o
 
-        ori     $more1_2,$share1_2,0                    # 43e
-        lqd     $green_4,0x5a0($a_surfaces)             # 43o
+        fa      $more3,$more3,$c_same_3                 # 43e
+        shufb   $share0_2,$low,$green_2,$m_first        # 43o
 
-        fa      $more3,$more3,$c_same_3                 # 44e
-        shufb   $share0_2,$low_3,$green_3,$m_first      # 44o
+        fa      $more1_2,$share1_2,$c_same              # 44e
+        shufb   $share1_3,$low,$green_2,$m_second       # 44o
 
-        and     $c_same_4,$c_same_4,$share0             # 45e
-        shufb   $share1_3,$low_3,$green_3,$m_second     # 45o
+        selb    $high_3,$blue,$red_2,$m_behind          # 45e
+        lqd     $green_3,0x5a0($a_surfaces)             # 45o
 
-        selb    $high_3,$blue,$red_2,$m_behind          # 46e
+        and     $c_same_7,$c_same_6,$share2_2           # 46e
         lqd     $pixel_3,608($a_rays)                   # 46o
 
-        and     $c_same_7,$c_same_5,$share1_2           # 47e
-        lqd     $pixel_4,624($a_rays)                   # 47o
+        fa      $more2,$more2,$c_same_4                 # 47e
+        shufb   $share3_2,$high_3,$green_2,$m_fourth    # 47o
 
-        fa      $more1_3,$more1_2,$c_same_4             # 48e
-        shufb   $share3_2,$high_3,$green_3,$m_fourth    # 48o
+        ceq     $c_same_4,$pixel3_2,$pixel0_2           # 48e
+        shufb   $share2,$high_3,$green_2,$m_third       # 48o
 
-        and     $c_same_6,$c_same_6,$share2             # 49e
-        shufb   $share2_2,$high_3,$green_3,$m_third     # 49o
+        fa      $more3,$more3,$c_same_7                 # 49e
+        lqd     $pixel_4,624($a_rays)                   # 49o
 
-        fa      $more2,$more2,$c_same_7                 # 50e
-        lqd     $weight_2,560($a_rays)                  # 50o
+        and     $c_same_8,$c_same_4,$share0_2           # 50e
+        fa      $sum0_3,$sum0_2,$share0                 # 51e
 
-        ceq     $c_same_8,$pixel3_2,$pixel0_2           # 51e
-        lnop                                            # 51o pairing
-
-        fa      $more3,$more3,$c_same_6                 # 52e
+        fa      $sum1,$sum1_2,$more1_2                  # 52e
         shufb   $pixel0_3,$pixel_3,$pixel_3,$m_lane0    # 52o
 
-        ori     $more3_2,$share3_2,0                    # 53e
+        fa      $more3_2,$share3_2,$c_same_8            # 53e
         shufb   $pixel3_3,$pixel_3,$pixel_3,$m_lane3    # 53o
 
-        and     $c_same_8,$c_same_8,$share0_2           # 54e
-        shufb   $pixel2_3,$pixel_3,$pixel_3,$m_lane2    # 54o
+        fm      $blue_4,$blue_3,$weight_3               # 54e
+        shufb   $pixel2_4,$pixel_3,$pixel_3,$m_lane2    # 54o
 
-        fa      $sum0,$sum0,$share0                     # 55e
+        fa      $sum2,$sum2,$more2                      # 55e
         shufb   $pixel1_3,$pixel_3,$pixel_3,$m_lane1    # 55o
 
-        fa      $sum1,$sum1,$more1_3                    # 56e
+        ceq     $c_same_9,$pixel2_3,$pixel0_2           # 56e
         shufb   $pixel3_4,$pixel_4,$pixel_4,$m_lane3    # 56o
 
-        fa      $more3_3,$more3_2,$c_same_8             # 57e
-        shufb   $pixel2_4,$pixel_4,$pixel_4,$m_lane2    # 57o
-
-        fa      $sum2,$sum2,$more2                      # 58e
-        shufb   $pixel0_4,$pixel_4,$pixel_4,$m_lane0    # 58o
-
-        ceq     $c_same_9,$pixel2_2,$pixel0_2           # 59e
-        shufb   $pixel1_4,$pixel_4,$pixel_4,$m_lane1    # 59o
-
-        fa      $sum3,$sum3,$more3                      # 60e
-        lnop                                            # 60o pairing
-
-        ceq     $c_same_5,$pixel3_2,$pixel1_2           # 61e
-        stqx    $sum0,$a_nothing,$pixel0                # 61o
-
-        fm      $blue_4,$blue_3,$weight_3               # 62e
-        stqx    $sum1,$a_nothing,$pixel1                # 62o
-
-        ori     $more2_2,$share2_2,0                    # 63e
-        lnop                                            # 63o pairing
-
-        and     $c_same_10,$c_same_9,$share0_2          # 64e
-        stqx    $sum2,$a_nothing,$pixel2                # 64o
-
-        and     $c_same_11,$c_same_5,$share1_3          # 65e
-        lnop                                            # 65o pairing
-
-        fa      $more2_2,$more2_2,$c_same_10            # 66e
-        stqx    $sum3,$a_nothing,$pixel3                # 66o
-
-        ceq     $c_same_12,$pixel1_2,$pixel0_2          # 67e
-        lqx     $sum0_2,$a_nothing,$pixel0_2            # 67o
-
-        fa      $more3,$more3_3,$c_same_11              # 68e
-        rotqbyi $blue_5,$blue_4,8                       # 68o
-
-        fm      $red_4,$red_3,$weight_3                 # 69e
-        lqx     $sum1,$a_nothing,$pixel1_2              # 69o
-
-        ceq     $c_same_11,$pixel2_2,$pixel1_2          # 70e
-        lqx     $sum2,$a_nothing,$pixel2_2              # 70o
-
-        ori     $more1_4,$share1_3,0                    # 71e
-        lqx     $sum3,$a_nothing,$pixel3_2              # 71o
-
-        and     $c_same,$c_same_12,$share0_2            # 72e
-        lqd     $blue_6,0x5f0($a_surfaces)              # 72o
-
-        ceq     $c_same_12,$pixel3_2,$pixel2_2          # 73e
-        lqd     $red_5,0x570($a_surfaces)               # 73o
-
-        fm      $green_5,$green_4,$weight_3             # 74e
-        lqd     $green_6,0x5b0($a_surfaces)             # 74o
-
-        and     $c_same_11,$c_same_11,$share1_3         # 75e
-        fa      $more1,$more1_4,$c_same                 # 76e
-
-        and     $c_same,$c_same_12,$share2_2            # 77e
-        fa      $more2_3,$more2_2,$c_same_11            # 78e
-
-        fa      $more3,$more3,$c_same                   # 79e
-        selb    $low_4,$red_4,$blue_5,$m_behind         # 80e
-
-        selb    $high_4,$blue_5,$red_4,$m_behind        # 81e
-        lnop                                            # 81o pairing
-
-        fa      $sum0_3,$sum0_2,$share0_2               # 82e
-        shufb   $share0_3,$low_4,$green_5,$m_first      # 82o
-
-        fa      $sum1,$sum1,$more1                      # 83e
-        shufb   $share3_3,$high_4,$green_5,$m_fourth    # 83o
-
-        ceq     $c_same,$pixel3_3,$pixel0_3             # 84e
-        shufb   $share2_3,$high_4,$green_5,$m_third     # 84o
-
-        fa      $sum2,$sum2,$more2_3                    # 85e
-        shufb   $share1_4,$low_4,$green_5,$m_second     # 85o
-
-        ceq     $c_same_13,$pixel2_3,$pixel0_3          # 86e
-        fa      $sum3,$sum3,$more3                      # 87e
-
-        ori     $more3_4,$share3_3,0                    # 88e
-        stqx    $sum0_3,$a_nothing,$pixel0_2            # 88o
-
-        and     $c_same,$c_same,$share0_3               # 89e
-        stqx    $sum1,$a_nothing,$pixel1_2              # 89o
-
-        ori     $more2_4,$share2_3,0                    # 90e
-        lnop                                            # 90o pairing
-
-        and     $c_same_14,$c_same_13,$share0_3         # 91e
-        stqx    $sum2,$a_nothing,$pixel2_2              # 91o
-
-        fm      $blue_7,$blue_6,$weight_2               # 92e
-        lnop                                            # 92o pairing
-
-        fa      $more3_5,$more3_4,$c_same               # 93e
-        stqx    $sum3,$a_nothing,$pixel3_2              # 93o
-
-        fa      $more2_5,$more2_4,$c_same_14            # 94e
-        lqx     $sum0,$a_nothing,$pixel0_3              # 94o
-
-        ceq     $c_same,$pixel1_3,$pixel0_3             # 95e
-        lqx     $sum1,$a_nothing,$pixel1_3              # 95o
-
-        ceq     $c_same_3,$pixel3_3,$pixel1_3           # 96e
-        lqx     $sum2,$a_nothing,$pixel2_3              # 96o
-
-        ceq     $c_same_14,$pixel2_3,$pixel1_3          # 97e
-        lqx     $sum3,$a_nothing,$pixel3_3              # 97o
-
-        ori     $more1,$share1_4,0                      # 98e
-        rotqbyi $blue_7,$blue_7,8                       # 98o
-
-        and     $c_same,$c_same,$share0_3               # 99e
-        fm      $red_6,$red_5,$weight_2                 # 100e
-
-        and     $c_same_3,$c_same_3,$share1_4           # 101e
-        and     $c_same_15,$c_same_14,$share1_4         # 102e
-
-        fa      $more1,$more1,$c_same                   # 103e
-        fm      $green_3,$green_6,$weight_2             # 104e
-
-        fa      $more3,$more3_5,$c_same_3               # 105e
-        fa      $more2_4,$more2_5,$c_same_15            # 106e
-
-        ceq     $c_same_14,$pixel3_3,$pixel2_3          # 107e
-        selb    $low,$red_6,$blue_7,$m_behind           # 108e
-
-        selb    $high,$blue_7,$red_6,$m_behind          # 109e
-        lnop                                            # 109o pairing
-
-        and     $c_same,$c_same_14,$share2_3            # 110e
-        shufb   $share0_4,$low,$green_3,$m_first        # 110o
-
-        fa      $sum0,$sum0,$share0_3                   # 111e
-        shufb   $share3,$high,$green_3,$m_fourth        # 111o
-
-        fa      $sum1,$sum1,$more1                      # 112e
-        shufb   $share2_4,$high,$green_3,$m_third       # 112o
-
-        fa      $more3,$more3,$c_same                   # 113e
-        shufb   $share1_5,$low,$green_3,$m_second       # 113o
-
-        fa      $sum2,$sum2,$more2_4                    # 114e
-        ceq     $c_same,$pixel3_4,$pixel0_4             # 115e
-
-        ceq     $c_same_16,$pixel2_4,$pixel0_4          # 116e
-        lnop                                            # 116o pairing
-
-        ori     $more3_6,$share3,0                      # 117e
-        stqx    $sum0,$a_nothing,$pixel0_3              # 117o
-
-        and     $c_same,$c_same,$share0_4               # 118e
-        stqx    $sum1,$a_nothing,$pixel1_3              # 118o
-
-        ori     $more2_5,$share2_4,0                    # 119e
-        lnop                                            # 119o pairing
-
-        and     $c_same_6,$c_same_16,$share0_4          # 120e
-        stqx    $sum2,$a_nothing,$pixel2_3              # 120o
-
-        fa      $more3_7,$more3_6,$c_same               # 121e
-        fa      $sum3,$sum3,$more3                      # 122e
-
-        fa      $more2,$more2_5,$c_same_6               # 123e
-        ceq     $c_same_3,$pixel3_4,$pixel1_4           # 124e
-
-        a       $a_rays,$a_rays,$rays_step              # 125e
-        a       $a_surfaces,$a_surfaces,$surfaces_step  # 126e
-
-        and     $c_same_3,$c_same_3,$share1_5           # 127e
-        lnop                                            # 127o pairing
-
-next_packet:
-            ceq     $c_same,$pixel1_4,$pixel0_4         # 0e
-            stqx    $sum3,$a_nothing,$pixel3_3          # 0o
-
-            fa      $more3,$more3_7,$c_same_3           # 1e
-            lqx     $sum3,$a_nothing,$pixel3_4          # 1o
-
-            ceq     $c_same_16,$pixel2_4,$pixel1_4      # 2e
-            lqx     $sum0,$a_nothing,$pixel0_4          # 2o
-
-            ori     $more1,$share1_5,0                  # 3e
-            lqx     $sum1,$a_nothing,$pixel1_4          # 3o
-
-            and     $c_same,$c_same,$share0_4           # 4e
-            lqx     $sum2,$a_nothing,$pixel2_4          # 4o
-
-            ceq     $c_same_3,$pixel3_4,$pixel2_4       # 5e
-        lqd     $weight,512($a_rays)                    # 5o
-
-            and     $c_same_16,$c_same_16,$share1_5     # 6e
-        lqd     $blue,0x5c0($a_surfaces)                # 6o
-
-            fa      $more1,$more1,$c_same               # 7e
-        lqd     $red,0x540($a_surfaces)                 # 7o
-
-            and     $c_same,$c_same_3,$share2_4         # 8e
-            lnop                                        # 8o pairing
-
-            fa      $more2,$more2,$c_same_16            # 9e
-        lqd     $pixel,576($a_rays)                     # 9o
-
-            fa      $more3,$more3,$c_same               # 10e
-        lqd     $weight_2,528($a_rays)                  # 10o
-
-            fa      $sum0,$sum0,$share0_4               # 11e
-        lqd     $blue_2,0x5d0($a_surfaces)              # 11o
-
-        fm      $blue,$blue,$weight                     # 12e
-        lqd     $red_2,0x550($a_surfaces)               # 12o
-
-        fm      $red,$red,$weight                       # 13e
-        lqd     $green,0x580($a_surfaces)               # 13o
-
-            fa      $sum1,$sum1,$more1                  # 14e
-        lqd     $green_2,0x590($a_surfaces)             # 14o
-
-            fa      $sum2,$sum2,$more2                  # 15e
-        lqd     $pixel_2,592($a_rays)                   # 15o
-
-            fa      $sum3,$sum3,$more3                  # 16e
-        shufb   $pixel0,$pixel,$pixel,$m_lane0          # 16o
-
-        fm      $blue_2,$blue_2,$weight_2               # 17e
-            stqx    $sum0,$a_nothing,$pixel0_4          # 17o
-
-        fm      $red_2,$red_2,$weight_2                 # 18e
-        shufb   $pixel3,$pixel,$pixel,$m_lane3          # 18o
-
-        fm      $green,$green,$weight                   # 19e
-        rotqbyi $blue,$blue,8                           # 19o
-
-        fm      $green_3,$green_2,$weight_2             # 20e
-        shufb   $pixel1,$pixel,$pixel,$m_lane1          # 20o
-
-        ai      $count,$count,-1                        # 21e
-        shufb   $pixel2,$pixel,$pixel,$m_lane2          # 21o
-
-        ceq     $c_same,$pixel3,$pixel0                 # 22e
-            stqx    $sum1,$a_nothing,$pixel1_4          # 22o
-
-        selb    $low,$red,$blue,$m_behind               # 23e
-            stqx    $sum2,$a_nothing,$pixel2_4          # 23o
-
-        selb    $high,$blue,$red,$m_behind              # 24e
-            stqx    $sum3,$a_nothing,$pixel3_4          # 24o
-
-        ceq     $c_same_2,$pixel2,$pixel0               # 25e
-        rotqbyi $blue,$blue_2,8                         # 25o
-
-        ceq     $c_same_3,$pixel3,$pixel1               # 26e
-        shufb   $pixel3_2,$pixel_2,$pixel_2,$m_lane3    # 26o
-
-        ceq     $c_same_6,$pixel1,$pixel0               # 27e
-        shufb   $share0,$low,$green,$m_first            # 27o
-
-        ceq     $c_same_4,$pixel2,$pixel1               # 28e
-        shufb   $share3,$high,$green,$m_fourth          # 28o
-
-        ceq     $c_same_5,$pixel3,$pixel2               # 29e
-        shufb   $share2,$high,$green,$m_third           # 29o
-
-        selb    $low_2,$red_2,$blue,$m_behind           # 30e
-        shufb   $share1_2,$low,$green,$m_second         # 30o
-
-        and     $c_same,$c_same,$share0                 # 31e
-        ori     $more3,$share3,0                        # 32e
-
-        ori     $more2,$share2,0                        # 33e
-        lqd     $weight_4,544($a_rays)                  # 33o
-
-        fa      $more3,$more3,$c_same                   # 34e
-        lqx     $sum0,$a_nothing,$pixel0                # 34o
-
-        and     $c_same,$c_same_2,$share0               # 35e
-        lqx     $sum1,$a_nothing,$pixel1                # 35o
-
-        ori     $more1,$share1_2,0                      # 36e
-        shufb   $pixel2_2,$pixel_2,$pixel_2,$m_lane2    # 36o
-
-        and     $c_same_6,$c_same_6,$share0             # 37e
-        shufb   $pixel1_5,$pixel_2,$pixel_2,$m_lane1    # 37o
-
-        fa      $more2,$more2,$c_same                   # 38e
-        lqx     $sum2,$a_nothing,$pixel2                # 38o
-
-        and     $c_same,$c_same_3,$share1_2             # 39e
-        shufb   $pixel0_5,$pixel_2,$pixel_2,$m_lane0    # 39o
-
-        selb    $high_3,$blue,$red_2,$m_behind          # 40e
-        lqx     $sum3,$a_nothing,$pixel3                # 40o
-
-        fa      $more3,$more3,$c_same                   # 41e
-        lqd     $red_7,0x560($a_surfaces)               # 41o
-
-        and     $c_same,$c_same_4,$share1_2             # 42e
-        shufb   $share3_4,$high_3,$green_3,$m_fourth    # 42o
-
-        fa      $more1,$more1,$c_same_6                 # 43e
-        shufb   $share0_5,$low_2,$green_3,$m_first      # 43o
-
-        ceq     $c_same_17,$pixel3_2,$pixel0_5          # 44e
-        lqd     $blue_5,0x5e0($a_surfaces)              # 44o
-
-        fa      $more2,$more2,$c_same                   # 45e
-        lqd     $pixel_5,608($a_rays)                   # 45o
-
-        and     $c_same_5,$c_same_5,$share2             # 46e
-        lqd     $pixel_6,624($a_rays)                   # 46o
-
-        ori     $more3_8,$share3_4,0                    # 47e
-        shufb   $share2_2,$high_3,$green_3,$m_third     # 47o
-
-        fa      $more3,$more3,$c_same_5                 # 48e
-        shufb   $share1,$low_2,$green_3,$m_second       # 48o
-
-        and     $c_same_16,$c_same_17,$share0_5         # 49e
-        lqd     $green_7,0x5a0($a_surfaces)             # 49o
-
-        fm      $blue_8,$blue_5,$weight_4               # 50e
-        lqd     $weight_5,560($a_rays)                  # 50o
-
-        fa      $sum0,$sum0,$share0                     # 51e
-        shufb   $pixel0_6,$pixel_5,$pixel_5,$m_lane0    # 51o
-
-        fa      $sum1,$sum1,$more1                      # 52e
-        shufb   $pixel3_4,$pixel_6,$pixel_6,$m_lane3    # 52o
-
-        fa      $more3_7,$more3_8,$c_same_16            # 53e
-        shufb   $pixel2_4,$pixel_6,$pixel_6,$m_lane2    # 53o
-
-        fa      $sum2,$sum2,$more2                      # 54e
-        shufb   $pixel3_3,$pixel_5,$pixel_5,$m_lane3    # 54o
-
-        ceq     $c_same_18,$pixel2_2,$pixel0_5          # 55e
-        shufb   $pixel1_6,$pixel_5,$pixel_5,$m_lane1    # 55o
-
-        a       $a_rays,$a_rays,$rays_step              # 56e
-        rotqbyi $blue_8,$blue_8,8                       # 56o
-
         fa      $sum3,$sum3,$more3                      # 57e
-        stqx    $sum0,$a_nothing,$pixel0                # 57o
+        stqx    $sum0_3,$a_nothing,$pixel0              # 57o
 
-        ceq     $c_same_19,$pixel3_2,$pixel1_5          # 58e
-        shufb   $pixel0_4,$pixel_6,$pixel_6,$m_lane0    # 58o
+        ceq     $c_same_10,$pixel3_2,$pixel1_2          # 58e
+        stqx    $sum1,$a_nothing,$pixel1                # 58o
 
-        fm      $red_7,$red_7,$weight_4                 # 59e
-        stqx    $sum1,$a_nothing,$pixel1                # 59o
+        and     $c_same_11,$c_same_9,$share0_2          # 59e
+        lqd     $weight_4,560($a_rays)                  # 59o
 
-        ori     $more2_2,$share2_2,0                    # 60e
-        shufb   $pixel1_4,$pixel_6,$pixel_6,$m_lane1    # 60o
+        and     $c_same_12,$c_same_10,$share1_3         # 60e
+        rotqbyi $blue_4,$blue_4,8                       # 60o
 
-        and     $c_same_10,$c_same_18,$share0_5         # 61e
-        stqx    $sum2,$a_nothing,$pixel2                # 61o
+        fm      $red_3,$red_3,$weight_3                 # 61e
+        stqx    $sum2,$a_nothing,$pixel2_2              # 61o
 
-        and     $c_same_19,$c_same_19,$share1           # 62e
-        lnop                                            # 62o pairing
+        fa      $more2,$share2,$c_same_11               # 62e
+        shufb   $pixel0_4,$pixel_4,$pixel_4,$m_lane0    # 62o
 
-        fm      $green_7,$green_7,$weight_4             # 63e
+        ceq     $c_same_13,$pixel1_2,$pixel0_2          # 63e
         stqx    $sum3,$a_nothing,$pixel3                # 63o
 
-        fa      $more2_6,$more2_2,$c_same_10            # 64e
-        lnop                                            # 64o pairing
+        fa      $more3,$more3_2,$c_same_12              # 64e
+        lqx     $sum0_4,$a_nothing,$pixel0_2            # 64o
 
-        ceq     $c_same_20,$pixel1_5,$pixel0_5          # 65e
-        lqd     $red_8,0x570($a_surfaces)               # 65o
+        fm      $green_4,$green_3,$weight_3             # 65e
+        lqx     $sum1,$a_nothing,$pixel1_2              # 65o
 
-        fa      $more3,$more3_7,$c_same_19              # 66e
-        lqd     $green_3,0x5b0($a_surfaces)             # 66o
+        ceq     $c_same_12,$pixel2_3,$pixel1_2          # 66e
+        lqx     $sum2,$a_nothing,$pixel2_3              # 66o
 
-        ceq     $c_same_19,$pixel2_2,$pixel1_5          # 67e
-        shufb   $pixel2_5,$pixel_5,$pixel_5,$m_lane2    # 67o
+        and     $c_same_13,$c_same_13,$share0_2         # 67e
+        lqx     $sum3_2,$a_nothing,$pixel3_2            # 67o
 
-        ori     $more1,$share1,0                        # 68e
-        lqd     $blue_6,0x5f0($a_surfaces)              # 68o
+        ceq     $c_same_14,$pixel3_2,$pixel2_3          # 68e
+        lqd     $blue_5,0x5f0($a_surfaces)              # 68o
 
-        a       $a_surfaces,$a_surfaces,$surfaces_step  # 69e
-        and     $c_same,$c_same_20,$share0_5            # 70e
+        and     $c_same_15,$c_same_12,$share1_3         # 69e
+        lqd     $red_4,0x570($a_surfaces)               # 69o
 
-        ceq     $c_same_20,$pixel3_2,$pixel2_2          # 71e
-        selb    $low_5,$red_7,$blue_8,$m_behind         # 72e
+        fa      $more1_3,$share1_3,$c_same_13           # 70e
+        lqd     $green_5,0x5b0($a_surfaces)             # 70o
 
-        selb    $high,$blue_8,$red_7,$m_behind          # 73e
-        lqx     $sum0_4,$a_nothing,$pixel0_5            # 73o
+        and     $c_same_6,$c_same_14,$share2            # 71e
+        shufb   $pixel1,$pixel_4,$pixel_4,$m_lane1      # 71o
 
-        and     $c_same_19,$c_same_19,$share1           # 74e
-        shufb   $share0_3,$low_5,$green_7,$m_first      # 74o
+        selb    $low_3,$red_3,$blue_4,$m_behind         # 72e
+        shufb   $pixel2_5,$pixel_4,$pixel_4,$m_lane2    # 72o
 
-        fa      $more1,$more1,$c_same                   # 75e
-        shufb   $share3_5,$high,$green_7,$m_fourth      # 75o
+        fa      $more2,$more2,$c_same_15                # 73e
+        lnop                                            # 73o pairing
 
-        and     $c_same,$c_same_20,$share2_2            # 76e
-        shufb   $share1_4,$low_5,$green_7,$m_second     # 76o
+        fa      $more3,$more3,$c_same_6                 # 74e
+        shufb   $share0_3,$low_3,$green_4,$m_first      # 74o
 
-        fa      $more2_6,$more2_6,$c_same_19            # 77e
-        shufb   $share2_5,$high,$green_7,$m_third       # 77o
+        selb    $high_3,$blue_4,$red_3,$m_behind        # 75e
+        shufb   $share1_4,$low_3,$green_4,$m_second     # 75o
 
-        fa      $more3,$more3,$c_same                   # 78e
-        lqx     $sum1,$a_nothing,$pixel1_5              # 78o
+        ceq     $c_same_5,$pixel3_3,$pixel0_3           # 76e
+        lnop                                            # 76o pairing
 
-        ceq     $c_same,$pixel3_3,$pixel0_6             # 79e
-        lnop                                            # 79o pairing
+        fa      $sum0_5,$sum0_4,$share0_2               # 77e
+        shufb   $share3_3,$high_3,$green_4,$m_fourth    # 77o
 
-        ori     $more3_9,$share3_5,0                    # 80e
-        lqx     $sum2,$a_nothing,$pixel2_2              # 80o
+        fa      $sum1,$sum1,$more1_3                    # 78e
+        shufb   $share2_3,$high_3,$green_4,$m_third     # 78o
 
-        and     $c_same,$c_same,$share0_3               # 81e
-        lnop                                            # 81o pairing
+        and     $c_same_13,$c_same_5,$share0_3          # 79e
+        fa      $sum2,$sum2,$more2                      # 80e
 
-        fm      $blue_4,$blue_6,$weight_5               # 82e
-        lqx     $sum3,$a_nothing,$pixel3_2              # 82o
+        fa      $sum3_3,$sum3_2,$more3                  # 81e
+        fm      $blue_6,$blue_5,$weight_4               # 82e
 
-        fa      $sum0,$sum0_4,$share0_5                 # 83e
-        fa      $sum1,$sum1,$more1                      # 84e
+        fa      $more3_3,$share3_3,$c_same_13           # 83e
+        stqx    $sum0_5,$a_nothing,$pixel0_2            # 83o
 
-        fa      $more3_10,$more3_9,$c_same              # 85e
-        fa      $sum2,$sum2,$more2_6                    # 86e
+        ceq     $c_same_3,$pixel2_4,$pixel0_3           # 84e
+        stqx    $sum1,$a_nothing,$pixel1_2              # 84o
 
-        ceq     $c_same,$pixel2_5,$pixel0_6             # 87e
-        lnop                                            # 87o pairing
+        ceq     $c_same_16,$pixel3_3,$pixel1_3          # 85e
+        lnop                                            # 85o pairing
 
-        fa      $sum3,$sum3,$more3                      # 88e
-        rotqbyi $blue_9,$blue_4,8                       # 88o
+        fm      $red_5,$red_4,$weight_4                 # 86e
+        stqx    $sum2,$a_nothing,$pixel2_3              # 86o
 
-        ceq     $c_same_21,$pixel3_3,$pixel1_6          # 89e
-        stqx    $sum0,$a_nothing,$pixel0_5              # 89o
+        and     $c_same_3,$c_same_3,$share0_3           # 87e
+        stqx    $sum3_3,$a_nothing,$pixel3_2            # 87o
 
-        fm      $red_9,$red_8,$weight_5                 # 90e
-        stqx    $sum1,$a_nothing,$pixel1_5              # 90o
+        and     $c_same_17,$c_same_16,$share1_4         # 88e
+        rotqbyi $blue_7,$blue_6,8                       # 88o
 
-        ori     $more2_7,$share2_5,0                    # 91e
-        lnop                                            # 91o pairing
+        fm      $green_4,$green_5,$weight_4             # 89e
+        lqx     $sum0,$a_nothing,$pixel0_3              # 89o
 
-        and     $c_same,$c_same,$share0_3               # 92e
-        stqx    $sum2,$a_nothing,$pixel2_2              # 92o
+        fa      $more2,$share2_3,$c_same_3              # 90e
+        lqx     $sum1,$a_nothing,$pixel1_3              # 90o
 
-        and     $c_same_2,$c_same_21,$share1_4          # 93e
-        lnop                                            # 93o pairing
+        fa      $more3,$more3_3,$c_same_17              # 91e
+        lqx     $sum2,$a_nothing,$pixel2_4              # 91o
 
-        fm      $green_3,$green_3,$weight_5             # 94e
-        stqx    $sum3,$a_nothing,$pixel3_2              # 94o
+        ceq     $c_same_17,$pixel1_3,$pixel0_3          # 92e
+        lqx     $sum3,$a_nothing,$pixel3_3              # 92o
 
-        fa      $more2_5,$more2_7,$c_same               # 95e
-        ceq     $c_same,$pixel1_6,$pixel0_6             # 96e
+        ceq     $c_same_3,$pixel2_4,$pixel1_3           # 93e
+        ceq     $c_same_13,$pixel3_3,$pixel2_4          # 94e
 
-        fa      $more3,$more3_10,$c_same_2              # 97e
-        ceq     $c_same_2,$pixel2_5,$pixel1_6           # 98e
+        and     $c_same_17,$c_same_17,$share0_3         # 95e
+        selb    $low_2,$red_5,$blue_7,$m_behind         # 96e
 
-        ori     $more1,$share1_4,0                      # 99e
-        and     $c_same,$c_same,$share0_3               # 100e
+        and     $c_same_3,$c_same_3,$share1_4           # 97e
+        lnop                                            # 97o pairing
 
-        ceq     $c_same_14,$pixel3_3,$pixel2_5          # 101e
-        hbrr    next_packet_back,next_packet            # 101o hint
+        and     $c_same_13,$c_same_13,$share2_3         # 98e
+        shufb   $share0_4,$low_2,$green_4,$m_first      # 98o
 
-        selb    $low,$red_9,$blue_9,$m_behind           # 102e
-        lqx     $sum1,$a_nothing,$pixel1_6              # 102o
+        fa      $more1,$share1_4,$c_same_17             # 99e
+        shufb   $share1,$low_2,$green_4,$m_second       # 99o
 
-        selb    $high,$blue_9,$red_9,$m_behind          # 103e
-        lqx     $sum0,$a_nothing,$pixel0_6              # 103o
+        selb    $high,$blue_7,$red_5,$m_behind          # 100e
+        fa      $more2,$more2,$c_same_3                 # 101e
 
-        and     $c_same_3,$c_same_2,$share1_4           # 104e
-        shufb   $share0_4,$low,$green_3,$m_first        # 104o
+        fa      $more3,$more3,$c_same_13                # 102e
+        shufb   $share3,$high,$green_4,$m_fourth        # 102o
 
-        fa      $more1,$more1,$c_same                   # 105e
-        shufb   $share3,$high,$green_3,$m_fourth        # 105o
+        fa      $sum0,$sum0,$share0_3                   # 103e
+        shufb   $share2,$high,$green_4,$m_third         # 103o
 
-        and     $c_same,$c_same_14,$share2_5            # 106e
-        shufb   $share1_5,$low,$green_3,$m_second       # 106o
+        ceq     $c_same_17,$pixel3_4,$pixel0_4          # 104e
+        fa      $sum1,$sum1,$more1                      # 105e
 
-        fa      $more2_4,$more2_5,$c_same_3             # 107e
-        shufb   $share2_4,$high,$green_3,$m_third       # 107o
+        and     $c_same,$c_same_17,$share0_4            # 106e
+        fa      $sum2,$sum2,$more2                      # 107e
 
-        fa      $more3,$more3,$c_same                   # 108e
+        fa      $more3_4,$share3,$c_same                # 108e
         lnop                                            # 108o pairing
 
-        ceq     $c_same,$pixel3_4,$pixel0_4             # 109e
-        lqx     $sum2,$a_nothing,$pixel2_5              # 109o
+        fa      $sum3,$sum3,$more3                      # 109e
+        stqx    $sum0,$a_nothing,$pixel0_3              # 109o
 
-        ori     $more3_7,$share3,0                      # 110e
-        lnop                                            # 110o pairing
+        a       $a_rays,$a_rays,$rays_step              # 110e
+        a       $a_surfaces,$a_surfaces,$surfaces_step  # 111e
 
-        and     $c_same,$c_same,$share0_4               # 111e
-        lqx     $sum3,$a_nothing,$pixel3_3              # 111o
+        ceq     $c_same,$pixel2_5,$pixel0_4             # 112e
+        ceq     $c_same_17,$pixel3_4,$pixel1            # 113e
 
-        fa      $sum0,$sum0,$share0_3                   # 112e
-        fa      $sum1,$sum1,$more1                      # 113e
+next_packet:
+            and     $c_same,$c_same,$share0_4           # 0e
+            stqx    $sum1,$a_nothing,$pixel1_3          # 0o
 
-        fa      $more3_7,$more3_7,$c_same               # 114e
-        fa      $sum2,$sum2,$more2_4                    # 115e
+            and     $c_same_17,$c_same_17,$share1       # 1e
+        lqd     $weight,512($a_rays)                    # 1o
 
-        ceq     $c_same,$pixel2_4,$pixel0_4             # 116e
-        fa      $sum3,$sum3,$more3                      # 117e
+            fa      $more2,$share2,$c_same              # 2e
+            stqx    $sum2,$a_nothing,$pixel2_4          # 2o
 
-        ceq     $c_same_3,$pixel3_4,$pixel1_4           # 118e
-        stqx    $sum0,$a_nothing,$pixel0_6              # 118o
+            ceq     $c_same,$pixel1,$pixel0_4           # 3e
+        lqd     $blue,0x5c0($a_surfaces)                # 3o
 
-        ori     $more2_5,$share2_4,0                    # 119e
-        stqx    $sum1,$a_nothing,$pixel1_6              # 119o
+            fa      $more3,$more3_4,$c_same_17          # 4e
+            stqx    $sum3,$a_nothing,$pixel3_3          # 4o
 
-        and     $c_same,$c_same,$share0_4               # 120e
-        lnop                                            # 120o pairing
+            ceq     $c_same_17,$pixel2_5,$pixel1        # 5e
+            lqx     $sum0,$a_nothing,$pixel0_4          # 5o
 
-        and     $c_same_3,$c_same_3,$share1_5           # 121e
-        stqx    $sum2,$a_nothing,$pixel2_5              # 121o
+            and     $c_same,$c_same,$share0_4           # 6e
+            lqx     $sum2,$a_nothing,$pixel2_5          # 6o
 
-        fa      $more2,$more2_5,$c_same                 # 122e
+            ceq     $c_same_3,$pixel3_4,$pixel2_5       # 7e
+            lqx     $sum3,$a_nothing,$pixel3_4          # 7o
+
+            fa      $more1,$share1,$c_same              # 8e
+            lqx     $sum1,$a_nothing,$pixel1            # 8o
+
+            and     $c_same,$c_same_17,$share1          # 9e
+        lqd     $red,0x540($a_surfaces)                 # 9o
+
+            and     $c_same_17,$c_same_3,$share2        # 10e
+        lqd     $green,0x580($a_surfaces)               # 10o
+
+            fa      $more2,$more2,$c_same               # 11e
+        lqd     $pixel,576($a_rays)                     # 11o
+
+            fa      $more3,$more3,$c_same_17            # 12e
+        lqd     $weight_2,528($a_rays)                  # 12o
+
+            fa      $sum0,$sum0,$share0_4               # 13e
+        lqd     $blue_2,0x5d0($a_surfaces)              # 13o
+
+            fa      $sum1,$sum1,$more1                  # 14e
+        lqd     $red_2,0x550($a_surfaces)               # 14o
+
+        fm      $blue,$blue,$weight                     # 15e
+        lqd     $green_2,0x590($a_surfaces)             # 15o
+
+        fm      $red,$red,$weight                       # 16e
+        lqd     $pixel_2,592($a_rays)                   # 16o
+
+            fa      $sum2,$sum2,$more2                  # 17e
+        shufb   $pixel0,$pixel,$pixel,$m_lane0          # 17o
+
+            fa      $sum3,$sum3,$more3                  # 18e
+        shufb   $pixel3,$pixel,$pixel,$m_lane3          # 18o
+
+        fm      $blue_2,$blue_2,$weight_2               # 19e
+            stqx    $sum0,$a_nothing,$pixel0_4          # 19o
+
+        fm      $green,$green,$weight                   # 20e
+            stqx    $sum1,$a_nothing,$pixel1            # 20o
+
+        fm      $green_2,$green_2,$weight_2             # 21e
+        rotqbyi $blue,$blue,8                           # 21o
+
+        fm      $red_6,$red_2,$weight_2                 # 22e
+        shufb   $pixel1,$pixel,$pixel,$m_lane1          # 22o
+
+        ai      $count,$count,-1                        # 23e
+            stqx    $sum2,$a_nothing,$pixel2_5          # 23o
+
+        ceq     $c_same,$pixel3,$pixel0                 # 24e
+            stqx    $sum3,$a_nothing,$pixel3_4          # 24o
+
+        selb    $low,$red,$blue,$m_behind               # 25e
+        shufb   $pixel2,$pixel,$pixel,$m_lane2          # 25o
+
+        selb    $high,$blue,$red,$m_behind              # 26e
+        shufb   $pixel3_5,$pixel_2,$pixel_2,$m_lane3    # 26o
+
+        ceq     $c_same_13,$pixel3,$pixel1              # 27e
+        rotqbyi $blue,$blue_2,8                         # 27o
+
+        ceq     $c_same_3,$pixel1,$pixel0               # 28e
+        lnop                                            # 28o pairing
+
+        ceq     $c_same_18,$pixel2,$pixel0              # 29e
+        shufb   $share0,$low,$green,$m_first            # 29o
+
+        ceq     $c_same_19,$pixel2,$pixel1              # 30e
+        shufb   $share3,$high,$green,$m_fourth          # 30o
+
+        ceq     $c_same_5,$pixel3,$pixel2               # 31e
+        shufb   $share1_5,$low,$green,$m_second         # 31o
+
+        selb    $low_4,$red_6,$blue,$m_behind           # 32e
+        shufb   $share2_2,$high,$green,$m_third         # 32o
+
+        and     $c_same,$c_same,$share0                 # 33e
+        lqd     $weight_5,544($a_rays)                  # 33o
+
+        and     $c_same_18,$c_same_18,$share0           # 34e
+        shufb   $pixel2_6,$pixel_2,$pixel_2,$m_lane2    # 34o
+
+        fa      $more3,$share3,$c_same                  # 35e
+        shufb   $pixel1_4,$pixel_2,$pixel_2,$m_lane1    # 35o
+
+        fa      $more2,$share2_2,$c_same_18             # 36e
+        shufb   $pixel0_5,$pixel_2,$pixel_2,$m_lane0    # 36o
+
+        and     $c_same,$c_same_3,$share0               # 37e
+        lqd     $red,0x560($a_surfaces)                 # 37o
+
+        and     $c_same_3,$c_same_13,$share1_5          # 38e
+        lqd     $blue_8,0x5e0($a_surfaces)              # 38o
+
+        and     $c_same_19,$c_same_19,$share1_5         # 39e
+        lqx     $sum0_2,$a_nothing,$pixel0              # 39o
+
+        fa      $more1,$share1_5,$c_same                # 40e
+        lqx     $sum1_3,$a_nothing,$pixel1              # 40o
+
+        fa      $more3,$more3,$c_same_3                 # 41e
+        shufb   $share0_2,$low_4,$green_2,$m_first      # 41o
+
+        selb    $high_4,$blue,$red_6,$m_behind          # 42e
+        lqd     $pixel_3,608($a_rays)                   # 42o
+
+        fa      $more2,$more2,$c_same_19                # 43e
+        lqx     $sum2,$a_nothing,$pixel2                # 43o
+
+        ceq     $c_same,$pixel3_5,$pixel0_5             # 44e
+        shufb   $share3_3,$high_4,$green_2,$m_fourth    # 44o
+
+        and     $c_same_7,$c_same_5,$share2_2           # 45e
+        shufb   $share1,$low_4,$green_2,$m_second       # 45o
+
+        and     $c_same,$c_same,$share0_2               # 46e
+        shufb   $share2,$high_4,$green_2,$m_third       # 46o
+
+        fa      $more3,$more3,$c_same_7                 # 47e
+        lqx     $sum3,$a_nothing,$pixel3                # 47o
+
+        fm      $blue_9,$blue_8,$weight_5               # 48e
+        shufb   $pixel0_6,$pixel_3,$pixel_3,$m_lane0    # 48o
+
+        fa      $sum0_6,$sum0_2,$share0                 # 49e
+        shufb   $pixel3_3,$pixel_3,$pixel_3,$m_lane3    # 49o
+
+        fa      $sum1,$sum1_3,$more1                    # 50e
+        shufb   $pixel2_4,$pixel_3,$pixel_3,$m_lane2    # 50o
+
+        fa      $more3_2,$share3_3,$c_same              # 51e
+        shufb   $pixel1_3,$pixel_3,$pixel_3,$m_lane1    # 51o
+
+        fa      $sum2,$sum2,$more2                      # 52e
+        lqd     $pixel_5,624($a_rays)                   # 52o
+
+        ceq     $c_same,$pixel2_6,$pixel0_5             # 53e
+        lqd     $green_6,0x5a0($a_surfaces)             # 53o
+
+        fa      $sum3,$sum3,$more3                      # 54e
+        rotqbyi $blue_9,$blue_9,8                       # 54o
+
+        ceq     $c_same_10,$pixel3_5,$pixel1_4          # 55e
+        stqx    $sum0_6,$a_nothing,$pixel0              # 55o
+
+        fm      $red,$red,$weight_5                     # 56e
+        lnop                                            # 56o pairing
+
+        and     $c_same,$c_same,$share0_2               # 57e
+        stqx    $sum1,$a_nothing,$pixel1                # 57o
+
+        and     $c_same_13,$c_same_10,$share1           # 58e
+        lqd     $weight_6,560($a_rays)                  # 58o
+
+        fm      $green_7,$green_6,$weight_5             # 59e
+        stqx    $sum2,$a_nothing,$pixel2                # 59o
+
+        a       $a_rays,$a_rays,$rays_step              # 60e
+        stqx    $sum3,$a_nothing,$pixel3                # 60o
+
+        fa      $more2,$share2,$c_same                  # 61e
+        shufb   $pixel1,$pixel_5,$pixel_5,$m_lane1      # 61o
+
+        ceq     $c_same,$pixel1_4,$pixel0_5             # 62e
+        lnop                                            # 62o pairing
+
+        fa      $more3,$more3_2,$c_same_13              # 63e
+        shufb   $pixel3_4,$pixel_5,$pixel_5,$m_lane3    # 63o
+
+        ceq     $c_same_13,$pixel2_6,$pixel1_4          # 64e
+        lqd     $blue_10,0x5f0($a_surfaces)             # 64o
+
+        and     $c_same,$c_same,$share0_2               # 65e
+        shufb   $pixel0_4,$pixel_5,$pixel_5,$m_lane0    # 65o
+
+        ceq     $c_same_20,$pixel3_5,$pixel2_6          # 66e
+        lqx     $sum2,$a_nothing,$pixel2_6              # 66o
+
+        selb    $low_5,$red,$blue_9,$m_behind           # 67e
+        lqd     $green_8,0x5b0($a_surfaces)             # 67o
+
+        and     $c_same_13,$c_same_13,$share1           # 68e
+        lqd     $red_7,0x570($a_surfaces)               # 68o
+
+        fa      $more1_4,$share1,$c_same                # 69e
+        shufb   $share0_5,$low_5,$green_7,$m_first      # 69o
+
+        and     $c_same_20,$c_same_20,$share2           # 70e
+        shufb   $share1_6,$low_5,$green_7,$m_second     # 70o
+
+        a       $a_surfaces,$a_surfaces,$surfaces_step  # 71e
+        shufb   $pixel2_5,$pixel_5,$pixel_5,$m_lane2    # 71o
+
+        selb    $high_4,$blue_9,$red,$m_behind          # 72e
+        lqx     $sum0_7,$a_nothing,$pixel0_5            # 72o
+
+        fa      $more2,$more2,$c_same_13                # 73e
+        lqx     $sum1,$a_nothing,$pixel1_4              # 73o
+
+        fa      $more3,$more3,$c_same_20                # 74e
+        shufb   $share3_4,$high_4,$green_7,$m_fourth    # 74o
+
+        ceq     $c_same_20,$pixel3_3,$pixel0_6          # 75e
+        shufb   $share2_4,$high_4,$green_7,$m_third     # 75o
+
+        fm      $blue_11,$blue_10,$weight_6             # 76e
+        lnop                                            # 76o pairing
+
+        and     $c_same_19,$c_same_20,$share0_5         # 77e
+        lqx     $sum3_2,$a_nothing,$pixel3_5            # 77o
+
+        fa      $sum0_5,$sum0_7,$share0_2               # 78e
+        fa      $sum1,$sum1,$more1_4                    # 79e
+
+        fa      $more3_3,$share3_4,$c_same_19           # 80e
+        fa      $sum2,$sum2,$more2                      # 81e
+
+        ceq     $c_same_18,$pixel2_4,$pixel0_6          # 82e
+        rotqbyi $blue_11,$blue_11,8                     # 82o
+
+        fa      $sum3_4,$sum3_2,$more3                  # 83e
+        lnop                                            # 83o pairing
+
+        ceq     $c_same_20,$pixel3_3,$pixel1_3          # 84e
+        stqx    $sum0_5,$a_nothing,$pixel0_5            # 84o
+
+        fm      $red_8,$red_7,$weight_6                 # 85e
+        stqx    $sum1,$a_nothing,$pixel1_4              # 85o
+
+        and     $c_same_16,$c_same_18,$share0_5         # 86e
+        lnop                                            # 86o pairing
+
+        and     $c_same_18,$c_same_20,$share1_6         # 87e
+        stqx    $sum2,$a_nothing,$pixel2_6              # 87o
+
+        fm      $green_4,$green_8,$weight_6             # 88e
+        lnop                                            # 88o pairing
+
+        fa      $more2,$share2_4,$c_same_16             # 89e
+        stqx    $sum3_4,$a_nothing,$pixel3_5            # 89o
+
+        ceq     $c_same_21,$pixel1_3,$pixel0_6          # 90e
+        fa      $more3,$more3_3,$c_same_18              # 91e
+
+        ceq     $c_same_16,$pixel2_4,$pixel1_3          # 92e
+        and     $c_same_21,$c_same_21,$share0_5         # 93e
+
+        ceq     $c_same_13,$pixel3_3,$pixel2_4          # 94e
+        hbrr    next_packet_back,next_packet            # 94o hint
+
+        selb    $low_6,$red_8,$blue_11,$m_behind        # 95e
+        lnop                                            # 95o pairing
+
+        and     $c_same_16,$c_same_16,$share1_6         # 96e
+        lqx     $sum0,$a_nothing,$pixel0_6              # 96o
+
+        fa      $more1,$share1_6,$c_same_21             # 97e
+        shufb   $share1,$low_6,$green_4,$m_second       # 97o
+
+        and     $c_same_17,$c_same_13,$share2_4         # 98e
+        shufb   $share0_4,$low_6,$green_4,$m_first      # 98o
+
+        selb    $high,$blue_11,$red_8,$m_behind         # 99e
+        lqx     $sum1,$a_nothing,$pixel1_3              # 99o
+
+        fa      $more2,$more2,$c_same_16                # 100e
+        lqx     $sum2,$a_nothing,$pixel2_4              # 100o
+
+        fa      $more3,$more3,$c_same_17                # 101e
+        shufb   $share3,$high,$green_4,$m_fourth        # 101o
+
+        ceq     $c_same_17,$pixel3_4,$pixel0_4          # 102e
+        shufb   $share2,$high,$green_4,$m_third         # 102o
+
+        fa      $sum0,$sum0,$share0_5                   # 103e
+        lqx     $sum3,$a_nothing,$pixel3_3              # 103o
+
+        and     $c_same,$c_same_17,$share0_4            # 104e
+        fa      $sum1,$sum1,$more1                      # 105e
+
+        fa      $more3_4,$share3,$c_same                # 106e
+        fa      $sum2,$sum2,$more2                      # 107e
+
+        ceq     $c_same,$pixel2_5,$pixel0_4             # 108e
+        lnop                                            # 108o pairing
+
+        fa      $sum3,$sum3,$more3                      # 109e
+        stqx    $sum0,$a_nothing,$pixel0_6              # 109o
+
+        ceq     $c_same_17,$pixel3_4,$pixel1            # 110e
 next_packet_back:
-        brnz    $count,next_packet                      # 122o
+        brnz    $count,next_packet                      # 110o
 
 next_packet_drain:
-        ceq     $c_same,$pixel1_4,$pixel0_4             # 0e
-        stqx    $sum3,$a_nothing,$pixel3_3              # 0o
+        and     $c_same,$c_same,$share0_4               # 0e
+        stqx    $sum1,$a_nothing,$pixel1_3              # 0o
 
-        fa      $more3,$more3_7,$c_same_3               # 1e
-        lqx     $sum0,$a_nothing,$pixel0_4              # 1o
+        and     $c_same_17,$c_same_17,$share1           # 1e
+        stqx    $sum2,$a_nothing,$pixel2_4              # 1o
 
-        ceq     $c_same_16,$pixel2_4,$pixel1_4          # 2e
-        lqx     $sum1,$a_nothing,$pixel1_4              # 2o
+        fa      $more2,$share2,$c_same                  # 2e
+        stqx    $sum3,$a_nothing,$pixel3_3              # 2o
 
-        ori     $more1,$share1_5,0                      # 3e
-        hbr     accumulate_r16_return,$lr               # 3o hint
+        ceq     $c_same,$pixel1,$pixel0_4               # 3e
+        lqx     $sum0,$a_nothing,$pixel0_4              # 3o
 
-        and     $c_same,$c_same,$share0_4               # 4e
-        lqx     $sum2,$a_nothing,$pixel2_4              # 4o
+        fa      $more3,$more3_4,$c_same_17              # 4e
+        lqx     $sum1,$a_nothing,$pixel1                # 4o
 
-        ceq     $c_same_3,$pixel3_4,$pixel2_4           # 5e
-        lqx     $sum3,$a_nothing,$pixel3_4              # 5o
+        ceq     $c_same_17,$pixel2_5,$pixel1            # 5e
+        hbr     accumulate_r16_return,$lr               # 5o hint
 
-        and     $c_same_16,$c_same_16,$share1_5         # 6e
-        fa      $more1,$more1,$c_same                   # 7e
+        and     $c_same,$c_same,$share0_4               # 6e
+        lqx     $sum2,$a_nothing,$pixel2_5              # 6o
 
-        and     $c_same,$c_same_3,$share2_4             # 8e
-        fa      $more2,$more2,$c_same_16                # 9e
+        ceq     $c_same_3,$pixel3_4,$pixel2_5           # 7e
+        lqx     $sum3,$a_nothing,$pixel3_4              # 7o
 
-        fa      $more3,$more3,$c_same                   # 10e
-        fa      $sum0,$sum0,$share0_4                   # 11e
+        and     $c_same_17,$c_same_17,$share1           # 8e
+        fa      $more1,$share1,$c_same                  # 9e
 
-        fa      $sum1,$sum1,$more1                      # 13e
-        fa      $sum2,$sum2,$more2                      # 15e
+        and     $c_same_22,$c_same_3,$share2            # 10e
+        fa      $more2,$more2,$c_same_17                # 11e
 
-        fa      $sum3,$sum3,$more3                      # 16e
-        stqx    $sum0,$a_nothing,$pixel0_4              # 17o
+        fa      $more3,$more3,$c_same_22                # 12e
+        fa      $sum0,$sum0,$share0_4                   # 13e
 
-        stqx    $sum1,$a_nothing,$pixel1_4              # 19o
-        stqx    $sum2,$a_nothing,$pixel2_4              # 21o
+        fa      $sum1,$sum1,$more1                      # 15e
+        fa      $sum2,$sum2,$more2                      # 17e
 
-        stqx    $sum3,$a_nothing,$pixel3_4              # 22o
+        fa      $sum3,$sum3,$more3                      # 18e
+        stqx    $sum0,$a_nothing,$pixel0_4              # 19o
+
+        stqx    $sum1,$a_nothing,$pixel1                # 21o
+        stqx    $sum2,$a_nothing,$pixel2_5              # 23o
+
+        stqx    $sum3,$a_nothing,$pixel3_4              # 24o
 accumulate_r16_return:
-        bi      $lr                                     # 23o
+        bi      $lr                                     # 25o
 
 next_packet_short:
         ai      $count,$count,-1                        # 0e
@@ -965,310 +916,295 @@ next_packet_short:
         fm      $red_2,$red_2,$weight_2                 # 13e
         rotqbyi $blue,$blue,8                           # 13o
 
-        fm      $green_3,$green_2,$weight_2             # 14e
+        fm      $green_9,$green_2,$weight_2             # 14e
         shufb   $pixel1,$pixel,$pixel,$m_lane1          # 14o
 
         ceq     $c_same,$pixel3,$pixel0                 # 15e
-        shufb   $pixel0_7,$pixel_2,$pixel_2,$m_lane0    # 15o
+        shufb   $pixel0_6,$pixel_2,$pixel_2,$m_lane0    # 15o
 
-        ceq     $c_same_22,$pixel2,$pixel0              # 16e
-        shufb   $pixel3_5,$pixel_2,$pixel_2,$m_lane3    # 16o
+        ceq     $c_same_13,$pixel2,$pixel0              # 16e
+        shufb   $pixel3_6,$pixel_2,$pixel_2,$m_lane3    # 16o
 
-        selb    $low_2,$red,$blue,$m_behind             # 17e
-        lqd     $weight_5,544($a_rays)                  # 17o
+        selb    $low_7,$red,$blue,$m_behind             # 17e
+        lqd     $weight_7,544($a_rays)                  # 17o
 
         selb    $high_2,$blue,$red,$m_behind            # 18e
         rotqbyi $blue,$blue_2,8                         # 18o
 
         ceq     $c_same_3,$pixel3,$pixel1               # 19e
-        shufb   $share0,$low_2,$green,$m_first          # 19o
+        shufb   $share0,$low_7,$green,$m_first          # 19o
 
         ceq     $c_same_5,$pixel1,$pixel0               # 20e
         shufb   $share3,$high_2,$green,$m_fourth        # 20o
 
-        ceq     $c_same_8,$pixel2,$pixel1               # 21e
-        shufb   $share2_6,$high_2,$green,$m_third       # 21o
+        ceq     $c_same_6,$pixel2,$pixel1               # 21e
+        shufb   $share1_7,$low_7,$green,$m_second       # 21o
 
-        ceq     $c_same_10,$pixel3,$pixel2              # 22e
-        shufb   $share1_2,$low_2,$green,$m_second       # 22o
+        ceq     $c_same_23,$pixel3,$pixel2              # 22e
+        shufb   $share2_5,$high_2,$green,$m_third       # 22o
 
         and     $c_same,$c_same,$share0                 # 23e
-        lqd     $blue_8,0x5e0($a_surfaces)              # 23o
+        lqd     $blue_12,0x5e0($a_surfaces)             # 23o
 
-        ori     $more3,$share3,0                        # 24e
-        lqx     $sum0_5,$a_nothing,$pixel0              # 24o
+        and     $c_same_13,$c_same_13,$share0           # 24e
+        lqx     $sum0_2,$a_nothing,$pixel0              # 24o
 
-        ori     $more2,$share2_6,0                      # 25e
-        lqx     $sum1,$a_nothing,$pixel1                # 25o
+        fa      $more3,$share3,$c_same                  # 25e
+        lqx     $sum1_4,$a_nothing,$pixel1              # 25o
 
-        fa      $more3,$more3,$c_same                   # 26e
+        and     $c_same,$c_same_3,$share1_7             # 26e
         lqx     $sum2,$a_nothing,$pixel2                # 26o
 
-        and     $c_same,$c_same_22,$share0              # 27e
+        fa      $more2,$share2_5,$c_same_13             # 27e
         lqx     $sum3,$a_nothing,$pixel3                # 27o
 
-        and     $c_same_3,$c_same_3,$share1_2           # 28e
-        lqd     $red_10,0x560($a_surfaces)              # 28o
+        and     $c_same_3,$c_same_5,$share0             # 28e
+        lqd     $red_9,0x560($a_surfaces)               # 28o
 
-        fa      $more2,$more2,$c_same                   # 29e
-        shufb   $pixel2_6,$pixel_2,$pixel_2,$m_lane2    # 29o
+        selb    $low_8,$red_2,$blue,$m_behind           # 29e
+        shufb   $pixel2_3,$pixel_2,$pixel_2,$m_lane2    # 29o
 
-        ori     $more1_5,$share1_2,0                    # 30e
+        and     $c_same_6,$c_same_6,$share1_7           # 30e
         shufb   $pixel1_2,$pixel_2,$pixel_2,$m_lane1    # 30o
 
-        and     $c_same_5,$c_same_5,$share0             # 31e
-        lqd     $green_8,0x5a0($a_surfaces)             # 31o
+        fa      $more3,$more3,$c_same                   # 31e
+        shufb   $share0_5,$low_8,$green_9,$m_first      # 31o
 
-        fa      $more3,$more3,$c_same_3                 # 32e
-        lqd     $pixel_7,608($a_rays)                   # 32o
+        fa      $more1_5,$share1_7,$c_same_3            # 32e
+        lqd     $green_7,0x5a0($a_surfaces)             # 32o
 
-        selb    $low_6,$red_2,$blue,$m_behind           # 33e
-        lqd     $weight_6,560($a_rays)                  # 33o
+        and     $c_same_18,$c_same_23,$share2_5         # 33e
+        shufb   $share1,$low_8,$green_9,$m_second       # 33o
 
         selb    $high_3,$blue,$red_2,$m_behind          # 34e
-        lqd     $blue,0x5f0($a_surfaces)                # 34o
+        lqd     $pixel_3,608($a_rays)                   # 34o
 
-        and     $c_same_7,$c_same_8,$share1_2           # 35e
-        shufb   $share0_6,$low_6,$green_3,$m_first      # 35o
+        fa      $more2,$more2,$c_same_6                 # 35e
+        lqd     $weight_8,560($a_rays)                  # 35o
 
-        fa      $more1_4,$more1_5,$c_same_5             # 36e
-        shufb   $share3_6,$high_3,$green_3,$m_fourth    # 36o
+        ceq     $c_same_23,$pixel3_6,$pixel0_6          # 36e
+        shufb   $share3_5,$high_3,$green_9,$m_fourth    # 36o
 
-        and     $c_same_6,$c_same_10,$share2_6          # 37e
-        shufb   $share2_2,$high_3,$green_3,$m_third     # 37o
+        fa      $more3,$more3,$c_same_18                # 37e
+        shufb   $share2_4,$high_3,$green_9,$m_third     # 37o
 
-        fa      $more2,$more2,$c_same_7                 # 38e
-        shufb   $share1_6,$low_6,$green_3,$m_second     # 38o
+        and     $c_same_21,$c_same_23,$share0_5         # 38e
+        lqd     $blue_13,0x5f0($a_surfaces)             # 38o
 
-        fa      $more3,$more3,$c_same_6                 # 39e
-        shufb   $pixel0_3,$pixel_7,$pixel_7,$m_lane0    # 39o
+        fm      $blue_12,$blue_12,$weight_7             # 39e
+        lqd     $red_10,0x570($a_surfaces)              # 39o
 
-        ceq     $c_same_7,$pixel3_5,$pixel0_7           # 40e
-        shufb   $pixel3_6,$pixel_7,$pixel_7,$m_lane3    # 40o
+        fa      $sum0_3,$sum0_2,$share0                 # 40e
+        shufb   $pixel0_7,$pixel_3,$pixel_3,$m_lane0    # 40o
 
-        ori     $more3_11,$share3_6,0                   # 41e
-        lqd     $red_11,0x570($a_surfaces)              # 41o
+        fa      $sum1_5,$sum1_4,$more1_5                # 41e
+        shufb   $pixel3_7,$pixel_3,$pixel_3,$m_lane3    # 41o
 
-        and     $c_same_7,$c_same_7,$share0_6           # 42e
-        shufb   $pixel2_7,$pixel_7,$pixel_7,$m_lane2    # 42o
+        fa      $more3_5,$share3_5,$c_same_21           # 42e
+        shufb   $pixel2_7,$pixel_3,$pixel_3,$m_lane2    # 42o
 
-        fm      $blue_8,$blue_8,$weight_5               # 43e
-        shufb   $pixel1_7,$pixel_7,$pixel_7,$m_lane1    # 43o
+        fa      $sum2,$sum2,$more2                      # 43e
+        shufb   $pixel1_3,$pixel_3,$pixel_3,$m_lane1    # 43o
 
-        fa      $sum0_2,$sum0_5,$share0                 # 44e
-        lqd     $green_9,0x5b0($a_surfaces)             # 44o
+        ceq     $c_same_10,$pixel2_3,$pixel0_6          # 44e
+        lqd     $green_3,0x5b0($a_surfaces)             # 44o
 
-        fa      $sum1,$sum1,$more1_4                    # 45e
-        lqd     $pixel_4,624($a_rays)                   # 45o
+        fa      $sum3,$sum3,$more3                      # 45e
+        rotqbyi $blue_12,$blue_12,8                     # 45o
 
-        fa      $more3_8,$more3_11,$c_same_7            # 46e
-        fa      $sum2,$sum2,$more2                      # 47e
+        ceq     $c_same_24,$pixel3_6,$pixel1_2          # 46e
+        stqx    $sum0_3,$a_nothing,$pixel0              # 46o
 
-        ceq     $c_same,$pixel2_6,$pixel0_7             # 48e
-        lnop                                            # 48o pairing
+        fm      $red_9,$red_9,$weight_7                 # 47e
+        stqx    $sum1_5,$a_nothing,$pixel1              # 47o
 
-        fa      $sum3,$sum3,$more3                      # 49e
-        rotqbyi $blue_8,$blue_8,8                       # 49o
+        and     $c_same_3,$c_same_10,$share0_5          # 48e
+        lqd     $pixel_6,624($a_rays)                   # 48o
 
-        ceq     $c_same_23,$pixel3_5,$pixel1_2          # 50e
-        stqx    $sum0_2,$a_nothing,$pixel0              # 50o
+        and     $c_same_12,$c_same_24,$share1           # 49e
+        stqx    $sum2,$a_nothing,$pixel2                # 49o
 
-        fm      $red_10,$red_10,$weight_5               # 51e
-        stqx    $sum1,$a_nothing,$pixel1                # 51o
+        fm      $green_7,$green_7,$weight_7             # 50e
+        lnop                                            # 50o pairing
 
-        ori     $more2_8,$share2_2,0                    # 52e
-        shufb   $pixel0_8,$pixel_4,$pixel_4,$m_lane0    # 52o
+        fa      $more2,$share2_4,$c_same_3              # 51e
+        stqx    $sum3,$a_nothing,$pixel3                # 51o
 
-        and     $c_same,$c_same,$share0_6               # 53e
-        stqx    $sum2,$a_nothing,$pixel2                # 53o
+        ceq     $c_same_3,$pixel1_2,$pixel0_6           # 52e
+        lqx     $sum0_4,$a_nothing,$pixel0_6            # 52o
 
-        and     $c_same_11,$c_same_23,$share1_6         # 54e
-        shufb   $pixel3_7,$pixel_4,$pixel_4,$m_lane3    # 54o
+        fa      $more3,$more3_5,$c_same_12              # 53e
+        lqx     $sum1_6,$a_nothing,$pixel1_2            # 53o
 
-        fm      $green_10,$green_8,$weight_5            # 55e
-        stqx    $sum3,$a_nothing,$pixel3                # 55o
+        ceq     $c_same_12,$pixel2_3,$pixel1_2          # 54e
+        lqx     $sum2,$a_nothing,$pixel2_3              # 54o
 
-        fa      $more2,$more2_8,$c_same                 # 56e
-        lqx     $sum0_6,$a_nothing,$pixel0_7            # 56o
+        and     $c_same_3,$c_same_3,$share0_5           # 55e
+        lqx     $sum3,$a_nothing,$pixel3_6              # 55o
 
-        ceq     $c_same,$pixel1_2,$pixel0_7             # 57e
-        lqx     $sum1,$a_nothing,$pixel1_2              # 57o
+        ceq     $c_same_4,$pixel3_6,$pixel2_3           # 56e
+        shufb   $pixel0_8,$pixel_6,$pixel_6,$m_lane0    # 56o
 
-        fa      $more3,$more3_8,$c_same_11              # 58e
-        lqx     $sum2,$a_nothing,$pixel2_6              # 58o
+        selb    $low_9,$red_9,$blue_12,$m_behind        # 57e
+        shufb   $pixel3_8,$pixel_6,$pixel_6,$m_lane3    # 57o
 
-        ceq     $c_same_7,$pixel2_6,$pixel1_2           # 59e
-        lqx     $sum3,$a_nothing,$pixel3_5              # 59o
+        and     $c_same_12,$c_same_12,$share1           # 58e
+        shufb   $pixel2_8,$pixel_6,$pixel_6,$m_lane2    # 58o
 
-        ori     $more1_6,$share1_6,0                    # 60e
-        shufb   $pixel2_5,$pixel_4,$pixel_4,$m_lane2    # 60o
+        fa      $more1_5,$share1,$c_same_3              # 59e
+        shufb   $share0_6,$low_9,$green_7,$m_first      # 59o
 
-        and     $c_same,$c_same,$share0_6               # 61e
-        shufb   $pixel1_8,$pixel_4,$pixel_4,$m_lane1    # 61o
+        and     $c_same_17,$c_same_4,$share2_4          # 60e
+        shufb   $share1_8,$low_9,$green_7,$m_second     # 60o
 
-        ceq     $c_same_24,$pixel3_5,$pixel2_6          # 62e
-        selb    $low_7,$red_10,$blue_8,$m_behind        # 63e
+        selb    $high_5,$blue_12,$red_9,$m_behind       # 61e
+        shufb   $pixel1_5,$pixel_6,$pixel_6,$m_lane1    # 61o
 
-        selb    $high,$blue_8,$red_10,$m_behind         # 64e
-        lnop                                            # 64o pairing
+        fa      $more2,$more2,$c_same_12                # 62e
+        lnop                                            # 62o pairing
 
-        and     $c_same_16,$c_same_7,$share1_6          # 65e
-        shufb   $share0_7,$low_7,$green_10,$m_first     # 65o
+        fa      $more3,$more3,$c_same_17                # 63e
+        shufb   $share3_6,$high_5,$green_7,$m_fourth    # 63o
 
-        fa      $more1_7,$more1_6,$c_same               # 66e
-        shufb   $share3_7,$high,$green_10,$m_fourth     # 66o
+        ceq     $c_same_11,$pixel3_7,$pixel0_7          # 64e
+        shufb   $share2_6,$high_5,$green_7,$m_third     # 64o
 
-        and     $c_same,$c_same_24,$share2_2            # 67e
-        shufb   $share2_2,$high,$green_10,$m_third      # 67o
+        fm      $blue_13,$blue_13,$weight_8             # 65e
+        and     $c_same_25,$c_same_11,$share0_6         # 66e
 
-        fa      $more2,$more2,$c_same_16                # 68e
-        shufb   $share1_6,$low_7,$green_10,$m_second    # 68o
+        fa      $sum0_4,$sum0_4,$share0_5               # 67e
+        fa      $sum1_5,$sum1_6,$more1_5                # 68e
 
-        fa      $more3,$more3,$c_same                   # 69e
-        ceq     $c_same,$pixel3_6,$pixel0_3             # 70e
+        fa      $more3_6,$share3_6,$c_same_25           # 69e
+        fa      $sum2,$sum2,$more2                      # 70e
 
-        ori     $more3_9,$share3_7,0                    # 71e
-        and     $c_same,$c_same,$share0_7               # 72e
+        ceq     $c_same,$pixel2_7,$pixel0_7             # 71e
+        rotqbyi $blue_14,$blue_13,8                     # 71o
 
-        fm      $blue,$blue,$weight_6                   # 73e
-        fa      $sum0_7,$sum0_6,$share0_6               # 74e
+        fa      $sum3,$sum3,$more3                      # 72e
+        lnop                                            # 72o pairing
 
-        fa      $sum1,$sum1,$more1_7                    # 75e
-        fa      $more3_8,$more3_9,$c_same               # 76e
+        ceq     $c_same_18,$pixel3_7,$pixel1_3          # 73e
+        stqx    $sum0_4,$a_nothing,$pixel0_6            # 73o
 
-        fa      $sum2,$sum2,$more2                      # 77e
-        ceq     $c_same,$pixel2_7,$pixel0_3             # 78e
+        fm      $red_11,$red_10,$weight_8               # 74e
+        stqx    $sum1_5,$a_nothing,$pixel1_2            # 74o
 
-        fa      $sum3,$sum3,$more3                      # 79e
-        rotqbyi $blue,$blue,8                           # 79o
+        and     $c_same,$c_same,$share0_6               # 75e
+        lnop                                            # 75o pairing
 
-        ceq     $c_same_13,$pixel3_6,$pixel1_7          # 80e
-        stqx    $sum0_7,$a_nothing,$pixel0_7            # 80o
+        and     $c_same_3,$c_same_18,$share1_8          # 76e
+        stqx    $sum2,$a_nothing,$pixel2_3              # 76o
 
-        fm      $red_12,$red_11,$weight_6               # 81e
-        stqx    $sum1,$a_nothing,$pixel1_2              # 81o
+        fm      $green_10,$green_3,$weight_8            # 77e
+        lnop                                            # 77o pairing
 
-        ori     $more2,$share2_2,0                      # 82e
-        lnop                                            # 82o pairing
+        fa      $more2,$share2_6,$c_same                # 78e
+        stqx    $sum3,$a_nothing,$pixel3_6              # 78o
 
-        and     $c_same,$c_same,$share0_7               # 83e
-        stqx    $sum2,$a_nothing,$pixel2_6              # 83o
+        ceq     $c_same,$pixel1_3,$pixel0_7             # 79e
+        lqx     $sum0,$a_nothing,$pixel0_7              # 79o
 
-        and     $c_same_14,$c_same_13,$share1_6         # 84e
-        lnop                                            # 84o pairing
+        fa      $more3,$more3_6,$c_same_3               # 80e
+        lqx     $sum1_7,$a_nothing,$pixel1_3            # 80o
 
-        fm      $green_5,$green_9,$weight_6             # 85e
-        stqx    $sum3,$a_nothing,$pixel3_5              # 85o
+        ceq     $c_same_3,$pixel2_7,$pixel1_3           # 81e
+        lqx     $sum2,$a_nothing,$pixel2_7              # 81o
 
-        fa      $more2,$more2,$c_same                   # 86e
-        lqx     $sum0_8,$a_nothing,$pixel0_3            # 86o
+        and     $c_same,$c_same,$share0_6               # 82e
+        lqx     $sum3,$a_nothing,$pixel3_7              # 82o
 
-        ceq     $c_same,$pixel1_7,$pixel0_3             # 87e
-        lqx     $sum1,$a_nothing,$pixel1_7              # 87o
+        ceq     $c_same_18,$pixel3_7,$pixel2_7          # 83e
+        selb    $low,$red_11,$blue_14,$m_behind         # 84e
 
-        fa      $more3,$more3_8,$c_same_14              # 88e
-        lqx     $sum2,$a_nothing,$pixel2_7              # 88o
+        and     $c_same_3,$c_same_3,$share1_8           # 85e
+        lnop                                            # 85o pairing
 
-        ceq     $c_same_14,$pixel2_7,$pixel1_7          # 89e
-        lqx     $sum3,$a_nothing,$pixel3_6              # 89o
+        fa      $more1,$share1_8,$c_same                # 86e
+        shufb   $share0,$low,$green_10,$m_first         # 86o
 
-        ori     $more1,$share1_6,0                      # 90e
-        and     $c_same,$c_same,$share0_7               # 91e
+        and     $c_same,$c_same_18,$share2_6            # 87e
+        shufb   $share1_9,$low,$green_10,$m_second      # 87o
 
-        ceq     $c_same_7,$pixel3_6,$pixel2_7           # 92e
-        selb    $low_8,$red_12,$blue,$m_behind          # 93e
+        selb    $high,$blue_14,$red_11,$m_behind        # 88e
+        fa      $more2,$more2,$c_same_3                 # 89e
 
-        selb    $high_5,$blue,$red_12,$m_behind         # 94e
-        lnop                                            # 94o pairing
+        fa      $more3,$more3,$c_same                   # 90e
+        shufb   $share3_7,$high,$green_10,$m_fourth     # 90o
 
-        and     $c_same_16,$c_same_14,$share1_6         # 95e
-        shufb   $share0_8,$low_8,$green_5,$m_first      # 95o
+        ceq     $c_same,$pixel3_8,$pixel0_8             # 91e
+        shufb   $share2,$high,$green_10,$m_third        # 91o
 
-        fa      $more1,$more1,$c_same                   # 96e
-        shufb   $share3,$high_5,$green_5,$m_fourth      # 96o
+        fa      $sum0,$sum0,$share0_6                   # 92e
+        hbrr    next_packet_short_back,next_packet_short # 92o hint
 
-        and     $c_same,$c_same_7,$share2_2             # 97e
-        shufb   $share2,$high_5,$green_5,$m_third       # 97o
+        and     $c_same,$c_same,$share0                 # 93e
+        fa      $sum1_7,$sum1_7,$more1                  # 94e
 
-        fa      $more2,$more2,$c_same_16                # 98e
-        shufb   $share1_6,$low_8,$green_5,$m_second     # 98o
+        fa      $more3_4,$share3_7,$c_same              # 95e
+        fa      $sum2,$sum2,$more2                      # 96e
 
-        fa      $more3,$more3,$c_same                   # 99e
-        ceq     $c_same,$pixel3_7,$pixel0_8             # 100e
+        ceq     $c_same,$pixel2_8,$pixel0_8             # 97e
+        lnop                                            # 97o pairing
 
-        ori     $more3_12,$share3,0                     # 101e
-        and     $c_same,$c_same,$share0_8               # 102e
+        fa      $sum3,$sum3,$more3                      # 98e
+        stqx    $sum0,$a_nothing,$pixel0_7              # 98o
 
-        fa      $sum0_9,$sum0_8,$share0_7               # 103e
-        hbrr    next_packet_short_back,next_packet_short # 103o hint
+        ceq     $c_same_21,$pixel3_8,$pixel1_5          # 99e
+        lnop                                            # 99o pairing
 
-        fa      $sum1,$sum1,$more1                      # 104e
-        fa      $more3_12,$more3_12,$c_same             # 105e
+        and     $c_same,$c_same,$share0                 # 100e
+        stqx    $sum1_7,$a_nothing,$pixel1_3            # 100o
 
-        fa      $sum2,$sum2,$more2                      # 106e
-        ceq     $c_same,$pixel2_5,$pixel0_8             # 107e
+        and     $c_same_17,$c_same_21,$share1_9         # 101e
+        lnop                                            # 101o pairing
 
-        fa      $sum3,$sum3,$more3                      # 108e
-        lnop                                            # 108o pairing
+        fa      $more2,$share2,$c_same                  # 102e
+        stqx    $sum2,$a_nothing,$pixel2_7              # 102o
 
-        ceq     $c_same_22,$pixel3_7,$pixel1_8          # 109e
-        stqx    $sum0_9,$a_nothing,$pixel0_3            # 109o
+        ceq     $c_same,$pixel1_5,$pixel0_8             # 103e
+        lnop                                            # 103o pairing
 
-        ori     $more2,$share2,0                        # 110e
-        stqx    $sum1,$a_nothing,$pixel1_7              # 110o
+        fa      $more3,$more3_4,$c_same_17              # 104e
+        stqx    $sum3,$a_nothing,$pixel3_7              # 104o
 
-        and     $c_same,$c_same,$share0_8               # 111e
-        lnop                                            # 111o pairing
+        ceq     $c_same_17,$pixel2_8,$pixel1_5          # 105e
+        lqx     $sum0,$a_nothing,$pixel0_8              # 105o
 
-        and     $c_same_3,$c_same_22,$share1_6          # 112e
-        stqx    $sum2,$a_nothing,$pixel2_7              # 112o
+        and     $c_same,$c_same,$share0                 # 106e
+        lqx     $sum1,$a_nothing,$pixel1_5              # 106o
 
-        fa      $more2,$more2,$c_same                   # 113e
-        lnop                                            # 113o pairing
+        ceq     $c_same_3,$pixel3_8,$pixel2_8           # 107e
+        lqx     $sum2,$a_nothing,$pixel2_8              # 107o
 
-        ceq     $c_same,$pixel1_8,$pixel0_8             # 114e
-        stqx    $sum3,$a_nothing,$pixel3_6              # 114o
+        and     $c_same_17,$c_same_17,$share1_9         # 108e
+        lqx     $sum3,$a_nothing,$pixel3_8              # 108o
 
-        fa      $more3,$more3_12,$c_same_3              # 115e
-        lqx     $sum0,$a_nothing,$pixel0_8              # 115o
+        fa      $more1,$share1_9,$c_same                # 109e
+        and     $c_same,$c_same_3,$share2               # 110e
 
-        ceq     $c_same_3,$pixel2_5,$pixel1_8           # 116e
-        lqx     $sum1,$a_nothing,$pixel1_8              # 116o
+        fa      $more2,$more2,$c_same_17                # 111e
+        fa      $more3,$more3,$c_same                   # 112e
 
-        ori     $more1,$share1_6,0                      # 117e
-        lqx     $sum2,$a_nothing,$pixel2_5              # 117o
+        fa      $sum0,$sum0,$share0                     # 113e
+        a       $a_rays,$a_rays,$rays_step              # 114e
 
-        and     $c_same,$c_same,$share0_8               # 118e
-        lqx     $sum3,$a_nothing,$pixel3_7              # 118o
+        fa      $sum1,$sum1,$more1                      # 115e
+        a       $a_surfaces,$a_surfaces,$surfaces_step  # 116e
 
-        ceq     $c_same_15,$pixel3_7,$pixel2_5          # 119e
-        and     $c_same_16,$c_same_3,$share1_6          # 120e
+        fa      $sum2,$sum2,$more2                      # 117e
+        fa      $sum3,$sum3,$more3                      # 118e
 
-        fa      $more1,$more1,$c_same                   # 121e
-        and     $c_same,$c_same_15,$share2              # 122e
+        stqx    $sum0,$a_nothing,$pixel0_8              # 119o
+        stqx    $sum1,$a_nothing,$pixel1_5              # 121o
 
-        fa      $more2,$more2,$c_same_16                # 123e
-        fa      $more3,$more3,$c_same                   # 124e
+        stqx    $sum2,$a_nothing,$pixel2_8              # 123o
+        stqx    $sum3,$a_nothing,$pixel3_8              # 124o
 
-        fa      $sum0,$sum0,$share0_8                   # 125e
-        a       $a_rays,$a_rays,$rays_step              # 126e
-
-        fa      $sum1,$sum1,$more1                      # 127e
-        a       $a_surfaces,$a_surfaces,$surfaces_step  # 128e
-
-        fa      $sum2,$sum2,$more2                      # 129e
-        fa      $sum3,$sum3,$more3                      # 130e
-
-        stqx    $sum0,$a_nothing,$pixel0_8              # 131o
-        stqx    $sum1,$a_nothing,$pixel1_8              # 133o
-
-        stqx    $sum2,$a_nothing,$pixel2_5              # 135o
-        stqx    $sum3,$a_nothing,$pixel3_7              # 136o
-
-        nop     $127                                    # 137e pairing
+        nop     $127                                    # 125e pairing
 next_packet_short_back:
-        brnz    $count,next_packet_short                # 137o
+        brnz    $count,next_packet_short                # 125o
 
-        nop     $127                                    # 138e pairing
-        bi      $lr                                     # 138o
+        nop     $127                                    # 126e pairing
+        bi      $lr                                     # 126o
 endfunction accumulate_r16

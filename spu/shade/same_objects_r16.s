@@ -4,6 +4,7 @@
 #   Out     $3 a bit a packet, the last packet's the lowest
 #   Uses    $2-$18, $79   Saves  -   Stack  0   Calls  -
 #   Domain  any objects
+#   Error   0
 #   Twin    oracle/src/twin/surfaces.rs
 # Scheduled by spu schedule from same_objects_r16.s
 

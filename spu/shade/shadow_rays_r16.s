@@ -7,7 +7,7 @@
 #   Uses    $2-$66, $79   Saves  -   Stack  0   Calls  -
 #   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0, the
 #           direction then of length 1
-#   Error   4 ulp of 1, each component of the direction; t 4 ulp and 3 of the coordinates' size
+#   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    oracle/src/twin/shadow_rays.rs
 #
 #   to = position - point, L = to / |to|, t = |to|; L = position, t the largest if directional

@@ -9,11 +9,11 @@
 #   Domain  the rays' objects are addresses of objects, also of rays that are not there; |d| = 1
 #           within 4 ulp, t below 2^20; OBJECT_leave is 2^-20 (|centre x| + |centre y| + |centre z|
 #           + |offset|)
-#   Error   0.2 of SURFACES_leave, distance of a point from its surface; normals 2^-23 + leave/(4 r),
+#   Error   0.15 of SURFACES_leave, distance of a point from its surface; normals 2^-23 + leave/(4 r),
 #           each component, r the distance from the axis or the centre
 #   Twin    oracle/src/twin/surfaces.rs
 #
-# The odd pipe is the bound: of the 112 instructions there, 34 load and store rays and surfaces,
+# The odd pipe is the bound: of the 111 instructions there, 34 load and store rays and surfaces,
 # 28 gather the objects' and materials' quadwords, and 6 find their addresses. Four quadwords
 # become four rows in 6 of the odd and 4 of the even, instead of 8 of the odd.
 # Scheduled by spu schedule from surfaces_r16.s

@@ -6,7 +6,7 @@ use kernels::cases::whitted::shade::call::{self, Hit};
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::records;
 use kernels::cases::whitted::shade::shapes::Shape;
-use kernels::vector::{Vector, dot, magnitude};
+use kernels::vector::{Vector, cross, dot, less, magnitude, unit};
 use oracle::twin::ball::{self, Ball};
 use oracle::twin::surfaces::{Material, Object, Ray, Surface, same_objects, surface};
 use oracle::twin::{FARTHEST, Single};
@@ -169,13 +169,8 @@ fn vector(v: [Single; 3]) -> Vector {
 }
 
 /// Where a ray starts that leaves on the side of the normal, and one that goes through.
-fn starts(surface: &Surface) -> [[Single; 3]; 2] {
-    let Surface {
-        point,
-        plane,
-        leave,
-        ..
-    } = *surface;
+fn starts(surface: &Surface, leave: Single) -> [[Single; 3]; 2] {
+    let Surface { point, plane, .. } = *surface;
     [
         std::array::from_fn(|k| fma(leave, plane[k], point[k])),
         std::array::from_fn(|k| fnms(leave, plane[k], point[k])),
@@ -208,11 +203,7 @@ fn normals_are_the_shapes_on_the_rays_side() {
                     f64::INFINITY
                 } else {
                     ((shape.offset
-                        - shape.slope
-                            * dot(
-                                kernels::vector::less(vector(found.point), shape.centre),
-                                shape.axis,
-                            ))
+                        - shape.slope * dot(less(vector(found.point), shape.centre), shape.axis))
                         / shape.gain)
                         .abs()
                 };
@@ -239,7 +230,8 @@ fn rays_start_on_the_side_that_they_go_to() {
             let found = surface(&hit.ray, &objects[lane + 1].0, &material);
             let (_, normal) = shape.at(vector(found.point));
             let side = dot(normal, vector(found.plane)).signum();
-            let [outside, inside] = starts(&found).map(|start| side * shape.at(vector(start)).0);
+            let [outside, inside] =
+                starts(&found, found.leave).map(|start| side * shape.at(vector(start)).0);
             nearest = nearest.min(outside.min(-inside) / to_f64(found.leave));
         }
     }
@@ -247,10 +239,11 @@ fn rays_start_on_the_side_that_they_go_to() {
     assert!(nearest >= 0.5, "{nearest}");
 }
 
-/// Rays that leave a sphere, and rays that go on inside it, with the steps of the sphere kernels.
-#[test]
-fn spheres_are_left_and_entered() {
+/// Of three rays each that leave a sphere or go on inside it, starting this share of `leave` off its surface:
+/// those that meet it again, or do not meet its other side, by the steps of the sphere kernels.
+fn lost_rays(share: f64) -> u32 {
     const OBJECT: u32 = 7;
+    let mut lost = 0;
     let mut random = random();
     let material = any_material(&mut random);
     for _ in 0..40_000 {
@@ -267,10 +260,15 @@ fn spheres_are_left_and_entered() {
         let (_, outwards) = shape.at(vector(found.point));
         let from_outside = dot(outwards, vector(found.plane)) > 0.0;
         let mut leaving = any_direction(&mut random);
-        if dot(leaving, outwards) < 0.0 {
+        if random.random() {
+            // Along the surface, but for a little.
+            let rise = magnitude(1e-6..0.1, &mut random);
+            let along = unit(cross(leaving, outwards));
+            leaving = unit(std::array::from_fn(|k| along[k] + rise * outwards[k]));
+        } else if dot(leaving, outwards) < 0.0 {
             leaving = leaving.map(|x| -x);
         }
-        let [near, beyond] = starts(&found);
+        let [near, beyond] = starts(&found, fm(found.leave, from_f64(share)));
         let (outside, inside) = if from_outside {
             (near, beyond)
         } else {
@@ -285,12 +283,25 @@ fn spheres_are_left_and_entered() {
             };
             ball::nearest(ray, &sphere, OBJECT).object == OBJECT
         };
-        assert!(!meets(outside, leaving), "{found:x?}, {sphere:x?}");
-        assert!(
-            meets(inside, leaving.map(|x| -x)) && meets(inside, leaving),
-            "{found:x?}, {sphere:x?}"
-        );
+        let back = leaving.map(|x| -x);
+        let wrong = [
+            meets(outside, leaving),
+            !meets(inside, leaving),
+            !meets(inside, back),
+        ];
+        lost += wrong.into_iter().map(u32::from).sum::<u32>();
     }
+    lost
+}
+
+#[test]
+fn spheres_are_left_and_entered() {
+    for power in 0..6 {
+        let share = 0.5_f64.powi(power);
+        println!("{share} of leave: {} of 120000 rays lost", lost_rays(share));
+    }
+    assert_eq!(lost_rays(1.0), 0);
+    assert_eq!(lost_rays(0.5), 0, "with half of it");
 }
 
 #[test]

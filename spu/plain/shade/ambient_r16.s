@@ -5,7 +5,7 @@
 #   Out     the surfaces: lit
 #   Uses    $3-$4, $10-$20   Saves  -   Stack  0   Calls  -
 #   Domain  shares from 0 to 1
-#   Error   4 ulp of the brightness
+#   Error   3 ulp of the brightness
 #   Twin    oracle/src/twin/light.rs
 #
 #   lit += brightness diffuse colour

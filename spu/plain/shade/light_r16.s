@@ -6,7 +6,7 @@
 #   Uses    $3-$4, $6-$70   Saves  -   Stack  0   Calls  -
 #   Domain  N.L > 0 where there is a shadow ray; shares from 0 to 1; N, L, d of length 1 within 8 ulp;
 #           exponent 0, or from 0.25 to 4096
-#   Error   0.001 of the brightness, exponents to 1000; 0.003 to 4096
+#   Error   0.6 thousandths of the brightness, exponents to 1000; 1.5 to 4096
 #   Twin    oracle/src/twin/light.rs
 #
 #   lit += brightness (diffuse (N.L) colour + highlight (N.H)^exponent)

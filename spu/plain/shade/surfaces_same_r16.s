@@ -8,7 +8,7 @@
 #   Uses    $3-$6, $7-$77   Saves  -   Stack  0   Calls  -
 #   Domain  that of surfaces_r16; in a packet all rays have the same object, also those that are not
 #           there
-#   Error   0.2 of SURFACES_leave, distance of a point from its surface
+#   Error   0.15 of SURFACES_leave, distance of a point from its surface
 #   Twin    oracle/src/twin/surfaces.rs
 #
 # Splats take the place of gathers. same_objects_r16 tells which packets are such.
