@@ -4,6 +4,8 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
 use crate::cases::{ball, eye, flat, whitted};
+use crate::cases::whitted::isect;
+use crate::cases::{ball, eye, flat};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -49,4 +51,8 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
     ]
     .into_iter()
     .flatten()
+        isect::KERNELS,
+    ]
+        .into_iter()
+        .flatten()
 }

@@ -9,6 +9,7 @@ use spu_emulator::float::single::from_f64;
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Unaligned};
 
+pub use crate::layout::Shear as Shears;
 use crate::single::{bits, single};
 use crate::vector::Vector;
 
@@ -164,20 +165,6 @@ impl OneRay {
     }
 }
 
-/// What `shear_r16` makes of sixteen rays.
-#[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
-#[repr(C)]
-pub struct Shears {
-    /// Shuffles that take a vertex's component for each of the ray's own axes.
-    pub axes: [[U32; 16]; 3],
-    /// Origins in the rays' own order.
-    pub origin: [[F32; 16]; 3],
-    /// Direction x / z and y / z.
-    pub slopes: [[F32; 16]; 2],
-    /// -1 / direction z.
-    pub minus_per_z: [F32; 16],
-}
-
 impl Shears {
     /// The shear of a ray.
     ///
@@ -187,14 +174,15 @@ impl Shears {
     #[must_use]
     pub fn lane(&self, lane: usize) -> Shear {
         // The shuffle of component k takes bytes 4k to 4k + 3.
-        let axes = self.axes.map(|axis| axis[lane].get());
+        let axes = [self.axis_x, self.axis_y, self.axis_z];
+        let axes = axes.map(|axis| axis.as_flattened()[lane].get());
         for axis in axes {
             assert_eq!(axis, 0x0001_0203 + 0x0101_0101 * (axis >> 24), "{axis:x}");
         }
         Shear {
             axes: axes.map(|axis| (axis >> 24) as usize / 4),
-            origin: self.origin.map(|axis| bits(axis[lane])),
-            slopes: self.slopes.map(|axis| bits(axis[lane])),
+            origin: [self.origin_x, self.origin_y, self.origin_z].map(|axis| bits(axis[lane])),
+            slopes: [self.slope_x, self.slope_y].map(|axis| bits(axis[lane])),
             minus_per_z: bits(self.minus_per_z[lane]),
         }
     }

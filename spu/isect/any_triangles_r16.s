@@ -13,6 +13,7 @@
 # is free of exits, as a pipelined one must be. Rays whose t is not above 0 are not waited for.
 # Scheduled by spu schedule from any_triangles_r16.s
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
         .include "flat.inc"

@@ -12,6 +12,7 @@
 #   Twin    oracle/src/twin/triangle.rs
 # Scheduled by spu schedule from isect_triangles_r16.s
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
         .include "flat.inc"

@@ -12,6 +12,7 @@
 # its t is z / direction z. Slopes are at most 1.
 # Scheduled by spu schedule from shear_r16.s
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
         .include "flat.inc"

@@ -8,7 +8,7 @@ use spu_emulator::float::single::{fcgt, fm, fma, fms, fnms, fs};
 use super::{HALF, ONE, Single, ZERO, below_zero};
 
 /// The sign bit.
-const SIGN: u32 = 1 << 31;
+pub(super) const SIGN: u32 = 1 << 31;
 
 /// A sphere.
 #[derive(Clone, Copy, Debug)]
@@ -33,16 +33,16 @@ pub struct Ray {
 }
 
 /// How a ray passes a sphere.
-struct Meeting {
+pub(super) struct Meeting {
     /// Where it is nearest to the centre.
-    b: Single,
+    pub b: Single,
     /// Below 0 if it does not come within the radius.
-    disc: Single,
+    pub disc: Single,
     /// Below 0 if it starts inside.
-    out: Single,
+    pub out: Single,
 }
 
-fn meet(ray: &Ray, ball: &Ball) -> Meeting {
+pub(super) fn meet(ray: &Ray, ball: &Ball) -> Meeting {
     let [dx, dy, dz] = ray.direction;
     let centre: [Single; 3] = std::array::from_fn(|axis| fs(ball.centre[axis], ray.origin[axis]));
     let [cx, cy, cz] = centre;

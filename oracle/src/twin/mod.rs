@@ -7,6 +7,8 @@
 pub mod accumulate;
 pub mod ball;
 pub mod bound;
+pub mod ball_pairs;
+pub mod cone;
 pub mod cull;
 pub mod cull_nodes;
 pub mod eye_rays;
@@ -17,12 +19,15 @@ pub mod lists;
 pub mod load_rays;
 pub mod math;
 pub mod pack;
+pub mod pairs;
 pub mod ray_setup;
 pub mod rectangle;
+pub mod rectangle_pairs;
 pub mod shade_depth;
 pub mod shadow_rays;
 pub mod surfaces;
 pub mod triangle;
+pub mod triangle_pairs;
 
 /// Bit pattern of a single.
 pub type Single = u32;

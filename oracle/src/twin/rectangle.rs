@@ -19,7 +19,7 @@ pub struct Rectangle {
     pub dual_v: [Single; 3],
 }
 
-fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
+pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
     fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
 }
 
@@ -38,7 +38,11 @@ fn meet(origin: [Single; 3], direction: [Single; 3], rectangle: &Rectangle) -> M
 }
 
 /// As [`meet`], with the bounds: compared as unsigned integers, where all below 0 are above 1.
-fn meet_within(origin: [Single; 3], direction: [Single; 3], rectangle: &Rectangle) -> Meeting {
+pub(super) fn meet_within(
+    origin: [Single; 3],
+    direction: [Single; 3],
+    rectangle: &Rectangle,
+) -> Meeting {
     let meeting = meet(origin, direction, rectangle);
     let beyond = meeting.u > ONE || meeting.v > ONE;
     Meeting {

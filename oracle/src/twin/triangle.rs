@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/shear_r16.s`, `isect_triangles_r16.s`, `any_triangles_r16.s` and
+//! Twin of `spu/plain/isect/shear_r16.s`, `shear_packets_r16.s`, `isect_triangles_r16.s`, `any_triangles_r16.s` and
 //! `isect_triangle_r1.s`: rays and triangles, watertight.
 
 use spu_emulator::float::single::{fa, fcmgt, fm, fma, fms, fnms, fs};
@@ -59,8 +59,9 @@ fn side_of_edge(a: Single, b: Single, c: Single, d: Single) -> Single {
     fs(fms(a, b, product), remainder)
 }
 
-/// Where the ray meets the triangle's plane.
-fn meet(ray: &Shear, triangle: &Triangle) -> Meeting {
+/// Where the ray meets the triangle's plane; and the sum of the edges, which has the sign of the ray's
+/// direction z if the vertices go counter-clockwise.
+pub(super) fn meet(ray: &Shear, triangle: &Triangle) -> (Meeting, Single) {
     let seen = triangle.map(|vertex| {
         let [x, y, z]: [Single; 3] =
             std::array::from_fn(|axis| fs(vertex[ray.axes[axis]], ray.origin[axis]));
@@ -70,15 +71,17 @@ fn meet(ray: &Shear, triangle: &Triangle) -> Meeting {
     let u = side_of_edge(xc, yb, yc, xb);
     let v = side_of_edge(xa, yc, ya, xc);
     let w = side_of_edge(xb, ya, yb, xa);
-    let inverse = over(ABOVE_ONE, fa(fa(u, v), w));
+    let sum = fa(fa(u, v), w);
+    let inverse = over(ABOVE_ONE, sum);
     let [u, v, w] = [u, v, w].map(|edge| fm(edge, inverse));
     let depth = fma(w, zc, fma(v, zb, fm(u, za)));
-    Meeting {
+    let meeting = Meeting {
         n: fm(depth, ray.minus_per_z),
         u,
         v,
         outside: u | v | w,
-    }
+    };
+    (meeting, sum)
 }
 
 /// The nearest of `hit` and the hits with `triangles`, whose numbers begin with `first`.
@@ -87,7 +90,7 @@ pub fn isect_triangles(ray: &Shear, triangles: &[Triangle], first: u32, hit: Fla
     (first..)
         .zip(triangles)
         .fold(hit, |nearest, (object, triangle)| {
-            meet(ray, triangle).nearer(nearest, object)
+            meet(ray, triangle).0.nearer(nearest, object)
         })
 }
 
@@ -96,5 +99,5 @@ pub fn isect_triangles(ray: &Shear, triangles: &[Triangle], first: u32, hit: Fla
 pub fn any_triangle(ray: &Shear, triangles: &[Triangle], farthest: Single) -> bool {
     triangles
         .iter()
-        .any(|triangle| meet(ray, triangle).hits(farthest))
+        .any(|triangle| meet(ray, triangle).0.hits(farthest))
 }

@@ -32,7 +32,8 @@
         sign_gathers_table
 
 function any_rectangle_r16
-        load_rectangle
+        rectangle_masks
+        load_rectangle RECTANGLE_point, RECTANGLE_normal, RECTANGLE_dual_u, RECTANGLE_dual_v
         ilhu    $k_one,0x3f80
         ilhu    $k_sign,0x8000
         lqa     $m_rows,sign_gathers

@@ -12,6 +12,7 @@
 # Leaves between chunks of CHUNK triangles as soon as every ray is blocked; within a chunk the loop
 # is free of exits, as a pipelined one must be. Rays whose t is not above 0 are not waited for.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
         .include "flat.inc"

@@ -40,7 +40,8 @@
         sign_controls_table
 
 function isect_rectangle_r16
-        load_rectangle
+        rectangle_masks
+        load_rectangle RECTANGLE_point, RECTANGLE_normal, RECTANGLE_dual_u, RECTANGLE_dual_v
         splat   $object,$object,$k_x
         ilhu    $k_one,0x3f80
         ilhu    $k_sign,0x8000

@@ -11,6 +11,7 @@
 #           the ray above 1/20 of their square
 #   Twin    oracle/src/twin/triangle.rs
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
         .include "flat.inc"

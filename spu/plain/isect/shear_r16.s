@@ -11,6 +11,7 @@
 # point (x, y, z), less the origin, then lies beside the ray by x - slope_x z and y - slope_y z, and
 # its t is z / direction z. Slopes are at most 1.
 
+        .include "work_unit.inc"
         .include "macros.inc"
         .include "rays.inc"
         .include "flat.inc"
@@ -52,31 +53,9 @@
         .set    c_z,37
 
 function shear_r16
-        ila     $k_x,0x10203
-        load_constant $k_y,0x04050607
-        load_constant $k_z,0x08090a0b
-        ilhu    $k_one,0x3f80
-        ilhu    $k_sign,0x8000
+        shear_constants
     .irp row, 0,1,2,3
-    .irp axis, x,y,z
-        lqd     $origin_\axis,RAYS_origin_\axis+16*\row($a_rays)
-        lqd     $direction_\axis,RAYS_direction_\axis+16*\row($a_rays)
-    .endr
-        shear_row
-        by_longest $axis_x,$k_y,$k_z,$k_x
-        by_longest $axis_y,$k_z,$k_x,$k_y
-        by_longest $axis_z,$k_x,$k_y,$k_z
-        by_longest $own_x,$origin_y,$origin_z,$origin_x
-        by_longest $own_y,$origin_z,$origin_x,$origin_y
-        by_longest $own_z,$origin_x,$origin_y,$origin_z
-    .irp axis, x,y,z
-        stqd    $axis_\axis,SHEAR_axis_\axis+16*\row($a_shear)
-        stqd    $own_\axis,SHEAR_origin_\axis+16*\row($a_shear)
-    .endr
-    .irp axis, x,y
-        stqd    $slope_\axis,SHEAR_slope_\axis+16*\row($a_shear)
-    .endr
-        stqd    $minus_per_z,SHEAR_minus_per_z+16*\row($a_shear)
+        shear_packet_row \row, RAYS
     .endr
         bi      $lr
 endfunction shear_r16

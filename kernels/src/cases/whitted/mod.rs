@@ -2,3 +2,4 @@
 
 pub mod rays;
 pub mod shade;
+pub mod isect;

@@ -1,0 +1,62 @@
+//! Errors of the intersectors of candidates against f64.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::to_f64;
+
+use super::call;
+use super::shape::Shape;
+use super::triangle::TriangleObject;
+use crate::bench::Bench;
+use crate::cases::flat::error::error_of_shear;
+use crate::flat_records::{self, Shears};
+
+/// Packets of each size that an error is measured over.
+const PACKETS: u32 = 600;
+
+/// Sizes of scenes.
+pub const SCALES: [f64; 4] = [1e-4, 1.0, 1e3, 1e6];
+
+/// Largest error of t, in what the header counts it in; infinite if a hit is missed or made up.
+pub fn nearest<S: Shape>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        for scale in SCALES {
+            let (object, rays) = S::around(random, scale);
+            let packet = call::packet(&rays, random.random());
+            let list = [[0, 0]];
+            let (after, objects) = call::pairs(bench, &[packet], &[object], &list, random.random());
+            for (ray, after) in rays.iter().zip(call::rays(&after[0])) {
+                let truth = object.truth(ray);
+                let found = (after.object == objects[0]).then(|| to_f64(after.t));
+                match (found, truth.t) {
+                    (Some(found), Some(t)) if truth.counts => {
+                        worst = worst.max((found - t).abs() / truth.unit);
+                    }
+                    (None, Some(_)) | (Some(_), None) if truth.sure => worst = f64::INFINITY,
+                    _ => {}
+                }
+            }
+        }
+    }
+    worst
+}
+
+/// Largest error of a slope in ulps of 1, or of 1 / direction z in its own.
+pub fn shear_packets(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let (triangle, rays) = TriangleObject::around(random, 1.0);
+        bench.reset();
+        let packets = [call::packet(&rays, random.random()); 2];
+        let placed = call::place(bench, &packets, &[triangle], &[], 0);
+        let shears = placed.shears.expect("triangles take shears");
+        for shears in bench.read_all::<Shears>(shears) {
+            for (lane, ray) in rays.iter().enumerate() {
+                let ray = flat_records::Ray::new(ray.origin, ray.direction);
+                worst = worst.max(error_of_shear(&ray, &shears, lane));
+            }
+        }
+    }
+    worst
+}

@@ -1,0 +1,230 @@
+# isect_cone_pairs_r16   nearest hit of packets' rays with open cones, candidate by candidate
+#   C       void isect_cone_pairs_r16(const struct candidate *, int count);
+#   In      $3 candidates of objects that are cones, $4 count (0 is none); pointers 16-aligned
+#   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
+#   Uses    $3-$4, $10-$79   Saves  -   Stack  0   Calls  -
+#   Domain  |d| and |axis| = 1 within 4 ulp; distances, height and radius from 2^-30 to 2^30; radius
+#           and height not below 0; radii of the body, by growth, not below 0
+#   Error   40 ulp of the distance from the base
+#   Twin    oracle/src/twin/cone.rs
+#
+# From the base to the ray's point nearest to it goes w, which has an h along the axis and a c
+# across it; the direction likewise has a rise and an e. The body's radius there is k, and grows
+# along the ray by m. The ray crosses the body, or its mirror image beyond the apex, at the roots of
+# |c + s e|^2 = (k + m s)^2, whose halved coefficients are
+#   a = |e|^2 - m^2
+#   b = c.e - k m
+#   z = |c|^2 - k^2
+#   disc = |k e - m c|^2 - |c x e|^2
+# The last is b^2 - a z, but loses digits only at the outline and near the apex. With the root's sign
+# that of b, q = b + root does not cancel: the crossings are at s = -q/a and s = -z/q. The one over a
+# enters the body if b is not below 0, else it leaves it, and the other way round for the other; that
+# holds for a below 0 as well. Without direction across the axis disc of a cylinder would be 0, and
+# is a tiny bit less: no hit.
+#
+# Of both crossings those off the heights or seen from the wrong side get a sign, and so do not count;
+# as unsigned numbers they are the larger ones, and the smaller is the nearer.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "pairs.inc"
+
+        .set    a_candidate,3
+        .set    count,4
+        # constants
+        .set    m_x,10
+        .set    m_y,11
+        .set    m_z,12
+        .set    k_half,13
+        .set    k_one,14
+        .set    k_tiny,15
+        .set    m_sign,16
+        .set    a_controls,17
+        .set    a_if_enters,18
+        .set    a_if_leaves,19
+        # the candidate
+        .set    object,20
+        .set    a_packet,21
+        .set    quad,22
+        .set    base_x,23
+        .set    base_y,24
+        .set    base_z,25
+        .set    axis_x,26
+        .set    axis_y,27
+        .set    axis_z,28
+        .set    radius,29
+        .set    growth,30
+        .set    height,31
+        .set    sides,32
+        .set    if_enters,33                            # the sign, where an entry does not count
+        .set    if_leaves,34                            # likewise an exit
+        # a row
+        .set    x,35                                    # direction
+        .set    y,36
+        .set    z,37
+        .set    wx,38
+        .set    wy,39
+        .set    wz,40
+        .set    near,41                                 # t of the point nearest to the base
+        .set    h,42
+        .set    rise,43
+        .set    cx,44
+        .set    cy,45
+        .set    cz,46
+        .set    ex,47
+        .set    ey,48
+        .set    ez,49
+        .set    k,50
+        .set    m,51
+        .set    a,52
+        .set    b,53
+        .set    zero,54                                 # z
+        .set    turn_x,55                               # c x e
+        .set    turn_y,56
+        .set    turn_z,57
+        .set    vx,58                                   # k e - m c
+        .set    vy,59
+        .set    vz,60
+        .set    outside,61                              # disc
+        .set    disc,61
+        .set    t_y,62
+        .set    s,63
+        .set    t_e,64
+        .set    q,65
+        .set    inverse,66
+        .set    first,67
+        .set    second,68
+        .set    t,69
+        .set    t_second,70
+        .set    off,71
+        .set    off_second,72
+        .set    hidden,73
+        .set    hidden_second,74
+        .set    ahead,75
+        .set    t_best,76
+        .set    nearest,77
+        .set    control,78
+        .set    inverse_q,79
+
+        sign_controls_table
+
+# By SIDES_BOTH, then SIDES_EXIT and both.
+hidden_if_enters:
+    .irp value, 0,0,0x80000000,0
+        .int    \value,\value,\value,\value
+    .endr
+hidden_if_leaves:
+    .irp value, 0x80000000,0,0,0
+        .int    \value,\value,\value,\value
+    .endr
+
+# out = a . b, of the registers a and b, with x, y and z at their ends.
+.macro  dot_f4 out:req, a:req, b:req
+        fm      \out,$\a\()x,$\b\()x
+        fma     \out,$\a\()y,$\b\()y,\out
+        fma     \out,$\a\()z,$\b\()z,\out
+.endm
+
+function isect_cone_pairs_r16
+        biz     $count,$lr
+        splat_words
+        ilhu    $k_half,0x3f00
+        ilhu    $k_one,0x3f80
+        ilhu    $k_tiny,0x0080
+        ilhu    $m_sign,0x8000
+        ila     $a_controls,sign_controls
+        ila     $a_if_enters,hidden_if_enters
+        ila     $a_if_leaves,hidden_if_leaves
+next_cone:
+        load_candidate
+        lqd     $sides,OBJECT_sides&~15($object)
+        rotqbyi $sides,$sides,OBJECT_sides&15
+        rotmi   $sides,$sides,-26                       # the two bits to quadwords' addresses
+        lqx     $if_enters,$a_if_enters,$sides
+        lqx     $if_leaves,$a_if_leaves,$sides
+        lqd     $quad,OBJECT_centre($object)
+        shufb   $base_x,$quad,$quad,$m_x
+        shufb   $base_y,$quad,$quad,$m_y
+        shufb   $base_z,$quad,$quad,$m_z
+        lqd     $quad,OBJECT_axis($object)
+        shufb   $axis_x,$quad,$quad,$m_x
+        shufb   $axis_y,$quad,$quad,$m_y
+        shufb   $axis_z,$quad,$quad,$m_z
+        lqd     $quad,CONE_radius($object)
+        shufb   $radius,$quad,$quad,$m_x
+        shufb   $growth,$quad,$quad,$m_y
+        shufb   $height,$quad,$quad,$m_z
+        shufb   $object,$object,$object,$m_x
+    .irp row, 0,1,2,3
+    .irp axis, x,y,z
+        lqd     $w\axis,RAYS16_origin_\axis+16*\row($a_packet)
+        lqd     $\axis,RAYS16_direction_\axis+16*\row($a_packet)
+        fs      $w\axis,$base_\axis,$w\axis
+    .endr
+        fm      $near,$wx,$x
+        fma     $near,$wy,$y,$near
+        fma     $near,$wz,$z,$near
+    .irp axis, x,y,z
+        fms     $w\axis,$near,$\axis,$w\axis
+    .endr
+        dot_f4  $h,axis_,w
+        dot_f4  $rise,axis_,
+    .irp axis, x,y,z
+        fnms    $c\axis,$h,$axis_\axis,$w\axis
+        fnms    $e\axis,$rise,$axis_\axis,$\axis
+    .endr
+        fma     $k,$growth,$h,$radius
+        fm      $m,$growth,$rise
+        dot_f4  $a,e,e
+        fnms    $a,$m,$m,$a
+        dot_f4  $b,c,e
+        fnms    $b,$k,$m,$b
+        dot_f4  $zero,c,c
+        fnms    $zero,$k,$k,$zero
+        fm      $turn_x,$cz,$ey
+        fm      $turn_y,$cx,$ez
+        fm      $turn_z,$cy,$ex
+        fms     $turn_x,$cy,$ez,$turn_x
+        fms     $turn_y,$cz,$ex,$turn_y
+        fms     $turn_z,$cx,$ey,$turn_z
+    .irp axis, x,y,z
+        fm      $v\axis,$m,$c\axis
+        fms     $v\axis,$k,$e\axis,$v\axis
+    .endr
+        fms     $disc,$vx,$vx,$k_tiny
+        fma     $disc,$vy,$vy,$disc
+        fma     $disc,$vz,$vz,$disc
+    .irp axis, x,y,z
+        fnms    $disc,$turn_\axis,$turn_\axis,$disc
+    .endr
+        frsqest $t_y,$disc
+        fi      $t_y,$disc,$t_y
+        fm      $s,$disc,$t_y
+        fnms    $t_e,$s,$t_y,$k_one                     # 1 - s y
+        fma     $t_e,$t_e,$k_half,$k_one
+        selb    $s,$s,$b,$m_sign
+        fma     $q,$s,$t_e,$b
+        reciprocal_f4 $inverse,$a,$t_y,$t_e,$k_one
+        reciprocal_f4 $inverse_q,$q,$t_y,$t_e,$k_one
+        fm      $first,$q,$inverse                      # -s
+        fm      $second,$zero,$inverse_q
+        fs      $t,$near,$first
+        fs      $t_second,$near,$second
+        fnms    $off,$first,$rise,$h                    # the crossing's height
+        fnms    $off_second,$second,$rise,$h
+        clgt    $off,$off,$height                       # below 0 is above all
+        clgt    $off_second,$off_second,$height
+        selb    $hidden,$if_enters,$if_leaves,$b
+        selb    $hidden_second,$if_leaves,$if_enters,$b
+        or      $t,$t,$off
+        or      $t,$t,$hidden
+        or      $t_second,$t_second,$off_second
+        or      $t_second,$t_second,$hidden_second
+        clgt    $control,$t,$t_second
+        selb    $t,$t,$t_second,$control
+        cgti    $ahead,$t,0
+        keep_nearer \row
+    .endr
+        next_candidate next_cone
+        bi      $lr
+endfunction isect_cone_pairs_r16
