@@ -55,4 +55,8 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
     ]
         .into_iter()
         .flatten()
+        whitted::bounce::KERNELS,
+    ]
+    .into_iter()
+    .flatten()
 }

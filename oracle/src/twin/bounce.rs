@@ -1,0 +1,83 @@
+//! Twin of `spu/include/bounce.inc`: what rays thrown back and let through have in common.
+
+use spu_emulator::float::single::{fm, fma, fnms};
+
+use super::{HALF, Single};
+
+/// The single 3/2.
+const THREE_HALVES: Single = 0x3fc0_0000;
+
+/// A hit, and the ray that made it.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounce {
+    /// Unit direction of the ray.
+    pub direction: [Single; 3],
+    /// Its share in its pixel's colour.
+    pub weight: Single,
+    /// Its pixel.
+    pub pixel: u32,
+    /// Point on the surface.
+    pub point: [Single; 3],
+    /// Unit normal that shades, on the ray's side.
+    pub normal: [Single; 3],
+    /// Unit normal of the surface itself, on the ray's side.
+    pub plane: [Single; 3],
+    /// How far off the surface a ray has to start.
+    pub leave: Single,
+    /// Share that is reflected.
+    pub mirror: Single,
+    /// Share that is let through.
+    pub transmittance: Single,
+    /// Index of refraction on the ray's side over that beyond.
+    pub ratio: Single,
+    /// Schlick's F0.
+    pub schlick: Single,
+    /// 1 - F0, or 0.
+    pub grazing: Single,
+}
+
+/// A ray that waits to be traced.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Queued {
+    /// Where it begins.
+    pub origin: [Single; 3],
+    /// Its share in its pixel's colour.
+    pub weight: Single,
+    /// Unit direction.
+    pub direction: [Single; 3],
+    /// Its pixel.
+    pub pixel: u32,
+}
+
+impl Bounce {
+    /// The ray of this share, if that is above 0: as signed integers, singles above 0 are.
+    pub(super) fn queued(
+        &self,
+        share: Single,
+        origin: [Single; 3],
+        direction: [Single; 3],
+    ) -> Option<Queued> {
+        (share as i32 > 0).then(|| Queued {
+            origin,
+            weight: fm(self.weight, share),
+            direction: unit(direction),
+            pixel: self.pixel,
+        })
+    }
+}
+
+/// The scalar product.
+pub(super) fn dot(a: [Single; 3], b: [Single; 3]) -> Single {
+    fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
+}
+
+/// c - k a.
+pub(super) fn less(c: [Single; 3], k: Single, a: [Single; 3]) -> [Single; 3] {
+    std::array::from_fn(|axis| fnms(k, a[axis], c[axis]))
+}
+
+/// A vector of about length 1 at length 1: one Newton step.
+fn unit(vector: [Single; 3]) -> [Single; 3] {
+    let factor = fnms(dot(vector, vector), HALF, THREE_HALVES);
+    vector.map(|component| fm(component, factor))
+}

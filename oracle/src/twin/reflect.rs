@@ -1,0 +1,22 @@
+//! Twin of `spu/plain/shade/reflect_r16.s`: the ray that a mirror throws back.
+
+use spu_emulator::float::single::{fa, fma, fnms};
+
+use super::bounce::{Bounce, Queued, dot, less};
+
+/// The ray that the hit reflects; none if its share is not above 0.
+#[must_use]
+pub fn reflect(hit: &Bounce) -> Option<Queued> {
+    let along = dot(hit.direction, hit.normal);
+    let along_plane = dot(hit.direction, hit.plane);
+    let cosine = dot(hit.normal, hit.plane);
+    let off = fnms(fa(along, along), cosine, along_plane);
+    let (normal, along) = if off as i32 > 0 {
+        (hit.normal, along)
+    } else {
+        (hit.plane, along_plane)
+    };
+    let direction = less(hit.direction, fa(along, along), normal);
+    let origin = std::array::from_fn(|axis| fma(hit.leave, hit.plane[axis], hit.point[axis]));
+    hit.queued(hit.mirror, origin, direction)
+}

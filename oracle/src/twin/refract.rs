@@ -1,0 +1,62 @@
+//! Twin of `spu/plain/shade/refract_r16.s`: the ray that a surface lets through.
+
+use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
+
+use super::bounce::{Bounce, Queued, dot, less};
+use super::math::sqrt;
+use super::{ONE, Single, below_zero};
+
+/// Beyond a surface, by one normal.
+struct Beyond {
+    /// The part of the direction along the surface: its length is the sine.
+    sine: [Single; 3],
+    /// The square of the cosine; below 0, all is reflected.
+    squared: Single,
+    /// The cosine.
+    cosine: Single,
+}
+
+/// What the hit lets through, if anything, and the share `mirror` with what it reflects.
+#[must_use]
+pub fn refract(hit: &Bounce) -> (Option<Queued>, Single) {
+    let along = dot(hit.direction, hit.normal);
+    let first = beyond(hit, hit.normal, along);
+    let side = fnms(
+        first.cosine,
+        dot(hit.normal, hit.plane),
+        dot(first.sine, hit.plane),
+    );
+    let crosses = below_zero(side | first.squared);
+    let normal = if crosses { hit.normal } else { hit.plane };
+    let taken = beyond(hit, normal, dot(hit.direction, normal));
+
+    let off = if fcgt(hit.ratio, ONE) != 0 {
+        fs(ONE, taken.cosine)
+    } else {
+        fa(ONE, along)
+    };
+    let squared = fm(off, off);
+    let fifth = fm(fm(squared, squared), off);
+    let share = if below_zero(taken.squared) {
+        ONE
+    } else {
+        fma(fifth, hit.grazing, hit.schlick)
+    };
+    let mirror = fma(hit.transmittance, share, hit.mirror);
+    let through = fnms(hit.transmittance, share, hit.transmittance);
+    let direction = less(taken.sine, taken.cosine, normal);
+    let origin = less(hit.point, hit.leave, hit.plane);
+    (hit.queued(through, origin, direction), mirror)
+}
+
+fn beyond(hit: &Bounce, normal: [Single; 3], along: Single) -> Beyond {
+    let sine = less(hit.direction, along, normal).map(|component| fm(component, hit.ratio));
+    let squared = sine
+        .into_iter()
+        .fold(ONE, |rest, component| fnms(component, component, rest));
+    Beyond {
+        sine,
+        squared,
+        cosine: sqrt(squared),
+    }
+}
