@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use cellray::framebuffer::{Geometry, Png};
 use cellray::{Engine, Scene, Settings};
 use glam::DVec3;
-use nff::{Material, Object, Shape, View};
+use nff::{Material, Object, Shader, Shape, View};
 
 const RADIUS: f64 = 0.6;
 
@@ -49,6 +49,7 @@ fn scene(moment: f64) -> nff::Scene {
         shine: 0.0,
         transmittance: 0.0,
         refraction_index: 1.0,
+        shader: Shader::Phong,
     };
     let sphere = |centre, material| Object {
         line: 0,
@@ -69,6 +70,7 @@ fn scene(moment: f64) -> nff::Scene {
             resolution: (640, 360),
         },
         background: DVec3::new(0.05, 0.07, 0.14),
+        ambient: DVec3::ZERO,
         lights: Vec::new(),
         materials: vec![material(0.96, 0.4, 0.25), material(0.4, 0.6, 0.9)],
         objects: std::iter::once(sphere(ball, 0))

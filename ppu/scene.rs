@@ -1,17 +1,19 @@
-//! The scene as it is traced: of NFF's entities those that are drawn.
+//! The scene as it is traced: of NFF's entities those that depth shading draws, and all of them for
+//! Whitted's model.
 //!
-//! Invariant: every number in a [`Scene`] lies in the domain that the kernels state.
+//! Invariant: every number that depth shading takes lies in the domain that the kernels state.
 
 use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
 use zerocopy::big_endian::F32;
 
+use crate::work::BlockError;
 use crate::work::layout::MAX_SPHERES;
 
 /// Largest magnitude of a coordinate or a radius: its square is still a single.
-const LARGEST: f64 = (1_u64 << 62) as f64;
-/// Smallest radius: its square is still a single and not 0.
-const SMALLEST_RADIUS: f64 = 1.0 / LARGEST;
+pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
+/// Smallest size, such as a radius: its square is still a single and not 0.
+pub(crate) const SMALLEST: f64 = 1.0 / LARGEST;
 
 /// Why a scene can't be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -47,6 +49,9 @@ pub enum SceneError {
         /// What is wrong with it.
         source: nff::ViewError,
     },
+    /// Whitted's model has no room for it, or no way to trace it.
+    #[error(transparent)]
+    Block(#[from] BlockError),
 }
 
 /// A sphere that is drawn.
@@ -69,6 +74,7 @@ pub struct Scene {
     spheres: Vec<Sphere>,
     depth: DepthShading,
     not_drawn: Vec<NotDrawn>,
+    nff: nff::Scene,
 }
 
 impl Scene {
@@ -104,7 +110,7 @@ impl Scene {
                 &|| format!("centre of sphere {}", number + 1),
                 sphere.centre,
             )?;
-            if !(SMALLEST_RADIUS..=LARGEST).contains(&sphere.radius) {
+            if !(SMALLEST..=LARGEST).contains(&sphere.radius) {
                 let what = format!("radius of sphere {}", number + 1);
                 return Err(out_of_range(what, sphere.radius, " and at least 2^-62"));
             }
@@ -122,6 +128,7 @@ impl Scene {
             spheres,
             depth: DepthShading::of(scene),
             not_drawn: depth::not_drawn(scene),
+            nff: scene.clone(),
         })
     }
 
@@ -165,7 +172,19 @@ impl Scene {
         self.depth
     }
 
-    /// What the file has and the picture will not show.
+    /// All that the file has: what Whitted's model traces.
+    #[must_use]
+    pub fn nff(&self) -> &nff::Scene {
+        &self.nff
+    }
+
+    /// Whether the scene has lights, of which depth shading makes no use.
+    #[must_use]
+    pub fn has_lights(&self) -> bool {
+        !self.nff.lights.is_empty()
+    }
+
+    /// What the file has and a picture by depth shading will not show.
     #[must_use]
     pub fn not_drawn(&self) -> &[NotDrawn] {
         &self.not_drawn

@@ -6,7 +6,7 @@ use std::io;
 use thiserror::Error;
 
 use crate::words::MAX_MAGNITUDE;
-use crate::{ViewError, sphereflake};
+use crate::{ViewError, sphereflake, tetra};
 
 /// Why there is no scene.
 #[derive(Debug, Error)]
@@ -32,6 +32,9 @@ pub enum Error {
     /// A sphereflake that can't be generated.
     #[error(transparent)]
     Sphereflake(#[from] sphereflake::Error),
+    /// Tetrahedra that can't be generated.
+    #[error(transparent)]
+    Tetra(#[from] tetra::Error),
 }
 
 /// What is wrong with a line.
@@ -40,6 +43,31 @@ pub enum Fault {
     /// An entity that the format does not have.
     #[error("unknown entity {0} (known: v b l f s c p pp)")]
     UnknownEntity(Excerpt),
+    /// A directive that there is not.
+    #[error("unknown directive {0} (known: ambient sun shader)")]
+    UnknownDirective(Excerpt),
+    /// A name that can't be a shader's.
+    #[error("shader {0} is not a name: letters, digits and _, a letter first")]
+    ShaderName(Excerpt),
+    /// A range of depth shading that is none.
+    #[error("depth far {far} is not more than near {near}")]
+    DepthRange {
+        /// Where all is black.
+        far: f64,
+        /// Where it begins to fade.
+        near: f64,
+    },
+    /// A direction that points nowhere.
+    #[error("{0} is 0 0 0")]
+    NoDirection(&'static str),
+    /// A number that must be above 0 is not.
+    #[error("{field} {value} is not above 0")]
+    NotPositive {
+        /// What was to be given.
+        field: &'static str,
+        /// What is there.
+        value: f64,
+    },
     /// A word that is no number.
     #[error("{field} {value} is not a number")]
     NotANumber {

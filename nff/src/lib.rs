@@ -1,18 +1,20 @@
 //! Scenes as Eric Haines' Neutral File Format (NFF) gives them.
 //!
-//! Owns the scene data, the text format both ways, the camera that a view stands for, the triangles
-//! of a polygon, the sphereflake of the Standard Procedural Databases and the depth-shading model. Knows nothing of
-//! work units, SPUs or pictures.
+//! Owns the scene data, the text format both ways with what `#cellray` adds to it, the camera that a
+//! view stands for, the triangles of a polygon, the sphereflake and the tetrahedra of the Standard
+//! Procedural Databases and the depth-shading model. Knows nothing of work units, SPUs or pictures.
 //!
 //! Invariant: a [`Scene`] that [`parse`] returned has a valid view, only finite numbers of at most
-//! [`MAX_MAGNITUDE`], no zero radius and no material index out of range.
+//! [`MAX_MAGNITUDE`], no radius or direction of 0 and no material index out of range.
 
 pub mod depth;
+mod directives;
 mod error;
 mod lines;
 mod parse;
 mod scene;
 pub mod sphereflake;
+pub mod tetra;
 mod triangles;
 mod view;
 mod words;
@@ -21,29 +23,31 @@ mod write;
 pub use error::{Error, Excerpt, Fault};
 pub use lines::Limits;
 pub use parse::{parse, read};
-pub use scene::{Light, Material, Object, Scene, Shape};
+pub use scene::{Light, LightKind, Material, Object, Scene, Shader, Shape};
 pub use triangles::{area_vector, triangles};
 pub use view::{Camera, MAX_SIDE, View, ViewError, unit};
 pub use words::MAX_MAGNITUDE;
 
 use std::path::Path;
 
-/// What names a generated sphereflake where a file name is expected: `sphereflake:LEVEL`.
-const SPHEREFLAKE: &str = "sphereflake:";
-
-/// Brings the scene that a user named: `sphereflake:LEVEL` is generated, all else is a file to [`read`].
+/// Brings the scene that a user named: `sphereflake:LEVEL` and `tetra:LEVEL` are generated, all else is
+/// a file to [`read`].
 ///
 /// # Errors
-/// What [`read`] or [`sphereflake::generate`] refuses; a level that is not a number.
+/// What [`read`], [`sphereflake::generate`] or [`tetra::generate`] refuses; a level that is not a number.
 pub fn load(name: &Path) -> Result<Scene, Error> {
-    let level = name
-        .to_str()
-        .and_then(|name| name.strip_prefix(SPHEREFLAKE));
-    let Some(level) = level else {
-        return read(name);
-    };
-    let level = level
-        .parse()
-        .map_err(|_| sphereflake::Error::Level(Excerpt::of(level)))?;
-    Ok(sphereflake::generate(level)?)
+    let text = name.to_str().unwrap_or_default();
+    if let Some(level) = text.strip_prefix(sphereflake::PREFIX) {
+        let level = level
+            .parse()
+            .map_err(|_| sphereflake::Error::Level(Excerpt::of(level)))?;
+        Ok(sphereflake::generate(level)?)
+    } else if let Some(level) = text.strip_prefix(tetra::PREFIX) {
+        let level = level
+            .parse()
+            .map_err(|_| tetra::Error::Level(Excerpt::of(level)))?;
+        Ok(tetra::generate(level)?)
+    } else {
+        read(name)
+    }
 }

@@ -1,10 +1,13 @@
-//! The lines of a file that have words, read within limits.
+//! The lines of a file that have words, read within limits. A comment that is a directive has words.
 //!
 //! Invariant: never more than one line and one buffer of the reader in memory.
 
 use std::io::{self, BufRead};
 
 use crate::Fault;
+
+/// The first word of a directive: to other programs it begins a comment.
+pub(crate) const DIRECTIVE: &str = "#cellray";
 
 /// How much a scene may hold, so that no file can take all memory or time.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -81,7 +84,13 @@ impl<R: BufRead> Lines<R> {
     fn text(&self) -> Result<&str, LineError> {
         let text = str::from_utf8(&self.bytes)
             .map_err(|error| LineError::Fault(Fault::NotText(error.valid_up_to() + 1)))?;
-        Ok(text.split_once('#').map_or(text, |(before, _)| before))
+        let start = text.len() - text.trim_ascii_start().len();
+        let directive = text[start..]
+            .strip_prefix(DIRECTIVE)
+            .is_some_and(|rest| !rest.starts_with(|c: char| !c.is_ascii_whitespace()));
+        let from = if directive { start + 1 } else { 0 };
+        let end = text[from..].find('#').map_or(text.len(), |at| from + at);
+        Ok(&text[..end])
     }
 
     /// Brings the next line into `bytes`; false at the end of the file.

@@ -8,11 +8,12 @@ use std::path::Path;
 
 use glam::DVec3;
 
+use crate::directives::{self, Directive};
 use crate::error::Excerpt;
-use crate::lines::{LineError, Lines};
+use crate::lines::{DIRECTIVE, LineError, Lines};
 use crate::view;
 use crate::words::Words;
-use crate::{Error, Fault, Light, Limits, Material, Object, Scene, Shape, View};
+use crate::{Error, Fault, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
 /// Reads a scene file within the default [`Limits`].
 ///
@@ -70,6 +71,9 @@ struct Parser<'a, R> {
     limits: &'a Limits,
     view: Option<(u32, View)>,
     background: Option<(u32, DVec3)>,
+    ambient: Option<(u32, DVec3)>,
+    /// Line of the last material's shader.
+    shader: Option<u32>,
     lights: Vec<Light>,
     materials: Vec<Material>,
     objects: Vec<Object>,
@@ -83,6 +87,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
             limits,
             view: None,
             background: None,
+            ambient: None,
+            shader: None,
             lights: Vec::new(),
             materials: Vec::new(),
             objects: Vec::new(),
@@ -130,6 +136,10 @@ impl<'a, R: BufRead> Parser<'a, R> {
                     let count = words.count("patch")?;
                     self.object("patch", self.lines.number(), |parser| parser.patch(count))?;
                 }
+                DIRECTIVE => {
+                    let directive = directives::read(&mut words)?;
+                    self.directive(directive)?;
+                }
                 other => return Err(Fault::UnknownEntity(Excerpt::of(other)).into()),
             }
         }
@@ -143,6 +153,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             name: name.to_owned(),
             view,
             background: self.background.map_or(DVec3::ZERO, |(_, colour)| colour),
+            ambient: self.ambient.map_or(DVec3::ZERO, |(_, colour)| colour),
             lights: std::mem::take(&mut self.lights),
             materials: std::mem::take(&mut self.materials),
             objects: std::mem::take(&mut self.objects),
@@ -151,13 +162,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
 
     fn view(&mut self) -> Result<(), LineError> {
         let start = self.lines.number();
-        if let Some((first, _)) = self.view {
-            return Err(Fault::Second {
-                entity: "view (v)",
-                first,
-            }
-            .into());
-        }
+        once("view (v)", self.view.as_ref().map(|(line, _)| *line))?;
         let entity = Entity {
             name: "view",
             start,
@@ -233,22 +238,41 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn background(&mut self, colour: DVec3) -> Result<(), LineError> {
-        if let Some((first, _)) = self.background {
-            return Err(Fault::Second {
-                entity: "background (b)",
-                first,
-            }
-            .into());
-        }
+        once("background (b)", self.background.map(|(line, _)| line))?;
         self.background = Some((self.lines.number(), colour));
         Ok(())
     }
 
-    fn light(&mut self, (position, colour): (DVec3, Option<DVec3>)) -> Result<(), LineError> {
+    fn directive(&mut self, directive: Directive) -> Result<(), LineError> {
+        match directive {
+            Directive::Ambient(colour) => {
+                once("ambient light", self.ambient.map(|(line, _)| line))?;
+                self.ambient = Some((self.lines.number(), colour));
+                Ok(())
+            }
+            Directive::Sun { to_light, colour } => {
+                self.light((LightKind::Directional { to_light }, colour))
+            }
+            Directive::Shader(shader) => self.shader(shader),
+        }
+    }
+
+    fn shader(&mut self, shader: Shader) -> Result<(), LineError> {
+        let material = self.materials.last_mut().ok_or(Fault::TooEarly {
+            entity: "shader",
+            needed: "first material (f)",
+        })?;
+        once("shader of this material", self.shader)?;
+        self.shader = Some(self.lines.number());
+        material.shader = shader;
+        Ok(())
+    }
+
+    fn light(&mut self, (kind, colour): (LightKind, Option<DVec3>)) -> Result<(), LineError> {
         room(self.lights.len(), "lights", self.limits.objects)?;
         self.lights.push(Light {
             line: self.lines.number(),
-            position,
+            kind,
             colour,
         });
         Ok(())
@@ -260,6 +284,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             "materials",
             self.limits.objects.min(u32::MAX as usize),
         )?;
+        self.shader = None;
         self.materials.push(Material {
             line: self.lines.number(),
             ..material
@@ -389,6 +414,11 @@ impl<'a, R: BufRead> Parser<'a, R> {
         self.vertices += count;
         Ok(())
     }
+}
+
+/// Whether what may be given once was not; else its first line is here.
+fn once(entity: &'static str, first: Option<u32>) -> Result<(), Fault> {
+    first.map_or(Ok(()), |first| Err(Fault::Second { entity, first }))
 }
 
 /// Whether one more of `what` may be added to `len`.

@@ -16,7 +16,9 @@ pub struct Scene {
     pub view: View,
     /// Colour where no object is hit, red, green and blue from 0 to 1. Black if the file has none.
     pub background: DVec3,
-    /// Point lights, in file order.
+    /// Light that is everywhere, red, green and blue. Black if the file has none.
+    pub ambient: DVec3,
+    /// Lights, in file order.
     pub lights: Vec<Light>,
     /// Materials, in file order.
     pub materials: Vec<Material>,
@@ -24,15 +26,30 @@ pub struct Scene {
     pub objects: Vec<Object>,
 }
 
-/// A point light (`l`).
+/// A light (`l`, `#cellray sun`).
 #[derive(Debug, Clone)]
 pub struct Light {
     /// Line of the file, from 1.
     pub line: u32,
-    /// Where it stands.
-    pub position: DVec3,
+    /// Where it is.
+    pub kind: LightKind,
     /// Its colour, where the file gives one.
     pub colour: Option<DVec3>,
+}
+
+/// Where a light is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum LightKind {
+    /// In a place of the scene (`l`).
+    Point {
+        /// That place.
+        position: DVec3,
+    },
+    /// Infinitely far, the same from everywhere (`#cellray sun`).
+    Directional {
+        /// The direction to it, as given: not 0, not normalised.
+        to_light: DVec3,
+    },
 }
 
 /// A material (`f`): how the objects after it look.
@@ -52,6 +69,41 @@ pub struct Material {
     pub transmittance: f64,
     /// Index of refraction.
     pub refraction_index: f64,
+    /// What makes its colour (`#cellray shader`).
+    pub shader: Shader,
+}
+
+/// What makes the colour of a material's surfaces.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub enum Shader {
+    /// The material's colour as it is, without lights, mirror or glass.
+    Flat,
+    /// Without a highlight.
+    Lambert,
+    /// With one: NFF's own.
+    #[default]
+    Phong,
+    /// Cubes of two colours by turns.
+    Checker {
+        /// The colour beside the material's own.
+        other: DVec3,
+        /// Edge of a cube, more than 0.
+        size: f64,
+    },
+    /// The material's colour, the nearer the brighter, without lights, mirror or glass.
+    Depth {
+        /// Distance at which it is black.
+        far: f64,
+        /// Distance, less than `far`, up to which it is as bright as it gets.
+        near: f64,
+    },
+    /// A game's own.
+    Own {
+        /// Its name.
+        name: String,
+        /// What it makes of these is its own affair; 0 where the file gives none.
+        parameters: [f64; 4],
+    },
 }
 
 /// A thing to see.
@@ -116,6 +168,7 @@ impl PartialEq for Scene {
     fn eq(&self, other: &Self) -> bool {
         self.view == other.view
             && self.background == other.background
+            && self.ambient == other.ambient
             && self.lights == other.lights
             && self.materials == other.materials
             && self.objects == other.objects
@@ -124,7 +177,7 @@ impl PartialEq for Scene {
 
 impl PartialEq for Light {
     fn eq(&self, other: &Self) -> bool {
-        self.position == other.position && self.colour == other.colour
+        self.kind == other.kind && self.colour == other.colour
     }
 }
 
@@ -136,6 +189,7 @@ impl PartialEq for Material {
             && self.shine == other.shine
             && self.transmittance == other.transmittance
             && self.refraction_index == other.refraction_index
+            && self.shader == other.shader
     }
 }
 

@@ -10,7 +10,10 @@ use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
 
 use glam::{DQuat, DVec3};
 
-use crate::{Excerpt, Light, Limits, Material, Object, Scene, Shape, View};
+use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
+
+/// What names a generated sphereflake where a file name is expected: `sphereflake:LEVEL`.
+pub(crate) const PREFIX: &str = "sphereflake:";
 
 /// Radius of the first sphere, around the origin; the ground lies under it.
 const RADIUS: f64 = 0.5;
@@ -88,6 +91,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         shine: 100_000.0,
         transmittance: 0.0,
         refraction_index: 1.0,
+        shader: Shader::Phong,
     };
     let sphere = Material {
         line: 18,
@@ -97,6 +101,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         shine: 3.0827,
         transmittance: 0.0,
         refraction_index: 1.0,
+        shader: Shader::Phong,
     };
     let corner = |x: f64, y: f64| DVec3::new(x * GROUND, y * GROUND, -RADIUS);
     let vertices = vec![
@@ -122,15 +127,16 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
         level,
     );
     Ok(Scene {
-        name: format!("{}{level}", crate::SPHEREFLAKE),
+        name: format!("{}{level}", PREFIX),
         view,
         background: DVec3::new(0.078, 0.361, 0.753),
+        ambient: DVec3::ZERO,
         lights: LIGHTS
             .into_iter()
             .zip(9..)
             .map(|(position, line)| Light {
                 line,
-                position,
+                kind: LightKind::Point { position },
                 colour: None,
             })
             .collect(),

@@ -7,7 +7,7 @@ use std::str::SplitAsciiWhitespace;
 use glam::DVec3;
 
 use crate::error::Excerpt;
-use crate::{Fault, Material, Shape};
+use crate::{Fault, LightKind, Material, Shader, Shape};
 
 /// Largest magnitude of a number in a scene: the squares of differences of such numbers, and sums
 /// of those, stay finite in an `f64`.
@@ -30,7 +30,7 @@ impl<'a> Words<'a> {
         self.rest.next().unwrap_or_default()
     }
 
-    fn word(&mut self, field: &'static str) -> Result<&'a str, Fault> {
+    pub(crate) fn word(&mut self, field: &'static str) -> Result<&'a str, Fault> {
         self.rest.next().ok_or(Fault::Missing(field))
     }
 
@@ -70,16 +70,26 @@ impl<'a> Words<'a> {
         Ok(u32::try_from(whole(field, self.word(field)?)?).unwrap_or(u32::MAX))
     }
 
-    pub(crate) fn light(&mut self) -> Result<(DVec3, Option<DVec3>), Fault> {
+    pub(crate) fn light(&mut self) -> Result<(LightKind, Option<DVec3>), Fault> {
         let position = self.point(["light x", "light y", "light z"])?;
-        let coloured = self.rest.clone().next().is_some();
-        let colour = if coloured {
-            Some(self.colour(["light red", "light green", "light blue"])?)
-        } else {
-            None
-        };
+        let colour = self.light_colour()?;
         self.end("light")?;
-        Ok((position, colour))
+        Ok((LightKind::Point { position }, colour))
+    }
+
+    /// A light's colour, if there is one.
+    pub(crate) fn light_colour(&mut self) -> Result<Option<DVec3>, Fault> {
+        if self.more() {
+            let colour = self.colour(["light red", "light green", "light blue"])?;
+            Ok(Some(colour))
+        } else {
+            Ok(None)
+        }
+    }
+
+    /// Whether the line goes on.
+    pub(crate) fn more(&self) -> bool {
+        self.rest.clone().next().is_some()
     }
 
     /// A material, for who knows its line to fill that in.
@@ -92,6 +102,7 @@ impl<'a> Words<'a> {
             shine: self.not_negative("shine")?,
             transmittance: self.not_negative("T")?,
             refraction_index: self.not_negative("index of refraction")?,
+            shader: Shader::Phong,
         };
         self.end("material")?;
         Ok(material)

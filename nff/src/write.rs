@@ -7,7 +7,8 @@ use std::fmt;
 
 use glam::DVec3;
 
-use crate::{Light, Material, Object, Scene, Shape, View};
+use crate::lines::DIRECTIVE;
+use crate::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
 
 impl fmt::Display for Scene {
     /// Materials keep their order. An object whose material is not the last one written is given
@@ -15,6 +16,9 @@ impl fmt::Display for Scene {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.view.fmt(f)?;
         writeln!(f, "b {}", Triple(self.background))?;
+        if self.ambient != DVec3::ZERO {
+            writeln!(f, "{DIRECTIVE} ambient {}", Triple(self.ambient))?;
+        }
         self.lights.iter().try_for_each(|light| light.fmt(f))?;
         let mut written = 0;
         let mut current = None;
@@ -52,7 +56,12 @@ impl fmt::Display for View {
 
 impl fmt::Display for Light {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "l {}", Triple(self.position))?;
+        match self.kind {
+            LightKind::Point { position } => write!(f, "l {}", Triple(position))?,
+            LightKind::Directional { to_light } => {
+                write!(f, "{DIRECTIVE} sun {}", Triple(to_light))?;
+            }
+        }
         if let Some(colour) = self.colour {
             write!(f, " {}", Triple(colour))?;
         }
@@ -70,12 +79,33 @@ impl fmt::Display for Material {
             shine,
             transmittance,
             refraction_index,
+            shader,
         } = self;
         let colour = Triple(*colour);
         writeln!(
             f,
             "f {colour} {diffuse} {specular} {shine} {transmittance} {refraction_index}"
-        )
+        )?;
+        if *shader == Shader::Phong {
+            return Ok(());
+        }
+        writeln!(f, "{DIRECTIVE} shader {shader}")
+    }
+}
+
+impl fmt::Display for Shader {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Flat => write!(f, "flat"),
+            Self::Lambert => write!(f, "lambert"),
+            Self::Phong => write!(f, "phong"),
+            Self::Checker { other, size } => write!(f, "checker {} {size}", Triple(*other)),
+            Self::Depth { far, near } => write!(f, "depth {far} {near}"),
+            Self::Own {
+                name,
+                parameters: [a, b, c, d],
+            } => write!(f, "{name} {a} {b} {c} {d}"),
+        }
     }
 }
 

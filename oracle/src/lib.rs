@@ -57,6 +57,16 @@ pub enum Error {
         /// Line of the material.
         line: u32,
     },
+    /// A shader that only SPUs have.
+    #[error("{scene}:{line}: the reference has no shader `{name}`, which is a game's own")]
+    Shader {
+        /// The scene's name.
+        scene: String,
+        /// Line of the material.
+        line: u32,
+        /// The shader's name.
+        name: String,
+    },
     /// A patch too large to be cut into triangles.
     #[error("{scene}:{line}: a patch of {vertices} vertices, more than {max}", max = shapes::MAX_PATCH_VERTICES)]
     PatchVertices {

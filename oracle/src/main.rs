@@ -22,7 +22,8 @@ const EXAMPLES: &str = "Examples:
   oracle render scenes/whitted16.nff --model whitted --out whitted16.png
   oracle render sphereflake:4 --model whitted --corners --stats --out balls.png
 
-SCENE is an NFF file, or sphereflake:LEVEL for a generated one (level 2 has 91 spheres).";
+SCENE is an NFF file, or sphereflake:LEVEL or tetra:LEVEL for a generated one (sphereflake:2 has 91
+spheres, tetra:3 has 256 polygons).";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]

@@ -16,7 +16,7 @@ use super::progress::Progress;
 /// Options of the SPUs and their report.
 #[derive(Args)]
 pub struct Options {
-    /// Scene: an NFF file, or sphereflake:LEVEL
+    /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
     pub scene: PathBuf,
     /// SPUs to use
     #[arg(long, default_value_t = 6, value_name = "N")]

@@ -1,7 +1,7 @@
 //! Random scenes.
 
 use glam::DVec3;
-use nff::{Material, Object, Scene, Shape, View};
+use nff::{Material, Object, Scene, Shader, Shape, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 
@@ -32,6 +32,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
         shine: 0.0,
         transmittance: 0.0,
         refraction_index: 1.0,
+        shader: Shader::Phong,
     };
     let materials: Vec<Material> = (0..5)
         .map(|_| material(vector(random, 1.0).abs()))
@@ -47,6 +48,7 @@ pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
             resolution: (64, 64),
         },
         background: DVec3::new(0.1, 0.2, 0.3),
+        ambient: DVec3::ZERO,
         lights: Vec::new(),
         objects: (0..count)
             .map(|_| sphere(random, materials.len()))

@@ -2,7 +2,7 @@
 
 use crate::common::{parsed, scene_text};
 use glam::DVec3;
-use nff::{Shape, View};
+use nff::{LightKind, Shape, View};
 
 const EVERYTHING: &str = "# a comment first
 b 0.1 0.2 0.3 # and one behind
@@ -50,7 +50,8 @@ fn every_entity_is_read() {
     assert_eq!(scene.background, DVec3::new(0.1, 0.2, 0.3));
     assert_eq!(scene.lights.len(), 2);
     assert_eq!((scene.lights[0].line, scene.lights[0].colour), (12, None));
-    assert_eq!(scene.lights[1].position, DVec3::new(1.0, -4.0, 4.0));
+    let position = DVec3::new(1.0, -4.0, 4.0);
+    assert_eq!(scene.lights[1].kind, LightKind::Point { position });
     assert_eq!(scene.lights[1].colour, Some(DVec3::new(0.5, 0.25, 1.0)));
 
     let floor = &scene.materials[0];

@@ -2,9 +2,11 @@
 
 mod common;
 mod depth;
+mod directives;
 mod entities;
 mod faults;
 mod properties;
 mod sphereflake;
+mod tetra;
 mod triangles;
 mod view;

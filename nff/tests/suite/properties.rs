@@ -2,7 +2,7 @@
 
 use crate::common::try_parse;
 use glam::DVec3;
-use nff::{Light, Material, Object, Scene, Shape, View};
+use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
 use proptest::collection::vec;
 use proptest::prelude::*;
 
@@ -45,8 +45,42 @@ fn shape() -> impl Strategy<Value = Shape> {
     prop_oneof![sphere, cone, polygon, patch]
 }
 
+fn shader() -> impl Strategy<Value = Shader> {
+    let checker = (point(), radius()).prop_map(|(other, size)| Shader::Checker {
+        other: other.abs(),
+        size: size.abs(),
+    });
+    let depth = (number(), number())
+        .prop_filter("a range", |(a, b)| a.abs() != b.abs())
+        .prop_map(|(a, b)| Shader::Depth {
+            far: a.abs().max(b.abs()),
+            near: a.abs().min(b.abs()),
+        });
+    let own = (
+        "[a-z][a-zA-Z0-9_]{0,9}",
+        [number(), number(), number(), number()],
+    );
+    let taken = ["flat", "lambert", "phong", "checker", "depth"];
+    let own = own
+        .prop_filter("a name of its own", move |(name, _)| {
+            !taken.contains(&name.as_str())
+        })
+        .prop_map(|(name, parameters)| Shader::Own { name, parameters });
+    let simple = prop::sample::select(vec![Shader::Flat, Shader::Lambert, Shader::Phong]);
+    prop_oneof![simple, checker, depth, own]
+}
+
+fn light() -> impl Strategy<Value = LightKind> {
+    let sun = point().prop_filter("a direction", |to_light| *to_light != DVec3::ZERO);
+    prop_oneof![
+        point().prop_map(|position| LightKind::Point { position }),
+        sun.prop_map(|to_light| LightKind::Directional { to_light }),
+    ]
+}
+
 fn material() -> impl Strategy<Value = Material> {
-    (point(), point(), number(), number()).prop_map(|(colour, shares, shine, index)| Material {
+    let parts = (point(), point(), number(), number(), shader());
+    parts.prop_map(|(colour, shares, shine, index, shader)| Material {
         line: 0,
         colour: colour.abs(),
         diffuse: shares.x.abs(),
@@ -54,6 +88,7 @@ fn material() -> impl Strategy<Value = Material> {
         transmittance: shares.z.abs(),
         shine: shine.abs(),
         refraction_index: index.abs(),
+        shader,
     })
 }
 
@@ -71,11 +106,12 @@ prop_compose! {
     fn scene()(
         view in view().prop_filter("shows something", |view| view.camera(1, 1).is_ok()),
         background in point(),
-        lights in vec((point(), prop::option::of(point())), 0..4),
+        ambient in point(),
+        lights in vec((light(), prop::option::of(point())), 0..4),
         groups in vec((material(), vec(shape(), 0..4)), 0..5),
     ) -> Scene {
-        let lights = lights.into_iter().map(|(position, colour)| {
-            Light { line: 0, position, colour: colour.map(DVec3::abs) }
+        let lights = lights.into_iter().map(|(kind, colour)| {
+            Light { line: 0, kind, colour: colour.map(DVec3::abs) }
         });
         let (mut materials, mut objects) = (Vec::new(), Vec::new());
         for (index, (material, shapes)) in (0..).zip(groups) {
@@ -87,6 +123,7 @@ prop_compose! {
             name: String::new(),
             view,
             background: background.abs(),
+            ambient: ambient.abs(),
             lights: lights.collect(),
             materials,
             objects,
@@ -124,6 +161,13 @@ fn nearly_a_scene() -> impl Strategy<Value = String> {
         "\n",
         "\n",
         "#",
+        "#cellray",
+        "ambient",
+        "sun",
+        "shader",
+        "checker",
+        "depth",
+        "own",
         "\r\n",
     ]);
     vec(word, 0..80).prop_map(|words| words.join(" "))

@@ -4,7 +4,8 @@
 //! Invariant: directions have length 1; normals are on the side that the light comes from.
 
 use glam::DVec3;
-use nff::Material;
+
+use super::finish::Finish;
 
 /// By what the exponent of Phong's highlight is multiplied for Blinn's of about the same size: near
 /// the mirror direction the angle from the normal to the halfway vector is half of Phong's angle, and
@@ -39,17 +40,12 @@ pub(super) fn schlick(ratio: f64, near: f64, beyond: f64) -> f64 {
 
 /// What a surface sends back along `direction` of a light of brightness 1 in the direction
 /// `to_light`, in front of it: Lambert in the material's colour, and Blinn's highlight in the light's.
-pub(super) fn shine(
-    material: &Material,
-    normal: DVec3,
-    direction: DVec3,
-    to_light: DVec3,
-) -> DVec3 {
-    let lambert = material.diffuse * normal.dot(to_light) * material.colour;
-    if material.specular == 0.0 {
+pub(super) fn shine(finish: &Finish, normal: DVec3, direction: DVec3, to_light: DVec3) -> DVec3 {
+    let lambert = finish.diffuse * normal.dot(to_light) * finish.colour;
+    if finish.highlight == 0.0 {
         return lambert;
     }
     let halfway = nff::unit(to_light - direction).unwrap_or(normal);
     let cosine = normal.dot(halfway).clamp(0.0, 1.0);
-    lambert + material.specular * cosine.powf(BLINN * material.shine)
+    lambert + finish.highlight * cosine.powf(BLINN * finish.shine)
 }

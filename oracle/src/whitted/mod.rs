@@ -3,6 +3,7 @@
 //! Owns the grid of eye rays and what becomes of their colours. Invariant: the same scene and options
 //! give the same picture and the same counts, however many threads there are.
 
+mod finish;
 mod light;
 mod path;
 mod stage;
@@ -52,7 +53,7 @@ struct Sample {
 ///
 /// # Errors
 /// A size that the view or a [`Picture`] can't have, a depth out of range, glass without an index of
-/// refraction and a patch of too many vertices.
+/// refraction, a patch of too many vertices and a game's own shader.
 pub fn trace(
     scene: &Scene,
     width: u32,

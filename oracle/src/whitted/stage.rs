@@ -4,8 +4,9 @@
 //! a ray that can't matter, of weight 0, is not started and not counted.
 
 use glam::DVec3;
-use nff::{Material, Scene, Shape};
+use nff::{LightKind, Material, Scene, Shader, Shape};
 
+use super::finish::Finish;
 use super::light;
 use super::path::Path;
 use super::{MAX_DEPTH, Options};
@@ -18,15 +19,16 @@ pub(super) struct Stage<'a> {
     tree: Tree,
     /// Of each surface.
     materials: Vec<&'a Material>,
-    /// Position and brightness of each light.
-    lights: Vec<(DVec3, DVec3)>,
+    /// Place and brightness of each light.
+    lights: Vec<(LightKind, DVec3)>,
+    ambient: DVec3,
     background: DVec3,
     options: Options,
 }
 
 /// What a ray meets.
-struct Hit<'a> {
-    material: &'a Material,
+struct Hit {
+    finish: Finish,
     point: DVec3,
     /// The surface's normal, on the ray's side.
     normal: DVec3,
@@ -53,6 +55,13 @@ impl<'a> Stage<'a> {
                     line: material.line,
                 });
             }
+            if let Shader::Own { name, .. } = &material.shader {
+                return Err(Error::Shader {
+                    scene: scene.name.clone(),
+                    line: material.line,
+                    name: name.clone(),
+                });
+            }
             if let Shape::Patch { vertices, .. } = &object.shape
                 && vertices.len() > MAX_PATCH_VERTICES
             {
@@ -74,8 +83,9 @@ impl<'a> Stage<'a> {
             lights: scene
                 .lights
                 .iter()
-                .map(|light| (light.position, brightness(light)))
+                .map(|light| (light.kind, brightness(light)))
                 .collect(),
+            ambient: scene.ambient,
             background: scene.background,
             options: *options,
         })
@@ -105,7 +115,7 @@ impl<'a> Stage<'a> {
     }
 
     /// The nearest hit of a ray.
-    fn meet(&self, ray: &Ray, path: &mut Path) -> Option<Hit<'a>> {
+    fn meet(&self, ray: &Ray, path: &mut Path) -> Option<Hit> {
         let Some((index, distance)) = self.tree.nearest(ray) else {
             path.note(0);
             return None;
@@ -113,6 +123,10 @@ impl<'a> Stage<'a> {
         let place = self.tree.surface(index).place(ray, distance);
         let outside = place.normal.dot(ray.direction) < 0.0;
         path.note(1 + 2 * index as u64 + u64::from(outside));
+        let finish = Finish::of(self.materials[index], place.point, distance);
+        if finish.other {
+            path.note(1);
+        }
         let (normal, smooth) = if outside {
             (place.normal, place.smooth)
         } else {
@@ -120,7 +134,7 @@ impl<'a> Stage<'a> {
         };
         let seen = smooth.dot(ray.direction) < 0.0;
         Some(Hit {
-            material: self.materials[index],
+            finish,
             point: place.point,
             normal,
             smooth: if seen { smooth } else { normal },
@@ -128,16 +142,21 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// What a hit sends back of the lights.
+    /// What a hit sends back of the lights, and of itself.
     fn lit(&self, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
-        let material = hit.material;
-        let mut sum = DVec3::ZERO;
-        if material.diffuse == 0.0 && material.specular == 0.0 {
+        let finish = &hit.finish;
+        let mut sum = finish.emission + finish.diffuse * self.ambient * finish.colour;
+        if finish.diffuse == 0.0 && finish.highlight == 0.0 {
             return sum;
         }
-        for &(position, brightness) in &self.lights {
-            let distance = hit.point.distance(position);
-            let Some(to_light) = nff::unit(position - hit.point) else {
+        for &(kind, brightness) in &self.lights {
+            let (way, distance) = match kind {
+                LightKind::Point { position } => {
+                    (position - hit.point, hit.point.distance(position))
+                }
+                LightKind::Directional { to_light } => (to_light, f64::INFINITY),
+            };
+            let Some(to_light) = nff::unit(way) else {
                 continue;
             };
             if hit.smooth.dot(to_light) <= 0.0 || hit.normal.dot(to_light) <= 0.0 {
@@ -148,7 +167,7 @@ impl<'a> Stage<'a> {
             let hidden = self.tree.any(&Ray::new(hit.point, to_light), distance);
             path.note(1 + u64::from(hidden));
             if !hidden {
-                sum += brightness * light::shine(material, hit.smooth, direction, to_light);
+                sum += brightness * light::shine(finish, hit.smooth, direction, to_light);
             }
         }
         sum
@@ -156,10 +175,10 @@ impl<'a> Stage<'a> {
 
     /// What a hit reflects and lets through; the rays for that are the `depth`th of their chains.
     fn bounced(&self, hit: &Hit, direction: DVec3, depth: u32, path: &mut Path) -> DVec3 {
-        let material = hit.material;
-        let (mut mirror, mut through) = (material.specular, None);
-        if material.transmittance > 0.0 {
-            let index = material.refraction_index;
+        let finish = &hit.finish;
+        let (mut mirror, mut through) = (finish.mirror, None);
+        if finish.transmittance > 0.0 {
+            let index = finish.refraction_index;
             let ratio = if hit.outside { index.recip() } else { index };
             // Across a patch the smooth normal's direction may stay on this side of the surface.
             let refracted =
@@ -177,8 +196,8 @@ impl<'a> Stage<'a> {
                 }
                 Some(_) => 0.0,
             };
-            mirror += material.transmittance * share;
-            let weight = material.transmittance * (1.0 - share);
+            mirror += finish.transmittance * share;
+            let weight = finish.transmittance * (1.0 - share);
             through = refracted.map(|(found, _)| (found, weight));
         }
 

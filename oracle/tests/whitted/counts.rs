@@ -1,6 +1,5 @@
 //! Counts of rays: those published for the Standard Procedural Databases, and sums that must hold.
 
-use std::fmt::Write as _;
 use std::path::Path;
 
 use oracle::whitted::{Counts, Options, trace};
@@ -10,38 +9,6 @@ const SPD: Options = Options {
     fresnel: false,
     corners: true,
 };
-
-/// The database's scene "tetra": tetrahedra of four polygons in half a cube's corners, halved
-/// `size` - 1 times. Numbers as published.
-fn tetra(size: u32) -> nff::Scene {
-    let mut text = "v\nfrom 1.022846 -3.177154 -2.174512\nat -0.004103 -0.004103 0.216539\n\
-        up -0.816497 -0.816497 0.816497\nangle 45\nhither 1\nresolution 512 512\n\
-        b 0.078 0.361 0.753\nl 2 -18 -5\nf 1 0.2 0.2 1 0 0 0 1\n"
-        .to_owned();
-    let mut pending = vec![([0.0; 3], 1.0, size)];
-    while let Some((centre, half, size)) = pending.pop() {
-        // The corners of a cube whose signs have a positive product.
-        let corners = [(-1, -1, 1), (-1, 1, -1), (1, -1, -1), (1, 1, 1)].map(|(x, y, z)| {
-            let signs = [x, y, z].map(f64::from);
-            move |reach: f64| -> [f64; 3] {
-                std::array::from_fn(|axis| centre[axis] + signs[axis] * reach)
-            }
-        });
-        if size > 1 {
-            let parts = corners.map(|corner| (corner(half / 2.0), half / 2.0, size - 1));
-            pending.extend(parts);
-            continue;
-        }
-        for face in [[0, 1, 2], [3, 2, 1], [2, 3, 0], [1, 0, 3]] {
-            text.push_str("p 3\n");
-            for vertex in face {
-                let [x, y, z] = corners[vertex](half);
-                writeln!(text, "{x} {y} {z}").expect("text grows");
-            }
-        }
-    }
-    nff::parse(text.as_bytes(), "tetra", &nff::Limits::default()).expect("a scene")
-}
 
 fn counts(scene: &nff::Scene, options: &Options) -> Counts {
     let counts = trace(scene, 512, 512, options).expect("a picture").1;
@@ -70,7 +37,7 @@ fn the_published_counts_of_balls() {
 
 #[test]
 fn the_published_counts_of_tetra() {
-    let scene = tetra(6);
+    let scene = nff::tetra::generate(5).expect("a scene");
     assert_eq!(scene.objects.len(), 4096);
     let counts = counts(&scene, &SPD);
     assert_eq!((counts.reflected, counts.refracted), (0, 0));

@@ -19,6 +19,11 @@ fn errors_name_the_line() {
         glass.to_string(),
         "t.nff:8: an index of refraction of 0 refracts nothing (T is above 0)"
     );
+    let own = "f 1 1 1 0 0 1 0 1\n#cellray shader rings 1\ns 0 0 0 1\n";
+    assert_eq!(
+        error(own, &options).to_string(),
+        "t.nff:8: the reference has no shader `rings`, which is a game's own"
+    );
     let mut patch = "f 1 1 1 1 0 1 0 1\npp 513\n".to_owned();
     for vertex in 0..513 {
         let angle = f64::from(vertex) * 0.01;

@@ -4,6 +4,7 @@ mod analytic;
 mod counts;
 mod faults;
 mod light;
+mod shaders;
 
 use nff::Scene;
 use oracle::whitted::{Counts, Options, trace};

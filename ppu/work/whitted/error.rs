@@ -41,6 +41,16 @@ pub enum BlockError {
         /// The material's line.
         line: u32,
     },
+    /// A shader that the SPU program does not have.
+    #[error("{file}:{line}: the SPU program has no shader `{name}`")]
+    UnknownShader {
+        /// The scene.
+        file: String,
+        /// The material's line.
+        line: u32,
+        /// The shader's name.
+        name: String,
+    },
     /// The local store is too small.
     #[error(
         "{file}: the scene takes {needed} bytes of local store and there are {room} (with rays of depth {ray_depth} that wait): about {fit} of its {count} {what} fit"

@@ -3,7 +3,7 @@
 //! Invariant: a material's flags say all that its shares can do.
 
 use glam::DVec3;
-use nff::{Material, Scene};
+use nff::{LightKind, Material, Scene, Shader, unit};
 use zerocopy::FromZeros as _;
 
 use super::BlockError;
@@ -11,11 +11,60 @@ use super::objects::single;
 use super::range::Place;
 use crate::scene::singles;
 use crate::work::layout::{
-    self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHINES, MATERIAL_TRANSMITS,
+    self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
 };
 
 /// By what the exponent of Phong's highlight is multiplied for Blinn's.
 const BLINN: f64 = 4.0;
+
+/// Names of the shaders that are the SPUs' own.
+const CHECKER: &str = "checker";
+const DEPTH: &str = "depth";
+
+/// What becomes of a material that is not said by its shares.
+#[derive(Default)]
+struct Shading<'a> {
+    /// The shader that SPUs run, if any, and what it is told.
+    shader: Option<(&'a str, [f64; 4])>,
+    emission: DVec3,
+    /// Whether lights, mirror and glass count.
+    shares: bool,
+    /// Whether there is a highlight.
+    shines: bool,
+}
+
+impl<'a> Shading<'a> {
+    fn of(material: &'a Material) -> Self {
+        let phong = Self {
+            shares: true,
+            shines: true,
+            ..Self::default()
+        };
+        match &material.shader {
+            Shader::Phong => phong,
+            Shader::Lambert => Self {
+                shines: false,
+                ..phong
+            },
+            Shader::Flat => Self {
+                emission: material.colour,
+                ..Self::default()
+            },
+            Shader::Checker { other, size } => Self {
+                shader: Some((CHECKER, [other.x, other.y, other.z, size.recip()])),
+                ..phong
+            },
+            Shader::Depth { far, near } => Self {
+                shader: Some((DEPTH, [*far, (far - near).recip(), 0.0, 0.0])),
+                ..Self::default()
+            },
+            Shader::Own { name, parameters } => Self {
+                shader: Some((name, *parameters)),
+                ..phong
+            },
+        }
+    }
+}
 
 /// What a scene's background is made of.
 pub(super) fn background(scene: &Scene) -> Result<layout::Material, BlockError> {
@@ -30,11 +79,12 @@ pub(super) fn background(scene: &Scene) -> Result<layout::Material, BlockError> 
     })
 }
 
-/// The record of a material.
+/// The record of a material; `entry` knows the SPUs' shaders by name.
 pub(super) fn record(
     scene: &Scene,
     material: &Material,
     fresnel: bool,
+    entry: &dyn Fn(&str) -> Option<u32>,
 ) -> Result<layout::Material, BlockError> {
     let &Material {
         line,
@@ -44,6 +94,7 @@ pub(super) fn record(
         shine,
         transmittance,
         refraction_index,
+        shader: _,
     } = material;
     let place = Place {
         file: &scene.name,
@@ -69,6 +120,23 @@ pub(super) fn record(
     } else {
         1.0
     };
+    let shading = Shading::of(material);
+    let mut shader = 0;
+    let mut parameters = [0.0; 4];
+    if let Some((name, given)) = shading.shader {
+        shader = entry(name).ok_or_else(|| BlockError::UnknownShader {
+            file: scene.name.clone(),
+            line,
+            name: name.to_owned(),
+        })?;
+        for value in given {
+            place.number("number of the shader", value)?;
+        }
+        parameters = given;
+    }
+    let share = |share: f64| if shading.shares { share } else { 0.0 };
+    let (diffuse, mirror, transmittance) = (share(diffuse), share(specular), share(transmittance));
+    let highlight = if shading.shines { mirror } else { 0.0 };
     let (schlick, grazing) = if fresnel && transmittance > 0.0 {
         let head_on = ((1.0 - index) / (1.0 + index)).powi(2);
         (head_on, 1.0 - head_on)
@@ -78,28 +146,32 @@ pub(super) fn record(
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)
         // What lets through reflects where it does so totally.
-        | flag(specular > 0.0 || transmittance > 0.0, MATERIAL_MIRRORS)
-        | flag(diffuse > 0.0 || specular > 0.0, MATERIAL_LIT)
-        | flag(specular > 0.0, MATERIAL_SHINES);
+        | flag(mirror > 0.0 || transmittance > 0.0, MATERIAL_MIRRORS)
+        | flag(diffuse > 0.0 || highlight > 0.0, MATERIAL_LIT)
+        | flag(highlight > 0.0, MATERIAL_SHINES)
+        | flag(shading.shader.is_some(), MATERIAL_SHADED);
     Ok(layout::Material {
         colour: singles(colour),
         diffuse: single(diffuse),
-        highlight: single(specular),
+        highlight: single(highlight),
         exponent: single(BLINN * shine),
-        mirror: single(specular),
+        mirror: single(mirror),
         transmittance: single(transmittance),
         inverse_index: single(index.recip()),
         index: single(index),
         schlick: single(schlick),
         grazing: single(grazing),
+        emission: singles(shading.emission),
         flags: flags.into(),
+        parameters: parameters.map(single),
+        shader: shader.into(),
         ..layout::Material::new_zeroed()
     })
 }
 
 /// A light as it stands in the scene, with its record but for the place.
 pub(super) struct Light {
-    position: DVec3,
+    kind: LightKind,
     record: layout::Light,
 }
 
@@ -111,22 +183,30 @@ impl Light {
             line: Some(light.line),
         };
         let brightness = scene.brightness(light);
-        place.vector("light", light.position)?;
+        if let LightKind::Point { position } = light.kind {
+            place.vector("light", position)?;
+        }
         place.vector("brightness", brightness)?;
         let record = layout::Light {
             brightness: singles(brightness),
             ..layout::Light::new_zeroed()
         };
         Ok(Self {
-            position: light.position,
+            kind: light.kind,
             record,
         })
     }
 
     /// Its record as seen from `eye`.
     pub fn record(&self, eye: DVec3) -> layout::Light {
+        let (position, directional) = match self.kind {
+            LightKind::Point { position } => (position - eye, 0),
+            // A direction of 0, which no file has, lights nothing.
+            LightKind::Directional { to_light } => (unit(to_light).unwrap_or_default(), u32::MAX),
+        };
         layout::Light {
-            position: singles(self.position - eye),
+            position: singles(position),
+            directional: directional.into(),
             ..self.record
         }
     }

@@ -21,7 +21,7 @@ mod tree;
 use glam::DVec3;
 use nff::Scene;
 use zerocopy::IntoBytes as _;
-use zerocopy::big_endian::U32;
+use zerocopy::big_endian::{F32, U32};
 
 use self::block::Block;
 use self::materials::Light;
@@ -31,6 +31,7 @@ use self::range::Place;
 use super::layout::{
     self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
 };
+use crate::scene::singles;
 
 pub use error::BlockError;
 
@@ -61,6 +62,7 @@ impl Default for BlockOptions {
 pub struct SceneBlock {
     file: String,
     ray_depth: u32,
+    ambient: [F32; 4],
     lights: Vec<Light>,
     light_address: u32,
     planted: [Planted; 4],
@@ -68,17 +70,23 @@ pub struct SceneBlock {
 }
 
 impl SceneBlock {
-    /// Lays out a scene and writes it as its own view sees it.
+    /// Lays out a scene and writes it as its own view sees it. `shader` gives the entries of the SPU
+    /// program's shaders by their names.
     ///
     /// # Errors
     /// A scene that does not fit, numbers that the SPU's format has no room for, glass without an index
-    /// of refraction, and a ray depth out of range.
-    pub fn new(scene: &Scene, options: BlockOptions) -> Result<Self, BlockError> {
+    /// of refraction, a shader that there is not, and a ray depth out of range.
+    pub fn new(
+        scene: &Scene,
+        options: BlockOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+    ) -> Result<Self, BlockError> {
         if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
             return Err(BlockError::RayDepth(options.ray_depth));
         }
         let mut block = Block::default();
         add_background(scene, &mut block)?;
+        let ambient = ambient(scene)?;
         let lights = lights(scene)?;
         let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
 
@@ -88,7 +96,7 @@ impl SceneBlock {
             let index = object.material as usize;
             if materials[index].is_none() {
                 let material = &scene.materials[index];
-                let record = materials::record(scene, material, options.fresnel)?;
+                let record = materials::record(scene, material, options.fresnel, shader)?;
                 materials[index] = Some(block.append(record.as_bytes()));
             }
         }
@@ -103,6 +111,7 @@ impl SceneBlock {
         let mut scene_block = Self {
             file: scene.name.clone(),
             ray_depth: options.ray_depth,
+            ambient,
             lights,
             light_address,
             planted,
@@ -147,6 +156,12 @@ impl SceneBlock {
     #[must_use]
     pub fn trees(&self) -> [Tree; 4] {
         self.planted.each_ref().map(Planted::tree)
+    }
+
+    /// Brightness of the light that is everywhere.
+    #[must_use]
+    pub fn ambient(&self) -> [F32; 4] {
+        self.ambient
     }
 
     /// Address of the first light.
@@ -214,6 +229,16 @@ fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
     let object = objects::background(block.append(material.as_bytes()));
     block.at(address, size).copy_from_slice(object.as_bytes());
     Ok(())
+}
+
+fn ambient(scene: &Scene) -> Result<[F32; 4], BlockError> {
+    let place = Place {
+        file: &scene.name,
+        line: None,
+    };
+    place.vector("ambient light", scene.ambient)?;
+    let [red, green, blue] = singles(scene.ambient);
+    Ok([red, green, blue, F32::ZERO])
 }
 
 fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {

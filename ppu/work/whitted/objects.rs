@@ -10,8 +10,8 @@ use zerocopy::big_endian::{F32, U32};
 
 use super::BlockError;
 use super::ball::Ball;
-use super::range::{LARGEST, Place, SMALLEST};
-use crate::scene::singles;
+use super::range::Place;
+use crate::scene::{LARGEST, SMALLEST, singles};
 use crate::work::layout::{self, MAX_OBJECTS, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
 /// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of

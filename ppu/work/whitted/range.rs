@@ -5,11 +5,7 @@ use std::fmt;
 use glam::DVec3;
 
 use super::BlockError;
-
-/// Largest magnitude of a number of a scene: its square is still a single.
-pub(super) const LARGEST: f64 = (1_u64 << 62) as f64;
-/// Smallest size of what is divided by: its square is still a single and not 0.
-pub(super) const SMALLEST: f64 = 1.0 / LARGEST;
+use crate::scene::{LARGEST, SMALLEST};
 
 /// Where the numbers stand that are checked: messages begin with it.
 #[derive(Clone, Copy)]

@@ -8,7 +8,6 @@ use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 use super::*;
 use crate::work::layout::Node;
-use zerocopy::big_endian::F32;
 
 const VIEW: &str =
     "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 1\n";
@@ -24,7 +23,14 @@ fn block(rest: &str) -> SceneBlock {
 }
 
 fn of(scene: &Scene, options: BlockOptions) -> SceneBlock {
-    SceneBlock::new(scene, options).expect("a block")
+    SceneBlock::new(scene, options, &entry).expect("a block")
+}
+
+/// The table of a program with three shaders.
+fn entry(name: &str) -> Option<u32> {
+    let names = ["checker", "depth", "rings"];
+    let at = names.iter().position(|known| *known == name)?;
+    Some(at as u32)
 }
 
 impl SceneBlock {

@@ -2,8 +2,8 @@
 
 use super::*;
 use crate::work::layout::{
-    Cone, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHINES, MATERIAL_TRANSMITS, Material,
-    Object as Head, Patch, Rectangle, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH, Triangle,
+    Cone, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
+    Material, Object as Head, Patch, Rectangle, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH, Triangle,
 };
 
 /// The only object of a kind.
@@ -231,6 +231,60 @@ fn materials() {
 }
 
 #[test]
+fn shaders() {
+    let material = |shader: &str| {
+        let rest =
+            format!("f 0.5 0.25 1 0.5 0.25 2 0.75 1.5\n#cellray shader {shader}\ns 0 0 0 1\n");
+        let block = block(&rest);
+        let head: &Head = block.at(only(&block, Kind::Sphere));
+        assert_eq!(head.sides.get(), SIDES_BOTH);
+        *block.at::<Material>(head.material)
+    };
+    let shares =
+        |it: &Material| [it.diffuse, it.highlight, it.mirror, it.transmittance].map(F32::get);
+    let told = |it: &Material| (it.shader.get(), it.parameters.map(F32::get));
+    let glass = MATERIAL_TRANSMITS | MATERIAL_MIRRORS | MATERIAL_LIT;
+    let colour = DVec3::new(0.5, 0.25, 1.0);
+
+    let phong = material("phong");
+    assert_eq!(shares(&phong), [0.5, 0.25, 0.25, 0.75]);
+    assert_eq!(phong.flags.get(), glass | MATERIAL_SHINES);
+    assert_eq!(wide(phong.emission), DVec3::ZERO);
+    let lambert = material("lambert");
+    assert_eq!(shares(&lambert), [0.5, 0.0, 0.25, 0.75]);
+    assert_eq!(lambert.flags.get(), glass);
+    let flat = material("flat");
+    assert_eq!((shares(&flat), flat.flags.get()), ([0.0; 4], 0));
+    assert_eq!(wide(flat.emission), colour);
+
+    let checker = material("checker 0 0.5 1 4");
+    assert_eq!(shares(&checker), shares(&phong));
+    assert_eq!(
+        checker.flags.get(),
+        glass | MATERIAL_SHINES | MATERIAL_SHADED
+    );
+    assert_eq!(told(&checker), (0, [0.0, 0.5, 1.0, 0.25]));
+    let depth = material("depth 10 2");
+    assert_eq!(
+        (shares(&depth), depth.flags.get()),
+        ([0.0; 4], MATERIAL_SHADED)
+    );
+    assert_eq!(told(&depth), (1, [10.0, 0.125, 0.0, 0.0]));
+    assert_eq!(wide(depth.colour), colour);
+    let own = material("rings 1 -2 3");
+    assert_eq!(shares(&own), shares(&phong));
+    assert_eq!(own.flags.get(), checker.flags.get());
+    assert_eq!(told(&own), (2, [1.0, -2.0, 3.0, 0.0]));
+}
+
+#[test]
+fn ambient_light() {
+    let found = block("#cellray ambient 0.25 0.5 1\n").ambient();
+    assert_eq!(found.map(F32::get), [0.25, 0.5, 1.0, 0.0]);
+    assert_eq!(block("").ambient().map(F32::get), [0.0; 4]);
+}
+
+#[test]
 fn objects_share_their_material() {
     let block = block("f 0 1 0 1 0 0 0 1\ns 0 0 0 1\ns 5 0 0 1\nf 0 0 1 1 0 0 0 1\ns 9 0 0 1\n");
     let colour = |leaf: &U32| {
@@ -251,8 +305,8 @@ fn objects_share_their_material() {
 
 #[test]
 fn lights() {
-    let mut block = block("l 1 2 3\nl 4 5 6 0.25 0.5 1\n");
-    assert_eq!(block.light_count(), 2);
+    let mut block = block("l 1 2 3\n#cellray sun 0 3 4 1 1 1\nl 4 5 6 0.25 0.5 1\n");
+    assert_eq!(block.light_count(), 3);
     block.look(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
     let light = |block: &SceneBlock, number: u32| {
         let address = U32::new(block.light_address() + number * 32);
@@ -261,9 +315,12 @@ fn lights() {
     let first = light(&block, 0);
     assert_eq!(wide(first.position), DVec3::new(0.0, 1.0, 2.0));
     assert_eq!(first.directional.get(), 0);
-    let grey = 2f64.sqrt() / 4.0;
+    let grey = 3f64.sqrt() / 6.0;
     assert!(wide(first.brightness).distance(DVec3::splat(grey)) < 1e-7);
-    let second = light(&block, 1);
+    let sun = light(&block, 1);
+    assert!(wide(sun.position).distance(DVec3::new(0.0, 0.6, 0.8)) < 1e-7);
+    assert_eq!(sun.directional.get(), u32::MAX);
+    let second = light(&block, 2);
     assert_eq!(wide(second.position), DVec3::new(3.0, 4.0, 5.0));
     assert_eq!(wide(second.brightness), DVec3::new(0.25, 0.5, 1.0));
 }

@@ -11,7 +11,7 @@ fn refusal_at(rest: &str, ray_depth: u32) -> String {
         ray_depth,
         ..Default::default()
     };
-    match SceneBlock::new(&scene(rest), options) {
+    match SceneBlock::new(&scene(rest), options, &entry) {
         Ok(_) => panic!("accepted"),
         Err(error) => error.to_string(),
     }
@@ -40,6 +40,20 @@ fn numbers_out_of_range() {
         ("c\n0 0 0 1\n0 1e-10 0 1e10", "9: growth of the radius"),
         ("l 0 1e30 0", "9: light 1e30 is out"),
         ("l 0 0 0 1 1e30 1", "9: brightness 1e30 is out"),
+        ("#cellray sun 0 0 1 1 1e30 1", "9: brightness 1e30 is out"),
+        ("#cellray ambient 0 0 1e30", ": ambient light 1e30 is out"),
+        (
+            "#cellray shader depth 1e30 0\ns 0 0 0 1",
+            "8: number of the shader 1e30 is out",
+        ),
+        (
+            "#cellray shader checker 1 1 1 1e-30\ns 0 0 0 1",
+            "8: number of the shader ",
+        ),
+        (
+            "#cellray shader wood\ns 0 0 0 1",
+            "8: the SPU program has no shader `wood`",
+        ),
         ("b 0 0 1e30", ": background 1e30 is out"),
         ("f 1 1e30 1 1 0 0 0 1\ns 0 0 0 1", "9: colour 1e30 is out"),
         ("f 1 1 1 1 1e30 0 0 1\ns 0 0 0 1", "9: Ks 1e30 is out"),

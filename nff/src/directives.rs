@@ -1,0 +1,90 @@
+//! Directives: what a scene says beyond NFF, in comments, so that other programs read the file too.
+//!
+//! Invariant: what is read is as the scene's own rules have it: a direction is not 0, a size is above
+//! 0, a range has a width.
+
+use glam::DVec3;
+
+use crate::error::Excerpt;
+use crate::words::Words;
+use crate::{Fault, Shader};
+
+/// What a directive says.
+pub(crate) enum Directive {
+    /// Light that is everywhere.
+    Ambient(DVec3),
+    /// A light infinitely far.
+    Sun {
+        to_light: DVec3,
+        colour: Option<DVec3>,
+    },
+    /// Of the material before it.
+    Shader(Shader),
+}
+
+/// The directive of a line, of which the first word is read.
+pub(crate) fn read(words: &mut Words<'_>) -> Result<Directive, Fault> {
+    match words.word("directive")? {
+        "ambient" => {
+            let colour = words.colour(["ambient red", "ambient green", "ambient blue"])?;
+            words.end("ambient light")?;
+            Ok(Directive::Ambient(colour))
+        }
+        "sun" => {
+            let to_light = words.point(["sun x", "sun y", "sun z"])?;
+            let colour = words.light_colour()?;
+            words.end("sun")?;
+            if to_light == DVec3::ZERO {
+                return Err(Fault::NoDirection("the direction to the sun"));
+            }
+            Ok(Directive::Sun { to_light, colour })
+        }
+        "shader" => {
+            let shader = shader(words)?;
+            words.end("shader")?;
+            Ok(Directive::Shader(shader))
+        }
+        other => Err(Fault::UnknownDirective(Excerpt::of(other))),
+    }
+}
+
+fn shader(words: &mut Words<'_>) -> Result<Shader, Fault> {
+    match words.word("name of the shader")? {
+        "flat" => Ok(Shader::Flat),
+        "lambert" => Ok(Shader::Lambert),
+        "phong" => Ok(Shader::Phong),
+        "checker" => {
+            let other = words.colour(["checker red", "checker green", "checker blue"])?;
+            let (field, size) = ("checker size", words.real("checker size")?);
+            if size <= 0.0 {
+                return Err(Fault::NotPositive { field, value: size });
+            }
+            Ok(Shader::Checker { other, size })
+        }
+        "depth" => {
+            let far = words.not_negative("depth far")?;
+            let near = words.not_negative("depth near")?;
+            if far <= near {
+                return Err(Fault::DepthRange { far, near });
+            }
+            Ok(Shader::Depth { far, near })
+        }
+        name => {
+            let mut rest = name.chars();
+            let begins = rest.next().is_some_and(|c| c.is_ascii_alphabetic());
+            if !begins || !rest.all(|c| c.is_ascii_alphanumeric() || c == '_') {
+                return Err(Fault::ShaderName(Excerpt::of(name)));
+            }
+            let mut parameters = [0.0; 4];
+            for parameter in &mut parameters {
+                if words.more() {
+                    *parameter = words.real("parameter of the shader")?;
+                }
+            }
+            Ok(Shader::Own {
+                name: name.to_owned(),
+                parameters,
+            })
+        }
+    }
+}
