@@ -4,8 +4,6 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
 use crate::cases::{ball, eye, flat, whitted};
-use crate::cases::whitted::isect;
-use crate::cases::{ball, eye, flat};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -47,14 +45,8 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         ball::KERNELS,
         flat::KERNELS,
         whitted::rays::KERNELS,
+        whitted::isect::KERNELS,
         whitted::shade::KERNELS,
-    ]
-    .into_iter()
-    .flatten()
-        isect::KERNELS,
-    ]
-        .into_iter()
-        .flatten()
         whitted::bounce::KERNELS,
     ]
     .into_iter()
