@@ -367,6 +367,8 @@ fn what_is_not_drawn_is_named_with_file_and_line() {
     ] {
         assert!(err.contains(part), "no {part:?} in: {err}");
     }
+    let (_, err) = good(&["render", "tetra:1", "--size", "16x16"]);
+    assert!(err.contains("polygons are not drawn yet (16"), "{err}");
 }
 
 #[test]
@@ -386,6 +388,8 @@ fn bad_scenes() {
     bad_scene(&format!("{VIEW}{many}"), &["2049 spheres", "room for 1024"]);
     bad(&["render", "no/such/scene.nff"], &["no/such/scene.nff"]);
     bad(&["render", "sphereflake:99"], &["99"]);
+    bad(&["render", "tetra:99"], &["tetra of level 99"]);
+    bad_scene(&format!("{VIEW}#cellray fog\n"), &["bad.nff:9", "fog"]);
 }
 
 /// 17 GB that the disk never holds: a sparse file is one endless line of zero bytes.

@@ -105,7 +105,7 @@ fn errors_name_their_file_and_exit_1() {
     fs::write(folder.path().join("bad.png"), "no PNG").expect("written");
     let grey = image::GrayImage::new(4, 4);
     grey.save(folder.path().join("grey.png")).expect("written");
-    let cases: [(&[&str], &str); 8] = [
+    let cases: [(&[&str], &str); 9] = [
         (
             &["compare", "missing.png", "sphereflake:1"],
             "missing.png: ",
@@ -127,6 +127,10 @@ fn errors_name_their_file_and_exit_1() {
         (
             &["render", "sphereflake:9", "--out", "b.png"],
             "435848050 spheres",
+        ),
+        (
+            &["render", "tetra:12", "--out", "b.png"],
+            "67108864 polygons",
         ),
         (
             &[

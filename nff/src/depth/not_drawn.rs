@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use crate::{Scene, Shape};
+use crate::{Scene, Shader, Shape};
 
 /// A kind of thing that is not drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -21,6 +21,8 @@ pub enum Kind {
     Specular,
     /// A material with T > 0 that an object has.
     Transmittance,
+    /// A material with a shader other than NFF's own that an object has.
+    Shader,
 }
 
 impl Kind {
@@ -35,6 +37,7 @@ impl Kind {
             Self::Light => "lights",
             Self::Specular => "mirrors and highlights (Ks > 0)",
             Self::Transmittance => "transmitting materials (T > 0)",
+            Self::Shader => "shaders (#cellray shader)",
         }
     }
 }
@@ -106,6 +109,9 @@ pub fn not_drawn(scene: &Scene) -> Vec<NotDrawn> {
         }
         if material.transmittance > 0.0 {
             note(Kind::Transmittance, material.line);
+        }
+        if material.shader != Shader::Phong {
+            note(Kind::Shader, material.line);
         }
     }
     found.sort_by_key(|entry| entry.line);

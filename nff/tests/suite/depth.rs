@@ -96,3 +96,19 @@ fn what_is_not_drawn_is_told_by_kind_and_first_line() {
     assert_eq!(kinds, [Kind::Light, Kind::Polygon, Kind::Specular]);
     assert!(depth::not_drawn(&parsed(&scene_text("s 0 0 0 1\n"))).is_empty());
 }
+
+#[test]
+fn suns_and_shaders_are_left_out() {
+    let used = "#cellray sun 0 0 1\n#cellray shader flat\ns 0 0 0 1\n";
+    let unused = "f 1 1 1 1 0 0 0 1\n#cellray shader rings\n";
+    let scene = parsed(&scene_text(&format!("{used}{unused}")));
+    let left_out = depth::not_drawn(&scene);
+    let messages: Vec<String> = left_out.iter().map(ToString::to_string).collect();
+    assert_eq!(
+        messages,
+        [
+            "t.nff:8: shaders (#cellray shader) are not drawn yet (1 in this file)",
+            "t.nff:9: lights are not drawn yet (1 in this file)",
+        ]
+    );
+}

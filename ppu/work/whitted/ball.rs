@@ -4,7 +4,7 @@
 
 use glam::DVec3;
 
-/// Steps towards the farthest ball. The radius is off by about one in this many parts at most.
+/// Steps towards the farthest ball: a test holds the radius to 2 % above the smallest there is.
 const STEPS: u32 = 100;
 
 /// By how much a radius is rounded up, in parts of the centre's coordinates and the radius.

@@ -2,6 +2,7 @@
 
 mod records;
 mod refusals;
+mod traced;
 mod trees;
 
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};

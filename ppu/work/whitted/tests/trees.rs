@@ -38,7 +38,7 @@ fn points(form: &Form, random: &mut ChaCha8Rng) -> Vec<DVec3> {
 }
 
 /// An object of any shape near a place.
-fn any_object(random: &mut ChaCha8Rng, place: DVec3) -> String {
+pub fn any_object(random: &mut ChaCha8Rng, place: DVec3) -> String {
     let size = magnitude(random, -6.0, 2.0);
     let mut near = || place + unit(random) * size;
     let text = |[x, y, z]: [f64; 3]| format!("{x} {y} {z}");
