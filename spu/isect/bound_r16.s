@@ -16,8 +16,8 @@
 #   sine = |l| + 2^-18            l is right to some 2^-20
 #   radius = |r| (1 + 2^-18) + 2^-18 |apex|, in the sum of the components' magnitudes
 # With a direction more than 79 degrees from the axis the cone is of little use, and near a right
-# angle sine^2 + cosine^2 would exceed 1, which cull_nodes relies on not to happen: then axis, cosine
-# and sine are all 0. The radius is less the largest single if no ray is there.
+# angle sine^2 + cosine^2 would exceed 1, where cull_nodes relies on less: then axis, cosine and sine
+# are all 0. The radius is less the largest single if no ray is there.
 # Scheduled by spu schedule from bound_r16.s
 
         .include "work_unit.inc"

@@ -53,17 +53,25 @@ pub fn camera(random: &mut ChaCha8Rng) -> Basis {
 /// Largest error of a component of the directions through 4x4 pixels from each of `pixels` on.
 pub fn error_of_rays(bench: &mut Bench, basis: &Basis, pixels: &[[u32; 2]]) -> f64 {
     let packets = call::ray_setup(bench, basis, pixels, 0);
+    let packets = packets.iter().map(eye_records::directions);
+    let errors = pixels.iter().zip(packets);
+    errors
+        .map(|(&pixel, directions)| error_of_directions(basis, pixel, &directions))
+        .fold(0.0, f64::max)
+}
+
+/// Largest error of a component of these directions, through 4x4 pixels from (x, y) on.
+#[must_use]
+pub fn error_of_directions(basis: &Basis, [x, y]: [u32; 2], directions: &Vectors) -> f64 {
     let [corner, right, down] =
         [basis.corner, basis.right, basis.down].map(|vector| vector.map(to_f64));
     let mut worst = 0.0_f64;
-    for (&[x, y], packet) in pixels.iter().zip(&packets) {
-        for (lane, found) in (0..).zip(eye_records::directions(packet)) {
-            let (x, y) = (f64::from(x + lane % 4), f64::from(y + lane / 4));
-            let exact: Vector =
-                std::array::from_fn(|axis| corner[axis] + x * right[axis] + y * down[axis]);
-            for (found, exact) in found.iter().zip(unit(exact)) {
-                worst = worst.max((to_f64(*found) - exact).abs() / ULP_OF_1);
-            }
+    for (lane, found) in (0..).zip(directions) {
+        let (x, y) = (f64::from(x + lane % 4), f64::from(y + lane / 4));
+        let exact: Vector =
+            std::array::from_fn(|axis| corner[axis] + x * right[axis] + y * down[axis]);
+        for (found, exact) in found.iter().zip(unit(exact)) {
+            worst = worst.max((to_f64(*found) - exact).abs() / ULP_OF_1);
         }
     }
     worst

@@ -8,12 +8,13 @@ use oracle::twin::eye_rays::{Ray, View};
 use oracle::twin::load_rays::Queued;
 use oracle::twin::ray_setup::Basis;
 use oracle::twin::{FARTHEST, ONE, ZERO};
+use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::{from_f64, to_f64};
+use spu_emulator::float::single::from_f64;
 
 use crate::bench::Bench;
 use crate::cases::ball::unit;
-use crate::cases::eye::error::camera;
+use crate::cases::eye::error::{camera, error_of_directions};
 use crate::catalogue::{Case, Kernel, Objects};
 use call::{Ball, Child};
 
@@ -21,8 +22,6 @@ use call::{Ball, Child};
 const PACKETS: Objects = Objects::List(1, 8);
 /// A short list of candidates, and a long one.
 const NODES: Objects = Objects::List(16, 64);
-/// The distance of singles from 1/2 to 1.
-const ULP_OF_1: f64 = 1.0 / (1 << 23) as f64;
 
 /// The kernels of this file.
 pub const KERNELS: &[Kernel] = &[
@@ -134,24 +133,12 @@ fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
 
 /// Largest error of a direction's component, in ulps of 1.
 fn eye_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    let mut worst = 0.0_f64;
-    for round in 0..1000 {
+    let errors = (0..1000).map(|_| {
         let basis = camera(random);
-        let view = View { basis, ..view() };
-        let corner = [round * 7 % 2048 * 4, round * 3 % 2048 * 4];
-        let [first, right, down] =
-            [basis.corner, basis.right, basis.down].map(|vector| vector.map(to_f64));
-        let packets = call::eye_rays(bench, &view, &[corner], 0);
-        for (lane, ray) in (0..).zip(&packets[0]) {
-            let (x, y) = (
-                f64::from(corner[0] + lane % 4),
-                f64::from(corner[1] + lane / 4),
-            );
-            let exact = std::array::from_fn(|k| first[k] + x * right[k] + y * down[k]);
-            for (found, exact) in ray.direction.iter().zip(unit(exact)) {
-                worst = worst.max((to_f64(*found) - exact).abs() / ULP_OF_1);
-            }
-        }
-    }
-    worst
+        let corner = [0; 2].map(|_: u32| random.random_range(0..2048) * 4);
+        let packets = call::eye_rays(bench, &View { basis, ..view() }, &[corner], 0);
+        let directions = packets[0].map(|ray| ray.direction);
+        error_of_directions(&basis, corner, &directions)
+    });
+    errors.fold(0.0, f64::max)
 }
