@@ -1,11 +1,13 @@
 # light_r16   what a light adds to surfaces: Lambert's share and Blinn's highlight
 #   C       void light_r16(const struct site *, int count, const struct light *,
 #                          const struct object *background);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers 16-aligned
-#   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met nothing
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers
+#           16-aligned
+#   Out     the sites' surfaces: lit, in lanes whose shadow ray is there (t >= 0) and has met
+#           nothing
 #   Uses    $2-$67, $79   Saves  -   Stack  0   Calls  -
-#   Domain  N.L > 0 where there is a shadow ray; shares from 0 to 1; N, L, d of length 1 within 8 ulp;
-#           exponent 0, or from 0.25 to 4096
+#   Domain  N.L > 0 where there is a shadow ray; shares from 0 to 1; N, L, d of length 1 within 8
+#           ulp; exponent 0, or from 0.25 to 4096
 #   Error   0.6 thousandths of the brightness, exponents to 1000; 1.5 to 4096
 #   Twin    oracle/src/twin/light.rs
 #
@@ -16,9 +18,9 @@
 #   n = -exponent log2(q) / 2                fixed point of 23 bits behind the point, at least 0
 #   2^-n = 2^-f / 2^i                        f and i are bits of n: 1 + f is n's fraction under the
 #                                            exponent of 1, and i is subtracted from the result's
-# p is of degree 4 and right to 5e-5 of log2(q): as x^n falls, so does what it takes on of that error,
-# at most 0.37 of it. Where q is nearly 1, the rounding of q itself, about 8 ulp, is multiplied by the
-# exponent. 2^-f is of degree 3, right to 8e-5. 0^0 is 1.
+# p is of degree 4 and right to 5e-5 of log2(q): as x^n falls, so does what it takes on of that
+# error, at most 0.37 of it. Where q is nearly 1, the rounding of q itself, about 8 ulp, is
+# multiplied by the exponent. 2^-f is of degree 3, right to 8e-5. 0^0 is 1.
 # Scheduled by spu schedule from light_r16.s
 
         .include "light_tmpl.inc"

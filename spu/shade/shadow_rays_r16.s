@@ -1,12 +1,13 @@
 # shadow_rays_r16   rays from where sixteen rays have hit to a light
 #   C       vec_uint4 shadow_rays_r16(const struct site *, int count, const struct light *,
 #                                     const struct object *background);
-#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers 16-aligned
+#   In      $3 sites, $4 count (at least 1), $5 light, $6 the background's object; pointers
+#           16-aligned
 #   Out     the sites' shadow rays: origin, direction, t, object; weight and pixel stay as they are
 #           $3 shadow rays, a count a lane
 #   Uses    $2-$66, $79   Saves  -   Stack  0   Calls  -
-#   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0, the
-#           direction then of length 1
+#   Domain  distance to the light below 2^62; shares not below 0; LIGHT_directional all ones or 0,
+#           the direction then of length 1
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    oracle/src/twin/shadow_rays.rs
 #
@@ -19,6 +20,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "math.inc"
+        .include "vectors.inc"
 
         .set    a_site,3
         .set    count,4
@@ -65,13 +67,6 @@
         .set    m_lane,42
         .set    t_y,43
         .set    t_e,44
-
-# out = a . b, of the registers a_x to a_z and b_x to b_z.
-.macro  dot_f4 out:req, a:req, b:req
-        fm      \out,$\a\()_x,$\b\()_x
-        fma     \out,$\a\()_y,$\b\()_y,\out
-        fma     \out,$\a\()_z,$\b\()_z,\out
-.endm
 
 # A word of the light, in every lane.
 .macro  splat_word out:req, pattern:req

@@ -1,14 +1,18 @@
 //! The kernels from hits to pixels: against their twins bit for bit, on inputs as frames have them and on
 //! any bits at all, in lists of every kind of length; and against f64.
 
+mod leave;
 mod light;
 mod sums;
 mod surfaces;
 
 use kernels::layout::Surfaces;
+use kernels::vector::Vector;
+use oracle::twin::Single;
 use oracle::twin::surfaces::Surface;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::to_f64;
 use zerocopy::IntoBytes as _;
 
 /// Lengths of lists: a scheduled loop takes other paths for the short ones.
@@ -44,4 +48,8 @@ fn any_bits_of_a_surface(random: &mut ChaCha8Rng) -> Surface {
         lit: random.random(),
         flags: random.random(),
     }
+}
+
+fn vector(v: [Single; 3]) -> Vector {
+    v.map(to_f64)
 }

@@ -3,17 +3,18 @@
 #   In      $3 rays, $4 surfaces, $5 packets (at least 1); both one behind the other, 16-aligned
 #   Out     the rays' pixels: sums of red, green, blue; the fourth word anything
 #   Uses    $3-$5, $10-$50   Saves  -   Stack  0   Calls  -
-#   Domain  each lane's pixel is the address of a quadword, also of a ray that is not there; any lanes
-#           may have the same one
+#   Domain  each lane's pixel is the address of a quadword, also of a ray that is not there; any
+#           lanes may have the same one
 #   Error   1.5 ulp of the sum, each addition, shares not below 0
 #   Twin    oracle/src/twin/accumulate.rs
 #
 #   pixel += weight lit
-# Four rays' sums are loaded before the first is stored. A ray whose pixel an earlier one of the four
-# has as well adds what that one adds too, and is stored behind it: the last one's sum is whole.
+# Four rays' sums are loaded before the first is stored. A ray whose pixel an earlier one of the
+# four has as well adds what that one adds too, and is stored behind it: the last one's sum is
+# whole.
 #
-# Sums are addressed by one base and an index, so that the scheduler keeps these accesses in order, and
-# no others behind them.
+# Sums are addressed by one base and an index, so that the scheduler keeps these accesses in order,
+# and no others behind them.
 
         .include "work_unit.inc"
         .include "macros.inc"

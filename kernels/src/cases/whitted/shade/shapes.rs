@@ -125,7 +125,7 @@ impl Shape {
             self.offset / self.gain
         };
         let (height, radius) = if self.axis == [0.0; 3] {
-            return self.from_centre(any_direction(random), size);
+            return self.beside_centre(any_direction(random), size);
         } else if self.gain == 0.0 {
             (0.0, magnitude(0.01..size, random))
         } else {
@@ -140,7 +140,7 @@ impl Shape {
         let off = std::array::from_fn(|k| {
             height * self.axis[k] + radius * (cos * across[k] + sin * other[k])
         });
-        self.from_centre(off, 1.0)
+        self.beside_centre(off, 1.0)
     }
 
     /// A ray that hits the surface, with the distance that a kernel finds.
@@ -160,7 +160,7 @@ impl Shape {
         }
     }
 
-    fn from_centre(&self, direction: Vector, distance: f64) -> Vector {
+    fn beside_centre(&self, direction: Vector, distance: f64) -> Vector {
         std::array::from_fn(|k| self.centre[k] + distance * direction[k])
     }
 }
