@@ -4,6 +4,8 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
 use crate::cases::{ball, eye, flat, whitted};
+use crate::cases::whitted::{isect, smooth};
+use crate::cases::{ball, eye, flat};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -48,6 +50,8 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         whitted::isect::KERNELS,
         whitted::shade::KERNELS,
         whitted::bounce::KERNELS,
+        isect::KERNELS,
+        smooth::KERNELS,
     ]
     .into_iter()
     .flatten()

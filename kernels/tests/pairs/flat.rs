@@ -46,7 +46,11 @@ fn from_before_and_from_behind() {
                 let place = |point: [f64; 3]| turned(point, turn, way);
                 let (first, second) = ([2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
                 // Seen along -z, counter-clockwise is from x to y.
-                let (first, second) = if front { (first, second) } else { (second, first) };
+                let (first, second) = if front {
+                    (first, second)
+                } else {
+                    (second, first)
+                };
                 let corner = [-0.9, -0.9, -5.0];
                 let behind = [-0.9, -0.9, 5.0];
                 let straight = ray(place([0.0; 3]), place([0.0, 0.0, -1.0]), FARTHEST);

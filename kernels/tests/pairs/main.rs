@@ -2,7 +2,9 @@
 //! their twins, and a file for what each shape has of its own.
 
 mod ball;
+mod cone;
 mod flat;
+mod smooth;
 
 use std::collections::BTreeSet;
 
@@ -10,6 +12,7 @@ use kernels::bench::{Bench, random};
 use kernels::cases::ball::case_rays;
 use kernels::cases::whitted::isect::ball::SphereObject;
 use kernels::cases::whitted::isect::call;
+use kernels::cases::whitted::isect::cone::ConeObject;
 use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
@@ -76,7 +79,12 @@ fn lists_of_any_length<S: Shape>() {
     for _ in 0..30 {
         for count in COUNTS {
             let objects: Vec<S> = (0..12)
-                .map(|_| S::ahead(random.random_range(-1.0..1.0), random.random_range(2.0..9.0)))
+                .map(|_| {
+                    S::ahead(
+                        random.random_range(-1.0..1.0),
+                        random.random_range(2.0..9.0),
+                    )
+                })
                 .collect();
             let packets: Vec<[Ray; 16]> = (0..random.random_range(1..5))
                 .map(|_| {
@@ -198,7 +206,11 @@ fn any_bits_at_all_equal_the_twin<S: Shape>() {
         let objects: [S; 4] = std::array::from_fn(|_| S::junk(&mut random));
         let list: Vec<[usize; 2]> = (0..8).map(|pair| [pair % 4, pair / 4]).collect();
         let (after, _) = check(&mut bench, &packets, &objects, &list, random.random());
-        hits += after.iter().flatten().filter(|ray| ray.object != NOTHING).count();
+        hits += after
+            .iter()
+            .flatten()
+            .filter(|ray| ray.object != NOTHING)
+            .count();
     }
     println!("{}: junk hit {hits} times", S::KERNEL);
 }
@@ -232,4 +244,5 @@ asked_of_all! {
     all_of_balls: SphereObject;
     all_of_rectangles: RectangleObject;
     all_of_triangles: TriangleObject;
+    all_of_cones: ConeObject;
 }

@@ -29,6 +29,7 @@ pub mod refract;
 pub mod shade_depth;
 pub mod shadow_rays;
 pub mod surfaces;
+pub mod smooth;
 pub mod triangle;
 pub mod triangle_pairs;
 

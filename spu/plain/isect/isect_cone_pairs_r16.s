@@ -5,7 +5,9 @@
 #   Uses    $3-$4, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  |d| and |axis| = 1 within 4 ulp; distances, height and radius from 2^-30 to 2^30; radius
 #           and height not below 0; radii of the body, by growth, not below 0
-#   Error   40 ulp of the distance from the base
+#   Error   20 ulp of the sum of the distance from the base, the height and the largest radius,
+#           where t changes by less than 10 times what the surface is moved by; farther than
+#           1e-4 radii and 2e-6 of that sum from outlines, ends and surface, hits are right
 #   Twin    oracle/src/twin/cone.rs
 #
 # From the base to the ray's point nearest to it goes w, which has an h along the axis and a c
@@ -14,16 +16,21 @@
 # |c + s e|^2 = (k + m s)^2, whose halved coefficients are
 #   a = |e|^2 - m^2
 #   b = c.e - k m
-#   z = |c|^2 - k^2
+#   out = |c|^2 - k^2
 #   disc = |k e - m c|^2 - |c x e|^2
-# The last is b^2 - a z, but loses digits only at the outline and near the apex. With the root's sign
-# that of b, q = b + root does not cancel: the crossings are at s = -q/a and s = -z/q. The one over a
+# The last is b^2 - a out, but loses digits only at the outline and near the apex. With the root's sign
+# that of b, q = b + root does not cancel: the crossings are at s = -q/a and s = -out/q. The one over a
 # enters the body if b is not below 0, else it leaves it, and the other way round for the other; that
 # holds for a below 0 as well. Without direction across the axis disc of a cylinder would be 0, and
 # is a tiny bit less: no hit.
 #
 # Of both crossings those off the heights or seen from the wrong side get a sign, and so do not count;
 # as unsigned numbers they are the larger ones, and the smaller is the nearer.
+#
+# A pass is one row of four rays, a quarter of a candidate: all four in one would leave too few
+# registers for passes to overlap (386 cycles instead of 4 times 91), in four times the code. The odd
+# pipe has room for reading the record again. A load drops the lowest bits of an address: so the
+# quarters of the list's steps all read the same candidate, and tell its rows apart.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -44,7 +51,7 @@
         .set    a_if_leaves,19
         # the candidate
         .set    object,20
-        .set    a_packet,21
+        .set    a_packet,21                             # its row
         .set    quad,22
         .set    base_x,23
         .set    base_y,24
@@ -78,7 +85,7 @@
         .set    m,51
         .set    a,52
         .set    b,53
-        .set    zero,54                                 # z
+        .set    out,54
         .set    turn_x,55                               # c x e
         .set    turn_y,56
         .set    turn_z,57
@@ -105,6 +112,7 @@
         .set    nearest,77
         .set    control,78
         .set    inverse_q,79
+        .set    row,43                                  # reused
 
         sign_controls_table
 
@@ -118,11 +126,11 @@ hidden_if_leaves:
         .int    \value,\value,\value,\value
     .endr
 
-# out = a . b, of the registers a and b, with x, y and z at their ends.
-.macro  dot_f4 out:req, a:req, b:req
-        fm      \out,$\a\()x,$\b\()x
-        fma     \out,$\a\()y,$\b\()y,\out
-        fma     \out,$\a\()z,$\b\()z,\out
+# dot = a . b, of the registers a and b, with x, y and z at their ends.
+.macro  dot_f4 dot:req, a:req, b
+        fm      \dot,$\a\()x,$\b\()x
+        fma     \dot,$\a\()y,$\b\()y,\dot
+        fma     \dot,$\a\()z,$\b\()z,\dot
 .endm
 
 function isect_cone_pairs_r16
@@ -135,13 +143,16 @@ function isect_cone_pairs_r16
         ila     $a_controls,sign_controls
         ila     $a_if_enters,hidden_if_enters
         ila     $a_if_leaves,hidden_if_leaves
-next_cone:
+        shli    $count,$count,2
+next_row:
         load_candidate
+        shli    $row,$a_candidate,2
+        andi    $row,$row,0x30
+        a       $a_packet,$a_packet,$row
         lqd     $sides,OBJECT_sides&~15($object)
         rotqbyi $sides,$sides,OBJECT_sides&15
         rotmi   $sides,$sides,-26                       # the two bits to quadwords' addresses
-        lqx     $if_enters,$a_if_enters,$sides
-        lqx     $if_leaves,$a_if_leaves,$sides
+        shufb   $object,$object,$object,$m_x
         lqd     $quad,OBJECT_centre($object)
         shufb   $base_x,$quad,$quad,$m_x
         shufb   $base_y,$quad,$quad,$m_y
@@ -154,11 +165,9 @@ next_cone:
         shufb   $radius,$quad,$quad,$m_x
         shufb   $growth,$quad,$quad,$m_y
         shufb   $height,$quad,$quad,$m_z
-        shufb   $object,$object,$object,$m_x
-    .irp row, 0,1,2,3
     .irp axis, x,y,z
-        lqd     $w\axis,RAYS16_origin_\axis+16*\row($a_packet)
-        lqd     $\axis,RAYS16_direction_\axis+16*\row($a_packet)
+        lqd     $w\axis,RAYS16_origin_\axis($a_packet)
+        lqd     $\axis,RAYS16_direction_\axis($a_packet)
         fs      $w\axis,$base_\axis,$w\axis
     .endr
         fm      $near,$wx,$x
@@ -179,8 +188,8 @@ next_cone:
         fnms    $a,$m,$m,$a
         dot_f4  $b,c,e
         fnms    $b,$k,$m,$b
-        dot_f4  $zero,c,c
-        fnms    $zero,$k,$k,$zero
+        dot_f4  $out,c,c
+        fnms    $out,$k,$k,$out
         fm      $turn_x,$cz,$ey
         fm      $turn_y,$cx,$ez
         fm      $turn_z,$cy,$ex
@@ -207,13 +216,15 @@ next_cone:
         reciprocal_f4 $inverse,$a,$t_y,$t_e,$k_one
         reciprocal_f4 $inverse_q,$q,$t_y,$t_e,$k_one
         fm      $first,$q,$inverse                      # -s
-        fm      $second,$zero,$inverse_q
+        fm      $second,$out,$inverse_q
         fs      $t,$near,$first
         fs      $t_second,$near,$second
         fnms    $off,$first,$rise,$h                    # the crossing's height
         fnms    $off_second,$second,$rise,$h
         clgt    $off,$off,$height                       # below 0 is above all
         clgt    $off_second,$off_second,$height
+        lqx     $if_enters,$a_if_enters,$sides
+        lqx     $if_leaves,$a_if_leaves,$sides
         selb    $hidden,$if_enters,$if_leaves,$b
         selb    $hidden_second,$if_leaves,$if_enters,$b
         or      $t,$t,$off
@@ -223,8 +234,9 @@ next_cone:
         clgt    $control,$t,$t_second
         selb    $t,$t,$t_second,$control
         cgti    $ahead,$t,0
-        keep_nearer \row
-    .endr
-        next_candidate next_cone
+        keep_nearer 0
+        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE/4
+        ai      $count,$count,-1
+        brnz    $count,next_row
         bi      $lr
 endfunction isect_cone_pairs_r16

@@ -2,6 +2,7 @@
 
 pub mod ball;
 pub mod call;
+pub mod cone;
 pub mod error;
 pub mod rectangle;
 pub mod shape;
@@ -16,6 +17,7 @@ use crate::cases::eye::call::put;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::Shears;
 use ball::SphereObject;
+use cone::ConeObject;
 use rectangle::RectangleObject;
 use shape::Shape;
 use triangle::TriangleObject;
@@ -42,7 +44,11 @@ const fn row<S: Shape>() -> Kernel {
                     objects: CANDIDATES,
                     place: |bench, count| {
                         let nearer = [20.0, 15.0, 10.0, 5.0];
-                        candidates(bench, &nearer.map(|distance| S::ahead(0.0, distance)), count)
+                        candidates(
+                            bench,
+                            &nearer.map(|distance| S::ahead(0.0, distance)),
+                            count,
+                        )
                     },
                 },
             ]
@@ -70,6 +76,7 @@ pub const KERNELS: &[Kernel] = &[
         error: Some(error::shear_packets),
     },
     row::<TriangleObject>(),
+    row::<ConeObject>(),
 ];
 
 /// Each of the objects with sixteen packets.

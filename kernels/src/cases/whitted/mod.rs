@@ -4,3 +4,4 @@ pub mod bounce;
 pub mod isect;
 pub mod rays;
 pub mod shade;
+pub mod smooth;

@@ -75,7 +75,8 @@ impl Shape for SphereObject {
             let (from, to) = (any_direction(random), any_direction(random));
             let reach = radius * random.random_range(0.0..2.0);
             let origin: Vector = std::array::from_fn(|axis| around[axis] + distance * from[axis]);
-            let towards = std::array::from_fn(|axis| around[axis] + reach * to[axis] - origin[axis]);
+            let towards =
+                std::array::from_fn(|axis| around[axis] + reach * to[axis] - origin[axis]);
             ray(origin, unit(towards), FARTHEST)
         });
         (sphere, rays)

@@ -46,10 +46,7 @@ impl Shape for RectangleObject {
     fn truth(&self, ray: &Ray) -> Truth {
         let flat = flat_records::Ray::new(ray.origin, ray.direction);
         let ([t, u, v], incidence) = on_plane(&flat, &self.rectangle);
-        let from_corner = less(
-            self.rectangle.point.map(to_f64),
-            ray.origin.map(to_f64),
-        );
+        let from_corner = less(self.rectangle.point.map(to_f64), ray.origin.map(to_f64));
         let normal = self.rectangle.normal.map(to_f64);
         let seen = self.both || dot(normal, ray.direction.map(to_f64)) < 0.0;
         let within = [u, v].iter().all(|on| (0.0..=1.0).contains(on));

@@ -75,7 +75,9 @@ impl Shape for TriangleObject {
             let [u, v] = [(); 2].map(|()| random.random_range(-0.2..0.8));
             let weights: Vector = [u, v, 1.0 - u - v];
             let target: Vector = std::array::from_fn(|axis| {
-                (0..3).map(|corner| weights[corner] * corners[corner][axis]).sum()
+                (0..3)
+                    .map(|corner| weights[corner] * corners[corner][axis])
+                    .sum()
             });
             let towards = unit(less(target, origin.map(to_f64)));
             // A quarter of the rays goes away from it.

@@ -1,0 +1,175 @@
+# smooth_r16   normals that shade, of those of sixteen hits that are on patches
+#   C       void smooth_r16(const struct ray_packet *, struct surfaces *);
+#   In      $3 rays, $4 surfaces; pointers 16-aligned. What a ray has hit is an address, of any record
+#   Out     surfaces: normal, where the object has SIDES_SMOOTH and so is a patch
+#   Uses    $3-$4, $10-$62   Saves  -   Stack  0   Calls  -
+#   Domain  points in their patches; edges from 2^-30 to 2^30, and from 1/100 of the points' distance
+#           from the eye on; |plane| about 1, the patch's own normal, on the ray's side
+#   Error   3e-7 of 1, for the point as it is given; vertices' normals within 60 degrees of the
+#           plane's
+#   Twin    oracle/src/twin/smooth.rs
+#
+# For the point p, the vertices a, b, c as p sees them, their normals and the plane's normal g:
+#   n = (g x b).c normal_a + (g x c).a normal_b + (g x a).b normal_c
+# The shares of the area turn their signs with g, and so n gets to the ray's side, as g is. Where it
+# points away from the ray even so, n.d >= 0, g takes its place: with n at length 1.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "math.inc"
+
+        .set    a_rays,3
+        .set    a_surfaces,4
+        # constants
+        .set    m_xy,10
+        .set    m_zw,11
+        .set    m_first,12
+        .set    m_second,13
+        .set    k_half,14
+        .set    k_one,15
+        .set    rows,16
+        # the lanes' patches
+        .set    patch,17                                # to 20
+        .set    quad,21                                 # to 24
+        .set    low,25
+        .set    high,26
+        .set    smooth,27
+        # the row
+        .set    px,28
+        .set    py,29
+        .set    pz,30
+        .set    gx,31
+        .set    gy,32
+        .set    gz,33
+        .set    dx,34
+        .set    dy,35
+        .set    dz,36
+        .set    ax,37                                   # vertices, then their normals
+        .set    ay,38
+        .set    az,39
+        .set    bx,40
+        .set    by,41
+        .set    bz,42
+        .set    cx,43
+        .set    cy,44
+        .set    cz,45
+        .set    turn_x,46
+        .set    turn_y,47
+        .set    turn_z,48
+        .set    share_a,49
+        .set    share_b,50
+        .set    share_c,51
+        .set    nx,52
+        .set    ny,53
+        .set    nz,54
+        .set    along,55
+        .set    square,56
+        .set    inverse,57
+        .set    t_y,58
+        .set    t_e,59
+        .set    old_x,60
+        .set    old_y,61
+        .set    old_z,62
+
+        .section .rodata
+        .align  4
+# First and second words of A and B by turns; the third and fourth; first halves; second halves.
+transpose:
+        .int    0x00010203,0x10111213,0x04050607,0x14151617
+        .int    0x08090a0b,0x18191a1b,0x0c0d0e0f,0x1c1d1e1f
+        .int    0x00010203,0x04050607,0x10111213,0x14151617
+        .int    0x08090a0b,0x0c0d0e0f,0x18191a1b,0x1c1d1e1f
+
+# A vector of the four patches, each component in a register.
+.macro  gather x:req, y:req, z:req, offset:req
+    .irp lane, 0,1,2,3
+        lqd     $quad+\lane,\offset($patch+\lane)
+    .endr
+        shufb   $low,$quad,$quad+1,$m_xy
+        shufb   $high,$quad+2,$quad+3,$m_xy
+        shufb   \x,$low,$high,$m_first
+        shufb   \y,$low,$high,$m_second
+        shufb   $low,$quad,$quad+1,$m_zw
+        shufb   $high,$quad+2,$quad+3,$m_zw
+        shufb   \z,$low,$high,$m_first
+.endm
+
+# share = (g x from).to
+.macro  share_of_area share:req, from:req, to:req
+        fm      $turn_x,$gz,$\from\()y
+        fm      $turn_y,$gx,$\from\()z
+        fm      $turn_z,$gy,$\from\()x
+        fms     $turn_x,$gy,$\from\()z,$turn_x
+        fms     $turn_y,$gz,$\from\()x,$turn_y
+        fms     $turn_z,$gx,$\from\()y,$turn_z
+        fm      \share,$turn_x,$\to\()x
+        fma     \share,$turn_y,$\to\()y,\share
+        fma     \share,$turn_z,$\to\()z,\share
+.endm
+
+function smooth_r16
+        lqa     $m_xy,transpose
+        lqa     $m_zw,transpose+16
+        lqa     $m_first,transpose+32
+        lqa     $m_second,transpose+48
+        ilhu    $k_half,0x3f00
+        ilhu    $k_one,0x3f80
+        il      $rows,4
+next_row:
+        lqd     $patch,RAYS16_object($a_rays)
+        rotqbyi $patch+1,$patch,4
+        rotqbyi $patch+2,$patch,8
+        rotqbyi $patch+3,$patch,12
+    .irp lane, 0,1,2,3
+        lqd     $quad+\lane,OBJECT_sides&~15($patch+\lane)
+    .endr
+        shufb   $low,$quad,$quad+1,$m_zw
+        shufb   $high,$quad+2,$quad+3,$m_zw
+        shufb   $smooth,$low,$high,$m_second
+        shli    $smooth,$smooth,2                       # SIDES_SMOOTH becomes the sign
+        rotmai  $smooth,$smooth,-31
+    .irp axis, x,y,z
+        lqd     $p\axis,SURFACES_point_\axis($a_surfaces)
+        lqd     $g\axis,SURFACES_plane_\axis($a_surfaces)
+        lqd     $d\axis,RAYS16_direction_\axis($a_rays)
+    .endr
+        gather  $ax,$ay,$az,TRI_a
+        gather  $bx,$by,$bz,TRI_b
+        gather  $cx,$cy,$cz,TRI_c
+    .irp axis, x,y,z
+        fs      $a\axis,$a\axis,$p\axis
+        fs      $b\axis,$b\axis,$p\axis
+        fs      $c\axis,$c\axis,$p\axis
+    .endr
+        share_of_area $share_a,b,c
+        share_of_area $share_b,c,a
+        share_of_area $share_c,a,b
+        gather  $ax,$ay,$az,PATCH_normal_a
+        gather  $bx,$by,$bz,PATCH_normal_b
+        gather  $cx,$cy,$cz,PATCH_normal_c
+    .irp axis, x,y,z
+        fm      $n\axis,$share_a,$a\axis
+        fma     $n\axis,$share_b,$b\axis,$n\axis
+        fma     $n\axis,$share_c,$c\axis,$n\axis
+    .endr
+        fm      $along,$nx,$dx
+        fma     $along,$ny,$dy,$along
+        fma     $along,$nz,$dz,$along
+        rotmai  $along,$along,-31
+        fm      $square,$nx,$nx
+        fma     $square,$ny,$ny,$square
+        fma     $square,$nz,$nz,$square
+        rsqrt_f4 $inverse,$square,$t_y,$t_e,$k_half,$k_one
+    .irp axis, x,y,z
+        fm      $n\axis,$n\axis,$inverse
+        selb    $n\axis,$g\axis,$n\axis,$along
+        lqd     $old_\axis,SURFACES_normal_\axis($a_surfaces)
+        selb    $n\axis,$old_\axis,$n\axis,$smooth
+        stqd    $n\axis,SURFACES_normal_\axis($a_surfaces)
+    .endr
+        ai      $a_rays,$a_rays,16
+        ai      $a_surfaces,$a_surfaces,16
+        ai      $rows,$rows,-1
+        brnz    $rows,next_row
+        bi      $lr
+endfunction smooth_r16
