@@ -9,11 +9,13 @@ use spu_emulator::float::single::to_f64;
 
 use crate::check;
 
+/// A sphere's centre and radius, and where a ray along -z from the origin enters and leaves it.
+type Case = (&'static str, [f64; 3], f64, Option<f64>, Option<f64>);
+
 #[test]
 fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
     let mut bench = Bench::new();
-    // Where a ray along -z from the origin enters and leaves.
-    let cases: [(&str, [f64; 3], f64, Option<f64>, Option<f64>); 12] = [
+    let cases: [Case; 12] = [
         ("ahead", [0.0, 0.0, -5.0], 1.0, Some(4.0), Some(6.0)),
         (
             "of a negative radius",
