@@ -8,6 +8,7 @@ use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::flat_records::{Shears, point};
+use kernels::vector::{cross, dot, in_cube, less, unit};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use oracle::twin::triangle::shear;
@@ -150,6 +151,58 @@ fn shears_of_packets_equal_the_twin() {
                     assert_eq!(shears.lane(lane), expected, "{ray:x?}");
                 }
             }
+        }
+    }
+}
+
+/// The faces of a tetrahedron by its vertices, each counter-clockwise as seen from within.
+const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
+
+#[test]
+fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let list: Vec<[usize; 2]> = (0..FACES.len()).map(|face| [face, 0]).collect();
+    for round in 0..4000 {
+        let far = if round % 2 == 0 { 0.0 } else { 1e5 };
+        let corners = loop {
+            let corners: [[f64; 3]; 4] = std::array::from_fn(|_| {
+                in_cube(10.0, &mut random).map(|component| component + far)
+            });
+            let [a, b, c, d] = corners;
+            let volume = dot(cross(less(b, a), less(c, a)), less(d, a));
+            if volume > 100.0 {
+                break corners;
+            }
+        };
+        let middle = std::array::from_fn(|axis| {
+            corners.iter().map(|corner| corner[axis]).sum::<f64>() / 4.0
+        });
+        let faces = FACES.map(|mut face| {
+            face.rotate_left(random.random_range(0..3));
+            TriangleObject {
+                vertices: face.map(|corner| point(corners[corner])),
+                both: false,
+            }
+        });
+        // To vertices, to middles of edges, and to anywhere on them.
+        let rays = std::array::from_fn(|lane| {
+            let [from, to] = [lane % 4, (lane + 1 + lane / 8) % 4].map(|corner| corners[corner]);
+            let along = match lane / 4 {
+                0 => 0.0,
+                1 => 0.5,
+                _ => random.random_range(0.0..1.0),
+            };
+            let target: [f64; 3] =
+                std::array::from_fn(|axis| from[axis] + along * (to[axis] - from[axis]));
+            ray(middle, unit(less(target, middle)), FARTHEST)
+        });
+        let (rays, objects) = check(&mut bench, &[rays], &faces, &list, 0);
+        for ray in rays[0] {
+            assert!(
+                objects.contains(&ray.object),
+                "{ray:x?} leaks out of {faces:x?}"
+            );
         }
     }
 }
