@@ -52,6 +52,7 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         whitted::bounce::KERNELS,
         isect::KERNELS,
         smooth::KERNELS,
+        whitted::shaders::KERNELS,
     ]
     .into_iter()
     .flatten()

@@ -30,6 +30,7 @@ pub mod shade_depth;
 pub mod shadow_rays;
 pub mod surfaces;
 pub mod smooth;
+pub mod shader;
 pub mod triangle;
 pub mod triangle_pairs;
 

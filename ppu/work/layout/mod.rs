@@ -152,6 +152,14 @@ constants! {
     MATERIAL_SHINES = 8;
     /// In `flags`: it has a shader of its own.
     MATERIAL_SHADED = 16;
+    /// With the status `Shader`, times 256: there is no shader of this number; the number times 2^24, at most 255.
+    RULE_KNOWN = 1;
+    /// The same: the shader changed a register; its number times 2^16.
+    RULE_REGISTER = 2;
+    /// The same: it wrote below its stack.
+    RULE_STACK = 3;
+    /// The same: it changed a surface that it is not to shade.
+    RULE_LANES = 4;
 }
 
 mod frame;
@@ -194,6 +202,7 @@ pub const RECORDS: &[Record] = &[
     Shear::RECORD,
     Surfaces::RECORD,
     Site::RECORD,
+    ShaderContext::RECORD,
 ];
 
 macro_rules! statuses {
@@ -269,7 +278,7 @@ statuses! {
     LightCount = 26, "light_count";
     /// Must have at most 8 nodes at the top and 1024 objects, and lie in the scene.
     Trees = 27, "trees";
-    /// A shader must keep $1 and $80 to $127, and the stack within its room.
+    /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
 }
 

@@ -342,3 +342,17 @@ record! {
         unused: U32,
     }
 }
+
+record! {
+    /// Local store: what shaders are told of the frame.
+    ShaderContext as "SHADING" {
+        /// The eye in the scene's coordinates: x, y, z, 0. Points are relative to it.
+        eye: [F32; 4],
+        /// Lights.
+        light_count: U32,
+        /// Address of the first `LIGHT`.
+        lights: U32,
+        /// 0.
+        reserved: [U32; 2],
+    }
+}

@@ -5,3 +5,4 @@ pub mod isect;
 pub mod rays;
 pub mod shade;
 pub mod smooth;
+pub mod shaders;

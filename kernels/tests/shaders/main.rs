@@ -1,0 +1,3 @@
+//! The shaders that the program comes with, and `shaders_run`, which calls shaders.
+
+mod built_in;

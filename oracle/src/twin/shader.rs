@@ -1,0 +1,39 @@
+//! Twins of the shaders in `spu/plain/shaders/`.
+
+use spu_emulator::float::convert::{cflts, csflt};
+use spu_emulator::float::single::{fa, fcgt, fma};
+
+use super::Single;
+use super::shade_depth::{Depth, shade_depth};
+
+/// The single 1/1024, by which a side of the cubes belongs to the one behind it.
+const WITHIN: Single = 0x3a80_0000;
+
+/// What `shader_depth` leaves of a surface: its lit colour.
+#[must_use]
+pub fn depth(t: Single, colour: [Single; 3], parameters: [Single; 4]) -> [Single; 3] {
+    let [far, scale, ..] = parameters;
+    shade_depth(t, colour, false, Depth { far, scale })
+}
+
+/// The colour that `shader_checker` gives a surface at a point relative to the eye.
+#[must_use]
+pub fn checker(
+    point: [Single; 3],
+    colour: [Single; 3],
+    parameters: [Single; 4],
+    eye: [Single; 3],
+) -> [Single; 3] {
+    let [red, green, blue, scale] = parameters;
+    let cells = (0..3).fold(0_u32, |cells, axis| {
+        let place = fma(fa(point[axis], eye[axis]), scale, WITHIN);
+        let cell = cflts(place, 0);
+        let above = fcgt(csflt(cell, 0), place);
+        cells.wrapping_add(cell).wrapping_add(above)
+    });
+    if cells & 1 == 1 {
+        [red, green, blue]
+    } else {
+        colour
+    }
+}
