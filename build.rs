@@ -5,12 +5,7 @@ use std::env;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use spu_build::{Image, Tools, Version, stub};
-
-#[path = "ppu/work/assembler.rs"]
-mod assembler;
-#[path = "ppu/work/layout/mod.rs"]
-mod layout;
+use spu_build::{Tools, stub, tracer};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -25,8 +20,6 @@ fn build() -> Outcome<()> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed=build.rs");
-    println!("cargo:rerun-if-changed=ppu/work/assembler.rs");
-    println!("cargo:rerun-if-changed=ppu/work/layout");
 
     let image = out.join("cellray-spu.elf");
     println!("cargo:rerun-if-env-changed=CELLRAY_SPU_IMAGE");
@@ -36,7 +29,7 @@ fn build() -> Outcome<()> {
             println!("cargo:rerun-if-changed={}", ready.display());
             fs::copy(&ready, &image).map_err(|error| format!("{}: {error}", ready.display()))?;
         }
-        None => spu_program(&root, &out, &image)?,
+        None => spu_program(&out, &image)?,
     }
     println!("cargo:rustc-env=CELLRAY_SPU_IMAGE_FILE={}", image.display());
 
@@ -46,23 +39,13 @@ fn build() -> Outcome<()> {
     Ok(())
 }
 
-fn spu_program(root: &Path, out: &Path, image: &Path) -> Outcome<()> {
-    let generated = out.join("include");
-    fs::create_dir_all(&generated)?;
-    fs::write(generated.join("work_unit.inc"), assembler::constants())?;
-
+fn spu_program(out: &Path, image: &Path) -> Outcome<()> {
     // The folders themselves are watched too: a new file changes its folder, not a listed file.
     println!("cargo:rerun-if-changed=spu");
     for variable in Tools::VARIABLES {
         println!("cargo:rerun-if-env-changed={variable}");
     }
-    let spu = root.join("spu");
-    let program = Image::new(&root.join("linker/spu.ld"))
-        .folder(&spu.join("main"))?
-        .kernels(&spu, Version::Scheduled)?
-        .only_used()
-        .include(&root.join("spu/include"))
-        .include(&generated);
+    let program = tracer()?;
     for input in program.inputs()? {
         println!("cargo:rerun-if-changed={}", input.display());
     }

@@ -6,12 +6,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use spu_build::{Image, Tools, Version};
-
-#[path = "../ppu/work/assembler.rs"]
-mod assembler;
-#[path = "../ppu/work/layout/mod.rs"]
-mod layout;
+use spu_build::{Image, Tools, Version, assembler};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -34,16 +29,14 @@ fn build() -> Outcome<()> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     let spu = here.join("../spu").canonicalize()?;
     println!("cargo:rerun-if-changed=build.rs");
-    for input in ["ppu/work/assembler.rs", "ppu/work/layout", "spu"] {
-        println!("cargo:rerun-if-changed=../{input}");
-    }
+    println!("cargo:rerun-if-changed=../spu");
     for variable in Tools::VARIABLES {
         println!("cargo:rerun-if-env-changed={variable}");
     }
 
     let generated = out.join("include");
     fs::create_dir_all(&generated)?;
-    fs::write(generated.join("work_unit.inc"), assembler::constants())?;
+    fs::write(generated.join(assembler::FILE), assembler::constants())?;
 
     let tools = Tools::find()?;
     let script = here.join("../linker/spu.ld");

@@ -4,7 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::{Error, Tools, run};
+use crate::{Error, Tools, assembler, run};
 
 /// Which version of each kernel an image has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -20,6 +20,7 @@ pub enum Version {
 pub struct Image {
     sources: Vec<PathBuf>,
     includes: Vec<PathBuf>,
+    constants: bool,
     script: PathBuf,
     link: Vec<OsString>,
 }
@@ -36,9 +37,17 @@ impl Image {
         Self {
             sources: Vec::new(),
             includes: Vec::new(),
+            constants: false,
             script: script.to_path_buf(),
             link: Vec::new(),
         }
+    }
+
+    /// Adds one `.s` file.
+    #[must_use]
+    pub fn source(mut self, file: &Path) -> Self {
+        self.sources.push(file.to_path_buf());
+        self
     }
 
     /// Adds all `.s` files in `folder` and its sub-folders.
@@ -92,6 +101,13 @@ impl Image {
         self
     }
 
+    /// Lets sources include the constants of the work-unit layout, `work_unit.inc`.
+    #[must_use]
+    pub fn constants(mut self) -> Self {
+        self.constants = true;
+        self
+    }
+
     /// Every file that the image is made of: a build script reruns when one changes.
     pub fn inputs(&self) -> Result<Vec<PathBuf>, Error> {
         let mut inputs = self.sources.clone();
@@ -109,11 +125,20 @@ impl Image {
             source,
         };
         fs::create_dir_all(work).map_err(file_error)?;
+        let mut includes = self.includes.clone();
+        if self.constants {
+            let generated = work.join(assembler::FILE);
+            fs::write(&generated, assembler::constants()).map_err(|source| Error::File {
+                path: generated,
+                source,
+            })?;
+            includes.push(work.to_path_buf());
+        }
         let mut objects = Vec::new();
         for (number, source) in self.sources.iter().enumerate() {
             let stem = source.file_stem().unwrap_or_default().to_string_lossy();
             let object = work.join(format!("{number:02}-{stem}.o"));
-            tools.assemble(&self.includes, &["--strip-local-absolute"], &object, source)?;
+            tools.assemble(&includes, &["--strip-local-absolute"], &object, source)?;
             objects.push(object);
         }
         let mut link = self.link.clone();

@@ -2,17 +2,23 @@
 //!
 //! [`Tools::find`] names the SPU assembler and linker, [`Image`] turns `.s` files into one SPU ELF
 //! image, [`stub`] makes a shared library of nothing but names, to link against where the real one
-//! is not installed. Nothing here knows what the programs do.
+//! is not installed. [`tracer`] is the tracer's own program, to which another crate's build script may
+//! add shaders. Apart from that, nothing here knows what the programs do.
 
+pub mod assembler;
 mod image;
+#[path = "../../ppu/work/layout/mod.rs"]
+mod layout;
 pub mod stub;
 mod tools;
+mod tracer;
 
 use std::path::PathBuf;
 use std::process::Command;
 
 pub use image::{Image, Version};
 pub use tools::Tools;
+pub use tracer::tracer;
 
 /// Why a program was not built. Its `Display` is meant for the person who runs the build.
 #[derive(Debug, thiserror::Error)]

@@ -1,13 +1,16 @@
-//! The work-unit layout in the assembler's words: what build scripts write into `work_unit.inc`.
+//! The work-unit layout in the assembler's words: `work_unit.inc`.
 //!
-//! Owns the names that the layout has in assembly. A build script includes this file next to
-//! `layout`; the program itself does not.
+//! Owns the names that the layout has in assembly.
 
 use std::fmt::Write as _;
 
-use super::layout::{self, Field};
+use crate::layout::{self, Field};
+
+/// The file that sources include.
+pub const FILE: &str = "work_unit.inc";
 
 /// Sizes, offsets and constants of the layout, as the assembler's symbols.
+#[must_use]
 pub fn constants() -> String {
     let mut text = String::from("# Generated from ppu/work/layout.\n");
     for (name, value, doc) in layout::CONSTANTS {

@@ -1,0 +1,32 @@
+//! The tracer's program, as this repository has it.
+
+use std::path::Path;
+
+use crate::{Error, Image, Version};
+
+/// The tracer's program: its driver, its kernels scheduled, and the shaders that it comes with.
+///
+/// A build script adds a folder of shaders and builds it:
+///
+/// ```no_run
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let out = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
+/// let program = spu_build::tracer()?.folder("shaders".as_ref())?;
+/// for input in program.inputs()? {
+///     println!("cargo:rerun-if-changed={}", input.display());
+/// }
+/// program.build(&spu_build::Tools::find()?, &out.join("spu"), &out.join("tracer.elf"))?;
+/// # Ok(())
+/// # }
+/// ```
+pub fn tracer() -> Result<Image, Error> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let spu = root.join("spu");
+    let image = Image::new(&root.join("linker/spu.ld"))
+        .folder(&spu.join("main"))?
+        .kernels(&spu, Version::Scheduled)?
+        .only_used()
+        .include(&spu.join("include"))
+        .constants();
+    Ok(image)
+}
