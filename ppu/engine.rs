@@ -377,9 +377,13 @@ impl Engine {
                     let Some(answer) = spu.context.answer()? else {
                         continue;
                     };
-                    Refusal::of(answer, frame, address).map(|refusal| EngineError::Refused {
-                        spu: number,
-                        refusal,
+                    // An image without the table has no names either.
+                    let shaders = self.settings.program.shaders().unwrap_or_default();
+                    Refusal::of(answer, frame, address, &shaders).map(|refusal| {
+                        EngineError::Refused {
+                            spu: number,
+                            refusal,
+                        }
                     })
                 }
                 Event::Stopped => {

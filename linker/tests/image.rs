@@ -8,8 +8,8 @@ use std::os::unix::fs::PermissionsExt as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use object::{Object as _, ObjectSymbol as _};
-use spu_build::{Error, Image, Tools, stub};
+use object::{Object as _, ObjectSection as _, ObjectSymbol as _};
+use spu_build::{Error, Image, Tools, stub, tracer};
 
 const SCRIPT: &str =
     "OUTPUT_FORMAT(\"elf32-spu\")\nENTRY(_start)\nSECTIONS { . = 0; .text : { *(.text) } }\n";
@@ -218,4 +218,48 @@ fn a_stub_has_its_soname_and_its_names() {
         "{exported:?}"
     );
     assert!(bytes.windows(13).any(|window| window == b"libthing.so.7"));
+}
+
+#[test]
+fn the_tracer_takes_further_shaders() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = folder.path().join("own.s");
+    let elf = folder.path().join("tracer.elf");
+    let shader = "\t.include \"macros.inc\"\n\t.include \"shader.inc\"\nshader own\n\tbi $lr\nendshader own\n";
+    fs::write(&source, shader).unwrap();
+    let build = || {
+        let image = tracer().unwrap().folder(folder.path()).unwrap();
+        image.build(&Tools::find().unwrap(), &folder.path().join("work"), &elf)
+    };
+    build().unwrap_or_else(|error| panic!("{error}"));
+    let image = fs::read(&elf).unwrap();
+    let image = object::File::parse(&*image).unwrap();
+    let table = image.section_by_name(".shaders").unwrap().data().unwrap();
+    let names: Vec<&[u8]> = table.chunks(32).map(|entry| &entry[16..]).collect();
+    let padded = |name: &[u8]| [name, &[0; 16][name.len()..]].concat();
+    assert_eq!(
+        names,
+        [padded(b"checker"), padded(b"depth"), padded(b"own")]
+    );
+    let symbol = image
+        .symbols()
+        .find(|s| s.name() == Ok("shader_own"))
+        .unwrap();
+    let address = u32::from_be_bytes(table[64..68].try_into().unwrap());
+    assert_eq!(u64::from(address), symbol.address());
+
+    // Too much of it.
+    fs::write(&source, shader.replace("\tbi", "\t.skip 0x40000\n\tbi")).unwrap();
+    let text = build().unwrap_err().to_string();
+    assert!(text.contains("no room"), "{text}");
+    // Names that can't be told apart, and one that is too long.
+    fs::write(&source, shader.replace("own", "depth")).unwrap();
+    let text = build().unwrap_err().to_string();
+    assert!(
+        text.contains("multiple definition of `shader_depth'"),
+        "{text}"
+    );
+    fs::write(&source, shader.replace("own", "sixteen_and_a_bit")).unwrap();
+    let text = build().unwrap_err().to_string();
+    assert!(text.contains("at most 16 characters"), "{text}");
 }

@@ -4,13 +4,14 @@
 //! [`Context::run`] while the SPU runs.
 
 mod context;
+mod elf;
 mod event;
 mod program;
 mod sys;
 
 pub use context::{Context, Ended, Outcome, library_path, usable_spes};
 pub use event::{Event, Events};
-pub use program::{Image, Program};
+pub use program::{Image, Program, ProgramError};
 
 /// A call of libspe2 that failed.
 #[derive(Debug, thiserror::Error)]

@@ -1,8 +1,12 @@
 //! SPU programs: ELF images in this program's memory.
 
 use std::ffi::c_void;
-use std::ptr;
+use std::path::{Path, PathBuf};
+use std::{fs, ptr};
 
+use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout};
+
+use super::elf;
 use super::sys::spe_program_handle_t;
 
 /// Bytes aligned as the MFC likes its transfers.
@@ -14,6 +18,47 @@ pub struct Image<Bytes: ?Sized>(pub Bytes);
 pub struct Program {
     image: &'static [u8],
 }
+
+/// Why an image is no program, or has not what is looked for.
+#[derive(Debug, thiserror::Error)]
+pub enum ProgramError {
+    /// A file can't be read.
+    #[error("{}: {source}", path.display())]
+    File {
+        /// The file.
+        path: PathBuf,
+        /// The system's error.
+        source: std::io::Error,
+    },
+    /// The bytes are no ELF file of 32 bits, big-endian, or point outside of themselves.
+    #[error("no SPU program: {0}")]
+    Malformed(String),
+    /// An ELF file for another machine.
+    #[error("no SPU program: it is for the ELF machine {0}, and an SPU's is 23")]
+    Machine(u16),
+    /// Something is loaded beyond the local store.
+    #[error("no SPU program: it is loaded up to {0:#x}, and the local store ends at 0x40000")]
+    TooLarge(u64),
+    /// There is no section `.shaders`.
+    #[error("the SPU program has no table of shaders: it has to be linked by linker/spu.ld")]
+    NoTable,
+    /// The table of shaders is not made of entries.
+    #[error("the SPU program's table of shaders is spoilt at entry {0}")]
+    Table(usize),
+    /// There is no shader of this name.
+    #[error("the SPU program has no shader {name}; it has {}", .known.join(", "))]
+    NoShader {
+        /// The name.
+        name: String,
+        /// Those that there are.
+        known: Vec<String>,
+    },
+}
+
+/// A piece of memory as the MFC likes it.
+#[derive(Clone, FromBytes, IntoBytes, Immutable, KnownLayout)]
+#[repr(C, align(128))]
+struct Line([u8; 128]);
 
 static TRACER: &Image<[u8]> = &Image(*include_bytes!(env!("CELLRAY_SPU_IMAGE_FILE")));
 
@@ -32,6 +77,45 @@ impl Program {
     #[must_use]
     pub unsafe fn from_elf(image: &'static [u8]) -> Self {
         Self { image }
+    }
+
+    /// The program of an ELF image, which is checked. Its memory is kept to the end of the process, as
+    /// SPUs may always still be running it.
+    pub fn from_image(image: &[u8]) -> Result<Self, ProgramError> {
+        let lines = image.len().div_ceil(size_of::<Line>());
+        let mut memory = vec![Line::new_zeroed(); lines];
+        memory.as_mut_slice().as_mut_bytes()[..image.len()].copy_from_slice(image);
+        elf::check(&memory.as_slice().as_bytes()[..image.len()])?;
+        let memory: &'static [Line] = memory.leak();
+        Ok(Self {
+            image: &memory.as_bytes()[..image.len()],
+        })
+    }
+
+    /// The program of an ELF file, as [`Program::from_image`].
+    pub fn from_file(path: &Path) -> Result<Self, ProgramError> {
+        let image = fs::read(path).map_err(|source| ProgramError::File {
+            path: path.to_path_buf(),
+            source,
+        })?;
+        Self::from_image(&image)
+    }
+
+    /// The names of the shaders in it; a shader's number is its place here.
+    pub fn shaders(&self) -> Result<Vec<String>, ProgramError> {
+        elf::shaders(self.image)
+    }
+
+    /// The number of the shader of this name.
+    pub fn shader(&self, name: &str) -> Result<u32, ProgramError> {
+        let known = self.shaders()?;
+        let number = known.iter().position(|known| known == name);
+        number
+            .map(|number| number as u32)
+            .ok_or_else(|| ProgramError::NoShader {
+                name: name.to_owned(),
+                known,
+            })
     }
 
     /// The ELF file.

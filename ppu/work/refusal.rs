@@ -4,7 +4,7 @@ use std::fmt;
 
 use zerocopy::IntoBytes as _;
 
-use super::layout::{Frame, Status};
+use super::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
 
 /// An SPU's answer other than "done".
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -16,14 +16,41 @@ pub struct Refusal {
     pub field: &'static str,
     rule: &'static str,
     values: Vec<u64>,
+    shader: Option<ShaderFault>,
+}
+
+/// What an SPU says of a shader. In the answer: the rule in the second lowest byte, then the register,
+/// then the shader.
+#[derive(Clone, Debug, PartialEq, Eq)]
+struct ShaderFault {
+    rule: u32,
+    register: u32,
+    /// Number, and the name if there is one.
+    shader: u32,
+    name: Option<String>,
 }
 
 impl Refusal {
-    /// Reads an answer; `None` is "done".
+    /// Reads an answer; `None` is "done". `shaders` are the names of the program's.
     #[must_use]
-    pub fn of(answer: u32, frame: &Frame, address: u64) -> Option<Self> {
+    pub fn of(answer: u32, frame: &Frame, address: u64, shaders: &[String]) -> Option<Self> {
         if answer == Status::Done as u32 {
             return None;
+        }
+        let [shader, register, rule, status] = answer.to_be_bytes().map(u32::from);
+        if status == Status::Shader as u32 && (RULE_KNOWN..=RULE_LANES).contains(&rule) {
+            return Some(Self {
+                status,
+                field: "",
+                rule: "",
+                values: Vec::new(),
+                shader: Some(ShaderFault {
+                    rule,
+                    register,
+                    shader,
+                    name: shaders.get(shader as usize).cloned(),
+                }),
+            });
         }
         let known = Status::ALL
             .iter()
@@ -34,6 +61,7 @@ impl Refusal {
                 field: "",
                 rule: "",
                 values: Vec::new(),
+                shader: None,
             });
         };
         let values = if status == Status::Address {
@@ -49,6 +77,7 @@ impl Refusal {
             field,
             rule: rule.trim(),
             values,
+            shader: None,
         })
     }
 }
@@ -69,8 +98,34 @@ fn value_of(frame: &Frame, name: &str) -> Option<u64> {
     )
 }
 
+impl fmt::Display for ShaderFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            rule,
+            register,
+            shader,
+            name,
+        } = self;
+        if *rule == RULE_KNOWN {
+            return write!(f, "has no shader {shader}, which a material asks for");
+        }
+        match name {
+            Some(name) => write!(f, "found the shader {name} to break its contract: it ")?,
+            None => write!(f, "found shader {shader} to break its contract: it ")?,
+        }
+        match *rule {
+            RULE_REGISTER => write!(f, "changed ${register}, which it has to keep"),
+            RULE_STACK => write!(f, "wrote below the 1024 bytes of stack that it has"),
+            _ => write!(f, "changed surfaces that it was not to shade"),
+        }
+    }
+}
+
 impl fmt::Display for Refusal {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(fault) = &self.shader {
+            return fault.fmt(f);
+        }
         if self.field.is_empty() {
             return write!(f, "answered with the unknown status {}", self.status);
         }
@@ -91,5 +146,40 @@ impl fmt::Display for Refusal {
             first.into_iter().collect::<String>(),
             rule.as_str().trim_end_matches('.')
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use zerocopy::FromZeros as _;
+
+    use super::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Refusal, Status};
+
+    fn told(rule: u32, register: u32, shader: u32) -> String {
+        let answer = Status::Shader as u32 | rule << 8 | register << 16 | shader << 24;
+        let names = ["checker", "depth"].map(String::from);
+        let refusal = Refusal::of(answer, &Frame::new_zeroed(), 0, &names);
+        refusal.expect("an answer other than done").to_string()
+    }
+
+    #[test]
+    fn a_shader_is_told_with_what_it_broke() {
+        assert_eq!(
+            told(RULE_REGISTER, 90, 1),
+            "found the shader depth to break its contract: it changed $90, which it has to keep"
+        );
+        assert_eq!(
+            told(RULE_STACK, 0, 7),
+            "found shader 7 to break its contract: it wrote below the 1024 bytes of stack that it has"
+        );
+        assert_eq!(
+            told(RULE_LANES, 0, 0),
+            "found the shader checker to break its contract: it changed surfaces that it was not to shade"
+        );
+        assert_eq!(
+            told(RULE_KNOWN, 0, 255),
+            "has no shader 255, which a material asks for"
+        );
+        assert_eq!(told(9, 1, 1), "answered with the unknown status 16845084");
     }
 }

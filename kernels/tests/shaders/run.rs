@@ -6,7 +6,7 @@ use std::path::Path;
 
 use kernels::layout::{
     FEATURE_CHECK_SHADERS, Frame, MATERIAL_MIRRORS, MATERIAL_SHADED, Material, RULE_KNOWN,
-    RULE_LANES, RULE_REGISTER, RULE_STACK, RayPacket, Status, Surfaces,
+    RULE_LANES, RULE_REGISTER, RULE_STACK, RayPacket, ShaderContext, Status, Surfaces,
 };
 use kernels::random;
 use kernels::single::{bits, single};
@@ -15,9 +15,11 @@ use rand_chacha::ChaCha8Rng;
 use spu_build::{Image, Tools};
 use spu_emulator::channel::NoChannels;
 use spu_emulator::elf;
+use spu_emulator::float::single::{from_f64, to_f64};
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::LocalStore;
 use spu_emulator::stop::Stop;
+use zerocopy::big_endian::F32;
 use zerocopy::{FromZeros as _, Immutable, IntoBytes};
 
 const SURFACES: u32 = 0x30000;
@@ -26,12 +28,13 @@ const MATERIALS: u32 = 0x32000;
 const STACK: u32 = 0x3ff00;
 const LIMIT: u64 = 100_000;
 
-/// The shaders of `program/shaders.s`, as the table sorts them.
+/// The shaders of `program/shaders.s` and of the example, as the table sorts them.
 const GOOD: u32 = 0;
 const LANES: u32 = 1;
 const POINTER: u32 = 2;
 const REGISTER: u32 = 3;
-const STACKED: u32 = 4;
+const RINGS: u32 = 4;
+const STACKED: u32 = 5;
 
 /// The program, loaded.
 struct Machine {
@@ -52,6 +55,7 @@ impl Machine {
             .folder(&root.join("tests/shaders/program"))
             .unwrap()
             .source(&root.join("../spu/main/shaders.s"))
+            .source(&root.join("../examples/shader/shaders/rings.s"))
             .include(&root.join("../spu/include"))
             .constants()
             .build(&Tools::find().unwrap(), folder.path(), &file)
@@ -169,7 +173,7 @@ fn nothing_is_called_where_no_lane_has_a_shader() {
 
 #[test]
 fn a_shader_that_is_not_there_is_refused() {
-    for (shader, told) in [(5, 5), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
+    for (shader, told) in [(6, 6), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
         let mut machine = Machine::new();
         machine.material(0, MATERIAL_SHADED, shader, 1);
         assert_eq!(machine.run(0), refused(RULE_KNOWN, 0, told));
@@ -206,4 +210,34 @@ fn lanes_that_are_a_shaders_own_are_not_checked() {
     let before = bits(machine.surfaces.leave[8]);
     assert_eq!(machine.run(FEATURE_CHECK_SHADERS), Status::Done as u32);
     assert_eq!(bits(machine.found().leave[8]), before.wrapping_add(1));
+}
+
+#[test]
+fn the_examples_rings_are_round() {
+    let mut machine = Machine::new();
+    let mut material = Material::new_zeroed();
+    material.flags = MATERIAL_SHADED.into();
+    material.shader = RINGS.into();
+    material.parameters = [0.25, 0.5, 1.0, 3.0].map(|value| single(from_f64(value)));
+    machine.put(MATERIALS, &material);
+    let mut shading = ShaderContext::new_zeroed();
+    shading.eye = [5.0, -7.0, 2.0, 0.0].map(|value| single(from_f64(value)));
+    let address = elf::Image::parse(&machine.elf).unwrap().symbol("shading");
+    machine.put(address.unwrap(), &shading);
+    for lane in 0..16 {
+        let mut value = |from, to| single(from_f64(machine.random.random_range(from..to)));
+        machine.surfaces.point_x[lane] = value(-9.0, 9.0);
+        machine.surfaces.point_z[lane] = value(-9.0, 9.0);
+        machine.surfaces.red[lane] = value(0.0, 1.0);
+    }
+    let before = machine.surfaces;
+    assert_eq!(machine.run(FEATURE_CHECK_SHADERS), Status::Done as u32);
+    let found = machine.found();
+    for lane in 0..16 {
+        let value = |row: &[F32; 16]| to_f64(bits(row[lane]));
+        let turns = 3.0 * (value(&before.point_x) + 5.0).hypot(value(&before.point_z) + 2.0);
+        let part = (2.0 * turns.fract() - 1.0).powi(2);
+        let red = value(&before.red) + part * (0.25 - value(&before.red));
+        assert!((value(&found.red) - red).abs() < 1e-4, "{lane}: {red}");
+    }
 }

@@ -1,0 +1,136 @@
+//! What is read of an SPU program's ELF image before any SPU does.
+//!
+//! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in it.
+
+use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionHeader as _};
+use object::{BigEndian, Object as _, ObjectSection as _};
+
+use super::program::ProgramError;
+
+const LOCAL_STORE: u64 = 0x40000;
+/// An entry of the table of shaders, and where in it the name stands: `spu/include/shader.inc`.
+const ENTRY_SIZE: usize = 32;
+const NAME: usize = 16;
+
+/// Whether all that its headers point to is in the image, and fits into a local store.
+pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
+    let file = parse(image)?;
+    let machine = file.elf_header().e_machine(BigEndian);
+    if machine != object::elf::EM_SPU {
+        return Err(ProgramError::Machine(machine.0));
+    }
+    for header in file.elf_program_headers() {
+        let outside = |()| ProgramError::Malformed("a segment lies outside of the file".into());
+        header.data(BigEndian, image).map_err(outside)?;
+        let end = u64::from(header.p_vaddr(BigEndian)) + u64::from(header.p_memsz(BigEndian));
+        if header.p_type(BigEndian) == object::elf::PT_LOAD && end > LOCAL_STORE {
+            return Err(ProgramError::TooLarge(end));
+        }
+    }
+    for section in file.elf_section_table().iter() {
+        section.data(BigEndian, image).map_err(malformed)?;
+    }
+    Ok(())
+}
+
+/// The names in the table of shaders.
+pub(super) fn shaders(image: &[u8]) -> Result<Vec<String>, ProgramError> {
+    let file = parse(image)?;
+    let table = file.section_by_name(".shaders");
+    let table = table.ok_or(ProgramError::NoTable)?;
+    let table = table.data().map_err(malformed)?;
+    let entries = table.chunks(ENTRY_SIZE).enumerate();
+    let names = entries.map(|(number, entry)| {
+        let name = entry.get(NAME..ENTRY_SIZE).unwrap_or_default();
+        let length = name.iter().position(|byte| *byte == 0);
+        let (name, rest) = name.split_at(length.unwrap_or(name.len()));
+        match std::str::from_utf8(name) {
+            Ok(name) if !name.is_empty() && rest.iter().all(|byte| *byte == 0) => {
+                Ok(name.to_owned())
+            }
+            _ => Err(ProgramError::Table(number)),
+        }
+    });
+    names.collect()
+}
+
+fn parse(image: &[u8]) -> Result<ElfFile32<'_, BigEndian>, ProgramError> {
+    ElfFile32::parse(image).map_err(malformed)
+}
+
+fn malformed(error: object::Error) -> ProgramError {
+    ProgramError::Malformed(error.to_string())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::program::{Program, ProgramError};
+
+    /// The tracer's image with the first `from` in it replaced.
+    fn changed(from: &[u8], to: &[u8]) -> Vec<u8> {
+        let mut image = Program::tracer().image().to_vec();
+        let at = image.windows(from.len()).position(|found| found == from);
+        let at = at.expect("it is in the image");
+        image[at..at + to.len()].copy_from_slice(to);
+        image
+    }
+
+    #[test]
+    fn the_tracers_shaders_are_sorted_and_numbered() {
+        let program = Program::from_image(Program::tracer().image()).expect("a program");
+        assert_eq!(program.shaders().expect("a table"), ["checker", "depth"]);
+        assert_eq!(program.shader("depth").expect("there"), 1);
+        let error = program.shader("dept").expect_err("not there");
+        assert_eq!(
+            error.to_string(),
+            "the SPU program has no shader dept; it has checker, depth"
+        );
+    }
+
+    #[test]
+    fn what_is_cut_off_is_refused() {
+        let image = Program::tracer().image();
+        for length in (0..image.len()).step_by(97) {
+            let error = Program::from_image(&image[..length]).expect_err("a part");
+            assert!(
+                matches!(error, ProgramError::Malformed(_)),
+                "{length}: {error}"
+            );
+        }
+    }
+
+    #[test]
+    fn other_machines_and_addresses_beyond_the_local_store_are_refused() {
+        let mut image = Program::tracer().image().to_vec();
+        image[18..20].copy_from_slice(&21_u16.to_be_bytes());
+        let error = Program::from_image(&image).expect_err("a PPE's");
+        assert!(matches!(error, ProgramError::Machine(21)), "{error}");
+
+        let mut image = Program::tracer().image().to_vec();
+        let headers = u32::from_be_bytes(image[28..32].try_into().unwrap()) as usize;
+        let (address, memory) = (headers + 8, headers + 20);
+        image[address..address + 4].copy_from_slice(&0x3ff00_u32.to_be_bytes());
+        image[memory..memory + 4].copy_from_slice(&0x200_u32.to_be_bytes());
+        let error = Program::from_image(&image).expect_err("too far");
+        assert!(matches!(error, ProgramError::TooLarge(0x40100)), "{error}");
+        image[memory..memory + 4].copy_from_slice(&u32::MAX.to_be_bytes());
+        let error = Program::from_image(&image).expect_err("too far");
+        assert!(matches!(error, ProgramError::TooLarge(_)), "{error}");
+    }
+
+    #[test]
+    fn an_image_without_a_table_says_so() {
+        let program = Program::from_image(&changed(b".shaders\0", b".shadows\0"));
+        let error = program.expect("a program").shaders().expect_err("no table");
+        assert!(matches!(error, ProgramError::NoTable), "{error}");
+        let program = Program::from_image(&changed(b"checker\0", b"\0hecker\0"));
+        let error = program.expect("a program").shaders().expect_err("no name");
+        assert!(matches!(error, ProgramError::Table(0)), "{error}");
+    }
+
+    #[test]
+    fn a_file_that_is_not_there_is_named() {
+        let error = Program::from_file("no/such.elf".as_ref()).expect_err("none");
+        assert!(error.to_string().starts_with("no/such.elf: "), "{error}");
+    }
+}
