@@ -4,8 +4,6 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
 use crate::cases::{ball, eye, flat, whitted};
-use crate::cases::whitted::{isect, smooth};
-use crate::cases::{ball, eye, flat};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -49,10 +47,9 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         whitted::rays::KERNELS,
         whitted::isect::KERNELS,
         whitted::shade::KERNELS,
-        whitted::bounce::KERNELS,
-        isect::KERNELS,
-        smooth::KERNELS,
+        whitted::smooth::KERNELS,
         whitted::shaders::KERNELS,
+        whitted::bounce::KERNELS,
     ]
     .into_iter()
     .flatten()

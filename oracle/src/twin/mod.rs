@@ -6,10 +6,10 @@
 
 pub mod accumulate;
 pub mod ball;
-pub mod bound;
 pub mod ball_pairs;
-pub mod cone;
 pub mod bounce;
+pub mod bound;
+pub mod cone;
 pub mod cull;
 pub mod cull_nodes;
 pub mod eye_rays;
@@ -27,10 +27,10 @@ pub mod rectangle_pairs;
 pub mod reflect;
 pub mod refract;
 pub mod shade_depth;
-pub mod shadow_rays;
-pub mod surfaces;
-pub mod smooth;
 pub mod shader;
+pub mod shadow_rays;
+pub mod smooth;
+pub mod surfaces;
 pub mod triangle;
 pub mod triangle_pairs;
 

@@ -4,5 +4,5 @@ pub mod bounce;
 pub mod isect;
 pub mod rays;
 pub mod shade;
-pub mod smooth;
 pub mod shaders;
+pub mod smooth;
