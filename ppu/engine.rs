@@ -12,7 +12,7 @@ use crate::shared::SharedMemory;
 use crate::spe::{Context, Ended, Event, Events, Program, SpeError};
 use crate::statistics::FrameStatistics;
 use crate::work::layout::{
-    Frame, MAX_SPHERES, MAX_SPUS, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
+    Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
 };
 use crate::work::{self, Addresses, Order, Plan, Policy, Refusal, Size, Skip, Split};
 
@@ -80,6 +80,8 @@ pub struct Settings {
     /// Whether what the framebuffer already shows is kept and only what has changed is traced. With
     /// [`Skip::Nothing`] every frame is traced as a whole.
     pub retain: bool,
+    /// Whether the SPUs check, at each call of a shader, that it keeps what it must.
+    pub check_shaders: bool,
     /// How long a frame may take before its SPUs count as lost.
     pub timeout: Duration,
     /// What they run.
@@ -93,6 +95,7 @@ impl Default for Settings {
             split: Split::default(),
             skip: Skip::default(),
             retain: true,
+            check_shaders: false,
             timeout: Duration::from_secs(600),
             program: Program::tracer(),
         }
@@ -111,6 +114,7 @@ struct Spu {
 struct Records {
     frame: SharedMemory,
     spheres: SharedMemory,
+    scene: SharedMemory,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
     /// Room for a picture of units of one tile each.
@@ -151,6 +155,7 @@ impl Engine {
             records: Some(Records {
                 frame: SharedMemory::new(size_of::<Frame>()),
                 spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
+                scene: SharedMemory::new(SCENE_ROOM as usize),
                 unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
                 statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
                 units: SharedMemory::new(most_units * size_of::<WorkUnit>()),
@@ -228,6 +233,9 @@ impl Engine {
             self.lines.fill(Statistics::new_zeroed());
         } else {
             records.spheres.write(0, self.plan.spheres().bytes());
+            if let Some(block) = scene.block() {
+                records.scene.write(0, block.bytes());
+            }
             records.units.write(0, self.plan.units().bytes());
             self.number = self.number.wrapping_add(1);
             let frame = work::describe(&Order {
@@ -236,6 +244,7 @@ impl Engine {
                 target: &target,
                 addresses: Addresses {
                     spheres: records.spheres.address(),
+                    scene: records.scene.address(),
                     unit_counter: records.unit_counter.address(),
                     statistics: records.statistics.address(),
                     units: records.units.address(),
@@ -247,6 +256,7 @@ impl Engine {
                 spus,
                 split,
                 skip,
+                check_shaders: self.settings.check_shaders,
             });
             // SAFETY: all addresses are those of records that the engine keeps as long as its SPUs
             // run, the target is the framebuffer's own, and sizes and counts are theirs.

@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::statistics::{FrameStatistics, Phases, Tests};
+use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
 
 /// Ticks of the decrementer a second on a PlayStation 3, in the emulator too.
 const PS3_TIMEBASE: f64 = 79_800_000.0;
@@ -74,21 +74,6 @@ pub struct SpuReport {
     pub phases: Phases<f64>,
 }
 
-/// Rays by kind, under the names of the Standard Procedural Databases.
-#[derive(Clone, Copy, Debug, Default, Serialize)]
-pub struct Rays {
-    /// From the eye.
-    pub eye: u64,
-    /// Of these, those that hit something.
-    pub eye_hit: u64,
-    /// From mirrors: none yet.
-    pub reflected: u64,
-    /// Through glass: none yet.
-    pub refracted: u64,
-    /// To lights: none yet.
-    pub shadow: u64,
-}
-
 /// Tiles by what became of them.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Tiles {
@@ -155,8 +140,7 @@ impl Report {
             sum.packets += spu.packets;
             sum.phases = sum.phases.plus(phases);
             self.phases = self.phases.plus(phases);
-            self.rays.eye += spu.eye_rays;
-            self.rays.eye_hit += spu.eye_hits;
+            self.rays += spu.rays;
             self.tiles.traced += spu.tiles - spu.tiles_filled;
             self.tiles.filled += spu.tiles_filled;
             self.tiles.blank += spu.tiles_blank;
@@ -192,6 +176,7 @@ impl fmt::Display for Report {
             tests,
             tiles,
             packets,
+            rays,
             ..
         } = self;
         writeln!(
@@ -206,6 +191,19 @@ impl fmt::Display for Report {
             self.frames_per_second
         )?;
         let all = tests.made + tests.skipped + tests.unseen;
+        if rays.reflected + rays.refracted + rays.shadow > 0 {
+            writeln!(
+                f,
+                "rays: {} eye, {} eye_hit, {} reflected, {} refracted, {} shadow, {} hit, {} background",
+                rays.eye,
+                rays.eye_hit,
+                rays.reflected,
+                rays.refracted,
+                rays.shadow,
+                rays.hit,
+                rays.background
+            )?;
+        }
         writeln!(
             f,
             "tests: {:.2} of {:.2} million made, {:.2} million looked for a hit, {:.2} million hidden\n\
@@ -301,7 +299,7 @@ fn timebase_of(cpuinfo: &str) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::statistics::SpuStatistics;
+    use crate::statistics::{Rays, SpuStatistics};
 
     #[test]
     fn the_timebase_is_what_linux_says() {
@@ -311,12 +309,15 @@ mod tests {
         assert_eq!(timebase_of("model name : another\n"), None);
     }
 
-    fn frame(ticks: [(u64, u64); 2], eye_rays: u64) -> FrameStatistics {
+    fn frame(ticks: [(u64, u64); 2], eye: u64) -> FrameStatistics {
         let spu = |(busy, dma_wait)| SpuStatistics {
             busy,
             dma_wait,
             idle: 100,
-            eye_rays,
+            rays: Rays {
+                eye,
+                ..Rays::default()
+            },
             tiles: 5,
             tiles_filled: 2,
             tiles_blank: 1,

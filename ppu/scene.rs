@@ -1,5 +1,4 @@
-//! The scene as it is traced: of NFF's entities those that depth shading draws, and all of them for
-//! Whitted's model.
+//! The scene as it is traced: by Whitted's model all of it, by depth shading its spheres.
 //!
 //! Invariant: every number that depth shading takes lies in the domain that the kernels state.
 
@@ -7,13 +6,53 @@ use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
 use zerocopy::big_endian::F32;
 
-use crate::work::BlockError;
+use crate::spe::Program;
 use crate::work::layout::MAX_SPHERES;
+use crate::work::{BlockError, BlockOptions, SceneBlock};
 
 /// Largest magnitude of a coordinate or a radius: its square is still a single.
 pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
 /// Smallest size, such as a radius: its square is still a single and not 0.
 pub(crate) const SMALLEST: f64 = 1.0 / LARGEST;
+
+/// How a scene is made to look.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
+pub enum Model {
+    /// Whitted's if the scene has lights, else depth shading.
+    #[default]
+    Scene,
+    /// The paper's: spheres that fade to black with their distance.
+    Depth,
+    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
+    Whitted,
+}
+
+/// A model and its settings.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Look {
+    /// Which.
+    pub model: Model,
+    /// Whitted's model: most rays in a chain, the eye's counted, from 1 to 16.
+    pub ray_depth: u32,
+    /// Whitted's model: whether what lets light through reflects by Schlick's approximation.
+    pub fresnel: bool,
+    /// Whitted's model: whether objects throw shadows.
+    pub shadows: bool,
+    /// Whether rays go through the corners of the pixels of a picture that is one smaller each way.
+    pub corners: bool,
+}
+
+impl Default for Look {
+    fn default() -> Self {
+        Self {
+            model: Model::Scene,
+            ray_depth: 5,
+            fresnel: false,
+            shadows: true,
+            corners: false,
+        }
+    }
+}
 
 /// Why a scene can't be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -29,6 +68,9 @@ pub enum SceneError {
         /// Spheres in it.
         count: usize,
     },
+    /// Whitted's model can't trace it.
+    #[error(transparent)]
+    Block(#[from] BlockError),
     /// A number that is not in the SPU's single format with room to be squared.
     #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
     OutOfRange {
@@ -49,9 +91,6 @@ pub enum SceneError {
         /// What is wrong with it.
         source: nff::ViewError,
     },
-    /// Whitted's model has no room for it, or no way to trace it.
-    #[error(transparent)]
-    Block(#[from] BlockError),
 }
 
 /// A sphere that is drawn.
@@ -74,12 +113,49 @@ pub struct Scene {
     spheres: Vec<Sphere>,
     depth: DepthShading,
     not_drawn: Vec<NotDrawn>,
-    nff: nff::Scene,
+    look: Look,
+    block: Option<SceneBlock>,
 }
 
 impl Scene {
-    /// Takes what can be drawn from an NFF scene; [`Scene::not_drawn`] says what is left out.
+    /// A scene that looks as its lights ask for.
     pub fn from_nff(scene: &nff::Scene) -> Result<Self, SceneError> {
+        Self::new(scene, Look::default(), &Program::tracer())
+    }
+
+    /// A scene that is to look in some way, with the shaders of the program that will trace it. By
+    /// depth shading, [`Scene::not_drawn`] says what is left out.
+    pub fn new(scene: &nff::Scene, look: Look, program: &Program) -> Result<Self, SceneError> {
+        let whitted = match look.model {
+            Model::Scene => !scene.lights.is_empty(),
+            Model::Depth => false,
+            Model::Whitted => true,
+        };
+        if !whitted {
+            return Self::by_depth(scene, look);
+        }
+        let options = BlockOptions {
+            ray_depth: look.ray_depth,
+            fresnel: look.fresnel,
+        };
+        Ok(Self {
+            file: scene.name.clone(),
+            view: scene.view.clone(),
+            background: scene.background,
+            spheres: Vec::new(),
+            depth: DepthShading {
+                near: 0.0,
+                far: 0.0,
+            },
+            not_drawn: Vec::new(),
+            look,
+            block: Some(SceneBlock::new(scene, options, &|name| {
+                program.shader(name).ok()
+            })?),
+        })
+    }
+
+    fn by_depth(scene: &nff::Scene, look: Look) -> Result<Self, SceneError> {
         let file = &scene.name;
         let out_of_range = |what: String, value: f64, also: &'static str| SceneError::OutOfRange {
             file: file.clone(),
@@ -128,7 +204,8 @@ impl Scene {
             spheres,
             depth: DepthShading::of(scene),
             not_drawn: depth::not_drawn(scene),
-            nff: scene.clone(),
+            look,
+            block: None,
         })
     }
 
@@ -146,12 +223,31 @@ impl Scene {
 
     /// The eye's rays for a picture of this size.
     pub fn camera(&self, width: u32, height: u32) -> Result<nff::Camera, SceneError> {
-        self.view
-            .camera(width, height)
+        let corners = self.look.corners;
+        let one = u32::from(corners);
+        let mut camera = self
+            .view
+            .camera(width.saturating_sub(one), height.saturating_sub(one))
             .map_err(|source| SceneError::View {
                 file: self.file.clone(),
                 source,
-            })
+            })?;
+        if corners {
+            camera.corner -= (camera.right + camera.down) / 2.0;
+        }
+        Ok(camera)
+    }
+
+    /// How it is made to look.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        self.look
+    }
+
+    /// What SPUs are sent of it by Whitted's model; nothing by depth shading.
+    #[must_use]
+    pub fn block(&self) -> Option<&SceneBlock> {
+        self.block.as_ref()
     }
 
     /// Colour where nothing is hit.
@@ -170,18 +266,6 @@ impl Scene {
     #[must_use]
     pub fn depth(&self) -> DepthShading {
         self.depth
-    }
-
-    /// All that the file has: what Whitted's model traces.
-    #[must_use]
-    pub fn nff(&self) -> &nff::Scene {
-        &self.nff
-    }
-
-    /// Whether the scene has lights, of which depth shading makes no use.
-    #[must_use]
-    pub fn has_lights(&self) -> bool {
-        !self.nff.lights.is_empty()
     }
 
     /// What the file has and a picture by depth shading will not show.

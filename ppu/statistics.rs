@@ -22,10 +22,8 @@ pub struct SpuStatistics {
     pub packets: u64,
     /// Of these, filled with the background.
     pub packets_filled: u64,
-    /// Eye rays within the picture.
-    pub eye_rays: u64,
-    /// Eye rays that hit something.
-    pub eye_hits: u64,
+    /// Rays.
+    pub rays: Rays,
     /// Tests.
     pub tests: Tests,
     /// Decrementer ticks at work.
@@ -36,6 +34,26 @@ pub struct SpuStatistics {
     pub idle: u64,
     /// Ticks at work, by what was done.
     pub phases: Phases<u64>,
+}
+
+/// Rays by kind, under the names of the Standard Procedural Databases. Eye, reflected and refracted
+/// rays are as many as those that hit and those that see the background.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+pub struct Rays {
+    /// From the eye.
+    pub eye: u64,
+    /// Of these, those that hit something.
+    pub eye_hit: u64,
+    /// From mirrors, and totally reflected ones.
+    pub reflected: u64,
+    /// Through glass.
+    pub refracted: u64,
+    /// To lights.
+    pub shadow: u64,
+    /// Eye, reflected and refracted rays that hit something.
+    pub hit: u64,
+    /// Those that hit nothing.
+    pub background: u64,
 }
 
 /// Tests of one ray with one object, and of groups of rays.
@@ -92,7 +110,7 @@ impl FrameStatistics {
     /// Eye rays of all SPUs.
     #[must_use]
     pub fn eye_rays(&self) -> u64 {
-        self.spus.iter().map(|spu| spu.eye_rays).sum()
+        self.spus.iter().map(|spu| spu.rays.eye).sum()
     }
 
     /// Whether anything was traced.
@@ -130,8 +148,7 @@ impl SpuStatistics {
             tiles_blank: wide(line.tiles_blank),
             packets: wide(line.packets),
             packets_filled: wide(line.packets_empty),
-            eye_rays: wide(line.eye_rays),
-            eye_hits: wide(line.eye_hits),
+            rays: Rays::of(line),
             tests: Tests {
                 made: line.tests_made.get() * PACKET_RAYS,
                 hits_looked_for: line.hits_looked_for.get() * PACKET_RAYS,
@@ -151,6 +168,36 @@ impl SpuStatistics {
                 shade: wide(line.ticks_shade),
             },
         }
+    }
+}
+
+impl Rays {
+    fn of(line: &Statistics) -> Self {
+        let wide = |word: U32| u64::from(word.get());
+        let [eye, reflected, refracted] = [line.eye_rays, line.reflected, line.refracted].map(wide);
+        // By depth shading there are no rays but the eye's, and no other hits are counted.
+        let hit = wide(line.hits).max(wide(line.eye_hits));
+        Self {
+            eye,
+            eye_hit: wide(line.eye_hits),
+            reflected,
+            refracted,
+            shadow: wide(line.shadow),
+            hit,
+            background: (eye + reflected + refracted).saturating_sub(hit),
+        }
+    }
+}
+
+impl std::ops::AddAssign for Rays {
+    fn add_assign(&mut self, other: Self) {
+        self.eye += other.eye;
+        self.eye_hit += other.eye_hit;
+        self.reflected += other.reflected;
+        self.refracted += other.refracted;
+        self.shadow += other.shadow;
+        self.hit += other.hit;
+        self.background += other.background;
     }
 }
 

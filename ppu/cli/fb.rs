@@ -26,7 +26,7 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
-    let scene = run::scene(&arguments.options.scene)?;
+    let scene = run::scene(&arguments.options.scene, arguments.options.look())?;
     // Before the screen is taken over, so that no signal leaves it that way.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open(&arguments.device, arguments.size)?;

@@ -2,7 +2,8 @@
 
 use std::path::PathBuf;
 
-use cellray::framebuffer::{Framebuffer, Geometry, Memory, Png};
+use cellray::framebuffer::{Corners, Framebuffer, Geometry, Memory, Png};
+use cellray::scene::Look;
 use clap::Args;
 
 use super::{Outcome, run};
@@ -21,10 +22,18 @@ pub struct Arguments {
     /// Frames to show: a frame that stands still is traced once, unless --retrace asks for more
     #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
     frames: u32,
+    /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard Procedural
+    /// Databases have it
+    #[arg(long)]
+    corners: bool,
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
-    let scene = run::scene(&arguments.options.scene)?;
+    let look = Look {
+        corners: arguments.corners,
+        ..arguments.options.look()
+    };
+    let scene = run::scene(&arguments.options.scene, look)?;
     let geometry = match arguments.size {
         Some(size) => size,
         None => {
@@ -33,6 +42,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         }
     };
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
+        out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),
         Some(path) => Box::new(Png::new(path, geometry)?),
         None => Box::new(Memory::new(geometry)?),
     };

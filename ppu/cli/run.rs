@@ -6,6 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use cellray::framebuffer::{Framebuffer, Geometry};
+use cellray::scene::{Look, Model};
+use cellray::spe::Program;
 use cellray::work::{Skip, Split};
 use cellray::{Engine, Report, Scene, Settings};
 use clap::Args;
@@ -27,6 +29,21 @@ pub struct Options {
     /// Test every ray with every object, and trace every frame as a whole
     #[arg(long)]
     pub no_skip: bool,
+    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all shapes
+    #[arg(long, value_enum, default_value_t)]
+    pub model: Model,
+    /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    pub ray_depth: u32,
+    /// Glass reflects as Schlick's approximation has it, beyond its Ks
+    #[arg(long)]
+    pub fresnel: bool,
+    /// Objects throw no shadows
+    #[arg(long)]
+    pub no_shadows: bool,
+    /// Check at every call of a shader that it keeps what it must
+    #[arg(long)]
+    pub check_shaders: bool,
     /// Trace every frame as a whole, even where it already shows
     #[arg(long)]
     pub retrace: bool,
@@ -38,9 +55,22 @@ pub struct Options {
     pub timeout: u64,
 }
 
+impl Options {
+    /// How the scene is to look.
+    pub fn look(&self) -> Look {
+        Look {
+            model: self.model,
+            ray_depth: self.ray_depth,
+            fresnel: self.fresnel,
+            shadows: !self.no_shadows,
+            corners: false,
+        }
+    }
+}
+
 /// Reads a scene and says what of it will not be drawn.
-pub fn scene(path: &Path) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::from_nff(&nff::load(path)?)?;
+pub fn scene(path: &Path, look: Look) -> Result<Scene, Box<dyn std::error::Error>> {
+    let scene = Scene::new(&nff::load(path)?, look, &Program::tracer())?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
     }
@@ -64,6 +94,7 @@ pub fn frames(
             Skip::Misses
         },
         retain: !options.retrace,
+        check_shaders: options.check_shaders,
         timeout: Duration::from_secs(options.timeout),
         ..Settings::default()
     };

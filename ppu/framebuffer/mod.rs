@@ -9,6 +9,7 @@
 
 mod buffer;
 mod console;
+mod corners;
 mod device;
 mod display;
 mod driver;
@@ -24,6 +25,7 @@ mod pixel;
 mod png;
 mod surface;
 
+pub use corners::Corners;
 pub use device::{Device, Mode};
 pub use error::FramebufferError;
 pub use file::File;

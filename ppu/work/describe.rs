@@ -6,7 +6,8 @@ use zerocopy::big_endian::F32;
 
 use super::Units;
 use super::layout::{
-    FEATURE_SPHERES, Frame, MAGIC, SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
+    FEATURE_CHECK_SHADERS, FEATURE_NO_SHADOWS, FEATURE_SPHERES, FEATURE_WHITTED, Frame, MAGIC,
+    SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 use crate::framebuffer::Target;
 use crate::scene::{Scene, singles};
@@ -36,6 +37,8 @@ pub enum Skip {
 pub struct Addresses {
     /// Sphere records.
     pub spheres: u64,
+    /// The scene of Whitted's model.
+    pub scene: u64,
     /// Unit counter.
     pub unit_counter: u64,
     /// Statistics records.
@@ -69,6 +72,8 @@ pub struct Order<'a> {
     pub split: Split,
     /// What they need not test.
     pub skip: Skip,
+    /// Whether they check each call of a shader.
+    pub check_shaders: bool,
 }
 
 /// The descriptor of a frame.
@@ -86,12 +91,7 @@ pub fn describe(order: &Order) -> Frame {
     frame.magic = MAGIC.into();
     frame.version = VERSION.into();
     frame.size = (size_of::<Frame>() as u32).into();
-    frame.features = if order.sphere_count > 0 {
-        FEATURE_SPHERES
-    } else {
-        0
-    }
-    .into();
+    frame.features = features(order).into();
     frame.number = order.number.into();
     frame.spus = order.spus.into();
     frame.split = match order.split {
@@ -135,7 +135,27 @@ pub fn describe(order: &Order) -> Frame {
     frame.right = quadword(singles(camera.right));
     frame.down = quadword(singles(camera.down));
     frame.background = quadword(singles(scene.background()));
+    if let Some(block) = scene.block() {
+        frame.scene = addresses.scene.into();
+        frame.scene_bytes = (block.bytes().len() as u32).into();
+        frame.ray_depth = block.ray_depth().into();
+        frame.batch = block.batch().into();
+        frame.lights = block.light_address().into();
+        frame.light_count = block.light_count().into();
+        frame.trees = block.trees();
+        frame.ambient = block.ambient();
+        frame.eye = quadword(singles(camera.eye));
+    }
     frame
+}
+
+/// What the scene has, and what is asked for.
+fn features(order: &Order) -> u32 {
+    let flag = |set: bool, flag: u32| if set { flag } else { 0 };
+    flag(order.sphere_count > 0, FEATURE_SPHERES)
+        | flag(order.scene.block().is_some(), FEATURE_WHITTED)
+        | flag(!order.scene.look().shadows, FEATURE_NO_SHADOWS)
+        | flag(order.check_shaders, FEATURE_CHECK_SHADERS)
 }
 
 fn quadword([x, y, z]: [F32; 3]) -> [F32; 4] {

@@ -7,12 +7,13 @@ use glam::DVec3;
 use nff::Camera;
 use nff::depth::DepthShading;
 
+use super::SceneBlock;
 use super::layout::{TILE_BLANK, UnitCost, WorkUnit};
 use super::lens::Lens;
 use super::tiles::TileSet;
 use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
-use crate::scene::{Scene, Sphere};
+use crate::scene::{Look, Scene, Sphere};
 
 /// Most pages that are remembered: no framebuffer has more.
 const MOST: usize = 4;
@@ -41,7 +42,11 @@ struct Page {
     camera: Camera,
     background: DVec3,
     depth: DepthShading,
+    look: Look,
     spheres: Vec<Sphere>,
+    /// The scene of Whitted's model for this camera. Of what has changed there, anything may be seen
+    /// anywhere: in mirrors.
+    block: Vec<u8>,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
@@ -84,7 +89,9 @@ impl Pages {
         let page = &mut self.pages[found];
         let same_view = page.camera == *camera
             && page.background == scene.background()
-            && page.depth == scene.depth();
+            && page.depth == scene.depth()
+            && page.look == scene.look()
+            && page.block == block_bytes(scene);
         if !page.whole || page.background != scene.background() {
             page.blank.clear(target.geometry);
         }
@@ -112,6 +119,11 @@ impl Pages {
     }
 }
 
+/// What SPUs are sent of a scene by Whitted's model.
+fn block_bytes(scene: &Scene) -> &[u8] {
+    scene.block().map_or(&[], SceneBlock::bytes)
+}
+
 impl Page {
     fn new(place: Place, scene: &Scene, camera: &Camera) -> Self {
         Self {
@@ -120,7 +132,9 @@ impl Page {
             camera: *camera,
             background: scene.background(),
             depth: scene.depth(),
+            look: scene.look(),
             spheres: scene.spheres().to_vec(),
+            block: block_bytes(scene).to_vec(),
             blank: TileSet::default(),
         }
     }
@@ -144,6 +158,9 @@ impl Page {
         self.camera = *camera;
         self.background = scene.background();
         self.depth = scene.depth();
+        self.look = scene.look();
+        self.block.clear();
+        self.block.extend_from_slice(block_bytes(scene));
         self.spheres.clear();
         self.spheres.extend_from_slice(scene.spheres());
     }

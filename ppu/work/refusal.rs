@@ -88,6 +88,9 @@ fn value_of(frame: &Frame, name: &str) -> Option<u64> {
         .fields
         .iter()
         .find(|field| field.name == name)?;
+    if field.size > size_of::<u64>() {
+        return None;
+    }
     let bytes = frame
         .as_bytes()
         .get(field.offset..field.offset + field.size)?;
@@ -129,8 +132,10 @@ impl fmt::Display for Refusal {
         if self.field.is_empty() {
             return write!(f, "answered with the unknown status {}", self.status);
         }
-        if self.values.is_empty() {
+        if self.status == Status::Tile as u32 {
             write!(f, "refused the work units: {}", self.field)?;
+        } else if self.values.is_empty() {
+            write!(f, "refused the frame descriptor: {}", self.field)?;
         } else {
             write!(f, "refused the frame descriptor: {} is ", self.field)?;
         }

@@ -3,6 +3,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
+        .include "checks.inc"
 
         .section .bss
         .align  7
@@ -44,41 +45,6 @@ lane_bytes:
         .int    0x00000000,0x04040404,0x08080808,0x0c0c0c0c
 identity:
         .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
-
-# Leaves frame_fetch with a status unless the register is 0.
-.macro  refuse_if bad_register:req, code:req
-        il      $status,STATUS_\code
-        brnz    \bad_register,refused
-.endm
-
-.macro  require_equal field:req, wanted:req, code:req
-        load_word $value,FRAME_\field,$a_frame
-        load_constant $limit,\wanted
-        xor     $bad,$value,$limit
-        refuse_if $bad,\code
-.endm
-
-.macro  require_at_most field:req, most:req, code:req
-        load_word $value,FRAME_\field,$a_frame
-        load_constant $limit,\most
-        clgt    $bad,$value,$limit
-        refuse_if $bad,\code
-.endm
-
-.macro  require_from_one field:req, most:req, code:req
-        load_word $value,FRAME_\field,$a_frame
-        load_constant $limit,\most-1
-        ai      $bad,$value,-1                          # 0 becomes the largest
-        clgt    $bad,$bad,$limit
-        refuse_if $bad,\code
-.endm
-
-# An effective address: its low word tells.
-.macro  require_aligned field:req, alignment:req, code:req
-        load_word $value,FRAME_\field+4,$a_frame
-        andi    $bad,$value,\alignment-1
-        refuse_if $bad,\code
-.endm
 
 # A word of the frame into all lanes of the next quadword of a record.
 .macro  spread_word offset:req
@@ -157,6 +123,13 @@ function frame_fetch
         ceqi    $limit,$limit,0
         and     $bad,$g_spheres,$limit
         refuse_if $bad,SphereCount
+        load_word $value,FRAME_features,$a_frame
+        andi    $value,$value,FEATURE_WHITTED
+        brz     $value,checked
+        require_equal sphere_count,0,SphereCount
+        brsl    $lr,whitted_check
+        brnz    $3,refused
+checked:
         require_at_most red_shift,MAX_SHIFT,PixelFormat
         require_at_most green_shift,MAX_SHIFT,PixelFormat
         require_at_most blue_shift,MAX_SHIFT,PixelFormat

@@ -6,7 +6,7 @@
         .include "macros.inc"
         .include "driver.inc"
 
-        .section .bss
+        .section .arena,"aw",@nobits
         .align  7
 packets:
         .skip   TILE_PACKETS*PACKET_SIZE

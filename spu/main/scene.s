@@ -4,7 +4,7 @@
         .include "macros.inc"
         .include "driver.inc"
 
-        .section .bss
+        .section .arena,"aw",@nobits
         .align  7
         .global background, spheres
         .skip   LINE-SPHERE_SIZE                        # so that the spheres begin on a line
@@ -13,7 +13,8 @@ background:                             # as a sphere's record: its colour is al
 spheres:
         .skip   (MAX_SPHERES+PADDING_SPHERES)*SPHERE_SIZE
 
-# scene_fetch   starts to fetch the spheres, and sets up what stands around them
+# scene_fetch   starts to fetch the spheres, and sets up what stands around them; or the scene of
+# Whitted's model, which has all that it needs
 #   Uses    $3-$7, $10-$19
         .set    a_frame,15
         .set    quad,16
@@ -24,6 +25,17 @@ spheres:
 function scene_fetch
         enter
         ila     $a_frame,frame
+        load_word $quad,FRAME_features,$a_frame
+        andi    $quad,$quad,FEATURE_WHITTED
+        brz     $quad,plain
+        ila     $3,SCENE_ADDRESS
+        load_word $4,FRAME_scene,$a_frame
+        load_word $5,FRAME_scene+4,$a_frame
+        load_word $6,FRAME_scene_bytes,$a_frame
+        il      $7,TAG_FRAME
+        brsl    $lr,dma_get
+        br      started
+plain:
         ila     $3,spheres
         load_word $4,FRAME_spheres,$a_frame
         load_word $5,FRAME_spheres+4,$a_frame
@@ -42,5 +54,6 @@ function scene_fetch
         stqd    $limits,16($a_padding)
         ai      $a_padding,$a_padding,SPHERE_SIZE
     .endr
+started:
         leave
 endfunction scene_fetch

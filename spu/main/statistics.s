@@ -76,18 +76,26 @@ function statistics_put
     .irp field, tiles,packets,eye_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
         put_count \field
     .endr
+    .irp field, reflected,refracted,shadow,hits
+        put_count \field
+    .endr
         put_long_count tests_made
         put_long_count hits_looked_for
 
-        # Every packet with every sphere, less the tests made.
+        # Every packet with every sphere, less the tests made. Whitted's model has counted them.
         lqa     $value,counters+COUNT_packets
         rotqbyi $value,$value,4
-        mpyu    $low,$value,$g_spheres
+        load_word $more,FRAME_sphere_count,$a_frame
+        mpyu    $low,$value,$more
         rotmi   $value,$value,-16
-        mpyu    $value,$value,$g_spheres
+        mpyu    $value,$value,$more
         rotmi   $high,$value,-16
         shli    $value,$value,16
         add_effective $high,$low,$value,$t_carry
+        lqa     $value,counters+COUNT_tests_possible
+        rotqbyi $more,$value,4
+        add_effective $high,$low,$more,$t_carry
+        a       $high,$high,$value
         lqa     $value,counters+COUNT_tests_made
         rotqbyi $more,$value,4
         bg      $t_carry,$more,$low                     # 1 unless it borrows

@@ -87,6 +87,10 @@ function tile_trace
         packets_of_tile $amount,$packets_down
         count   packets,$amount,$t_sum,$t_add,$t_carry
 
+        lqa     $one,frame
+        rotqbyi $one,$one,FRAME_features
+        andi    $one,$one,FEATURE_WHITTED
+        brnz    $one,whitted
         brz     $g_spheres,empty
         brz     $g_skip,trace
         phase_begins
@@ -109,12 +113,19 @@ trace:
         brsl    $lr,dma_wait
         brsl    $lr,tile_pixels
         brz     $3,empty
-        ori     $3,$g_parity,0
+send:   ori     $3,$g_parity,0
         ori     $4,$g_parity,0
         xori    $g_parity,$g_parity,1
         brsl    $lr,tile_put
         il      $3,0
         leave
+
+whitted:
+        il      $3,1<<TAG_TILE
+        shl     $3,$3,$g_parity
+        brsl    $lr,dma_wait
+        brsl    $lr,whitted_tile
+        br      send
 
 empty:
         il      $one,1

@@ -35,8 +35,18 @@ function units_trace
         il      $g_empty_turn,0
         brsl    $lr,unit_first
         brsl    $lr,unit_request
+        lqa     $bad,frame
+        rotqbyi $bad,$bad,FRAME_features
+        andi    $bad,$bad,FEATURE_WHITTED
+        brnz    $bad,whitted
         brsl    $lr,planes_prepare
         brsl    $lr,pixels_prepare
+        br      prepared
+whitted:
+        brsl    $lr,queues_prepare
+        brsl    $lr,trees_plan
+        brsl    $lr,shading_prepare
+prepared:
         phase_ends $g_ticks_fetch,$bad
         il      $3,1<<TAG_FRAME
         brsl    $lr,dma_wait

@@ -228,7 +228,7 @@ fn hits_are_counted_within_the_picture_only() {
         let statistics = engine
             .render(&Scene::from_nff(&scene).unwrap(), &mut |_| ())
             .unwrap();
-        let hits: u64 = statistics.spus.iter().map(|spu| spu.eye_hits).sum();
+        let hits: u64 = statistics.spus.iter().map(|spu| spu.rays.eye_hit).sum();
         assert_eq!(hits, u64::from(width * height), "{width}x{height}");
     }
 }

@@ -6,6 +6,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use cellray::framebuffer::{Geometry, Png};
+use cellray::scene::Look;
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 
@@ -32,14 +33,14 @@ fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args_os().nth(1).map(PathBuf::from);
     let path = path.ok_or("usage: shader-example PICTURE.png")?;
     let program = Program::from_image(IMAGE)?;
-    println!("rings is shader {}", program.shader("rings")?);
     let settings = Settings {
         program,
         ..Settings::default()
     };
     let picture = Png::new(&path, Geometry::new(512, 512)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
-    let scene = Scene::from_nff(&nff::parse(SCENE.as_bytes(), "rings", &nff::Limits::default())?)?;
+    let scene = nff::parse(SCENE.as_bytes(), "rings", &nff::Limits::default())?;
+    let scene = Scene::new(&scene, Look::default(), &program)?;
     engine.render(&scene, &mut |_| ())?;
     Ok(())
 }

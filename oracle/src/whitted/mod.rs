@@ -6,6 +6,7 @@
 mod finish;
 mod light;
 mod path;
+mod probe;
 mod stage;
 
 use glam::DVec3;
@@ -14,6 +15,7 @@ use nff::{Scene, depth};
 use crate::{Error, Picture, Reference, rows, silhouette};
 pub use path::Counts;
 use path::Path;
+pub use probe::Probe;
 use stage::Stage;
 
 /// Greatest ray depth: each hit on glass starts two rays, so that a depth of n may cost 2^n.

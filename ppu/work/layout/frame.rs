@@ -84,8 +84,8 @@ record! {
         trees: [Tree; 4],
         /// Brightness of the light that is everywhere: red, green, blue, 0.
         ambient: [F32; 4],
-        /// Zero; fills the last line.
-        reserved_end: [U32; 4],
+        /// The eye in the scene's coordinates: x, y, z, 0; for shaders.
+        eye: [F32; 4],
     }
 }
 

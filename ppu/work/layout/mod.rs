@@ -122,20 +122,34 @@ constants! {
     MAX_SHIFT = 24;
     /// Most bytes of one DMA transfer.
     MAX_TRANSFER = 16384;
+    /// Where in local store the buffers begin that depth shading and Whitted's model each use in their way.
+    ARENA_ADDRESS = 0x19800;
     /// Where in local store the scene of Whitted's model lies: first the background's `OBJECT`.
-    SCENE_ADDRESS = 0x29000;
+    SCENE_ADDRESS = 0x2b800;
     /// Bytes for the scene and the rays that wait.
-    SCENE_ROOM = 0x15f80;
+    SCENE_ROOM = 0x13780;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
     MAX_LIGHTS = 64;
     /// Most nodes at the top of a tree.
     MAX_ROOTS = 8;
+    /// Most levels of nodes.
+    MAX_LEVELS = 6;
     /// Most rays in a chain, the eye's counted.
     MAX_DEPTH = 16;
     /// Most packets that are traced together.
     MAX_BATCH = 8;
+    /// Which of the frame's trees has spheres.
+    TREE_BALLS = 0;
+    /// Which has parallelograms.
+    TREE_RECTANGLES = 1;
+    /// Which has triangles.
+    TREE_TRIANGLES = 2;
+    /// Which has cones.
+    TREE_CONES = 3;
+    /// Trees of a frame.
+    TREES = 4;
     /// In `sides`: both sides are seen.
     SIDES_BOTH = 0x4000_0000;
     /// In `sides`: of a sphere or cone, only where a ray leaves it.
@@ -276,13 +290,14 @@ statuses! {
     Batch = 25, "batch";
     /// Must be at most 64.
     LightCount = 26, "light_count";
-    /// Must have at most 8 nodes at the top and 1024 objects, and lie in the scene.
+    /// Must have at most 8 nodes at the top, 6 levels of them and 1024 objects, and lie in the scene.
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";
 }
 
 const _: () = {
+    assert!(std::mem::offset_of!(Frame, trees) % 16 == 0);
     assert!(size_of::<Frame>() == 384);
     assert!(size_of::<Sphere>() == 48);
     assert!(size_of::<UnitCounter>() == LINE as usize);

@@ -138,7 +138,7 @@ record! {
 }
 
 record! {
-    /// Four bounding spheres of what is below them in the tree. A lane that holds nothing has a radius below 0.
+    /// Four bounding spheres of what is below them in the tree. A lane that holds nothing has minus the largest single for a radius.
     Node as "NODE" {
         /// Centres, x.
         x: [F32; 4],
@@ -156,11 +156,11 @@ record! {
 record! {
     /// Objects of one shape, under nodes.
     Tree as "TREE" {
-        /// Address of the first of the nodes at the top, which follow one another.
+        /// Address of the first of the nodes at the top, which follow one another; with no level, of objects.
         roots: U32,
         /// How many of them; 0 if there is no object.
         root_count: U32,
-        /// Levels of nodes, at least 1.
+        /// Levels of nodes.
         levels: U32,
         /// Objects.
         objects: U32,

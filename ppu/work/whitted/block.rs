@@ -3,7 +3,7 @@
 use crate::work::layout::{LINE, SCENE_ADDRESS};
 
 /// The bytes of a block. All that is taken is a multiple of a quadword.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Block {
     bytes: Vec<u8>,
 }

@@ -170,6 +170,7 @@ pub(super) fn record(
 }
 
 /// A light as it stands in the scene, with its record but for the place.
+#[derive(Clone, Debug)]
 pub(super) struct Light {
     kind: LightKind,
     record: layout::Light,

@@ -59,6 +59,7 @@ impl Default for BlockOptions {
 }
 
 /// A scene's block; its buffers serve for every eye.
+#[derive(Clone, Debug)]
 pub struct SceneBlock {
     file: String,
     ray_depth: u32,

@@ -10,6 +10,7 @@ use super::tree::Topology;
 use crate::work::layout::Tree;
 
 /// Objects of one shape and their tree.
+#[derive(Clone, Debug)]
 pub(super) struct Planted {
     kind: Kind,
     /// In the order of the tree.
@@ -59,9 +60,18 @@ impl Planted {
         self.topology.write(eye, self.nodes, &self.addresses, nodes);
     }
 
-    /// What the frame says of the tree.
+    /// What the frame says of the tree. An object that is alone needs no node above it: the test of a
+    /// node is not much cheaper than its own.
     pub fn tree(&self) -> Tree {
-        self.topology.record(self.nodes)
+        let tree = self.topology.record(self.nodes);
+        match self.addresses[..] {
+            [only] => Tree {
+                roots: only,
+                levels: 0.into(),
+                ..tree
+            },
+            _ => tree,
+        }
     }
 
     pub fn kind(&self) -> Kind {

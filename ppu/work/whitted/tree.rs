@@ -26,6 +26,7 @@ const SLACK: f64 = 1.0 / (1 << 18) as f64;
 const LANES: usize = 4;
 
 /// A tree without addresses.
+#[derive(Clone, Debug)]
 pub(super) struct Topology {
     /// The objects' indices, from left to right.
     order: Vec<usize>,

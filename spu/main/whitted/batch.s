@@ -1,0 +1,183 @@
+# A batch of rays: what they hit, how it looks there, what they send on.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "driver.inc"
+        .include "whitted.inc"
+
+        .section .bss
+        .align  4
+        .global batch_flags
+batch_flags:                            # all flags of all surfaces
+        .skip   16
+
+        .set    amount,10
+        .set    t_sum,11
+        .set    t_add,12
+        .set    t_carry,13
+        .set    flags,14
+        .set    a_surfaces,15
+        .set    left,16
+        .set    t_flags,17
+        .set    wanted,18
+        .set    c_any,19
+
+# A count of four lanes into the first word.
+.macro  sum_lanes counts:req, t_turned:req
+        rotqbyi \t_turned,\counts,8
+        a       \counts,\counts,\t_turned
+        rotqbyi \t_turned,\counts,4
+        a       \counts,\counts,\t_turned
+.endm
+
+# batch_trace   traces and shades the packets of BATCH_RAYS
+#   In      w_depth, w_count
+#   Uses    $3-$79
+function batch_trace
+        enter
+        ila     $3,arena+BATCH_RAYS
+        ori     $4,$w_count,0
+        brsl    $lr,packets_trace
+
+        brsl    $lr,surfaces_make
+
+        brsl    $lr,flags_gather
+        stqa    $flags,batch_flags
+
+        load_constant $wanted,SIDES_SMOOTH|MATERIAL_SHADED
+        and     $wanted,$wanted,$flags
+        brz     $wanted,shaded
+        brsl    $lr,batch_shade
+        # A shader may have made more of a surface than its material is.
+        brsl    $lr,flags_gather
+        stqa    $flags,batch_flags
+shaded:
+        lqa     $3,frame+FRAME_ambient
+        orx     $3,$3
+        brz     $3,dark
+        ila     $3,arena+BATCH_SURFACES
+        ori     $4,$w_count,0
+        ila     $5,frame+FRAME_ambient
+        brsl    $lr,ambient_r16
+dark:
+        phase_ends $g_ticks_shade,$amount
+        lqa     $flags,batch_flags
+        andi    $wanted,$flags,MATERIAL_LIT
+        brz     $wanted,unlit
+        brsl    $lr,batch_light
+unlit:
+        brsl    $lr,batch_bounce
+        ila     $3,arena+BATCH_RAYS
+        ila     $4,arena+BATCH_SURFACES
+        ori     $5,$w_count,0
+        brsl    $lr,accumulate_r16
+        phase_ends $g_ticks_shade,$amount
+        leave
+endfunction batch_trace
+
+# flags_gather   all flags of the batch's surfaces
+#   Out     $14
+#   Uses    $14-$18
+function flags_gather
+        ila     $a_surfaces,arena+BATCH_SURFACES
+        ori     $left,$w_count,0
+        il      $flags,0
+        il      $wanted,SURFACES_SIZE
+next_flags:
+        hbrr    last_flags,next_flags
+        lqd     $t_flags,SURFACES_flags($a_surfaces)
+        or      $flags,$flags,$t_flags
+        a       $a_surfaces,$a_surfaces,$wanted
+        ai      $left,$left,-1
+last_flags:
+        brnz    $left,next_flags
+        bi      $lr
+endfunction flags_gather
+
+# surfaces_make   what the batch has hit; packets that have hit one object each have a shorter kernel
+#   Out     BATCH_SURFACES
+#   Uses    $3-$79, w_left, w_sites, w_first, w_here
+        .set    run,10
+        .set    turned,11
+        .set    c_same,12
+        .set    offset,20
+
+function surfaces_make
+        enter
+        ila     $3,arena+BATCH_RAYS
+        ori     $4,$w_count,0
+        brsl    $lr,same_objects_r16
+        # The bits of the packets that are left, the first in the sign; how many are in its run.
+        sfi     $run,$w_count,32
+        shl     $w_sites,$3,$run
+        il      $w_first,0
+next_run:
+        rotmai  $turned,$w_sites,-31
+        xor     $turned,$turned,$w_sites                # 0 for packets like the first
+        clz     $run,$turned
+        sf      $w_left,$w_first,$w_count
+        minimum $w_here,$run,$w_left,$c_same
+        il      $3,RAYS16_SIZE
+        mpyu    $3,$3,$w_first
+        ila     $offset,arena+BATCH_RAYS
+        a       $3,$3,$offset
+        ori     $4,$w_here,0
+        il      $5,SURFACES_SIZE
+        mpyu    $5,$5,$w_first
+        ila     $offset,arena+BATCH_SURFACES
+        a       $5,$5,$offset
+        ila     $6,SCENE_ADDRESS
+        rotmi   $c_same,$w_sites,-31
+        brnz    $c_same,same
+        brsl    $lr,surfaces_r16
+        br      made
+same:   brsl    $lr,surfaces_same_r16
+made:   ceqi    $c_any,$w_depth,1
+        brz     $c_any,sent
+        a       $g_n_hits,$g_n_hits,$3
+sent:   sum_lanes $3,$amount
+        count   hits,$3,$t_sum,$t_add,$t_carry
+        shl     $w_sites,$w_sites,$w_here
+        a       $w_first,$w_first,$w_here
+        ceq     $c_any,$w_first,$w_count
+        brz     $c_any,next_run
+        leave
+endfunction surfaces_make
+
+# batch_shade   smooth normals and shaders, packet by packet where there are any
+#   Uses    $3-$79, w_left
+
+.macro  packet_and_surfaces
+        il      $offset,RAYS16_SIZE
+        mpyu    $3,$w_left,$offset
+        ila     $offset,arena+BATCH_RAYS
+        a       $3,$3,$offset
+        il      $offset,SURFACES_SIZE
+        mpyu    $4,$w_left,$offset
+        ila     $offset,arena+BATCH_SURFACES
+        a       $4,$4,$offset
+        lqd     $flags,SURFACES_flags($4)
+.endm
+
+function batch_shade
+        enter
+        ori     $w_left,$w_count,0
+next_packet:
+        ai      $w_left,$w_left,-1
+        packet_and_surfaces
+        ilhu    $wanted,SIDES_SMOOTH>>16
+        and     $wanted,$wanted,$flags
+        brz     $wanted,flat
+        brsl    $lr,smooth_r16
+        packet_and_surfaces
+flat:   andi    $wanted,$flags,MATERIAL_SHADED
+        brz     $wanted,as_it_is
+        ori     $offset,$3,0
+        ori     $3,$4,0
+        ori     $4,$offset,0
+        brsl    $lr,shaders_run
+        brnz    $3,give_up
+as_it_is:
+        brnz    $w_left,next_packet
+        leave
+endfunction batch_shade

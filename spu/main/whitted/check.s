@@ -1,0 +1,75 @@
+# What a frame by Whitted's model says of its scene: everything that could lead astray.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "driver.inc"
+        .include "checks.inc"
+
+        .set    status,3
+        .set    a_frame,15
+        .set    value,16
+        .set    limit,17
+        .set    bad,18
+        .set    a_tree,19
+        .set    left,20
+        .set    quad,21
+        .set    scene_bytes,22
+        .set    batch,23
+
+# Leaves unless a word of the tree, less `least`, is below `most`, unsigned.
+.macro  require_of_tree word:req, least:req, most:req
+        rotqbyi $value,$quad,\word
+        ai      $value,$value,-(\least)
+        load_constant $limit,\most-1
+        clgt    $bad,$value,$limit
+        refuse_if $bad,Trees
+.endm
+
+# whitted_check   whether the frame can be traced by Whitted's model
+#   In      $15 address of the frame
+#   Out     $3 STATUS_ value
+#   Uses    $3, $16-$23
+function whitted_check
+        require_aligned scene,LINE,Scene
+        require_from_one ray_depth,MAX_DEPTH,RayDepth
+        require_from_one batch,MAX_BATCH,Batch
+        require_at_most light_count,MAX_LIGHTS,LightCount
+        require_at_most scene_bytes,SCENE_ROOM,SceneBytes
+        ori     $scene_bytes,$value,0
+        andi    $bad,$value,LINE-1
+        refuse_if $bad,SceneBytes
+        # Three batches wait at most at each depth from the second on.
+        load_word $batch,FRAME_batch,$a_frame
+        load_word $value,FRAME_ray_depth,$a_frame
+        ai      $value,$value,-1
+        mpyu    $value,$value,$batch
+        mpyi    $value,$value,3*16*QUEUED_SIZE/16
+        shli    $value,$value,4
+        a       $value,$value,$scene_bytes
+        load_constant $limit,SCENE_ROOM
+        clgt    $bad,$value,$limit
+        refuse_if $bad,SceneBytes
+
+        ai      $a_tree,$a_frame,FRAME_trees
+        il      $left,TREES
+next_tree:
+        lqd     $quad,0($a_tree)
+        rotqbyi $value,$quad,TREE_objects
+        brz     $value,none
+        require_of_tree TREE_objects,1,MAX_OBJECTS
+        require_of_tree TREE_root_count,1,MAX_ROOTS
+        require_of_tree TREE_levels,0,MAX_LEVELS+1
+        ila     $value,SCENE_ADDRESS
+        sf      $value,$value,$quad                     # of the roots
+        clgt    $bad,$scene_bytes,$value
+        xori    $bad,$bad,-1
+        refuse_if $bad,Trees
+        andi    $bad,$value,15
+        refuse_if $bad,Trees
+none:   ai      $a_tree,$a_tree,TREE_SIZE
+        ai      $left,$left,-1
+        brnz    $left,next_tree
+        il      $status,STATUS_Done
+refused:
+        bi      $lr
+endfunction whitted_check

@@ -1,0 +1,135 @@
+# The light of lights on the surfaces of a batch.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "driver.inc"
+        .include "whitted.inc"
+
+        .set    a_site,3
+        .set    mask,4
+        .set    value,5
+        .set    a_shadow,6
+        .set    amount,10
+        .set    t_sum,11
+        .set    t_add,12
+        .set    t_carry,13
+        .set    a_surfaces,14
+        .set    a_rays,15
+        .set    left,16
+        .set    flags,17
+        .set    step_surfaces,18
+        .set    step_rays,19
+        .set    site,20
+        .set    m_pair,21
+        .set    m_third,22
+
+        .section .rodata
+        .align  4
+pair:   .int    0x00010203,0x10111213,0x80808080,0x80808080
+third:  .int    0x00010203,0x04050607,0x10111213,0x80808080
+
+# sites_list   lists those surfaces of the batch whose flags have some of a mask's bits and some value
+#   In      $3 where the sites go, $4 mask, $5 what the flags are to be with it, $6 packet of shadow
+#           rays of the first site
+#   Out     $3 behind the last site
+#   Uses    $3, $6, $14-$22
+        .global sites_list
+function sites_list
+        ila     $a_surfaces,arena+BATCH_SURFACES
+        ila     $a_rays,arena+BATCH_RAYS
+        il      $step_surfaces,SURFACES_SIZE
+        il      $step_rays,RAYS16_SIZE
+        lqa     $m_pair,pair
+        lqa     $m_third,third
+        ori     $left,$w_count,0
+next_surfaces:
+        hbrr    last_surfaces,next_surfaces
+        lqd     $flags,SURFACES_flags($a_surfaces)
+        and     $flags,$flags,$mask
+        ceq     $flags,$flags,$value
+        shufb   $site,$a_surfaces,$a_rays,$m_pair
+        shufb   $site,$site,$a_shadow,$m_third
+        stqd    $site,0($a_site)
+        andi    $site,$flags,SITE_SIZE
+        a       $a_site,$a_site,$site
+        and     $site,$flags,$step_rays
+        a       $a_shadow,$a_shadow,$site
+        a       $a_surfaces,$a_surfaces,$step_surfaces
+        a       $a_rays,$a_rays,$step_rays
+        ai      $left,$left,-1
+last_surfaces:
+        brnz    $left,next_surfaces
+        bi      $lr
+endfunction sites_list
+
+# batch_light   adds every light's light
+#   Uses    $3-$79, w_sites, w_shining, w_light
+        .set    lights,10
+        .set    end,11
+
+function batch_light
+        enter
+        # Those with highlights first: the others have a shorter kernel.
+        ila     $a_site,arena+BATCH_SITES
+        il      $mask,MATERIAL_LIT|MATERIAL_SHINES
+        ori     $value,$mask,0
+        ila     $a_shadow,arena+SHADOW_RAYS
+        brsl    $lr,sites_list
+        ila     $value,arena+BATCH_SITES
+        sf      $w_shining,$value,$a_site
+        rotmi   $w_shining,$w_shining,-SITE_SIZE_LOG2
+        il      $value,MATERIAL_LIT
+        brsl    $lr,sites_list
+        ila     $value,arena+BATCH_SITES
+        sf      $w_sites,$value,$a_site
+        rotmi   $w_sites,$w_sites,-SITE_SIZE_LOG2
+        ila     $w_light,frame
+        load_word $w_light,FRAME_lights,$w_light
+next_light:
+        ila     $lights,frame
+        load_word $end,FRAME_lights,$lights
+        load_word $lights,FRAME_light_count,$lights
+        shli    $lights,$lights,LIGHT_SIZE_LOG2
+        a       $end,$end,$lights
+        ceq     $end,$end,$w_light
+        brnz    $end,lit
+        ila     $3,arena+BATCH_SITES
+        ori     $4,$w_sites,0
+        ori     $5,$w_light,0
+        ila     $6,SCENE_ADDRESS
+        brsl    $lr,shadow_rays_r16
+        rotqbyi $amount,$3,8
+        a       $3,$3,$amount
+        rotqbyi $amount,$3,4
+        a       $3,$3,$amount
+        brz     $3,dark
+        lqa     $amount,frame
+        rotqbyi $amount,$amount,FRAME_features
+        andi    $amount,$amount,FEATURE_NO_SHADOWS
+        brnz    $amount,unshadowed
+        count   shadow,$3,$t_sum,$t_add,$t_carry
+        phase_ends $g_ticks_shade,$amount
+        ila     $3,arena+SHADOW_RAYS
+        ori     $4,$w_sites,0
+        brsl    $lr,packets_trace
+unshadowed:
+        brz     $w_shining,matt
+        ila     $3,arena+BATCH_SITES
+        ori     $4,$w_shining,0
+        ori     $5,$w_light,0
+        ila     $6,SCENE_ADDRESS
+        brsl    $lr,light_r16
+matt:   sf      $4,$w_shining,$w_sites
+        brz     $4,dark
+        ila     $3,arena+BATCH_SITES
+        shli    $5,$w_shining,SITE_SIZE_LOG2
+        a       $3,$3,$5
+        ori     $5,$w_light,0
+        ila     $6,SCENE_ADDRESS
+        brsl    $lr,lambert_r16
+dark:   ai      $w_light,$w_light,LIGHT_SIZE
+        br      next_light
+lit:
+        phase_ends $g_ticks_shade,$amount
+        leave
+endfunction batch_light

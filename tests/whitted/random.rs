@@ -1,0 +1,174 @@
+//! Random scenes with everything that a scene can have, also what nobody would write.
+
+use std::f64::consts::TAU;
+
+use glam::{DQuat, DVec3};
+use nff::{Light, Material, Object, Scene, Shape, View};
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+
+/// A small scene: a few objects of all shapes, some without area, some around the eye; at any scale from
+/// 1e-4 to 1e6, and some far from the origin.
+pub fn scene(random: &mut ChaCha8Rng) -> Scene {
+    let scale = 10f64.powf(random.random_range(-4.0..6.0));
+    let middle = if random.random_bool(0.2) {
+        vector(random, 1000.0)
+    } else {
+        DVec3::ZERO
+    };
+    let materials: Vec<Material> = (0..random.random_range(1..5))
+        .map(|_| material(random))
+        .collect();
+    let mut scene = Scene {
+        name: "random".into(),
+        view: view(random),
+        background: vector(random, 1.0).abs(),
+        lights: (0..random.random_range(0..4))
+            .map(|_| light(random))
+            .collect(),
+        objects: (0..random.random_range(1..9))
+            .map(|_| Object {
+                line: 0,
+                material: random.random_range(0..materials.len()) as u32,
+                shape: shape(random),
+            })
+            .collect(),
+        materials,
+    };
+    place(&mut scene, |point| (point + middle) * scale, scale);
+    scene
+}
+
+fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {
+    DVec3::from_array(std::array::from_fn(|_| random.random_range(-most..most)))
+}
+
+fn view(random: &mut ChaCha8Rng) -> View {
+    // Now and then in the middle of the objects, perhaps inside of one.
+    let distance = if random.random_bool(0.3) { 1.5 } else { 6.0 };
+    View {
+        from: vector(random, distance),
+        at: vector(random, 0.7) + DVec3::new(0.0, 0.0, 0.8),
+        up: DVec3::new(0.3, 0.5, 1.0),
+        angle: random.random_range(15.0..80.0),
+        hither: 0.0,
+        resolution: (16, 16),
+    }
+}
+
+fn light(random: &mut ChaCha8Rng) -> Light {
+    let colour = random.random_bool(0.5).then(|| vector(random, 0.9).abs());
+    Light {
+        line: 0,
+        position: vector(random, 8.0),
+        colour,
+    }
+}
+
+fn material(random: &mut ChaCha8Rng) -> Material {
+    let mut share = |chance: f64, most: f64| {
+        if random.random_bool(chance) {
+            random.random_range(0.0..most)
+        } else {
+            0.0
+        }
+    };
+    let (diffuse, specular, transmittance) = (share(0.9, 1.0), share(0.6, 0.9), share(0.4, 0.95));
+    let shine = 10f64.powf(share(0.9, 2.5));
+    Material {
+        line: 0,
+        colour: vector(random, 1.0).abs(),
+        diffuse,
+        specular,
+        shine: if random.random_bool(0.1) { 0.0 } else { shine },
+        transmittance,
+        refraction_index: random.random_range(0.6..2.4),
+    }
+}
+
+fn shape(random: &mut ChaCha8Rng) -> Shape {
+    let hollow = if random.random_bool(0.2) { -1.0 } else { 1.0 };
+    match random.random_range(0..10) {
+        0..4 => Shape::Sphere {
+            centre: vector(random, 2.5),
+            radius: hollow * random.random_range(-4.0..1.2f64).exp2(),
+        },
+        4..6 => {
+            let radius = random.random_range(0.1..1.2);
+            let apex_radius = match random.random_range(0..3) {
+                0 => 0.0,
+                1 => radius,
+                _ => random.random_range(0.1..1.2),
+            };
+            Shape::Cone {
+                base: vector(random, 2.5),
+                base_radius: hollow * radius,
+                apex: vector(random, 2.5),
+                apex_radius: hollow * apex_radius,
+            }
+        }
+        6..9 => Shape::Polygon {
+            vertices: polygon(random),
+        },
+        _ => {
+            let vertices = polygon(random);
+            let up = nff::unit(nff::area_vector(&vertices)).unwrap_or(DVec3::Z);
+            let normals = vertices.iter().map(|_| up + vector(random, 0.3)).collect();
+            Shape::Patch { vertices, normals }
+        }
+    }
+}
+
+/// A polygon in a plane of its own: regular, star-shaped, a parallelogram, or without area.
+fn polygon(random: &mut ChaCha8Rng) -> Vec<DVec3> {
+    let middle = vector(random, 2.0);
+    let turn = DQuat::from_scaled_axis(vector(random, 3.0));
+    let (right, up) = (turn * DVec3::X, turn * DVec3::Y);
+    let reach = random.random_range(0.3..3.0);
+    let corners = random.random_range(3..9);
+    let ring = |radius: &mut dyn FnMut(u32) -> f64| {
+        let corner = |number: u32| {
+            let angle = TAU * f64::from(number) / f64::from(corners);
+            middle + radius(number) * (angle.cos() * right + angle.sin() * up)
+        };
+        (0..corners).map(corner).collect()
+    };
+    match random.random_range(0..10) {
+        0..4 => ring(&mut |_| reach),
+        4..6 => ring(&mut |_| reach * random.random_range(0.3..1.0)),
+        6..9 => {
+            let (side, other) = (reach * right, reach * (0.4 * right + 0.8 * up));
+            vec![middle, middle + side, middle + side + other, middle + other]
+        }
+        _ => vec![middle, middle + reach * right, middle + 0.5 * reach * right],
+    }
+}
+
+/// Moves and scales all of a scene.
+fn place(scene: &mut Scene, to: impl Fn(DVec3) -> DVec3, scale: f64) {
+    let move_all = |points: &mut [DVec3]| points.iter_mut().for_each(|point| *point = to(*point));
+    move_all(std::slice::from_mut(&mut scene.view.from));
+    move_all(std::slice::from_mut(&mut scene.view.at));
+    for light in &mut scene.lights {
+        light.position = to(light.position);
+    }
+    for object in &mut scene.objects {
+        match &mut object.shape {
+            Shape::Sphere { centre, radius } => {
+                *centre = to(*centre);
+                *radius *= scale;
+            }
+            Shape::Cone {
+                base,
+                base_radius,
+                apex,
+                apex_radius,
+            } => {
+                (*base, *apex) = (to(*base), to(*apex));
+                *base_radius *= scale;
+                *apex_radius *= scale;
+            }
+            Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => move_all(vertices),
+        }
+    }
+}
