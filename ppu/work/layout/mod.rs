@@ -125,15 +125,15 @@ constants! {
     /// Where in local store the buffers begin that depth shading and Whitted's model each use in their way.
     ARENA_ADDRESS = 0x19800;
     /// Where in local store the scene of Whitted's model lies: first the background's `OBJECT`.
-    SCENE_ADDRESS = 0x2b800;
+    SCENE_ADDRESS = 0x2c080;
     /// Bytes for the scene and the rays that wait.
-    SCENE_ROOM = 0x13780;
+    SCENE_ROOM = 0x12f00;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.
     MAX_LIGHTS = 64;
     /// Most nodes at the top of a tree.
-    MAX_ROOTS = 8;
+    MAX_ROOTS = 4;
     /// Most levels of nodes.
     MAX_LEVELS = 6;
     /// Most rays in a chain, the eye's counted.
@@ -290,7 +290,7 @@ statuses! {
     Batch = 25, "batch";
     /// Must be at most 64.
     LightCount = 26, "light_count";
-    /// Must have at most 8 nodes at the top, 6 levels of them and 1024 objects, and lie in the scene.
+    /// Must have at most 4 nodes at the top, 6 levels of them and 1024 objects, and lie in the scene.
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
     Shader = 28, "shader";

@@ -77,20 +77,32 @@ endfunction batch_trace
 
 # flags_gather   all flags of the batch's surfaces
 #   Out     $14
-#   Uses    $14-$18
+#   Uses    $14-$25
 function flags_gather
         ila     $a_surfaces,arena+BATCH_SURFACES
         ori     $left,$w_count,0
         il      $flags,0
         il      $wanted,SURFACES_SIZE
+        ceqi    $t_flags,$left,MAX_BATCH
+        brnz    $t_flags,whole_batch
 next_flags:
-        hbrr    last_flags,next_flags
         lqd     $t_flags,SURFACES_flags($a_surfaces)
         or      $flags,$flags,$t_flags
         a       $a_surfaces,$a_surfaces,$wanted
         ai      $left,$left,-1
-last_flags:
         brnz    $left,next_flags
+        bi      $lr
+whole_batch:
+    .set    surfaces,0
+    .rept   MAX_BATCH
+        lqa     $t_flags+surfaces,arena+BATCH_SURFACES+surfaces*SURFACES_SIZE+SURFACES_flags
+    .set    surfaces,surfaces+1
+    .endr
+    .set    surfaces,0
+    .rept   MAX_BATCH
+        or      $flags,$flags,$t_flags+surfaces
+    .set    surfaces,surfaces+1
+    .endr
         bi      $lr
 endfunction flags_gather
 

@@ -20,6 +20,9 @@ bounce_from:                            # where the rays of the next depth begin
 
 # The flag's packets are sent on by a kernel, and counted.
 .macro  send_on kernel:req, flag:req, counter:req
+        lqa     $amount,batch_flags
+        andi    $amount,$amount,\flag
+        brz     $amount,none_\@
         ila     $3,arena+BATCH_SITES
         il      $4,\flag
         il      $5,\flag
@@ -27,7 +30,6 @@ bounce_from:                            # where the rays of the next depth begin
         brsl    $lr,sites_list
         ila     $5,arena+BATCH_SITES
         sf      $4,$5,$3
-        brz     $4,none_\@
         rotmi   $4,$4,-SITE_SIZE_LOG2
         ori     $3,$5,0
         lqa     $5,bounce_from
@@ -53,6 +55,9 @@ function batch_bounce
         ila     $depth,frame
         load_word $depth,FRAME_ray_depth,$depth
         cgt     $c_end,$depth,$w_depth
+        brz     $c_end,sent
+        lqa     $c_end,batch_flags
+        andi    $c_end,$c_end,MATERIAL_TRANSMITS|MATERIAL_MIRRORS
         brz     $c_end,sent
         ai      $3,$w_depth,1
         brsl    $lr,queue_end

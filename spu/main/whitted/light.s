@@ -70,19 +70,28 @@ endfunction sites_list
 function batch_light
         enter
         # Those with highlights first: the others have a shorter kernel.
+        il      $w_shining,0
         ila     $a_site,arena+BATCH_SITES
         il      $mask,MATERIAL_LIT|MATERIAL_SHINES
-        ori     $value,$mask,0
         ila     $a_shadow,arena+SHADOW_RAYS
+        lqa     $value,batch_flags
+        andi    $value,$value,MATERIAL_SHINES
+        brz     $value,none_shines
+        ori     $value,$mask,0
         brsl    $lr,sites_list
         ila     $value,arena+BATCH_SITES
         sf      $w_shining,$value,$a_site
         rotmi   $w_shining,$w_shining,-SITE_SIZE_LOG2
+        ceq     $value,$w_shining,$w_count
+        ori     $w_sites,$w_shining,0
+        brnz    $value,listed
+none_shines:
         il      $value,MATERIAL_LIT
         brsl    $lr,sites_list
         ila     $value,arena+BATCH_SITES
         sf      $w_sites,$value,$a_site
         rotmi   $w_sites,$w_sites,-SITE_SIZE_LOG2
+listed:
         ila     $w_light,frame
         load_word $w_light,FRAME_lights,$w_light
 next_light:

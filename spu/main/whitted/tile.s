@@ -28,11 +28,13 @@ function whitted_tile
         ila     $a_sum,arena+PIXEL_SUMS
         il      $left,TILE_WIDTH*TILE_HEIGHT/8
 clear:
+        hbrr    cleared,clear
     .irp pixel, 0,1,2,3,4,5,6,7
         stqd    $zero,16*\pixel($a_sum)
     .endr
         ai      $a_sum,$a_sum,8*16
         ai      $left,$left,-1
+cleared:
         brnz    $left,clear
         brsl    $lr,eye_places
 next_batch:
