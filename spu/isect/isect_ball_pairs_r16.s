@@ -4,7 +4,7 @@
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
 #   Uses    $2-$74, $79   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^62, radius above 2^-40
-#   Error   20 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#   Error   25 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
 #   Twin    oracle/src/twin/ball_pairs.rs
 #
