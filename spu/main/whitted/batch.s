@@ -34,9 +34,11 @@ batch_flags:                            # all flags of all surfaces
 #   In      w_depth, w_count
 #   Uses    $3-$79
 function batch_trace
+        hbrr    trace_call,packets_trace
         enter
         ila     $3,arena+BATCH_RAYS
         ori     $4,$w_count,0
+trace_call:
         brsl    $lr,packets_trace
 
         brsl    $lr,surfaces_make
@@ -67,9 +69,11 @@ dark:
         brsl    $lr,batch_light
 unlit:
         brsl    $lr,batch_bounce
+        hbrr    sum_call,accumulate_r16
         ila     $3,arena+BATCH_RAYS
         ila     $4,arena+BATCH_SURFACES
         ori     $5,$w_count,0
+sum_call:
         brsl    $lr,accumulate_r16
         phase_ends $g_ticks_shade,$amount
         leave
@@ -115,15 +119,18 @@ endfunction flags_gather
         .set    offset,20
 
 function surfaces_make
+        hbrr    same_call,same_objects_r16
         enter
         ila     $3,arena+BATCH_RAYS
         ori     $4,$w_count,0
+same_call:
         brsl    $lr,same_objects_r16
         # The bits of the packets that are left, the first in the sign; how many are in its run.
         sfi     $run,$w_count,32
         shl     $w_sites,$3,$run
         il      $w_first,0
 next_run:
+        hbrr    same,surfaces_same_r16
         rotmai  $turned,$w_sites,-31
         xor     $turned,$turned,$w_sites                # 0 for packets like the first
         clz     $run,$turned

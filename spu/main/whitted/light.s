@@ -95,6 +95,7 @@ listed:
         ila     $w_light,frame
         load_word $w_light,FRAME_lights,$w_light
 next_light:
+        hbrr    rays_call,shadow_rays_r16
         ila     $lights,frame
         load_word $end,FRAME_lights,$lights
         load_word $lights,FRAME_light_count,$lights
@@ -106,7 +107,9 @@ next_light:
         ori     $4,$w_sites,0
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
+rays_call:
         brsl    $lr,shadow_rays_r16
+        hbrr    trace_call,packets_trace
         rotqbyi $amount,$3,8
         a       $3,$3,$amount
         rotqbyi $amount,$3,4
@@ -120,13 +123,17 @@ next_light:
         phase_ends $g_ticks_shade,$amount
         ila     $3,arena+SHADOW_RAYS
         ori     $4,$w_sites,0
+trace_call:
         brsl    $lr,packets_trace
 unshadowed:
+        hbrr    matt_call,lambert_r16
         brz     $w_shining,matt
+        hbrr    light_call,light_r16
         ila     $3,arena+BATCH_SITES
         ori     $4,$w_shining,0
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
+light_call:
         brsl    $lr,light_r16
 matt:   sf      $4,$w_shining,$w_sites
         brz     $4,dark
@@ -135,6 +142,7 @@ matt:   sf      $4,$w_shining,$w_sites
         a       $3,$3,$5
         ori     $5,$w_light,0
         ila     $6,SCENE_ADDRESS
+matt_call:
         brsl    $lr,lambert_r16
 dark:   ai      $w_light,$w_light,LIGHT_SIZE
         br      next_light

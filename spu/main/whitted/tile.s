@@ -6,14 +6,6 @@
         .include "driver.inc"
         .include "whitted.inc"
 
-        .section .rodata
-        .align  4
-        # places out of the sum's address and x, and y
-place_of_sum_and_x:
-        .int    0x80808080,0x00010203,0x10111213,0x80808080
-place_with_y:
-        .int    0x00010203,0x04050607,0x08090a0b,0x10111213
-
         .set    a_sum,10
         .set    zero,11
         .set    left,12
@@ -70,71 +62,74 @@ endfunction whitted_tile
 
 # eye_places   lists the packets of the tile at hand
 #   Out     EYE_PLACES, w_eye_next, w_eye_left
-#   Uses    $10-$27
+#   Uses    $10-$25
 #
 # Column by column, so that what a batch sends on comes from pixels that are near one another. The
 # rays' packets take turns with the places.
         .set    a_place,14
         .set    place,15
-        .set    a_rays,16
-        .set    x,17
-        .set    y,18
-        .set    column,19
-        .set    columns,20
-        .set    row,21
-        .set    rows,22
-        .set    step,23
-        .set    m_sum_x,24
-        .set    m_y,25
-        .set    m_rays,26
-        .set    c_end,27
+        .set    step,16
+        .set    m_word,17
+        .set    columns,18
+        .set    rows,19
+        .set    row,20
+        .set    batch_end,21
+        .set    batch_back,22
+        .set    c_end,23
+        .set    column,24
+        .set    column_step,25
+
+        .section .rodata
+        .align  4
+first_place:
+        .int    arena+BATCH_RAYS,arena+PIXEL_SUMS,0,0
+next_row_step:
+        .int    RAYS16_SIZE,4*SUMS_PITCH,0,4
+next_column_step:
+        .int    0,4*16,4,0
 
 function eye_places
         ila     $a_place,arena+EYE_PLACES
         ori     $w_eye_next,$a_place,0
-        ila     $a_rays,arena+BATCH_RAYS
-        lqa     $m_sum_x,place_of_sum_and_x
-        lqa     $m_y,place_with_y
-        cwd     $m_rays,0($sp)
         ai      $columns,$g_tile_width,3
         rotmi   $columns,$columns,-2
         ai      $rows,$g_tile_height,3
         rotmi   $rows,$rows,-2
         mpyu    $w_eye_left,$columns,$rows
-        ori     $x,$g_tile_x,0
-        il      $column,0
+        lqa     $place,first_place
+        cwd     $m_word,8($sp)
+        shufb   $place,$g_tile_x,$place,$m_word
+        cwd     $m_word,12($sp)
+        shufb   $place,$g_tile_y,$place,$m_word
+        lqa     $step,next_row_step
+        lqa     $column_step,next_column_step
+        # A batch's packets, and where they end: in the first word alone.
+        fsmbi   $m_word,0xf000
+        rotmi   $batch_back,$w_most,-4
+        mpyi    $batch_back,$batch_back,RAYS16_SIZE/16
+        shli    $batch_back,$batch_back,4
+        and     $batch_back,$batch_back,$m_word
+        ila     $batch_end,arena+BATCH_RAYS
+        a       $batch_end,$batch_end,$batch_back
+        ori     $column,$place,0
 next_column:
-        ila     $a_sum,arena+PIXEL_SUMS
-        shli    $step,$column,6
-        a       $a_sum,$a_sum,$step
-        ori     $y,$g_tile_y,0
-        il      $row,0
+        ori     $row,$rows,0
 next_row:
-        shufb   $place,$a_sum,$x,$m_sum_x
-        shufb   $place,$place,$y,$m_y
-        shufb   $place,$a_rays,$place,$m_rays
+        hbrr    last_row,next_row
         stqd    $place,0($a_place)
         ai      $a_place,$a_place,PLACE_SIZE
-        # The packets are those of whole batches.
-        il      $step,RAYS16_SIZE
-        a       $a_rays,$a_rays,$step
-        rotmi   $step,$w_most,-4
-        mpyi    $step,$step,RAYS16_SIZE/16
-        shli    $step,$step,4
-        ila     $c_end,arena+BATCH_RAYS
-        a       $step,$step,$c_end
-        ceq     $step,$step,$a_rays
-        selb    $a_rays,$a_rays,$c_end,$step
-        il      $step,4*SUMS_PITCH
-        a       $a_sum,$a_sum,$step
-        ai      $y,$y,4
-        ai      $row,$row,1
-        ceq     $c_end,$row,$rows
-        brz     $c_end,next_row
-        ai      $x,$x,4
-        ai      $column,$column,1
-        ceq     $c_end,$column,$columns
-        brz     $c_end,next_column
+        a       $place,$place,$step
+        ai      $row,$row,-1
+        ceq     $c_end,$place,$batch_end
+        and     $c_end,$c_end,$batch_back
+        sf      $place,$c_end,$place
+last_row:
+        brnz    $row,next_row
+        # The next column begins at the top; the packets go on.
+        a       $column,$column,$column_step
+        selb    $place,$column,$place,$m_word
+        ai      $columns,$columns,-1
+        brnz    $columns,next_column
         bi      $lr
 endfunction eye_places
 
