@@ -118,6 +118,23 @@ mod tests {
         assert!(matches!(error, ProgramError::TooLarge(_)), "{error}");
     }
 
+    /// Whatever stands in the headers: an answer, and never a slice out of bounds.
+    #[test]
+    fn spoilt_headers_are_answered() {
+        let mut image = Program::tracer().image().to_vec();
+        let sections = u32::from_be_bytes(image[32..36].try_into().unwrap()) as usize;
+        let mut refused = 0;
+        for at in (0..0x100).chain(sections..image.len()) {
+            for value in [0, 0x7f, 0x80, 0xff] {
+                let kept = std::mem::replace(&mut image[at], value);
+                let checked = super::check(&image).and_then(|()| super::shaders(&image));
+                refused += u32::from(checked.is_err());
+                image[at] = kept;
+            }
+        }
+        assert!(refused > 200, "only {refused} refused");
+    }
+
     #[test]
     fn an_image_without_a_table_says_so() {
         let program = Program::from_image(&changed(b".shaders\0", b".shadows\0"));
