@@ -1,8 +1,8 @@
-# Shaders: calls those of the materials that a packet of surfaces has, and looks, if the frame asks for
-# it, whether they keep to their contract; docs/shaders.md has that.
+# Shaders: calls those of the materials that a packet of surfaces has, and looks, if the frame asks
+# for it, whether they keep to their contract; docs/shaders.md has that.
 #
-# The driver's state is in the very registers that a shader must keep: a check needs memory alone, and
-# gives them back before it answers.
+# The driver's state is in the very registers that a shader must keep: a check needs memory alone,
+# and gives them back before it answers.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -61,7 +61,8 @@ kept_surfaces:                          # then the registers as a shader left th
 
 # shaders_run   shades what has a shader of its own, a material after the other
 #   In      $3 SURFACES, $4 RAYS16
-#   Out     $3 STATUS_Done, or STATUS_Shader + (RULE_ value << 8) + (register << 16) + (shader << 24)
+#   Out     $3 STATUS_Done, or STATUS_Shader + (RULE_ value << 8) + (register << 16)
+#           + (shader << 24)
 #   Uses    $3-$79, CALL_SIZE of stack and the shader's
 function shaders_run
         ori     $surfaces,$3,0

@@ -1,7 +1,7 @@
 # reflect_r16   rays that mirrors throw back, appended to a queue
 #   C       struct queued *reflect_r16(const struct site *, int count, struct queued *);
-#   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than there may be;
-#           pointers 16-aligned
+#   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
+#           there may be; pointers 16-aligned
 #   Out     a ray for each lane whose share `mirror` is above 0, in order; $3 their end
 #   Uses    $2-$4, $6-$59, $79   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side

@@ -1,11 +1,12 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
 #   C       struct queued *refract_r16(const struct site *, int count, struct queued *);
-#   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than there may be;
-#           pointers 16-aligned
+#   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
+#           there may be; pointers 16-aligned
 #   Out     a ray for each lane that lets something through, in order; surfaces' mirror: T F more;
 #           $3 the rays' end
 #   Uses    $2-$4, $6-$79   Saves  -   Stack  0   Calls  -
-#   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side; ratio 1/4 to 4
+#   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side; ratio from
+#           1/4 to 4
 #   Error   20 ulp of 1, each component of a direction, where the cosine beyond is above 0.1; below
 #           it, 2 ulp over the cosine; where its square is below 16 ulp, all may be reflected or
 #           not; its length within 2

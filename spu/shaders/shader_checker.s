@@ -9,9 +9,9 @@
 #   Error   none but where a point is within its own error of a cube's side
 #   Twin    oracle/src/twin/shader.rs
 #
-# A point is in an odd cube if floor(s x + 1/1024) + floor(s y + 1/1024) + floor(s z + 1/1024) is odd,
-# s the fourth parameter: then its colour is that of the first three. A plane on a side of the cubes,
-# at a multiple of 1/s, is thus within one layer of them and not torn between two by rounding.
+# A point is in an odd cube if floor(s x + 1/1024) + floor(s y + 1/1024) + floor(s z + 1/1024) is
+# odd, s the fourth parameter: then its colour is that of the first three. A plane on a side of the
+# cubes, at a multiple of 1/s, is thus in one layer of them and not torn between two by rounding.
 # Scheduled by spu schedule from shader_checker.s
 
         .include "work_unit.inc"

@@ -214,7 +214,7 @@ pub fn hit(random: &mut impl Rng) -> Bounce {
     } else {
         plane
     };
-    let index = random.random_range(0.3..3.0_f64);
+    let index = random.random_range(0.25..4.0_f64);
     let head_on = ((1.0 - index) / (1.0 + index)).powi(2);
     let [schlick, grazing] = if random.random() {
         [head_on, 1.0 - head_on]
