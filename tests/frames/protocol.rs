@@ -4,7 +4,7 @@ use std::time::Duration;
 
 use crate::recorder::{Recorder, nff_scene};
 use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
-use cellray::work::layout::{Frame, Statistics, UnitCounter, WorkUnit};
+use cellray::work::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter, WorkUnit};
 use cellray::work::{self, Addresses, EyeSpheres, Lens, Order, Skip, Split, Units};
 use cellray::{Engine, EngineError, Scene, Settings, SharedMemory};
 use zerocopy::big_endian::U32;
@@ -12,6 +12,32 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 
 /// Makes one field of a descriptor wrong.
 type Spoil = fn(&mut Frame);
+
+const WHITTED: &[u8] = b"\
+v
+from 0.6 -14.2 3.7
+at 0.25 0 1.15
+up 0 0 1
+angle 31
+hither 0.01
+resolution 64 32
+b 0.4 0.6 0.8
+l -26 -36 50
+f 0.8 0.7 0.7 0.8 0.2 20 0 1
+s 0 1 1.9 1.9
+p 4
+9 -4 0
+9 9 0
+-9 9 0
+-9 -4 0
+p 3
+-3 -3 0
+-1 -3 0
+-2 -3 2
+c
+3 0 0 1
+3 0 2 0
+";
 
 /// An engine, and a good frame descriptor with all that it points to.
 struct Fixture {
@@ -22,8 +48,19 @@ struct Fixture {
     _framebuffer: Memory,
 }
 
+/// A frame by depth shading.
 fn fixture(spus: u32) -> Fixture {
-    let scene = Scene::from_nff(&nff_scene("paper13.nff")).unwrap();
+    fixture_of(&nff_scene("paper13.nff"), spus)
+}
+
+/// A frame by Whitted's model: spheres, parallelograms, triangles and a cone.
+fn whitted_fixture(spus: u32) -> Fixture {
+    let scene = nff::parse(WHITTED, "all shapes", &nff::Limits::default()).unwrap();
+    fixture_of(&scene, spus)
+}
+
+fn fixture_of(scene: &nff::Scene, spus: u32) -> Fixture {
+    let scene = Scene::from_nff(scene).unwrap();
     let mut framebuffer = Memory::new(Geometry {
         width: 64,
         height: 32,
@@ -36,6 +73,9 @@ fn fixture(spus: u32) -> Fixture {
     records.look(scene.spheres(), &lens, Skip::Misses);
     let mut spheres = SharedMemory::new(records.bytes().len());
     spheres.write(0, records.bytes());
+    let block = scene.block().map_or(&[][..], |block| block.bytes());
+    let mut whitted = SharedMemory::new(block.len().max(128));
+    whitted.write(0, block);
     let mut cut = Units::default();
     cut.cut(&[0, 1], spus, Split::Slices, None);
     let mut units = SharedMemory::new(cut.bytes().len());
@@ -49,6 +89,7 @@ fn fixture(spus: u32) -> Fixture {
         target: &target,
         addresses: Addresses {
             spheres: spheres.address(),
+            scene: whitted.address(),
             unit_counter: unit_counter.address(),
             statistics: statistics.address(),
             units: units.address(),
@@ -60,6 +101,7 @@ fn fixture(spus: u32) -> Fixture {
         spus,
         split: Split::Slices,
         skip: Skip::Misses,
+        check_shaders: false,
     });
     let settings = Settings {
         spus,
@@ -71,7 +113,7 @@ fn fixture(spus: u32) -> Fixture {
         engine: Engine::start(settings, recorder).unwrap(),
         frame,
         units,
-        _memory: vec![spheres, unit_counter, statistics, costs],
+        _memory: vec![spheres, whitted, unit_counter, statistics, costs],
         _framebuffer: framebuffer,
     }
 }
@@ -88,6 +130,25 @@ impl Fixture {
             Err(EngineError::Refused { refusal, .. }) => refusal,
             Ok(()) => panic!("accepted {frame:?}"),
             Err(error) => panic!("{error}"),
+        }
+    }
+
+    /// Tries each wrong field, whose name and a part of whose message the case has, and the good frame
+    /// after it.
+    fn refuses(&mut self, cases: &[(&str, &str, Spoil)]) {
+        let good = self.frame;
+        for (field, part, spoil) in cases {
+            let mut frame = good;
+            spoil(&mut frame);
+            let refusal = self.refused(&frame);
+            let text = refusal.to_string();
+            assert!(
+                refusal.field.split(", ").any(|name| name == *field),
+                "{field}: {text}"
+            );
+            assert!(text.contains(part), "{field}: {text}");
+            self.submit(&good)
+                .unwrap_or_else(|error| panic!("after {field}: {error}"));
         }
     }
 }
@@ -164,21 +225,118 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
             frame.blue_shift = u32::MAX.into()
         }),
     ];
-    let mut fixture = fixture(2);
+    fixture(2).refuses(&cases);
+}
+
+#[test]
+fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
+    let cases: [(&str, &str, Spoil); 23] = [
+        ("scene", "must be a multiple of 128", |frame| {
+            frame.scene = (frame.scene.get() + 64).into()
+        }),
+        (
+            "scene_bytes",
+            "must be a multiple of 128 and leave",
+            |frame| frame.scene_bytes = (frame.scene_bytes.get() + 64).into(),
+        ),
+        ("scene_bytes", "leave room", |frame| {
+            frame.scene_bytes = (SCENE_ROOM + 128).into()
+        }),
+        ("scene_bytes", "4294967168", |frame| {
+            frame.scene_bytes = 0xffff_ff80.into()
+        }),
+        ("scene_bytes", "4294967295", |frame| {
+            frame.scene_bytes = u32::MAX.into()
+        }),
+        // Fifteen depths of three batches of eight packets wait in 184320 bytes.
+        (
+            "ray_depth",
+            "16 (0x10), 8 (0x8): must be a multiple",
+            |frame| {
+                frame.ray_depth = 16.into();
+                frame.batch = 8.into();
+            },
+        ),
+        ("ray_depth", "0 (0x0): must be 1 to 16", |frame| {
+            frame.ray_depth = 0.into()
+        }),
+        ("ray_depth", "17 (0x11): must be 1 to 16", |frame| {
+            frame.ray_depth = 17.into()
+        }),
+        ("ray_depth", "4294967295", |frame| {
+            frame.ray_depth = u32::MAX.into()
+        }),
+        ("batch", "0 (0x0): must be 1 to 8", |frame| {
+            frame.batch = 0.into()
+        }),
+        ("batch", "9 (0x9): must be 1 to 8", |frame| {
+            frame.batch = 9.into()
+        }),
+        ("light_count", "65 (0x41): must be at most 64", |frame| {
+            frame.light_count = 65.into()
+        }),
+        ("light_count", "4294967295", |frame| {
+            frame.light_count = u32::MAX.into()
+        }),
+        ("sphere_count", "1 (0x1)", |frame| {
+            frame.sphere_count = 1.into()
+        }),
+        // The scene is too short for what is said to be in it.
+        ("trees", "lie in the scene", |frame| {
+            frame.scene_bytes = 0.into()
+        }),
+        ("trees", "1024 objects", |frame| {
+            frame.trees[0].objects = 1025.into()
+        }),
+        ("trees", "1024 objects", |frame| {
+            frame.trees[3].objects = u32::MAX.into()
+        }),
+        ("trees", "at most 8 nodes at the top", |frame| {
+            frame.trees[1].root_count = 0.into()
+        }),
+        ("trees", "at most 8 nodes at the top", |frame| {
+            frame.trees[2].root_count = 9.into()
+        }),
+        ("trees", "6 levels", |frame| {
+            frame.trees[0].levels = 7.into()
+        }),
+        ("trees", "lie in the scene", |frame| {
+            frame.trees[1].roots = (SCENE_ADDRESS - 128).into()
+        }),
+        ("trees", "lie in the scene", |frame| {
+            frame.trees[2].roots = (SCENE_ADDRESS + frame.scene_bytes.get()).into()
+        }),
+        ("trees", "lie in the scene", |frame| {
+            frame.trees[3].roots = (frame.trees[3].roots.get() + 8).into()
+        }),
+    ];
+    whitted_fixture(2).refuses(&cases);
+}
+
+#[test]
+fn what_whitteds_model_may_say_at_most_is_traced() {
+    let mut fixture = whitted_fixture(1);
     let good = fixture.frame;
-    for (field, value, spoil) in cases {
+    let most: [Spoil; 4] = [
+        |frame| {
+            frame.ray_depth = 16.into();
+            frame.batch = 1.into();
+        },
+        |frame| {
+            frame.ray_depth = 1.into();
+            frame.batch = 8.into();
+        },
+        |frame| frame.light_count = 0.into(),
+        // A tree of no objects is not looked at.
+        |frame| {
+            frame.trees[0].objects = 0.into();
+            frame.trees[0].roots = u32::MAX.into();
+        },
+    ];
+    for change in most {
         let mut frame = good;
-        spoil(&mut frame);
-        let refusal = fixture.refused(&frame);
-        let text = refusal.to_string();
-        assert!(
-            refusal.field.split(", ").any(|name| name == field),
-            "{field}: {text}"
-        );
-        assert!(text.contains(value), "{field}: {text}");
-        fixture
-            .submit(&good)
-            .unwrap_or_else(|error| panic!("after {field}: {error}"));
+        change(&mut frame);
+        fixture.submit(&frame).unwrap();
     }
 }
 
@@ -248,8 +406,12 @@ fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
         ("units", |frame| frame.units = 0x1000.into()),
         ("costs", |frame| frame.costs = 0x1000.into()),
     ];
-    for (name, spoil) in spoils {
-        let mut fixture = fixture(2);
+    let plain = spoils
+        .into_iter()
+        .map(|(name, spoil)| (name, spoil, fixture(2)));
+    let scene: Spoil = |frame| frame.scene = 0x1000.into();
+    let whitted = std::iter::once(("scene", scene, whitted_fixture(2)));
+    for (name, spoil, mut fixture) in plain.chain(whitted) {
         let mut frame = fixture.frame;
         spoil(&mut frame);
         let error = fixture.submit(&frame).unwrap_err();
