@@ -26,7 +26,9 @@ pub struct Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
-    let scene = run::scene(&arguments.options.scene, arguments.options.look())?;
+    let options = &arguments.options;
+    let program = options.program()?;
+    let scene = run::scene(&options.scene, options.look(), &program)?;
     // Before the screen is taken over, so that no signal leaves it that way.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open(&arguments.device, arguments.size)?;
@@ -37,7 +39,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let enough = |traced: usize| {
         interrupted.signal().is_some() || frames.is_some_and(|frames| traced >= frames as usize)
     };
-    run::frames(&arguments.options, &scene, framebuffer, enough)
+    run::frames(options, program, &scene, framebuffer, enough)
 }
 
 fn is_device(path: &Path) -> bool {

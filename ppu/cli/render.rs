@@ -33,7 +33,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         corners: arguments.corners,
         ..arguments.options.look()
     };
-    let scene = run::scene(&arguments.options.scene, look)?;
+    let program = arguments.options.program()?;
+    let scene = run::scene(&arguments.options.scene, look, &program)?;
     let geometry = match arguments.size {
         Some(size) => size,
         None => {
@@ -47,5 +48,5 @@ pub fn run(arguments: &Arguments) -> Outcome {
         None => Box::new(Memory::new(geometry)?),
     };
     let enough = |traced| traced >= arguments.frames as usize;
-    run::frames(&arguments.options, &scene, framebuffer, enough)
+    run::frames(&arguments.options, program, &scene, framebuffer, enough)
 }

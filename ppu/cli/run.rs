@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::{Look, Model};
-use cellray::spe::Program;
+use cellray::spe::{Program, ProgramError};
 use cellray::work::{Skip, Split};
 use cellray::{Engine, Report, Scene, Settings};
 use clap::Args;
@@ -41,6 +41,9 @@ pub struct Options {
     /// Objects throw no shadows
     #[arg(long)]
     pub no_shadows: bool,
+    /// SPU program to trace with, such as a game's that has shaders of its own [default: the built-in one]
+    #[arg(long, value_name = "F.elf")]
+    pub program: Option<PathBuf>,
     /// Check at every call of a shader that it keeps what it must
     #[arg(long)]
     pub check_shaders: bool,
@@ -66,11 +69,23 @@ impl Options {
             corners: false,
         }
     }
+
+    /// What the SPUs are to run.
+    pub fn program(&self) -> Result<Program, ProgramError> {
+        match &self.program {
+            Some(file) => Program::from_file(file),
+            None => Ok(Program::tracer()),
+        }
+    }
 }
 
 /// Reads a scene and says what of it will not be drawn.
-pub fn scene(path: &Path, look: Look) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(&nff::load(path)?, look, &Program::tracer())?;
+pub fn scene(
+    path: &Path,
+    look: Look,
+    program: &Program,
+) -> Result<Scene, Box<dyn std::error::Error>> {
+    let scene = Scene::new(&nff::load(path)?, look, program)?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
     }
@@ -80,6 +95,7 @@ pub fn scene(path: &Path, look: Look) -> Result<Scene, Box<dyn std::error::Error
 /// Traces frames until `enough` says so, then reports.
 pub fn frames(
     options: &Options,
+    program: Program,
     scene: &Scene,
     framebuffer: Box<dyn Framebuffer>,
     mut enough: impl FnMut(usize) -> bool,
@@ -96,7 +112,7 @@ pub fn frames(
         retain: !options.retrace,
         check_shaders: options.check_shaders,
         timeout: Duration::from_secs(options.timeout),
-        ..Settings::default()
+        program,
     };
     let mut engine = Engine::start(settings, framebuffer)?;
     let mut report = Report::new(scene.file(), (width, height), options.spus);
