@@ -1,4 +1,4 @@
-//! Renders a picture with an SPU program that has a shader of this crate's own in it.
+//! Renders a still life with an SPU program that has a shader of this crate's own in it.
 //!
 //!     cargo run --release -p shader-example -- PICTURE.png
 
@@ -13,34 +13,21 @@ use cellray::{Engine, Scene, Settings};
 /// The tracer's program with `shaders/rings.s`, as `build.rs` has made it.
 const IMAGE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/tracer.elf"));
 
-const SCENE: &str = "\
-v
-from 2 3 5
-at 0 0 0
-up 0 1 0
-angle 40
-hither 1
-resolution 512 512
-l 4 6 5
-b 0.1 0.1 0.2
-f 0.8 0.5 0.2 1 0 0 0 0
-s 0 0 0 1.2
-f 0.4 0.2 0.1 1 0 0 0 0
-s 1.6 -0.6 0.5 0.5
-";
+const SCENE: &[u8] = include_bytes!("../still_life.nff");
 
 fn main() -> Result<(), Box<dyn Error>> {
     let path = std::env::args_os().nth(1).map(PathBuf::from);
     let path = path.ok_or("usage: shader-example PICTURE.png")?;
     let program = Program::from_image(IMAGE)?;
+    let scene = nff::parse(SCENE, "still_life.nff", &nff::Limits::default())?;
+    let scene = Scene::new(&scene, Look::default(), &program)?;
     let settings = Settings {
         program,
         ..Settings::default()
     };
-    let picture = Png::new(&path, Geometry::new(512, 512)?)?;
+    let (width, height) = scene.view().resolution;
+    let picture = Png::new(&path, Geometry::new(width, height)?)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
-    let scene = nff::parse(SCENE.as_bytes(), "rings", &nff::Limits::default())?;
-    let scene = Scene::new(&scene, Look::default(), &program)?;
     engine.render(&scene, &mut |_| ())?;
     Ok(())
 }
