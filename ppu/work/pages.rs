@@ -6,8 +6,8 @@
 use glam::DVec3;
 use nff::Camera;
 use nff::depth::DepthShading;
+use zerocopy::IntoBytes as _;
 
-use super::SceneBlock;
 use super::layout::{TILE_BLANK, UnitCost, WorkUnit};
 use super::lens::Lens;
 use super::tiles::TileSet;
@@ -24,6 +24,8 @@ pub struct Pages {
     pages: Vec<Page>,
     /// Number of the page that is being written to.
     open: usize,
+    /// What SPUs are told for that page.
+    told: Vec<u8>,
 }
 
 /// Where a page lies, and in which form.
@@ -44,9 +46,9 @@ struct Page {
     depth: DepthShading,
     look: Look,
     spheres: Vec<Sphere>,
-    /// The scene of Whitted's model for this camera. Of what has changed there, anything may be seen
-    /// anywhere: in mirrors.
-    block: Vec<u8>,
+    /// What SPUs were told of a scene by Whitted's model. Of what has changed there, anything may be
+    /// seen anywhere: in mirrors.
+    told: Vec<u8>,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
@@ -74,13 +76,14 @@ impl Pages {
             format: target.format,
         };
         changed.clear(target.geometry);
+        tell(scene, &mut self.told);
         let Some(found) = self.pages.iter().position(|page| page.place == place) else {
             if self.pages.len() == MOST {
                 self.pages.clear();
             }
             changed.add_all();
             self.open = self.pages.len();
-            let mut page = Page::new(place, scene, camera);
+            let mut page = Page::new(place, scene, camera, &self.told);
             page.blank.clear(target.geometry);
             self.pages.push(page);
             return;
@@ -91,7 +94,7 @@ impl Pages {
             && page.background == scene.background()
             && page.depth == scene.depth()
             && page.look == scene.look()
-            && page.block == block_bytes(scene);
+            && page.told == self.told;
         if !page.whole || page.background != scene.background() {
             page.blank.clear(target.geometry);
         }
@@ -100,7 +103,7 @@ impl Pages {
         } else {
             changed.add_all();
         }
-        page.show(scene, camera);
+        page.show(scene, camera, &self.told);
     }
 
     /// Tiles of the page opened last that show nothing but the background.
@@ -119,13 +122,21 @@ impl Pages {
     }
 }
 
-/// What SPUs are sent of a scene by Whitted's model.
-fn block_bytes(scene: &Scene) -> &[u8] {
-    scene.block().map_or(&[], SceneBlock::bytes)
+/// Writes down what SPUs are told of a scene by Whitted's model: its block, and what the frame's
+/// descriptor says of it, without which the same block may be another scene.
+fn tell(scene: &Scene, told: &mut Vec<u8>) {
+    told.clear();
+    let Some(block) = scene.block() else {
+        return;
+    };
+    told.extend_from_slice(block.bytes());
+    told.extend_from_slice(block.trees().as_bytes());
+    told.extend_from_slice(block.ambient().as_bytes());
+    told.extend_from_slice(&block.light_count().to_be_bytes());
 }
 
 impl Page {
-    fn new(place: Place, scene: &Scene, camera: &Camera) -> Self {
+    fn new(place: Place, scene: &Scene, camera: &Camera, told: &[u8]) -> Self {
         Self {
             place,
             whole: false,
@@ -134,7 +145,7 @@ impl Page {
             depth: scene.depth(),
             look: scene.look(),
             spheres: scene.spheres().to_vec(),
-            block: block_bytes(scene).to_vec(),
+            told: told.to_vec(),
             blank: TileSet::default(),
         }
     }
@@ -153,14 +164,14 @@ impl Page {
         spheres[both..].iter().for_each(&mut add);
     }
 
-    fn show(&mut self, scene: &Scene, camera: &Camera) {
+    fn show(&mut self, scene: &Scene, camera: &Camera, told: &[u8]) {
         self.whole = false;
         self.camera = *camera;
         self.background = scene.background();
         self.depth = scene.depth();
         self.look = scene.look();
-        self.block.clear();
-        self.block.extend_from_slice(block_bytes(scene));
+        self.told.clear();
+        self.told.extend_from_slice(told);
         self.spheres.clear();
         self.spheres.extend_from_slice(scene.spheres());
     }

@@ -12,6 +12,8 @@ use rand_chacha::ChaCha8Rng;
 use crate::random::{random_scene, sphere, vector};
 use crate::recorder::{Recorder, Shown, nff_scene, render};
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
+use cellray::scene::Look;
+use cellray::spe::Program;
 use cellray::statistics::FrameStatistics;
 use cellray::work::{Skip, Split};
 use cellray::{Engine, EngineError, Scene, Settings};
@@ -31,6 +33,97 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
         assert_eq!(statistics.ticks(), 0);
         assert!(!statistics.is_traced());
         assert!(shown.lock().unwrap().take().unwrap() == picture);
+    }
+}
+
+/// By Whitted's model anything may be seen anywhere: one change, and all is traced.
+#[test]
+fn whitteds_model_is_traced_again_when_anything_has_changed() {
+    let whitted = nff_scene("whitted16.nff");
+    let changes: [(&str, fn(&mut nff::Scene)); 11] = [
+        ("a colour", |scene| scene.materials[7].colour.x = 0.1),
+        ("a share", |scene| scene.materials[3].diffuse = 0.5),
+        ("a shader", |scene| {
+            scene.materials[4].shader = nff::Shader::Flat
+        }),
+        ("a light's place", |scene| {
+            scene.lights[1].kind = nff::LightKind::Point {
+                position: DVec3::new(30.0, -30.0, 24.0),
+            }
+        }),
+        ("a light's colour", |scene| {
+            scene.lights[0].colour = Some(DVec3::ONE)
+        }),
+        ("a light less", |scene| scene.lights.truncate(1)),
+        ("the ambient light", |scene| {
+            scene.ambient = DVec3::splat(0.2)
+        }),
+        ("the background", |scene| scene.background.z = 0.0),
+        ("a place", |scene| move_sphere(scene, 5)),
+        ("an object less", |scene| scene.objects.truncate(12)),
+        ("a shape", halve_the_ground),
+    ];
+    let (framebuffer, shown) = Recorder::pair(64, 32);
+    let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
+    let tiles = 2;
+    for (what, change) in changes {
+        let mut changed = whitted.clone();
+        change(&mut changed);
+        let mut pictures = [&whitted, &changed].map(|nff| {
+            let scene = Scene::from_nff(nff).unwrap();
+            let mut retained = || {
+                let statistics = engine.render(&scene, &mut |_| ()).unwrap();
+                statistics.tiles_retained
+            };
+            // The one before may have been this scene.
+            retained();
+            let first = shown.lock().unwrap().take().unwrap();
+            assert_eq!(retained(), tiles, "{what}");
+            assert!(shown.lock().unwrap().take().unwrap() == first, "{what}");
+            first
+        });
+        let [before, after] = &mut pictures;
+        assert!(before != after, "{what} shows nowhere");
+        assert!(
+            *after == render(&changed, 64, 32, Settings::default()),
+            "{what}"
+        );
+    }
+    let scene = Scene::from_nff(&whitted).unwrap();
+    engine.render(&scene, &mut |_| ()).unwrap();
+    for look in [
+        Look {
+            shadows: false,
+            ..Look::default()
+        },
+        Look {
+            ray_depth: 2,
+            ..Look::default()
+        },
+        Look {
+            fresnel: true,
+            ..Look::default()
+        },
+    ] {
+        let scene = Scene::new(&whitted, look, &Program::tracer()).unwrap();
+        let traced = [(); 2].map(|()| {
+            let statistics = engine.render(&scene, &mut |_| ()).unwrap();
+            statistics.tiles_retained
+        });
+        assert_eq!(traced, [0, tiles], "{look:?}");
+    }
+}
+
+fn move_sphere(scene: &mut nff::Scene, number: usize) {
+    if let Shape::Sphere { centre, .. } = &mut scene.objects[number].shape {
+        centre.x += 0.25;
+    }
+}
+
+/// Of the parallelogram the triangle of its first three vertices.
+fn halve_the_ground(scene: &mut nff::Scene) {
+    if let Shape::Polygon { vertices } = &mut scene.objects[0].shape {
+        vertices.truncate(3);
     }
 }
 
