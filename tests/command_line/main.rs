@@ -1,72 +1,13 @@
 //! The command line, as its users meet it: what it writes, and what it says of bad input.
 
+mod support;
+mod whitted;
+
 use std::fs::{self, File};
 use std::path::Path;
-use std::process::{Command, Output};
-use std::time::{Duration, Instant};
+use std::process::Command;
 
-const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n\
-                    f 1 1 1 1 0 0 0 1\n";
-
-fn cellray(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_cellray"))
-        .args(arguments)
-        .current_dir(env!("CARGO_MANIFEST_DIR"))
-        .output()
-        .unwrap()
-}
-
-fn text(bytes: &[u8]) -> String {
-    String::from_utf8_lossy(bytes).into_owned()
-}
-
-/// Runs to success; gives standard output and standard error.
-fn good(arguments: &[&str]) -> (String, String) {
-    let output = cellray(arguments);
-    let (out, err) = (text(&output.stdout), text(&output.stderr));
-    assert!(output.status.success(), "{arguments:?}: {err}");
-    (out, err)
-}
-
-/// Runs to failure, which must come soon, write nothing to standard output and say all `parts`.
-fn bad(arguments: &[&str], parts: &[&str]) {
-    let start = Instant::now();
-    let output = cellray(arguments);
-    let err = text(&output.stderr);
-    assert!(!output.status.success(), "{arguments:?} succeeded");
-    assert!(output.status.code().is_some(), "{arguments:?} died: {err}");
-    assert!(
-        start.elapsed() < Duration::from_secs(60),
-        "{arguments:?} took {:?}",
-        start.elapsed()
-    );
-    assert!(
-        output.stdout.is_empty(),
-        "{arguments:?}: {}",
-        text(&output.stdout)
-    );
-    assert!(!err.contains("panicked"), "{err}");
-    for part in parts {
-        assert!(err.contains(part), "{arguments:?}: no {part:?} in: {err}");
-    }
-}
-
-fn bad_scene(scene: &str, parts: &[&str]) {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("bad.nff");
-    fs::write(&path, scene).unwrap();
-    let picture = folder.path().join("picture.png");
-    bad(
-        &[
-            "render",
-            path.to_str().unwrap(),
-            "--out",
-            picture.to_str().unwrap(),
-        ],
-        parts,
-    );
-    assert!(!picture.exists(), "a picture of {scene:?}");
-}
+use support::{VIEW, bad, bad_scene, good, text};
 
 #[test]
 fn renders_a_picture_with_statistics() {
@@ -358,20 +299,6 @@ fn a_framebuffer_of_another_geometry() {
 }
 
 #[test]
-fn what_is_not_drawn_is_named_with_file_and_line() {
-    let (_, err) = good(&["render", "sphereflake:1", "--size", "16x16"]);
-    for part in [
-        "polygons are not drawn yet (1",
-        "lights are not drawn yet (3",
-        "sphereflake",
-    ] {
-        assert!(err.contains(part), "no {part:?} in: {err}");
-    }
-    let (_, err) = good(&["render", "tetra:1", "--size", "16x16"]);
-    assert!(err.contains("polygons are not drawn yet (16"), "{err}");
-}
-
-#[test]
 fn bad_scenes() {
     bad_scene("", &["bad.nff"]);
     bad_scene("v\nfrom 0 0 9\nat 0 0", &["bad.nff", "3"]);
@@ -421,6 +348,13 @@ fn bad_arguments() {
         &["half", "units", "slices"],
     );
     bad(&["render", scene, "--frames", "0"], &["0"]);
+    bad(&["render", scene, "--ray-depth", "0"], &["0", "1..=16"]);
+    bad(&["render", scene, "--ray-depth", "17"], &["17", "1..=16"]);
+    bad(
+        &["render", scene, "--model", "gouraud"],
+        &["gouraud", "depth", "whitted"],
+    );
+    bad(&["fb", scene, "--corners"], &["--corners"]);
     bad(
         &[
             "render",
