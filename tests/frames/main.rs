@@ -1,4 +1,5 @@
-//! Whole frames on emulated SPUs: pictures, the work-unit protocol, and SPU programs that go wrong.
+//! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that go wrong,
+//! and shaders of games.
 
 mod faults;
 mod pictures;
@@ -6,3 +7,4 @@ mod protocol;
 mod random;
 mod recorder;
 mod retained;
+mod shaders;
