@@ -131,7 +131,15 @@ fn render(scene: &Path, size: &str, picture: &Path, options: &[&str]) -> Value {
     let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
         .arg("render")
         .arg(scene)
-        .args(["--size", size, "--frames", FRAMES, "--retrace", "--stats", "-"])
+        .args([
+            "--size",
+            size,
+            "--frames",
+            FRAMES,
+            "--retrace",
+            "--stats",
+            "-",
+        ])
         .arg("--out")
         .arg(picture)
         .args(options)
@@ -194,8 +202,8 @@ fn errors(scene: &Scene, picture: &Path, depth: u32) -> (String, String) {
         depth,
         ..Options::default()
     };
-    let (reference, _) = whitted::trace(scene, picture.width(), picture.height(), &options)
-        .expect("a reference");
+    let (reference, _) =
+        whitted::trace(scene, picture.width(), picture.height(), &options).expect("a reference");
     let found = oracle::compare(&picture, &reference).expect("pictures of one size");
     (
         format!("{:.4} %", 100.0 * found.wrong_fraction),

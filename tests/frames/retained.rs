@@ -18,6 +18,9 @@ use cellray::statistics::FrameStatistics;
 use cellray::work::{Skip, Split};
 use cellray::{Engine, EngineError, Scene, Settings};
 
+/// Something done to a scene.
+type Change = fn(&mut nff::Scene);
+
 #[test]
 fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
@@ -40,7 +43,7 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
 #[test]
 fn whitteds_model_is_traced_again_when_anything_has_changed() {
     let whitted = nff_scene("whitted16.nff");
-    let changes: [(&str, fn(&mut nff::Scene)); 11] = [
+    let changes: [(&str, Change); 11] = [
         ("a colour", |scene| scene.materials[7].colour.x = 0.1),
         ("a share", |scene| scene.materials[3].diffuse = 0.5),
         ("a shader", |scene| {
