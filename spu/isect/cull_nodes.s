@@ -6,9 +6,9 @@
 #           rest the node's; one more quadword may be written
 #           $3 behind the list
 #   Uses    $2-$50, $79   Saves  -   Stack  0   Calls  -
-#   Domain  bounds as bound_r16 makes them; the radius of a child's ball with a slack of 2^-18
-#           (|c| + R), c its centre, R its radius; of a lane without a child, less the largest
-#           single; distances from 2^-60 to 2^60
+#   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's ball
+#           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
+#           less the largest single; distances from 2^-60 to 2^60
 #   Error   0: no child is left out that a ray of the packet meets, from inside or within its t
 #   Twin    oracle/src/twin/cull_nodes.rs
 #

@@ -1,14 +1,14 @@
-//! `bound_r16`.
+//! `bound_fan_r16` and `bound_origins_r16`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::rays::call;
+use kernels::cases::whitted::rays::call::{self, Point};
 use kernels::cases::whitted::rays::fans::{self, FANS, SCALES};
 use kernels::vector::{Vector, cross, dot, less, magnitude, unit};
-use oracle::twin::bound::{Bound, NOTHING, bound};
+use oracle::twin::bound::{Bound, NOTHING, bound, bound_fan};
 use oracle::twin::eye_rays::{ABSENT, Ray};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::to_f64;
+use spu_emulator::float::single::{from_f64, to_f64};
 
 /// Packets of a batch: one for each, and more.
 const COUNTS: [usize; 6] = [1, 2, 3, 7, 8, 40];
@@ -27,6 +27,25 @@ fn check(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
     found
 }
 
+fn check_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Bound> {
+    let found = call::fans(bench, packets, point);
+    for (packet, found) in packets.iter().zip(&found) {
+        let Point { place, near, along } = *point;
+        let expected = bound_fan(packet, place, near, along);
+        assert_eq!(*found, expected, "{packet:x?} {point:x?}");
+    }
+    found
+}
+
+/// Any point, from or to which rays go.
+fn point(random: &mut ChaCha8Rng) -> Point {
+    Point {
+        place: random.random(),
+        near: random.random(),
+        along: from_f64(if random.random() { 1.0 } else { -1.0 }),
+    }
+}
+
 fn fan(random: &mut ChaCha8Rng) -> [Ray; 16] {
     let scale = magnitude(SCALES, random);
     fans::packet(FANS[random.random_range(0..FANS.len())], scale, random)
@@ -40,6 +59,7 @@ fn packets_equal_the_twin_in_lists_of_any_length() {
         for count in COUNTS {
             let packets: Vec<_> = (0..count).map(|_| fan(&mut random)).collect();
             check(&mut bench, &packets);
+            check_fans(&mut bench, &packets, &point(&mut random));
         }
     }
 }
@@ -51,6 +71,31 @@ fn any_bits_at_all_equal_the_twin() {
     for _ in 0..1000 {
         let packet = std::array::from_fn(|_| fans::junk(&mut random));
         check(&mut bench, &[packet]);
+        check_fans(&mut bench, &[packet], &point(&mut random));
+    }
+}
+
+/// The cone of rays that end at a point is that of the rays turned round.
+#[test]
+fn rays_turned_round_have_the_same_cone() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..500 {
+        let packet = fan(&mut random);
+        let turned = packet.map(|ray| Ray {
+            direction: ray.direction.map(|component| component ^ 0x8000_0000),
+            ..ray
+        });
+        let from = Point {
+            along: from_f64(1.0),
+            ..point(&mut random)
+        };
+        let to = Point {
+            along: from_f64(-1.0),
+            ..from
+        };
+        let turned = check_fans(&mut bench, &[turned], &to);
+        assert_eq!(check_fans(&mut bench, &[packet], &from), turned);
     }
 }
 
@@ -64,6 +109,8 @@ fn without_a_ray_the_radius_is_far_below_0() {
             ..fans::junk(&mut random)
         });
         assert_eq!(check(&mut bench, &[packet])[0].radius, NOTHING);
+        let fan = check_fans(&mut bench, &[packet], &point(&mut random))[0];
+        assert_eq!([fan.radius, fan.sine], [NOTHING; 2]);
     }
 }
 

@@ -1,12 +1,14 @@
-//! `bound_r16` and `cull_nodes` together: no child is left out that a ray of the packet meets, by f64
+//! What bounds rays and `cull_nodes` together: no child is left out that a ray of the packet meets, by f64
 //! from the singles of the records.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::any_direction;
-use kernels::cases::whitted::rays::call::{self, Ball, Child};
+use kernels::cases::whitted::rays::call::{self, Ball, Child, Point};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use oracle::twin::bound::Bound;
 use oracle::twin::eye_rays::Ray;
+use oracle::twin::{ONE, ZERO};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
@@ -69,9 +71,40 @@ fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
     dot(apart, apart) <= radius * radius
 }
 
-fn outcome(bench: &mut Bench, fan: Fan, slack: f64, random: &mut ChaCha8Rng) -> Outcome {
+/// Rays, and what bounds them.
+type Bounded = ([Ray; 16], Vec<Bound>);
+
+/// Makes rays of a scene of some scale.
+type Source<'a> = &'a dyn Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded;
+
+/// From anywhere.
+fn anywhere(fan: Fan) -> impl Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded {
+    move |bench, scale, random| {
+        let packet = fans::packet(fan, scale, random);
+        (packet, call::bounds(bench, &[packet]))
+    }
+}
+
+/// From the eye.
+fn from_eye(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
+    let packet = fans::packet(Fan::Eye, scale, random);
+    let eye = Point {
+        place: [ZERO; 3],
+        near: ZERO,
+        along: ONE,
+    };
+    (packet, call::fans(bench, &[packet], &eye))
+}
+
+/// To a light.
+fn to_light(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
+    let (packet, light) = fans::to_light(scale, random);
+    (packet, call::fans(bench, &[packet], &light))
+}
+
+fn outcome(bench: &mut Bench, source: Source<'_>, slack: f64, random: &mut ChaCha8Rng) -> Outcome {
     let scale = magnitude(SCALES, random);
-    let packet = fans::packet(fan, scale, random);
+    let (packet, bound) = source(bench, scale, random);
     let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
     let mut outcome = Outcome::default();
     if rays.is_empty() {
@@ -94,7 +127,6 @@ fn outcome(bench: &mut Bench, fan: Fan, slack: f64, random: &mut ChaCha8Rng) -> 
             }
         })
     });
-    let bound = call::bounds(bench, &[packet]);
     let pairs: [[usize; 2]; NODES] = std::array::from_fn(|node| [node, 0]);
     let (_, found) = call::cull_nodes(bench, &nodes, &bound, &pairs);
     let mut kept = [false; 4 * NODES];
@@ -110,46 +142,60 @@ fn outcome(bench: &mut Bench, fan: Fan, slack: f64, random: &mut ChaCha8Rng) -> 
     outcome
 }
 
-fn sum(fan: Fan, slack: f64) -> Outcome {
+fn sum(name: &str, source: Source<'_>, slack: f64) -> Outcome {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sum = Outcome::default();
     for _ in 0..PACKETS {
-        let one = outcome(&mut bench, fan, slack, &mut random);
+        let one = outcome(&mut bench, source, slack, &mut random);
         sum.tested += one.tested;
         sum.kept += one.kept;
         sum.met += one.met;
         sum.lost += one.lost;
     }
-    println!("{fan:?}, slack {slack:.1e}: {sum:?}");
+    println!("{name}, slack {slack:.1e}: {sum:?}");
     sum
 }
 
 #[test]
 fn no_child_that_a_ray_meets_is_left_out() {
+    let check = |name: &str, source: Source<'_>| {
+        let sum = sum(name, source, SLACK);
+        assert_eq!(sum.lost, 0, "{name}");
+        assert!(sum.met > sum.tested / 10, "{name}: {sum:?}");
+    };
     for fan in FANS {
-        let sum = sum(fan, SLACK);
-        assert_eq!(sum.lost, 0, "{fan:?}");
-        assert!(sum.met > sum.tested / 10, "{fan:?}: {sum:?}");
+        check(&format!("{fan:?}"), &anywhere(fan));
     }
+    check("from the eye", &from_eye);
+    check("to a light", &to_light);
 }
 
 /// The balls are near enough to the rays, and the bounds to both, that little less would not do.
 #[test]
 fn with_radii_a_hair_too_small_some_are_left_out() {
+    let check = |name: &str, source: Source<'_>| {
+        let sum = sum(name, source, -SLACK / 4.0);
+        assert!(sum.lost > sum.met / 1000, "{name}: {sum:?}");
+    };
     for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
-        let sum = sum(fan, -SLACK / 4.0);
-        assert!(sum.lost > sum.met / 1000, "{fan:?}: {sum:?}");
+        check(&format!("{fan:?}"), &anywhere(fan));
     }
+    check("from the eye", &from_eye);
 }
 
 /// Where rays go about one way, much of what they miss is left out, though most of these balls all but
 /// touch a ray.
 #[test]
 fn much_of_what_coherent_rays_miss_is_left_out() {
-    for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One, Fan::Half] {
-        let sum = sum(fan, SLACK);
+    let check = |name: &str, source: Source<'_>| {
+        let sum = sum(name, source, SLACK);
         let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
-        assert!(3 * left_out > missed, "{fan:?}: {sum:?}");
+        assert!(3 * left_out > missed, "{name}: {sum:?}");
+    };
+    for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One, Fan::Half] {
+        check(&format!("{fan:?}"), &anywhere(fan));
     }
+    check("from the eye", &from_eye);
+    check("to a light", &to_light);
 }

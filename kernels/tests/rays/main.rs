@@ -4,6 +4,7 @@
 
 mod bound;
 mod conservative;
+mod cull_faces;
 mod cull_nodes;
 mod eye_rays;
 mod load_rays;

@@ -1,21 +1,26 @@
-//! Twin of `spu/plain/isect/bound_r16.s`: what the rays of a packet are within.
+//! Twin of `spu/plain/isect/bound_fan_r16.s` and `bound_origins_r16.s`: what the rays of a packet are
+//! within.
 
-use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
+use spu_emulator::float::single::{fa, fcgt, fm, fma, fms, fnms, fs};
 
-use super::eye_rays::{ABSENT, Ray};
+use super::eye_rays::Ray;
 use super::flat::{SIGN, reciprocal};
 use super::math::{rsqrt, sqrt};
 use super::{ONE, Single, ZERO, below_zero};
 
-/// -3/16: less the smallest cosine of a cone.
-const WIDE: Single = 0xbe40_0000;
+/// 2 - 2 (3/16): the square of the longest chord of a cone.
+const WIDE: Single = 0x3fd0_0000;
+/// 1/32: less than (3/16)^2.
+const SHORT: Single = 0x3d00_0000;
+/// 1/4.
+const QUARTER: Single = 0x3e80_0000;
 /// 2^-18.
 const SLACK: Single = 0x3680_0000;
 /// 1 + 2^-18.
 const GROWN: Single = 0x3f80_0020;
-/// -(1 - 2^-12).
-const SHRUNK: Single = 0xbf7f_f000;
-/// Less the largest single: the radius where there is nothing.
+/// 1 - 2^-12, and half of it.
+const SHRUNK: [Single; 2] = [0x3f7f_f000, 0x3eff_f000];
+/// Less the largest single: the radius and the sine where there is nothing.
 pub const NOTHING: Single = 0xffff_ffff;
 
 /// A ball moved along a cone.
@@ -35,55 +40,96 @@ pub struct Bound {
     pub farthest: Single,
 }
 
-/// The bound of a packet's rays.
+/// The bound of a packet's rays from anywhere.
 #[must_use]
 pub fn bound(rays: &[Ray; 16]) -> Bound {
-    let is_there = rays.map(|ray| !below_zero(ray.t));
-    let weight = is_there.map(|there| if there { ONE } else { ZERO });
+    let weight = weights(rays, ONE);
     let count = lanes(std::array::from_fn(|lane| {
         let [first, second, third, fourth] = rows(&weight, lane);
         fa(fa(first, second), fa(third, fourth))
     }));
     let mean = reciprocal(count);
     let apex = sum(&rays.map(|ray| ray.origin), &weight).map(|sum| fm(sum, mean));
-    let sum = sum(&rays.map(|ray| ray.direction), &weight);
-    let inverse = rsqrt(dot(sum, sum));
-    let axis = sum.map(|sum| fm(sum, inverse));
+    let cone = Cone::of(rays, ONE);
 
-    let apart = rays.map(|ray| std::array::from_fn(|axis| fs(ray.origin[axis], apex[axis])));
-    let beyond = rays.map(|ray| {
-        let [dx, dy, dz] = ray.direction;
-        fnms(dz, axis[2], fnms(dy, axis[1], fnms(dx, axis[0], ZERO)))
+    let apart = there(rays, |ray| {
+        let apart = std::array::from_fn(|axis| fs(ray.origin[axis], apex[axis]));
+        dot(apart, apart)
     });
-    let beside: [[Single; 3]; 16] = std::array::from_fn(|ray| {
-        std::array::from_fn(|k| fma(beyond[ray], axis[k], rays[ray].direction[k]))
-    });
-    let square = |vectors: &[[Single; 3]; 16], ray: usize| {
-        let vector = vectors[ray];
-        if is_there[ray] {
-            dot(vector, vector)
-        } else {
-            ZERO
-        }
-    };
-    let largest_n = largest(std::array::from_fn(|ray| {
-        if is_there[ray] { beyond[ray] } else { ABSENT }
-    }));
-    let sine = sqrt(largest(std::array::from_fn(|ray| square(&beside, ray))));
-    let radius = sqrt(largest(std::array::from_fn(|ray| square(&apart, ray))));
-
     let [x, y, z] = apex.map(|component| component & !SIGN);
-    let radius = fma(fa(fa(x, y), z), SLACK, fm(radius, GROWN));
-    let is_wide = fcgt(largest_n, WIDE) != 0;
-    let of_cone = |value| if is_wide { ZERO } else { value };
-    Bound {
-        apex,
-        axis: axis.map(of_cone),
-        cosine: of_cone(fm(largest_n, SHRUNK)),
-        sine: of_cone(fa(sine, SLACK)),
-        radius: if count == ZERO { NOTHING } else { radius },
-        farthest: largest(rays.map(|ray| ray.t)),
+    let radius = fm(sqrt(largest(apart)), GROWN);
+    let radius = fma(fa(fa(x, y), z), SLACK, radius);
+    cone.bound(apex, radius, rays, count == ZERO)
+}
+
+/// The bound of a packet's rays that start at a point, with `along` 1, or end there, with -1.
+#[must_use]
+pub fn bound_fan(rays: &[Ray; 16], point: [Single; 3], near: Single, along: Single) -> Bound {
+    let is_nobody_there = below_zero(largest(rays.map(|ray| ray.t)));
+    Cone::of(rays, along).bound(point, fa(ZERO, near), rays, is_nobody_there)
+}
+
+/// A cone about directions.
+struct Cone {
+    axis: [Single; 3],
+    cosine: Single,
+    sine: Single,
+}
+
+impl Cone {
+    /// The cone about those of the rays, turned round if `along` is -1.
+    fn of(rays: &[Ray; 16], along: Single) -> Self {
+        let sum = sum(&rays.map(|ray| ray.direction), &weights(rays, along));
+        let [x, y, z] = sum.map(|sum| fm(sum, sum));
+        let length = fa(fa(x, y), z);
+        let inverse = rsqrt(length);
+        let axis = sum.map(|sum| fm(sum, inverse));
+        let chord = largest(there(rays, |ray| {
+            let apart = std::array::from_fn(|k| fms(ray.direction[k], along, axis[k]));
+            dot(apart, apart)
+        }));
+        let sine = sqrt(fnms(fm(chord, QUARTER), chord, chord));
+        let [most, half] = SHRUNK;
+        let is_wide = fcgt(chord, WIDE) != 0 || fcgt(SHORT, length) != 0;
+        let of_cone = |value| if is_wide { ZERO } else { value };
+        Self {
+            axis: axis.map(of_cone),
+            cosine: of_cone(fnms(chord, half, most)),
+            sine: of_cone(fma(sine, ONE, SLACK)),
+        }
     }
+
+    /// The bound with a ball.
+    fn bound(
+        self,
+        apex: [Single; 3],
+        radius: Single,
+        rays: &[Ray; 16],
+        is_nobody_there: bool,
+    ) -> Bound {
+        let unless_empty = |value| if is_nobody_there { NOTHING } else { value };
+        Bound {
+            apex,
+            axis: self.axis,
+            cosine: self.cosine,
+            sine: unless_empty(self.sine),
+            radius: unless_empty(radius),
+            farthest: largest(rays.map(|ray| ray.t)),
+        }
+    }
+}
+
+/// The weights of rays that are there; of others 0.
+fn weights(rays: &[Ray; 16], weight: Single) -> [Single; 16] {
+    there(rays, |_| weight)
+}
+
+/// Of rays that are there some value; of others 0.
+fn there(rays: &[Ray; 16], value: impl Fn(&Ray) -> Single) -> [Single; 16] {
+    std::array::from_fn(|lane| {
+        let ray = &rays[lane];
+        if below_zero(ray.t) { ZERO } else { value(ray) }
+    })
 }
 
 fn dot([ax, ay, az]: [Single; 3], [bx, by, bz]: [Single; 3]) -> Single {

@@ -11,6 +11,7 @@ pub mod bounce;
 pub mod bound;
 pub mod cone;
 pub mod cull;
+pub mod cull_faces;
 pub mod cull_nodes;
 pub mod eye_rays;
 pub mod flat;

@@ -125,9 +125,9 @@ constants! {
     /// Where in local store the buffers begin that depth shading and Whitted's model each use in their way.
     ARENA_ADDRESS = 0x1b000;
     /// Where in local store the scene of Whitted's model lies: first the background's `OBJECT`.
-    SCENE_ADDRESS = 0x2d880;
+    SCENE_ADDRESS = 0x2da00;
     /// Bytes for the scene and the rays that wait.
-    SCENE_ROOM = 0x11700;
+    SCENE_ROOM = 0x11580;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.

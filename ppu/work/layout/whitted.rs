@@ -132,8 +132,8 @@ record! {
         directional: U32,
         /// Brightness: red, green, blue.
         brightness: [F32; 3],
-        /// 0.
-        reserved: U32,
+        /// How near to it shadow rays end, and with what slack: see `bound_fan_r16`.
+        near: F32,
     }
 }
 
@@ -208,7 +208,7 @@ record! {
 }
 
 record! {
-    /// Local store: what a packet's rays are within, a ball moved along a cone; every value in all four lanes.
+    /// Local store: what a packet's rays are within, a ball moved along a cone; every value in all four lanes, the last fields but once.
     Bound as "BOUND" {
         /// Middle of the rays' origins, x.
         apex_x: [F32; 4],
@@ -230,6 +230,12 @@ record! {
         radius: [F32; 4],
         /// Largest distance that a ray counts to.
         farthest: [F32; 4],
+        /// The middle once more: x, y, z, anything.
+        apex: [F32; 4],
+        /// The vector once more: x, y, z, anything.
+        axis: [F32; 4],
+        /// Sine, radius, anything, anything.
+        limits: [F32; 4],
     }
 }
 

@@ -7,7 +7,7 @@ use nff::{LightKind, Material, Scene, Shader, unit};
 use zerocopy::FromZeros as _;
 
 use super::BlockError;
-use super::objects::single;
+use super::objects::{single, taxicab};
 use super::range::Place;
 use crate::scene::singles;
 use crate::work::layout::{
@@ -16,6 +16,9 @@ use crate::work::layout::{
 
 /// By what the exponent of Phong's highlight is multiplied for Blinn's.
 const BLINN: f64 = 4.0;
+
+/// What `cull_nodes` takes of an apex's coordinates for its own rounding, and as much again.
+const SLACK: f64 = 2.0 / (1 << 18) as f64;
 
 /// Names of the shaders that are the SPUs' own.
 const CHECKER: &str = "checker";
@@ -198,8 +201,13 @@ impl Light {
         })
     }
 
-    /// Its record as seen from `eye`.
-    pub fn record(&self, eye: DVec3) -> layout::Light {
+    /// Its record as seen from `eye`; `leave` is the largest that an object has.
+    ///
+    /// A shadow ray goes to the light from the point on the surface, but starts off it: it passes the
+    /// light by as much, at most three times `leave`, and by the rounding of its direction and length,
+    /// four units in the last place of the distance. That is at most twice `leave` more, and a quarter
+    /// of the slack of 2^-18 that `cull_nodes` takes of the light's coordinates.
+    pub fn record(&self, eye: DVec3, leave: f64) -> layout::Light {
         let (position, directional) = match self.kind {
             LightKind::Point { position } => (position - eye, 0),
             // A direction of 0, which no file has, lights nothing.
@@ -208,6 +216,7 @@ impl Light {
         layout::Light {
             position: singles(position),
             directional: directional.into(),
+            near: single(SLACK * taxicab(position) + 8.0 * leave),
             ..self.record
         }
     }

@@ -135,8 +135,10 @@ impl SceneBlock {
         place.vector("eye", eye)?;
         let size = size_of::<layout::Light>();
         let places = (self.light_address..).step_by(size);
+        let leave = self.planted.iter().map(|planted| planted.leave(eye));
+        let leave = leave.fold(0.0, f64::max);
         for (address, light) in places.zip(&self.lights) {
-            let record = light.record(eye);
+            let record = light.record(eye, leave);
             self.block
                 .at(address, size)
                 .copy_from_slice(record.as_bytes());

@@ -361,6 +361,18 @@ impl Head {
 }
 
 impl Object {
+    /// How far off its surface a ray has to start for the object's own numbers, as seen from `eye`. No
+    /// coordinate of a point on it adds more than `leave` to that.
+    pub fn leave(&self, eye: DVec3) -> f64 {
+        let Head {
+            centre,
+            offset,
+            extent,
+            ..
+        } = self.form.head();
+        LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
+    }
+
     /// Writes the record, as seen from `eye`, to where it lies; `material` is its material's address.
     pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
         let Head {
@@ -369,7 +381,7 @@ impl Object {
             axis,
             slope,
             offset,
-            extent,
+            ..
         } = self.form.head();
         let centre = centre - eye;
         let head = layout::Object {
@@ -378,7 +390,7 @@ impl Object {
             axis: singles(axis),
             slope: single(slope),
             offset: single(offset),
-            leave: single(LEAVE * (taxicab(centre) + offset.abs() + extent)),
+            leave: single(self.leave(eye)),
             material,
             sides: self.sides.into(),
         };
@@ -436,6 +448,6 @@ pub(super) fn single(value: f64) -> F32 {
 }
 
 /// The sum of a vector's magnitudes.
-fn taxicab(vector: DVec3) -> f64 {
+pub(super) fn taxicab(vector: DVec3) -> f64 {
     vector.abs().element_sum()
 }

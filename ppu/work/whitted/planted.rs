@@ -50,6 +50,12 @@ impl Planted {
         }
     }
 
+    /// The farthest that any object's own numbers have rays start off it.
+    pub fn leave(&self, eye: DVec3) -> f64 {
+        let leave = self.objects.iter().map(|object| object.leave(eye));
+        leave.fold(0.0, f64::max)
+    }
+
     /// Writes all records as seen from `eye`.
     pub fn write(&self, eye: DVec3, block: &mut Block) {
         let places = self.addresses.iter().zip(&self.materials);

@@ -38,6 +38,8 @@ function batch_trace
         enter
         ila     $3,arena+BATCH_RAYS
         ori     $4,$w_count,0
+        ceqi    $5,$w_depth,1
+        sfi     $5,$5,-1                                # rays of depth 1 come from the eye
 trace_call:
         brsl    $lr,packets_trace
 

@@ -123,6 +123,9 @@ rays_call:
         phase_ends $g_ticks_shade,$amount
         ila     $3,arena+SHADOW_RAYS
         ori     $4,$w_sites,0
+        load_word $5,LIGHT_directional,$w_light
+        andc    $lights,$w_light,$5
+        or      $5,$lights,$5                           # -1 if it is infinitely far
 trace_call:
         brsl    $lr,packets_trace
 unshadowed:

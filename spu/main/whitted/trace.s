@@ -15,6 +15,7 @@
         .set    PLAN_test,12                            # address of the kernel
         .set    PLAN_roots,16                           # how many are at the top
         .set    PLAN_objects,20
+        .set    PLAN_flat,24                            # whether its objects are
         .set    PLAN_SIZE,32
 # The same with the packets of SHADOW_RAYS follow.
         .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
@@ -28,6 +29,10 @@ sheared:                                # objects that want their packets' shear
         .skip   16
 next_list:
         .skip   16
+fan:                                    # whether the rays go through one point
+        .skip   16
+along:                                  # what cull_faces takes
+        .skip   16
 
         .section .rodata
         .align  4
@@ -37,10 +42,11 @@ first_candidate:
         .int    0,arena+BATCH_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
-kernels:                                # by tree: the test, the size of an object
+eye:    .skip   LIGHT_SIZE                              # a LIGHT there
+kernels:                                # by tree: the test, the size of an object, whether it is flat
         .int    isect_ball_pairs_r16,OBJECT_SIZE,0,0
-        .int    isect_rectangle_pairs_r16,RECT_SIZE,0,0
-        .int    isect_triangle_pairs_r16,TRI_SIZE,0,0
+        .int    isect_rectangle_pairs_r16,RECT_SIZE,1,0
+        .int    isect_triangle_pairs_r16,TRI_SIZE,1,0
         .int    isect_cone_pairs_r16,CONE_SIZE,0,0
 
 # trees_plan   makes the plans of the frame's trees
@@ -134,6 +140,8 @@ as_many:
         store_word $test,PLAN_test,$a_plan,$t_quad,$t_mask
         store_word $roots,PLAN_roots,$a_plan,$t_quad,$t_mask
         store_word $objects,PLAN_objects,$a_plan,$t_quad,$t_mask
+        rotqbyi $test,$test,8
+        store_word $test,PLAN_flat,$a_plan,$t_quad,$t_mask
         ori     $a_out,$a_list,0
         list_candidates first_candidate
         il      $room,SHADOW_CANDIDATES
@@ -161,15 +169,27 @@ endfunction trees_plan
         .set    counts,17
 
 # packets_trace   finds the nearest hits of packets
-#   In      $3 BATCH_RAYS or SHADOW_RAYS, $4 how many packets of these, at least 1
+#   In      $3 BATCH_RAYS or SHADOW_RAYS, $4 how many packets of these, at least 1, $5 through what
+#           they all go: -1 is nothing, 0 the eye, from where they come, else the LIGHT to which they go
 #   Uses    $3-$79, w_packets, w_traced, w_plan, w_first, w_here, w_left
 #
 # Branches are hinted where there is time to: the calls are short.
 function packets_trace
-        hbrr    bound_call,bound_r16
+        hbrr    bound_call,bound_fan_r16
         enter
         ori     $w_packets,$3,0
         ori     $w_traced,$4,0
+        ori     $6,$5,0
+        ilhu    $7,0x3f80
+        cgti    $counts,$6,0
+        ilhu    $amount,0x8000
+        and     $amount,$amount,$counts
+        or      $7,$7,$amount                           # -1 if to a light
+        stqa    $7,along
+        ila     $amount,eye
+        selb    $6,$amount,$6,$counts
+        cgti    $counts,$5,-1
+        stqa    $counts,fan
         ila     $5,arena+BATCH_BOUNDS
         # What the lists for these packets are off those for BATCH_RAYS.
         ila     $w_packets,arena+BATCH_RAYS
@@ -178,8 +198,10 @@ function packets_trace
         andc    $w_packets,$w_left,$w_packets
         ila     $w_plan,plans
 bound_call:
-        brsl    $lr,bound_r16
-        brz     $g_skip,open
+        brsl    $lr,bound_fan_r16
+        lqa     $counts,fan
+        brz     $counts,from_all_over
+balls:  brz     $g_skip,open
 bounded:
         lqa     $c_more,sheared
         brnz    $c_more,shear
@@ -214,7 +236,10 @@ cull_call:
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
 found:
         # Candidates are objects now.
-        lqd     $plan,0($w_plan)
+        lqd     $sizes,PLAN_roots($w_plan)
+        rotqbyi $plan,$sizes,PLAN_flat-PLAN_roots
+        brnz    $plan,flat
+seen:   lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
         rotqbyi $plan,$plan,PLAN_test
         hbr     test_call,$plan
@@ -251,6 +276,25 @@ high_level:
         brnz    $c_more,high_level
         br      cull_call
 
+flat:   count   cull_tests,$4,$t_sum,$t_add,$t_carry
+        ila     $5,arena+OBJECT_LIST
+        lqa     $6,along
+        brsl    $lr,cull_faces
+        ila     $5,arena+OBJECT_LIST
+        sf      $4,$5,$3
+        ori     $3,$5,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        br      seen
+
+from_all_over:
+        ila     $3,arena+BATCH_RAYS
+        ila     $4,arena+SHADOW_RAYS
+        ceqi    $5,$w_packets,0
+        selb    $3,$4,$3,$5
+        ori     $4,$w_traced,0
+        ila     $5,arena+BATCH_BOUNDS
+        brsl    $lr,bound_origins_r16
+        br      balls
 open:   brsl    $lr,bounds_open
         br      bounded
 shear:  ila     $3,arena+BATCH_RAYS
@@ -281,7 +325,10 @@ next_bound:
     .irp field, axis_x,axis_y,axis_z,cosine,sine
         stqd    $zero,BOUND_\field($a_bound)
     .endr
-    .irp field, radius,farthest
+    .irp field, axis,apex
+        stqd    $zero,BOUND_\field($a_bound)
+    .endr
+    .irp field, radius,farthest,limits
         stqd    $largest,BOUND_\field($a_bound)
     .endr
         ai      $a_bound,$a_bound,BOUND_SIZE

@@ -1,9 +1,11 @@
 //! The kernels that make packets of rays, and those that leave out what no ray of a packet meets.
 
 pub mod call;
+pub mod faces;
 pub mod fans;
 
 use oracle::twin::bound::{Bound, bound};
+use oracle::twin::cull_faces::Face;
 use oracle::twin::eye_rays::{Ray, View};
 use oracle::twin::load_rays::Queued;
 use oracle::twin::ray_setup::Basis;
@@ -16,7 +18,7 @@ use crate::bench::Bench;
 use crate::cases::ball::unit;
 use crate::cases::eye::error::{camera, error_of_directions};
 use crate::catalogue::{Case, Kernel, Objects};
-use call::{Ball, Child};
+use call::{Ball, Child, Point};
 
 /// A packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -52,13 +54,43 @@ pub const KERNELS: &[Kernel] = &[
         error: None,
     },
     Kernel {
-        name: "bound_r16",
+        name: "bound_origins_r16",
         rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
-            place: |bench, count| call::put_for_bounds(bench, &vec![rays(); count as usize]).1,
+            place: |bench, count| {
+                let bounds = vec![bound(&rays()); count as usize];
+                call::put_for_bounds(bench, &vec![rays(); count as usize], &bounds).1
+            },
         }],
+        error: None,
+    },
+    Kernel {
+        name: "bound_fan_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| call::put_for_fans(bench, &vec![rays(); count as usize], &EYE).1,
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "cull_faces",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| cull_faces(bench, -1.0, count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| cull_faces(bench, 1.0, count),
+            },
+        ],
         error: None,
     },
     Kernel {
@@ -102,6 +134,13 @@ const QUEUED: Queued = Queued {
     pixel: 0,
 };
 
+/// Where those of the cases come from.
+const EYE: Point = Point {
+    place: [ZERO; 3],
+    near: ZERO,
+    along: ONE,
+};
+
 /// Rays about -z.
 fn rays() -> [Ray; 16] {
     std::array::from_fn(|lane| {
@@ -129,6 +168,19 @@ fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
     let bounds: [Bound; 1] = [bound(&rays())];
     let pairs = vec![[0, 0]; count as usize];
     call::put_candidates(bench, &[[child; 4]], &bounds, &pairs).arguments
+}
+
+/// Candidates of a face before the rays, whose normal has this z, and one packet.
+fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
+    let face = Face {
+        point: [0.0, 0.0, -5.0].map(from_f64),
+        normal: [0.0, 0.0, z].map(from_f64),
+        leave: ZERO,
+        both: false,
+    };
+    let bounds: [Bound; 1] = [bound(&rays())];
+    let pairs = vec![[0, 0]; count as usize];
+    faces::put(bench, &[face], &bounds, &pairs, ONE).arguments
 }
 
 /// Largest error of a direction's component, in ulps of 1.

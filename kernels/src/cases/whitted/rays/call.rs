@@ -1,9 +1,9 @@
 //! Calls of these kernels with what their twins take.
 
-use oracle::twin::Single;
 use oracle::twin::bound::Bound;
 use oracle::twin::eye_rays::{Ray, View};
 use oracle::twin::load_rays::Queued;
+use oracle::twin::{ONE, Single};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
@@ -12,6 +12,9 @@ use crate::cases::eye::call::{address, put, put_places};
 use crate::eye_records;
 use crate::layout::{self, Candidate, Node, QueuedRay, RayPacket};
 use crate::single::{bits, single};
+
+/// Fills what has no meaning.
+const ANYTHING: u32 = 0x7fff_ffff;
 
 /// A bounding sphere.
 #[derive(Clone, Copy, Debug)]
@@ -75,9 +78,9 @@ fn splat(value: Single) -> [F32; 4] {
     [single(value); 4]
 }
 
-/// The record of a bound.
+/// The record of a bound; `anything` fills what has no meaning.
 #[must_use]
-pub fn bound_record(bound: &Bound) -> layout::Bound {
+pub fn bound_record(bound: &Bound, anything: u32) -> layout::Bound {
     let [apex_x, apex_y, apex_z] = bound.apex.map(splat);
     let [axis_x, axis_y, axis_z] = bound.axis.map(splat);
     layout::Bound {
@@ -91,14 +94,22 @@ pub fn bound_record(bound: &Bound) -> layout::Bound {
         sine: splat(bound.sine),
         radius: splat(bound.radius),
         farthest: splat(bound.farthest),
+        apex: first_words(bound.apex, anything),
+        axis: first_words(bound.axis, anything),
+        limits: first_words([bound.sine, bound.radius, anything], anything),
     }
+}
+
+/// A quadword of three words and anything.
+fn first_words([x, y, z]: [Single; 3], anything: u32) -> [F32; 4] {
+    [x, y, z, anything].map(single)
 }
 
 /// The bound of a record.
 ///
 /// # Panics
 ///
-/// If its lanes differ.
+/// If its lanes differ, or what it has twice.
 #[must_use]
 pub fn bound(record: &layout::Bound) -> Bound {
     let one = |lanes: [F32; 4]| {
@@ -106,14 +117,19 @@ pub fn bound(record: &layout::Bound) -> Bound {
         assert_eq!(lanes, [lanes[0]; 4], "lanes of a bound");
         lanes[0]
     };
-    Bound {
+    let bound = Bound {
         apex: [record.apex_x, record.apex_y, record.apex_z].map(one),
         axis: [record.axis_x, record.axis_y, record.axis_z].map(one),
         cosine: one(record.cosine),
         sine: one(record.sine),
         radius: one(record.radius),
         farthest: one(record.farthest),
-    }
+    };
+    assert_eq!(record.apex.map(bits)[..3], bound.apex, "apex");
+    assert_eq!(record.axis.map(bits)[..3], bound.axis, "axis");
+    let limits = [bound.sine, bound.radius];
+    assert_eq!(record.limits.map(bits)[..2], limits, "limits");
+    bound
 }
 
 /// The record of a node.
@@ -213,20 +229,75 @@ pub fn load_rays(
     bench.read_all(packets).iter().map(rays).collect()
 }
 
-/// Places what `bound_r16` takes; gives the bounds' place and the arguments.
-pub fn put_for_bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> (Place, Vec<u32>) {
+/// A point that rays start or end at.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// Where it is.
+    pub place: [Single; 3],
+    /// How near to it the rays' ends are.
+    pub near: Single,
+    /// 1 if they start there, -1 if they end there.
+    pub along: Single,
+}
+
+/// Places packets and bounds; gives the bounds' place and the arguments of `bound_origins_r16`.
+pub fn put_for_bounds(
+    bench: &mut Bench,
+    packets: &[[Ray; 16]],
+    bounds: &[Bound],
+) -> (Place, Vec<u32>) {
     let records: Vec<RayPacket> = packets.iter().map(packet).collect();
     let records = put(bench, &records);
-    let bounds = put(bench, &vec![layout::Bound::new_zeroed(); packets.len()]);
+    let bounds: Vec<layout::Bound> = bounds
+        .iter()
+        .map(|bound| bound_record(bound, ANYTHING))
+        .collect();
+    let bounds = put(bench, &bounds);
     let arguments = vec![records.address, packets.len() as u32, bounds.address];
     (bounds, arguments)
 }
 
-/// `bound_r16`.
-pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
+/// Places what `bound_fan_r16` takes; gives the bounds' place and the arguments.
+pub fn put_for_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> (Place, Vec<u32>) {
+    let records: Vec<RayPacket> = packets.iter().map(packet).collect();
+    let records = put(bench, &records);
+    let bounds = put(bench, &vec![layout::Bound::new_zeroed(); packets.len()]);
+    let light = layout::Light {
+        position: point.place.map(single),
+        directional: ANYTHING.into(),
+        brightness: [ANYTHING; 3].map(single),
+        near: single(point.near),
+    };
+    let light = put(bench, &[light]);
+    let arguments = vec![
+        records.address,
+        packets.len() as u32,
+        bounds.address,
+        light.address,
+        point.along,
+    ];
+    (bounds, arguments)
+}
+
+/// `bound_fan_r16`.
+pub fn fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Bound> {
     bench.reset();
-    let (bounds, arguments) = put_for_bounds(bench, packets);
-    bench.call("bound_r16", &arguments);
+    let (bounds, arguments) = put_for_fans(bench, packets, point);
+    bench.call("bound_fan_r16", &arguments);
+    bench.read_all(bounds).iter().map(bound).collect()
+}
+
+/// `bound_fan_r16` of any point, then `bound_origins_r16`.
+pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
+    let point = Point {
+        place: [ANYTHING; 3],
+        near: ANYTHING,
+        along: ONE,
+    };
+    let fans = fans(bench, packets, &point);
+    bench.reset();
+    let (bounds, arguments) = put_for_bounds(bench, packets, &fans);
+    bench.call("bound_origins_r16", &arguments);
     bench.read_all(bounds).iter().map(bound).collect()
 }
 
@@ -249,7 +320,10 @@ pub fn put_candidates(
 ) -> Candidates {
     let nodes: Vec<Node> = nodes.iter().map(node).collect();
     let nodes = put(bench, &nodes);
-    let bounds: Vec<layout::Bound> = bounds.iter().map(bound_record).collect();
+    let bounds: Vec<layout::Bound> = bounds
+        .iter()
+        .map(|bound| bound_record(bound, ANYTHING))
+        .collect();
     let bounds = put(bench, &bounds);
     let candidate = |(number, &[node, bound]): (usize, &[usize; 2])| Candidate {
         object: address::<Node>(nodes, node).into(),

@@ -4,8 +4,9 @@ use oracle::twin::eye_rays::{ABSENT, Ray};
 use oracle::twin::{FARTHEST, ONE, Single, ZERO};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
-use spu_emulator::float::single::from_f64;
+use spu_emulator::float::single::{from_f64, to_f64};
 
+use super::call::Point;
 use crate::cases::ball::any_direction;
 use crate::vector::{Vector, dot, in_cube, less, magnitude, unit};
 
@@ -105,6 +106,38 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
         };
         ray(origin, direction, t)
     })
+}
+
+/// A packet of shadow rays to a light, and the light: they start as far off as they may, and some are
+/// not there.
+pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
+    let far = if random.random() { 1.0 } else { 100.0 };
+    let place = in_cube(far * scale, random);
+    let along = any_direction(random);
+    let light = moved(place, along, scale * magnitude(0.1..100.0, random));
+    let light = light.map(|component| to_f64(from_f64(component)));
+    let size = scale * magnitude(1e-5..1.0, random);
+    let taxicab = |vector: Vector| vector.iter().map(|component| component.abs()).sum::<f64>();
+    // As an object of this reach has it, around the place.
+    let leave = (taxicab(place) + 3.0 * size) / f64::from(1 << 20);
+    let rays = std::array::from_fn(|_| {
+        let point = moved(place, in_cube(1.0, random), size);
+        let origin = moved(point, any_direction(random), 2.7 * leave);
+        let to_light = less(light, point);
+        let t = from_f64(dot(to_light, to_light).sqrt());
+        let is_there = random.random_range(0..8) > 0;
+        Ray {
+            t: if is_there { t } else { ABSENT },
+            ..ray(origin, to_light, t)
+        }
+    });
+    let near = 2.0 * taxicab(light) / f64::from(1 << 18) + 8.0 * leave;
+    let point = Point {
+        place: light.map(from_f64),
+        near: from_f64(near),
+        along: from_f64(-1.0),
+    };
+    (rays, point)
 }
 
 /// A ray in singles.

@@ -146,7 +146,7 @@ pub fn light_record(place: &shadow_rays::Place, brightness: [Single; 3]) -> layo
         position: place.position.map(single),
         directional: if place.directional { u32::MAX } else { 0 }.into(),
         brightness: brightness.map(single),
-        reserved: ANYTHING.into(),
+        near: single(ANYTHING),
     }
 }
 

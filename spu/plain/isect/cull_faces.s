@@ -1,0 +1,129 @@
+# cull_faces   of candidates whose objects are flat, those some ray of which may meet the seen side
+#   C       struct candidate *cull_faces(const struct candidate *, int count, struct candidate *,
+#                                        float along);
+#   In      $3 candidates whose objects have gain 0 and a unit axis, $4 count (0 is none), $5 where the
+#           list goes: elsewhere, or over the candidates; $6 1 if the
+#           rays go along their bounds' axes, -1 if against them; pointers 16-aligned
+#   Out     those candidates, in order; behind them what is left out may be written, but nothing
+#           behind as many quadwords as there are candidates
+#           $3 behind the list
+#   Uses    $3-$4, $10-$35   Saves  -   Stack  0   Calls  -
+#   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; distances from 2^-60 to 2^60;
+#           OBJECT_leave at least 2^-20 of the sum of the centre's components' magnitudes
+#   Error   0: no candidate is left out whose plane a ray meets from a side that is seen, by the numbers
+#           of the records
+#   Twin    oracle/src/twin/cull_faces.rs
+#
+# With n the object's axis:
+#   g = axis.n                  all rays go with n if g > sine, all against it if -g > sine
+#   h = (apex - centre).n       all start before the plane if h > M, all behind it if -h > M
+#   M = radius + leave          what starts within rounding of the plane counts as on both sides
+# The front is met by rays that start before it and go against n. So a candidate is left out that is
+# seen from the front alone if all go with n, or all start behind. One with SIDES_BOTH is left out if
+# all go with n and start before it, or go against it and start behind.
+#
+# Rays that go against their bound's axis end in its ball: their ends' sides are the other ones, and
+# their directions too.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+
+        .set    a_first,3
+        .set    count,4
+        .set    a_list,5
+        .set    along,6
+        # constants
+        .set    k_along,10
+        .set    k_leave,11                              # by lanes: 0, 1
+        .set    k_sixteen,12
+        .set    m_first,13
+        .set    m_third,14
+        .set    m_outer,15
+        .set    m_inner,16
+        .set    m_w,17
+        # state
+        .set    a_candidate,18
+        .set    found,19                                # bytes of the list so far
+        # the candidate
+        .set    candidate,20
+        .set    a_bound,21
+        .set    apart,22
+        .set    normal,23
+        .set    own,24                                  # offset, leave, material, sides
+        .set    axis,25
+        .set    limits,26
+        # lanes: of g, of h
+        .set    terms,27
+        .set    others,28
+        .set    with,29                                 # limit less what it limits
+        .set    against,30
+        .set    outer,31                                # all go with it; all start behind
+        .set    inner,32                                # all start before; all go against it
+        .set    both,33
+        .set    drop,34
+        .set    step,35
+
+        .section .rodata
+        .align  4
+first_words:
+        .int    0x00010203,0x10111213,0x04050607,0x14151617
+third_words:
+        .int    0x08090a0b,0x18191a1b,0x80808080,0x80808080
+outer_words:
+        .int    0x00010203,0x14151617,0x80808080,0x80808080
+inner_words:
+        .int    0x04050607,0x10111213,0x80808080,0x80808080
+leave_by_lane:
+        .float  0,1,0,0
+
+function cull_faces
+        ori     $a_candidate,$a_first,0
+        ori     $3,$a_list,0
+        biz     $count,$lr
+        splat_mask $m_w
+        splat   $k_along,$along,$m_w
+        load_constant $m_w,0x0c0d0e0f
+        il      $k_sixteen,CANDIDATE_SIZE
+        lqa     $k_leave,leave_by_lane
+        lqa     $m_first,first_words
+        lqa     $m_third,third_words
+        lqa     $m_outer,outer_words
+        lqa     $m_inner,inner_words
+        il      $found,0
+next_face:
+        lqd     $candidate,0($a_candidate)
+        rotqbyi $a_bound,$candidate,CANDIDATE_bound
+        lqd     $own,OBJECT_offset($candidate)
+        lqd     $normal,OBJECT_axis($candidate)
+        lqd     $others,OBJECT_centre($candidate)
+        lqd     $apart,BOUND_apex($a_bound)
+        lqd     $axis,BOUND_axis($a_bound)
+        lqd     $limits,BOUND_limits($a_bound)
+        fs      $apart,$apart,$others
+        fm      $apart,$apart,$normal
+        fm      $axis,$axis,$normal
+        shufb   $terms,$axis,$apart,$m_first
+        shufb   $others,$axis,$apart,$m_third
+        fa      $terms,$terms,$others
+        rotqbyi $others,$terms,8
+        fa      $terms,$terms,$others
+        fma     $limits,$own,$k_leave,$limits
+        fnms    $with,$terms,$k_along,$limits
+        fma     $against,$terms,$k_along,$limits
+        shufb   $outer,$with,$against,$m_outer
+        shufb   $inner,$with,$against,$m_inner
+        a       $both,$own,$own                         # SIDES_BOTH becomes the sign
+        shufb   $both,$both,$both,$m_w
+        orc     $inner,$inner,$both
+        and     $drop,$outer,$inner
+        orx     $drop,$drop
+        rotmai  $drop,$drop,-31
+        andc    $step,$k_sixteen,$drop
+        stqx    $candidate,$3,$found
+        a       $found,$found,$step
+        ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_face
+        a       $3,$3,$found
+        bi      $lr
+endfunction cull_faces
