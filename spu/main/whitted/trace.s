@@ -276,14 +276,18 @@ high_level:
         brnz    $c_more,high_level
         br      cull_call
 
-flat:   count   cull_tests,$4,$t_sum,$t_add,$t_carry
+flat:   hbrr    faces_call,cull_faces
+        count   cull_tests,$4,$t_sum,$t_add,$t_carry
         ila     $5,arena+OBJECT_LIST
         lqa     $6,along
+faces_call:
         brsl    $lr,cull_faces
+        hbrr    faces_done,seen
         ila     $5,arena+OBJECT_LIST
         sf      $4,$5,$3
         ori     $3,$5,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+faces_done:
         br      seen
 
 from_all_over:
