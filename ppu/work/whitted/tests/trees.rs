@@ -107,10 +107,11 @@ fn every_object_is_inside_all_spheres_above_it() {
 
 #[test]
 fn levels_and_nodes_at_the_top() {
-    // Objects, levels, nodes at the top: at most 8 of them, and all leaves on one level.
+    // Objects, levels, nodes at the top: at most 8 of them, and all leaves on one level. One object
+    // stands alone, without a level.
     for (objects, levels, roots) in [
         (0, 1, 0),
-        (1, 1, 1),
+        (1, 0, 1),
         (4, 1, 1),
         (5, 1, 2),
         (32, 1, 8),
