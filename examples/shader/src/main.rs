@@ -1,6 +1,6 @@
 //! Renders a still life with an SPU program that has a shader of this crate's own in it.
 //!
-//!     cargo run --release -p shader-example -- PICTURE.png
+//!     cargo run --release -p shader-example -- PICTURE.png [WIDTHxHEIGHT]
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -15,9 +15,12 @@ const IMAGE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/tracer.elf"));
 
 const SCENE: &[u8] = include_bytes!("../still_life.nff");
 
+const USAGE: &str = "usage: shader-example PICTURE.png [WIDTHxHEIGHT]";
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args_os().nth(1).map(PathBuf::from);
-    let path = path.ok_or("usage: shader-example PICTURE.png")?;
+    let mut arguments = std::env::args_os().skip(1);
+    let path = arguments.next().map(PathBuf::from).ok_or(USAGE)?;
+    let size = arguments.next();
     let program = Program::from_image(IMAGE)?;
     let scene = nff::parse(SCENE, "still_life.nff", &nff::Limits::default())?;
     let scene = Scene::new(&scene, Look::default(), &program)?;
@@ -25,8 +28,14 @@ fn main() -> Result<(), Box<dyn Error>> {
         program,
         ..Settings::default()
     };
-    let (width, height) = scene.view().resolution;
-    let picture = Png::new(&path, Geometry::new(width, height)?)?;
+    let geometry = match size {
+        Some(text) => text.to_string_lossy().parse()?,
+        None => {
+            let (width, height) = scene.view().resolution;
+            Geometry::new(width, height)?
+        }
+    };
+    let picture = Png::new(&path, geometry)?;
     let mut engine = Engine::start(settings, Box::new(picture))?;
     engine.render(&scene, &mut |_| ())?;
     Ok(())
