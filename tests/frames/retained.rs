@@ -39,6 +39,9 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     }
 }
 
+/// Changes something of a scene.
+type Change = fn(&mut nff::Scene);
+
 /// By Whitted's model anything may be seen anywhere: one change, and all is traced.
 #[test]
 fn whitteds_model_is_traced_again_when_anything_has_changed() {
