@@ -120,7 +120,7 @@ fn levels_and_nodes_at_the_top() {
         (129, 3, 3),
         (512, 3, 8),
         (513, 4, 3),
-        (1024, 4, 4),
+        (900, 4, 4),
     ] {
         let spheres: String = (0..objects).map(|x| format!("s {x} 0 -5 0.5\n")).collect();
         let block = block(&spheres);
