@@ -1,7 +1,12 @@
 //! Whitted's model on emulated SPUs, against the f64 reference.
 
+mod counts;
+mod frame;
+mod invariance;
+mod pictures;
+mod placed;
+mod random;
 #[path = "../frames/recorder.rs"]
 mod recorder;
-
-mod random;
+mod scale;
 mod tolerance;

@@ -1,11 +1,14 @@
-//! Random scenes with everything that a scene can have, also what nobody would write.
+//! Random scenes with everything that a scene can have, also what nobody would write. Two surfaces in one
+//! place there are none: which of them is seen is left open (`docs/shading.md`).
 
 use std::f64::consts::TAU;
 
 use glam::{DQuat, DVec3};
-use nff::{Light, Material, Object, Scene, Shape, View};
+use nff::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
+
+use crate::placed::place;
 
 /// A small scene: a few objects of all shapes, some without area, some around the eye; at any scale from
 /// 1e-4 to 1e6, and some far from the origin.
@@ -23,6 +26,11 @@ pub fn scene(random: &mut ChaCha8Rng) -> Scene {
         name: "random".into(),
         view: view(random),
         background: vector(random, 1.0).abs(),
+        ambient: if random.random_bool(0.3) {
+            vector(random, 0.3).abs()
+        } else {
+            DVec3::ZERO
+        },
         lights: (0..random.random_range(0..4))
             .map(|_| light(random))
             .collect(),
@@ -35,7 +43,7 @@ pub fn scene(random: &mut ChaCha8Rng) -> Scene {
             .collect(),
         materials,
     };
-    place(&mut scene, |point| (point + middle) * scale, scale);
+    place(&mut scene, middle, scale);
     scene
 }
 
@@ -50,7 +58,7 @@ fn view(random: &mut ChaCha8Rng) -> View {
         from: vector(random, distance),
         at: vector(random, 0.7) + DVec3::new(0.0, 0.0, 0.8),
         up: DVec3::new(0.3, 0.5, 1.0),
-        angle: random.random_range(15.0..80.0),
+        angle: random.random_range(10.0..70.0),
         hither: 0.0,
         resolution: (16, 16),
     }
@@ -58,9 +66,18 @@ fn view(random: &mut ChaCha8Rng) -> View {
 
 fn light(random: &mut ChaCha8Rng) -> Light {
     let colour = random.random_bool(0.5).then(|| vector(random, 0.9).abs());
+    let kind = if random.random_bool(0.3) {
+        LightKind::Directional {
+            to_light: vector(random, 1.0),
+        }
+    } else {
+        LightKind::Point {
+            position: vector(random, 8.0),
+        }
+    };
     Light {
         line: 0,
-        position: vector(random, 8.0),
+        kind,
         colour,
     }
 }
@@ -83,31 +100,60 @@ fn material(random: &mut ChaCha8Rng) -> Material {
         shine: if random.random_bool(0.1) { 0.0 } else { shine },
         transmittance,
         refraction_index: random.random_range(0.6..2.4),
+        shader: shader(random),
+    }
+}
+
+fn shader(random: &mut ChaCha8Rng) -> Shader {
+    match random.random_range(0..10) {
+        0 => Shader::Flat,
+        1 => Shader::Lambert,
+        2 => Shader::Checker {
+            other: vector(random, 1.0).abs(),
+            size: random.random_range(0.3..2.0),
+        },
+        3 => {
+            let near = random.random_range(0.0..4.0);
+            Shader::Depth {
+                far: near + random.random_range(0.5..8.0),
+                near,
+            }
+        }
+        _ => Shader::Phong,
     }
 }
 
 fn shape(random: &mut ChaCha8Rng) -> Shape {
     let hollow = if random.random_bool(0.2) { -1.0 } else { 1.0 };
-    match random.random_range(0..10) {
-        0..4 => Shape::Sphere {
-            centre: vector(random, 2.5),
+    match random.random_range(0..20) {
+        // As large as a ground.
+        0 => {
+            let radius = random.random_range(4.0..10.0f64).exp2();
+            let to_centre = DQuat::from_scaled_axis(vector(random, 3.0)) * DVec3::X;
+            Shape::Sphere {
+                centre: (radius + random.random_range(0.0..3.0)) * to_centre,
+                radius: hollow * radius,
+            }
+        }
+        1..8 => Shape::Sphere {
+            centre: vector(random, 2.0),
             radius: hollow * random.random_range(-4.0..1.2f64).exp2(),
         },
-        4..6 => {
-            let radius = random.random_range(0.1..1.2);
+        8..12 => {
+            let radius = random.random_range(-8.0..0.3f64).exp2();
             let apex_radius = match random.random_range(0..3) {
                 0 => 0.0,
                 1 => radius,
-                _ => random.random_range(0.1..1.2),
+                _ => random.random_range(-8.0..0.3f64).exp2(),
             };
             Shape::Cone {
-                base: vector(random, 2.5),
+                base: vector(random, 2.0),
                 base_radius: hollow * radius,
-                apex: vector(random, 2.5),
+                apex: vector(random, 2.0),
                 apex_radius: hollow * apex_radius,
             }
         }
-        6..9 => Shape::Polygon {
+        12..17 => Shape::Polygon {
             vertices: polygon(random),
         },
         _ => {
@@ -141,34 +187,5 @@ fn polygon(random: &mut ChaCha8Rng) -> Vec<DVec3> {
             vec![middle, middle + side, middle + side + other, middle + other]
         }
         _ => vec![middle, middle + reach * right, middle + 0.5 * reach * right],
-    }
-}
-
-/// Moves and scales all of a scene.
-fn place(scene: &mut Scene, to: impl Fn(DVec3) -> DVec3, scale: f64) {
-    let move_all = |points: &mut [DVec3]| points.iter_mut().for_each(|point| *point = to(*point));
-    move_all(std::slice::from_mut(&mut scene.view.from));
-    move_all(std::slice::from_mut(&mut scene.view.at));
-    for light in &mut scene.lights {
-        light.position = to(light.position);
-    }
-    for object in &mut scene.objects {
-        match &mut object.shape {
-            Shape::Sphere { centre, radius } => {
-                *centre = to(*centre);
-                *radius *= scale;
-            }
-            Shape::Cone {
-                base,
-                base_radius,
-                apex,
-                apex_radius,
-            } => {
-                (*base, *apex) = (to(*base), to(*apex));
-                *base_radius *= scale;
-                *apex_radius *= scale;
-            }
-            Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => move_all(vertices),
-        }
     }
 }

@@ -1,0 +1,75 @@
+//! Frames by Whitted's model, and how far they are from the reference.
+
+use cellray::scene::{Look, Model};
+use cellray::spe::Program;
+use cellray::statistics::{FrameStatistics, Rays};
+use cellray::{Engine, Scene, Settings};
+use image::RgbImage;
+use oracle::whitted::{Options, trace};
+use oracle::{Comparison, Picture};
+
+use crate::recorder::Recorder;
+
+/// Whitted's model, whatever lights there are.
+pub const WHITTED: Look = Look {
+    model: Model::Whitted,
+    ray_depth: 5,
+    fresnel: false,
+    shadows: true,
+    corners: false,
+};
+
+/// A finished frame.
+pub struct Frame {
+    pub picture: RgbImage,
+    pub statistics: FrameStatistics,
+}
+
+impl Frame {
+    /// Traces a scene.
+    pub fn of(scene: &nff::Scene, look: Look, size: (u32, u32), settings: Settings) -> Self {
+        let (framebuffer, shown) = Recorder::pair(size.0, size.1);
+        let mut engine = Engine::start(settings, framebuffer).unwrap();
+        let scene = Scene::new(scene, look, &Program::tracer()).unwrap();
+        let statistics = engine.render(&scene, &mut |_| ()).unwrap().clone();
+        let picture = shown.lock().unwrap().take();
+        Self {
+            picture: picture.expect("the frame was presented"),
+            statistics,
+        }
+    }
+
+    /// Rays of all SPUs.
+    pub fn rays(&self) -> Rays {
+        let mut sum = Rays::default();
+        for spu in &self.statistics.spus {
+            sum += spu.rays;
+        }
+        sum
+    }
+}
+
+/// The reference's way to trace what looks like this.
+pub fn options(look: Look) -> Options {
+    Options {
+        depth: look.ray_depth,
+        fresnel: look.fresnel,
+        corners: look.corners,
+    }
+}
+
+/// A picture for the comparison.
+pub fn picture(image: &RgbImage) -> Picture {
+    let mut picture = Picture::black(image.width(), image.height()).unwrap();
+    for (to, from) in picture.pixels_mut().iter_mut().zip(image.pixels()) {
+        *to = from.0;
+    }
+    picture
+}
+
+/// Traces a scene on SPUs and by the reference.
+pub fn compared(scene: &nff::Scene, look: Look, size: (u32, u32)) -> Comparison {
+    let frame = Frame::of(scene, look, size, Settings::default());
+    let (reference, _) = trace(scene, size.0, size.1, &options(look)).unwrap();
+    oracle::compare(&picture(&frame.picture), &reference).unwrap()
+}
