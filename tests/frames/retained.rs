@@ -18,9 +18,6 @@ use cellray::statistics::FrameStatistics;
 use cellray::work::{Skip, Split};
 use cellray::{Engine, EngineError, Scene, Settings};
 
-/// Something done to a scene.
-type Change = fn(&mut nff::Scene);
-
 #[test]
 fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
