@@ -9,8 +9,8 @@ fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
     let arguments = ["render", "sphereflake:1", "--size", "16x16"];
     let (_, err) = good(&[&arguments[..], &["--model", "depth"]].concat());
     for part in [
-        "polygons are not drawn yet (1",
-        "lights are not drawn yet (3",
+        "polygons are not drawn by depth shading (1",
+        "lights are not drawn by depth shading (3",
         "sphereflake",
     ] {
         assert!(err.contains(part), "no {part:?} in: {err}");

@@ -65,7 +65,7 @@ impl fmt::Display for NotDrawn {
         } = self;
         write!(
             f,
-            "{file}:{line}: {} are not drawn yet ({count} in this file)",
+            "{file}:{line}: {} are not drawn by depth shading ({count} in this file)",
             what.name()
         )
     }

@@ -82,13 +82,13 @@ fn what_is_not_drawn_is_told_by_kind_and_first_line() {
     assert_eq!(
         told,
         [
-            "t.nff:9: polygons are not drawn yet (1 in this file)",
-            "t.nff:14: lights are not drawn yet (2 in this file)",
-            "t.nff:15: mirrors and highlights (Ks > 0) are not drawn yet (2 in this file)",
-            "t.nff:15: transmitting materials (T > 0) are not drawn yet (1 in this file)",
-            "t.nff:16: cones and cylinders are not drawn yet (1 in this file)",
-            "t.nff:20: spheres seen from inside only (negative radius) are not drawn yet (1 in this file)",
-            "t.nff:22: patches are not drawn yet (1 in this file)",
+            "t.nff:9: polygons are not drawn by depth shading (1 in this file)",
+            "t.nff:14: lights are not drawn by depth shading (2 in this file)",
+            "t.nff:15: mirrors and highlights (Ks > 0) are not drawn by depth shading (2 in this file)",
+            "t.nff:15: transmitting materials (T > 0) are not drawn by depth shading (1 in this file)",
+            "t.nff:16: cones and cylinders are not drawn by depth shading (1 in this file)",
+            "t.nff:20: spheres seen from inside only (negative radius) are not drawn by depth shading (1 in this file)",
+            "t.nff:22: patches are not drawn by depth shading (1 in this file)",
         ]
     );
     let flake = nff::sphereflake::generate(2).expect("a scene");
@@ -107,8 +107,8 @@ fn suns_and_shaders_are_left_out() {
     assert_eq!(
         messages,
         [
-            "t.nff:8: shaders (#cellray shader) are not drawn yet (1 in this file)",
-            "t.nff:9: lights are not drawn yet (1 in this file)",
+            "t.nff:8: shaders (#cellray shader) are not drawn by depth shading (1 in this file)",
+            "t.nff:9: lights are not drawn by depth shading (1 in this file)",
         ]
     );
 }
