@@ -63,6 +63,10 @@
         .set    both,33
         .set    drop,34
         .set    step,35
+        # the candidate once more: what came before is far away by then, and what is written over it comes
+        # later
+        .set    a_again,36
+        .set    again,37
 
         .section .rodata
         .align  4
@@ -81,518 +85,516 @@ function cull_faces
         .set    m_w_2,2
         .set    count_2,79
         .set    a_candidate_2,2
-        .set    candidate_2,38
-        .set    candidate_3,2
+        .set    candidate_2,2
         .set    a_candidate_3,5
-        .set    candidate_4,6
-        .set    a_bound_2,7
-        .set    apart_2,8
-        .set    others_2,9
-        .set    apart_3,20
-        .set    normal_2,22
-        .set    axis_2,24
-        .set    a_bound_3,26
-        .set    own_2,37
+        .set    candidate_3,6
+        .set    a_candidate_4,7
+        .set    others_2,8
+        .set    a_bound_2,9
+        .set    others_3,22
+        .set    apart_2,23
+        .set    a_bound_3,24
+        .set    apart_3,25
+        .set    normal_2,26
+        .set    axis_2,27
+        .set    normal_3,28
+        .set    apart_4,8
+        .set    axis_3,23
+        .set    others_4,29
+        .set    normal_4,30
+        .set    axis_4,31
+        .set    candidate_4,5
+        .set    own_2,20
         .set    limits_2,21
-        .set    apart_4,9
-        .set    candidate_5,31
-        .set    apart_5,5
-        .set    candidate_6,8
-        .set    both_2,27
-        .set    limits_3,29
-        .set    axis_3,21
-        .set    limits_4,7
-        .set    others_3,8
-        .set    terms_2,5
+        .set    own_3,2
+        .set    limits_3,9
+        .set    axis_5,29
+        .set    candidate_5,7
+        .set    a_bound_4,26
+        .set    both_2,28
+        .set    others_5,31
+        .set    limits_4,20
+        .set    terms_2,8
+        .set    both_3,21
+        .set    others_6,27
         .set    terms_3,22
-        .set    terms_4,8
-        .set    both_3,30
-        .set    terms_5,28
-        .set    others_4,22
+        .set    limits_5,2
+        .set    others_7,9
+        .set    own_4,6
+        .set    terms_4,25
+        .set    apart_5,9
+        .set    others_8,23
+        .set    limits_6,24
+        .set    a_bound_5,31
+        .set    own_5,5
+        .set    limits_7,22
+        .set    others_9,6
+        .set    others_10,24
+        .set    with_2,30
         .set    apart_6,32
-        .set    others_5,33
-        .set    both_4,5
-        .set    limits_5,36
-        .set    both_5,26
-        .set    others_6,20
-        .set    axis_4,8
-        .set    candidate_7,24
-        .set    others_7,2
-        .set    terms_6,9
-        .set    candidate_8,32
-        .set    with_2,34
-        .set    against_2,35
-        .set    candidate_9,9
+        .set    against_2,38
+        .set    axis_6,20
+        .set    with_3,34
+        .set    against_3,27
+        .set    others_11,2
+        .set    outer_2,2
+        .set    inner_2,6
+        .set    inner_3,9
+        .set    limits_8,7
         .set    drop_2,2
-        .set    others_8,6
+        .set    both_4,9
+        .set    limits_9,5
         .set    apart_7,7
-        .set    a_bound_4,2
-        .set    candidate_10,4
-        .set    drop_3,6
-        .set    both_6,20
-        .set    limits_6,9
-        .set    candidate_11,21
-        .set    axis_5,6
-        .set    a_bound_5,8
-        .set    normal_3,18
-        .set    apart_8,23
-        .set    limits_7,5
-        .set    terms_7,2
-        .set    own_3,4
-        .set    others_9,23
-        .set    terms_8,6
-        .set    both_7,8
-        .set    candidate_12,7
-        .set    both_8,4
-        .set    candidate_13,11
-        .set    drop_4,18
-        .set    others_10,14
-        .set    terms_9,13
-        .set    terms_10,4
-        .set    with_3,7
-        .set    drop_5,5
-        .set    drop_6,4
+        .set    drop_3,4
+        .set    a_again_2,2
+        .set    both_5,24
+        .set    a_again_3,27
+        .set    a_again_4,29
+        .set    apart_8,6
+        .set    axis_7,7
+        .set    outer_3,25
+        .set    limits_10,4
+        .set    drop_4,21
+        .set    others_12,5
+        .set    terms_5,6
+        .set    terms_6,2
+        .set    with_4,5
+        .set    drop_5,6
         ori     $a_candidate,$a_first,0                 # 0e
-        lnop                                            # 0o pairing
+        ori     $a_again,$a_first,0                     # 1e
 
-        ori     $a_first,$a_list,0                      # 1e
-        biz     $count,$lr                              # 1o
+        ori     $a_first,$a_list,0                      # 2e
+        biz     $count,$lr                              # 2o
 
-        ila     $m_w_2,0x10203                          # 2e
-        lqa     $k_leave,leave_by_lane                  # 2o
+        ila     $m_w_2,0x10203                          # 3e
+        lqa     $k_leave,leave_by_lane                  # 3o
 
-        ilhu    $m_w,0xc0d                              # 3e
-        lqa     $m_first,first_words                    # 3o
+        ilhu    $m_w,0xc0d                              # 4e
+        lqa     $m_first,first_words                    # 4o
 
-        clgti   $count_2,$count,6                       # 4e at least as many passes as overlap
-        lqa     $m_third,third_words                    # 4o
+        clgti   $count_2,$count,6                       # 5e at least as many passes as overlap
+        lqa     $m_third,third_words                    # 5o
 
-        iohl    $m_w,0xe0f                              # 5e
-        lqa     $m_outer,outer_words                    # 5o
+        iohl    $m_w,0xe0f                              # 6e
+        lqa     $m_outer,outer_words                    # 6o
 
-        il      $k_sixteen,16                           # 6e
-        lqa     $m_inner,inner_words                    # 6o
+        il      $k_sixteen,16                           # 7e
+        lqa     $m_inner,inner_words                    # 7o
 
-        il      $found,0                                # 7e
-        shufb   $k_along,$along,$along,$m_w_2           # 7o
+        il      $found,0                                # 8e
+        shufb   $k_along,$along,$along,$m_w_2           # 8o
 
-        nop     $127                                    # 8e pairing
-        brz     $count_2,next_face_short                # 8o too few passes
+        nop     $127                                    # 9e pairing
+        brz     $count_2,next_face_short                # 9o too few passes
 
-        ai      $a_candidate_2,$a_candidate,16          # 9e
-        lqd     $candidate_2,0($a_candidate)            # 9o
+        ai      $a_candidate_2,$a_candidate,16          # 10e
+        lqd     $candidate,0($a_candidate)              # 10o
 
-        ai      $count,$count,-1                        # 10e
-        lnop                                            # 10o pairing
+        ai      $count,$count,-1                        # 11e
+        lqd     $again,0($a_again)                      # 11o
 
-        ai      $a_candidate,$a_candidate_2,16          # 11e
-        lqd     $candidate_3,0($a_candidate_2)          # 11o
+        ai      $a_candidate,$a_candidate_2,16          # 12e
+        lqd     $candidate_2,0($a_candidate_2)          # 12o
 
-        ai      $count,$count,-1                        # 12e
-        lnop                                            # 12o pairing
+        ai      $count,$count,-1                        # 13e
+        lnop                                            # 13o pairing
 
-        ai      $a_candidate_3,$a_candidate,16          # 13e
-        lqd     $candidate_4,0($a_candidate)            # 13o
+        ai      $a_candidate_3,$a_candidate,16          # 14e
+        lqd     $candidate_3,0($a_candidate)            # 14o
 
-        ai      $count,$count,-1                        # 14e
-        lnop                                            # 14o pairing
+        ai      $count,$count,-1                        # 15e
+        lnop                                            # 15o pairing
 
-        ai      $a_candidate,$a_candidate_3,16          # 15e
-        rotqbyi $a_bound,$candidate_2,8                 # 15o
+        ai      $a_candidate_4,$a_candidate_3,16        # 16e
+        rotqbyi $a_bound,$candidate,8                   # 16o
 
-        ai      $count,$count,-1                        # 16e
-        lqd     $others,0($candidate_2)                 # 16o
+        ai      $count,$count,-1                        # 17e
+        lqd     $others_2,0($candidate)                 # 17o
 
-        nop     $127                                    # 17e pairing
-        lqd     $normal,16($candidate_2)                # 17o
+        ai      $a_candidate,$a_candidate_4,16          # 18e
+        rotqbyi $a_bound_2,$candidate_2,8               # 18o
 
-        ai      $count,$count,-1                        # 18e
-        rotqbyi $a_bound_2,$candidate_3,8               # 18o
+        ai      $count,$count,-1                        # 19e
+        lqd     $others_3,0($candidate_2)               # 19o
 
-        nop     $127                                    # 19e pairing
-        lqd     $apart_2,160($a_bound)                  # 19o
+        ai      $a_again,$a_again,16                    # 20e
+        lqd     $apart_2,160($a_bound)                  # 20o
 
-        ai      $count,$count,-1                        # 20e
-        lqd     $axis,176($a_bound)                     # 20o
+        ai      $count,$count,-1                        # 21e
+        rotqbyi $a_bound_3,$candidate_3,8               # 21o
 
-        lqd     $others_2,0($candidate_3)               # 21o
         lqd     $apart_3,160($a_bound_2)                # 22o
+        lqd     $normal_2,16($candidate)                # 23o
 
-        lqd     $normal_2,16($candidate_3)              # 23o
-        lqd     $axis_2,176($a_bound_2)                 # 24o
+        lqd     $axis_2,176($a_bound)                   # 24o
+        lqd     $normal_3,16($candidate_2)              # 25o
 
-        fs      $apart_2,$apart_2,$others               # 25e
-        rotqbyi $a_bound_3,$candidate_4,8               # 25o
-
-        fm      $axis,$axis,$normal                     # 26e
-        lqd     $own_2,32($candidate_2)                 # 26o
+        fs      $apart_4,$apart_2,$others_2             # 26e
+        lqd     $axis_3,176($a_bound_2)                 # 26o
 
         nop     $127                                    # 27e pairing
-        lqd     $limits_2,192($a_bound)                 # 27o
+        lqd     $others_4,0($candidate_3)               # 27o
 
-        fs      $apart_4,$apart_3,$others_2             # 28e
-        lqd     $others,0($candidate_4)                 # 28o
+        fs      $apart,$apart_3,$others_3               # 28e
+        lqd     $apart_3,160($a_bound_3)                # 28o
 
         nop     $127                                    # 29e pairing
-        lqd     $apart_3,160($a_bound_3)                # 29o
+        lqd     $normal_4,16($candidate_3)              # 29o
 
         fm      $axis_2,$axis_2,$normal_2               # 30e
-        lqd     $candidate_5,0($a_candidate_3)          # 30o
+        lqd     $axis_4,176($a_bound_3)                 # 30o
 
-        fm      $apart_5,$apart_2,$normal               # 31e
-        shlqbyi $candidate_6,$candidate_2,0             # 31o copy
+        nop     $127                                    # 31e pairing
+        lqd     $candidate_4,0($a_candidate_3)          # 31o
 
-        a       $both_2,$own_2,$own_2                   # 32e SIDES_BOTH becomes the sign
-        lqd     $normal,16($candidate_4)                # 32o
+        fm      $apart_4,$apart_4,$normal_2             # 32e
+        lqd     $own_2,32($candidate)                   # 32o
 
-        fma     $limits_3,$own_2,$k_leave,$limits_2     # 33e
-        lqd     $axis_3,176($a_bound_3)                 # 33o
+        fm      $axis_3,$axis_3,$normal_3               # 33e
+        lqd     $limits_2,192($a_bound)                 # 33o
 
-        fm      $apart,$apart_4,$normal_2               # 34e
-        lqd     $own_2,32($candidate_3)                 # 34o
+        fm      $apart,$apart,$normal_3                 # 34e
+        lqd     $own_3,32($candidate_2)                 # 34o
 
-        fs      $apart_4,$apart_3,$others               # 35e
-        shlqbyi $candidate,$candidate_6,0               # 35o copy
+        fs      $apart_3,$apart_3,$others_4             # 35e
+        lqd     $limits_3,192($a_bound_2)               # 35o
 
-        lqd     $limits_4,192($a_bound_2)               # 36o
-        shufb   $others_3,$axis,$apart_5,$m_third       # 37o
-
-        nop     $127                                    # 38e pairing
-        shufb   $terms_2,$axis,$apart_5,$m_first        # 38o
-
-        fm      $axis,$axis_3,$normal                   # 39e
-        rotqbyi $a_bound,$candidate_5,8                 # 39o
-
-        ori     $candidate,$candidate,0                 # 40e copy
-        shufb   $others,$axis_2,$apart,$m_third         # 40o
-
-        fm      $apart_4,$apart_4,$normal               # 41e
-        shufb   $terms_3,$axis_2,$apart,$m_first        # 41o
-
-        fa      $terms_4,$terms_2,$others_3             # 42e
-        hbrr    next_face_back,next_face                # 42o hint
-
-        fma     $limits_4,$own_2,$k_leave,$limits_4     # 43e
-        lqd     $own,32($candidate_4)                   # 43o
-
-        a       $both_3,$own_2,$own_2                   # 44e SIDES_BOTH becomes the sign
-        lqd     $limits,192($a_bound_3)                 # 44o
-
-        fa      $terms_5,$terms_3,$others               # 45e
-        lqd     $others_4,0($candidate_5)               # 45o
-
-        lqd     $normal,16($candidate_5)                # 46o
-        lqd     $apart_6,160($a_bound)                  # 47o
-
-        nop     $127                                    # 48e pairing
-        rotqbyi $others_5,$terms_4,8                    # 48o
-
-        a       $both_4,$own,$own                       # 49e SIDES_BOTH becomes the sign
-        stqx    $candidate,$a_first,$found              # 49o
-
-        fma     $limits_5,$own,$k_leave,$limits         # 50e
-        shufb   $both_5,$both_2,$both_2,$m_w            # 50o
-
-        nop     $127                                    # 51e pairing
-        rotqbyi $others_6,$terms_5,8                    # 51o
-
-        fa      $terms,$terms_4,$others_5               # 52e
-        lqd     $axis_4,176($a_bound)                   # 52o
-
-        fs      $apart,$apart_6,$others_4               # 53e
-        shlqbyi $candidate_7,$candidate_3,0             # 53o copy
-
-        nop     $127                                    # 54e pairing
-        shufb   $others_7,$axis,$apart_4,$m_third       # 54o
-
-        fa      $terms_5,$terms_5,$others_6             # 55e
-        shufb   $terms_6,$axis,$apart_4,$m_first        # 55o
-
-        shlqbyi $candidate_4,$candidate_4,0             # 56o copy
-        shlqbyi $candidate_8,$candidate_7,0             # 57o copy
-
-        fnms    $with_2,$terms,$k_along,$limits_3       # 58e
-        lqd     $own_2,32($candidate_5)                 # 58o
-
-        fma     $against_2,$terms,$k_along,$limits_3    # 59e
-        lqd     $candidate_2,0($a_candidate)            # 59o
-
-        fa      $terms,$terms_6,$others_7               # 60e
-        shufb   $both,$both_3,$both_3,$m_w              # 60o
-
-        fnms    $with,$terms_5,$k_along,$limits_4       # 61e
-        shlqbyi $candidate,$candidate_4,0               # 61o copy
-
-        fma     $against,$terms_5,$k_along,$limits_4    # 62e
-        shlqbyi $candidate_7,$candidate_5,0             # 62o copy
-
-        fm      $axis,$axis_4,$normal                   # 63e
-        ori     $candidate_9,$candidate_8,0             # 64e copy
-
-        shufb   $inner,$with_2,$against_2,$m_inner      # 65o
-        shufb   $outer,$with_2,$against_2,$m_outer      # 66o
-
-        orc     $inner,$inner,$both_5                   # 69e
-        and     $drop_2,$outer,$inner                   # 71e
-
-        nop     $127                                    # 72e pairing
-        orx     $drop,$drop_2                           # 73o
-
-next_face:
-            ai      $a_candidate,$a_candidate,16        # 0e
-            shufb   $inner,$with,$against,$m_inner      # 0o
-
-            rotmai  $drop,$drop,-31                     # 1e
-            rotqbyi $others,$terms,8                    # 1o
-
-            fm      $apart,$apart,$normal               # 2e
-            shufb   $outer,$with,$against,$m_outer      # 2o
-
-        ai      $count,$count,-1                        # 3e
-            lqd     $limits,192($a_bound)               # 3o
-
-            orc     $inner,$inner,$both                 # 4e
-            shufb   $both,$both_4,$both_4,$m_w          # 4o
-
-            fa      $terms,$terms,$others               # 5e
-            rotqbyi $a_bound,$candidate_2,8             # 5o
-
-            and     $drop_2,$outer,$inner               # 6e
-            lqd     $others,0($candidate_2)             # 6o
-
-            andc    $step,$k_sixteen,$drop              # 7e
-            lqd     $normal,16($candidate_2)            # 7o
-
-            a       $both_4,$own_2,$own_2               # 8e SIDES_BOTH becomes the sign
-            shufb   $others_8,$axis,$apart,$m_third     # 8o
-
-            a       $found,$found,$step                 # 9e
-            lqd     $apart_7,160($a_bound)              # 9o
-
-            nop     $127                                # 10e pairing
-            shufb   $terms_4,$axis,$apart,$m_first      # 10o
-
-            fnms    $with,$terms,$k_along,$limits_5     # 11e
-            stqx    $candidate_9,$a_first,$found        # 11o
-
-            ori     $candidate_9,$candidate,0           # 12e copy
-            lqd     $axis,176($a_bound)                 # 12o
-
-            fma     $against,$terms,$k_along,$limits_5  # 13e
-            shlqbyi $candidate,$candidate_7,0           # 13o copy
-
-            fa      $terms,$terms_4,$others_8           # 14e
-            orx     $drop,$drop_2                       # 14o
-
-            fs      $apart,$apart_7,$others             # 15e
-            shlqbyi $candidate_7,$candidate_2,0         # 15o copy
-
-            fma     $limits_5,$own_2,$k_leave,$limits   # 16e
-            lqd     $own_2,32($candidate_2)             # 16o
-
-            nop     $127                                # 17e pairing
-            lqd     $candidate_2,0($a_candidate)        # 17o
-
-            fm      $axis,$axis,$normal                 # 18e
-next_face_back:
-        brnz    $count,next_face                        # 18o
-
-next_face_drain:
-        rotmai  $drop,$drop,-31                         # 0e
-        rotqbyi $a_bound_4,$candidate_2,8               # 0o
-
-        ai      $a_candidate,$a_candidate,16            # 1e
-        shufb   $inner,$with,$against,$m_inner          # 1o
-
-        ori     $candidate_10,$candidate,0              # 2e copy
-        shufb   $outer,$with,$against,$m_outer          # 2o
-
-        fm      $apart,$apart,$normal                   # 3e
-        lqd     $limits,192($a_bound)                   # 3o
-
-        andc    $step,$k_sixteen,$drop                  # 4e
-        lqd     $others,0($candidate_2)                 # 4o
-
-        orc     $inner,$inner,$both                     # 5e
-        lqd     $normal,16($candidate_2)                # 5o
-
-        a       $found,$found,$step                     # 6e
-        lqd     $apart_7,160($a_bound_4)                # 6o
-
-        and     $drop_3,$outer,$inner                   # 7e
-        rotqbyi $others_3,$terms,8                      # 7o
-
-        a       $both_6,$own_2,$own_2                   # 8e SIDES_BOTH becomes the sign
-        stqx    $candidate_9,$a_first,$found            # 8o
-
-        fma     $limits_6,$own_2,$k_leave,$limits       # 9e
-        lqd     $candidate_11,0($a_candidate)           # 9o
-
-        ai      $a_candidate,$a_candidate,16            # 10e
-        orx     $drop,$drop_3                           # 10o
-
-        fa      $terms,$terms,$others_3                 # 11e
-        lqd     $axis_5,176($a_bound_4)                 # 11o
-
-        fs      $apart_7,$apart_7,$others               # 12e
-        lqd     $own_2,32($candidate_2)                 # 12o
-
-        nop     $127                                    # 13e pairing
-        lqd     $limits,192($a_bound_4)                 # 13o
-
-        rotmai  $drop,$drop,-31                         # 14e
-        shufb   $others_7,$axis,$apart,$m_third         # 14o
-
-        rotqbyi $a_bound_5,$candidate_11,8              # 15o
-        lqd     $others,0($candidate_11)                # 16o
-
-        fm      $axis_5,$axis_5,$normal                 # 17e
-        lqd     $normal_3,16($candidate_11)             # 17o
-
-        andc    $step,$k_sixteen,$drop                  # 18e
-        shufb   $terms_3,$axis,$apart,$m_first          # 18o
-
-        fm      $apart_7,$apart_7,$normal               # 19e
-        lqd     $apart_8,160($a_bound_5)                # 19o
-
-        a       $found,$found,$step                     # 20e
-        shufb   $both,$both_4,$both_4,$m_w              # 20o
-
-        fma     $limits_7,$own_2,$k_leave,$limits       # 21e
-        shufb   $both_6,$both_6,$both_6,$m_w            # 21o
-
-        fa      $terms_7,$terms_3,$others_7             # 22e
-        stqx    $candidate_10,$a_first,$found           # 22o
-
-        fnms    $with,$terms,$k_along,$limits_5         # 23e
-        lqd     $axis,176($a_bound_5)                   # 23o
-
-        fma     $against,$terms,$k_along,$limits_5      # 24e
-        lqd     $own_3,32($candidate_11)                # 24o
-
-        fs      $apart,$apart_8,$others                 # 25e
-        shufb   $others_9,$axis_5,$apart_7,$m_third     # 25o
-
-        a       $both_5,$own_2,$own_2                   # 26e SIDES_BOTH becomes the sign
-        shufb   $terms_8,$axis_5,$apart_7,$m_first      # 26o
-
-        lqd     $limits_4,192($a_bound_5)               # 27o
-        rotqbyi $others,$terms_7,8                      # 28o
-
-        fm      $axis,$axis,$normal_3                   # 29e
-        shufb   $both_7,$both_5,$both_5,$m_w            # 29o
-
-        fa      $terms,$terms_8,$others_9               # 30e
-        shufb   $inner,$with,$against,$m_inner          # 30o
-
-        fm      $apart,$apart,$normal_3                 # 31e
-        shufb   $outer,$with,$against,$m_outer          # 31o
-
-        fa      $terms_7,$terms_7,$others               # 32e
-        hbr     cull_faces_return,$lr                   # 32o hint
-
-        fma     $limits_5,$own_3,$k_leave,$limits_4     # 33e
-        shlqbyi $candidate_4,$candidate_2,0             # 33o copy
-
-        orc     $inner,$inner,$both                     # 34e
-        shlqbyi $candidate_12,$candidate_11,0           # 34o copy
-
-        a       $both_8,$own_3,$own_3                   # 35e SIDES_BOTH becomes the sign
-        shlqbyi $candidate_13,$candidate_7,0            # 35o copy
-
-        and     $drop_4,$outer,$inner                   # 36e
-        rotqbyi $others,$terms,8                        # 36o
+        fm      $axis_5,$axis_4,$normal_4               # 36e
+        lqd     $candidate_5,0($a_candidate_4)          # 36o
 
         nop     $127                                    # 37e pairing
-        shufb   $others_10,$axis,$apart,$m_third        # 37o
+        rotqbyi $a_bound_4,$candidate_4,8               # 37o
 
-        fnms    $with,$terms_7,$k_along,$limits_6       # 38e
-        shufb   $terms_9,$axis,$apart,$m_first          # 38o
+        a       $both_2,$own_2,$own_2                   # 38e SIDES_BOTH becomes the sign
+        shufb   $others_5,$axis_2,$apart_4,$m_third     # 38o
 
-        fma     $against,$terms_7,$k_along,$limits_6    # 39e
-        shufb   $both,$both_8,$both_8,$m_w              # 39o
+        fma     $limits_4,$own_2,$k_leave,$limits_2     # 39e
+        shufb   $terms_2,$axis_2,$apart_4,$m_first      # 39o
 
-        fa      $terms,$terms,$others                   # 40e
-        orx     $drop,$drop_4                           # 40o
+        a       $both_3,$own_3,$own_3                   # 40e SIDES_BOTH becomes the sign
+        shufb   $others_6,$axis_3,$apart,$m_third       # 40o
 
-        ori     $candidate_9,$candidate_13,0            # 41e copy
-        shlqbyi $candidate_3,$candidate_4,0             # 41o copy
+        fm      $apart_3,$apart_3,$normal_4             # 41e
+        shufb   $terms_3,$axis_3,$apart,$m_first        # 41o
 
-        fa      $terms_10,$terms_9,$others_10           # 42e
-        shlqbyi $candidate_4,$candidate_12,0            # 42o copy
+        fma     $limits_5,$own_3,$k_leave,$limits_3     # 42e
+        lqd     $others_7,0($candidate_4)               # 42o
 
-        rotmai  $drop,$drop,-31                         # 44e
-        lnop                                            # 44o pairing
+        fa      $terms_2,$terms_2,$others_5             # 43e
+        lqd     $apart_2,160($a_bound_4)                # 43o
 
-        ori     $candidate_3,$candidate_3,0             # 45e copy
-        shufb   $inner,$with,$against,$m_inner          # 45o
+        nop     $127                                    # 44e pairing
+        lqd     $normal_4,16($candidate_4)              # 44o
 
-        fnms    $with_3,$terms,$k_along,$limits_7       # 46e
-        shufb   $outer,$with,$against,$m_outer          # 46o
+        fa      $terms_3,$terms_3,$others_6             # 45e
+        lqd     $axis_2,176($a_bound_4)                 # 45o
 
-        fma     $against,$terms,$k_along,$limits_7      # 47e
-        lnop                                            # 47o pairing
+        ori     $limits_4,$limits_4,0                   # 46e copy
+        lqd     $own_4,32($candidate_3)                 # 46o
 
-        andc    $step,$k_sixteen,$drop                  # 48e
-        rotqbyi $others,$terms_10,8                     # 48o
+        nop     $127                                    # 47e pairing
+        shufb   $others_5,$axis_5,$apart_3,$m_third     # 47o
 
-        orc     $inner,$inner,$both_6                   # 49e
-        a       $found,$found,$step                     # 50e
+        ori     $limits_5,$limits_5,0                   # 48e copy
+        shufb   $terms_4,$axis_5,$apart_3,$m_first      # 48o
 
-        and     $drop_5,$outer,$inner                   # 51e
-        lnop                                            # 51o pairing
+        fs      $apart_5,$apart_2,$others_7             # 49e
+        rotqbyi $others_8,$terms_2,8                    # 49o
 
-        fa      $terms,$terms_10,$others                # 52e
-        stqx    $candidate_9,$a_first,$found            # 52o
+        nop     $127                                    # 50e pairing
+        lqd     $limits_6,192($a_bound_3)               # 50o
 
-        ori     $candidate_9,$candidate_4,0             # 53e copy
-        shufb   $inner,$with_3,$against,$m_inner        # 53o
+        fm      $axis_5,$axis_2,$normal_4               # 51e
+        rotqbyi $others_6,$terms_3,8                    # 51o
 
-        shufb   $outer,$with_3,$against,$m_outer        # 54o
-        orx     $drop,$drop_5                           # 55o
+        fa      $terms_4,$terms_4,$others_5             # 52e
+        rotqbyi $a_bound_5,$candidate_5,8               # 52o
 
-        orc     $inner,$inner,$both_7                   # 57e
-        fnms    $with,$terms,$k_along,$limits_5         # 58e
+        fa      $terms_2,$terms_2,$others_8             # 53e
+        hbrr    next_face_back,next_face                # 53o hint
 
-        fma     $against,$terms,$k_along,$limits_5      # 59e
-        and     $drop_6,$outer,$inner                   # 60e
+        a       $both,$own_4,$own_4                     # 54e SIDES_BOTH becomes the sign
+        lqd     $own_5,32($candidate_4)                 # 54o
 
-        rotmai  $drop,$drop,-31                         # 61e
-        orx     $drop_6,$drop_6                         # 62o
+        fa      $terms,$terms_3,$others_6               # 55e
+        lqd     $limits_7,192($a_bound_4)               # 55o
 
-        andc    $step,$k_sixteen,$drop                  # 65e
-        shufb   $inner,$with,$against,$m_inner          # 65o
+        fm      $apart_5,$apart_5,$normal_4             # 56e
+        lqd     $normal,16($candidate_5)                # 56o
 
-        rotmai  $drop,$drop_6,-31                       # 66e
-        shufb   $outer,$with,$against,$m_outer          # 66o
+        fma     $limits,$own_4,$k_leave,$limits_6       # 57e
+        lqd     $others_9,0($candidate_5)               # 57o
 
-        a       $found,$found,$step                     # 67e
-        lnop                                            # 67o pairing
+        nop     $127                                    # 58e pairing
+        rotqbyi $others_10,$terms_4,8                   # 58o
 
-        orc     $inner,$inner,$both                     # 69e
-        stqx    $candidate_3,$a_first,$found            # 69o
+        fnms    $with_2,$terms_2,$k_along,$limits_4     # 59e
+        lqd     $apart_6,160($a_bound_5)                # 59o
 
-        andc    $step,$k_sixteen,$drop                  # 70e
-        and     $drop_2,$outer,$inner                   # 71e
+        fma     $against_2,$terms_2,$k_along,$limits_4  # 60e
+        lqd     $axis_6,176($a_bound_5)                 # 60o
 
-        a       $found,$found,$step                     # 72e
-        orx     $drop,$drop_2                           # 73o
+        fnms    $with_3,$terms,$k_along,$limits_5       # 61e
+        shufb   $both_2,$both_2,$both_2,$m_w            # 61o
 
-        stqx    $candidate_9,$a_first,$found            # 74o
-        rotmai  $drop,$drop,-31                         # 77e
+        fma     $against_3,$terms,$k_along,$limits_5    # 62e
+        shufb   $others_11,$axis_5,$apart_5,$m_third    # 62o
 
-        andc    $step,$k_sixteen,$drop                  # 81e
-        a       $found,$found,$step                     # 83e
+        fa      $terms_4,$terms_4,$others_10            # 63e
+        shufb   $terms_2,$axis_5,$apart_5,$m_first      # 63o
 
-        a       $a_first,$a_first,$found                # 85e
+        ori     $limits_3,$limits,0                     # 64e copy
+        stqx    $again,$a_first,$found                  # 64o
+
+        fma     $limits,$own_5,$k_leave,$limits_7       # 65e
+        shufb   $both_3,$both_3,$both_3,$m_w            # 65o
+
+        fs      $apart,$apart_6,$others_9               # 66e
+        shufb   $inner,$with_2,$against_2,$m_inner      # 66o
+
+        fa      $terms_2,$terms_2,$others_11            # 67e
+        shufb   $outer_2,$with_2,$against_2,$m_outer    # 67o
+
+        fm      $axis_5,$axis_6,$normal                 # 68e
+        shufb   $inner_2,$with_3,$against_3,$m_inner    # 68o
+
+        fnms    $with_2,$terms_4,$k_along,$limits_3     # 69e
+        lqd     $own,32($candidate_5)                   # 69o
+
+        fma     $against_2,$terms_4,$k_along,$limits_3  # 70e
+        lqd     $candidate,0($a_candidate)              # 70o
+
+        orc     $inner_3,$inner,$both_2                 # 71e
+        lqd     $limits_8,192($a_bound_5)               # 71o
+
+        orc     $inner,$inner_2,$both_3                 # 72e
+        shufb   $both,$both,$both,$m_w                  # 72o
+
+        and     $drop_2,$outer_2,$inner_3               # 73e
+        shufb   $outer,$with_3,$against_3,$m_outer      # 73o
+
+        a       $both_4,$own_5,$own_5                   # 74e SIDES_BOTH becomes the sign
+        lnop                                            # 74o pairing
+
+next_face:
+            fm      $apart,$apart,$normal               # 0e
+            orx     $drop,$drop_2                       # 0o
+
+            and     $drop_2,$outer,$inner               # 1e
+            lqd     $again,0($a_again)                  # 1o
+
+            ai      $a_again,$a_again,16                # 2e
+            rotqbyi $a_bound,$candidate,8               # 2o
+
+            ori     $limits_9,$limits,0                 # 3e copy
+            lqd     $normal,16($candidate)              # 3o
+
+            rotmai  $drop,$drop,-31                     # 4e
+            rotqbyi $others,$terms_2,8                  # 4o
+
+            ai      $a_candidate,$a_candidate,16        # 5e
+            lqd     $others_9,0($candidate)             # 5o
+
+            fma     $limits,$own,$k_leave,$limits_8     # 6e
+            lqd     $apart_7,160($a_bound)              # 6o
+
+        ai      $count,$count,-1                        # 7e
+            shufb   $inner,$with_2,$against_2,$m_inner  # 7o
+
+            andc    $step,$k_sixteen,$drop              # 8e
+            lqd     $axis,176($a_bound)                 # 8o
+
+            fa      $terms,$terms_2,$others             # 9e
+            shufb   $others,$axis_5,$apart,$m_third     # 9o
+
+            a       $found,$found,$step                 # 10e
+            shufb   $terms_2,$axis_5,$apart,$m_first    # 10o
+
+            orc     $inner,$inner,$both                 # 11e
+            shufb   $both,$both_4,$both_4,$m_w          # 11o
+
+            fs      $apart,$apart_7,$others_9           # 12e
+            stqx    $again,$a_first,$found              # 12o
+
+            a       $both_4,$own,$own                   # 13e SIDES_BOTH becomes the sign
+            lqd     $own,32($candidate)                 # 13o
+
+            fa      $terms_2,$terms_2,$others           # 14e
+        lqd     $candidate,0($a_candidate)              # 14o
+
+            fm      $axis_5,$axis,$normal               # 15e
+            shufb   $outer,$with_2,$against_2,$m_outer  # 15o
+
+            fnms    $with_2,$terms,$k_along,$limits_9   # 16e
+            lqd     $limits_8,192($a_bound)             # 16o
+
+            fma     $against_2,$terms,$k_along,$limits_9 # 17e
+next_face_back:
+        brnz    $count,next_face                        # 17o
+
+next_face_drain:
+        fm      $apart,$apart,$normal                   # 0e
+        rotqbyi $a_bound,$candidate,8                   # 0o
+
+        and     $drop_3,$outer,$inner                   # 1e
+        lqd     $others_9,0($candidate)                 # 1o
+
+        ori     $limits_9,$limits,0                     # 2e copy
+        lqd     $normal,16($candidate)                  # 2o
+
+        fma     $limits,$own,$k_leave,$limits_8         # 3e
+        orx     $drop,$drop_2                           # 3o
+
+        ai      $a_again_2,$a_again,16                  # 4e
+        lqd     $apart_7,160($a_bound)                  # 4o
+
+        a       $both_5,$own,$own                       # 5e SIDES_BOTH becomes the sign
+        lqd     $axis,176($a_bound)                     # 5o
+
+        ai      $a_again_3,$a_again_2,16                # 6e
+        shufb   $others,$axis_5,$apart,$m_third         # 6o
+
+        rotmai  $drop,$drop,-31                         # 7e
+        shufb   $terms_3,$axis_5,$apart,$m_first        # 7o
+
+        ai      $a_again_4,$a_again_3,16                # 8e
+        lqd     $again,0($a_again)                      # 8o
+
+        ori     $limits,$limits,0                       # 9e copy
+        rotqbyi $others_5,$terms_2,8                    # 9o
+
+        fs      $apart_8,$apart_7,$others_9             # 10e
+        shufb   $inner,$with_2,$against_2,$m_inner      # 10o
+
+        fm      $axis_7,$axis,$normal                   # 11e
+        orx     $drop_3,$drop_3                         # 11o
+
+        andc    $step,$k_sixteen,$drop                  # 12e
+        shufb   $outer_3,$with_2,$against_2,$m_outer    # 12o
+
+        fa      $terms_3,$terms_3,$others               # 13e
+        shufb   $both_4,$both_4,$both_4,$m_w            # 13o
+
+        a       $found,$found,$step                     # 14e
+        shufb   $both_5,$both_5,$both_5,$m_w            # 14o
+
+        fa      $terms_2,$terms_2,$others_5             # 15e
+        hbr     cull_faces_return,$lr                   # 15o hint
+
+        fm      $apart_8,$apart_8,$normal               # 16e
+        stqx    $again,$a_first,$found                  # 16o
+
+        orc     $inner,$inner,$both                     # 17e
+        lqd     $own_2,32($candidate)                   # 17o
+
+        rotmai  $drop,$drop_3,-31                       # 18e
+        lqd     $limits_10,192($a_bound)                # 18o
+
+        and     $drop_4,$outer_3,$inner                 # 19e
+        rotqbyi $others,$terms_3,8                      # 19o
+
+        ai      $a_again,$a_again_4,16                  # 20e
+        lqd     $again,0($a_again_2)                    # 20o
+
+        fnms    $with_2,$terms_2,$k_along,$limits_9     # 21e
+        orx     $drop_2,$drop_4                         # 21o
+
+        fma     $against_2,$terms_2,$k_along,$limits_9  # 22e
+        shufb   $others_12,$axis_7,$apart_8,$m_third    # 22o
+
+        fa      $terms_2,$terms_3,$others               # 23e
+        shufb   $terms_5,$axis_7,$apart_8,$m_first      # 23o
+
+        fma     $limits_10,$own_2,$k_leave,$limits_10   # 24e
+        andc    $step,$k_sixteen,$drop                  # 25e
+
+        rotmai  $drop,$drop_2,-31                       # 26e
+        fa      $terms_6,$terms_5,$others_12            # 27e
+
+        a       $found,$found,$step                     # 28e
+        shufb   $inner,$with_2,$against_2,$m_inner      # 28o
+
+        fnms    $with_4,$terms_2,$k_along,$limits       # 29e
+        shufb   $outer,$with_2,$against_2,$m_outer      # 29o
+
+        fma     $against_2,$terms_2,$k_along,$limits    # 30e
+        stqx    $again,$a_first,$found                  # 30o
+
+        ori     $limits_10,$limits_10,0                 # 31e copy
+        lqd     $again,0($a_again_3)                    # 31o
+
+        orc     $inner,$inner,$both_4                   # 32e
+        lnop                                            # 32o pairing
+
+        a       $both_4,$own_2,$own_2                   # 33e SIDES_BOTH becomes the sign
+        rotqbyi $others,$terms_6,8                      # 33o
+
+        and     $drop_5,$outer,$inner                   # 34e
+        lnop                                            # 34o pairing
+
+        andc    $step,$k_sixteen,$drop                  # 35e
+        shufb   $both,$both_4,$both_4,$m_w              # 35o
+
+        ai      $a_candidate,$a_candidate,16            # 36e
+        shufb   $inner,$with_4,$against_2,$m_inner      # 36o
+
+        fa      $terms,$terms_6,$others                 # 37e
+        orx     $drop,$drop_5                           # 37o
+
+        a       $found,$found,$step                     # 38e
+        shufb   $outer,$with_4,$against_2,$m_outer      # 38o
+
+        ai      $a_again_2,$a_again,16                  # 39e
+        lnop                                            # 39o pairing
+
+        orc     $inner,$inner,$both_5                   # 40e
+        stqx    $again,$a_first,$found                  # 40o
+
+        rotmai  $drop,$drop,-31                         # 41e
+        lqd     $again,0($a_again_4)                    # 41o
+
+        and     $drop_2,$outer,$inner                   # 42e
+        fnms    $with_2,$terms,$k_along,$limits_10      # 43e
+
+        fma     $against_2,$terms,$k_along,$limits_10   # 44e
+        orx     $drop_2,$drop_2                         # 44o
+
+        andc    $step,$k_sixteen,$drop                  # 45e
+        a       $found,$found,$step                     # 47e
+
+        rotmai  $drop,$drop_2,-31                       # 48e
+        stqx    $again,$a_first,$found                  # 49o
+
+        shufb   $inner,$with_2,$against_2,$m_inner      # 50o
+        shufb   $outer,$with_2,$against_2,$m_outer      # 51o
+
+        andc    $step,$k_sixteen,$drop                  # 52e
+        lqd     $again,0($a_again)                      # 52o
+
+        orc     $inner,$inner,$both                     # 54e
+        a       $found,$found,$step                     # 55e
+
+        and     $drop_2,$outer,$inner                   # 56e
+        orx     $drop,$drop_2                           # 58o
+
+        stqx    $again,$a_first,$found                  # 59o
+        rotmai  $drop,$drop,-31                         # 62e
+
+        andc    $step,$k_sixteen,$drop                  # 66e
+        a       $found,$found,$step                     # 68e
+
+        a       $a_first,$a_first,$found                # 70e
 cull_faces_return:
-        bi      $lr                                     # 85o
+        bi      $lr                                     # 70o
 
 next_face_short:
         ai      $count,$count,-1                        # 0e
         lqd     $candidate,0($a_candidate)              # 0o
 
         ai      $a_candidate,$a_candidate,16            # 1e
+        lqd     $again,0($a_again)                      # 1o
+
+        ai      $a_again,$a_again,16                    # 2e
         rotqbyi $a_bound,$candidate,8                   # 6o
 
         lqd     $others,0($candidate)                   # 7o
@@ -604,7 +606,7 @@ next_face_short:
         lqd     $axis,176($a_bound)                     # 11o
         lqd     $limits,192($a_bound)                   # 12o
 
-        stqx    $candidate,$a_first,$found              # 13o
+        stqx    $again,$a_first,$found                  # 13o
         a       $both,$own,$own                         # 15e SIDES_BOTH becomes the sign
 
         fs      $apart,$apart,$others                   # 16e

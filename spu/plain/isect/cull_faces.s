@@ -62,6 +62,10 @@
         .set    both,33
         .set    drop,34
         .set    step,35
+        # the candidate once more: what came before is far away by then, and what is written over it comes
+        # later
+        .set    a_again,36
+        .set    again,37
 
         .section .rodata
         .align  4
@@ -78,6 +82,7 @@ leave_by_lane:
 
 function cull_faces
         ori     $a_candidate,$a_first,0
+        ori     $a_again,$a_first,0
         ori     $3,$a_list,0
         biz     $count,$lr
         splat_mask $m_w
@@ -119,9 +124,11 @@ next_face:
         orx     $drop,$drop
         rotmai  $drop,$drop,-31
         andc    $step,$k_sixteen,$drop
-        stqx    $candidate,$3,$found
+        lqd     $again,0($a_again)
+        stqx    $again,$3,$found
         a       $found,$found,$step
         ai      $a_candidate,$a_candidate,CANDIDATE_SIZE
+        ai      $a_again,$a_again,CANDIDATE_SIZE
         ai      $count,$count,-1
         brnz    $count,next_face
         a       $3,$3,$found

@@ -315,6 +315,7 @@ fn lights() {
     let first = light(&block, 0);
     assert_eq!(wide(first.position), DVec3::new(0.0, 1.0, 2.0));
     assert_eq!(first.directional.get(), 0);
+    assert_eq!(first.near.get(), 24.0 / (1 << 20) as f32);
     let grey = 3f64.sqrt() / 6.0;
     assert!(wide(first.brightness).distance(DVec3::splat(grey)) < 1e-7);
     let sun = light(&block, 1);
@@ -323,6 +324,15 @@ fn lights() {
     let second = light(&block, 2);
     assert_eq!(wide(second.position), DVec3::new(3.0, 4.0, 5.0));
     assert_eq!(wide(second.brightness), DVec3::new(0.25, 0.5, 1.0));
+}
+
+#[test]
+fn shadow_rays_end_as_near_to_a_light_as_they_start_off_objects() {
+    let mut block = block("l 1 2 3\ns 1 1 -2 8\n");
+    block.look(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
+    let light = block.at::<layout::Light>(U32::new(block.light_address()));
+    let (own, leave) = (24.0, 3.0 + 8.0);
+    assert_eq!(light.near.get(), (own + 8.0 * leave) / (1 << 20) as f32);
 }
 
 #[test]
