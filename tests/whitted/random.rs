@@ -10,9 +10,19 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::placed::place;
 
+/// From this radius on a sphere is vast, as a ground is, among objects of about 1.
+const VAST: f64 = 16.0;
+
+/// A random scene.
+pub struct Drawn {
+    pub scene: Scene,
+    /// Whether there is a vast sphere.
+    pub vast: bool,
+}
+
 /// A small scene: a few objects of all shapes, some without area, some around the eye; at any scale from
 /// 1e-4 to 1e6, and some far from the origin.
-pub fn scene(random: &mut ChaCha8Rng) -> Scene {
+pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
     let scale = 10f64.powf(random.random_range(-4.0..6.0));
     let middle = if random.random_bool(0.2) {
         vector(random, 1000.0)
@@ -43,8 +53,10 @@ pub fn scene(random: &mut ChaCha8Rng) -> Scene {
             .collect(),
         materials,
     };
+    let is_vast = |object: &Object| matches!(object.shape, Shape::Sphere { radius, .. } if radius.abs() >= VAST);
+    let vast = scene.objects.iter().any(is_vast);
     place(&mut scene, middle, scale);
-    scene
+    Drawn { scene, vast }
 }
 
 fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {
@@ -126,9 +138,8 @@ fn shader(random: &mut ChaCha8Rng) -> Shader {
 fn shape(random: &mut ChaCha8Rng) -> Shape {
     let hollow = if random.random_bool(0.2) { -1.0 } else { 1.0 };
     match random.random_range(0..20) {
-        // As large as a ground.
         0 => {
-            let radius = random.random_range(4.0..10.0f64).exp2();
+            let radius = VAST * random.random_range(0.0..6.0f64).exp2();
             let to_centre = DQuat::from_scaled_axis(vector(random, 3.0)) * DVec3::X;
             Shape::Sphere {
                 centre: (radius + random.random_range(0.0..3.0)) * to_centre,
