@@ -67,12 +67,19 @@ fn unexplained(scene: &nff::Scene, look: Look, picture: &RgbImage) -> Vec<(u32, 
         .collect()
 }
 
+/// A scene that is wrong.
+struct Wrong {
+    seed: u64,
+    /// Whether anything in it is vast.
+    vast: bool,
+    pixels: Vec<(u32, u32)>,
+}
+
 /// What came of some scenes.
 #[derive(Default)]
 struct Outcome {
     rays: Rays,
-    /// Seeds of those that are wrong, whether anything in them is vast, and their pixels.
-    wrong: Vec<(u64, bool, Vec<(u32, u32)>)>,
+    wrong: Vec<Wrong>,
 }
 
 /// Traces the scenes of some seeds.
@@ -101,7 +108,7 @@ fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
         let picture = shown.lock().unwrap().take().unwrap();
         let pixels = unexplained(&scene, look, &picture);
         if !pixels.is_empty() {
-            outcome.wrong.push((seed, vast, pixels));
+            outcome.wrong.push(Wrong { seed, vast, pixels });
         }
     }
     outcome
@@ -126,17 +133,17 @@ fn random_scenes_are_as_the_reference_has_them() {
         rays += outcome.rays;
         wrong.extend(outcome.wrong);
     }
-    wrong.sort();
-    let pixels: usize = wrong.iter().map(|(.., pixels)| pixels.len()).sum();
+    wrong.sort_by_key(|scene| scene.seed);
+    let pixels: usize = wrong.iter().map(|scene| scene.pixels.len()).sum();
     println!("{rays:?}");
     println!(
         "{pixels} wrong pixels in {} of {scenes} scenes",
         wrong.len()
     );
-    for (seed, vast, pixels) in &wrong {
+    for Wrong { seed, vast, pixels } in &wrong {
         println!("scene {seed}, vast {vast}: {pixels:?}");
     }
-    assert!(wrong.iter().all(|(_, vast, _)| *vast));
+    assert!(wrong.iter().all(|scene| scene.vast));
     assert!(pixels as u64 <= rays.eye / PIXELS_A_LEAK);
     // The scenes have something of everything.
     assert!(rays.eye_hit > rays.eye / 4, "{rays:?}");
