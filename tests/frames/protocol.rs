@@ -291,11 +291,11 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("trees", "1024 objects", |frame| {
             frame.trees[3].objects = u32::MAX.into()
         }),
-        ("trees", "at most 8 nodes at the top", |frame| {
+        ("trees", "at most 4 nodes at the top", |frame| {
             frame.trees[1].root_count = 0.into()
         }),
-        ("trees", "at most 8 nodes at the top", |frame| {
-            frame.trees[2].root_count = 9.into()
+        ("trees", "at most 4 nodes at the top", |frame| {
+            frame.trees[2].root_count = 5.into()
         }),
         ("trees", "6 levels", |frame| {
             frame.trees[0].levels = 7.into()

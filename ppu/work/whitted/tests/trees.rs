@@ -107,20 +107,20 @@ fn every_object_is_inside_all_spheres_above_it() {
 
 #[test]
 fn levels_and_nodes_at_the_top() {
-    // Objects, levels, nodes at the top: at most 8 of them, and all leaves on one level. One object
+    // Objects, levels, nodes at the top: at most 4 of them, and all leaves on one level. One object
     // stands alone, without a level.
     for (objects, levels, roots) in [
         (0, 1, 0),
         (1, 0, 1),
         (4, 1, 1),
         (5, 1, 2),
-        (32, 1, 8),
-        (33, 2, 3),
-        (128, 2, 8),
-        (129, 3, 3),
-        (512, 3, 8),
-        (513, 4, 3),
-        (900, 4, 4),
+        (16, 1, 4),
+        (17, 2, 2),
+        (64, 2, 4),
+        (65, 3, 2),
+        (256, 3, 4),
+        (257, 4, 2),
+        (800, 4, 4),
     ] {
         let spheres: String = (0..objects).map(|x| format!("s {x} 0 -5 0.5\n")).collect();
         let block = block(&spheres);
