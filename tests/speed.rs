@@ -59,6 +59,16 @@ fn everything_on() {
     }
 }
 
+/// Lights, shadows, mirrors and glass to depth 5.
+#[test]
+fn whitteds_model() {
+    let found = simulated("scenes/whitted16.nff", &["--retrace", "--frames", "2"]);
+    let rate = number(&found, "frames_per_second");
+    assert!(rate >= 60.0, "{rate}");
+    let busy = number(&found, "busy_share");
+    assert!(busy >= 0.97, "{busy}");
+}
+
 /// No SPU waits for the others or for its transfers.
 #[test]
 fn spus_are_busy() {
