@@ -230,7 +230,7 @@ fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
 
 #[test]
 fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
-    let cases: [(&str, &str, Spoil); 23] = [
+    let cases: [(&str, &str, Spoil); 26] = [
         ("scene", "must be a multiple of 128", |frame| {
             frame.scene = (frame.scene.get() + 64).into()
         }),
@@ -275,6 +275,15 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("light_count", "65 (0x41): must be at most 64", |frame| {
             frame.light_count = 65.into()
         }),
+        ("lights", "on quadwords of the scene", |frame| {
+            frame.lights = (SCENE_ADDRESS - 16).into()
+        }),
+        ("lights", "on quadwords of the scene", |frame| {
+            frame.lights = (frame.lights.get() + 8).into()
+        }),
+        ("lights", "on quadwords of the scene", |frame| {
+            frame.lights = (SCENE_ADDRESS + frame.scene_bytes.get() - 16).into()
+        }),
         ("light_count", "4294967295", |frame| {
             frame.light_count = u32::MAX.into()
         }),
@@ -283,7 +292,9 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         }),
         // The scene is too short for what is said to be in it.
         ("trees", "lie in the scene", |frame| {
-            frame.scene_bytes = 0.into()
+            frame.scene_bytes = 0.into();
+            frame.lights = SCENE_ADDRESS.into();
+            frame.light_count = 0.into();
         }),
         ("trees", "1024 objects", |frame| {
             frame.trees[0].objects = 1025.into()

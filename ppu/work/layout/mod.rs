@@ -288,8 +288,8 @@ statuses! {
     RayDepth = 24, "ray_depth";
     /// Must be 1 to 8.
     Batch = 25, "batch";
-    /// Must be at most 64.
-    LightCount = 26, "light_count";
+    /// Must be at most 64 lights on quadwords of the scene.
+    LightCount = 26, "lights, light_count";
     /// Must have at most 4 nodes at the top, 6 levels of them and 1024 objects, and lie in the scene.
     Trees = 27, "trees";
     /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.

@@ -38,6 +38,18 @@ function whitted_check
         ori     $scene_bytes,$value,0
         andi    $bad,$value,LINE-1
         refuse_if $bad,SceneBytes
+        load_word $value,FRAME_lights,$a_frame
+        ila     $limit,SCENE_ADDRESS
+        sf      $value,$limit,$value
+        andi    $bad,$value,15
+        refuse_if $bad,LightCount
+        clgt    $bad,$value,$scene_bytes
+        refuse_if $bad,LightCount
+        load_word $limit,FRAME_light_count,$a_frame
+        shli    $limit,$limit,LIGHT_SIZE_LOG2
+        a       $limit,$limit,$value
+        clgt    $bad,$limit,$scene_bytes                # where they end
+        refuse_if $bad,LightCount
         # Three batches wait at most at each depth from the second on.
         load_word $batch,FRAME_batch,$a_frame
         load_word $value,FRAME_ray_depth,$a_frame
