@@ -64,7 +64,7 @@ fn a_comparison_as_json_has_exactly_its_fields() {
     assert!(text(&done.stderr).contains("d.png: the difference, 16 times amplified"));
     assert!(
         text(&done.stderr)
-            .contains("sphereflake:1:13: polygons are not drawn yet (1 in this file)")
+            .contains("sphereflake:1:13: polygons are not drawn by depth shading (1 in this file)")
     );
     let found: serde_json::Value = serde_json::from_slice(&done.stdout).expect("JSON");
     let expected = serde_json::json!({
