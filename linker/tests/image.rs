@@ -251,7 +251,7 @@ fn the_tracer_takes_further_shaders() {
     // Too much of it.
     fs::write(&source, shader.replace("\tbi", "\t.skip 0x40000\n\tbi")).unwrap();
     let text = build().unwrap_err().to_string();
-    assert!(text.contains("no room"), "{text}");
+    assert!(text.contains("too large for the local store"), "{text}");
     // Names that can't be told apart, and one that is too long.
     fs::write(&source, shader.replace("own", "depth")).unwrap();
     let text = build().unwrap_err().to_string();
