@@ -68,10 +68,7 @@ function statistics_put
         ila     $a_line,statistics
         load_word $value,FRAME_number,$a_frame
         put_word number,$value
-        rotqbyi $value,$g_n_hits,8
-        a       $g_n_hits,$g_n_hits,$value
-        rotqbyi $value,$g_n_hits,4
-        a       $g_n_hits,$g_n_hits,$value
+        sum_lanes $g_n_hits,$value
         put_word eye_hits,$g_n_hits
     .irp field, tiles,packets,eye_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
         put_count \field

@@ -39,10 +39,8 @@ fn nothing_depends_on_who_traces_what(name: &str) {
     assert_eq!(rays.eye, u64::from(SIZE.0 * SIZE.1));
     assert!(rays.eye_hit > 0 && rays.eye_hit < rays.hit);
     assert!(rays.reflected > 0 && rays.refracted > 0 && rays.shadow > 0);
-    assert_eq!(
-        rays.eye + rays.reflected + rays.refracted,
-        rays.hit + rays.background
-    );
+    // Those that hit nothing are counted as the rest: some there must be.
+    assert!(rays.hit < rays.eye + rays.reflected + rays.refracted);
 
     let (all, some) = (all.statistics.tests(), one.statistics.tests());
     println!("{name}: {all:?}, {some:?}");

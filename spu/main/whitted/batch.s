@@ -22,14 +22,6 @@ batch_flags:                            # all flags of all surfaces
         .set    wanted,18
         .set    c_any,19
 
-# A count of four lanes into the first word.
-.macro  sum_lanes counts:req, t_turned:req
-        rotqbyi \t_turned,\counts,8
-        a       \counts,\counts,\t_turned
-        rotqbyi \t_turned,\counts,4
-        a       \counts,\counts,\t_turned
-.endm
-
 # batch_trace   traces and shades the packets of BATCH_RAYS
 #   In      w_depth, w_count
 #   Uses    $3-$79

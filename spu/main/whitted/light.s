@@ -110,10 +110,7 @@ next_light:
 rays_call:
         brsl    $lr,shadow_rays_r16
         hbrr    trace_call,packets_trace
-        rotqbyi $amount,$3,8
-        a       $3,$3,$amount
-        rotqbyi $amount,$3,4
-        a       $3,$3,$amount
+        sum_lanes $3,$amount
         brz     $3,dark
         lqa     $amount,frame
         rotqbyi $amount,$amount,FRAME_features

@@ -173,7 +173,7 @@ endfunction trees_plan
 #           they all go: -1 is nothing, 0 the eye, from where they come, else the LIGHT to which they go
 #   Uses    $3-$79, w_packets, w_traced, w_plan, w_first, w_here, w_left
 #
-# Branches are hinted where there is time to: the calls are short.
+# Calls are hinted: with so few packets a call the misses would count.
 function packets_trace
         hbrr    bound_call,bound_fan_r16
         enter
