@@ -5,6 +5,7 @@
 //! in [`spe`], a console's SPEs or emulated ones, this crate does not know.
 
 pub mod engine;
+pub mod formulation;
 pub mod framebuffer;
 mod report;
 pub mod scene;

@@ -6,6 +6,8 @@
 //! add shaders. Apart from that, nothing here knows what the programs do.
 
 pub mod assembler;
+#[path = "../../ppu/formulation.rs"]
+pub mod formulation;
 mod image;
 #[path = "../../ppu/work/layout/mod.rs"]
 mod layout;

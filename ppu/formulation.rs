@@ -1,0 +1,140 @@
+//! The formulations of ray-sphere and ray-triangle intersection that the tracer's program is linked with,
+//! one of each: their names, where they come from, and the kernels that compute by them.
+//!
+//! None is a flag inside of another: each is kernels of its own, and a program has those of one
+//! formulation alone. `spu-build` links by this table, the command line and the benchmark of accuracy choose
+//! from it.
+
+/// What a sphere's record holds for the eye's rays.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum EyeRecord {
+    /// The centre as the eye sees it, and the radius squared.
+    Centre,
+    /// The centre's unit direction and distance, and the square of radius over distance: worked out in
+    /// double precision.
+    Axis,
+}
+
+/// A way to intersect a ray with a sphere.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SphereFormulation {
+    /// Its name.
+    pub name: &'static str,
+    /// What is computed.
+    pub doc: &'static str,
+    /// The kernel for the eye's rays, which share their origin: depth shading's.
+    pub eye: Option<&'static str>,
+    /// What that kernel takes of a sphere.
+    pub record: EyeRecord,
+    /// The kernel for rays from anywhere: Whitted's model's.
+    pub general: Option<&'static str>,
+}
+
+/// A way to intersect a ray with a triangle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct TriangleFormulation {
+    /// Its name.
+    pub name: &'static str,
+    /// What is computed.
+    pub doc: &'static str,
+    /// The kernel.
+    pub kernel: &'static str,
+}
+
+const PERPENDICULAR: SphereFormulation = SphereFormulation {
+    name: "perpendicular",
+    doc: "discriminant by the perpendicular from the centre to the ray (Hearn and Baker), one Newton step",
+    eye: Some("isect_pairs_r16"),
+    record: EyeRecord::Centre,
+    general: Some("isect_ball_pairs_r16"),
+};
+
+/// All formulations of spheres.
+pub const SPHERES: &[SphereFormulation] = &[
+    SphereFormulation {
+        name: "paper",
+        doc: "the paper's b^2 - 4ac, one Newton step",
+        eye: Some("isect_pairs_paper_r16"),
+        general: Some("isect_ball_pairs_paper_r16"),
+        ..PERPENDICULAR
+    },
+    PERPENDICULAR,
+    SphereFormulation {
+        name: "estimate",
+        doc: "perpendicular, the root from the bare estimate",
+        eye: Some("isect_pairs_estimate_r16"),
+        general: Some("isect_ball_pairs_estimate_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "interpolated",
+        doc: "perpendicular, the root from estimate and fi",
+        eye: Some("isect_pairs_interpolated_r16"),
+        general: Some("isect_ball_pairs_interpolated_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "newton2",
+        doc: "perpendicular, two Newton steps",
+        eye: Some("isect_pairs_newton2_r16"),
+        general: Some("isect_ball_pairs_newton2_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "stable",
+        doc: "perpendicular, the near root as c/q, which does not cancel (Numerical Recipes)",
+        eye: Some("isect_pairs_stable_r16"),
+        general: Some("isect_ball_pairs_stable_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "factored",
+        doc: "discriminant (r - l)(r + l) (pbrt)",
+        eye: Some("isect_pairs_factored_r16"),
+        general: Some("isect_ball_pairs_factored_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "constants",
+        doc: "discriminant by the chord from the sphere's axis, with constants in double precision from the PPU",
+        eye: Some("isect_pairs_constants_r16"),
+        record: EyeRecord::Axis,
+        general: None,
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "refined",
+        doc: "perpendicular, with what truncation took from b put back",
+        eye: Some("isect_pairs_refined_r16"),
+        general: Some("isect_ball_pairs_refined_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "unnormalised",
+        doc: "perpendicular, for directions of any length",
+        eye: Some("isect_pairs_unnormalised_r16"),
+        general: Some("isect_ball_pairs_unnormalised_r16"),
+        ..PERPENDICULAR
+    },
+    SphereFormulation {
+        name: "double",
+        doc: "perpendicular and c/q in double precision",
+        eye: Some("isect_pairs_double_r16"),
+        general: Some("isect_ball_pairs_double_r16"),
+        ..PERPENDICULAR
+    },
+];
+
+/// All formulations of triangles.
+pub const TRIANGLES: &[TriangleFormulation] = &[
+    TriangleFormulation {
+        name: "watertight",
+        doc: "edge tests in the plane across the ray, of the same bits for both sides of an edge (Woop, Benthin, Wald)",
+        kernel: "isect_triangle_pairs_r16",
+    },
+    TriangleFormulation {
+        name: "moeller-trumbore",
+        doc: "barycentric coordinates by cross products (Moeller, Trumbore)",
+        kernel: "isect_triangle_mt_pairs_r16",
+    },
+];
