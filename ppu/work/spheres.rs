@@ -113,7 +113,7 @@ fn record(sphere: &scene::Sphere, lens: &Lens) -> Sphere {
         packet_limit: down(packet_limit),
         reach: up(radius + plane_rounding * (distance + radius)),
         colour: singles(sphere.colour),
-        reserved: 0.into(),
+        distance: F32::new(distance as f32),
     }
 }
 

@@ -90,7 +90,7 @@ record! {
 }
 
 record! {
-    /// One sphere as the eye's rays meet it; the records come in rising order of `near`.
+    /// One sphere as the eye's rays meet it; the records come in rising order of `near`. For programs whose kernel takes `EyeRecord::Axis`, all lengths but `near` are in parts of `distance`.
     Sphere as "SPHERE" {
         /// Centre less eye: x, y, z.
         centre: [F32; 3],
@@ -106,8 +106,8 @@ record! {
         reach: F32,
         /// Colour: red, green, blue, each 0 to 1.
         colour: [F32; 3],
-        /// Zero.
-        reserved: U32,
+        /// Distance of the centre from the eye.
+        distance: F32,
     }
 }
 

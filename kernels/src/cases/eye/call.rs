@@ -134,7 +134,7 @@ pub fn shade_depth(
         .map(|colour| Sphere {
             colour: colour.map(single),
             // Anything: it is no part of the colour.
-            reserved: u32::MAX.into(),
+            distance: single(u32::MAX),
             ..nothing
         })
         .collect();
