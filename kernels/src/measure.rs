@@ -148,7 +148,8 @@ fn measure(
     })
 }
 
-fn cost(bench: &mut Bench, kernel: &str, case: &Case, version: Version) -> Cost {
+/// Times a case of a kernel in one version.
+pub(crate) fn cost(bench: &mut Bench, kernel: &str, case: &Case, version: Version) -> Cost {
     let mut time = |objects| {
         bench.reset();
         let arguments = (case.place)(bench, objects);

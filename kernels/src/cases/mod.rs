@@ -3,4 +3,5 @@
 pub mod ball;
 pub mod eye;
 pub mod flat;
+pub mod spheres;
 pub mod whitted;

@@ -6,7 +6,7 @@ use kernels::bench::{Bench, random};
 use kernels::cases::ball::{ball, unit};
 use kernels::cases::eye::{call, error};
 use kernels::eye_records::{self, Hits, Vectors};
-use kernels::layout::Packet;
+use kernels::layout::{Packet, Sphere};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ball;
 use oracle::twin::isect_pairs::{Hit, isect_pair};
@@ -23,7 +23,8 @@ fn check(
     spheres: &[Ball],
     pairs: &[[usize; 2]],
 ) -> (Vec<Hits>, Vec<u32>) {
-    let (after, objects) = call::isect_pairs(bench, packets, spheres, pairs);
+    let records: Vec<Sphere> = spheres.iter().map(eye_records::sphere).collect();
+    let (after, objects) = call::isect_pairs(bench, "isect_pairs_r16", packets, &records, pairs);
     let mut expected: Vec<Hits> = packets.iter().map(eye_records::hits).collect();
     for &[sphere, packet] in pairs {
         let rays = eye_records::directions(&packets[packet]);

@@ -91,18 +91,18 @@ pub fn ray_setup(
     packets.iter().map(|packet| bench.read(*packet)).collect()
 }
 
-/// `isect_pairs_r16` on the pairs of a sphere and a packet, both by number; gives the packets and the
-/// addresses of the spheres' records, which are the objects.
+/// `isect_pairs_r16`, or the kernel of another formulation, on the pairs of a sphere and a packet, both
+/// by number; gives the packets and the addresses of the spheres' records, which are the objects.
 pub fn isect_pairs(
     bench: &mut Bench,
+    kernel: &str,
     packets: &[Packet],
-    spheres: &[Ball],
+    spheres: &[Sphere],
     pairs: &[[usize; 2]],
 ) -> (Vec<Packet>, Vec<u32>) {
     bench.reset();
     let packets = put_packets(bench, packets);
-    let records: Vec<Sphere> = spheres.iter().map(eye_records::sphere).collect();
-    let records = put(bench, &records);
+    let records = put(bench, spheres);
     let objects: Vec<u32> = (0..spheres.len())
         .map(|number| address::<Sphere>(records, number))
         .collect();
@@ -111,7 +111,7 @@ pub fn isect_pairs(
         .map(|&[sphere, packet]| eye_records::pair(objects[sphere], packets[packet].address))
         .collect();
     let list = put(bench, &list);
-    bench.call("isect_pairs_r16", &[list.address, pairs.len() as u32]);
+    bench.call(kernel, &[list.address, pairs.len() as u32]);
     let packets = packets.iter().map(|packet| bench.read(*packet));
     (packets.collect(), objects)
 }

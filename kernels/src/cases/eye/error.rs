@@ -106,7 +106,9 @@ pub fn isect_pairs(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     for _ in 0..4000 {
         let (rays, sphere) = around_a_sphere(random);
         let packet = eye_records::packet(&rays, &NO_HITS);
-        let (packets, _) = call::isect_pairs(bench, &[packet], &[sphere], &[[0, 0]]);
+        let record = eye_records::sphere(&sphere);
+        let (packets, _) =
+            call::isect_pairs(bench, "isect_pairs_r16", &[packet], &[record], &[[0, 0]]);
         for (direction, hit) in rays.iter().zip(eye_records::hits(&packets[0])) {
             let truth = truth(&ray([0.0; 3], direction.map(to_f64), FARTHEST), &sphere);
             let found = (hit.object != 0).then(|| to_f64(hit.t));
