@@ -42,6 +42,7 @@ pub enum Objects {
 pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
     [
         eye::KERNELS,
+        eye::formulation::KERNELS,
         ball::KERNELS,
         flat::KERNELS,
         whitted::rays::KERNELS,

@@ -2,6 +2,9 @@
 
 use serde::Serialize;
 use spu_emulator::schedule::{Figures, LoopReport, Outcome};
+use spu_emulator::timing::{self, Rules, code::Code, find_loops};
+
+use crate::bench::KERNELS;
 
 /// A loop of a scheduled kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
@@ -18,8 +21,24 @@ pub struct Loop {
 pub enum Form {
     /// Passes overlap.
     Pipelined(Cycles),
-    /// Passes do not overlap, for this reason.
-    Straight(String),
+    /// Passes do not overlap.
+    Straight {
+        /// Why not.
+        why: String,
+        /// What the images' loop takes; none if the kernel has others beside it that are pipelined.
+        cycles: Option<Cycles>,
+    },
+}
+
+impl Form {
+    /// Cycles of a pass, if they are known.
+    #[must_use]
+    pub fn cycles(&self) -> Option<&Cycles> {
+        match self {
+            Self::Pipelined(cycles) => Some(cycles),
+            Self::Straight { cycles, .. } => cycles.as_ref(),
+        }
+    }
 }
 
 /// Cycles of a pass.
@@ -57,14 +76,50 @@ impl From<&Figures> for Cycles {
     }
 }
 
-impl From<&LoopReport> for Loop {
-    fn from(report: &LoopReport) -> Self {
-        Self {
-            name: report.name.clone(),
-            form: match &report.outcome {
-                Outcome::Pipelined(figures) => Form::Pipelined(figures.into()),
-                Outcome::Plain(why) => Form::Straight(why.clone()),
+/// The loops of a kernel that the scheduler reports.
+#[must_use]
+pub fn loops(kernel: &str, reports: &[LoopReport]) -> Vec<Loop> {
+    let mut straight = straight_cycles(kernel, reports.len()).into_iter();
+    let found = reports.iter().map(|report| Loop {
+        name: report.name.clone(),
+        form: match &report.outcome {
+            Outcome::Pipelined(figures) => Form::Pipelined(figures.into()),
+            Outcome::Plain(why) => Form::Straight {
+                why: why.clone(),
+                cycles: straight.next(),
             },
-        }
+        },
+    });
+    found.collect()
+}
+
+/// What the loops of a kernel take, if it has this many in both images: so if none is pipelined, which
+/// would leave a second one behind.
+fn straight_cycles(kernel: &str, count: usize) -> Vec<Cycles> {
+    let [plain, scheduled] = [KERNELS.plain, KERNELS.scheduled].map(|image| found(kernel, image));
+    if plain.len() != count || scheduled.len() != count {
+        return Vec::new();
     }
+    let cycles = plain.iter().zip(&scheduled).filter_map(|(plain, scheduled)| {
+        Some(Cycles {
+            even: plain.even,
+            odd: plain.odd,
+            bound: plain.bound(),
+            interval: scheduled.steady.as_ref()?.cycles_a_pass().ceil() as u64,
+            stages: 1,
+        })
+    });
+    cycles.collect()
+}
+
+/// The loops of a kernel in an image.
+fn found(kernel: &str, image: &[u8]) -> Vec<timing::Loop> {
+    let Ok(code) = Code::parse(image) else {
+        return Vec::new();
+    };
+    let functions = code.functions();
+    let function = functions.iter().find(|function| function.name == kernel);
+    function.map_or_else(Vec::new, |function| {
+        find_loops(&code.words(function.start, function.end), Rules::default())
+    })
 }

@@ -7,7 +7,7 @@ use thiserror::Error;
 
 use crate::bench::{Bench, SEED, Version};
 use crate::catalogue::{Case, Kernel, Objects};
-use crate::loops::Loop;
+use crate::loops::{Loop, loops};
 use crate::schedule::{ScheduleError, Workshop};
 use crate::source::Source;
 use crate::time::Time;
@@ -144,7 +144,7 @@ fn measure(
         cases: cases.collect(),
         error,
         stated_error: header.error,
-        loops: scheduled.loops.iter().map(Loop::from).collect(),
+        loops: loops(kernel.name, &scheduled.loops),
     })
 }
 

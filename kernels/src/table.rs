@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::ops::Range;
 
-use crate::loops::Form;
 use crate::measure::{Cost, Measured, Timed};
 
 /// The columns of a version in the table of times.
@@ -88,8 +87,8 @@ fn loops(text: &mut String, kernels: &[Measured]) {
     ];
     for kernel in kernels {
         for found in &kernel.loops {
-            let [even, odd, bound, interval, stages, reached] = match &found.form {
-                Form::Pipelined(cycles) => [
+            let [even, odd, bound, interval, stages, reached] = match found.form.cycles() {
+                Some(cycles) => [
                     cycles.even.to_string(),
                     cycles.odd.to_string(),
                     cycles.bound.to_string(),
@@ -97,7 +96,7 @@ fn loops(text: &mut String, kernels: &[Measured]) {
                     cycles.stages.to_string(),
                     percent(cycles.reached()),
                 ],
-                Form::Straight(_) => [const { String::new() }; 6],
+                None => [const { String::new() }; 6],
             };
             rows.push([
                 kernel.kernel.into(),

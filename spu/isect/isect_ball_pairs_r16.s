@@ -6,18 +6,17 @@
 #   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^62, radius above 2^-40
 #   Error   25 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
-#   Twin    oracle/src/twin/ball_pairs.rs
+#   Twin    oracle/src/twin/sphere/perpendicular.rs
 #
-# The steps are those of ball_tmpl.inc, but the root is added or taken off by what is seen: taken
-# off for the entry, added for SIDES_EXIT; with SIDES_BOTH added for a ray from inside. The sign of
-# the root is that of two constants of its last step, from a table by the two bits, and with
-# SIDES_BOTH that of |c|^2 - r^2.
+# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT the
+# exit, and with SIDES_BOTH the exit of a ray from inside.
 # Scheduled by spu schedule from isect_ball_pairs_r16.s
 
         .include "work_unit.inc"
         .include "macros.inc"
-        .include "ball_tmpl.inc"
         .include "pairs.inc"
+        .include "sphere_tmpl.inc"
+        .include "sphere_perpendicular.inc"
 
         .set    a_candidate,3
         .set    count,4
@@ -55,6 +54,9 @@
         .set    fx,37
         .set    fy,38
         .set    fz,39
+        .set    lx,37                                   # f
+        .set    ly,38
+        .set    lz,39
         .set    b,40
         .set    outside,41                              # disc
         .set    disc,41
@@ -67,20 +69,7 @@
         .set    control,48
 
         sign_controls_table
-
-# By SIDES_BOTH, then SIDES_EXIT and both.
-half_by_sides:
-    .irp value, 0x3f000000,0x3f000000,0xbf000000,0x3f000000
-        .int    \value,\value,\value,\value
-    .endr
-whole_by_sides:
-    .irp value, 0x3f800000,0x3f800000,0xbf800000,0x3f800000
-        .int    \value,\value,\value,\value
-    .endr
-m_by_sides:
-    .irp value, 0,0x80000000,0,0x80000000
-        .int    \value,\value,\value,\value
-    .endr
+        sides_tables 0x3f000000, 0x3f800000
 
 function isect_ball_pairs_r16
         .set    count_2,79
@@ -93,17 +82,17 @@ function isect_ball_pairs_r16
         .set    ox_4,27
         .set    oy_2,28
         .set    cy_2,31
-        .set    fx_2,24
-        .set    fx_3,8
+        .set    lx_2,24
+        .set    lx_3,8
         .set    oy_3,29
-        .set    fx_4,22
+        .set    lx_4,22
         .set    dx_2,33
-        .set    fy_2,30
+        .set    ly_2,30
         .set    dx_3,27
         .set    dx_4,28
         .set    oy_4,26
         .set    oz_2,34
-        .set    fy_3,29
+        .set    ly_3,29
         .set    dy_2,39
         .set    cz_2,20
         .set    b_2,41
@@ -112,15 +101,15 @@ function isect_ball_pairs_r16
         .set    oz_4,44
         .set    b_4,45
         .set    oz_5,47
-        .set    fz_2,34
+        .set    lz_2,34
         .set    dy_3,49
-        .set    fy_4,26
+        .set    ly_4,26
         .set    dy_4,31
         .set    dy_5,50
-        .set    fz_3,42
+        .set    lz_3,42
         .set    radius2_2,51
-        .set    fz_4,44
-        .set    fz_5,20
+        .set    lz_4,44
+        .set    lz_5,20
         .set    dz_2,47
         .set    dz_3,52
         .set    dz_4,53
@@ -135,9 +124,9 @@ function isect_ball_pairs_r16
         .set    m_by_side_2,5
         .set    whole_2,7
         .set    nearest_4,63
-        .set    fz_6,33
+        .set    lz_6,33
         .set    a_packet_2,9
-        .set    fy_5,27
+        .set    ly_5,27
         .set    quad_2,21
         .set    disc_2,24
         .set    disc_3,22
@@ -153,17 +142,17 @@ function isect_ball_pairs_r16
         .set    dx_5,26
         .set    dx_6,45
         .set    dx_7,38
-        .set    fx_5,29
+        .set    lx_5,29
         .set    oy_7,46
         .set    disc_6,56
         .set    oz_6,8
         .set    disc_7,54
-        .set    fx_6,20
+        .set    lx_6,20
         .set    cz_3,21
         .set    out_2,22
         .set    y_2,32
         .set    disc_8,57
-        .set    fx_7,23
+        .set    lx_7,23
         .set    oz_7,28
         .set    out_3,47
         .set    y_3,48
@@ -183,7 +172,7 @@ function isect_ball_pairs_r16
         .set    dz_8,72
         .set    s_4,73
         .set    dz_9,74
-        .set    fx_8,31
+        .set    lx_8,31
         .set    e_2,32
         .set    s_5,22
         .set    s_6,37
@@ -195,7 +184,7 @@ function isect_ball_pairs_r16
         .set    s_9,5
         .set    e_6,37
         .set    t_2,22
-        .set    fy_6,32
+        .set    ly_6,32
         .set    e_7,2
         .set    t_3,34
         .set    t_4,37
@@ -204,18 +193,18 @@ function isect_ball_pairs_r16
         .set    ahead_2,5
         .set    control_3,40
         .set    control_4,5
-        .set    fy_7,24
+        .set    ly_7,24
         .set    b_6,30
-        .set    fz_7,8
-        .set    fy_8,44
-        .set    fz_8,28
-        .set    fz_9,21
+        .set    lz_7,8
+        .set    ly_8,44
+        .set    lz_8,28
+        .set    lz_9,21
         .set    t_best_5,22
         .set    nearest_5,46
         .set    ahead_3,30
-        .set    fx_9,26
+        .set    lx_9,26
         .set    disc_9,20
-        .set    fy_9,31
+        .set    ly_9,31
         .set    disc_10,26
         .set    disc_11,29
         .set    disc_12,23
@@ -249,7 +238,7 @@ function isect_ball_pairs_r16
         .set    ahead_5,45
         .set    t_best_8,26
         .set    nearest_8,27
-        .set    fz_10,29
+        .set    lz_10,29
         .set    nearest_9,30
         .set    nearest_10,24
         .set    a_packet_3,3
@@ -259,9 +248,9 @@ function isect_ball_pairs_r16
         .set    ox_8,2
         .set    dx_8,5
         .set    oy_8,6
-        .set    fx_10,2
+        .set    lx_10,2
         .set    dy_9,7
-        .set    fy_10,6
+        .set    ly_10,6
         .set    b_7,9
         .set    oz_9,20
         .set    dz_10,21
@@ -271,20 +260,20 @@ function isect_ball_pairs_r16
         .set    dy_10,43
         .set    dz_11,44
         .set    dz_12,45
-        .set    fy_11,22
+        .set    ly_11,22
         .set    radius2_5,28
         .set    t_best_9,29
         .set    t_best_10,46
         .set    t_best_11,47
         .set    nearest_11,32
         .set    nearest_12,48
-        .set    fz_11,23
+        .set    lz_11,23
         .set    disc_14,7
         .set    disc_15,2
         .set    b_9,37
-        .set    fx_11,6
-        .set    fx_12,7
-        .set    fy_12,8
+        .set    lx_11,6
+        .set    lx_12,7
+        .set    ly_12,8
         .set    disc_16,6
         .set    y_10,21
         .set    s_15,20
@@ -320,15 +309,15 @@ function isect_ball_pairs_r16
         iohl    $m_y,0x607                              # 6e
 
         iohl    $m_z,0xa0b                              # 7e
-        ilhu    $k_one,0x3f80                           # 8e
+        ila     $a_controls,sign_controls               # 8e
 
-        ila     $a_controls,sign_controls               # 9e
-        ila     $a_half,half_by_sides                   # 10e
+        ila     $a_half,half_by_sides                   # 9e
+        ila     $a_whole,whole_by_sides                 # 10e
 
-        ila     $a_whole,whole_by_sides                 # 11e
+        ila     $a_by_side,m_by_sides                   # 11e
         lnop                                            # 11o pairing
 
-        ila     $a_by_side,m_by_sides                   # 12e
+        ilhu    $k_one,0x3f80                           # 12e
         brz     $count_2,next_ball_short                # 12o too few passes
 
         ai      $a_candidate_2,$a_candidate,16          # 13e
@@ -358,172 +347,172 @@ function isect_ball_pairs_r16
         lqd     $oy,80($a_packet)                       # 28o
         lqd     $oy_2,96($a_packet)                     # 29o
 
-        fs      $fx,$cx_2,$ox                           # 30e
+        fs      $lx,$cx_2,$ox                           # 30e
         shufb   $cy_2,$quad,$quad,$m_y                  # 30o
 
-        fs      $fx_2,$cx_2,$ox_3                       # 31e
+        fs      $lx_2,$cx_2,$ox_3                       # 31e
         lqd     $dx,208($a_packet)                      # 31o
 
-        fs      $fx_3,$cx_2,$ox_2                       # 32e
+        fs      $lx_3,$cx_2,$ox_2                       # 32e
         lqd     $oy_3,64($a_packet)                     # 32o
 
-        fs      $fx_4,$cx_2,$ox_4                       # 33e
+        fs      $lx_4,$cx_2,$ox_4                       # 33e
         lqd     $dx_2,192($a_packet)                    # 33o
 
-        fs      $fy_2,$cy_2,$oy                         # 34e
+        fs      $ly_2,$cy_2,$oy                         # 34e
         lqd     $dx_3,224($a_packet)                    # 34o
 
-        fs      $fy,$cy_2,$oy_2                         # 35e
+        fs      $ly,$cy_2,$oy_2                         # 35e
         lqd     $dx_4,240($a_packet)                    # 35o
 
         lqd     $oy_4,112($a_packet)                    # 36o
         lqd     $oz_2,176($a_packet)                    # 37o
 
-        fs      $fy_3,$cy_2,$oy_3                       # 38e
+        fs      $ly_3,$cy_2,$oy_3                       # 38e
         lqd     $dy_2,256($a_packet)                    # 38o
 
-        fm      $b,$fx_2,$dx_2                          # 39e
+        fm      $b,$lx_2,$dx_2                          # 39e
         shufb   $cz_2,$quad,$quad,$m_z                  # 39o
 
-        fm      $b_2,$fx_4,$dx                          # 40e
+        fm      $b_2,$lx_4,$dx                          # 40e
         lqd     $oz_3,160($a_packet)                    # 40o
 
-        fm      $b_3,$fx_3,$dx_4                        # 41e
+        fm      $b_3,$lx_3,$dx_4                        # 41e
         lqd     $oz_4,128($a_packet)                    # 41o
 
-        fm      $b_4,$fx,$dx_3                          # 42e
+        fm      $b_4,$lx,$dx_3                          # 42e
         lqd     $oz_5,144($a_packet)                    # 42o
 
-        fs      $fz_2,$cz_2,$oz_2                       # 43e
+        fs      $lz_2,$cz_2,$oz_2                       # 43e
         lqd     $dy_3,272($a_packet)                    # 43o
 
-        fs      $fy_4,$cy_2,$oy_4                       # 44e
+        fs      $ly_4,$cy_2,$oy_4                       # 44e
         lqd     $dy_4,288($a_packet)                    # 44o
 
-        fma     $b,$fy_3,$dy_2,$b                       # 45e
+        fma     $b,$ly_3,$dy_2,$b                       # 45e
         lqd     $dy_5,304($a_packet)                    # 45o
 
-        fs      $fz_3,$cz_2,$oz_3                       # 46e
+        fs      $lz_3,$cz_2,$oz_3                       # 46e
         shufb   $radius2_2,$sides,$sides,$m_x           # 46o
 
-        fs      $fz_4,$cz_2,$oz_4                       # 47e
+        fs      $lz_4,$cz_2,$oz_4                       # 47e
         rotqbyi $sides,$sides,12                        # 47o
 
-        fs      $fz_5,$cz_2,$oz_5                       # 48e
+        fs      $lz_5,$cz_2,$oz_5                       # 48e
         lqd     $dz_2,320($a_packet)                    # 48o
 
-        fma     $b_2,$fy_2,$dy_3,$b_2                   # 49e
+        fma     $b_2,$ly_2,$dy_3,$b_2                   # 49e
         lqd     $dz_3,336($a_packet)                    # 49o
 
-        fma     $b_4,$fy,$dy_4,$b_4                     # 50e
+        fma     $b_4,$ly,$dy_4,$b_4                     # 50e
         lqd     $dz_4,352($a_packet)                    # 50o
 
-        fma     $b_3,$fy_4,$dy_5,$b_3                   # 51e
+        fma     $b_3,$ly_4,$dy_5,$b_3                   # 51e
         lqd     $dz_5,368($a_packet)                    # 51o
 
         fm      $radius2_2,$radius2_2,$radius2_2        # 52e
         lqd     $nearest_2,464($a_packet)               # 52o
 
-        rotmi   $sides,$sides,-26                       # 53e the two bits to quadwords' addresses
+        rotmi   $sides,$sides,-26                       # 53e
         lqd     $nearest_3,496($a_packet)               # 53o
 
-        fma     $b,$fz_4,$dz_2,$b                       # 54e
+        fma     $b,$lz_4,$dz_2,$b                       # 54e
         lqd     $t_best_2,384($a_packet)                # 54o
 
-        fma     $b_2,$fz_5,$dz_3,$b_2                   # 55e
+        fma     $b_2,$lz_5,$dz_3,$b_2                   # 55e
         lqd     $t_best_3,432($a_packet)                # 55o
 
-        fma     $b_5,$fz_3,$dz_4,$b_4                   # 56e
+        fma     $b_5,$lz_3,$dz_4,$b_4                   # 56e
         lqd     $t_best_4,400($a_packet)                # 56o
 
-        fma     $b_3,$fz_2,$dz_5,$b_3                   # 57e
+        fma     $b_3,$lz_2,$dz_5,$b_3                   # 57e
         lqx     $half_2,$a_half,$sides                  # 57o
 
         lqx     $m_by_side_2,$a_by_side,$sides          # 58o
         lqx     $whole_2,$a_whole,$sides                # 59o
 
-        fnms    $fx_2,$b,$dx_2,$fx_2                    # 60e
+        fnms    $lx_2,$b,$dx_2,$lx_2                    # 60e
         lqd     $nearest_4,448($a_packet)               # 60o
 
-        fnms    $fz_6,$b,$dz_2,$fz_4                    # 61e
+        fnms    $lz_6,$b,$dz_2,$lz_4                    # 61e
         lqd     $t_best,416($a_packet)                  # 61o
 
-        fnms    $fx_4,$b_2,$dx,$fx_4                    # 62e
+        fnms    $lx_4,$b_2,$dx,$lx_4                    # 62e
         shlqbyi $a_packet_2,$a_packet,0                 # 62o copy
 
-        fnms    $fx,$b_5,$dx_3,$fx                      # 63e
+        fnms    $lx,$b_5,$dx_3,$lx                      # 63e
         lqd     $nearest,480($a_packet)                 # 63o
 
-        fnms    $fx_3,$b_3,$dx_4,$fx_3                  # 64e
+        fnms    $lx_3,$b_3,$dx_4,$lx_3                  # 64e
         rotqbyi $a_packet,$object_3,4                   # 64o
 
-        fnms    $fy_5,$b,$dy_2,$fy_3                    # 65e
+        fnms    $ly_5,$b,$dy_2,$ly_3                    # 65e
         lqd     $quad_2,0($object_3)                    # 65o
 
-        fnms    $disc_2,$fx_2,$fx_2,$radius2_2          # 66e
+        fnms    $disc_2,$lx_2,$lx_2,$radius2_2          # 66e
         lqd     $sides,32($object_3)                    # 66o
 
-        fnms    $fy_4,$b_3,$dy_5,$fy_4                  # 67e
+        fnms    $ly_4,$b_3,$dy_5,$ly_4                  # 67e
         lnop                                            # 67o pairing
 
-        fnms    $disc_3,$fx_4,$fx_4,$radius2_2          # 68e
+        fnms    $disc_3,$lx_4,$lx_4,$radius2_2          # 68e
         lqd     $ox,32($a_packet)                       # 68o
 
-        fnms    $disc_4,$fx,$fx,$radius2_2              # 69e
+        fnms    $disc_4,$lx,$lx,$radius2_2              # 69e
         lqd     $ox_5,48($a_packet)                     # 69o
 
-        fnms    $disc_5,$fx_3,$fx_3,$radius2_2          # 70e
+        fnms    $disc_5,$lx_3,$lx_3,$radius2_2          # 70e
         lqd     $ox_6,0($a_packet)                      # 70o
 
-        fnms    $fy_2,$b_2,$dy_3,$fy_2                  # 71e
+        fnms    $ly_2,$b_2,$dy_3,$ly_2                  # 71e
         shufb   $cx_3,$quad_2,$quad_2,$m_x              # 71o
 
-        fnms    $fy,$b_5,$dy_4,$fy                      # 72e
+        fnms    $ly,$b_5,$dy_4,$ly                      # 72e
         lqd     $ox_7,16($a_packet)                     # 72o
 
-        fnms    $disc_2,$fy_5,$fy_5,$disc_2             # 73e
+        fnms    $disc_2,$ly_5,$ly_5,$disc_2             # 73e
         lqd     $oy_5,80($a_packet)                     # 73o
 
-        fnms    $fz,$b_3,$dz_5,$fz_2                    # 74e
+        fnms    $lz,$b_3,$dz_5,$lz_2                    # 74e
         lqd     $oy_6,96($a_packet)                     # 74o
 
-        fnms    $fz_5,$b_2,$dz_3,$fz_5                  # 75e
+        fnms    $lz_5,$b_2,$dz_3,$lz_5                  # 75e
         shufb   $cy_3,$quad_2,$quad_2,$m_y              # 75o
 
-        fnms    $disc_5,$fy_4,$fy_4,$disc_5             # 76e
+        fnms    $disc_5,$ly_4,$ly_4,$disc_5             # 76e
         lqd     $dx_5,208($a_packet)                    # 76o
 
-        fnms    $disc_3,$fy_2,$fy_2,$disc_3             # 77e
+        fnms    $disc_3,$ly_2,$ly_2,$disc_3             # 77e
         lqd     $oy,64($a_packet)                       # 77o
 
-        fnms    $fz_3,$b_5,$dz_4,$fz_3                  # 78e
+        fnms    $lz_3,$b_5,$dz_4,$lz_3                  # 78e
         lqd     $dx_6,192($a_packet)                    # 78o
 
-        fnms    $disc_2,$fz_6,$fz_6,$disc_2             # 79e
+        fnms    $disc_2,$lz_6,$lz_6,$disc_2             # 79e
         lqd     $dx_2,224($a_packet)                    # 79o
 
-        fnms    $disc_4,$fy,$fy,$disc_4                 # 80e
+        fnms    $disc_4,$ly,$ly,$disc_4                 # 80e
         lqd     $dx_7,240($a_packet)                    # 80o
 
-        fs      $fx_5,$cx_3,$ox                         # 81e
+        fs      $lx_5,$cx_3,$ox                         # 81e
         lqd     $oy_7,112($a_packet)                    # 81o
 
-        fnms    $disc_6,$fz,$fz,$disc_5                 # 82e
+        fnms    $disc_6,$lz,$lz,$disc_5                 # 82e
         lqd     $oz_6,176($a_packet)                    # 82o
 
-        fnms    $disc_7,$fz_5,$fz_5,$disc_3             # 83e
+        fnms    $disc_7,$lz_5,$lz_5,$disc_3             # 83e
         lqd     $dy_2,256($a_packet)                    # 83o
 
-        fs      $fx_6,$cx_3,$ox_6                       # 84e
+        fs      $lx_6,$cx_3,$ox_6                       # 84e
         shufb   $cz_3,$quad_2,$quad_2,$m_z              # 84o
 
         fms     $out_2,$b,$b,$disc_2                    # 85e
         frsqest $y_2,$disc_2                            # 85o
 
-        fnms    $disc_8,$fz_3,$fz_3,$disc_4             # 86e
+        fnms    $disc_8,$lz_3,$lz_3,$disc_4             # 86e
         lqd     $oz_3,160($a_packet)                    # 86o
 
-        fs      $fx_7,$cx_3,$ox_5                       # 87e
+        fs      $lx_7,$cx_3,$ox_5                       # 87e
         lqd     $oz_7,128($a_packet)                    # 87o
 
         fms     $out_3,$b_3,$b_3,$disc_6                # 88e
@@ -565,20 +554,20 @@ function isect_ball_pairs_r16
         fm      $s_4,$disc_7,$y_4                       # 100e
         lqd     $dz_9,368($a_packet)                    # 100o
 
-        fs      $fx_8,$cx_3,$ox_7                       # 101e
-        fnms    $e_2,$s_2,$y_2,$k_one                   # 102e 1 - s y
+        fs      $lx_8,$cx_3,$ox_7                       # 101e
+        fnms    $e_2,$s_2,$y_2,$k_one                   # 102e
 
         selb    $s_5,$s_2,$out_2,$m_by_side_2           # 103e
         fm      $s_6,$disc_8,$y_5                       # 104e
 
-        fnms    $e_3,$s_3,$y_3,$k_one                   # 105e 1 - s y
+        fnms    $e_3,$s_3,$y_3,$k_one                   # 105e
         selb    $s_7,$s_3,$out_3,$m_by_side_2           # 106e
 
-        fnms    $e_4,$s_4,$y_4,$k_one                   # 107e 1 - s y
+        fnms    $e_4,$s_4,$y_4,$k_one                   # 107e
         fma     $e_2,$e_2,$half_2,$whole_2              # 108e
 
         selb    $s_8,$s_4,$out_4,$m_by_side_2           # 109e
-        fnms    $e_5,$s_6,$y_5,$k_one                   # 110e 1 - s y
+        fnms    $e_5,$s_6,$y_5,$k_one                   # 110e
 
         fma     $e_3,$e_3,$half_2,$whole_2              # 111e
         selb    $s_9,$s_6,$out_5,$m_by_side_2           # 112e
@@ -586,11 +575,11 @@ function isect_ball_pairs_r16
         fma     $e_6,$e_4,$half_2,$whole_2              # 113e
         fnms    $t_2,$s_5,$e_2,$b                       # 114e
 
-        fs      $fy_6,$cy_3,$oy_6                       # 115e
+        fs      $ly_6,$cy_3,$oy_6                       # 115e
         fma     $e_7,$e_5,$half_2,$whole_2              # 116e
 
         fnms    $t_3,$s_7,$e_3,$b_3                     # 117e
-        fs      $fy_5,$cy_3,$oy_5                       # 118e
+        fs      $ly_5,$cy_3,$oy_5                       # 118e
 
         fnms    $t_4,$s_8,$e_6,$b_2                     # 119e
         cgt     $control,$t_best_2,$t_2                 # 120e
@@ -613,121 +602,121 @@ function isect_ball_pairs_r16
         and     $control_4,$control_3,$ahead_2          # 130e
         rotqbii $control,$control,1                     # 130o
 
-        fs      $fy_7,$cy_3,$oy                         # 131e
-        fm      $b,$fx_6,$dx_6                          # 132e
+        fs      $ly_7,$cy_3,$oy                         # 131e
+        fm      $b,$lx_6,$dx_6                          # 132e
 
-        fm      $b_2,$fx_8,$dx_5                        # 133e
+        fm      $b_2,$lx_8,$dx_5                        # 133e
         lnop                                            # 133o pairing
 
-        fm      $b_3,$fx_7,$dx_7                        # 134e
+        fm      $b_3,$lx_7,$dx_7                        # 134e
         gb      $control,$control                       # 134o
 
-        fm      $b_6,$fx_5,$dx_2                        # 135e
-        fs      $fz_7,$cz_3,$oz_6                       # 136e
+        fm      $b_6,$lx_5,$dx_2                        # 135e
+        fs      $lz_7,$cz_3,$oz_6                       # 136e
 
-        fs      $fy_8,$cy_3,$oy_7                       # 137e
+        fs      $ly_8,$cy_3,$oy_7                       # 137e
         lnop                                            # 137o pairing
 
-        fma     $b,$fy_7,$dy_2,$b                       # 138e
+        fma     $b,$ly_7,$dy_2,$b                       # 138e
         shlqbii $control,$control,4                     # 138o
 
-        fs      $fz_3,$cz_3,$oz_3                       # 139e
-        fs      $fz_8,$cz_3,$oz_7                       # 140e
+        fs      $lz_3,$cz_3,$oz_3                       # 139e
+        fs      $lz_8,$cz_3,$oz_7                       # 140e
 
-        fs      $fz_9,$cz_3,$oz_8                       # 141e
+        fs      $lz_9,$cz_3,$oz_8                       # 141e
         lnop                                            # 141o pairing
 
-        fma     $b_2,$fy_5,$dy_6,$b_2                   # 142e
+        fma     $b_2,$ly_5,$dy_6,$b_2                   # 142e
         lqx     $control,$control,$a_controls           # 142o
 
-        fma     $b_6,$fy_6,$dy_7,$b_6                   # 143e
-        fma     $b_3,$fy_8,$dy_8,$b_3                   # 144e
+        fma     $b_6,$ly_6,$dy_7,$b_6                   # 143e
+        fma     $b_3,$ly_8,$dy_8,$b_3                   # 144e
 
         andc    $control_4,$control_4,$disc_7           # 145e
         fm      $radius2_2,$radius2_3,$radius2_3        # 146e
 
-        fma     $b,$fz_8,$dz_6,$b                       # 147e
+        fma     $b,$lz_8,$dz_6,$b                       # 147e
         rotqbii $control_4,$control_4,1                 # 147o
 
-        rotmi   $sides,$sides,-26                       # 148e the two bits to quadwords' addresses
+        rotmi   $sides,$sides,-26                       # 148e
         shufb   $t_best_5,$t_best_2,$t_2,$control       # 148o
 
-        fma     $b_2,$fz_9,$dz_7,$b_2                   # 149e
+        fma     $b_2,$lz_9,$dz_7,$b_2                   # 149e
         shufb   $nearest_5,$nearest_4,$object,$control  # 149o
 
-        fma     $b_5,$fz_3,$dz_8,$b_6                   # 150e
+        fma     $b_5,$lz_3,$dz_8,$b_6                   # 150e
         lnop                                            # 150o pairing
 
-        fma     $b_3,$fz_7,$dz_9,$b_3                   # 151e
+        fma     $b_3,$lz_7,$dz_9,$b_3                   # 151e
         gb      $control_4,$control_4                   # 151o
 
         andc    $control_2,$control_2,$disc_6           # 152e
         cgti    $ahead_3,$t_5,0                         # 153e
 
-        fnms    $fx_6,$b,$dx_6,$fx_6                    # 154e
+        fnms    $lx_6,$b,$dx_6,$lx_6                    # 154e
         rotqbii $control_2,$control_2,1                 # 154o
 
-        fnms    $fz_8,$b,$dz_6,$fz_8                    # 155e
+        fnms    $lz_8,$b,$dz_6,$lz_8                    # 155e
         shlqbii $control_4,$control_4,4                 # 155o
 
-        fnms    $fx_9,$b_2,$dx_5,$fx_8                  # 156e
-        fnms    $fx_5,$b_5,$dx_2,$fx_5                  # 157e
+        fnms    $lx_9,$b_2,$dx_5,$lx_8                  # 156e
+        fnms    $lx_5,$b_5,$dx_2,$lx_5                  # 157e
 
-        fnms    $fx_7,$b_3,$dx_7,$fx_7                  # 158e
+        fnms    $lx_7,$b_3,$dx_7,$lx_7                  # 158e
         gb      $control_2,$control_2                   # 158o
 
-        fnms    $fy_7,$b,$dy_2,$fy_7                    # 159e
+        fnms    $ly_7,$b,$dy_2,$ly_7                    # 159e
         lqx     $control_4,$control_4,$a_controls       # 159o
 
-        fnms    $disc_9,$fx_6,$fx_6,$radius2_2          # 160e
-        fnms    $fy_9,$b_3,$dy_8,$fy_8                  # 161e
+        fnms    $disc_9,$lx_6,$lx_6,$radius2_2          # 160e
+        fnms    $ly_9,$b_3,$dy_8,$ly_8                  # 161e
 
-        fnms    $disc_10,$fx_9,$fx_9,$radius2_2         # 162e
+        fnms    $disc_10,$lx_9,$lx_9,$radius2_2         # 162e
         shlqbii $control_2,$control_2,4                 # 162o
 
-        fnms    $disc_11,$fx_5,$fx_5,$radius2_2         # 163e
-        fnms    $disc_12,$fx_7,$fx_7,$radius2_2         # 164e
+        fnms    $disc_11,$lx_5,$lx_5,$radius2_2         # 163e
+        fnms    $disc_12,$lx_7,$lx_7,$radius2_2         # 164e
 
-        fnms    $fy_5,$b_2,$dy_6,$fy_5                  # 165e
+        fnms    $ly_5,$b_2,$dy_6,$ly_5                  # 165e
         shufb   $nearest_6,$nearest_2,$object,$control_4 # 165o
 
-        fnms    $fy,$b_5,$dy_7,$fy_6                    # 166e
+        fnms    $ly,$b_5,$dy_7,$ly_6                    # 166e
         lqx     $control_2,$control_2,$a_controls       # 166o
 
-        fnms    $disc_2,$fy_7,$fy_7,$disc_9             # 167e
+        fnms    $disc_2,$ly_7,$ly_7,$disc_9             # 167e
         stqd    $t_best_5,384($a_packet_2)              # 167o
 
-        fnms    $fz,$b_3,$dz_9,$fz_7                    # 168e
+        fnms    $lz,$b_3,$dz_9,$lz_7                    # 168e
         shufb   $t_best_6,$t_best_4,$t_4,$control_4     # 168o
 
-        fnms    $fz_5,$b_2,$dz_7,$fz_9                  # 169e
+        fnms    $lz_5,$b_2,$dz_7,$lz_9                  # 169e
         stqd    $nearest_5,448($a_packet_2)             # 169o
 
-        fnms    $disc_5,$fy_9,$fy_9,$disc_12            # 170e
-        fnms    $disc_3,$fy_5,$fy_5,$disc_10            # 171e
+        fnms    $disc_5,$ly_9,$ly_9,$disc_12            # 170e
+        fnms    $disc_3,$ly_5,$ly_5,$disc_10            # 171e
 
-        fnms    $fz_9,$b_5,$dz_8,$fz_3                  # 172e
+        fnms    $lz_9,$b_5,$dz_8,$lz_3                  # 172e
         shufb   $nearest_7,$nearest_3,$object,$control_2 # 172o
 
-        fnms    $disc_13,$fz_8,$fz_8,$disc_2            # 173e
+        fnms    $disc_13,$lz_8,$lz_8,$disc_2            # 173e
         shufb   $t_best_7,$t_best_3,$t_3,$control_2     # 173o
 
-        fnms    $disc_4,$fy,$fy,$disc_11                # 174e
+        fnms    $disc_4,$ly,$ly,$disc_11                # 174e
         cgt     $control,$t_best,$t_5                   # 175e
 
-        fnms    $disc_6,$fz,$fz,$disc_5                 # 176e
+        fnms    $disc_6,$lz,$lz,$disc_5                 # 176e
         stqd    $nearest_7,496($a_packet_2)             # 176o
 
         and     $control,$control,$ahead_3              # 177e
         stqd    $t_best_6,400($a_packet_2)              # 177o
 
-        fnms    $disc_7,$fz_5,$fz_5,$disc_3             # 178e
+        fnms    $disc_7,$lz_5,$lz_5,$disc_3             # 178e
         stqd    $t_best_7,432($a_packet_2)              # 178o
 
         andc    $control,$control,$disc_8               # 179e
         frsqest $y_6,$disc_13                           # 179o
 
-        fnms    $disc_8,$fz_9,$fz_9,$disc_4             # 180e
+        fnms    $disc_8,$lz_9,$lz_9,$disc_4             # 180e
         stqd    $nearest_6,464($a_packet_2)             # 180o
 
         fms     $out,$b,$b,$disc_13                     # 181e
@@ -775,17 +764,17 @@ function isect_ball_pairs_r16
         fm      $s_11,$disc_7,$y_8                      # 195e
         lqd     $t_best_4,400($a_packet)                # 195o
 
-        fnms    $e,$s,$y_6,$k_one                       # 196e 1 - s y
+        fnms    $e,$s,$y_6,$k_one                       # 196e
         lqd     $nearest_4,448($a_packet)               # 196o
 
         selb    $s_12,$s,$out,$m_by_side                # 197e
         fm      $s_13,$disc_8,$y_9                      # 198e
 
-        fnms    $e_8,$s_10,$y_7,$k_one                  # 199e 1 - s y
+        fnms    $e_8,$s_10,$y_7,$k_one                  # 199e
         shufb   $nearest,$nearest,$object,$control      # 199o
 
         selb    $s_10,$s_10,$out_6,$m_by_side           # 200e
-        fnms    $e_9,$s_11,$y_8,$k_one                  # 201e 1 - s y
+        fnms    $e_9,$s_11,$y_8,$k_one                  # 201e
 
 next_ball:
             fma     $e,$e,$half,$whole                  # 0e
@@ -794,7 +783,7 @@ next_ball:
             selb    $s,$s_11,$out_7,$m_by_side          # 1e
             shufb   $object,$object_3,$object_3,$m_x    # 1o
 
-            fnms    $e_7,$s_13,$y_9,$k_one              # 2e 1 - s y
+            fnms    $e_7,$s_13,$y_9,$k_one              # 2e
             stqd    $nearest,480($a_packet_2)           # 2o
 
             fma     $e_10,$e_8,$half,$whole             # 3e
@@ -854,67 +843,67 @@ next_ball:
             and     $control_5,$control_5,$ahead        # 22e
         shufb   $cy_2,$quad,$quad,$m_y                  # 22o
 
-        fs      $fx,$cx_2,$ox                           # 23e
+        fs      $lx,$cx_2,$ox                           # 23e
         lqd     $dx,208($a_packet)                      # 23o
 
-        fs      $fx_2,$cx_2,$ox_3                       # 24e
+        fs      $lx_2,$cx_2,$ox_3                       # 24e
         lqd     $oy_3,64($a_packet)                     # 24o
 
-        fs      $fx_3,$cx_2,$ox_2                       # 25e
+        fs      $lx_3,$cx_2,$ox_2                       # 25e
         lqd     $dx_2,192($a_packet)                    # 25o
 
-        fs      $fx_4,$cx_2,$ox_4                       # 26e
+        fs      $lx_4,$cx_2,$ox_4                       # 26e
         lqd     $dx_3,224($a_packet)                    # 26o
 
-        fs      $fy,$cy_2,$oy_2                         # 27e
+        fs      $ly,$cy_2,$oy_2                         # 27e
         lqd     $dx_4,240($a_packet)                    # 27o
 
             and     $control_7,$control_6,$ahead_4      # 28e
         lqd     $oy_4,112($a_packet)                    # 28o
 
-        fs      $fy_2,$cy_2,$oy                         # 29e
+        fs      $ly_2,$cy_2,$oy                         # 29e
         lqd     $oz_2,176($a_packet)                    # 29o
 
-        fs      $fy_3,$cy_2,$oy_3                       # 30e
+        fs      $ly_3,$cy_2,$oy_3                       # 30e
         lqd     $dy_2,256($a_packet)                    # 30o
 
-        fm      $b,$fx_2,$dx_2                          # 31e
+        fm      $b,$lx_2,$dx_2                          # 31e
         shufb   $cz_2,$quad,$quad,$m_z                  # 31o
 
-        fm      $b_2,$fx_4,$dx                          # 32e
+        fm      $b_2,$lx_4,$dx                          # 32e
         lqd     $oz_3,160($a_packet)                    # 32o
 
-        fm      $b_3,$fx_3,$dx_4                        # 33e
+        fm      $b_3,$lx_3,$dx_4                        # 33e
         lqd     $oz_4,128($a_packet)                    # 33o
 
-        fm      $b_4,$fx,$dx_3                          # 34e
+        fm      $b_4,$lx,$dx_3                          # 34e
         lqd     $oz_5,144($a_packet)                    # 34o
 
-        fs      $fz_2,$cz_2,$oz_2                       # 35e
+        fs      $lz_2,$cz_2,$oz_2                       # 35e
         lqd     $dy_3,272($a_packet)                    # 35o
 
-        fs      $fy_4,$cy_2,$oy_4                       # 36e
+        fs      $ly_4,$cy_2,$oy_4                       # 36e
         lqd     $dy_4,288($a_packet)                    # 36o
 
-        fma     $b,$fy_3,$dy_2,$b                       # 37e
+        fma     $b,$ly_3,$dy_2,$b                       # 37e
         lqd     $dy_5,304($a_packet)                    # 37o
 
-        fs      $fz_3,$cz_2,$oz_3                       # 38e
+        fs      $lz_3,$cz_2,$oz_3                       # 38e
         shufb   $radius2_2,$sides,$sides,$m_x           # 38o
 
-        fs      $fz_4,$cz_2,$oz_4                       # 39e
+        fs      $lz_4,$cz_2,$oz_4                       # 39e
         rotqbyi $sides,$sides,12                        # 39o
 
-        fs      $fz_5,$cz_2,$oz_5                       # 40e
+        fs      $lz_5,$cz_2,$oz_5                       # 40e
         lqd     $dz_2,320($a_packet)                    # 40o
 
-        fma     $b_2,$fy_2,$dy_3,$b_2                   # 41e
+        fma     $b_2,$ly_2,$dy_3,$b_2                   # 41e
         lnop                                            # 41o pairing
 
-        fma     $b_4,$fy,$dy_4,$b_4                     # 42e
+        fma     $b_4,$ly,$dy_4,$b_4                     # 42e
         lqd     $dz_3,336($a_packet)                    # 42o
 
-        fma     $b_3,$fy_4,$dy_5,$b_3                   # 43e
+        fma     $b_3,$ly_4,$dy_5,$b_3                   # 43e
         lqd     $dz_4,352($a_packet)                    # 43o
 
             andc    $control_7,$control_7,$disc_7       # 44e
@@ -923,97 +912,97 @@ next_ball:
         fm      $radius2_2,$radius2_2,$radius2_2        # 45e
         lnop                                            # 45o pairing
 
-        fma     $b,$fz_4,$dz_2,$b                       # 46e
+        fma     $b,$lz_4,$dz_2,$b                       # 46e
             rotqbii $control_7,$control_7,1             # 46o
 
-        rotmi   $sides,$sides,-26                       # 47e the two bits to quadwords' addresses
+        rotmi   $sides,$sides,-26                       # 47e
             rotqbii $control,$control,1                 # 47o
 
-        fma     $b_2,$fz_5,$dz_3,$b_2                   # 48e
-        fma     $b_5,$fz_3,$dz_4,$b_4                   # 49e
+        fma     $b_2,$lz_5,$dz_3,$b_2                   # 48e
+        fma     $b_5,$lz_3,$dz_4,$b_4                   # 49e
 
-        fma     $b_3,$fz_2,$dz_5,$b_3                   # 50e
+        fma     $b_3,$lz_2,$dz_5,$b_3                   # 50e
             andc    $control_5,$control_5,$disc_6       # 51e
 
             cgti    $ahead_5,$t_5,0                     # 52e
-        fnms    $fx_2,$b,$dx_2,$fx_2                    # 53e
+        fnms    $lx_2,$b,$dx_2,$lx_2                    # 53e
 
-        fnms    $fz_6,$b,$dz_2,$fz_4                    # 54e
+        fnms    $lz_6,$b,$dz_2,$lz_4                    # 54e
             rotqbii $control_5,$control_5,1             # 54o
 
-        fnms    $fx_4,$b_2,$dx,$fx_4                    # 55e
+        fnms    $lx_4,$b_2,$dx,$lx_4                    # 55e
             gb      $control,$control                   # 55o
 
-        fnms    $fx,$b_5,$dx_3,$fx                      # 56e
+        fnms    $lx,$b_5,$dx_3,$lx                      # 56e
             gb      $control_7,$control_7               # 56o
 
-        fnms    $fx_3,$b_3,$dx_4,$fx_3                  # 57e
+        fnms    $lx_3,$b_3,$dx_4,$lx_3                  # 57e
         lnop                                            # 57o pairing
 
-        fnms    $fy_5,$b,$dy_2,$fy_3                    # 58e
+        fnms    $ly_5,$b,$dy_2,$ly_3                    # 58e
             gb      $control_5,$control_5               # 58o
 
-        fnms    $disc_2,$fx_2,$fx_2,$radius2_2          # 59e
+        fnms    $disc_2,$lx_2,$lx_2,$radius2_2          # 59e
             shlqbii $control,$control,4                 # 59o
 
-        fnms    $fy_4,$b_3,$dy_5,$fy_4                  # 60e
+        fnms    $ly_4,$b_3,$dy_5,$ly_4                  # 60e
             shlqbii $control_7,$control_7,4             # 60o
 
-        fnms    $disc_3,$fx_4,$fx_4,$radius2_2          # 61e
+        fnms    $disc_3,$lx_4,$lx_4,$radius2_2          # 61e
         lnop                                            # 61o pairing
 
-        fnms    $disc_4,$fx,$fx,$radius2_2              # 62e
+        fnms    $disc_4,$lx,$lx,$radius2_2              # 62e
             shlqbii $control_5,$control_5,4             # 62o
 
-        fnms    $disc_5,$fx_3,$fx_3,$radius2_2          # 63e
+        fnms    $disc_5,$lx_3,$lx_3,$radius2_2          # 63e
             lqx     $control,$control,$a_controls       # 63o
 
-        fnms    $fy_3,$b_2,$dy_3,$fy_2                  # 64e
+        fnms    $ly_3,$b_2,$dy_3,$ly_2                  # 64e
         lnop                                            # 64o pairing
 
-        fnms    $fy,$b_5,$dy_4,$fy                      # 65e
+        fnms    $ly,$b_5,$dy_4,$ly                      # 65e
             lqx     $control_7,$control_7,$a_controls   # 65o
 
-        fnms    $disc_2,$fy_5,$fy_5,$disc_2             # 66e
+        fnms    $disc_2,$ly_5,$ly_5,$disc_2             # 66e
             lqx     $control_5,$control_5,$a_controls   # 66o
 
-        fnms    $fz,$b_3,$dz_5,$fz_2                    # 67e
+        fnms    $lz,$b_3,$dz_5,$lz_2                    # 67e
         lnop                                            # 67o pairing
 
-        fnms    $fz_5,$b_2,$dz_3,$fz_5                  # 68e
+        fnms    $lz_5,$b_2,$dz_3,$lz_5                  # 68e
         hbrr    next_ball_back,next_ball                # 68o hint
 
-        fnms    $disc_5,$fy_4,$fy_4,$disc_5             # 69e
+        fnms    $disc_5,$ly_4,$ly_4,$disc_5             # 69e
             shufb   $t_best_8,$t_best_2,$t,$control     # 69o
 
-        fnms    $disc_3,$fy_3,$fy_3,$disc_3             # 70e
+        fnms    $disc_3,$ly_3,$ly_3,$disc_3             # 70e
             shufb   $nearest_8,$nearest_4,$object,$control # 70o
 
-        fnms    $fz_10,$b_5,$dz_4,$fz_3                 # 71e
+        fnms    $lz_10,$b_5,$dz_4,$lz_3                 # 71e
             shufb   $nearest_9,$nearest_2,$object,$control_7 # 71o
 
-        fnms    $disc_13,$fz_6,$fz_6,$disc_2            # 72e
+        fnms    $disc_13,$lz_6,$lz_6,$disc_2            # 72e
             shufb   $nearest_10,$nearest_3,$object,$control_5 # 72o
 
-        fnms    $disc_4,$fy,$fy,$disc_4                 # 73e
+        fnms    $disc_4,$ly,$ly,$disc_4                 # 73e
             stqd    $t_best_8,384($a_packet_2)          # 73o
 
             cgt     $control,$t_best,$t_5               # 74e
             shufb   $t_best_7,$t_best_4,$t_7,$control_7 # 74o
 
-        fnms    $disc_6,$fz,$fz,$disc_5                 # 75e
+        fnms    $disc_6,$lz,$lz,$disc_5                 # 75e
             stqd    $nearest_8,448($a_packet_2)         # 75o
 
             and     $control,$control,$ahead_5          # 76e
             shufb   $t_best_6,$t_best_3,$t_6,$control_5 # 76o
 
-        fnms    $disc_7,$fz_5,$fz_5,$disc_3             # 77e
+        fnms    $disc_7,$lz_5,$lz_5,$disc_3             # 77e
             stqd    $nearest_10,496($a_packet_2)        # 77o
 
             andc    $control,$control,$disc_8           # 78e
         frsqest $y_6,$disc_13                           # 78o
 
-        fnms    $disc_8,$fz_10,$fz_10,$disc_4           # 79e
+        fnms    $disc_8,$lz_10,$lz_10,$disc_4           # 79e
             stqd    $t_best_7,400($a_packet_2)          # 79o
 
         fms     $out,$b,$b,$disc_13                     # 80e
@@ -1058,7 +1047,7 @@ next_ball:
         fm      $s_11,$disc_7,$y_8                      # 94e
         lqd     $nearest_3,496($a_packet)               # 94o
 
-        fnms    $e,$s,$y_6,$k_one                       # 95e 1 - s y
+        fnms    $e,$s,$y_6,$k_one                       # 95e
         lqd     $t_best_2,384($a_packet)                # 95o
 
         selb    $s_12,$s,$out,$m_by_side                # 96e
@@ -1067,13 +1056,13 @@ next_ball:
         fm      $s_13,$disc_8,$y_9                      # 97e
         lqd     $t_best_4,400($a_packet)                # 97o
 
-        fnms    $e_8,$s_10,$y_7,$k_one                  # 98e 1 - s y
+        fnms    $e_8,$s_10,$y_7,$k_one                  # 98e
         lqd     $nearest_4,448($a_packet)               # 98o
 
         selb    $s_10,$s_10,$out_6,$m_by_side           # 99e
             shufb   $nearest,$nearest,$object,$control  # 99o
 
-        fnms    $e_9,$s_11,$y_8,$k_one                  # 100e 1 - s y
+        fnms    $e_9,$s_11,$y_8,$k_one                  # 100e
 next_ball_back:
         brnz    $count,next_ball                        # 100o
 
@@ -1090,7 +1079,7 @@ next_ball_drain:
         selb    $s,$s_11,$out_7,$m_by_side              # 3e
         shlqbyi $a_packet_3,$a_packet,0                 # 3o copy
 
-        fnms    $e_12,$s_13,$y_9,$k_one                 # 4e 1 - s y
+        fnms    $e_12,$s_13,$y_9,$k_one                 # 4e
         stqd    $t_best,416($a_packet_2)                # 4o
 
         selb    $s_14,$s_13,$out_8,$m_by_side           # 5e
@@ -1206,131 +1195,131 @@ next_ball_short:
         lqd     $dx_8,192($a_packet)                    # 15o
         lqd     $oy_8,64($a_packet)                     # 16o
 
-        fs      $fx,$cx,$ox                             # 17e
+        fs      $lx,$cx,$ox                             # 17e
         shufb   $cy,$quad,$quad,$m_y                    # 17o
 
-        fs      $fx_10,$cx,$ox_8                        # 18e
+        fs      $lx_10,$cx,$ox_8                        # 18e
         lqd     $oz,128($a_packet)                      # 18o
 
         lqd     $dy,256($a_packet)                      # 19o
         lqd     $ox,48($a_packet)                       # 20o
 
-        fs      $fy,$cy,$oy                             # 21e
+        fs      $ly,$cy,$oy                             # 21e
         lqd     $dy_9,272($a_packet)                    # 21o
 
-        fs      $fy_10,$cy,$oy_8                        # 22e
+        fs      $ly_10,$cy,$oy_8                        # 22e
         lqd     $ox_2,32($a_packet)                     # 22o
 
-        fm      $b,$fx,$dx_8                            # 23e
+        fm      $b,$lx,$dx_8                            # 23e
         shufb   $cz,$quad,$quad,$m_z                    # 23o
 
-        fm      $b_7,$fx_10,$dx                         # 24e
+        fm      $b_7,$lx_10,$dx                         # 24e
         lqd     $oz_9,144($a_packet)                    # 24o
 
         nop     $127                                    # 25e pairing
         lqd     $dz,320($a_packet)                      # 25o
 
-        fs      $fx_2,$cx,$ox                           # 26e
+        fs      $lx_2,$cx,$ox                           # 26e
         lqd     $dx_5,224($a_packet)                    # 26o
 
-        fs      $fz,$cz,$oz                             # 27e
+        fs      $lz,$cz,$oz                             # 27e
         lqd     $dx_3,240($a_packet)                    # 27o
 
-        fs      $fx_3,$cx,$ox_2                         # 28e
+        fs      $lx_3,$cx,$ox_2                         # 28e
         lqd     $dz_10,336($a_packet)                   # 28o
 
-        fma     $b,$fy_10,$dy,$b                        # 29e
+        fma     $b,$ly_10,$dy,$b                        # 29e
         lqd     $oy,112($a_packet)                      # 29o
 
-        fs      $fz_5,$cz,$oz_9                         # 30e
+        fs      $lz_5,$cz,$oz_9                         # 30e
         lqd     $oy_2,96($a_packet)                     # 30o
 
-        fma     $b_7,$fy,$dy_9,$b_7                     # 31e
+        fma     $b_7,$ly,$dy_9,$b_7                     # 31e
         shufb   $radius2_4,$sides,$sides,$m_x           # 31o
 
         nop     $127                                    # 32e pairing
         lqd     $dy_4,288($a_packet)                    # 32o
 
-        fm      $b_8,$fx_2,$dx_3                        # 33e
+        fm      $b_8,$lx_2,$dx_3                        # 33e
         lqd     $oz_10,176($a_packet)                   # 33o
 
-        fm      $b_2,$fx_3,$dx_5                        # 34e
+        fm      $b_2,$lx_3,$dx_5                        # 34e
         lqd     $oz_3,160($a_packet)                    # 34o
 
-        fma     $b,$fz,$dz,$b                           # 35e
+        fma     $b,$lz,$dz,$b                           # 35e
         lqd     $dy_10,304($a_packet)                   # 35o
 
-        fs      $fy_2,$cy,$oy                           # 36e
+        fs      $ly_2,$cy,$oy                           # 36e
         lqd     $dz_11,352($a_packet)                   # 36o
 
-        fma     $b_7,$fz_5,$dz_10,$b_7                  # 37e
+        fma     $b_7,$lz_5,$dz_10,$b_7                  # 37e
         lqd     $dz_12,368($a_packet)                   # 37o
 
-        fs      $fy_11,$cy,$oy_2                        # 38e
+        fs      $ly_11,$cy,$oy_2                        # 38e
         rotqbyi $sides,$sides,12                        # 38o
 
         fm      $radius2_5,$radius2_4,$radius2_4        # 39e
         lqd     $t_best_9,400($a_packet)                # 39o
 
-        fs      $fz_3,$cz,$oz_3                         # 40e
+        fs      $lz_3,$cz,$oz_3                         # 40e
         lqd     $t_best_10,384($a_packet)               # 40o
 
-        fnms    $fx,$b,$dx_8,$fx                        # 41e
+        fnms    $lx,$b,$dx_8,$lx                        # 41e
         lqd     $t_best_6,416($a_packet)                # 41o
 
-        fma     $b_8,$fy_2,$dy_10,$b_8                  # 42e
+        fma     $b_8,$ly_2,$dy_10,$b_8                  # 42e
         lqd     $t_best_11,432($a_packet)               # 42o
 
-        fnms    $fx_10,$b_7,$dx,$fx_10                  # 43e
+        fnms    $lx_10,$b_7,$dx,$lx_10                  # 43e
         lqd     $nearest_11,448($a_packet)              # 43o
 
-        fma     $b_2,$fy_11,$dy_4,$b_2                  # 44e
+        fma     $b_2,$ly_11,$dy_4,$b_2                  # 44e
         lqd     $nearest_12,464($a_packet)              # 44o
 
-        fs      $fz_11,$cz,$oz_10                       # 45e
+        fs      $lz_11,$cz,$oz_10                       # 45e
         lqd     $nearest,496($a_packet)                 # 45o
 
-        fnms    $fy_10,$b,$dy,$fy_10                    # 46e
+        fnms    $ly_10,$b,$dy,$ly_10                    # 46e
         lqd     $nearest_6,480($a_packet)               # 46o
 
-        fnms    $fy,$b_7,$dy_9,$fy                      # 47e
-        fnms    $disc_14,$fx,$fx,$radius2_5             # 48e
+        fnms    $ly,$b_7,$dy_9,$ly                      # 47e
+        fnms    $disc_14,$lx,$lx,$radius2_5             # 48e
 
-        fnms    $disc_15,$fx_10,$fx_10,$radius2_5       # 49e
-        fma     $b_9,$fz_3,$dz_11,$b_2                  # 50e
+        fnms    $disc_15,$lx_10,$lx_10,$radius2_5       # 49e
+        fma     $b_9,$lz_3,$dz_11,$b_2                  # 50e
 
-        fma     $b_8,$fz_11,$dz_12,$b_8                 # 51e
-        fnms    $fz,$b,$dz,$fz                          # 52e
+        fma     $b_8,$lz_11,$dz_12,$b_8                 # 51e
+        fnms    $lz,$b,$dz,$lz                          # 52e
 
-        fnms    $fz_5,$b_7,$dz_10,$fz_5                 # 53e
-        fnms    $disc,$fy_10,$fy_10,$disc_14            # 54e
+        fnms    $lz_5,$b_7,$dz_10,$lz_5                 # 53e
+        fnms    $disc,$ly_10,$ly_10,$disc_14            # 54e
 
-        fnms    $disc_15,$fy,$fy,$disc_15               # 55e
-        fnms    $fx_11,$b_9,$dx_5,$fx_3                 # 56e
+        fnms    $disc_15,$ly,$ly,$disc_15               # 55e
+        fnms    $lx_11,$b_9,$dx_5,$lx_3                 # 56e
 
-        fnms    $fx_12,$b_8,$dx_3,$fx_2                 # 57e
-        fnms    $fy,$b_9,$dy_4,$fy_11                   # 58e
+        fnms    $lx_12,$b_8,$dx_3,$lx_2                 # 57e
+        fnms    $ly,$b_9,$dy_4,$ly_11                   # 58e
 
-        fnms    $fy_12,$b_8,$dy_10,$fy_2                # 59e
-        fnms    $disc,$fz,$fz,$disc                     # 60e
+        fnms    $ly_12,$b_8,$dy_10,$ly_2                # 59e
+        fnms    $disc,$lz,$lz,$disc                     # 60e
 
-        fnms    $disc_15,$fz_5,$fz_5,$disc_15           # 61e
-        fnms    $disc_16,$fx_11,$fx_11,$radius2_5       # 62e
+        fnms    $disc_15,$lz_5,$lz_5,$disc_15           # 61e
+        fnms    $disc_16,$lx_11,$lx_11,$radius2_5       # 62e
 
-        fnms    $disc_14,$fx_12,$fx_12,$radius2_5       # 63e
-        fnms    $fz,$b_8,$dz_12,$fz_11                  # 64e
+        fnms    $disc_14,$lx_12,$lx_12,$radius2_5       # 63e
+        fnms    $lz,$b_8,$dz_12,$lz_11                  # 64e
 
-        fnms    $fz_5,$b_9,$dz_11,$fz_3                 # 65e
+        fnms    $lz_5,$b_9,$dz_11,$lz_3                 # 65e
         lnop                                            # 65o pairing
 
-        rotmi   $sides,$sides,-26                       # 66e the two bits to quadwords' addresses
+        rotmi   $sides,$sides,-26                       # 66e
         frsqest $y,$disc                                # 66o
 
         fms     $out,$b,$b,$disc                        # 67e
         frsqest $y_10,$disc_15                          # 67o
 
-        fnms    $disc_16,$fy,$fy,$disc_16               # 68e
-        fnms    $disc_14,$fy_12,$fy_12,$disc_14         # 69e
+        fnms    $disc_16,$ly,$ly,$disc_16               # 68e
+        fnms    $disc_14,$ly_12,$ly_12,$disc_14         # 69e
 
         fi      $y,$disc,$y                             # 70e
         lqx     $whole,$a_whole,$sides                  # 70o
@@ -1341,8 +1330,8 @@ next_ball_short:
         lqx     $m_by_side,$a_by_side,$sides            # 72o
         fms     $out_7,$b_7,$b_7,$disc_15               # 73e
 
-        fnms    $disc_16,$fz_5,$fz_5,$disc_16           # 74e
-        fnms    $disc_14,$fz,$fz,$disc_14               # 75e
+        fnms    $disc_16,$lz_5,$lz_5,$disc_16           # 74e
+        fnms    $disc_14,$lz,$lz,$disc_14               # 75e
 
         fm      $s,$disc,$y                             # 77e
         fm      $s_15,$disc_15,$y_6                     # 78e
@@ -1353,13 +1342,13 @@ next_ball_short:
         fms     $out_8,$b_8,$b_8,$disc_14               # 81e
         frsqest $y_12,$disc_14                          # 81o
 
-        fnms    $e,$s,$y,$k_one                         # 83e 1 - s y
+        fnms    $e,$s,$y,$k_one                         # 83e
         fi      $y,$disc_16,$y_11                       # 84e
 
         fi      $y_11,$disc_14,$y_12                    # 85e
         selb    $s,$s,$out,$m_by_side                   # 86e
 
-        fnms    $e_11,$s_15,$y_6,$k_one                 # 87e 1 - s y
+        fnms    $e_11,$s_15,$y_6,$k_one                 # 87e
         selb    $s_15,$s_15,$out_7,$m_by_side           # 88e
 
         fma     $e,$e,$half,$whole                      # 89e
@@ -1369,9 +1358,9 @@ next_ball_short:
         fma     $e_11,$e_11,$half,$whole                # 93e
 
         fnms    $t_8,$s,$e,$b                           # 95e
-        fnms    $e,$s_16,$y,$k_one                      # 97e 1 - s y
+        fnms    $e,$s_16,$y,$k_one                      # 97e
 
-        fnms    $e_13,$s_11,$y_11,$k_one                # 98e 1 - s y
+        fnms    $e_13,$s_11,$y_11,$k_one                # 98e
         fnms    $t_9,$s_15,$e_11,$b_7                   # 99e
 
         selb    $s,$s_16,$out_2,$m_by_side              # 100e

@@ -2,9 +2,11 @@
 
 pub mod call;
 pub mod error;
+pub mod formulation;
 
 use oracle::twin::ball::Ball;
 use oracle::twin::isect_pairs::Hit;
+use oracle::twin::sphere::Perpendicular;
 use spu_emulator::float::single::{from_f64, to_f64};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
@@ -103,23 +105,7 @@ pub const KERNELS: &[Kernel] = &[
         }],
         error: None,
     },
-    Kernel {
-        name: "isect_pairs_r16",
-        rays: 16,
-        cases: &[
-            Case {
-                name: "all miss",
-                objects: PACKETS,
-                place: |bench, count| isect_pairs(bench, &[beside(); 4], count),
-            },
-            Case {
-                name: "all hit, each nearer",
-                objects: PACKETS,
-                place: |bench, count| isect_pairs(bench, &nearer_and_nearer(), count),
-            },
-        ],
-        error: Some(error::isect_pairs),
-    },
+    formulation::row::<Perpendicular>(),
     Kernel {
         name: "mask_pairs_p64",
         rays: 1,
@@ -166,10 +152,6 @@ fn beside() -> Ball {
 
 fn ahead() -> Ball {
     ball([0.0, 0.0, -5.0], 1.0)
-}
-
-fn nearer_and_nearer() -> [Ball; 4] {
-    [20.0, 15.0, 10.0, 5.0].map(|distance| ball([0.0, 0.0, -distance], 1.0))
 }
 
 /// The record of a sphere with the limits of its tests, as they are without rounding.
@@ -288,9 +270,9 @@ fn hidden_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
 }
 
 /// Each of the spheres with sixteen packets.
-fn isect_pairs(bench: &mut Bench, balls: &[Ball; 4], count: u32) -> Vec<u32> {
+fn isect_pairs(bench: &mut Bench, spheres: &[Sphere; 4], count: u32) -> Vec<u32> {
     let packets = packets(bench, &error::NO_HITS, 64);
-    let spheres = put(bench, &balls.each_ref().map(eye_records::sphere));
+    let spheres = put(bench, spheres);
     let pairs: Vec<Pair> = (0..count as usize)
         .map(|number| {
             let object = address::<Sphere>(spheres, number / 16);

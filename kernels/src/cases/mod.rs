@@ -3,5 +3,6 @@
 pub mod ball;
 pub mod eye;
 pub mod flat;
+pub mod formulation;
 pub mod spheres;
 pub mod whitted;

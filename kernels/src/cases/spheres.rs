@@ -2,10 +2,11 @@
 //! the same, and each is given one sphere.
 
 use oracle::twin::ball::{Ball, Ray};
+use oracle::twin::sphere::Perpendicular;
 use oracle::twin::{FARTHEST, Single};
 
 use super::eye;
-use super::whitted::isect::ball::SphereObject;
+use super::whitted::isect::ball::{By, SphereObject};
 use super::whitted::isect::call::{self, packet};
 use crate::bench::{Bench, Version};
 use crate::catalogue;
@@ -86,7 +87,14 @@ pub fn general(
         .map(|rays| packet(&rays.map(unhit), 0))
         .collect();
     let list: Vec<[usize; 2]> = (0..packets.len()).map(|number| [0, number]).collect();
-    let placed = call::place(bench, &packets, &[*sphere], &list, 0);
+    // The record is that of all formulations.
+    let placed = call::place(
+        bench,
+        &packets,
+        &[By::<Perpendicular>::from(*sphere)],
+        &list,
+        0,
+    );
     bench.call(kernel, &[placed.candidates, list.len() as u32]);
     let after: Vec<RayPacket> = bench.read_all(placed.packets);
     after

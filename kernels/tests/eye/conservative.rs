@@ -15,6 +15,7 @@ use nff::{Camera, View};
 use oracle::twin::Single;
 use oracle::twin::isect_pairs::isect_pair;
 use oracle::twin::ray_setup::Basis;
+use oracle::twin::sphere::Perpendicular;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, from_f64, to_f64};
@@ -146,7 +147,8 @@ impl Group {
             eye_spheres.look(&[sphere], &lens, Skip::Nothing);
             let record = Sphere::read_from_bytes(eye_spheres.bytes()).expect("one record");
             let needs_test = |ray: &[Single; 3]| {
-                let hit = isect_pair(*ray, &eye_records::ball(&record), 1, NO_HITS[0]);
+                let hit =
+                    isect_pair::<Perpendicular>(*ray, &eye_records::ball(&record), 1, NO_HITS[0]);
                 hit.object == 1 || enters(&sphere, camera.eye, wide(*ray))
             };
             let mask = rays.iter().fold(0, |mask, packet| {

@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::case_rays;
-use kernels::cases::whitted::isect::ball::SphereObject;
+use kernels::cases::whitted::isect::ball::By;
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::cone::ConeObject;
 use kernels::cases::whitted::isect::error::SCALES;
@@ -20,6 +20,10 @@ use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::layout::RayPacket;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
+use oracle::twin::sphere::{
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
+    Unnormalised,
+};
 use rand::Rng as _;
 use spu_emulator::float::single::from_f64;
 use zerocopy::IntoBytes as _;
@@ -61,6 +65,13 @@ fn check<S: Shape>(
         assert_eq!(after.as_bytes(), whole.as_bytes(), "{}", S::KERNEL);
     }
     (expected, addresses)
+}
+
+/// How far from a tangent a ray of this lane is, by the sine: by ulps, or by more, for formulations that
+/// lose digits.
+fn around_a_tangent(lane: usize) -> f64 {
+    let step = if lane.is_multiple_of(2) { -26 } else { -20 };
+    (lane as f64 - 8.0) * 2_f64.powi(step)
 }
 
 /// The rays of the cases, of which nothing has been hit.
@@ -241,7 +252,16 @@ macro_rules! asked_of_all {
 }
 
 asked_of_all! {
-    all_of_balls: SphereObject;
+    all_of_balls: By<Perpendicular>;
+    all_of_balls_by_paper: By<Paper>;
+    all_of_balls_by_estimate: By<Estimate>;
+    all_of_balls_by_interpolated: By<Interpolated>;
+    all_of_balls_by_newton2: By<Newton2>;
+    all_of_balls_by_stable: By<Stable>;
+    all_of_balls_by_factored: By<Factored>;
+    all_of_balls_by_refined: By<Refined>;
+    all_of_balls_by_unnormalised: By<Unnormalised>;
+    all_of_balls_in_double: By<InDouble>;
     all_of_rectangles: RectangleObject;
     all_of_triangles: TriangleObject;
     all_of_cones: ConeObject;

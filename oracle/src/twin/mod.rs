@@ -31,6 +31,7 @@ pub mod shade_depth;
 pub mod shader;
 pub mod shadow_rays;
 pub mod smooth;
+pub mod sphere;
 pub mod surfaces;
 pub mod triangle;
 pub mod triangle_pairs;

@@ -6,17 +6,16 @@
 #   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^62, radius above 2^-40
 #   Error   25 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
-#   Twin    oracle/src/twin/ball_pairs.rs
+#   Twin    oracle/src/twin/sphere/perpendicular.rs
 #
-# The steps are those of ball_tmpl.inc, but the root is added or taken off by what is seen: taken
-# off for the entry, added for SIDES_EXIT; with SIDES_BOTH added for a ray from inside. The sign of
-# the root is that of two constants of its last step, from a table by the two bits, and with
-# SIDES_BOTH that of |c|^2 - r^2.
+# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT the
+# exit, and with SIDES_BOTH the exit of a ray from inside.
 
         .include "work_unit.inc"
         .include "macros.inc"
-        .include "ball_tmpl.inc"
         .include "pairs.inc"
+        .include "sphere_tmpl.inc"
+        .include "sphere_perpendicular.inc"
 
         .set    a_candidate,3
         .set    count,4
@@ -54,6 +53,9 @@
         .set    fx,37
         .set    fy,38
         .set    fz,39
+        .set    lx,37                                   # f
+        .set    ly,38
+        .set    lz,39
         .set    b,40
         .set    outside,41                              # disc
         .set    disc,41
@@ -66,62 +68,8 @@
         .set    control,48
 
         sign_controls_table
-
-# By SIDES_BOTH, then SIDES_EXIT and both.
-half_by_sides:
-    .irp value, 0x3f000000,0x3f000000,0xbf000000,0x3f000000
-        .int    \value,\value,\value,\value
-    .endr
-whole_by_sides:
-    .irp value, 0x3f800000,0x3f800000,0xbf800000,0x3f800000
-        .int    \value,\value,\value,\value
-    .endr
-m_by_sides:
-    .irp value, 0,0x80000000,0,0x80000000
-        .int    \value,\value,\value,\value
-    .endr
+        sides_tables 0x3f000000, 0x3f800000
 
 function isect_ball_pairs_r16
-        biz     $count,$lr
-        splat_words
-        ilhu    $k_one,0x3f80
-        ila     $a_controls,sign_controls
-        ila     $a_half,half_by_sides
-        ila     $a_whole,whole_by_sides
-        ila     $a_by_side,m_by_sides
-next_ball:
-        load_candidate
-        lqd     $quad,OBJECT_centre($object)
-        lqd     $sides,OBJECT_offset($object)
-        shufb   $object,$object,$object,$m_x
-        shufb   $cx,$quad,$quad,$m_x
-        shufb   $cy,$quad,$quad,$m_y
-        shufb   $cz,$quad,$quad,$m_z
-        shufb   $radius2,$sides,$sides,$m_x
-        fm      $radius2,$radius2,$radius2
-        rotqbyi $sides,$sides,OBJECT_sides-OBJECT_offset
-        rotmi   $sides,$sides,-26                       # the two bits to quadwords' addresses
-        lqx     $half,$a_half,$sides
-        lqx     $whole,$a_whole,$sides
-        lqx     $m_by_side,$a_by_side,$sides
-    .irp row, 0,1,2,3
-        lqd     $ox,RAYS16_origin_x+16*\row($a_packet)
-        lqd     $oy,RAYS16_origin_y+16*\row($a_packet)
-        lqd     $oz,RAYS16_origin_z+16*\row($a_packet)
-        lqd     $dx,RAYS16_direction_x+16*\row($a_packet)
-        lqd     $dy,RAYS16_direction_y+16*\row($a_packet)
-        lqd     $dz,RAYS16_direction_z+16*\row($a_packet)
-        ball_meet 0
-        frsqest $y,$disc
-        fi      $y,$disc,$y
-        fm      $s,$disc,$y
-        fnms    $e,$s,$y,$k_one                         # 1 - s y
-        fma     $e,$e,$half,$whole
-        selb    $s,$s,$out,$m_by_side
-        fnms    $t,$s,$e,$b
-        cgti    $ahead,$t,0
-        keep_nearer \row
-    .endr
-        next_candidate next_ball
-        bi      $lr
+        general_form
 endfunction isect_ball_pairs_r16

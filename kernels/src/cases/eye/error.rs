@@ -1,6 +1,5 @@
 //! Errors of the eye-ray kernels against f64, each over random inputs from its domain.
 
-use oracle::twin::ball::Ball;
 use oracle::twin::isect_pairs::Hit;
 use oracle::twin::ray_setup::Basis;
 use oracle::twin::shade_depth::Depth;
@@ -11,17 +10,11 @@ use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::call;
 use crate::bench::Bench;
-use crate::cases::ball::{any_direction, ball, ray, truth, unit};
+use crate::cases::ball::unit;
 use crate::eye_records::{self, Hits, Vectors};
 
 /// The distance of singles from 1/2 to 1.
 const ULP_OF_1: f64 = 1.0 / (1 << 23) as f64;
-/// How near to its outline a sphere may be passed, as disc / r^2, for a distance that counts: within
-/// 0.995 r.
-const OUTLINE: f64 = 0.01;
-/// The same for a hit or a miss that counts; nearer, the direction's own rounding decides.
-const TANGENT: f64 = 1e-3;
-
 type Vector = [f64; 3];
 
 /// Largest error of a direction's component, in ulps of 1.
@@ -77,54 +70,11 @@ pub fn error_of_directions(basis: &Basis, [x, y]: [u32; 2], directions: &Vectors
     worst
 }
 
-/// A sphere that the eye sees from 1.5 to 30 radii, and rays within its outline and around it.
-#[must_use]
-pub fn around_a_sphere(random: &mut ChaCha8Rng) -> (Vectors, Ball) {
-    let radius = random.random_range(0.1..10.0);
-    let distance = radius * random.random_range(1.5..30.0);
-    let sphere = ball(
-        any_direction(random).map(|component| component * distance),
-        radius,
-    );
-    let centre = sphere.centre.map(to_f64);
-    let rays = std::array::from_fn(|_| {
-        let towards = centre.map(|component| component + radius * random.random_range(-0.9..0.9));
-        unit(towards).map(from_f64)
-    });
-    (rays, sphere)
-}
-
 /// Hits of rays that have hit nothing.
 pub const NO_HITS: Hits = [Hit {
     t: FARTHEST,
     object: 0,
 }; 16];
-
-/// Largest error of t in its ulps; infinite if a hit is missed or made up.
-pub fn isect_pairs(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    let mut worst = 0.0_f64;
-    for _ in 0..4000 {
-        let (rays, sphere) = around_a_sphere(random);
-        let packet = eye_records::packet(&rays, &NO_HITS);
-        let record = eye_records::sphere(&sphere);
-        let (packets, _) =
-            call::isect_pairs(bench, "isect_pairs_r16", &[packet], &[record], &[[0, 0]]);
-        for (direction, hit) in rays.iter().zip(eye_records::hits(&packets[0])) {
-            let truth = truth(&ray([0.0; 3], direction.map(to_f64), FARTHEST), &sphere);
-            let found = (hit.object != 0).then(|| to_f64(hit.t));
-            match (found, truth.t) {
-                (Some(found), Some(t)) if truth.depth > OUTLINE => {
-                    worst = worst.max((found - t).abs() / (t * ULP_OF_1));
-                }
-                (None, Some(_)) | (Some(_), None) if truth.depth.abs() > TANGENT => {
-                    worst = f64::INFINITY;
-                }
-                _ => {}
-            }
-        }
-    }
-    worst
-}
 
 /// Depth shading, colours of which the first is the background's, and hits of numbered objects from
 /// before the fading begins to beyond its end.

@@ -10,13 +10,17 @@ pub mod triangle;
 
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
+use oracle::twin::sphere::{
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
+    Unnormalised,
+};
 
 use crate::bench::Bench;
 use crate::cases::ball::case_rays;
 use crate::cases::eye::call::put;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::Shears;
-use ball::SphereObject;
+use ball::By;
 use cone::ConeObject;
 use rectangle::RectangleObject;
 use shape::Shape;
@@ -59,7 +63,16 @@ const fn row<S: Shape>() -> Kernel {
 
 /// The kernels of this file.
 pub const KERNELS: &[Kernel] = &[
-    row::<SphereObject>(),
+    row::<By<Perpendicular>>(),
+    row::<By<Paper>>(),
+    row::<By<Estimate>>(),
+    row::<By<Interpolated>>(),
+    row::<By<Newton2>>(),
+    row::<By<Stable>>(),
+    row::<By<Factored>>(),
+    row::<By<Refined>>(),
+    row::<By<Unnormalised>>(),
+    row::<By<InDouble>>(),
     row::<RectangleObject>(),
     Kernel {
         name: "shear_packets_r16",
