@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
-use crate::cases::{ball, eye, flat, whitted};
+use crate::cases::{ball, eye, flat, math, whitted};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -45,6 +45,7 @@ pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
         eye::formulation::KERNELS,
         ball::KERNELS,
         flat::KERNELS,
+        math::KERNELS,
         whitted::rays::KERNELS,
         whitted::isect::KERNELS,
         whitted::shade::KERNELS,

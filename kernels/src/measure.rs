@@ -126,6 +126,22 @@ fn measure(
     // A generator of its own, so that a kernel's error does not hang on which others are measured.
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let error = kernel.error.map(|error| error(bench, &mut random));
+    let cases = time(bench, kernel)?;
+    Ok(Measured {
+        kernel: kernel.name,
+        file: source.file,
+        doc: header.doc,
+        prototype: header.prototype,
+        cases,
+        error,
+        stated_error: header.error,
+        loops: loops(kernel.name, &scheduled.loops),
+    })
+}
+
+/// Times a kernel's cases, and nothing else of it.
+pub fn time(bench: &mut Bench, kernel: &Kernel) -> Result<Vec<Timed>, MeasureError> {
+    let source = Source::find(kernel.name).ok_or(MeasureError::Header(kernel.name))?;
     let cases = kernel.cases.iter().map(|case| {
         let mut cost = |version| cost(bench, kernel.name, case, version);
         Timed {
@@ -136,16 +152,7 @@ fn measure(
             scheduled: source.scheduled.then(|| cost(Version::Scheduled)),
         }
     });
-    Ok(Measured {
-        kernel: kernel.name,
-        file: source.file,
-        doc: header.doc,
-        prototype: header.prototype,
-        cases: cases.collect(),
-        error,
-        stated_error: header.error,
-        loops: loops(kernel.name, &scheduled.loops),
-    })
+    Ok(cases.collect())
 }
 
 /// Times a case of a kernel in one version.

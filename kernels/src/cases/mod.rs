@@ -4,5 +4,6 @@ pub mod ball;
 pub mod eye;
 pub mod flat;
 pub mod formulation;
+pub mod math;
 pub mod spheres;
 pub mod whitted;

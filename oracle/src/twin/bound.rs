@@ -4,8 +4,8 @@
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fms, fnms, fs};
 
 use super::eye_rays::Ray;
-use super::flat::{SIGN, reciprocal};
-use super::math::{rsqrt, sqrt};
+use super::flat::SIGN;
+use super::math::{reciprocal, rsqrt, sqrt};
 use super::{ONE, Single, ZERO, below_zero};
 
 /// 2 - 2 (3/16): the square of the longest chord of a cone.

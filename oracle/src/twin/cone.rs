@@ -5,7 +5,7 @@ use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 
 use super::ball::{Ray, SIGN};
-use super::flat::reciprocal;
+use super::math::reciprocal;
 use super::pairs::{Sides, nearer};
 use super::rectangle::dot;
 use super::{HALF, ONE, Single, below_zero};

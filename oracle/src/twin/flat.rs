@@ -1,9 +1,7 @@
 //! Twin of `spu/include/flat.inc`: what the kernels of triangles and rectangles share.
 
-use spu_emulator::float::estimate::{fi, frest};
-use spu_emulator::float::single::{fma, fnms};
-
-use super::{ONE, Single};
+use super::Single;
+use super::math::{recip_interpolated, recip_step};
 
 /// The sign of a word.
 pub(super) const SIGN: u32 = 0x8000_0000;
@@ -54,15 +52,7 @@ impl Meeting {
     }
 }
 
-/// 1/x: estimate, interpolation, one Newton step.
-#[must_use]
-pub fn reciprocal(x: Single) -> Single {
-    over(ONE, x)
-}
-
 /// k/x for a k of 1 or a few ulps beside it.
 pub(super) fn over(k: Single, x: Single) -> Single {
-    let y = fi(x, frest(x));
-    let e = fnms(x, y, k);
-    fma(e, y, y)
+    recip_step(k, x, recip_interpolated(x))
 }

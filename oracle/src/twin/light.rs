@@ -4,7 +4,7 @@
 use spu_emulator::float::convert::{cfltu, csflt};
 use spu_emulator::float::single::{fm, fma, fms, fs};
 
-use super::flat::reciprocal;
+use super::math::reciprocal;
 use super::surfaces::{Surface, dot};
 use super::{ONE, Single, below_zero, select};
 

@@ -3,7 +3,8 @@
 
 use spu_emulator::float::single::{fm, fma, fnms, fs};
 
-use super::flat::{FlatHit, Meeting, reciprocal};
+use super::flat::{FlatHit, Meeting};
+use super::math::reciprocal;
 use super::{ONE, Single};
 
 /// A parallelogram, or the plane through it.
