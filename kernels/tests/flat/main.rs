@@ -1,5 +1,6 @@
 //! The kernels of flat shapes: triangles, rectangles, planes.
 
+mod leaks;
 mod rays;
 mod rectangle;
 mod triangle;

@@ -45,7 +45,7 @@ fn vertices() -> [[f64; 3]; 12] {
 }
 
 /// A closed mesh and a point inside it.
-struct Mesh {
+pub struct Mesh {
     vertices: [Point; 12],
     inside: Point,
 }
@@ -53,7 +53,7 @@ struct Mesh {
 impl Mesh {
     /// Every ray from `inside` along a vertex of the unit icosahedron meets that vertex of the mesh,
     /// so `inside` is inside, as long as rounding moves it by less than the mesh's least width.
-    fn new(place: [f64; 3], size: f64, widths: [f64; 3], random: &mut ChaCha8Rng) -> Self {
+    pub fn new(place: [f64; 3], size: f64, widths: [f64; 3], random: &mut ChaCha8Rng) -> Self {
         let vertices = vertices().map(|vertex| {
             let stretch = size * random.random_range(0.5..2.0);
             point(std::array::from_fn(|axis| {
@@ -69,7 +69,7 @@ impl Mesh {
 
     /// Vertices on a lattice of so few points that many edges lie in line, faces are seen from their
     /// side, and some have no area. The surface goes round `inside`, whichever way it is folded.
-    fn on_lattice(random: &mut ChaCha8Rng) -> Self {
+    pub fn on_lattice(random: &mut ChaCha8Rng) -> Self {
         // Odd numbers, so that products are longer than a single.
         let steps: [f64; 3] =
             std::array::from_fn(|_| f64::from(random.random_range(0..4096_u32) * 2 + 1));
@@ -110,7 +110,7 @@ impl Mesh {
         turns
     }
 
-    fn triangles(&self, random: &mut ChaCha8Rng) -> Vec<Triangle> {
+    pub fn triangles(&self, random: &mut ChaCha8Rng) -> Vec<Triangle> {
         faces()
             .into_iter()
             .map(|mut face| {
@@ -125,7 +125,7 @@ impl Mesh {
     }
 
     /// A ray to a vertex, to a point of an edge, or within an ulp or so of them.
-    fn aimed(&self, random: &mut ChaCha8Rng) -> Ray {
+    pub fn aimed(&self, random: &mut ChaCha8Rng) -> Ray {
         let face = faces()[random.random_range(0..20)];
         let [a, b] = [face[0], face[1]].map(|vertex| self.vertices[vertex].map(to_f64));
         let along = match random.random_range(0..4) {

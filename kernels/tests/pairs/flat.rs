@@ -1,4 +1,5 @@
-//! `isect_rectangle_pairs_r16`, `shear_packets_r16` and `isect_triangle_pairs_r16`.
+//! `isect_rectangle_pairs_r16`, `shear_packets_r16`, `isect_triangle_pairs_r16` and
+//! `isect_triangle_mt_pairs_r16`.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::ray;
@@ -7,6 +8,7 @@ use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
+use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
 use kernels::flat_records::{Shears, point};
 use kernels::vector::{cross, dot, in_cube, less, unit};
 use oracle::twin::FARTHEST;
@@ -69,12 +71,15 @@ fn from_before_and_from_behind() {
                 assert_eq!(is_hit(&mut bench, straight, shape(corner)), seen);
                 assert!(!is_hit(&mut bench, straight, shape(behind)));
                 let triangle = TriangleObject { vertices, both };
+                let other = MoellerTrumbore(triangle);
                 assert_eq!(is_hit(&mut bench, straight, triangle), seen);
+                assert_eq!(is_hit(&mut bench, straight, other), seen);
                 let away = Ray {
                     direction: point(place([0.0, 0.0, 1.0])),
                     ..straight
                 };
                 assert!(!is_hit(&mut bench, away, triangle));
+                assert!(!is_hit(&mut bench, away, other));
             }
         }
     }
@@ -98,7 +103,9 @@ fn along_the_plane_and_from_within_it_is_no_hit() {
                 both,
             };
             assert!(!is_hit(&mut bench, ray, rectangle));
-            assert!(!is_hit(&mut bench, ray, TriangleObject { vertices, both }));
+            let triangle = TriangleObject { vertices, both };
+            assert!(!is_hit(&mut bench, ray, triangle));
+            assert!(!is_hit(&mut bench, ray, MoellerTrumbore(triangle)));
         }
     }
 }
@@ -114,6 +121,7 @@ fn an_edge_belongs_to_both_triangles_and_to_the_rectangle() {
             both: false,
         };
         assert!(is_hit(&mut bench, straight, triangle));
+        assert!(is_hit(&mut bench, straight, MoellerTrumbore(triangle)));
     }
     let rectangle = RectangleObject {
         rectangle: rectangle(a, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]),

@@ -17,6 +17,7 @@ use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
+use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
 use kernels::layout::RayPacket;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
@@ -264,5 +265,6 @@ asked_of_all! {
     all_of_balls_in_double: By<InDouble>;
     all_of_rectangles: RectangleObject;
     all_of_triangles: TriangleObject;
+    all_of_triangles_mt: MoellerTrumbore;
     all_of_cones: ConeObject;
 }

@@ -34,6 +34,7 @@ pub mod smooth;
 pub mod sphere;
 pub mod surfaces;
 pub mod triangle;
+pub mod triangle_mt_pairs;
 pub mod triangle_pairs;
 
 /// Bit pattern of a single.

@@ -7,6 +7,7 @@ pub mod error;
 pub mod rectangle;
 pub mod shape;
 pub mod triangle;
+pub mod triangle_mt;
 
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
@@ -25,6 +26,7 @@ use cone::ConeObject;
 use rectangle::RectangleObject;
 use shape::Shape;
 use triangle::TriangleObject;
+use triangle_mt::MoellerTrumbore;
 
 /// A short list of candidates, and a long one.
 const CANDIDATES: Objects = Objects::List(16, 64);
@@ -89,6 +91,7 @@ pub const KERNELS: &[Kernel] = &[
         error: Some(error::shear_packets),
     },
     row::<TriangleObject>(),
+    row::<MoellerTrumbore>(),
     row::<ConeObject>(),
 ];
 

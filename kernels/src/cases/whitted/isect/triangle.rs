@@ -8,16 +8,60 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
+use super::call;
 use super::shape::{Shape, Truth, head_words, one_sided};
+use crate::bench::Bench;
 use crate::cases::flat::{aimed_at_triangle, on_triangle};
 use crate::flat_records::{self, point, quad};
-use crate::layout;
+use crate::layout::{self, RayPacket};
 use crate::vector::{Vector, cross, dot, less, unit};
 
 /// How near to an edge, in barycentric coordinates, a point may be on either side.
 const EDGE: f64 = 8e-5;
 /// Twice the area across the ray, by the square of the longest edge, that is large enough.
 const AREA: f64 = 0.1;
+
+/// What is so of a ray and a triangle, where a kernel may be wrong about points as near to an edge as
+/// this on either side.
+pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
+    let flat = flat_records::Ray::new(ray.origin, ray.direction);
+    let [t, u, v] = on_triangle(&flat, &shape.vertices);
+    let w = 1.0 - u - v;
+    let [a, b, c] = shape.vertices.map(|vertex| vertex.map(to_f64));
+    let edges = [less(b, a), less(c, b), less(a, c)];
+    let longest = edges.map(|edge| dot(edge, edge)).into_iter();
+    let normal = cross(edges[0], edges[1]);
+    let along = dot(normal, ray.direction.map(to_f64));
+    let counts = along.abs() > AREA * longest.fold(0.0, f64::max);
+    let within = [u, v, w].iter().all(|on| *on >= 0.0);
+    Truth {
+        t: (t > 0.0 && within && (shape.both || along < 0.0)).then_some(t),
+        unit: t.abs() * 2_f64.powi(-23),
+        counts,
+        sure: counts && [u, v, w].iter().all(|on| on.abs() > edge),
+    }
+}
+
+/// Calls a kernel that runs through candidates of triangles, by its name, with one triangle and each of
+/// the packets; gives the packets as they are then, and the address of the triangle's record, which is
+/// the object of the rays that hit it. `anything` fills what has no meaning for a kernel.
+///
+/// # Panics
+///
+/// If there is no such kernel, or more packets than there is room for: 60.
+pub fn pairs_by(
+    bench: &mut Bench,
+    kernel: &str,
+    packets: &[RayPacket],
+    triangle: &TriangleObject,
+    anything: u32,
+) -> (Vec<RayPacket>, u32) {
+    bench.reset();
+    let list: Vec<[usize; 2]> = (0..packets.len()).map(|packet| [0, packet]).collect();
+    let placed = call::place(bench, packets, &[*triangle], &list, anything);
+    bench.call(kernel, &[placed.candidates, list.len() as u32]);
+    (bench.read_all(placed.packets), placed.objects[0])
+}
 
 impl Shape for TriangleObject {
     const KERNEL: &'static str = "isect_triangle_pairs_r16";
@@ -40,22 +84,7 @@ impl Shape for TriangleObject {
     }
 
     fn truth(&self, ray: &Ray) -> Truth {
-        let flat = flat_records::Ray::new(ray.origin, ray.direction);
-        let [t, u, v] = on_triangle(&flat, &self.vertices);
-        let w = 1.0 - u - v;
-        let [a, b, c] = self.vertices.map(|vertex| vertex.map(to_f64));
-        let edges = [less(b, a), less(c, b), less(a, c)];
-        let longest = edges.map(|edge| dot(edge, edge)).into_iter();
-        let normal = cross(edges[0], edges[1]);
-        let along = dot(normal, ray.direction.map(to_f64));
-        let counts = along.abs() > AREA * longest.fold(0.0, f64::max);
-        let within = [u, v, w].iter().all(|on| *on >= 0.0);
-        Truth {
-            t: (t > 0.0 && within && (self.both || along < 0.0)).then_some(t),
-            unit: t.abs() * 2_f64.powi(-23),
-            counts,
-            sure: counts && [u, v, w].iter().all(|on| on.abs() > EDGE),
-        }
+        truth(self, ray, EDGE)
     }
 
     fn ahead(x: f64, distance: f64) -> Self {
