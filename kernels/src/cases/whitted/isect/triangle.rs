@@ -48,7 +48,7 @@ pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
 ///
 /// # Panics
 ///
-/// If there is no such kernel, or more packets than there is room for: 60.
+/// If there is no such kernel, or there are more packets than there is room for; there is for 40.
 pub fn pairs_by(
     bench: &mut Bench,
     kernel: &str,
