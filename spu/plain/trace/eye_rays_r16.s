@@ -7,7 +7,7 @@
 #   Uses    $3-$8, $10-$63   Saves  -   Stack  0   Calls  -
 #   Domain  the direction through each pixel is not 0 and below 2^63 in length; pixels below 2^23;
 #           a place's pixels: the sum of its top left pixel, rows of TILE_WIDTH sums
-#   Error   1.5 ulp of 1, each component of a direction
+#   Error   2 ulp of 1, each component of a direction
 #   Twin    oracle/src/twin/eye_rays.rs
 #
 # Beyond the picture's right and lower edges the rays are not there: t is -1, the weight 0.
