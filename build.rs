@@ -1,10 +1,12 @@
-//! Builds the SPU program and embeds it; for the console's target, also a library of libspe2's names
+//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's target, also a library of libspe2's names
 //! to link against. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
+use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use spu_build::formulation::Formulations;
 use spu_build::{Tools, stub, tracer};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
@@ -21,17 +23,12 @@ fn build() -> Outcome<()> {
     let out = PathBuf::from(env::var("OUT_DIR")?);
     println!("cargo:rerun-if-changed=build.rs");
 
-    let image = out.join("cellray-spu.elf");
-    println!("cargo:rerun-if-env-changed=CELLRAY_SPU_IMAGE");
-    match env::var_os("CELLRAY_SPU_IMAGE") {
-        Some(ready) => {
-            let ready = PathBuf::from(ready);
-            println!("cargo:rerun-if-changed={}", ready.display());
-            fs::copy(&ready, &image).map_err(|error| format!("{}: {error}", ready.display()))?;
-        }
-        None => spu_program(&out, &image)?,
-    }
-    println!("cargo:rustc-env=CELLRAY_SPU_IMAGE_FILE={}", image.display());
+    println!("cargo:rerun-if-env-changed=CELLRAY_SPU_IMAGES");
+    let images = match env::var_os("CELLRAY_SPU_IMAGES") {
+        Some(ready) => ready_images(Path::new(&ready))?,
+        None => spu_programs(&out)?,
+    };
+    fs::write(out.join("images.rs"), table(&images)?)?;
 
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
         libspe2_stub(&root, &out)?;
@@ -39,7 +36,14 @@ fn build() -> Outcome<()> {
     Ok(())
 }
 
-fn spu_program(out: &Path, image: &Path) -> Outcome<()> {
+/// A program of each set of formulations, the standard one first.
+type Images = Vec<(Formulations, PathBuf)>;
+
+fn image_file(formulations: &Formulations) -> String {
+    format!("cellray-spu-{}.elf", formulations.name())
+}
+
+fn spu_programs(out: &Path) -> Outcome<Images> {
     // The folders themselves are watched too: a new file changes its folder, not a listed file.
     println!("cargo:rerun-if-changed=spu");
     for variable in Tools::VARIABLES {
@@ -49,7 +53,42 @@ fn spu_program(out: &Path, image: &Path) -> Outcome<()> {
     for input in program.inputs()? {
         println!("cargo:rerun-if-changed={}", input.display());
     }
-    Ok(program.build(&Tools::find()?, &out.join("objects"), image)?)
+    let tools = Tools::find()?;
+    let work = out.join("objects");
+    let objects = program.assemble(&tools, &work)?;
+    let mut images = Vec::new();
+    for formulations in Formulations::all() {
+        let image = out.join(image_file(&formulations));
+        let program = program.clone().formulations(formulations);
+        program.link(&tools, &work, &objects, &image)?;
+        images.push((formulations, image));
+    }
+    Ok(images)
+}
+
+/// The programs that an earlier build has left in its folder of output.
+fn ready_images(folder: &Path) -> Outcome<Images> {
+    let ready = |formulations| {
+        let image = folder.join(image_file(&formulations));
+        println!("cargo:rerun-if-changed={}", image.display());
+        fs::metadata(&image).map_err(|error| format!("{}: {error}", image.display()))?;
+        Ok((formulations, image))
+    };
+    Formulations::all().into_iter().map(ready).collect()
+}
+
+/// The programs as the elements of a Rust array.
+fn table(images: &Images) -> Outcome<String> {
+    let mut text = String::from("[\n");
+    for (formulations, image) in images {
+        writeln!(
+            text,
+            "(({:?}, {:?}, {:?}), &Image(*include_bytes!({image:?}))),",
+            formulations.eye.name, formulations.general.name, formulations.triangle.name,
+        )?;
+    }
+    text.push_str("]\n");
+    Ok(text)
 }
 
 /// Links the console's program against the names of libspe2 alone, so that no PS3 sysroot is needed.

@@ -6,10 +6,11 @@ use std::time::{Duration, Instant};
 
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
+use crate::formulation::EyeRecord;
 use crate::framebuffer::{Framebuffer, FramebufferError};
 use crate::scene::{Scene, SceneError};
 use crate::shared::SharedMemory;
-use crate::spe::{Context, Ended, Event, Events, Program, SpeError};
+use crate::spe::{Context, Ended, Event, Events, Program, ProgramError, SpeError};
 use crate::statistics::FrameStatistics;
 use crate::work::layout::{
     Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
@@ -66,6 +67,9 @@ pub enum EngineError {
     /// libspe2 failed.
     #[error(transparent)]
     Spe(#[from] SpeError),
+    /// The SPU program is not known well enough.
+    #[error(transparent)]
+    Program(#[from] ProgramError),
 }
 
 /// How an [`Engine`] works.
@@ -102,6 +106,15 @@ impl Default for Settings {
     }
 }
 
+/// How a program takes spheres; one that does not name its formulations takes them as they are.
+fn eye_record(program: &Program) -> Result<EyeRecord, ProgramError> {
+    match program.formulations() {
+        Ok(formulations) => Ok(formulations.eye.record),
+        Err(ProgramError::NoFormulations) => Ok(EyeRecord::Centre),
+        Err(error) => Err(error),
+    }
+}
+
 /// How often a caller hears of a frame's progress.
 const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 
@@ -131,6 +144,7 @@ pub struct Engine {
     /// `None` once an SPU was lost that may still write there.
     records: Option<Records>,
     settings: Settings,
+    record: EyeRecord,
     number: u32,
     plan: Plan,
     /// The SPUs' answers to the last frame, as they lay in memory and as they are given out.
@@ -163,6 +177,7 @@ impl Engine {
                 framebuffer,
             }),
             settings,
+            record: eye_record(&settings.program)?,
             number: 0,
             plan: Plan::default(),
             lines: vec![Statistics::new_zeroed(); settings.spus as usize],
@@ -224,6 +239,7 @@ impl Engine {
             spus,
             split,
             skip,
+            record: self.record,
             keeps,
             retain: self.settings.retain && keeps,
         };

@@ -5,6 +5,17 @@
 //! formulation alone. `spu-build` links by this table, the command line and the benchmark of accuracy choose
 //! from it.
 
+/// One formulation of each: those of a program.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Formulations {
+    /// Of spheres, for the eye's rays.
+    pub eye: &'static SphereFormulation,
+    /// Of spheres, for rays from anywhere.
+    pub general: &'static SphereFormulation,
+    /// Of triangles.
+    pub triangle: &'static TriangleFormulation,
+}
+
 /// What a sphere's record holds for the eye's rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EyeRecord {
@@ -100,7 +111,6 @@ pub const SPHERES: &[SphereFormulation] = &[
         eye: Some("isect_pairs_constants_r16"),
         record: EyeRecord::Axis,
         general: None,
-        ..PERPENDICULAR
     },
     SphereFormulation {
         name: "refined",
@@ -138,3 +148,82 @@ pub const TRIANGLES: &[TriangleFormulation] = &[
         kernel: "isect_triangle_mt_pairs_r16",
     },
 ];
+
+/// The formulation of spheres of this name.
+#[must_use]
+pub fn sphere(name: &str) -> Option<&'static SphereFormulation> {
+    SPHERES.iter().find(|sphere| sphere.name == name)
+}
+
+/// The formulation of triangles of this name.
+#[must_use]
+pub fn triangle(name: &str) -> Option<&'static TriangleFormulation> {
+    TRIANGLES.iter().find(|triangle| triangle.name == name)
+}
+
+impl Formulations {
+    /// Those that a program has unless others are asked for.
+    #[must_use]
+    pub fn standard() -> Self {
+        Self::named("constants", "refined", "watertight").expect("they are in the tables")
+    }
+
+    /// Those of these names, if there are such and each sphere formulation has the kernel that is asked of it.
+    #[must_use]
+    pub fn named(eye: &str, general: &str, triangle: &str) -> Option<Self> {
+        Some(Self {
+            eye: sphere(eye).filter(|sphere| sphere.eye.is_some())?,
+            general: sphere(general).filter(|sphere| sphere.general.is_some())?,
+            triangle: self::triangle(triangle)?,
+        })
+    }
+
+    /// One formulation of spheres for all rays that it has a kernel for; the standard one for the others.
+    #[must_use]
+    pub fn of(sphere: &'static SphereFormulation, triangle: &'static TriangleFormulation) -> Self {
+        let standard = Self::standard();
+        Self {
+            eye: sphere.eye.map_or(standard.eye, |_| sphere),
+            general: sphere.general.map_or(standard.general, |_| sphere),
+            triangle,
+        }
+    }
+
+    /// All that programs are built with, the standard ones first.
+    #[must_use]
+    pub fn all() -> Vec<Self> {
+        let mut all = vec![Self::standard()];
+        for triangle in TRIANGLES {
+            for sphere in SPHERES {
+                let formulations = Self::of(sphere, triangle);
+                if !all.contains(&formulations) {
+                    all.push(formulations);
+                }
+            }
+        }
+        all
+    }
+
+    /// Their names: of the eye's spheres, of all others', of triangles.
+    #[must_use]
+    pub fn names(&self) -> (&'static str, &'static str, &'static str) {
+        (self.eye.name, self.general.name, self.triangle.name)
+    }
+
+    /// A name for all of them: of a file, say.
+    #[must_use]
+    pub fn name(&self) -> String {
+        let (eye, general, triangle) = self.names();
+        format!("{eye}-{general}-{triangle}")
+    }
+
+    /// The kernels of the program's roles: the symbol that the driver calls, and what it stands for.
+    #[must_use]
+    pub fn roles(&self) -> [(&'static str, &'static str); 3] {
+        [
+            ("isect_eye_spheres", self.eye.eye.unwrap_or_default()),
+            ("isect_spheres", self.general.general.unwrap_or_default()),
+            ("isect_triangles", self.triangle.kernel),
+        ]
+    }
+}

@@ -7,6 +7,7 @@
 pub mod engine;
 pub mod formulation;
 pub mod framebuffer;
+pub mod quality;
 mod report;
 pub mod scene;
 mod shared;
@@ -15,6 +16,7 @@ pub mod statistics;
 pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};
+pub use quality::Quality;
 pub use report::Report;
 pub use scene::{Scene, SceneError};
 pub use shared::SharedMemory;

@@ -4,6 +4,8 @@ use std::fmt;
 
 use serde::Serialize;
 
+use crate::formulation::Formulations;
+use crate::scene::Scene;
 use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
 
 /// Ticks of the decrementer a second on a PlayStation 3, in the emulator too.
@@ -14,6 +16,8 @@ const PS3_TIMEBASE: f64 = 79_800_000.0;
 pub struct Report {
     /// The scene.
     pub scene: String,
+    /// The formulations by which rays were intersected, if the SPU program names them.
+    pub formulations: Option<Intersected>,
     /// Pixels across.
     pub width: u32,
     /// Pixels down.
@@ -49,6 +53,15 @@ pub struct Report {
     timebase: f64,
     #[serde(skip)]
     ticks: u64,
+}
+
+/// By which formulations rays were intersected.
+#[derive(Clone, Copy, Debug, Serialize)]
+pub struct Intersected {
+    /// With spheres.
+    pub spheres: &'static str,
+    /// With triangles.
+    pub triangles: &'static str,
 }
 
 /// One SPU over all frames.
@@ -102,6 +115,7 @@ impl Report {
     pub fn new(scene: &str, (width, height): (u32, u32), spus: u32) -> Self {
         Self {
             scene: scene.to_owned(),
+            formulations: None,
             width,
             height,
             spus,
@@ -120,6 +134,16 @@ impl Report {
             timebase: timebase(),
             ticks: 0,
         }
+    }
+
+    /// Says by which of a program's formulations the rays of a scene are intersected.
+    #[must_use]
+    pub fn intersected(mut self, scene: &Scene, formulations: Option<Formulations>) -> Self {
+        self.formulations = formulations.map(|formulations| Intersected {
+            spheres: scene.sphere_formulation(&formulations).name,
+            triangles: formulations.triangle.name,
+        });
+        self
     }
 
     /// Adds a frame, at whose end the frames had taken `host_seconds`.

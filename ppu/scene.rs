@@ -6,6 +6,7 @@ use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
 use zerocopy::big_endian::F32;
 
+use crate::formulation::{Formulations, SphereFormulation};
 use crate::spe::Program;
 use crate::work::layout::MAX_SPHERES;
 use crate::work::{BlockError, BlockOptions, SceneBlock};
@@ -248,6 +249,16 @@ impl Scene {
     #[must_use]
     pub fn block(&self) -> Option<&SceneBlock> {
         self.block.as_ref()
+    }
+
+    /// Of a program's formulations, the one by which the scene's rays are intersected with spheres: depth
+    /// shading has the eye's rays alone.
+    #[must_use]
+    pub fn sphere_formulation(&self, formulations: &Formulations) -> &'static SphereFormulation {
+        match self.block {
+            Some(_) => formulations.general,
+            None => formulations.eye,
+        }
     }
 
     /// Colour where nothing is hit.

@@ -100,15 +100,18 @@ fn straight_cycles(kernel: &str, count: usize) -> Vec<Cycles> {
     if plain.len() != count || scheduled.len() != count {
         return Vec::new();
     }
-    let cycles = plain.iter().zip(&scheduled).filter_map(|(plain, scheduled)| {
-        Some(Cycles {
-            even: plain.even,
-            odd: plain.odd,
-            bound: plain.bound(),
-            interval: scheduled.steady.as_ref()?.cycles_a_pass().ceil() as u64,
-            stages: 1,
-        })
-    });
+    let cycles = plain
+        .iter()
+        .zip(&scheduled)
+        .filter_map(|(plain, scheduled)| {
+            Some(Cycles {
+                even: plain.even,
+                odd: plain.odd,
+                bound: plain.bound(),
+                interval: scheduled.steady.as_ref()?.cycles_a_pass().ceil() as u64,
+                stages: 1,
+            })
+        });
     cycles.collect()
 }
 

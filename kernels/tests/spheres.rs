@@ -34,7 +34,11 @@ fn every_formulation_has_kernels_that_hit() {
     for formulation in SPHERES {
         if let Some(kernel) = formulation.general {
             let ahead = sphere(CENTRE, 1.0, FRONT);
-            all_about(4.0, &general(&mut bench, kernel, &[rays; 3], &ahead), kernel);
+            all_about(
+                4.0,
+                &general(&mut bench, kernel, &[rays; 3], &ahead),
+                kernel,
+            );
             let missed = general(&mut bench, kernel, &[rays; 3], &beside);
             assert_eq!(missed, [[None; 16]; 3], "{kernel}");
         }
@@ -61,7 +65,9 @@ fn directions_of_any_length_scale_the_distance() {
     let mut bench = Bench::new();
     let ahead = sphere(CENTRE, 1.0, FRONT);
     let rays = case_rays().map(|mut ray| {
-        ray.direction = ray.direction.map(|component| from_f64(to_f64(component) * 8.0));
+        ray.direction = ray
+            .direction
+            .map(|component| from_f64(to_f64(component) * 8.0));
         ray
     });
     let kernel = "isect_ball_pairs_unnormalised_r16";
@@ -83,9 +89,8 @@ fn every_kernel_of_a_formulation_is_timed() {
         assert!((3.0..300.0).contains(&cycles), "{kernel}: {cycles}");
     }
     assert_eq!(cycles_a_ray(&mut bench, "isect_pairs_by_guess_r16"), None);
-    let of_spheres = |name: &str| {
-        name.starts_with("isect_pairs") || name.starts_with("isect_ball_pairs")
-    };
+    let of_spheres =
+        |name: &str| name.starts_with("isect_pairs") || name.starts_with("isect_ball_pairs");
     let known = catalogue::kernels().map(|kernel| kernel.name);
     let known: BTreeSet<&str> = known.filter(|name| of_spheres(name)).collect();
     assert_eq!(named, known);

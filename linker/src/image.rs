@@ -4,6 +4,7 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use crate::formulation::Formulations;
 use crate::{Error, Tools, assembler, run};
 
 /// Which version of each kernel an image has.
@@ -23,6 +24,7 @@ pub struct Image {
     constants: bool,
     script: PathBuf,
     link: Vec<OsString>,
+    formulations: Option<Formulations>,
 }
 
 impl Image {
@@ -40,6 +42,7 @@ impl Image {
             constants: false,
             script: script.to_path_buf(),
             link: Vec::new(),
+            formulations: None,
         }
     }
 
@@ -108,6 +111,14 @@ impl Image {
         self
     }
 
+    /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes their names in
+    /// the section `.formulation`: of the eye's spheres, of all others', of triangles.
+    #[must_use]
+    pub fn formulations(mut self, formulations: Formulations) -> Self {
+        self.formulations = Some(formulations);
+        self
+    }
+
     /// Every file that the image is made of: a build script reruns when one changes.
     pub fn inputs(&self) -> Result<Vec<PathBuf>, Error> {
         let mut inputs = self.sources.clone();
@@ -120,18 +131,16 @@ impl Image {
 
     /// Assembles and links into `image`; object files go into `work`. Warnings count as errors.
     pub fn build(&self, tools: &Tools, work: &Path, image: &Path) -> Result<(), Error> {
-        let file_error = |source| Error::File {
-            path: work.to_path_buf(),
-            source,
-        };
-        fs::create_dir_all(work).map_err(file_error)?;
+        let objects = self.assemble(tools, work)?;
+        self.link(tools, work, &objects, image)
+    }
+
+    /// Assembles all sources; the object files go into `work`.
+    pub fn assemble(&self, tools: &Tools, work: &Path) -> Result<Vec<PathBuf>, Error> {
+        fs::create_dir_all(work).map_err(|source| file_error(work, source))?;
         let mut includes = self.includes.clone();
         if self.constants {
-            let generated = work.join(assembler::FILE);
-            fs::write(&generated, assembler::constants()).map_err(|source| Error::File {
-                path: generated,
-                source,
-            })?;
+            write(&work.join(assembler::FILE), &assembler::constants())?;
             includes.push(work.to_path_buf());
         }
         let mut objects = Vec::new();
@@ -141,7 +150,30 @@ impl Image {
             tools.assemble(&includes, &["--strip-local-absolute"], &object, source)?;
             objects.push(object);
         }
+        Ok(objects)
+    }
+
+    /// Links what [`Image::assemble`] has made of the same sources. Images that differ in their formulations
+    /// alone share the objects.
+    pub fn link(
+        &self,
+        tools: &Tools,
+        work: &Path,
+        objects: &[PathBuf],
+        image: &Path,
+    ) -> Result<(), Error> {
+        let mut objects = objects.to_vec();
         let mut link = self.link.clone();
+        if let Some(formulations) = &self.formulations {
+            let name = formulations.name();
+            let source = work.join(format!("formulation-{name}.s"));
+            let object = work.join(format!("formulation-{name}.o"));
+            write(&source, &note(formulations))?;
+            tools.assemble(&[], &[], &object, &source)?;
+            objects.push(object);
+            let roles = formulations.roles();
+            link.extend(roles.map(|(role, kernel)| format!("--defsym={role}={kernel}").into()));
+        }
         link.extend([
             "--fatal-warnings".into(),
             "-T".into(),
@@ -151,13 +183,31 @@ impl Image {
     }
 }
 
+/// A source of the section that names formulations.
+fn note(formulations: &Formulations) -> String {
+    let (eye, general, triangle) = formulations.names();
+    let lines = [eye, general, triangle].map(|name| format!("        .asciz  \"{name}\"\n"));
+    format!(
+        "        .section .formulation,\"\",@progbits\n{}",
+        lines.concat()
+    )
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    fs::write(path, text).map_err(|source| file_error(path, source))
+}
+
+fn file_error(path: &Path, source: std::io::Error) -> Error {
+    Error::File {
+        path: path.to_path_buf(),
+        source,
+    }
+}
+
 /// All files below `folder` that end in `extension`, sorted, so that an image never depends on the
 /// order in which the system lists them.
 fn collect(folder: &Path, extension: &str, files: &mut Vec<PathBuf>) -> Result<(), Error> {
-    let error = |source| Error::File {
-        path: folder.to_path_buf(),
-        source,
-    };
+    let error = |source| file_error(folder, source);
     let mut entries = fs::read_dir(folder)
         .map_err(error)?
         .map(|entry| entry.map(|entry| entry.path()))

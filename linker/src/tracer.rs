@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
+use crate::formulation::Formulations;
 use crate::{Error, Image, Version};
 
-/// The tracer's program: its driver, its kernels scheduled, and the shaders that it comes with.
+/// The tracer's program: its driver, its kernels scheduled, and the shaders that it comes with. It
+/// intersects by the standard formulations, unless [`Image::formulations`] says otherwise.
 ///
 /// A build script adds a folder of shaders and builds it:
 ///
@@ -27,6 +29,7 @@ pub fn tracer() -> Result<Image, Error> {
         .kernels(&spu, Version::Scheduled)?
         .only_used()
         .include(&spu.join("include"))
-        .constants();
+        .constants()
+        .formulations(Formulations::standard());
     Ok(image)
 }

@@ -28,7 +28,7 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
-    let scene = run::scene(&options.scene, options.look(), &program)?;
+    let scene = run::scene(options, options.look(), &program)?;
     // Before the screen is taken over, so that no signal leaves it that way.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open(&arguments.device, arguments.size)?;

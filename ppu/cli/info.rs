@@ -2,6 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
+use cellray::formulation::{SPHERES, TRIANGLES};
 use cellray::framebuffer::Device;
 use cellray::spe::{self, Program};
 use cellray::work::layout;
@@ -28,10 +29,20 @@ pub fn run(arguments: &Arguments) -> Outcome {
         "SPU program  {} bytes of ELF",
         Program::tracer().image().len()
     );
+    println!(
+        "intersects   by {} of: {}; {}",
+        Program::tracer().formulations()?.name(),
+        names(SPHERES.iter().map(|sphere| sphere.name)),
+        names(TRIANGLES.iter().map(|triangle| triangle.name)),
+    );
     println!("work unit    version {}", layout::VERSION);
     match Device::inspect(&arguments.device) {
         Ok(line) => println!("framebuffer  {line}"),
         Err(error) => println!("framebuffer  none: {error}"),
     }
     Ok(())
+}
+
+fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
+    names.collect::<Vec<_>>().join(", ")
 }

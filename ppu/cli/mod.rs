@@ -1,5 +1,6 @@
 //! Commands: data goes to standard output, talk to standard error.
 
+mod bench;
 mod fb;
 mod info;
 mod progress;
@@ -28,6 +29,8 @@ Examples:
   cellray render scenes/paper16.nff --size 1280x720 --out paper16.png
   cellray render sphereflake:2 --spus 6 --frames 10 --stats - --out balls.png
   cellray fb scenes/paper16.nff --device /tmp/fb --size 1280x720
+  cellray render scenes/far.nff --sphere paper --out far.png
+  cellray bench accuracy
   cellray sphereflake 4 > balls.nff
   cellray info";
 
@@ -37,6 +40,8 @@ enum Command {
     Render(render::Arguments),
     /// Trace a scene into a framebuffer, or a file in the place of one
     Fb(fb::Arguments),
+    /// Measure run time against error, and numerical stability, by the program cellray-bench
+    Bench(bench::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 that answers, its SPEs, and the framebuffer
@@ -47,6 +52,7 @@ pub fn main() -> ExitCode {
     let outcome = match Arguments::parse().command {
         Command::Render(arguments) => render::run(&arguments),
         Command::Fb(arguments) => fb::run(&arguments),
+        Command::Bench(arguments) => bench::run(&arguments),
         Command::Sphereflake(arguments) => sphereflake::run(&arguments),
         Command::Info(arguments) => info::run(&arguments),
     };

@@ -34,7 +34,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         ..arguments.options.look()
     };
     let program = arguments.options.program()?;
-    let scene = run::scene(&arguments.options.scene, look, &program)?;
+    let scene = run::scene(&arguments.options, look, &program)?;
     let geometry = match arguments.size {
         Some(size) => size,
         None => {

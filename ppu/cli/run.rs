@@ -5,12 +5,14 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use cellray::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::{Look, Model};
 use cellray::spe::{Program, ProgramError};
 use cellray::work::{Skip, Split};
-use cellray::{Engine, Report, Scene, Settings};
+use cellray::{Engine, Quality, Report, Scene, Settings};
 use clap::Args;
+use clap::builder::PossibleValuesParser;
 
 use super::Outcome;
 use super::progress::Progress;
@@ -41,8 +43,17 @@ pub struct Options {
     /// Objects throw no shadows
     #[arg(long)]
     pub no_shadows: bool,
+    /// How much run time is given for how little error
+    #[arg(long, value_enum, default_value_t)]
+    pub quality: Quality,
+    /// How rays are intersected with spheres, instead of as the quality has it; docs/accuracy.md
+    #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
+    pub sphere: Option<String>,
+    /// How rays are intersected with triangles, likewise
+    #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
+    pub triangle: Option<String>,
     /// SPU program to trace with, such as a game's that has shaders of its own [default: the built-in one]
-    #[arg(long, value_name = "F.elf")]
+    #[arg(long, value_name = "F.elf", conflicts_with_all = ["quality", "sphere", "triangle"])]
     pub program: Option<PathBuf>,
     /// Check at every call of a shader that it keeps what it must
     #[arg(long)]
@@ -72,22 +83,35 @@ impl Options {
 
     /// What the SPUs are to run.
     pub fn program(&self) -> Result<Program, ProgramError> {
-        match &self.program {
-            Some(file) => Program::from_file(file),
-            None => Ok(Program::tracer()),
+        if let Some(file) = &self.program {
+            return Program::from_file(file);
         }
+        let mut formulations = self.quality.formulations();
+        if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
+            formulations = Formulations::of(sphere, formulations.triangle);
+        }
+        if let Some(triangle) = self.triangle.as_deref().and_then(formulation::triangle) {
+            formulations.triangle = triangle;
+        }
+        Program::of(&formulations)
     }
 }
 
-/// Reads a scene and says what of it will not be drawn.
+/// Reads a scene and says what of it will not be drawn, or not as asked for.
 pub fn scene(
-    path: &Path,
+    options: &Options,
     look: Look,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(&nff::load(path)?, look, program)?;
+    let scene = Scene::new(&nff::load(&options.scene)?, look, program)?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
+    }
+    if let Some(asked) = &options.sphere {
+        let used = scene.sphere_formulation(&program.formulations()?).name;
+        if used != asked {
+            eprintln!("cellray: note: {asked} has no kernel for this scene's rays; {used} is used");
+        }
     }
     Ok(scene)
 }
@@ -115,7 +139,9 @@ pub fn frames(
         program,
     };
     let mut engine = Engine::start(settings, framebuffer)?;
-    let mut report = Report::new(scene.file(), (width, height), options.spus);
+    let formulations = program.formulations().ok();
+    let mut report =
+        Report::new(scene.file(), (width, height), options.spus).intersected(scene, formulations);
     let mut progress = Progress::start();
     let start = Instant::now();
     while !enough(report.frames as usize) {

@@ -6,6 +6,7 @@ use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionH
 use object::{BigEndian, Object as _, ObjectSection as _};
 
 use super::program::ProgramError;
+use crate::formulation::Formulations;
 
 const LOCAL_STORE: u64 = 0x40000;
 /// An entry of the table of shaders, and where in it the name stands: `spu/include/shader.inc`.
@@ -52,6 +53,21 @@ pub(super) fn shaders(image: &[u8]) -> Result<Vec<String>, ProgramError> {
         }
     });
     names.collect()
+}
+
+/// The formulations that the image names.
+pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
+    let file = parse(image)?;
+    let note = file.section_by_name(".formulation");
+    let note = note.ok_or(ProgramError::NoFormulations)?;
+    let note = note.data().map_err(malformed)?;
+    let note = String::from_utf8_lossy(note);
+    let names: Vec<&str> = note.split_terminator('\0').collect();
+    let found = match names[..] {
+        [eye, general, triangle] => Formulations::named(eye, general, triangle),
+        _ => None,
+    };
+    found.ok_or_else(|| ProgramError::Formulations(names.join(", ")))
 }
 
 fn parse(image: &[u8]) -> Result<ElfFile32<'_, BigEndian>, ProgramError> {

@@ -8,6 +8,7 @@ use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout};
 
 use super::elf;
 use super::sys::spe_program_handle_t;
+use crate::formulation::Formulations;
 
 /// Bytes aligned as the MFC likes its transfers.
 #[repr(C, align(128))]
@@ -42,6 +43,21 @@ pub enum ProgramError {
     /// There is no section `.shaders`.
     #[error("the SPU program has no table of shaders: it has to be linked by linker/spu.ld")]
     NoTable,
+    /// It does not say by which formulations it intersects.
+    #[error(
+        "the SPU program does not name its formulations: it has to be built by spu-build's `tracer`"
+    )]
+    NoFormulations,
+    /// There is no program of these formulations together.
+    #[error(
+        "no SPU program intersects by {0}: each sphere formulation is built with the standard ones of what it has no kernel for"
+    )]
+    NotBuilt(String),
+    /// It says so by names that are not known here.
+    #[error(
+        "the SPU program intersects by {0}, which this cellray does not know: one of them is too old"
+    )]
+    Formulations(String),
     /// The table of shaders is not made of entries.
     #[error("the SPU program's table of shaders is spoilt at entry {0}")]
     Table(usize),
@@ -60,13 +76,35 @@ pub enum ProgramError {
 #[repr(C, align(128))]
 struct Line([u8; 128]);
 
-static TRACER: &Image<[u8]> = &Image(*include_bytes!(env!("CELLRAY_SPU_IMAGE_FILE")));
+/// A program by the names of its formulations: of the eye's spheres, of all others', of triangles.
+type Built = (
+    (&'static str, &'static str, &'static str),
+    &'static Image<[u8]>,
+);
+
+/// The tracer's programs, the standard one first.
+static TRACERS: &[Built] = &include!(concat!(env!("OUT_DIR"), "/images.rs"));
 
 impl Program {
-    /// The tracer's own program.
+    /// The tracer's own program, which intersects by the standard formulations.
     #[must_use]
     pub fn tracer() -> Self {
-        Self { image: &TRACER.0 }
+        Self {
+            image: &TRACERS[0].1.0,
+        }
+    }
+
+    /// The tracer's own program that intersects by these formulations: one of [`Formulations::all`].
+    pub fn of(formulations: &Formulations) -> Result<Self, ProgramError> {
+        let names = formulations.names();
+        let built = TRACERS.iter().find(|(built, _)| *built == names);
+        let (_, image) = built.ok_or_else(|| ProgramError::NotBuilt(formulations.name()))?;
+        Ok(Self { image: &image.0 })
+    }
+
+    /// The formulations by which it intersects.
+    pub fn formulations(&self) -> Result<Formulations, ProgramError> {
+        elf::formulations(self.image)
     }
 
     /// Another program: a complete SPU ELF file. libspe2 trusts the offsets in it.

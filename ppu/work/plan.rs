@@ -10,6 +10,7 @@ use super::pages::Pages;
 use super::tiles::{TileSet, tile_count, tile_pixels};
 use super::units::TileCosts;
 use super::{EyeSpheres, Skip, Split, Units};
+use crate::formulation::EyeRecord;
 use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
 use crate::work::layout::UnitCost;
@@ -20,6 +21,8 @@ pub(crate) struct Policy {
     pub spus: u32,
     pub split: Split,
     pub skip: Skip,
+    /// How the program takes spheres.
+    pub record: EyeRecord,
     /// Whether pages keep what was written to them, so that the background need not be sent twice.
     pub keeps: bool,
     /// Whether what they show need not be traced again.
@@ -63,7 +66,8 @@ impl Plan {
         if !policy.retain {
             self.tiles.add_all();
         }
-        self.spheres.look(scene.spheres(), &lens, policy.skip);
+        self.spheres
+            .look(scene.spheres(), &lens, policy.skip, policy.record);
         let tiles = self.tiles.numbers();
         let costs = self.costs.of(geometry);
         self.units.cut(tiles, policy.spus, policy.split, costs);

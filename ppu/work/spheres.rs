@@ -13,6 +13,7 @@ use zerocopy::big_endian::F32;
 use super::Skip;
 use super::layout::Sphere;
 use super::lens::Lens;
+use crate::formulation::EyeRecord;
 use crate::scene::{self, singles};
 
 /// Rounding of the SPU's tests, in parts of the distance of a sphere's centre.
@@ -40,9 +41,9 @@ pub struct EyeSpheres {
 }
 
 impl EyeSpheres {
-    /// Makes the records of what a camera can see of `spheres`; of all of them with
-    /// [`Skip::Nothing`].
-    pub fn look(&mut self, spheres: &[scene::Sphere], lens: &Lens, skip: Skip) {
+    /// Makes the records of what a camera can see of `spheres`, of all of them with
+    /// [`Skip::Nothing`], in the form that the kernel takes.
+    pub fn look(&mut self, spheres: &[scene::Sphere], lens: &Lens, skip: Skip, form: EyeRecord) {
         self.order.clear();
         for (index, sphere) in (0..).zip(spheres) {
             if skip == Skip::Nothing || can_be_seen(sphere, lens) {
@@ -56,7 +57,7 @@ impl EyeSpheres {
         let records = self
             .order
             .iter()
-            .map(|&(_, index)| record(&spheres[index as usize], lens));
+            .map(|&(_, index)| record(&spheres[index as usize], lens, form));
         self.records.extend(records);
     }
 
@@ -86,7 +87,7 @@ fn near(sphere: &scene::Sphere, lens: &Lens) -> f64 {
     (distance - sphere.radius - ROUNDING * (distance + sphere.radius)).max(0.0)
 }
 
-fn record(sphere: &scene::Sphere, lens: &Lens) -> Sphere {
+fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
     let to_centre = lens.to(sphere.centre);
     let distance = to_centre.length();
     let radius = sphere.radius;
@@ -105,13 +106,17 @@ fn record(sphere: &scene::Sphere, lens: &Lens) -> Sphere {
         always
     };
     let plane_rounding = ROUNDING + 2.0 * lens.direction_error();
+    let part = match form {
+        EyeRecord::Centre => 1.0,
+        EyeRecord::Axis => 1.0 / distance,
+    };
     Sphere {
-        centre: singles(to_centre),
-        radius_squared: F32::new((radius * radius) as f32),
+        centre: singles(to_centre * part),
+        radius_squared: F32::new((radius * part).powi(2) as f32),
         near: down(near(sphere, lens)),
-        ray_limit: down(ray_limit),
-        packet_limit: down(packet_limit),
-        reach: up(radius + plane_rounding * (distance + radius)),
+        ray_limit: down(ray_limit * part),
+        packet_limit: down(packet_limit * part),
+        reach: up(part * (radius + plane_rounding * (distance + radius))),
         colour: singles(sphere.colour),
         distance: F32::new(distance as f32),
     }

@@ -463,7 +463,7 @@ function listed_test
         sfi     $bits,$g_skip,0
         and     $bits,$bits,$4
         count   tests_made,$bits,$t_sum,$t_add,$t_carry
-        br      isect_pairs_r16
+        br      isect_eye_spheres
 endfunction listed_test
 
 # all_pairs   tests all packets with all spheres

@@ -1,5 +1,6 @@
 //! The command line, as its users meet it: what it writes, and what it says of bad input.
 
+mod formulations;
 mod support;
 mod whitted;
 

@@ -70,7 +70,8 @@ fn fixture_of(scene: &nff::Scene, spus: u32) -> Fixture {
     let camera = scene.camera(64, 32).unwrap();
     let mut records = EyeSpheres::default();
     let lens = Lens::new(&camera, target.geometry);
-    records.look(scene.spheres(), &lens, Skip::Misses);
+    let program = Settings::default().program.formulations().unwrap();
+    records.look(scene.spheres(), &lens, Skip::Misses, program.eye.record);
     let mut spheres = SharedMemory::new(records.bytes().len());
     spheres.write(0, records.bytes());
     let block = scene.block().map_or(&[][..], |block| block.bytes());

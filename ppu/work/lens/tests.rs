@@ -5,6 +5,7 @@ use super::super::Skip;
 use super::super::arithmetic::{camera, direction, entry, magnitude, sphere, unit, wide};
 use super::super::spheres::EyeSpheres;
 use super::*;
+use crate::formulation::EyeRecord;
 use crate::scene;
 
 const SIZE: Geometry = Geometry {
@@ -16,7 +17,12 @@ const SIZE: Geometry = Geometry {
 /// picture is tried.
 fn seen(camera: &Camera, lens: &Lens, sphere: &scene::Sphere) -> Vec<(u32, u32)> {
     let mut records = EyeSpheres::default();
-    records.look(std::slice::from_ref(sphere), lens, Skip::Nothing);
+    records.look(
+        std::slice::from_ref(sphere),
+        lens,
+        Skip::Nothing,
+        EyeRecord::Centre,
+    );
     let record = records.records()[0];
     let pixels = (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| (x, y)));
     pixels

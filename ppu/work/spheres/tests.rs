@@ -49,7 +49,7 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
         for _ in 0..500 {
             let towards = unit(&mut random);
             let sphere = sphere(&mut random, camera.eye, towards);
-            let record = record(&sphere, &lens);
+            let record = record(&sphere, &lens, EyeRecord::Centre);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
             let (exact, found) = (enters(&sphere, camera.eye, wide(ray)), entry(&record, ray));
             let passes = is_above(record.ray_limit, record.centre, ray);
@@ -88,7 +88,7 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
             radius: distance * share,
             colour: DVec3::ONE,
         };
-        let record = record(&sphere, &lens);
+        let record = record(&sphere, &lens, EyeRecord::Centre);
         let angle = share.asin() + 0.001;
         let passing = along * angle.cos() + across(&mut random, along) * angle.sin();
         let passing = passing.to_array().map(|value| (value as f32).to_bits());
@@ -134,7 +134,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
             };
             let towards = ray * angle.cos() + across(&mut random, ray) * angle.sin();
             sphere.centre = camera.eye + towards * distance;
-            let record = record(&sphere, &lens);
+            let record = record(&sphere, &lens, EyeRecord::Centre);
             let passes = is_above(record.packet_limit, record.centre, middle);
             for &ray in &rays {
                 let hit = entry(&record, ray).is_some() || enters(&sphere, camera.eye, wide(ray));
@@ -157,7 +157,7 @@ fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
         for _ in 0..300 {
             let towards = unit(&mut random);
             let sphere = sphere(&mut random, camera.eye, towards);
-            let record = record(&sphere, &lens);
+            let record = record(&sphere, &lens, EyeRecord::Centre);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
             // A plane through the ray, or nearly so, with the ray on its inner side. The worst one
             // has the sphere on the other side.
@@ -198,7 +198,7 @@ fn no_ray_enters_a_sphere_around_the_eye() {
             let distance = (sphere.centre - camera.eye).length();
             sphere.radius = distance * (1.0 + magnitude(&mut random, -17.99, 4.0));
             assert!(!can_be_seen(&sphere, &lens));
-            let record = record(&sphere, &lens);
+            let record = record(&sphere, &lens, EyeRecord::Centre);
             for _ in 0..10 {
                 let ray = unit(&mut random)
                     .to_array()
@@ -221,7 +221,7 @@ fn what_the_eye_touches_is_always_tested() {
             colour: DVec3::ONE,
         };
         assert!(can_be_seen(&sphere, &lens));
-        let record = record(&sphere, &lens);
+        let record = record(&sphere, &lens, EyeRecord::Centre);
         assert_eq!(record.ray_limit.get(), -f32::MAX);
         assert_eq!(record.packet_limit.get(), -f32::MAX);
         assert_eq!(record.near.get(), 0.0);
@@ -250,6 +250,7 @@ fn extreme_numbers_stay_singles() {
                         colour,
                     },
                     &lens,
+                    EyeRecord::Centre,
                 );
                 for value in [
                     record.centre[0],
@@ -304,9 +305,9 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
             .collect()
     };
     for _ in 0..2 {
-        eye_spheres.look(&spheres, &lens, Skip::Misses);
+        eye_spheres.look(&spheres, &lens, Skip::Misses, EyeRecord::Centre);
         assert_eq!(reds(&eye_spheres), [0.5, 0.1, 0.6]);
-        eye_spheres.look(&spheres, &lens, Skip::Nothing);
+        eye_spheres.look(&spheres, &lens, Skip::Nothing, EyeRecord::Centre);
         assert_eq!(reds(&eye_spheres), [0.4, 0.2, 0.5, 0.1, 0.6, 0.3]);
     }
     let nears: Vec<f32> = eye_spheres

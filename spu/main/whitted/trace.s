@@ -44,9 +44,9 @@ first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
 kernels:                                # by tree: the test, the size of an object, whether it is flat
-        .int    isect_ball_pairs_r16,OBJECT_SIZE,0,0
+        .int    isect_spheres,OBJECT_SIZE,0,0
         .int    isect_rectangle_pairs_r16,RECT_SIZE,1,0
-        .int    isect_triangle_pairs_r16,TRI_SIZE,1,0
+        .int    isect_triangles,TRI_SIZE,1,0
         .int    isect_cone_pairs_r16,CONE_SIZE,0,0
 
 # trees_plan   makes the plans of the frame's trees
