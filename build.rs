@@ -83,8 +83,8 @@ fn table(images: &Images) -> Outcome<String> {
     for (formulations, image) in images {
         writeln!(
             text,
-            "(({:?}, {:?}, {:?}), &Image(*include_bytes!({image:?}))),",
-            formulations.eye.name, formulations.general.name, formulations.triangle.name,
+            "({:?}, &Image(*include_bytes!({image:?}))),",
+            formulations.names(),
         )?;
     }
     text.push_str("]\n");

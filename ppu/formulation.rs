@@ -8,10 +8,13 @@
 /// One formulation of each: those of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Formulations {
-    /// Of spheres, for the eye's rays.
+    /// Of spheres, for the eye's rays by depth shading.
     pub eye: &'static SphereFormulation,
-    /// Of spheres, for rays from anywhere.
-    pub general: &'static SphereFormulation,
+    /// Of spheres, for the eye's rays by Whitted's model.
+    pub seen: &'static SphereFormulation,
+    /// Of spheres, for the rays of mirrors, glass and shadows. These start where others have hit, which is no
+    /// more certain than their length.
+    pub bounced: &'static SphereFormulation,
     /// Of triangles.
     pub triangle: &'static TriangleFormulation,
 }
@@ -165,15 +168,18 @@ impl Formulations {
     /// Those that a program has unless others are asked for.
     #[must_use]
     pub fn standard() -> Self {
-        Self::named("constants", "refined", "watertight").expect("they are in the tables")
+        Self::named(["constants", "refined", "perpendicular", "watertight"])
+            .expect("they are in the tables")
     }
 
     /// Those of these names, if there are such and each sphere formulation has the kernel that is asked of it.
     #[must_use]
-    pub fn named(eye: &str, general: &str, triangle: &str) -> Option<Self> {
+    pub fn named([eye, seen, bounced, triangle]: [&str; 4]) -> Option<Self> {
+        let general = |name| sphere(name).filter(|sphere| sphere.general.is_some());
         Some(Self {
             eye: sphere(eye).filter(|sphere| sphere.eye.is_some())?,
-            general: sphere(general).filter(|sphere| sphere.general.is_some())?,
+            seen: general(seen)?,
+            bounced: general(bounced)?,
             triangle: self::triangle(triangle)?,
         })
     }
@@ -184,7 +190,8 @@ impl Formulations {
         let standard = Self::standard();
         Self {
             eye: sphere.eye.map_or(standard.eye, |_| sphere),
-            general: sphere.general.map_or(standard.general, |_| sphere),
+            seen: sphere.general.map_or(standard.seen, |_| sphere),
+            bounced: sphere.general.map_or(standard.bounced, |_| sphere),
             triangle,
         }
     }
@@ -204,25 +211,33 @@ impl Formulations {
         all
     }
 
-    /// Their names: of the eye's spheres, of all others', of triangles.
+    /// Their names, in the order of the fields.
     #[must_use]
-    pub fn names(&self) -> (&'static str, &'static str, &'static str) {
-        (self.eye.name, self.general.name, self.triangle.name)
+    pub fn names(&self) -> [&'static str; 4] {
+        [
+            self.eye.name,
+            self.seen.name,
+            self.bounced.name,
+            self.triangle.name,
+        ]
     }
 
     /// A name for all of them: of a file, say.
     #[must_use]
     pub fn name(&self) -> String {
-        let (eye, general, triangle) = self.names();
-        format!("{eye}-{general}-{triangle}")
+        self.names().join("-")
     }
 
     /// The kernels of the program's roles: the symbol that the driver calls, and what it stands for.
     #[must_use]
-    pub fn roles(&self) -> [(&'static str, &'static str); 3] {
+    pub fn roles(&self) -> [(&'static str, &'static str); 4] {
         [
             ("isect_eye_spheres", self.eye.eye.unwrap_or_default()),
-            ("isect_spheres", self.general.general.unwrap_or_default()),
+            ("isect_seen_spheres", self.seen.general.unwrap_or_default()),
+            (
+                "isect_bounced_spheres",
+                self.bounced.general.unwrap_or_default(),
+            ),
             ("isect_triangles", self.triangle.kernel),
         ]
     }

@@ -58,9 +58,9 @@ pub struct Report {
 /// By which formulations rays were intersected.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Intersected {
-    /// With spheres.
+    /// The eye's rays with spheres.
     pub spheres: &'static str,
-    /// With triangles.
+    /// All rays with triangles.
     pub triangles: &'static str,
 }
 

@@ -251,12 +251,12 @@ impl Scene {
         self.block.as_ref()
     }
 
-    /// Of a program's formulations, the one by which the scene's rays are intersected with spheres: depth
-    /// shading has the eye's rays alone.
+    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected with
+    /// spheres.
     #[must_use]
     pub fn sphere_formulation(&self, formulations: &Formulations) -> &'static SphereFormulation {
         match self.block {
-            Some(_) => formulations.general,
+            Some(_) => formulations.seen,
             None => formulations.eye,
         }
     }

@@ -112,7 +112,7 @@ impl Image {
     }
 
     /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes their names in
-    /// the section `.formulation`: of the eye's spheres, of all others', of triangles.
+    /// the section `.formulation`.
     #[must_use]
     pub fn formulations(mut self, formulations: Formulations) -> Self {
         self.formulations = Some(formulations);
@@ -185,8 +185,9 @@ impl Image {
 
 /// A source of the section that names formulations.
 fn note(formulations: &Formulations) -> String {
-    let (eye, general, triangle) = formulations.names();
-    let lines = [eye, general, triangle].map(|name| format!("        .asciz  \"{name}\"\n"));
+    let lines = formulations
+        .names()
+        .map(|name| format!("        .asciz  \"{name}\"\n"));
     format!(
         "        .section .formulation,\"\",@progbits\n{}",
         lines.concat()

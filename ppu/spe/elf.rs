@@ -63,10 +63,8 @@ pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
     let note = note.data().map_err(malformed)?;
     let note = String::from_utf8_lossy(note);
     let names: Vec<&str> = note.split_terminator('\0').collect();
-    let found = match names[..] {
-        [eye, general, triangle] => Formulations::named(eye, general, triangle),
-        _ => None,
-    };
+    let found = <[&str; 4]>::try_from(&names[..]).ok();
+    let found = found.and_then(Formulations::named);
     found.ok_or_else(|| ProgramError::Formulations(names.join(", ")))
 }
 

@@ -76,11 +76,8 @@ pub enum ProgramError {
 #[repr(C, align(128))]
 struct Line([u8; 128]);
 
-/// A program by the names of its formulations: of the eye's spheres, of all others', of triangles.
-type Built = (
-    (&'static str, &'static str, &'static str),
-    &'static Image<[u8]>,
-);
+/// A program by the names of its formulations.
+type Built = ([&'static str; 4], &'static Image<[u8]>);
 
 /// The tracer's programs, the standard one first.
 static TRACERS: &[Built] = &include!(concat!(env!("OUT_DIR"), "/images.rs"));

@@ -35,7 +35,7 @@ fn every_formulation_draws_the_same_picture_but_for_its_error() {
     let standard = Formulations::standard();
     for (scene, of_scene) in [
         ("scenes/paper16.nff", standard.eye),
-        ("scenes/whitted16.nff", standard.general),
+        ("scenes/whitted16.nff", standard.seen),
     ] {
         let (expected, names, err) = rendered(scene, &[]);
         assert_eq!(names, [of_scene.name, standard.triangle.name]);

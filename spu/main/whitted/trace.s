@@ -16,6 +16,7 @@
         .set    PLAN_roots,16                           # how many are at the top
         .set    PLAN_objects,20
         .set    PLAN_flat,24                            # whether its objects are
+        .set    PLAN_eye_test,28                        # the kernel for the eye's rays
         .set    PLAN_SIZE,32
 # The same with the packets of SHADOW_RAYS follow.
         .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
@@ -31,6 +32,8 @@ next_list:
         .skip   16
 fan:                                    # whether the rays go through one point
         .skip   16
+of_eye:                                 # whether the rays are the eye's
+        .skip   16
 along:                                  # what cull_faces takes
         .skip   16
 
@@ -43,11 +46,12 @@ first_candidate:
 first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
-kernels:                                # by tree: the test, the size of an object, whether it is flat
-        .int    isect_spheres,OBJECT_SIZE,0,0
-        .int    isect_rectangle_pairs_r16,RECT_SIZE,1,0
-        .int    isect_triangles,TRI_SIZE,1,0
-        .int    isect_cone_pairs_r16,CONE_SIZE,0,0
+# By tree: the test, the size of an object, whether it is flat, the test for the eye's rays.
+kernels:
+        .int    isect_bounced_spheres,OBJECT_SIZE,0,isect_seen_spheres
+        .int    isect_rectangle_pairs_r16,RECT_SIZE,1,isect_rectangle_pairs_r16
+        .int    isect_triangles,TRI_SIZE,1,isect_triangles
+        .int    isect_cone_pairs_r16,CONE_SIZE,0,isect_cone_pairs_r16
 
 # trees_plan   makes the plans of the frame's trees
 #   Uses    $10-$38
@@ -142,6 +146,8 @@ as_many:
         store_word $objects,PLAN_objects,$a_plan,$t_quad,$t_mask
         rotqbyi $test,$test,8
         store_word $test,PLAN_flat,$a_plan,$t_quad,$t_mask
+        rotqbyi $test,$test,4
+        store_word $test,PLAN_eye_test,$a_plan,$t_quad,$t_mask
         ori     $a_out,$a_list,0
         list_candidates first_candidate
         il      $room,SHADOW_CANDIDATES
@@ -190,6 +196,8 @@ function packets_trace
         selb    $6,$amount,$6,$counts
         cgti    $counts,$5,-1
         stqa    $counts,fan
+        ceqi    $counts,$5,0
+        stqa    $counts,of_eye
         ila     $5,arena+BATCH_BOUNDS
         # What the lists for these packets are off those for BATCH_RAYS.
         ila     $w_packets,arena+BATCH_RAYS
@@ -241,7 +249,10 @@ found:
         brnz    $plan,flat
 seen:   lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
+        lqa     $counts,of_eye
         rotqbyi $plan,$plan,PLAN_test
+        rotqbyi $amount,$sizes,PLAN_eye_test-PLAN_roots
+        selb    $plan,$plan,$amount,$counts
         hbr     test_call,$plan
         phase_ends $g_ticks_cull,$amount
         count   tests_made,$4,$t_sum,$t_add,$t_carry
