@@ -2,7 +2,7 @@
 #   C       void isect_ball_pairs_double_r16(const struct candidate *, int count);
 #   In      $3 candidates of objects that are spheres, $4 count (0 is none); pointers 16-aligned
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
-#   Uses    $2-$78   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$69   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^60, radius above 2^-40; rounds to
 #           the nearest
 #   Error   0.51 ulp of the larger of t and r, origin up to 30 radii from the centre and beyond
@@ -33,298 +33,229 @@
         .set    m_rows,17
         .set    m_sign,18
         .set    k_halve,19
-        .set    a_controls,20
-        .set    a_half,21
-        .set    a_whole,22
-        .set    a_by_side,23
+        .set    k_half_double,20
+        .set    a_controls,21
+        .set    a_half,22
+        .set    a_whole,23
+        .set    a_by_side,24
         # the candidate
-        .set    object,24
-        .set    a_packet,25
-        .set    quad,26
-        .set    cx,27
-        .set    cy,28
-        .set    cz,29
-        .set    radius2,30
-        .set    sides,31
-        .set    half,32                                 # 1/2, with the sign that the root gets
-        .set    whole,33                                # 1 likewise
-        .set    m_by_side,34                            # the sign's bit if a ray's side gives it
+        .set    object,25
+        .set    a_packet,26
+        .set    quad,27
+        .set    cx,28
+        .set    cy,29
+        .set    cz,30
+        .set    radius2,31
+        .set    sides,32
+        .set    half,33                                 # 1/2, with the sign that the root gets
+        .set    whole,34                                # 1 likewise
+        .set    m_by_side,35                            # the sign's bit if a ray's side gives it
         # a row
-        .set    ox,35
-        .set    oy,36
-        .set    oz,37
-        .set    dx,38
-        .set    dy,39
-        .set    dz,40
-        .set    t_best,41
-        .set    nearest,42
+        .set    ox,36
+        .set    oy,37
+        .set    oz,38
+        .set    dx,39
+        .set    dy,40
+        .set    dz,41
+        .set    t_best,42
+        .set    nearest,43
         # temporaries
-        .set    lx,43                                   # f, then l
-        .set    ly,44
-        .set    lz,45
-        .set    b,46
-        .set    outside,47                              # disc
-        .set    disc,47
-        .set    cc,48
-        .set    y,49
-        .set    s,50
-        .set    e,51
-        .set    ex,52
-        .set    ey,53
-        .set    ez,54
-        .set    x,55
-        .set    near,56
-        .set    w,57
-        .set    q,58
-        .set    t_even,59
-        .set    disc_even,60
-        .set    t,61
-        .set    ahead,62
-        .set    control,63
+        .set    lx,44                                   # f, then l
+        .set    ly,45
+        .set    lz,46
+        .set    b,47
+        .set    outside,48                              # disc
+        .set    disc,48
+        .set    cc,49
+        .set    y,50
+        .set    s,51
+        .set    e,52
+        .set    ex,53
+        .set    ey,54
+        .set    ez,55
+        .set    x,56
+        .set    near,57
+        .set    w,58
+        .set    q,59
+        .set    t_even,60
+        .set    disc_even,61
+        .set    t,62
+        .set    ahead,63
+        .set    control,64
 
         sign_controls_table
         sides_tables 0x3f000000, 0x3f800000
         double_table
 
 function isect_ball_pairs_double_r16
-        .set    dx_2,2
-        .set    ox_2,5
-        .set    ox_3,6
-        .set    ex_2,7
-        .set    lx_2,8
-        .set    lx_3,9
-        .set    lx_4,5
-        .set    ox_4,27
-        .set    lx_5,29
-        .set    lx_6,6
-        .set    cx_2,30
-        .set    b_2,32
-        .set    oy_2,33
-        .set    lx_7,34
-        .set    ex_3,35
-        .set    b_3,37
-        .set    ly_2,41
-        .set    ly_3,33
-        .set    ex_4,42
-        .set    b_4,45
-        .set    ex_5,38
-        .set    ex_6,2
-        .set    ey_2,39
-        .set    oy_3,47
-        .set    b_5,48
-        .set    dy_2,49
-        .set    oz_2,50
-        .set    oz_3,51
-        .set    dx_3,54
-        .set    cz_2,26
-        .set    ly_4,55
-        .set    ey_3,56
-        .set    lz_2,57
-        .set    ex_7,58
-        .set    ex_8,54
-        .set    lx_8,27
-        .set    lz_3,59
-        .set    b_6,60
-        .set    b_7,61
-        .set    lz_4,30
-        .set    b_8,59
-        .set    ly_5,36
-        .set    oz_4,62
-        .set    ly_6,47
-        .set    ez_2,63
-        .set    lz_5,64
-        .set    dz_2,65
-        .set    radius2_2,66
-        .set    oz_5,67
-        .set    lz_6,68
-        .set    lz_7,50
-        .set    lz_8,51
-        .set    ey_4,49
-        .set    disc_2,69
-        .set    dy_3,70
-        .set    disc_3,71
-        .set    dy_4,72
-        .set    disc_4,73
-        .set    dz_3,74
-        .set    disc_5,75
-        .set    lz_9,62
-        .set    disc_6,76
-        .set    oy_4,77
-        .set    disc_7,78
-        .set    lz_10,67
-        .set    lz_11,52
-        .set    lz_12,26
-        .set    disc_8,53
-        .set    ly_7,62
-        .set    disc_9,63
-        .set    ez_3,66
-        .set    ey_5,67
-        .set    ez_4,9
-        .set    ey_6,66
-        .set    ez_5,41
-        .set    ly_8,74
-        .set    ey_7,72
-        .set    ly_9,28
-        .set    x_2,9
-        .set    x_3,29
+        .set    disc_2,2
+        .set    disc_3,5
+        .set    disc_4,6
+        .set    disc_5,7
+        .set    disc_6,8
+        .set    disc_7,9
+        .set    disc_8,27
+        .set    lx_2,31
+        .set    ly_2,32
+        .set    lz_2,33
+        .set    ex_2,36
+        .set    e_2,32
+        .set    ox_2,33
+        .set    e_3,36
+        .set    b_2,36
+        .set    s_2,48
+        .set    ly_3,56
+        .set    lz_3,50
+        .set    x_2,47
+        .set    x_3,31
+        .set    y_2,45
+        .set    cc_2,46
+        .set    ly_4,48
+        .set    e_4,47
+        .set    lx_3,33
+        .set    ly_5,31
+        .set    ly_6,37
+        .set    lz_4,38
+        .set    ex_3,39
+        .set    disc_9,56
+        .set    ey_2,40
+        .set    ez_2,41
+        .set    y_3,58
+        .set    e_5,57
+        .set    t_best_2,60
+        .set    w_2,61
+        .set    nearest_2,62
+        .set    ox_3,63
+        .set    t_2,49
+        .set    w_3,45
+        .set    oy_2,57
+        .set    y_4,32
+        .set    t_3,45
+        .set    oz_2,49
+        .set    t_even_2,45
+        .set    y_5,2
+        .set    dx_2,32
+        .set    b_3,58
+        .set    dy_2,2
         .set    x_4,36
-        .set    near_2,29
-        .set    near_3,9
-        .set    e_2,41
-        .set    ez_6,43
-        .set    e_3,44
-        .set    ey_8,50
-        .set    ez_7,35
-        .set    x_5,6
-        .set    near_4,6
-        .set    near_5,26
-        .set    ez_8,33
-        .set    e_4,34
-        .set    e_5,36
-        .set    y_2,39
-        .set    x_6,2
-        .set    y_3,5
-        .set    x_7,7
-        .set    near_6,2
-        .set    y_4,8
-        .set    near_7,27
-        .set    y_5,28
-        .set    y_6,30
-        .set    t_best_2,33
-        .set    t_best_3,35
-        .set    y_7,38
-        .set    near_8,7
-        .set    e_6,40
-        .set    nearest_2,43
-        .set    t_best_4,47
-        .set    t_best_5,50
-        .set    nearest_3,52
-        .set    e_7,54
-        .set    nearest_4,55
-        .set    e_8,58
-        .set    y_8,62
-        .set    w_2,64
-        .set    e_9,65
-        .set    e_10,66
-        .set    w_3,67
-        .set    e_11,68
-        .set    e_12,70
-        .set    e_13,72
-        .set    w_4,28
-        .set    w_5,58
-        .set    e_14,64
-        .set    w_6,70
-        .set    e_15,74
-        .set    w_7,77
-        .set    w_8,8
-        .set    w_9,5
-        .set    e_16,30
-        .set    w_10,30
-        .set    e_17,38
-        .set    y_9,57
-        .set    s_2,58
-        .set    s_3,65
-        .set    s_4,66
-        .set    w_11,40
-        .set    w_12,49
-        .set    s_5,67
-        .set    y_10,40
-        .set    s_6,62
-        .set    w_13,38
-        .set    s_7,39
-        .set    s_8,64
-        .set    s_9,68
-        .set    s_10,5
+        .set    dz_2,51
+        .set    x_5,33
+        .set    cc_3,37
+        .set    lx_4,53
+        .set    ly_7,54
+        .set    lz_5,55
+        .set    near_2,33
+        .set    ex_4,61
+        .set    w_4,36
+        .set    e_6,64
+        .set    ey_3,65
+        .set    s_3,66
+        .set    ez_3,67
+        .set    disc_even_2,68
+        .set    lx_5,63
+        .set    ly_8,57
+        .set    lz_6,49
+        .set    y_6,36
+        .set    e_7,33
+        .set    ex_5,32
+        .set    w_5,69
+        .set    ey_4,2
+        .set    ez_4,51
+        .set    t_4,46
+        .set    w_6,33
+        .set    t_best_3,50
+        .set    y_7,33
+        .set    t_5,36
+        .set    nearest_3,46
+        .set    s_4,5
+        .set    ahead_2,45
+        .set    ox_4,47
+        .set    control_2,48
+        .set    oy_3,59
+        .set    control_3,45
+        .set    oz_3,48
+        .set    b_4,69
+        .set    dx_3,56
+        .set    control_4,33
+        .set    lx_6,45
         .set    q_2,5
-        .set    s_11,36
-        .set    s_12,38
-        .set    q_3,28
-        .set    s_13,34
-        .set    q_4,34
-        .set    x_8,8
-        .set    q_5,38
-        .set    q_6,39
-        .set    x_9,40
-        .set    x_10,41
-        .set    x_11,30
-        .set    s_14,41
-        .set    q_7,41
-        .set    s_15,44
-        .set    x_12,54
-        .set    q_8,44
-        .set    x_13,57
-        .set    x_14,62
-        .set    x_15,51
-        .set    y_11,64
-        .set    y_12,65
-        .set    cc_2,66
-        .set    y_13,67
-        .set    y_14,68
-        .set    cc_3,53
-        .set    cc_4,69
-        .set    cc_5,70
-        .set    y_15,71
-        .set    e_18,57
-        .set    e_19,62
-        .set    t_2,71
-        .set    cc_6,62
-        .set    w_14,51
-        .set    w_15,54
-        .set    cc_7,64
-        .set    y_16,54
-        .set    y_17,51
-        .set    t_3,74
-        .set    w_16,36
-        .set    cc_8,63
-        .set    cc_9,67
-        .set    y_18,36
-        .set    e_20,73
-        .set    t_4,75
-        .set    t_5,76
-        .set    e_21,77
-        .set    t_6,65
-        .set    t_7,78
-        .set    t_8,73
-        .set    t_9,36
-        .set    disc_even_2,8
-        .set    m_by_side_2,9
-        .set    disc_10,26
-        .set    whole_2,30
-        .set    disc_even_3,2
-        .set    half_2,31
-        .set    s_16,31
-        .set    disc_11,8
-        .set    s_17,26
-        .set    s_18,40
-        .set    s_19,49
-        .set    s_20,51
-        .set    s_21,46
-        .set    s_22,37
-        .set    t_10,26
-        .set    s_23,32
-        .set    t_11,39
-        .set    s_24,9
-        .set    s_25,30
-        .set    t_12,28
-        .set    t_13,5
-        .set    t_even_2,5
-        .set    t_14,6
-        .set    disc_12,28
-        .set    t_15,30
-        .set    disc_13,2
-        .set    disc_even_4,27
-        .set    t_16,9
-        .set    control_2,29
-        .set    ahead_2,30
-        .set    control_3,9
-        .set    ahead_3,29
-        .set    control_4,2
-        .set    disc_14,7
-        .set    control_5,8
-        .set    nearest_5,27
+        .set    x_6,52
+        .set    e_8,39
+        .set    e_9,38
+        .set    cc_4,39
+        .set    y_8,40
+        .set    near_3,31
+        .set    s_5,33
+        .set    disc_10,40
+        .set    dy_3,41
+        .set    dz_3,42
+        .set    lz_7,43
+        .set    y_9,53
+        .set    lx_7,54
+        .set    t_6,37
+        .set    e_10,31
+        .set    ly_9,55
+        .set    lz_8,68
+        .set    ez_5,31
+        .set    t_7,5
+        .set    ey_5,36
+        .set    y_10,37
+        .set    t_even_3,5
+        .set    s_6,6
+        .set    ez_6,58
+        .set    b_5,64
+        .set    lx_8,37
+        .set    lx_9,38
+        .set    q_3,6
+        .set    ly_10,59
+        .set    e_11,61
+        .set    y_11,43
+        .set    cc_5,45
+        .set    lz_9,48
+        .set    ex_6,56
+        .set    ey_6,41
+        .set    ez_7,42
+        .set    w_7,43
+        .set    y_12,47
+        .set    t_best_4,63
+        .set    s_7,65
+        .set    nearest_4,66
+        .set    disc_even_3,67
+        .set    t_8,39
+        .set    w_8,31
+        .set    y_13,31
+        .set    t_9,6
+        .set    s_8,7
+        .set    ez_8,6
+        .set    ahead_3,33
+        .set    control_5,39
         .set    control_6,7
-        .set    t_best_6,7
-        .set    t_best_7,6
+        .set    q_4,33
+        .set    x_7,38
+        .set    x_8,2
+        .set    y_14,6
+        .set    ly_11,7
+        .set    t_best_5,5
+        .set    ly_12,2
+        .set    w_9,6
+        .set    e_12,5
+        .set    y_15,7
+        .set    disc_11,31
+        .set    lz_10,32
+        .set    w_10,39
+        .set    b_6,8
+        .set    lx_10,7
+        .set    cc_6,28
+        .set    e_13,7
+        .set    s_9,29
+        .set    lz_11,36
+        .set    lz_12,30
+        .set    ahead_4,5
+        .set    x_9,5
+        .set    e_14,6
+        .set    s_10,2
+        .set    e_15,2
+        .set    ahead_5,2
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
 
@@ -341,19 +272,19 @@ function isect_ball_pairs_double_r16
         lqa     $k_halve,doubles+48                     # 4o
 
         iohl    $m_y,0x607                              # 5e
+        lqa     $k_half_double,doubles+64               # 5o
+
         iohl    $m_z,0xa0b                              # 6e
-
         ila     $a_controls,sign_controls               # 7e
+
         ila     $a_half,half_by_sides                   # 8e
-
         ila     $a_whole,whole_by_sides                 # 9e
+
         ila     $a_by_side,m_by_sides                   # 10e
-
         ilhu    $k_half,0x3f00                          # 11e
-        ilhu    $k_one,0x3f80                           # 12e
 
+        ilhu    $k_one,0x3f80                           # 12e
         ilhu    $k_tiny,896                             # 13e
-        lnop                                            # 13o pairing
 
 next_ball:
         ai      $count,$count,-1                        # 0e
@@ -366,924 +297,1035 @@ next_ball:
         lqd     $sides,32($object)                      # 8o
 
         shufb   $object,$object,$object,$m_x            # 9o
-        lqd     $dx,208($a_packet)                      # 10o
+        lqd     $ox,0($a_packet)                        # 10o
 
-        lqd     $dx_2,224($a_packet)                    # 11o
-        lqd     $ox,0($a_packet)                        # 12o
+        lqd     $oy,64($a_packet)                       # 11o
+        lqd     $oz,128($a_packet)                      # 12o
 
-        lqd     $ox_2,32($a_packet)                     # 13o
-        lqd     $ox_3,16($a_packet)                     # 14o
+        shufb   $cx,$quad,$quad,$m_x                    # 13o
+        shufb   $cy,$quad,$quad,$m_y                    # 14o
 
-        lqd     $oy,64($a_packet)                       # 15o
-        rotqbyi $ex,$dx,4                               # 16o
+        shufb   $cz,$quad,$quad,$m_z                    # 15o
+        shufb   $radius2,$sides,$sides,$m_x             # 16o
 
-        rotqbyi $ex_2,$dx_2,4                           # 17o
-        rotqbyi $lx,$ox,4                               # 18o
+        fesd    $cx,$cx                                 # 17e
+        fesd    $cy,$cy                                 # 24e
 
-        rotqbyi $lx_2,$ox_2,0                           # 19o
-        fesd    $ex,$ex                                 # 20e
+        fesd    $cz,$cz                                 # 31e
+        fesd    $radius2,$radius2                       # 38e
 
-        fesd    $lx,$lx                                 # 27e
-        fesd    $lx_2,$lx_2                             # 34e
+        rotqbyi $sides,$sides,12                        # 45o
+        lqd     $dx,192($a_packet)                      # 46o
 
-        fesd    $ex_2,$ex_2                             # 41e
-        rotqbyi $lx_3,$ox_3,4                           # 48o
+        lqd     $dy,256($a_packet)                      # 47o
+        lqd     $dz,320($a_packet)                      # 48o
 
-        rotqbyi $lx_4,$ox_2,4                           # 49o
-        lqd     $ox_4,48($a_packet)                     # 50o
+        rotmi   $sides,$sides,-26                       # 49e
+        rotqbyi $lx,$ox,0                               # 49o
 
-        shufb   $cy,$quad,$quad,$m_y                    # 51o
-        fesd    $lx_3,$lx_3                             # 52e
+        rotqbyi $ly,$oy,0                               # 50o
+        dfm     $radius2,$radius2,$radius2              # 51e
 
-        fesd    $lx_4,$lx_4                             # 59e
-        fesd    $cy,$cy                                 # 66e
+        fesd    $lx,$lx                                 # 58e
+        fesd    $ly,$ly                                 # 65e
 
-        rotqbyi $lx_5,$ox,0                             # 73o
-        rotqbyi $ly,$oy,0                               # 74o
+        dfs     $lx,$cx,$lx                             # 72e
+        dfs     $ly,$cy,$ly                             # 79e
 
-        rotqbyi $lx_6,$ox_3,0                           # 75o
-        shufb   $cx_2,$quad,$quad,$m_x                  # 76o
+        ori     $disc,$radius2,0                        # 86e
+        lqx     $half,$a_half,$sides                    # 86o
 
-        fesd    $lx_5,$lx_5                             # 77e
-        fesd    $ly,$ly                                 # 84e
+        ori     $disc_2,$radius2,0                      # 87e
+        lqx     $whole,$a_whole,$sides                  # 87o
 
-        fesd    $cx_2,$cx_2                             # 91e
-        fesd    $lx_6,$lx_6                             # 98e
+        ori     $disc_3,$radius2,0                      # 88e
+        lqx     $m_by_side,$a_by_side,$sides            # 88o
 
-        dfs     $lx,$cx_2,$lx                           # 105e
-        dfs     $lx_4,$cx_2,$lx_4                       # 112e
+        ori     $disc_4,$radius2,0                      # 89e
+        rotqbyi $lz,$oz,0                               # 89o
 
-        dfs     $lx_6,$cx_2,$lx_6                       # 119e
-        dfs     $lx_5,$cx_2,$lx_5                       # 126e
+        ori     $disc_5,$radius2,0                      # 90e
+        rotqbyi $ex,$dx,0                               # 90o
 
-        dfs     $lx_2,$cx_2,$lx_2                       # 133e
-        dfs     $lx_3,$cx_2,$lx_3                       # 140e
+        ori     $disc_6,$radius2,0                      # 91e
+        rotqbyi $ey,$dy,0                               # 91o
 
-        dfm     $b,$lx_4,$ex_2                          # 147e
-        dfs     $ly,$cy,$ly                             # 154e
+        ori     $disc_7,$radius2,0                      # 92e
+        rotqbyi $ez,$dz,0                               # 92o
 
-        dfm     $b_2,$lx_3,$ex                          # 161e
-        lqd     $oy_2,80($a_packet)                     # 168o
+        fesd    $lz,$lz                                 # 93e
+        fesd    $ex,$ex                                 # 100e
 
-        lqd     $dz,336($a_packet)                      # 169o
-        rotqbyi $lx_7,$ox_4,0                           # 170o
+        dfs     $lz,$cz,$lz                             # 107e
+        fesd    $ey,$ey                                 # 114e
 
-        rotqbyi $ex_3,$dx,0                             # 171o
-        lqd     $dx,240($a_packet)                      # 172o
+        fesd    $ez,$ez                                 # 121e
+        dfm     $b,$lx,$ex                              # 128e
 
-        lqd     $dy,272($a_packet)                      # 173o
-        fesd    $lx_7,$lx_7                             # 174e
+        ori     $disc_8,$radius2,0                      # 135e
+        rotqbyi $lx_2,$ox,4                             # 135o
 
-        fesd    $ex_3,$ex_3                             # 181e
-        dfs     $lx_7,$cx_2,$lx_7                       # 188e
+        rotqbyi $ly_2,$oy,4                             # 136o
+        rotqbyi $lz_2,$oz,4                             # 137o
 
-        dfm     $b_3,$lx_6,$ex_3                        # 195e
-        rotqbyi $ly_2,$oy_2,4                           # 202o
+        rotqbyi $ex_2,$dx,4                             # 138o
+        fesd    $lx_2,$lx_2                             # 139e
 
-        rotqbyi $ly_3,$oy_2,0                           # 203o
-        rotqbyi $ey,$dy,4                               # 204o
+        dfma    $b,$ly,$ey                              # 146e
+        dfs     $lx_2,$cx,$lx_2                         # 153e
 
-        rotqbyi $ex_4,$dx,0                             # 205o
-        fesd    $ly_2,$ly_2                             # 206e
+        dfma    $b,$lz,$ez                              # 160e
+        fesd    $ly_2,$ly_2                             # 167e
 
-        fesd    $ly_3,$ly_3                             # 213e
-        dfs     $ly_2,$cy,$ly_2                         # 220e
+        dfnms   $lx,$b,$ex                              # 174e
+        dfnms   $ly,$b,$ey                              # 181e
 
-        fesd    $ey,$ey                                 # 227e
-        dfs     $ly_3,$cy,$ly_3                         # 234e
+        dfnms   $lz,$b,$ez                              # 188e
+        dfm     $e,$lx,$ex                              # 195e
 
-        fesd    $ex_4,$ex_4                             # 241e
-        dfma    $b_2,$ly_2,$ey                          # 248e
+        dfnms   $disc,$lx,$lx                           # 202e
+        dfma    $e,$ly,$ey                              # 209e
 
-        dfm     $b_4,$lx_7,$ex_4                        # 255e
-        rotqbyi $ex_5,$dx,4                             # 262o
+        dfnms   $disc,$ly,$ly                           # 216e
+        dfma    $e,$lz,$ez                              # 223e
 
-        rotqbyi $ex_6,$dx_2,0                           # 263o
-        rotqbyi $ey_2,$dy,0                             # 264o
+        dfnms   $disc,$lz,$lz                           # 230e
+        dfma    $b,$e,$k_half_double                    # 237e
 
-        lqd     $oy_3,96($a_packet)                     # 265o
-        fesd    $ex_5,$ex_5                             # 266e
+        dfma    $disc,$e,$e                             # 244e
+        dfs     $ly,$cy,$ly_2                           # 251e
 
-        fesd    $ex_6,$ex_6                             # 273e
-        fesd    $ey_2,$ey_2                             # 280e
+        frds    $x,$disc                                # 258e
+        lnop                                            # 265o pairing
 
-        dfm     $b_5,$lx_2,$ex_6                        # 287e
-        dfma    $b_3,$ly_3,$ey_2                        # 294e
+        ori     $e,$disc,0                              # 266e
+        rotqbyi $ey,$dy,4                               # 266o
 
-        lqd     $dy_2,288($a_packet)                    # 301o
-        lqd     $oz_2,128($a_packet)                    # 302o
+        ori     $cc,$disc,0                             # 267e
+        rotqbyi $ez,$dz,4                               # 267o
 
-        lqd     $oz_3,160($a_packet)                    # 303o
-        lqd     $dx_3,192($a_packet)                    # 304o
+        fesd    $lz,$lz_2                               # 268e
+        lnop                                            # 275o pairing
 
-        shufb   $cz_2,$quad,$quad,$m_z                  # 305o
-        rotqbyi $ly_4,$oy_3,0                           # 306o
+        fa      $near,$x,$k_tiny                        # 276e
+        lqd     $t_best,384($a_packet)                  # 276o
 
-        rotqbyi $ey_3,$dy_2,0                           # 307o
-        rotqbyi $lz_2,$oz_2,0                           # 308o
+        dfms    $cc,$b,$b                               # 277e
+        lnop                                            # 284o pairing
 
-        fesd    $cz_2,$cz_2                             # 309e
-        fesd    $lz_2,$lz_2                             # 316e
+        ori     $disc_even,$near,0                      # 285e
+        frsqest $y,$near                                # 285o
 
-        fesd    $ly_4,$ly_4                             # 323e
-        dfs     $lz_2,$cz_2,$lz_2                       # 330e
+        dfs     $lz,$cz,$lz                             # 286e
+        lnop                                            # 293o pairing
 
-        dfs     $ly_4,$cy,$ly_4                         # 337e
-        fesd    $ey_3,$ey_3                             # 344e
+        fi      $y,$near,$y                             # 294e
+        lqd     $nearest,448($a_packet)                 # 294o
 
-        rotqbyi $ex_7,$dx_3,0                           # 351o
-        rotqbyi $ex_8,$dx_3,4                           # 352o
+        ori     $e_2,$cc,0                              # 295e
+        lqd     $ox_2,16($a_packet)                     # 295o
 
-        rotqbyi $lx_8,$ox_4,4                           # 353o
-        rotqbyi $lz_3,$oz_3,0                           # 354o
+        selb    $s,$whole,$cc,$m_by_side                # 296e
+        lqd     $oy,80($a_packet)                       # 296o
 
-        fesd    $ex_7,$ex_7                             # 355e
-        fesd    $lz_3,$lz_3                             # 362e
+        fesd    $ex,$ex_2                               # 297e
+        lnop                                            # 304o pairing
 
-        dfm     $b_6,$lx_5,$ex_7                        # 369e
-        fesd    $ex_8,$ex_8                             # 376e
+        fm      $e_3,$near,$y                           # 305e
+        lqd     $oz,144($a_packet)                      # 305o
 
-        fesd    $lx_8,$lx_8                             # 383e
-        dfm     $b_7,$lx,$ex_8                          # 390e
+        fm      $w,$y,$k_half                           # 306e
+        lqd     $dx,208($a_packet)                      # 306o
 
-        dfs     $lx_8,$cx_2,$lx_8                       # 397e
-        dfs     $lz_4,$cz_2,$lz_3                       # 404e
+        xor     $s,$s,$b                                # 307e
+        lqd     $dy,272($a_packet)                      # 307o
 
-        dfm     $b_8,$lx_8,$ex_5                        # 411e
-        dfma    $b_5,$ly_4,$ey_3                        # 418e
+        fesd    $ey,$ey                                 # 308e
+        lnop                                            # 315o pairing
 
-        rotqbyi $ly_5,$oy,4                             # 425o
-        lqd     $oz_4,176($a_packet)                    # 426o
+        fnms    $e_3,$e_3,$y,$k_one                     # 316e
+        lqd     $dz,336($a_packet)                      # 316o
 
-        rotqbyi $ly_6,$oy_3,4                           # 427o
-        rotqbyi $ez_2,$dz,4                             # 428o
+        rotmai  $s,$s,-31                               # 317e
+        rotqbyi $lx,$ox_2,0                             # 317o
 
-        fesd    $ly_5,$ly_5                             # 429e
-        fesd    $ly_6,$ly_6                             # 436e
+        fesd    $ez,$ez                                 # 318e
+        lnop                                            # 325o pairing
 
-        dfs     $ly_5,$cy,$ly_5                         # 443e
-        dfs     $ly_6,$cy,$ly_6                         # 450e
+        fma     $w,$e_3,$w,$y                           # 326e
+        shufb   $s,$s,$s,$m_high                        # 326o
 
-        fesd    $ez_2,$ez_2                             # 457e
-        rotqbyi $lz_5,$oz_4,4                           # 464o
+        dfm     $b_2,$lx_2,$ex                          # 327e
+        fesd    $y,$w                                   # 334e
 
-        lqd     $dz_2,368($a_packet)                    # 465o
-        shufb   $radius2_2,$sides,$sides,$m_x           # 466o
+        dfma    $b_2,$ly,$ey                            # 341e
+        dfm     $s_2,$disc,$y                           # 348e
 
-        lqd     $oz_5,144($a_packet)                    # 467o
-        fesd    $lz_5,$lz_5                             # 468e
+        a       $y,$y,$k_halve                          # 355e
+        rotqbyi $ly_3,$oy,0                             # 355o
 
-        fesd    $radius2_2,$radius2_2                   # 475e
-        dfs     $lz_5,$cz_2,$lz_5                       # 482e
+        dfma    $b_2,$lz,$ez                            # 356e
+        dfnms   $e,$s_2,$s_2                            # 363e
 
-        dfm     $radius2_2,$radius2_2,$radius2_2        # 489e
-        rotqbyi $lz_6,$oz_5,4                           # 496o
+        dfnms   $lx_2,$b_2,$ex                          # 370e
+        dfma    $s_2,$e,$y                              # 377e
 
-        rotqbyi $lz_7,$oz_2,4                           # 497o
-        rotqbyi $lz_8,$oz_3,4                           # 498o
+        dfnms   $ly,$b_2,$ey                            # 384e
+        lnop                                            # 391o pairing
 
-        rotqbyi $ey_4,$dy_2,4                           # 499o
-        fesd    $lz_6,$lz_6                             # 500e
+        selb    $s_2,$s_2,$b,$m_sign                    # 392e
+        rotqbyi $lz_3,$oz,0                             # 392o
 
-        fesd    $lz_8,$lz_8                             # 507e
-        fesd    $ey_4,$ey_4                             # 514e
+        dfnms   $lz,$b_2,$ez                            # 393e
+        dfa     $q,$b,$s_2                              # 400e
 
-        dfs     $lz_8,$cz_2,$lz_8                       # 521e
-        fesd    $lz_7,$lz_7                             # 528e
+        dfm     $e,$lx_2,$ex                            # 407e
+        frds    $x_2,$q                                 # 414e
 
-        dfma    $b,$ly_6,$ey_4                          # 535e
-        dfs     $lz_6,$cz_2,$lz_6                       # 542e
+        dfma    $e,$ly,$ey                              # 421e
+        lnop                                            # 428o pairing
 
-        dfs     $lz_7,$cz_2,$lz_7                       # 549e
-        dfma    $b_2,$lz_6,$ez_2                        # 556e
+        fa      $x_2,$x_2,$k_tiny                       # 429e
+        rotqbyi $ex,$dx,0                               # 429o
 
-        ori     $disc_2,$radius2_2,0                    # 563e
-        lqd     $dy_3,304($a_packet)                    # 563o
+        dfnms   $disc_2,$lx_2,$lx_2                     # 430e
+        dfma    $e,$lz,$ez                              # 437e
 
-        ori     $disc_3,$radius2_2,0                    # 564e
-        lqd     $dy_4,256($a_packet)                    # 564o
+        dfnms   $disc_2,$ly,$ly                         # 444e
+        dfma    $b_2,$e,$k_half_double                  # 451e
 
-        ori     $disc_4,$radius2_2,0                    # 565e
-        lqd     $dz_3,320($a_packet)                    # 565o
+        dfnms   $disc_2,$lz,$lz                         # 458e
+        fesd    $lx,$lx                                 # 465e
 
-        ori     $disc_5,$radius2_2,0                    # 566e
-        rotqbyi $lz_9,$oz_4,0                           # 566o
+        dfma    $disc_2,$e,$e                           # 472e
+        dfs     $lx,$cx,$lx                             # 479e
 
-        ori     $disc_6,$radius2_2,0                    # 567e
-        lqd     $oy_4,112($a_packet)                    # 567o
+        frds    $x_3,$disc_2                            # 486e
+        lnop                                            # 493o pairing
 
-        ori     $disc_7,$radius2_2,0                    # 568e
-        rotqbyi $lz_10,$oz_5,0                          # 568o
+        ori     $e,$disc_2,0                            # 494e
+        frest   $y_2,$x_2                               # 494o
 
-        dfnms   $lx_3,$b_2,$ex                          # 569e
-        fesd    $lz_11,$lz_10                           # 576e
+        ori     $cc_2,$disc_2,0                         # 495e
+        rotqbyi $ey,$dy,0                               # 495o
 
-        fesd    $lz_9,$lz_9                             # 583e
-        dfs     $lz_11,$cz_2,$lz_11                     # 590e
+        fesd    $ly_4,$ly_3                             # 496e
+        lnop                                            # 503o pairing
 
-        dfs     $lz_12,$cz_2,$lz_9                      # 597e
-        dfnms   $ly_2,$b_2,$ey                          # 604e
+        fi      $y_2,$x_2,$y_2                          # 504e
+        rotqbyi $ez,$dz,0                               # 504o
 
-        ori     $disc_8,$radius2_2,0                    # 611e
-        rotqbyi $ly_7,$oy_4,0                           # 611o
+        dfms    $cc_2,$b_2,$b_2                         # 505e
+        lnop                                            # 512o pairing
 
-        dfnms   $lz_6,$b_2,$ez_2                        # 612e
-        fesd    $ly_7,$ly_7                             # 619e
+        fnms    $e_4,$x_2,$y_2,$k_one                   # 513e
+        rotqbyi $lx_3,$ox_2,4                           # 513o
 
-        ori     $disc_9,$radius2_2,0                    # 626e
-        rotqbyi $ez_3,$dz_3,0                           # 626o
+        fa      $near,$x_3,$k_tiny                      # 514e
+        rotqbyi $ly_5,$oy,4                             # 514o
 
-        rotqbyi $ey_5,$dy_4,4                           # 627o
-        dfnms   $disc_9,$lx_3,$lx_3                     # 628e
+        dfs     $ly_6,$cy,$ly_4                         # 515e
+        lnop                                            # 522o pairing
 
-        fesd    $ez_4,$ez_3                             # 635e
-        fesd    $ey_6,$ey_5                             # 642e
+        fma     $w,$e_4,$y_2,$y_2                       # 523e
+        frsqest $y_2,$near                              # 523o
 
-        dfs     $ly_7,$cy,$ly_7                         # 649e
-        dfma    $b_7,$ly_5,$ey_6                        # 656e
+        ori     $e_4,$cc_2,0                            # 524e
+        rotqbyi $lz_4,$oz,4                             # 524o
 
-        dfnms   $disc_9,$ly_2,$ly_2                     # 663e
-        rotqbyi $ez_5,$dz_3,4                           # 670o
+        selb    $s_2,$whole,$cc_2,$m_by_side            # 525e
+        rotqbyi $ex_3,$dx,4                             # 525o
 
-        rotqbyi $ey_5,$dy_3,4                           # 671o
-        rotqbyi $ly_8,$oy_4,4                           # 672o
+        ori     $disc_9,$near,0                         # 526e
+        rotqbyi $ey_2,$dy,4                             # 526o
 
-        rotqbyi $ey_7,$dy_4,0                           # 673o
-        fesd    $ez_5,$ez_5                             # 674e
+        fi      $y_2,$near,$y_2                         # 527e
+        rotqbyi $ez_2,$dz,4                             # 527o
 
-        fesd    $ey_7,$ey_7                             # 681e
-        fesd    $ly_8,$ly_8                             # 688e
+        xor     $s_2,$s_2,$b_2                          # 528e
+        shufb   $disc_9,$disc_even,$disc_9,$m_rows      # 528o
 
-        dfma    $b_6,$ly,$ey_7                          # 695e
-        fesd    $ey_5,$ey_5                             # 702e
+        fesd    $y_3,$w                                 # 529e
+        lnop                                            # 536o pairing
 
-        dfma    $b_6,$lz_2,$ez_4                        # 709e
-        dfma    $b_7,$lz_7,$ez_5                        # 716e
+        fm      $e_5,$near,$y_2                         # 537e
+        lqd     $t_best_2,400($a_packet)                # 537o
 
-        dfs     $ly_9,$cy,$ly_8                         # 723e
-        dfnms   $lx,$b_7,$ex_8                          # 730e
+        fm      $w_2,$y_2,$k_half                       # 538e
+        lqd     $nearest_2,464($a_packet)               # 538o
 
-        dfma    $b_8,$ly_9,$ey_5                        # 737e
-        dfnms   $ly_5,$b_7,$ey_6                        # 744e
+        rotmai  $s_2,$s_2,-31                           # 539e
+        lqd     $ox_3,32($a_packet)                     # 539o
 
-        dfnms   $lz_7,$b_7,$ez_5                        # 751e
-        dfnms   $lx_5,$b_6,$ex_7                        # 758e
+        fesd    $lz_3,$lz_3                             # 540e
+        dfm     $t_2,$cc,$y_3                           # 547e
 
-        dfnms   $lz_2,$b_6,$ez_4                        # 765e
-        dfnms   $ly,$b_6,$ey_7                          # 772e
+        fnms    $e_5,$e_5,$y_2,$k_one                   # 554e
+        shufb   $s_2,$s_2,$s_2,$m_high                  # 554o
 
-        dfnms   $disc_5,$lx_5,$lx_5                     # 779e
-        dfnms   $disc_6,$lx,$lx                         # 786e
+        dfs     $lz_3,$cz,$lz_3                         # 555e
+        dfnms   $e_2,$q,$t_2                            # 562e
 
-        dfnms   $disc_5,$ly,$ly                         # 793e
-        dfnms   $disc_6,$ly_5,$ly_5                     # 800e
+        fma     $w_3,$e_5,$w_2,$y_2                     # 569e
+        lqd     $oy_2,96($a_packet)                     # 569o
 
-        dfnms   $disc_5,$lz_2,$lz_2                     # 807e
-        dfnms   $disc_6,$lz_7,$lz_7                     # 814e
+        fesd    $ex,$ex                                 # 570e
+        dfma    $t_2,$e_2,$y_3                          # 577e
 
-        dfnms   $disc_9,$lz_6,$lz_6                     # 821e
-        frds    $x_2,$disc_5                            # 828e
+        fesd    $y_4,$w_3                               # 584e
+        lnop                                            # 591o pairing
 
-        frds    $x_3,$disc_9                            # 835e
-        frds    $x_4,$disc_6                            # 842e
+        selb    $t_3,$t_2,$q,$s                         # 592e
+        lqd     $oz_2,160($a_packet)                    # 592o
 
-        fa      $near_2,$x_3,$k_tiny                    # 849e
-        rotqbyi $ez,$dz,0                               # 849o
+        fesd    $ey,$ey                                 # 593e
+        frds    $t_even_2,$t_3                          # 600e
 
-        fa      $near_3,$x_2,$k_tiny                    # 850e
-        lqd     $dz,352($a_packet)                      # 850o
+        dfm     $s,$disc_2,$y_4                         # 607e
+        lnop                                            # 614o pairing
 
-        ori     $e_2,$disc_6,0                          # 851e
-        rotqbyi $ez_6,$dz_2,0                           # 851o
+        a       $y_5,$y_4,$k_halve                      # 615e
+        lqd     $dx_2,224($a_packet)                    # 615o
 
-        ori     $e_3,$disc_9,0                          # 852e
-        rotqbyi $ey_8,$dy_3,0                           # 852o
+        fesd    $ez,$ez                                 # 616e
+        dfnms   $e,$s,$s                                # 623e
 
-        fesd    $ez,$ez                                 # 853e
-        fesd    $ey_8,$ey_8                             # 860e
+        dfm     $b_3,$lx,$ex                            # 630e
+        dfma    $s,$e,$y_5                              # 637e
 
-        dfma    $b_3,$lz_11,$ez                         # 867e
-        dfma    $b_4,$ly_7,$ey_8                        # 874e
+        dfma    $b_3,$ly_6,$ey                          # 644e
+        lnop                                            # 651o pairing
 
-        dfnms   $lx_6,$b_3,$ex_3                        # 881e
-        fesd    $ez_7,$ez_6                             # 888e
+        selb    $s,$s,$b_2,$m_sign                      # 652e
+        lqd     $dy_2,288($a_packet)                    # 652o
 
-        dfnms   $ly_3,$b_3,$ey_2                        # 895e
-        dfma    $b_4,$lz_12,$ez_7                       # 902e
+        fesd    $lx_3,$lx_3                             # 653e
+        dfa     $q,$b_2,$s                              # 660e
 
-        dfnms   $disc_7,$lx_6,$lx_6                     # 909e
-        dfnms   $lz_12,$b_4,$ez_7                       # 916e
+        dfma    $b_3,$lz_3,$ez                          # 667e
+        frds    $x_4,$q                                 # 674e
 
-        dfnms   $lx_7,$b_4,$ex_4                        # 923e
-        dfnms   $disc_7,$ly_3,$ly_3                     # 930e
+        dfnms   $lx,$b_3,$ex                            # 681e
+        lnop                                            # 688o pairing
 
-        dfnms   $disc_3,$lx_7,$lx_7                     # 937e
-        dfnms   $lz_11,$b_3,$ez                         # 944e
+        fa      $x_4,$x_4,$k_tiny                       # 689e
+        lqd     $dz_2,352($a_packet)                    # 689o
 
-        dfnms   $ly_7,$b_4,$ey_8                        # 951e
-        dfnms   $disc_7,$lz_11,$lz_11                   # 958e
+        dfnms   $ly_6,$b_3,$ey                          # 690e
+        dfnms   $lz_3,$b_3,$ez                          # 697e
 
-        dfnms   $disc_3,$ly_7,$ly_7                     # 965e
-        frds    $x_5,$disc_7                            # 972e
+        dfm     $e,$lx,$ex                              # 704e
+        dfnms   $disc_3,$lx,$lx                         # 711e
 
-        dfnms   $disc_3,$lz_12,$lz_12                   # 979e
-        lnop                                            # 986o pairing
+        dfma    $e,$ly_6,$ey                            # 718e
+        dfnms   $disc_3,$ly_6,$ly_6                     # 725e
 
-        fa      $near_4,$x_5,$k_tiny                    # 987e
-        rotqbyi $ez,$dz,4                               # 987o
+        dfma    $e,$lz_3,$ez                            # 732e
+        dfnms   $disc_3,$lz_3,$lz_3                     # 739e
 
-        fa      $near_5,$x_4,$k_tiny                    # 988e
-        rotqbyi $ez_8,$dz,0                             # 988o
+        dfma    $b_3,$e,$k_half_double                  # 746e
+        dfma    $disc_3,$e,$e                           # 753e
 
-        ori     $e_4,$disc_7,0                          # 989e
-        rotqbyi $ez_7,$dz_2,4                           # 989o
+        dfs     $lx,$cx,$lx_3                           # 760e
+        frds    $x_5,$disc_3                            # 767e
 
-        ori     $e_5,$disc_5,0                          # 990e
-        frsqest $y_2,$near_3                            # 990o
+        ori     $e,$disc_3,0                            # 774e
+        frest   $y,$x_4                                 # 774o
 
-        fesd    $ez,$ez                                 # 991e
-        fesd    $ez_8,$ez_8                             # 998e
+        ori     $cc_3,$disc_3,0                         # 775e
+        rotqbyi $lx_4,$ox_3,0                           # 775o
 
-        dfma    $b,$lz_8,$ez                            # 1005e
-        dfma    $b_5,$lz_4,$ez_8                        # 1012e
+        fesd    $ly_5,$ly_5                             # 776e
+        lnop                                            # 783o pairing
 
-        fesd    $ez_7,$ez_7                             # 1019e
-        dfnms   $lx_2,$b_5,$ex_6                        # 1026e
+        fi      $y,$x_4,$y                              # 784e
+        rotqbyi $ly_7,$oy_2,0                           # 784o
 
-        dfma    $b_8,$lz_5,$ez_7                        # 1033e
-        dfnms   $ly_4,$b_5,$ey_3                        # 1040e
+        dfms    $cc_3,$b_3,$b_3                         # 785e
+        lnop                                            # 792o pairing
 
-        dfnms   $lx_4,$b,$ex_2                          # 1047e
-        dfnms   $lx_8,$b_8,$ex_5                        # 1054e
+        fnms    $e_3,$x_4,$y,$k_one                     # 793e
+        rotqbyi $lz_5,$oz_2,0                           # 793o
 
-        dfnms   $ly_6,$b,$ey_4                          # 1061e
-        dfnms   $lz_8,$b,$ez                            # 1068e
+        fa      $near_2,$x_5,$k_tiny                    # 794e
+        rotqbyi $ex_4,$dx_2,0                           # 794o
 
-        dfnms   $disc_2,$lx_4,$lx_4                     # 1075e
-        dfnms   $ly_9,$b_8,$ey_5                        # 1082e
+        dfs     $ly_5,$cy,$ly_5                         # 795e
+        lnop                                            # 802o pairing
 
-        dfnms   $disc_2,$ly_6,$ly_6                     # 1089e
-        dfnms   $disc_4,$lx_2,$lx_2                     # 1096e
+        fma     $w_4,$e_3,$y,$y                         # 803e
+        frsqest $y,$near_2                              # 803o
 
-        dfnms   $disc_2,$lz_8,$lz_8                     # 1103e
-        dfnms   $disc_8,$lx_8,$lx_8                     # 1110e
+        ori     $e_6,$cc_3,0                            # 804e
+        rotqbyi $ey_3,$dy_2,0                           # 804o
 
-        dfnms   $disc_4,$ly_4,$ly_4                     # 1117e
-        dfnms   $disc_8,$ly_9,$ly_9                     # 1124e
+        selb    $s_3,$whole,$cc_3,$m_by_side            # 805e
+        rotqbyi $ez_3,$dz_2,0                           # 805o
 
-        dfnms   $lz_5,$b_8,$ez_7                        # 1131e
-        dfnms   $lz_4,$b_5,$ez_8                        # 1138e
+        ori     $disc_even_2,$near_2,0                  # 806e
+        rotqbyi $lx_5,$ox_3,4                           # 806o
 
-        dfnms   $disc_8,$lz_5,$lz_5                     # 1145e
-        dfnms   $disc_4,$lz_4,$lz_4                     # 1152e
+        fi      $y,$near_2,$y                           # 807e
+        rotqbyi $ly_8,$oy_2,4                           # 807o
 
-        frds    $x,$disc_2                              # 1159e
-        frds    $x_6,$disc_4                            # 1166e
+        xor     $s_3,$s_3,$b_3                          # 808e
+        rotqbyi $lz_6,$oz_2,4                           # 808o
 
-        fa      $near,$x,$k_tiny                        # 1173e
-        frsqest $y,$near_5                              # 1173o
+        fesd    $y_6,$w_4                               # 809e
+        lnop                                            # 816o pairing
 
-        frds    $x,$disc_3                              # 1174e
-        lnop                                            # 1181o pairing
+        fm      $e_7,$near_2,$y                         # 817e
+        rotqbyi $ex_5,$dx_2,4                           # 817o
 
-        fi      $y,$near_5,$y                           # 1182e
-        frsqest $y_3,$near                              # 1182o
+        fm      $w_5,$y,$k_half                         # 818e
+        rotqbyi $ey_4,$dy_2,4                           # 818o
 
-        frds    $x_7,$disc_8                            # 1183e
-        lnop                                            # 1190o pairing
+        rotmai  $s_3,$s_3,-31                           # 819e
+        rotqbyi $ez_4,$dz_2,4                           # 819o
 
-        fa      $near_6,$x_6,$k_tiny                    # 1191e
-        frsqest $y_4,$near_2                            # 1191o
+        fesd    $lz_4,$lz_4                             # 820e
+        dfm     $t_4,$cc_2,$y_6                         # 827e
 
-        fa      $near_7,$x,$k_tiny                      # 1192e
-        frsqest $y_5,$near_4                            # 1192o
+        fnms    $e_7,$e_7,$y,$k_one                     # 834e
+        shufb   $s_3,$s_3,$s_3,$m_high                  # 834o
 
-        fi      $y_3,$near,$y_3                         # 1193e
-        rotqbyi $sides,$sides,12                        # 1193o
+        dfs     $lz_4,$cz,$lz_4                         # 835e
+        dfnms   $e_4,$q,$t_4                            # 842e
 
-        fi      $y_6,$near_3,$y_2                       # 1194e
-        lqd     $t_best_2,400($a_packet)                # 1194o
+        fma     $w_6,$e_7,$w_5,$y                       # 849e
+        lqd     $t_best_3,416($a_packet)                # 849o
 
-        fi      $y_4,$near_2,$y_4                       # 1195e
-        lqd     $t_best_3,432($a_packet)                # 1195o
+        fesd    $ex_3,$ex_3                             # 850e
+        dfma    $t_4,$e_4,$y_6                          # 857e
 
-        fi      $y_5,$near_4,$y_5                       # 1196e
-        lqd     $nearest,464($a_packet)                 # 1196o
+        fesd    $y_7,$w_6                               # 864e
+        lnop                                            # 871o pairing
 
-        ori     $e,$disc_4,0                            # 1197e
-        frsqest $y_7,$near_6                            # 1197o
+        selb    $t_5,$t_4,$q,$s_2                       # 872e
+        lqd     $nearest_3,480($a_packet)               # 872o
 
-        fa      $near_8,$x_7,$k_tiny                    # 1198e
-        frsqest $y_2,$near_7                            # 1198o
+        fesd    $ey_2,$ey_2                             # 873e
+        frds    $t_5,$t_5                               # 880e
 
-        fm      $e_6,$near_5,$y                         # 1199e
-        lqd     $nearest_2,448($a_packet)               # 1199o
+        dfm     $s_4,$disc_3,$y_7                       # 887e
+        lnop                                            # 894o pairing
 
-        fm      $w,$y_3,$k_half                         # 1200e
-        lqd     $t_best_4,384($a_packet)                # 1200o
+        a       $y_7,$y_7,$k_halve                      # 895e
+        shufb   $t_5,$t_even_2,$t_5,$m_rows             # 895o
 
-        fi      $y_7,$near_6,$y_7                       # 1201e
-        lqd     $t_best_5,416($a_packet)                # 1201o
+        fesd    $ez_2,$ez_2                             # 896e
+        lnop                                            # 903o pairing
 
-        fi      $y_2,$near_7,$y_2                       # 1202e
-        lqd     $nearest_3,496($a_packet)               # 1202o
+        cgti    $ahead_2,$t_5,0                         # 904e
+        lqd     $ox_4,48($a_packet)                     # 904o
 
-        ori     $e_7,$disc_3,0                          # 1203e
-        lqd     $nearest_4,480($a_packet)               # 1203o
+        cgt     $control_2,$t_best,$t_5                 # 905e
+        lqd     $oy_3,112($a_packet)                    # 905o
 
-        fm      $e_8,$near_4,$y_5                       # 1204e
-        frsqest $y_8,$near_8                            # 1204o
+        dfnms   $e,$s_4,$s_4                            # 906e
+        lnop                                            # 913o pairing
 
-        fm      $w_2,$y_5,$k_half                       # 1205e
-        fm      $e_9,$near_2,$y_4                       # 1206e
+        and     $control_3,$control_2,$ahead_2          # 914e
+        lqd     $oz_3,176($a_packet)                    # 914o
 
-        fnms    $e_6,$e_6,$y,$k_one                     # 1207e
-        fm      $e_10,$near_6,$y_7                      # 1208e
+        dfm     $b_4,$lx,$ex_3                          # 915e
+        lnop                                            # 922o pairing
 
-        fm      $w_3,$y_7,$k_half                       # 1209e
-        fm      $e_11,$near_3,$y_6                      # 1210e
+        andc    $control_3,$control_3,$disc_9           # 923e
+        lqd     $dx_3,240($a_packet)                    # 923o
 
-        fnms    $e_8,$e_8,$y_5,$k_one                   # 1211e
-        fnms    $e_9,$e_9,$y_4,$k_one                   # 1212e
+        dfma    $s_4,$e,$y_7                            # 924e
+        dfma    $b_4,$ly_5,$ey_2                        # 931e
 
-        fm      $e_12,$near,$y_3                        # 1213e
-        fi      $y_8,$near_8,$y_8                       # 1214e
+        selb    $s_4,$s_4,$b_3,$m_sign                  # 938e
+        rotqbii $control_4,$control_3,1                 # 938o
 
-        ori     $e_13,$disc_8,0                         # 1215e
-        fnms    $e_11,$e_11,$y_6,$k_one                 # 1216e
+        fesd    $lx_6,$lx_4                             # 939e
+        dfa     $q_2,$b_3,$s_4                          # 946e
 
-        fma     $w_4,$e_8,$w_2,$y_5                     # 1217e
-        fm      $w_5,$y_6,$k_half                       # 1218e
+        dfma    $b_4,$lz_4,$ez_2                        # 953e
+        frds    $x_6,$q_2                               # 960e
 
-        fnms    $e_14,$e_12,$y_3,$k_one                 # 1219e
-        fm      $w_6,$y,$k_half                         # 1220e
+        dfnms   $lx,$b_4,$ex_3                          # 967e
+        lnop                                            # 974o pairing
 
-        fm      $e_15,$near_8,$y_8                      # 1221e
-        fm      $w_7,$y_4,$k_half                       # 1222e
+        fa      $x_6,$x_6,$k_tiny                       # 975e
+        gb      $control_4,$control_4                   # 975o
 
-        fesd    $y_5,$w_4                               # 1223e
-        fma     $w_8,$e_9,$w_7,$y_4                     # 1230e
+        dfnms   $ly_5,$b_4,$ey_2                        # 976e
+        dfnms   $lz_4,$b_4,$ez_2                        # 983e
 
-        fma     $w,$e_14,$w,$y_3                        # 1231e
-        fma     $w_9,$e_11,$w_5,$y_6                    # 1232e
+        dfm     $e_8,$lx,$ex_3                          # 990e
+        dfnms   $disc_4,$lx,$lx                         # 997e
 
-        fnms    $e_16,$e_10,$y_7,$k_one                 # 1233e
-        fm      $e_8,$near_7,$y_2                       # 1234e
+        dfma    $e_8,$ly_5,$ey_2                        # 1004e
+        dfnms   $disc_4,$ly_5,$ly_5                     # 1011e
 
-        fnms    $e_14,$e_15,$y_8,$k_one                 # 1235e
-        fesd    $y_4,$w_8                               # 1236e
+        dfma    $e_8,$lz_4,$ez_2                        # 1018e
+        dfnms   $disc_4,$lz_4,$lz_4                     # 1025e
 
-        fesd    $y_3,$w_9                               # 1243e
-        fma     $w_10,$e_16,$w_3,$y_7                   # 1250e
+        dfma    $b_4,$e_8,$k_half_double                # 1032e
+        dfma    $disc_4,$e_8,$e_8                       # 1039e
 
-        fnms    $e_17,$e_8,$y_2,$k_one                  # 1251e
-        fesd    $y_9,$w                                 # 1252e
+        dfs     $lx,$cx,$lx_6                           # 1046e
+        frds    $x_3,$disc_4                            # 1053e
 
-        fesd    $y_6,$w_10                              # 1259e
-        dfm     $s_2,$disc_5,$y_3                       # 1266e
+        ori     $e_9,$disc_4,0                          # 1060e
+        shlqbii $control_4,$control_4,4                 # 1060o
 
-        dfm     $s_3,$disc_4,$y_6                       # 1273e
-        dfm     $s_4,$disc_2,$y_9                       # 1280e
+        ori     $cc_4,$disc_4,0                         # 1061e
+        frest   $y_8,$x_6                               # 1061o
 
-        dfnms   $e,$s_3,$s_3                            # 1287e
-        fma     $w_11,$e_6,$w_6,$y                      # 1294e
+        fesd    $ly,$ly_7                               # 1062e
+        lnop                                            # 1069o pairing
 
-        fm      $w_12,$y_8,$k_half                      # 1295e
-        a       $y_9,$y_9,$k_halve                      # 1296e
+        fi      $y_8,$x_6,$y_8                          # 1070e
+        lqx     $control_4,$control_4,$a_controls       # 1070o
 
-        dfm     $s_5,$disc_7,$y_5                       # 1297e
-        fesd    $y_10,$w_11                             # 1304e
+        dfms    $cc_4,$b_4,$b_4                         # 1071e
+        lnop                                            # 1078o pairing
 
-        fma     $w_12,$e_14,$w_12,$y_8                  # 1311e
-        dfnms   $e_4,$s_5,$s_5                          # 1312e
+        fnms    $e,$x_6,$y_8,$k_one                     # 1079e
+        shufb   $t_best,$t_best,$t_5,$control_4         # 1079o
 
-        dfm     $s_6,$disc_6,$y_10                      # 1319e
-        fm      $w_2,$y_2,$k_half                       # 1326e
+        fa      $near_3,$x_3,$k_tiny                    # 1080e
+        shufb   $nearest,$nearest,$object,$control_4    # 1080o
 
-        fesd    $y,$w_12                                # 1327e
-        fma     $w_13,$e_17,$w_2,$y_2                   # 1334e
+        dfs     $ly,$cy,$ly                             # 1081e
+        lnop                                            # 1088o pairing
 
-        dfm     $s_7,$disc_9,$y_4                       # 1335e
-        fesd    $y_7,$w_13                              # 1342e
+        fma     $w,$e,$y_8,$y_8                         # 1089e
+        stqd    $t_best,384($a_packet)                  # 1089o
 
-        dfnms   $e_3,$s_7,$s_7                          # 1349e
-        dfm     $s_8,$disc_8,$y                         # 1356e
+        ori     $e,$cc_4,0                              # 1090e
+        stqd    $nearest,448($a_packet)                 # 1090o
 
-        dfm     $s_9,$disc_3,$y_7                       # 1363e
-        dfnms   $e_2,$s_6,$s_6                          # 1370e
+        selb    $s_5,$whole,$cc_4,$m_by_side            # 1091e
+        frsqest $y_6,$near_3                            # 1091o
 
-        a       $y,$y,$k_halve                          # 1377e
-        a       $y_6,$y_6,$k_halve                      # 1378e
+        ori     $disc_10,$near_3,0                      # 1092e
+        lqd     $dy_3,304($a_packet)                    # 1092o
 
-        a       $y_3,$y_3,$k_halve                      # 1379e
-        dfnms   $e_5,$s_2,$s_2                          # 1380e
+        xor     $s_5,$s_5,$b_4                          # 1093e
+        lqd     $dz_3,368($a_packet)                    # 1093o
 
-        a       $y_4,$y_4,$k_halve                      # 1387e
-        dfma    $s_3,$e,$y_6                            # 1388e
+        fesd    $lz_7,$lz_5                             # 1094e
+        fesd    $y_9,$w                                 # 1101e
 
-        dfma    $s_2,$e_5,$y_3                          # 1395e
-        selb    $s_10,$s_3,$b_5,$m_sign                 # 1402e
+        fi      $y_6,$near_3,$y_6                       # 1108e
+        shufb   $disc_10,$disc_even_2,$disc_10,$m_rows  # 1108o
 
-        a       $y_6,$y_7,$k_halve                      # 1403e
-        ori     $e,$disc_2,0                            # 1404e
+        rotmai  $s_5,$s_5,-31                           # 1109e
+        rotqbyi $lx_7,$ox_4,0                           # 1109o
 
-        dfa     $q_2,$b_5,$s_10                         # 1405e
-        dfnms   $e,$s_4,$s_4                            # 1412e
+        dfs     $lz_7,$cz,$lz_7                         # 1110e
+        dfm     $t_6,$cc_3,$y_9                         # 1117e
 
-        selb    $s_11,$s_2,$b_6,$m_sign                 # 1419e
-        a       $y_7,$y_10,$k_halve                     # 1420e
+        fm      $e_10,$near_3,$y_6                      # 1124e
+        shufb   $s_5,$s_5,$s_5,$m_high                  # 1124o
 
-        dfa     $q,$b_6,$s_11                           # 1421e
-        dfma    $s_4,$e,$y_9                            # 1428e
+        fm      $w,$y_6,$k_half                         # 1125e
+        rotqbyi $ly_9,$oy_3,0                           # 1125o
 
-        frds    $x_4,$q                                 # 1435e
-        dfma    $s_6,$e_2,$y_7                          # 1442e
+        fesd    $ex_4,$ex_4                             # 1126e
+        dfnms   $e_6,$q_2,$t_6                          # 1133e
 
-        a       $y_5,$y_5,$k_halve                      # 1449e
-        dfnms   $e_7,$s_9,$s_9                          # 1450e
+        fnms    $e_10,$e_10,$y_6,$k_one                 # 1140e
+        rotqbyi $lz_8,$oz_3,0                           # 1140o
 
-        selb    $s_12,$s_6,$b_7,$m_sign                 # 1457e
-        dfma    $s_5,$e_4,$y_5                          # 1458e
+        fesd    $ey_3,$ey_3                             # 1141e
+        dfma    $t_6,$e_6,$y_9                          # 1148e
 
-        dfa     $q_3,$b_7,$s_12                         # 1465e
-        selb    $s_13,$s_5,$b_3,$m_sign                 # 1472e
+        fma     $w,$e_10,$w,$y_6                        # 1155e
+        rotqbyi $ex,$dx_3,0                             # 1155o
 
-        dfnms   $e_13,$s_8,$s_8                         # 1473e
-        dfa     $q_4,$b_3,$s_13                         # 1480e
+        fesd    $ez_5,$ez_3                             # 1156e
+        lnop                                            # 1163o pairing
 
-        dfma    $s_8,$e_13,$y                           # 1487e
-        dfma    $s_7,$e_3,$y_4                          # 1494e
+        selb    $t_7,$t_6,$q_2,$s_3                     # 1164e
+        rotqbyi $ey_5,$dy_3,0                           # 1164o
 
-        fa      $x_8,$x_4,$k_tiny                       # 1501e
-        frds    $x_4,$q_2                               # 1502e
+        fesd    $y_10,$w                                # 1165e
+        frds    $t_even_3,$t_7                          # 1172e
 
-        selb    $s_12,$s_7,$b_2,$m_sign                 # 1509e
-        frest   $y,$x_8                                 # 1509o
+        dfm     $s_6,$disc_4,$y_10                      # 1179e
+        lnop                                            # 1186o pairing
 
-        selb    $s_7,$s_4,$b,$m_sign                    # 1510e
-        dfa     $q_5,$b_2,$s_12                         # 1511e
+        a       $y_10,$y_10,$k_halve                    # 1187e
+        rotqbyi $ez_6,$dz_3,0                           # 1187o
 
-        dfa     $q_6,$b,$s_7                            # 1518e
-        frds    $x_9,$q_5                               # 1525e
+        dfm     $b_5,$lx,$ex_4                          # 1188e
+        dfnms   $e_9,$s_6,$s_6                          # 1195e
 
-        frds    $x_10,$q_6                              # 1532e
-        dfma    $s_9,$e_7,$y_6                          # 1539e
+        dfma    $b_5,$ly,$ey_3                          # 1202e
+        dfma    $s_6,$e_9,$y_10                         # 1209e
 
-        fa      $x_11,$x_10,$k_tiny                     # 1546e
-        selb    $s_14,$s_8,$b_8,$m_sign                 # 1547e
+        dfma    $b_5,$lz_7,$ez_5                        # 1216e
+        lnop                                            # 1223o pairing
 
-        fi      $y,$x_8,$y                              # 1548e
-        dfa     $q_7,$b_8,$s_14                         # 1549e
+        selb    $s_6,$s_6,$b_4,$m_sign                  # 1224e
+        rotqbyi $lx_8,$ox_4,4                           # 1224o
 
-        fnms    $e,$x_8,$y,$k_one                       # 1556e
-        frest   $y_4,$x_11                              # 1556o
+        fesd    $lx_9,$lx_5                             # 1225e
+        dfa     $q_3,$b_4,$s_6                          # 1232e
 
-        selb    $s_15,$s_9,$b_4,$m_sign                 # 1557e
-        frds    $x_12,$q_3                              # 1558e
+        dfnms   $lx,$b_5,$ex_4                          # 1239e
+        frds    $x_2,$q_3                               # 1246e
 
-        dfa     $q_8,$b_4,$s_15                         # 1565e
-        fi      $y_4,$x_11,$y_4                         # 1572e
+        dfnms   $ly,$b_5,$ey_3                          # 1253e
+        lnop                                            # 1260o pairing
 
-        frds    $x_13,$q_7                              # 1573e
-        frds    $x_14,$q_8                              # 1580e
+        fa      $x_2,$x_2,$k_tiny                       # 1261e
+        rotqbyi $ly_10,$oy_3,4                          # 1261o
 
-        fa      $x_12,$x_12,$k_tiny                     # 1587e
-        fma     $w_12,$e,$y,$y                          # 1588e
+        dfnms   $lz_7,$b_5,$ez_5                        # 1262e
+        dfm     $e_11,$lx,$ex_4                         # 1269e
 
-        frds    $x_15,$q_4                              # 1589e
-        lnop                                            # 1596o pairing
+        dfnms   $disc_5,$lx,$lx                         # 1276e
+        dfma    $e_11,$ly,$ey_3                         # 1283e
 
-        fa      $x_9,$x_9,$k_tiny                       # 1597e
-        frest   $y_11,$x_12                             # 1597o
+        dfnms   $disc_5,$ly,$ly                         # 1290e
+        dfma    $e_11,$lz_7,$ez_5                       # 1297e
 
-        fesd    $y,$w_12                                # 1598e
-        lnop                                            # 1605o pairing
+        dfnms   $disc_5,$lz_7,$lz_7                     # 1304e
+        dfma    $b_5,$e_11,$k_half_double               # 1311e
 
-        fi      $y_11,$x_12,$y_11                       # 1606e
-        frest   $y_12,$x_9                              # 1606o
+        dfma    $disc_5,$e_11,$e_11                     # 1318e
+        dfs     $lx,$cx,$lx_9                           # 1325e
 
-        ori     $cc_2,$disc_3,0                         # 1607e
-        fa      $x_15,$x_15,$k_tiny                     # 1608e
+        frds    $x_3,$disc_5                            # 1332e
+        lnop                                            # 1339o pairing
 
-        fa      $x_4,$x_4,$k_tiny                       # 1609e
-        fi      $y_12,$x_9,$y_12                        # 1610e
+        ori     $e_9,$disc_5,0                          # 1340e
+        frest   $y_11,$x_2                              # 1340o
 
-        dfms    $cc_2,$b_4,$b_4                         # 1611e
-        lnop                                            # 1618o pairing
+        ori     $cc_5,$disc_5,0                         # 1341e
+        rotqbyi $lz_9,$oz_3,4                           # 1341o
 
-        fnms    $e_6,$x_9,$y_12,$k_one                  # 1619e
-        frest   $y_13,$x_4                              # 1619o
+        fesd    $ly_8,$ly_8                             # 1342e
+        lnop                                            # 1349o pairing
 
-        fnms    $e_7,$x_12,$y_11,$k_one                 # 1620e
-        frest   $y_14,$x_15                             # 1620o
+        fi      $y_11,$x_2,$y_11                        # 1350e
+        rotqbyi $ex_6,$dx_3,4                           # 1350o
 
-        fa      $x_14,$x_14,$k_tiny                     # 1621e
-        ori     $cc_3,$disc_8,0                         # 1622e
+        dfms    $cc_5,$b_5,$b_5                         # 1351e
+        lnop                                            # 1358o pairing
 
-        fa      $x_13,$x_13,$k_tiny                     # 1623e
-        fi      $y_13,$x_4,$y_13                        # 1624e
+        fnms    $e_4,$x_2,$y_11,$k_one                  # 1359e
+        rotqbyi $ey_6,$dy_3,4                           # 1359o
 
-        ori     $cc_4,$disc_2,0                         # 1625e
-        fma     $w_11,$e_6,$y_12,$y_12                  # 1626e
+        fa      $near_3,$x_3,$k_tiny                    # 1360e
+        rotqbyi $ez_7,$dz_3,4                           # 1360o
 
-        fnms    $e_16,$x_11,$y_4,$k_one                 # 1627e
-        frest   $y_12,$x_14                             # 1627o
+        dfs     $ly_8,$cy,$ly_8                         # 1361e
+        lnop                                            # 1368o pairing
 
-        fi      $y_14,$x_15,$y_14                       # 1628e
-        lnop                                            # 1628o pairing
+        fma     $w_7,$e_4,$y_11,$y_11                   # 1369e
+        frsqest $y_12,$near_3                           # 1369o
 
-        ori     $cc_5,$disc_5,0                         # 1629e
-        frest   $y_15,$x_13                             # 1629o
+        ori     $e_11,$cc_5,0                           # 1370e
+        lqd     $t_best_4,432($a_packet)                # 1370o
 
-        dfms    $cc_4,$b,$b                             # 1630e
-        fma     $w_8,$e_16,$y_4,$y_4                    # 1637e
+        selb    $s_7,$whole,$cc_5,$m_by_side            # 1371e
+        lqd     $nearest_4,496($a_packet)               # 1371o
 
-        dfms    $cc_5,$b_6,$b_6                         # 1638e
-        fi      $y_6,$x_14,$y_12                        # 1645e
+        ori     $disc_even_3,$near_3,0                  # 1372e
+        fi      $y_12,$near_3,$y_12                     # 1373e
 
-        fi      $y_12,$x_13,$y_15                       # 1646e
-        fesd    $y_4,$w_8                               # 1647e
+        xor     $s_7,$s_7,$b_5                          # 1374e
+        fesd    $y_11,$w_7                              # 1375e
 
-        fnms    $e_18,$x_13,$y_12,$k_one                # 1654e
-        fnms    $e_5,$x_4,$y_13,$k_one                  # 1655e
+        fm      $e_10,$near_3,$y_12                     # 1382e
+        fm      $w_5,$y_12,$k_half                      # 1383e
 
-        fnms    $e_19,$x_14,$y_6,$k_one                 # 1656e
-        fesd    $y_10,$w_11                             # 1657e
+        rotmai  $s_7,$s_7,-31                           # 1384e
+        fesd    $lz_6,$lz_6                             # 1385e
 
-        dfm     $t_2,$cc_4,$y_4                         # 1664e
-        fma     $w_10,$e_19,$y_6,$y_6                   # 1671e
+        dfm     $t_8,$cc_4,$y_11                        # 1392e
+        lnop                                            # 1399o pairing
 
-        ori     $cc_6,$disc_6,0                         # 1672e
-        fnms    $e,$x_15,$y_14,$k_one                   # 1673e
+        fnms    $e_10,$e_10,$y_12,$k_one                # 1400e
+        shufb   $s_7,$s_7,$s_7,$m_high                  # 1400o
 
-        dfms    $cc_6,$b_7,$b_7                         # 1674e
-        fma     $w_14,$e,$y_14,$y_14                    # 1681e
+        dfs     $lz_6,$cz,$lz_6                         # 1401e
+        dfnms   $e,$q_3,$t_8                            # 1408e
 
-        fma     $w_15,$e_7,$y_11,$y_11                  # 1682e
-        ori     $cc_7,$disc_7,0                         # 1683e
+        fma     $w_8,$e_10,$w_5,$y_12                   # 1415e
+        fesd    $ex_5,$ex_5                             # 1416e
 
-        ori     $e_11,$cc_4,0                           # 1684e
-        dfms    $cc_7,$b_3,$b_3                         # 1685e
+        dfma    $t_8,$e,$y_11                           # 1423e
+        fesd    $y_13,$w_8                              # 1430e
 
-        fesd    $y_16,$w_15                             # 1692e
-        fesd    $y_17,$w_14                             # 1699e
+        selb    $t_9,$t_8,$q_3,$s_5                     # 1437e
+        fesd    $ey_4,$ey_4                             # 1438e
 
-        ori     $e_13,$cc_6,0                           # 1706e
-        fesd    $y_6,$w_10                              # 1707e
+        frds    $t_9,$t_9                               # 1445e
+        dfm     $s_8,$disc_5,$y_13                      # 1452e
 
-        dfm     $t_3,$cc_7,$y_17                        # 1714e
-        fma     $w_16,$e_5,$y_13,$y_13                  # 1721e
+        a       $y_13,$y_13,$k_halve                    # 1459e
+        shufb   $t_7,$t_even_3,$t_9,$m_rows             # 1459o
 
-        ori     $cc_8,$disc_9,0                         # 1722e
-        ori     $cc_9,$disc_4,0                         # 1723e
+        fesd    $ez_8,$ez_4                             # 1460e
+        cgti    $ahead_3,$t_7,0                         # 1467e
 
-        dfms    $cc_8,$b_2,$b_2                         # 1724e
-        dfms    $cc_9,$b_5,$b_5                         # 1731e
+        cgt     $control_5,$t_best_2,$t_7               # 1468e
+        dfnms   $e_9,$s_8,$s_8                          # 1469e
 
-        fesd    $y_18,$w_16                             # 1738e
-        ori     $e_20,$cc_9,0                           # 1745e
+        and     $control_4,$control_5,$ahead_3          # 1476e
+        dfm     $b,$lx,$ex_5                            # 1477e
 
-        dfm     $t_4,$cc_8,$y_10                        # 1746e
-        dfm     $t_5,$cc_9,$y_18                        # 1753e
+        andc    $control_4,$control_4,$disc_10          # 1484e
+        dfma    $s_8,$e_9,$y_13                         # 1485e
 
-        ori     $e_21,$cc_8,0                           # 1760e
-        fma     $w,$e_18,$y_12,$y_12                    # 1761e
+        dfma    $b,$ly_8,$ey_4                          # 1492e
+        lnop                                            # 1499o pairing
 
-        dfm     $t_6,$cc_5,$y                           # 1762e
-        fesd    $y_9,$w                                 # 1769e
+        selb    $s,$s_8,$b_5,$m_sign                    # 1500e
+        rotqbii $control_6,$control_4,1                 # 1500o
 
-        dfm     $t_7,$cc_6,$y_16                        # 1776e
-        dfnms   $e_21,$q_5,$t_4                         # 1783e
+        fesd    $lx_2,$lx_7                             # 1501e
+        dfa     $q_4,$b_5,$s                            # 1508e
 
-        dfnms   $e_20,$q_2,$t_5                         # 1790e
-        dfma    $t_4,$e_21,$y_10                        # 1797e
+        dfma    $b,$lz_6,$ez_8                          # 1515e
+        frds    $x_7,$q_4                               # 1522e
 
-        dfnms   $e_11,$q_6,$t_2                         # 1804e
-        dfma    $t_5,$e_20,$y_18                        # 1811e
+        dfnms   $lx,$b,$ex_5                            # 1529e
+        lnop                                            # 1536o pairing
 
-        dfms    $cc_3,$b_8,$b_8                         # 1818e
-        ori     $e_5,$cc_7,0                            # 1825e
+        fa      $x_7,$x_7,$k_tiny                       # 1537e
+        gb      $control,$control_6                     # 1537o
 
-        ori     $e_6,$cc_2,0                            # 1826e
-        dfnms   $e_5,$q_4,$t_3                          # 1827e
+        dfnms   $ly_8,$b,$ey_4                          # 1538e
+        dfnms   $lz_6,$b,$ez_8                          # 1545e
 
-        dfm     $t_8,$cc_3,$y_9                         # 1834e
-        ori     $e_21,$cc_3,0                           # 1841e
+        dfm     $e,$lx,$ex_5                            # 1552e
+        dfnms   $disc_6,$lx,$lx                         # 1559e
 
-        dfma    $t_3,$e_5,$y_17                         # 1842e
-        dfnms   $e_13,$q_3,$t_7                         # 1849e
+        dfma    $e,$ly_8,$ey_4                          # 1566e
+        dfnms   $disc_6,$ly_8,$ly_8                     # 1573e
 
-        ori     $e,$cc_5,0                              # 1856e
-        rotmi   $sides,$sides,-26                       # 1857e
+        dfma    $e,$lz_6,$ez_8                          # 1580e
+        dfnms   $disc_6,$lz_6,$lz_6                     # 1587e
 
-        dfnms   $e,$q,$t_6                              # 1858e
-        dfma    $t_7,$e_13,$y_16                        # 1865e
+        dfma    $b,$e,$k_half_double                    # 1594e
+        dfma    $disc_6,$e,$e                           # 1601e
 
-        dfm     $t_9,$cc_2,$y_6                         # 1872e
-        dfma    $t_6,$e,$y                              # 1879e
+        dfs     $lx,$cx,$lx_2                           # 1608e
+        frds    $x_8,$disc_6                            # 1615e
 
-        dfnms   $e_6,$q_8,$t_9                          # 1886e
-        dfma    $t_2,$e_11,$y_4                         # 1893e
+        ori     $e,$disc_6,0                            # 1622e
+        shlqbii $control,$control,4                     # 1622o
 
-        dfma    $t_9,$e_6,$y_6                          # 1900e
-        lnop                                            # 1907o pairing
+        ori     $cc,$disc_6,0                           # 1623e
+        frest   $y_14,$x_7                              # 1623o
 
-        ori     $disc_even_2,$near_3,0                  # 1908e
-        lqx     $m_by_side_2,$a_by_side,$sides          # 1908o
+        fesd    $ly_11,$ly_9                            # 1624e
+        lnop                                            # 1631o pairing
 
-        ori     $disc_10,$near_5,0                      # 1909e
-        lqx     $whole_2,$a_whole,$sides                # 1909o
+        fi      $y_14,$x_7,$y_14                        # 1632e
+        lqx     $control,$control,$a_controls           # 1632o
 
-        ori     $disc_even_3,$near_6,0                  # 1910e
-        lqx     $half_2,$a_half,$sides                  # 1910o
+        dfms    $cc,$b,$b                               # 1633e
+        lnop                                            # 1640o pairing
 
-        dfnms   $e_21,$q_7,$t_8                         # 1911e
-        lnop                                            # 1918o pairing
+        fnms    $e_10,$x_7,$y_14,$k_one                 # 1641e
+        shufb   $t_best_5,$t_best_2,$t_7,$control       # 1641o
 
-        selb    $s_16,$whole_2,$cc_9,$m_by_side_2       # 1919e
-        shufb   $disc_11,$disc_even_2,$disc_10,$m_rows  # 1919o
+        fa      $near,$x_8,$k_tiny                      # 1642e
+        shufb   $nearest,$nearest_2,$object,$control    # 1642o
 
-        selb    $s_17,$whole_2,$cc_4,$m_by_side_2       # 1920e
-        selb    $s_18,$whole_2,$cc_5,$m_by_side_2       # 1921e
+        dfs     $ly_12,$cy,$ly_11                       # 1643e
+        lnop                                            # 1650o pairing
 
-        selb    $s_19,$whole_2,$cc_3,$m_by_side_2       # 1922e
-        xor     $s_18,$s_18,$b_6                        # 1923e
+        fma     $w_9,$e_10,$y_14,$y_14                  # 1651e
+        stqd    $t_best_5,400($a_packet)                # 1651o
 
-        selb    $s_20,$whole_2,$cc_8,$m_by_side_2       # 1924e
-        xor     $s_17,$s_17,$b                          # 1925e
+        ori     $e_12,$cc,0                             # 1652e
+        stqd    $nearest,464($a_packet)                 # 1652o
 
-        selb    $s_21,$whole_2,$cc_7,$m_by_side_2       # 1926e
-        rotmai  $s_17,$s_17,-31                         # 1927e
+        selb    $s,$whole,$cc,$m_by_side                # 1653e
+        frsqest $y_15,$near                             # 1653o
 
-        xor     $s_22,$s_21,$b_3                        # 1928e
-        rotmai  $s_18,$s_18,-31                         # 1929e
+        ori     $disc_11,$near,0                        # 1654e
+        xor     $s,$s,$b                                # 1655e
 
-        rotmai  $s_22,$s_22,-31                         # 1930e
-        lnop                                            # 1930o pairing
+        fesd    $lz_10,$lz_8                            # 1656e
+        fesd    $y_14,$w_9                              # 1663e
 
-        xor     $s_21,$s_19,$b_8                        # 1931e
-        shufb   $s_17,$s_17,$s_17,$m_high               # 1931o
+        fi      $y_15,$near,$y_15                       # 1670e
+        shufb   $disc_11,$disc_even_3,$disc_11,$m_rows  # 1670o
 
-        dfma    $t_8,$e_21,$y_9                         # 1932e
-        lnop                                            # 1939o pairing
+        rotmai  $s,$s,-31                               # 1671e
+        dfs     $lz_10,$cz,$lz_10                       # 1672e
 
-        selb    $t_10,$t_2,$q_6,$s_17                   # 1940e
-        shufb   $s_7,$s_18,$s_18,$m_high                # 1940o
+        dfm     $t,$cc_5,$y_14                          # 1679e
+        lnop                                            # 1686o pairing
 
-        xor     $s_23,$s_20,$b_2                        # 1941e
-        shufb   $s_22,$s_22,$s_22,$m_high               # 1941o
+        fm      $e_9,$near,$y_15                        # 1687e
+        shufb   $s,$s,$s,$m_high                        # 1687o
 
-        xor     $s_16,$s_16,$b_5                        # 1942e
-        rotmai  $s_23,$s_23,-31                         # 1943e
+        fm      $w_10,$y_15,$k_half                     # 1688e
+        fesd    $ex,$ex                                 # 1689e
 
-        selb    $t_11,$t_6,$q,$s_7                      # 1944e
-        selb    $s_18,$whole_2,$cc_6,$m_by_side_2       # 1945e
+        dfnms   $e_11,$q_4,$t                           # 1696e
+        fnms    $e_9,$e_9,$y_15,$k_one                  # 1703e
 
-        frds    $t_even,$t_11                           # 1946e
-        lnop                                            # 1953o pairing
+        fesd    $ey,$ey_5                               # 1704e
+        dfma    $t,$e_11,$y_14                          # 1711e
 
-        xor     $s_7,$s_18,$b_7                         # 1954e
-        shufb   $s_23,$s_23,$s_23,$m_high               # 1954o
+        fma     $w_9,$e_9,$w_10,$y_15                   # 1718e
+        fesd    $ez,$ez_6                               # 1719e
 
-        rotmai  $s_16,$s_16,-31                         # 1955e
-        rotmai  $s_7,$s_7,-31                           # 1956e
+        selb    $t,$t,$q_4,$s_7                         # 1726e
+        fesd    $y_14,$w_9                              # 1727e
 
-        frds    $t,$t_10                                # 1957e
-        lnop                                            # 1964o pairing
+        frds    $t_even,$t                              # 1734e
+        dfm     $s_8,$disc_6,$y_14                      # 1741e
 
-        selb    $t_10,$t_4,$q_5,$s_23                   # 1965e
-        shufb   $s_23,$s_7,$s_7,$m_high                 # 1965o
+        a       $y_14,$y_14,$k_halve                    # 1748e
+        dfm     $b_6,$lx,$ex                            # 1749e
 
-        selb    $s_24,$whole_2,$cc_2,$m_by_side_2       # 1966e
-        shufb   $s_25,$s_16,$s_16,$m_high               # 1966o
+        dfnms   $e,$s_8,$s_8                            # 1756e
+        dfma    $b_6,$ly_12,$ey                         # 1763e
 
-        frds    $t_10,$t_10                             # 1967e
-        xor     $s_24,$s_24,$b_4                        # 1974e
+        dfma    $s_8,$e,$y_14                           # 1770e
+        dfma    $b_6,$lz_10,$ez                         # 1777e
 
-        selb    $t_12,$t_7,$q_3,$s_23                   # 1975e
-        selb    $t_13,$t_5,$q_2,$s_25                   # 1976e
+        selb    $s_6,$s_8,$b,$m_sign                    # 1784e
+        fesd    $lx_10,$lx_8                            # 1785e
 
-        frds    $t_12,$t_12                             # 1977e
-        frds    $t_even_2,$t_13                         # 1984e
+        dfa     $q_3,$b,$s_6                            # 1792e
+        dfnms   $lx,$b_6,$ex                            # 1799e
 
-        ori     $disc_even,$near_4,0                    # 1991e
-        shufb   $t_14,$t_even,$t_12,$m_rows             # 1991o
+        frds    $x_5,$q_3                               # 1806e
+        dfnms   $ly_12,$b_6,$ey                         # 1813e
 
-        ori     $disc_12,$near,0                        # 1992e
-        rotmai  $s_24,$s_24,-31                         # 1993e
+        fa      $x_5,$x_5,$k_tiny                       # 1820e
+        dfnms   $lz_10,$b_6,$ez                         # 1821e
 
-        selb    $t_15,$t_3,$q_4,$s_22                   # 1994e
-        shufb   $disc_13,$disc_even_3,$disc_12,$m_rows  # 1994o
+        dfm     $e,$lx,$ex                              # 1828e
+        dfnms   $disc_7,$lx,$lx                         # 1835e
 
-        cgt     $control,$t_best_4,$t_14                # 1995e
-        frds    $t_even,$t_15                           # 1996e
+        dfma    $e,$ly_12,$ey                           # 1842e
+        dfnms   $disc_7,$ly_12,$ly_12                   # 1849e
 
-        cgti    $ahead,$t_14,0                          # 2003e
-        shufb   $s_24,$s_24,$s_24,$m_high               # 2003o
+        dfma    $e,$lz_10,$ez                           # 1856e
+        dfnms   $disc_7,$lz_10,$lz_10                   # 1863e
 
-        ori     $disc_even_4,$near_7,0                  # 2004e
-        shufb   $t,$t_even_2,$t,$m_rows                 # 2004o
+        dfma    $b_6,$e,$k_half_double                  # 1870e
+        dfma    $disc_7,$e,$e                           # 1877e
 
-        rotmai  $s_10,$s_21,-31                         # 2005e
-        ori     $disc_12,$near_2,0                      # 2006e
+        dfs     $lx,$cx,$lx_10                          # 1884e
+        frds    $x_8,$disc_7                            # 1891e
 
-        selb    $t_16,$t_9,$q_8,$s_24                   # 2007e
-        lnop                                            # 2007o pairing
+        ori     $e,$disc_7,0                            # 1898e
+        frest   $y_15,$x_5                              # 1898o
 
-        cgt     $control_2,$t_best_5,$t                 # 2008e
-        shufb   $disc_12,$disc_even,$disc_12,$m_rows    # 2008o
+        ori     $cc_6,$disc_7,0                         # 1899e
+        fesd    $ly,$ly_10                              # 1900e
 
-        cgti    $ahead_2,$t,0                           # 2009e
-        shufb   $t_10,$t_even,$t_10,$m_rows             # 2009o
+        fi      $y_15,$x_5,$y_15                        # 1907e
+        dfms    $cc_6,$b_6,$b_6                         # 1908e
 
-        frds    $t_even,$t_16                           # 2010e
-        lnop                                            # 2017o pairing
+        fnms    $e_2,$x_5,$y_15,$k_one                  # 1915e
+        fa      $near,$x_8,$k_tiny                      # 1916e
 
-        and     $control_3,$control_2,$ahead_2          # 2018e
-        shufb   $s_10,$s_10,$s_10,$m_high               # 2018o
+        dfs     $ly,$cy,$ly                             # 1917e
+        lnop                                            # 1924o pairing
 
-        cgti    $ahead_3,$t_10,0                        # 2019e
-        andc    $control_4,$control_3,$disc_13          # 2020e
+        fma     $w,$e_2,$y_15,$y_15                     # 1925e
+        frsqest $y_5,$near                              # 1925o
 
-        cgt     $control_3,$t_best_2,$t_10              # 2021e
-        lnop                                            # 2021o pairing
+        ori     $e_13,$cc_6,0                           # 1926e
+        selb    $s_9,$whole,$cc_6,$m_by_side            # 1927e
 
-        selb    $t_13,$t_8,$q_7,$s_10                   # 2022e
-        rotqbii $control_4,$control_4,1                 # 2022o
+        ori     $disc_even,$near,0                      # 1928e
+        fi      $y_5,$near,$y_5                         # 1929e
 
-        and     $control_3,$control_3,$ahead_3          # 2023e
-        frds    $t_13,$t_13                             # 2024e
+        xor     $s_9,$s_9,$b_6                          # 1930e
+        fesd    $y_4,$w                                 # 1931e
 
-        andc    $control_3,$control_3,$disc_12          # 2031e
-        gb      $control_4,$control_4                   # 2031o
+        fm      $e_7,$near,$y_5                         # 1938e
+        fm      $w,$y_5,$k_half                         # 1939e
 
-        and     $control,$control,$ahead                # 2032e
-        lnop                                            # 2032o pairing
+        rotmai  $s_9,$s_9,-31                           # 1940e
+        fesd    $lz_11,$lz_9                            # 1941e
 
-        ori     $disc_14,$near_8,0                      # 2033e
-        rotqbii $control_3,$control_3,1                 # 2033o
+        dfm     $t,$cc,$y_4                             # 1948e
+        lnop                                            # 1955o pairing
 
-        andc    $control,$control,$disc_11              # 2034e
-        shlqbii $control_4,$control_4,4                 # 2035o
+        fnms    $e_7,$e_7,$y_5,$k_one                   # 1956e
+        shufb   $s_9,$s_9,$s_9,$m_high                  # 1956o
 
-        rotqbii $control,$control,1                     # 2036o
-        gb      $control_5,$control_3                   # 2037o
+        dfs     $lz_12,$cz,$lz_11                       # 1957e
+        dfnms   $e_12,$q_3,$t                           # 1964e
 
-        shufb   $t_13,$t_even,$t_13,$m_rows             # 2038o
-        lqx     $control_4,$control_4,$a_controls       # 2039o
+        fma     $w,$e_7,$w,$y_5                         # 1971e
+        fesd    $ex,$ex_6                               # 1972e
 
-        gb      $control,$control                       # 2040o
-        shlqbii $control_5,$control_5,4                 # 2041o
+        dfma    $t,$e_12,$y_4                           # 1979e
+        fesd    $y_5,$w                                 # 1986e
 
-        cgti    $ahead,$t_13,0                          # 2042e
-        shufb   $disc_14,$disc_even_4,$disc_14,$m_rows  # 2042o
+        selb    $t,$t,$q_3,$s                           # 1993e
+        fesd    $ey,$ey_6                               # 1994e
 
-        cgt     $control_3,$t_best_3,$t_13              # 2043e
-        shlqbii $control,$control,4                     # 2044o
+        frds    $t,$t                                   # 2001e
+        dfm     $s,$disc_7,$y_5                         # 2008e
 
-        and     $control_3,$control_3,$ahead            # 2045e
-        lqx     $control_5,$control_5,$a_controls       # 2045o
+        a       $y_5,$y_5,$k_halve                      # 2015e
+        shufb   $t,$t_even,$t,$m_rows                   # 2015o
 
-        nop     $127                                    # 2046e pairing
-        shufb   $nearest_5,$nearest_4,$object,$control_4 # 2046o
+        fesd    $ez,$ez_7                               # 2016e
+        cgti    $ahead_4,$t,0                           # 2023e
 
-        andc    $control_6,$control_3,$disc_14          # 2047e
-        shufb   $t_best,$t_best_5,$t,$control_4         # 2047o
+        cgt     $control,$t_best_3,$t                   # 2024e
+        dfnms   $e,$s,$s                                # 2025e
 
-        lqx     $control,$control,$a_controls           # 2048o
-        rotqbii $control_4,$control_6,1                 # 2049o
+        and     $control,$control,$ahead_4              # 2032e
+        dfm     $b,$lx,$ex                              # 2033e
 
-        stqd    $nearest_5,480($a_packet)               # 2050o
-        shufb   $nearest,$nearest,$object,$control_5    # 2051o
+        andc    $control,$control,$disc_11              # 2040e
+        dfma    $s,$e,$y_5                              # 2041e
 
-        shufb   $t_best_6,$t_best_2,$t_10,$control_5    # 2052o
-        gb      $control_4,$control_4                   # 2053o
+        dfma    $b,$ly,$ey                              # 2048e
+        lnop                                            # 2055o pairing
 
-        shufb   $t_best_7,$t_best_4,$t_14,$control      # 2054o
-        stqd    $nearest,464($a_packet)                 # 2055o
+        selb    $s,$s,$b_6,$m_sign                      # 2056e
+        rotqbii $control,$control,1                     # 2056o
 
-        stqd    $t_best_6,400($a_packet)                # 2056o
-        shufb   $nearest,$nearest_2,$object,$control    # 2057o
+        dfa     $q,$b_6,$s                              # 2058e
+        dfma    $b,$lz_12,$ez                           # 2065e
 
-        stqd    $t_best_7,384($a_packet)                # 2058o
-        stqd    $t_best,416($a_packet)                  # 2059o
+        frds    $x,$q                                   # 2072e
+        dfnms   $lx,$b,$ex                              # 2079e
 
-        shlqbii $control,$control_4,4                   # 2060o
-        stqd    $nearest,448($a_packet)                 # 2061o
+        fa      $x,$x,$k_tiny                           # 2086e
+        gb      $control,$control                       # 2086o
 
-        hbrr    next_ball_back,next_ball                # 2062o hint
-        lqx     $control,$control,$a_controls           # 2064o
+        dfnms   $ly,$b,$ey                              # 2087e
+        dfnms   $lz_12,$b,$ez                           # 2094e
 
-        shufb   $t_best,$t_best_3,$t_13,$control        # 2070o
-        shufb   $nearest,$nearest_3,$object,$control    # 2071o
+        dfm     $e,$lx,$ex                              # 2101e
+        dfnms   $disc_8,$lx,$lx                         # 2108e
 
-        stqd    $t_best,432($a_packet)                  # 2074o
-        stqd    $nearest,496($a_packet)                 # 2075o
+        dfma    $e,$ly,$ey                              # 2115e
+        dfnms   $disc_8,$ly,$ly                         # 2122e
 
-        nop     $127                                    # 2076e pairing
+        dfma    $e,$lz_12,$ez                           # 2129e
+        dfnms   $disc_8,$lz_12,$lz_12                   # 2136e
+
+        dfma    $b,$e,$k_half_double                    # 2143e
+        dfma    $disc_8,$e,$e                           # 2150e
+
+        shlqbii $control,$control,4                     # 2157o
+        frest   $y_5,$x                                 # 2158o
+
+        lqx     $control,$control,$a_controls           # 2161o
+        fi      $y_5,$x,$y_5                            # 2162e
+
+        frds    $x_9,$disc_8                            # 2163e
+        lnop                                            # 2170o pairing
+
+        fnms    $e,$x,$y_5,$k_one                       # 2171e
+        shufb   $t_best,$t_best_3,$t,$control           # 2171o
+
+        ori     $e_14,$disc_8,0                         # 2172e
+        shufb   $nearest,$nearest_3,$object,$control    # 2172o
+
+        ori     $cc,$disc_8,0                           # 2173e
+        dfms    $cc,$b,$b                               # 2175e
+
+        fma     $w,$e,$y_5,$y_5                         # 2182e
+        stqd    $t_best,416($a_packet)                  # 2182o
+
+        fa      $near,$x_9,$k_tiny                      # 2183e
+        stqd    $nearest,480($a_packet)                 # 2183o
+
+        fesd    $y,$w                                   # 2188e
+        lnop                                            # 2195o pairing
+
+        ori     $e,$cc,0                                # 2196e
+        frsqest $y_5,$near                              # 2196o
+
+        selb    $s,$whole,$cc,$m_by_side                # 2197e
+        ori     $disc,$near,0                           # 2198e
+
+        xor     $s,$s,$b                                # 2199e
+        lnop                                            # 2199o pairing
+
+        fi      $y_5,$near,$y_5                         # 2200e
+        shufb   $disc,$disc_even,$disc,$m_rows          # 2200o
+
+        rotmai  $s,$s,-31                               # 2201e
+        dfm     $t,$cc_6,$y                             # 2202e
+
+        fm      $e_12,$near,$y_5                        # 2209e
+        shufb   $s,$s,$s,$m_high                        # 2209o
+
+        fm      $w,$y_5,$k_half                         # 2210e
+        dfnms   $e_13,$q,$t                             # 2215e
+
+        fnms    $e_12,$e_12,$y_5,$k_one                 # 2222e
+        dfma    $t,$e_13,$y                             # 2228e
+
+        fma     $w,$e_12,$w,$y_5                        # 2235e
+        selb    $t,$t,$q,$s_9                           # 2241e
+
+        fesd    $y,$w                                   # 2242e
+        frds    $t_even,$t                              # 2249e
+
+        dfm     $s_10,$disc_8,$y                        # 2256e
+        lnop                                            # 2263o pairing
+
+        a       $y,$y,$k_halve                          # 2264e
+        hbrr    next_ball_back,next_ball                # 2264o hint
+
+        dfnms   $e_14,$s_10,$s_10                       # 2269e
+        dfma    $s_10,$e_14,$y                          # 2282e
+
+        selb    $s_10,$s_10,$b,$m_sign                  # 2295e
+        dfa     $q,$b,$s_10                             # 2297e
+
+        frds    $x,$q                                   # 2310e
+        fa      $x,$x,$k_tiny                           # 2323e
+
+        frest   $y,$x                                   # 2329o
+        fi      $y,$x,$y                                # 2333e
+
+        fnms    $e_15,$x,$y,$k_one                      # 2340e
+        fma     $w,$e_15,$y,$y                          # 2346e
+
+        fesd    $y,$w                                   # 2352e
+        dfm     $t,$cc,$y                               # 2365e
+
+        dfnms   $e,$q,$t                                # 2378e
+        dfma    $t,$e,$y                                # 2391e
+
+        selb    $t,$t,$q,$s                             # 2404e
+        frds    $t,$t                                   # 2406e
+
+        shufb   $t,$t_even,$t,$m_rows                   # 2419o
+        cgti    $ahead_5,$t,0                           # 2423e
+
+        cgt     $control,$t_best_4,$t                   # 2424e
+        and     $control,$control,$ahead_5              # 2426e
+
+        andc    $control,$control,$disc                 # 2428e
+        rotqbii $control,$control,1                     # 2430o
+
+        gb      $control,$control                       # 2434o
+        shlqbii $control,$control,4                     # 2438o
+
+        lqx     $control,$control,$a_controls           # 2442o
+        shufb   $t_best,$t_best_4,$t,$control           # 2448o
+
+        shufb   $nearest,$nearest_4,$object,$control    # 2449o
+        stqd    $t_best,432($a_packet)                  # 2452o
+
+        stqd    $nearest,496($a_packet)                 # 2453o
 next_ball_back:
-        brnz    $count,next_ball                        # 2076o
+        brnz    $count,next_ball                        # 2454o
 
-        nop     $127                                    # 2077e pairing
-        bi      $lr                                     # 2077o
+        nop     $127                                    # 2455e pairing
+        bi      $lr                                     # 2455o
 endfunction isect_ball_pairs_double_r16

@@ -2,7 +2,7 @@
 #   C       void isect_ball_pairs_double_r16(const struct candidate *, int count);
 #   In      $3 candidates of objects that are spheres, $4 count (0 is none); pointers 16-aligned
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
-#   Uses    $3-$4, $10-$63   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $10-$64   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^60, radius above 2^-40; rounds to
 #           the nearest
 #   Error   0.51 ulp of the larger of t and r, origin up to 30 radii from the centre and beyond
@@ -32,54 +32,55 @@
         .set    m_rows,17
         .set    m_sign,18
         .set    k_halve,19
-        .set    a_controls,20
-        .set    a_half,21
-        .set    a_whole,22
-        .set    a_by_side,23
+        .set    k_half_double,20
+        .set    a_controls,21
+        .set    a_half,22
+        .set    a_whole,23
+        .set    a_by_side,24
         # the candidate
-        .set    object,24
-        .set    a_packet,25
-        .set    quad,26
-        .set    cx,27
-        .set    cy,28
-        .set    cz,29
-        .set    radius2,30
-        .set    sides,31
-        .set    half,32                                 # 1/2, with the sign that the root gets
-        .set    whole,33                                # 1 likewise
-        .set    m_by_side,34                            # the sign's bit if a ray's side gives it
+        .set    object,25
+        .set    a_packet,26
+        .set    quad,27
+        .set    cx,28
+        .set    cy,29
+        .set    cz,30
+        .set    radius2,31
+        .set    sides,32
+        .set    half,33                                 # 1/2, with the sign that the root gets
+        .set    whole,34                                # 1 likewise
+        .set    m_by_side,35                            # the sign's bit if a ray's side gives it
         # a row
-        .set    ox,35
-        .set    oy,36
-        .set    oz,37
-        .set    dx,38
-        .set    dy,39
-        .set    dz,40
-        .set    t_best,41
-        .set    nearest,42
+        .set    ox,36
+        .set    oy,37
+        .set    oz,38
+        .set    dx,39
+        .set    dy,40
+        .set    dz,41
+        .set    t_best,42
+        .set    nearest,43
         # temporaries
-        .set    lx,43                                   # f, then l
-        .set    ly,44
-        .set    lz,45
-        .set    b,46
-        .set    outside,47                              # disc
-        .set    disc,47
-        .set    cc,48
-        .set    y,49
-        .set    s,50
-        .set    e,51
-        .set    ex,52
-        .set    ey,53
-        .set    ez,54
-        .set    x,55
-        .set    near,56
-        .set    w,57
-        .set    q,58
-        .set    t_even,59
-        .set    disc_even,60
-        .set    t,61
-        .set    ahead,62
-        .set    control,63
+        .set    lx,44                                   # f, then l
+        .set    ly,45
+        .set    lz,46
+        .set    b,47
+        .set    outside,48                              # disc
+        .set    disc,48
+        .set    cc,49
+        .set    y,50
+        .set    s,51
+        .set    e,52
+        .set    ex,53
+        .set    ey,54
+        .set    ez,55
+        .set    x,56
+        .set    near,57
+        .set    w,58
+        .set    q,59
+        .set    t_even,60
+        .set    disc_even,61
+        .set    t,62
+        .set    ahead,63
+        .set    control,64
 
         sign_controls_table
         sides_tables 0x3f000000, 0x3f800000

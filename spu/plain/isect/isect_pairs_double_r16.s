@@ -2,7 +2,7 @@
 #   C       void isect_pairs_double_r16(const struct pair *, int count);
 #   In      $3 pairs, $4 count (0 is none); pointers 16-aligned
 #   Out     the pairs' packets: t, object, where an entry is nearer than what was there
-#   Uses    $3-$4, $10-$54   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $10-$55   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; radius > 0; centre and radius below 2^60; rounds to the nearest
 #   Error   0.51 ulp of t, eye 1.5 to 1e6 radii from the centre, ray within 0.995 r of it
 #   Twin    oracle/src/twin/sphere/double.rs
@@ -26,47 +26,48 @@
         .set    m_rows,14
         .set    m_sign,15
         .set    k_halve,16
-        .set    m_x,17
-        .set    m_y,18
-        .set    m_z,19
-        .set    m_radius2,20
-        .set    a_merges,21
+        .set    k_half_double,17
+        .set    m_x,18
+        .set    m_y,19
+        .set    m_z,20
+        .set    m_radius2,21
+        .set    a_merges,22
         # the pair
-        .set    object,22
-        .set    a_packet,23
-        .set    quad,24
-        .set    cx,25
-        .set    cy,26
-        .set    cz,27
-        .set    radius2,28
+        .set    object,23
+        .set    a_packet,24
+        .set    quad,25
+        .set    cx,26
+        .set    cy,27
+        .set    cz,28
+        .set    radius2,29
         # a row
-        .set    dx,29
-        .set    dy,30
-        .set    dz,31
-        .set    t_best,32
-        .set    nearest,33
+        .set    dx,30
+        .set    dy,31
+        .set    dz,32
+        .set    t_best,33
+        .set    nearest,34
         # temporaries
-        .set    b,34
-        .set    lx,35
-        .set    ly,36
-        .set    lz,37
-        .set    disc,38
-        .set    y,39
-        .set    s,40
-        .set    e,41
-        .set    ex,42
-        .set    ey,43
-        .set    ez,44
-        .set    x,45
-        .set    near,46
-        .set    w,47
-        .set    cc,48
-        .set    q,49
-        .set    t_even,50
-        .set    disc_even,51
-        .set    t,52
-        .set    hit,53
-        .set    merge,54
+        .set    b,35
+        .set    lx,36
+        .set    ly,37
+        .set    lz,38
+        .set    disc,39
+        .set    y,40
+        .set    s,41
+        .set    e,42
+        .set    ex,43
+        .set    ey,44
+        .set    ez,45
+        .set    x,46
+        .set    near,47
+        .set    w,48
+        .set    cc,49
+        .set    q,50
+        .set    t_even,51
+        .set    disc_even,52
+        .set    t,53
+        .set    hit,54
+        .set    merge,55
 
         merges_table
         double_table

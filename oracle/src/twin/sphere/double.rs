@@ -15,6 +15,8 @@ pub struct InDouble;
 type Double = u64;
 
 const SIGN: Double = 1 << 63;
+/// The double 1/2.
+const HALF: Double = 0x3fe0_0000_0000_0000;
 /// The single 2^-120.
 const TINY: Single = 0x0380_0000;
 /// Added to the upper word of a double it gives half of it.
@@ -71,7 +73,10 @@ fn meet(f: [Double; 3], d: Vector, radius_squared: Double) -> Meeting {
     let d = d.map(fesd);
     let b = dfma(f[2], d[2], dfma(f[1], d[1], dfm(f[0], d[0])));
     let [lx, ly, lz] = std::array::from_fn(|axis| dfnms(b, d[axis], f[axis]));
-    let disc = dfnms(lz, lz, dfnms(ly, ly, dfnms(lx, lx, radius_squared)));
+    let rest = dfma(lz, d[2], dfma(ly, d[1], dfm(lx, d[0])));
+    let across = dfnms(lz, lz, dfnms(ly, ly, dfnms(lx, lx, radius_squared)));
+    let disc = dfma(rest, rest, across);
+    let b = dfma(rest, HALF, b);
     let near = fa(frds(disc), TINY);
     let y = fesd(rsqrt(near));
     let s = dfm(disc, y);
