@@ -4,7 +4,7 @@
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
 #   Uses    $3-$4, $10-$47   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^62, radius above 2^-40
-#   Error   400000 ulp of the larger of t and r, origin up to 30 radii from the centre but not
+#   Error   500000 ulp of the larger of t and r, origin up to 30 radii from the centre but not
 #           within a tenth of one from the surface, ray within 0.995 r of it
 #   Twin    oracle/src/twin/sphere/perpendicular.rs
 #
