@@ -1,0 +1,115 @@
+//! Random numbers whose bits are the same on every host: no logarithm, no power, no sine.
+
+use kernels::vector::{Vector, cross, dot, unit};
+use oracle::twin::Single;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+
+/// The random numbers of one round of a family: whoever tries it.
+#[must_use]
+pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> ChaCha8Rng {
+    // FNV-1a: the order of the families does not matter.
+    let name = family.bytes().chain([0]).chain(subject.bytes());
+    let hash = name.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
+        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    });
+    let mut random = ChaCha8Rng::seed_from_u64(seed ^ hash);
+    random.set_stream(u64::from(round));
+    random
+}
+
+/// 2^exponent.
+#[must_use]
+pub fn power_of_two(exponent: i32) -> f64 {
+    assert!((-1022..=1023).contains(&exponent), "2^{exponent}");
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+/// The exponent of the largest power of two that a number is not below.
+#[must_use]
+pub fn exponent(x: f64) -> i32 {
+    (x.to_bits() >> 52 & 0x7ff) as i32 - 1023
+}
+
+/// The distance of singles at `x` from one another.
+#[must_use]
+pub fn spacing(x: f64) -> f64 {
+    power_of_two(exponent(x).max(-126) - 23)
+}
+
+/// A number from 2^low to below 2^high, all powers equally likely.
+pub fn magnitude(low: i32, high: i32, random: &mut ChaCha8Rng) -> f64 {
+    power_of_two(random.random_range(low..high)) * random.random_range(1.0..2.0)
+}
+
+/// A direction, all equally likely.
+pub fn direction(random: &mut ChaCha8Rng) -> Vector {
+    loop {
+        let vector: Vector = std::array::from_fn(|_| random.random_range(-1.0..1.0));
+        if (0.01..1.0).contains(&dot(vector, vector)) {
+            return unit(vector);
+        }
+    }
+}
+
+/// Two directions across a third and one another.
+pub fn across(axis: Vector, random: &mut ChaCha8Rng) -> [Vector; 2] {
+    loop {
+        let across = cross(axis, direction(random));
+        if dot(across, across) > 0.01 {
+            let first = unit(across);
+            return [first, cross(axis, first)];
+        }
+    }
+}
+
+/// The vector as singles have it.
+#[must_use]
+pub fn rounded(vector: Vector) -> Vector {
+    vector.map(|x| to_f64(from_f64(x)))
+}
+
+/// Singles nearest to a vector, half of them one ulp off it.
+pub fn nearby(vector: Vector, random: &mut ChaCha8Rng) -> [Single; 3] {
+    vector.map(|x| {
+        let single = from_f64(x);
+        if single == 0 || random.random() {
+            single
+        } else {
+            single.wrapping_add_signed(random.random_range(-1..=1))
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_and_exponents_are_exact() {
+        for n in [-300, -126, -1, 0, 1, 127, 300] {
+            assert_eq!(power_of_two(n), 2_f64.powi(n));
+            assert_eq!(exponent(power_of_two(n)), n);
+            assert_eq!(exponent(1.999 * power_of_two(n)), n);
+        }
+        assert_eq!(spacing(1.5), 2_f64.powi(-23));
+        assert_eq!(spacing(0.0), 2_f64.powi(-149));
+    }
+
+    #[test]
+    fn rounds_differ_and_repeat() {
+        let first = |family, round| of_round(7, family, "k", round).random::<u64>();
+        assert_eq!(first("a", 3), first("a", 3));
+        assert_ne!(first("a", 3), first("a", 4));
+        assert_ne!(first("a", 3), first("b", 3));
+    }
+
+    #[test]
+    fn magnitudes_keep_their_range() {
+        let mut random = of_round(1, "a", "b", 0);
+        for _ in 0..1000 {
+            assert!((0.125..4.0).contains(&magnitude(-3, 2, &mut random)));
+        }
+    }
+}
