@@ -4,6 +4,12 @@
 //! how far kernels are from it. Knows nothing of how a kernel computes. Invariant: a figure is measured
 //! by the run that prints it, and but for the host's clock it is the same on every host.
 
+pub mod families;
 pub mod guarantees;
+pub mod metrics;
+pub mod parallel;
+pub mod pareto;
+pub mod spheres;
 pub mod stability;
+pub mod subject;
 pub mod truth;

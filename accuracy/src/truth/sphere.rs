@@ -74,6 +74,18 @@ impl Sphere {
         }
     }
 
+    /// A sphere that a kernel is given by its direction and distance from 0 and the square of radius over
+    /// distance. Its own numbers are rounded to doubles.
+    #[must_use]
+    pub fn of_axis(axis: [Single; 3], k: Single, distance: Single) -> Self {
+        let (axis, distance) = (axis.map(to_f64), to_f64(distance));
+        let length = dot(&axis, &axis).sqrt();
+        Self {
+            centre: axis.map(|component| component / length * distance),
+            radius_squared: to_f64(k) * distance * distance,
+        }
+    }
+
     /// Its centre.
     #[must_use]
     pub fn centre(&self) -> Vector {
