@@ -4,6 +4,10 @@
 //! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On the outer
 //! side of a convex body, and on a plane, that is nothing. Within a body it is the wall across, which may
 //! neither be lost nor be the one that the ray has just left.
+//!
+//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence is below
+//! `leave` over the radius, rounding may take the outer side for the inner one. Such hits are tried, and
+//! nothing is asked of what leaves from there.
 
 use glam::DVec3;
 use kernels::Bench;
@@ -31,6 +35,9 @@ const LINES: usize = 9;
 /// How near to an end of a cone, in parts of its size, the wall across may be missed.
 const END: f64 = 1e-3;
 
+/// Rays of a thousand that leave cones which taper to almost nothing and are lost, in a round of some 1500.
+const THIN_CONES_LOSE: f64 = 5.0;
+
 /// A body, and points of its surface that rays are sent to.
 struct Body {
     product: Product,
@@ -49,6 +56,8 @@ struct Leave {
     subject: &'static str,
     kind: Kind,
     body: fn(&mut ChaCha8Rng) -> Option<Body>,
+    /// Rays of a thousand that a round may lose, where some are known to be lost.
+    lost: Option<f64>,
 }
 
 /// A family for each kind of body.
@@ -59,24 +68,35 @@ pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
             subject: "surfaces, bounces, spheres",
             kind: Kind::Sphere,
             body: sphere,
+            lost: None,
         },
         Leave {
             name: "leave-triangles",
             subject: "surfaces, bounces, triangles",
             kind: Kind::Triangle,
             body: triangle,
+            lost: None,
         },
         Leave {
             name: "leave-rectangles",
             subject: "surfaces, bounces, parallelograms",
             kind: Kind::Rectangle,
             body: rectangle,
+            lost: None,
         },
         Leave {
             name: "leave-cones",
             subject: "surfaces, bounces, cones",
             kind: Kind::Cone,
             body: stout_cone,
+            lost: None,
+        },
+        Leave {
+            name: "leave-thin-cones",
+            subject: "surfaces, bounces, cones",
+            kind: Kind::Cone,
+            body: thin_cone,
+            lost: Some(THIN_CONES_LOSE),
         },
     ];
     kinds.into_iter().map(|kind| Box::new(kind) as Box<dyn Family>)
@@ -174,10 +194,8 @@ fn rectangle(random: &mut ChaCha8Rng) -> Option<Body> {
     flat(Kind::Rectangle, vertices, random)
 }
 
-/// A cone or cylinder not thinner than 1 to 100, nor tapering to less than a hundredth.
+/// A cone or cylinder not thinner than 1 to 64, nor tapering to less than a hundredth.
 fn stout_cone(random: &mut ChaCha8Rng) -> Option<Body> {
-    let base = place(random);
-    let axis = direction(random);
     let height = magnitude(-5, 5, random);
     let widest = height * magnitude(-6, 3, random);
     let narrowest = widest
@@ -185,11 +203,24 @@ fn stout_cone(random: &mut ChaCha8Rng) -> Option<Body> {
             0 => 1.0,
             _ => random.random_range(0.01..1.0),
         };
-    let radii = if random.random() {
-        [widest, narrowest]
-    } else {
-        [narrowest, widest]
-    };
+    cone(height, [widest, narrowest], random)
+}
+
+/// A cone as thin as 1 to 4096 that tapers to a thousandth or to nothing.
+fn thin_cone(random: &mut ChaCha8Rng) -> Option<Body> {
+    let height = magnitude(-5, 5, random);
+    let widest = height * magnitude(-12, -6, random);
+    let share = if random.random() { 0.0 } else { 1e-3 };
+    cone(height, [widest, share * widest], random)
+}
+
+/// A cone with these radii at its ends, whichever way round.
+fn cone(height: f64, mut radii: [f64; 2], random: &mut ChaCha8Rng) -> Option<Body> {
+    let base = place(random);
+    let axis = direction(random);
+    if random.random() {
+        radii.reverse();
+    }
     let shape = Shape::Cone {
         base: vector(base),
         base_radius: radii[0],
@@ -320,7 +351,11 @@ fn try_packets(
             };
             let product = products[number];
             // What is let through goes on behind the surface that the ray has met.
-            let before = outer(product, &leaving[number], lane);
+            let (before, edge) = side(product, &leaving[number], lane, &lines[number][lane]);
+            if edge {
+                tally.uncounted();
+                continue;
+            }
             let inner = if kind == 1 { before } else { !before };
             let after = &after[number][lane];
             let met = (after.object == HIT).then(|| to_f64(after.t));
@@ -342,8 +377,9 @@ fn try_packets(
     }
 }
 
-/// Whether a lane's ray has met its body from the outer side.
-fn outer(product: &Product, leaving: &Leaving, lane: usize) -> bool {
+/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's edge that
+/// rounding decides that.
+fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool, bool) {
     let found = &leaving.surfaces;
     let [point, plane] = [
         [&found.point_x, &found.point_y, &found.point_z],
@@ -359,7 +395,9 @@ fn outer(product: &Product, leaving: &Leaving, lane: usize) -> bool {
     let distance = dot(off, off).sqrt();
     let scale = if gain == 0.0 { 0.0 } else { gain / distance };
     let normal: Vector = std::array::from_fn(|k| scale * off[k] + slope * axis[k]);
-    dot(normal, plane) > 0.0
+    let cosine = dot(normal, line[1].map(to_f64)).abs();
+    let edge = gain != 0.0 && cosine * distance < to_f64(bits(found.leave[lane]));
+    (dot(normal, plane) > 0.0, edge)
 }
 
 impl Family for Leave {
@@ -372,11 +410,20 @@ impl Family for Leave {
     }
 
     fn unit(&self) -> &'static str {
-        "rays lost or stuck"
+        match self.lost {
+            None => "rays lost or stuck",
+            Some(_) => "rays of 1000 lost or stuck",
+        }
     }
 
     fn bound(&self) -> Result<Bound, StatementError> {
-        Ok(Bound::none("rays start by SURFACES_leave off"))
+        Ok(match self.lost {
+            None => Bound::none("rays start by SURFACES_leave off"),
+            Some(value) => Bound {
+                value,
+                source: "measured: the header of isect_cone_pairs_r16 excepts them".to_owned(),
+            },
+        })
     }
 
     fn rounds(&self) -> u32 {
@@ -384,6 +431,7 @@ impl Family for Leave {
     }
 
     fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+        let mut round = Tally::default();
         for _ in 0..CALLS {
             let mut bodies = Vec::new();
             while bodies.len() < PACKETS {
@@ -398,8 +446,13 @@ impl Family for Leave {
             let light = direction(random);
             let light = std::array::from_fn(|k| from_f64(around[k] + far * light[k]));
             let products: Vec<&Product> = bodies.iter().map(|body| &body.product).collect();
-            try_packets(bench, &products, &lines, light, tally);
+            try_packets(bench, &products, &lines, light, &mut round);
         }
+        if self.lost.is_some() {
+            round.worst = 1000.0 * round.wrong as f64 / round.counted.max(1) as f64;
+            round.wrong = 0;
+        }
+        tally.append(round);
     }
 
     fn replay(
@@ -417,7 +470,14 @@ impl Family for Leave {
         let product = Product::from_words(self.kind, object);
         let [origin, direction, light] =
             [0, 3, 6].map(|at| std::array::from_fn(|k| lines[at + k]));
-        try_packets(bench, &[&product], &[[[origin, direction]; 16]], light, tally);
+        let mut tried = Tally::default();
+        try_packets(bench, &[&product], &[[[origin, direction]; 16]], light, &mut tried);
+        if self.lost.is_some() {
+            // One ray is no share of a thousand.
+            tally.cases += tried.cases;
+        } else {
+            tally.append(tried);
+        }
         Ok(())
     }
 }
