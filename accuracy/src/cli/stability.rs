@@ -25,9 +25,6 @@ pub struct Arguments {
     /// Try this family alone
     #[arg(long, value_name = "FAMILY", value_parser = family)]
     only: Option<String>,
-    /// Threads; one a core if not said
-    #[arg(long, value_name = "N")]
-    threads: Option<std::num::NonZeroUsize>,
     /// Write the report as JSON too
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -38,7 +35,7 @@ pub struct Arguments {
 
 /// A family's name.
 fn family(name: &str) -> Result<String, String> {
-    let names = stability::names();
+    let names = stability::names().map_err(|error| error.to_string())?;
     if names.contains(&name) {
         Ok(name.to_owned())
     } else {
@@ -52,14 +49,10 @@ pub fn run(arguments: &Arguments) -> Outcome {
         (_, true) => Size::Full,
         _ => Size::Default,
     };
-    let threads = arguments.threads.map_or_else(
-        || std::thread::available_parallelism().map_or(1, usize::from),
-        usize::from,
-    );
     let kept = Regressions::kept()?;
-    eprintln!("cellray-bench: seed {}, {threads} threads", arguments.seed);
+    eprintln!("cellray-bench: seed {}", arguments.seed);
     let only = arguments.only.as_deref();
-    let report = stability::run(size, arguments.seed, only, &kept, threads)?;
+    let report = stability::run(size, arguments.seed, only, &kept)?;
     if let Some(path) = &arguments.json {
         let text = serde_json::to_string_pretty(&report.json())?;
         std::fs::write(path, text + "\n").map_err(|e| format!("{}: {e}", path.display()))?;

@@ -22,9 +22,10 @@ use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::product::{Kind, Product, Stuff, next_hit};
 use super::steps::{HIT, Leaving, Line, leave, meet, no_ray};
+use crate::families::space::direction;
 use crate::stability::family::{Family, NoCaseError, Tally};
-use crate::stability::random::{across, direction, magnitude, rounded};
-use crate::stability::statement::{Bound, StatementError};
+use crate::stability::random::{across, magnitude, rounded};
+use crate::stability::statement::Bound;
 
 /// Packets of a call, each with an object of its own.
 const PACKETS: usize = 4;
@@ -416,14 +417,14 @@ impl Family for Leave {
         }
     }
 
-    fn bound(&self) -> Result<Bound, StatementError> {
-        Ok(match self.lost {
+    fn bound(&self) -> Bound {
+        match self.lost {
             None => Bound::none("rays start by SURFACES_leave off"),
             Some(value) => Bound {
                 value,
                 source: "measured: the header of isect_cone_pairs_r16 excepts them".to_owned(),
             },
-        })
+        }
     }
 
     fn rounds(&self) -> u32 {

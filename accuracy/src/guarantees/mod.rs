@@ -8,13 +8,16 @@ pub mod steps;
 pub mod watertight;
 
 use crate::stability::family::Family;
+use crate::stability::statement::StatementError;
 
 /// The families of this section.
-#[must_use]
-pub fn families() -> Vec<Box<dyn Family>> {
+///
+/// # Errors
+/// A bound is not where it should be.
+pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
     let mut families: Vec<Box<dyn Family>> = Vec::new();
     families.extend(watertight::families());
     families.extend(leaving::families());
-    families.extend(shadows::families());
-    families
+    families.extend(shadows::families()?);
+    Ok(families)
 }

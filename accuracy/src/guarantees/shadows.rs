@@ -1,6 +1,8 @@
 //! Shadows are symmetric: a point sees a light exactly when the light sees the point, but for those whose line
 //! passes an object's edge within the rounding of the rays.
 
+use std::marker::PhantomData;
+
 use kernels::Bench;
 use kernels::cases::whitted::isect::ball::{FRONT, SphereObject, sphere};
 use kernels::cases::whitted::isect::call;
@@ -18,14 +20,12 @@ use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::steps::NOT_THERE;
+use crate::families::space::direction;
 use crate::stability::family::{Family, NoCaseError, Tally, words_of};
-use crate::stability::random::{across, direction, magnitude, nearby};
+use crate::stability::random::{across, magnitude, nearby};
+use crate::stability::spheres::TANGENT;
 use crate::stability::statement::{Bound, StatementError, stated};
 use crate::truth::{self, Line, spacing};
-
-/// How far from an object's edge, in ulps of the distance between point and light, the intersector itself
-/// may be wrong about a ray that comes within a distance of it of that size.
-const EDGE: f64 = 4.0;
 
 /// What may stand between a point and a light.
 trait Blocker: Shape + Sync {
@@ -131,14 +131,33 @@ impl Blocker for TriangleObject {
 }
 
 /// Points and lights with one kind of object between them.
-struct Symmetric<B>(std::marker::PhantomData<fn() -> B>);
+struct Symmetric<B> {
+    bound: Bound,
+    kind: PhantomData<fn() -> B>,
+}
 
 /// The kinds of objects.
-pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
-    let spheres: Box<dyn Family> = Box::new(Symmetric::<SphereObject>(std::marker::PhantomData));
-    let triangles: Box<dyn Family> =
-        Box::new(Symmetric::<TriangleObject>(std::marker::PhantomData));
-    [spheres, triangles].into_iter()
+///
+/// # Errors
+/// The shadow rays' error is not stated.
+pub fn families() -> Result<[Box<dyn Family>; 2], StatementError> {
+    // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the distance
+    // may be as little as half of that part of it.
+    let direction = stated("shadow_rays_r16", "ulp of 1")?;
+    let bound = Bound {
+        value: 2.0 * (2.0 * 3_f64.sqrt() * direction + TANGENT),
+        source: "header of shadow_rays_r16, both ways, and what decides a tangent".to_owned(),
+    };
+    Ok([
+        Box::new(Symmetric::<SphereObject> {
+            bound: bound.clone(),
+            kind: PhantomData,
+        }),
+        Box::new(Symmetric::<TriangleObject> {
+            bound,
+            kind: PhantomData,
+        }),
+    ])
 }
 
 /// Sixteen points that face along an axis, as a site.
@@ -247,14 +266,8 @@ impl<B: Blocker> Family for Symmetric<B> {
         "ulp of the distance, off the outline"
     }
 
-    fn bound(&self) -> Result<Bound, StatementError> {
-        // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the
-        // distance may be as little as half of that part of it.
-        let direction = stated("shadow_rays_r16", "ulp of 1")?;
-        Ok(Bound {
-            value: 2.0 * (2.0 * 3_f64.sqrt() * direction + EDGE),
-            source: "header of shadow_rays_r16, both ways, and the edge of the object".to_owned(),
-        })
+    fn bound(&self) -> Bound {
+        self.bound.clone()
     }
 
     fn rounds(&self) -> u32 {

@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::mesh::{self, Maker};
 use crate::stability::family::{Family, NoCaseError, Tally};
-use crate::stability::statement::{Bound, StatementError};
+use crate::stability::statement::Bound;
 
 /// Packets that are traced in a mesh.
 const PACKETS: usize = 16;
@@ -82,8 +82,8 @@ impl Family for Watertight {
         "leaks"
     }
 
-    fn bound(&self) -> Result<Bound, StatementError> {
-        Ok(Bound::none("both sides of an edge have the same bits"))
+    fn bound(&self) -> Bound {
+        Bound::none("both sides of an edge have the same bits")
     }
 
     fn rounds(&self) -> u32 {

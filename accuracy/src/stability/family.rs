@@ -6,7 +6,7 @@ use kernels::Bench;
 use rand_chacha::ChaCha8Rng;
 use thiserror::Error;
 
-use super::statement::{Bound, StatementError};
+use super::statement::Bound;
 
 /// Cases of one kind, tried on one kernel or one chain of them.
 pub trait Family: Sync {
@@ -17,10 +17,7 @@ pub trait Family: Sync {
     /// What its errors are counted in.
     fn unit(&self) -> &'static str;
     /// What they are held to.
-    ///
-    /// # Errors
-    /// A header does not state it.
-    fn bound(&self) -> Result<Bound, StatementError>;
+    fn bound(&self) -> Bound;
     /// Rounds of a run that is neither quick nor full.
     fn rounds(&self) -> u32;
     /// Tries some cases.

@@ -8,6 +8,7 @@ pub mod family;
 pub mod random;
 pub mod regressions;
 pub mod report;
+pub mod spheres;
 pub mod statement;
 pub mod workers;
 
@@ -58,11 +59,11 @@ pub enum SuiteError {
 }
 
 impl SuiteError {
-    /// What a worker that the harness stopped has said.
+    /// What the harness has said when it stopped a kernel.
     pub(crate) fn kernel(panic: &(dyn Any + Send)) -> Self {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
-        Self::Kernel(text.unwrap_or_else(|| "a worker stopped".to_owned()))
+        Self::Kernel(text.unwrap_or_else(|| "a kernel was stopped".to_owned()))
     }
 }
 
@@ -77,21 +78,30 @@ impl Size {
 }
 
 /// The families of a section.
-#[must_use]
-pub fn families(section: Section) -> Vec<Box<dyn Family>> {
-    match section {
-        Section::Stress => Vec::new(),
-        Section::Guarantees => guarantees::families(),
-    }
+///
+/// # Errors
+/// A bound is not where it should be.
+pub fn families(section: Section) -> Result<Vec<Box<dyn Family>>, StatementError> {
+    Ok(match section {
+        Section::Stress => spheres::families()?,
+        Section::Guarantees => guarantees::families()?,
+    })
 }
 
 /// The names of all families, each once.
-#[must_use]
-pub fn names() -> Vec<&'static str> {
-    let all = Section::ALL.into_iter().flat_map(families);
-    let mut names: Vec<&str> = all.map(|family| family.name()).collect();
-    names.dedup();
-    names
+///
+/// # Errors
+/// A bound is not where it should be.
+pub fn names() -> Result<Vec<&'static str>, StatementError> {
+    let mut names = Vec::new();
+    for section in Section::ALL {
+        for family in families(section)? {
+            if !names.contains(&family.name()) {
+                names.push(family.name());
+            }
+        }
+    }
+    Ok(names)
 }
 
 /// Tries the kept inputs, then new ones.
@@ -104,11 +114,10 @@ pub fn run(
     seed: u64,
     only: Option<&str>,
     kept: &Regressions,
-    workers: usize,
 ) -> Result<Report, SuiteError> {
     let mut families: Vec<(Section, Box<dyn Family>)> = Vec::new();
     for section in Section::ALL {
-        let of_section = self::families(section).into_iter();
+        let of_section = self::families(section)?.into_iter();
         let chosen = of_section.filter(|family| only.is_none_or(|only| family.name() == only));
         families.extend(chosen.map(|family| (section, family)));
     }
@@ -116,12 +125,12 @@ pub fn run(
         .iter()
         .map(|(_, family)| (&**family, size.rounds(family.rounds())))
         .collect();
-    let tallies = workers::tally(&sized, seed, workers)?;
+    let tallies = workers::tally(&sized, seed)?;
     let mut bench = Bench::new();
     let mut rows = Vec::new();
     for ((section, family), tally) in families.iter().zip(tallies) {
         let replayed = replay(&mut bench, &**family, kept)?;
-        rows.push(Row::new(*section, &**family, replayed, tally)?);
+        rows.push(Row::new(*section, &**family, replayed, tally));
     }
     Ok(Report { seed, size, rows })
 }

@@ -6,6 +6,8 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
+use crate::families::space::direction;
+
 /// The random numbers of one round of a family: whoever tries it.
 #[must_use]
 pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> ChaCha8Rng {
@@ -26,31 +28,9 @@ pub fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// The exponent of the largest power of two that a number is not below.
-#[must_use]
-pub fn exponent(x: f64) -> i32 {
-    (x.to_bits() >> 52 & 0x7ff) as i32 - 1023
-}
-
-/// The distance of singles at `x` from one another.
-#[must_use]
-pub fn spacing(x: f64) -> f64 {
-    power_of_two(exponent(x).max(-126) - 23)
-}
-
 /// A number from 2^low to below 2^high, all powers equally likely.
 pub fn magnitude(low: i32, high: i32, random: &mut ChaCha8Rng) -> f64 {
     power_of_two(random.random_range(low..high)) * random.random_range(1.0..2.0)
-}
-
-/// A direction, all equally likely.
-pub fn direction(random: &mut ChaCha8Rng) -> Vector {
-    loop {
-        let vector: Vector = std::array::from_fn(|_| random.random_range(-1.0..1.0));
-        if (0.01..1.0).contains(&dot(vector, vector)) {
-            return unit(vector);
-        }
-    }
 }
 
 /// Two directions across a third and one another.
@@ -87,14 +67,10 @@ mod tests {
     use super::*;
 
     #[test]
-    fn powers_and_exponents_are_exact() {
+    fn powers_are_exact() {
         for n in [-300, -126, -1, 0, 1, 127, 300] {
             assert_eq!(power_of_two(n), 2_f64.powi(n));
-            assert_eq!(exponent(power_of_two(n)), n);
-            assert_eq!(exponent(1.999 * power_of_two(n)), n);
         }
-        assert_eq!(spacing(1.5), 2_f64.powi(-23));
-        assert_eq!(spacing(0.0), 2_f64.powi(-149));
     }
 
     #[test]

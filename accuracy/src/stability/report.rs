@@ -7,7 +7,7 @@ use serde_json::{Value, json};
 
 use super::Size;
 use super::family::{Family, Tally};
-use super::statement::{Bound, StatementError};
+use super::statement::Bound;
 
 /// A part of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -79,27 +79,20 @@ struct RowRecord<'a> {
 
 impl Row {
     /// The row of a family, of what was kept and what is new.
-    ///
-    /// # Errors
-    /// Its bound is not stated.
-    pub fn new(
-        section: Section,
-        family: &dyn Family,
-        replayed: Tally,
-        tally: Tally,
-    ) -> Result<Self, StatementError> {
+    #[must_use]
+    pub fn new(section: Section, family: &dyn Family, replayed: Tally, tally: Tally) -> Self {
         let mut all = replayed;
         let replayed = all.cases;
         all.append(tally);
-        Ok(Self {
+        Self {
             section,
             family: family.name(),
             subject: family.subject().to_owned(),
             unit: family.unit(),
-            bound: family.bound()?,
+            bound: family.bound(),
             replayed,
             tally: all,
-        })
+        }
     }
 
     /// Whether the bound holds.

@@ -74,6 +74,13 @@ pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
     })
 }
 
+/// Whether a kernel's header says this of its error.
+#[must_use]
+pub fn says(kernel: &str, phrase: &str) -> bool {
+    let header = Source::find(kernel).and_then(Source::header);
+    header.is_some_and(|header| header.error.contains(phrase))
+}
+
 fn number_before(text: &str, phrase: &str) -> Option<f64> {
     let number = |word: &str| word.trim_end_matches([',', ';', ':']).parse().ok();
     if phrase.is_empty() {
