@@ -8,7 +8,7 @@ use kernels::Bench;
 use serde::{Deserialize, Serialize};
 use spu_emulator::float::single::to_f64;
 
-use crate::families::space::{along, dot, less};
+use crate::families::space::{along, dot, largest, less};
 use crate::families::{FAMILIES, Family, Form, Shot};
 use crate::metrics::Summary;
 use crate::parallel;
@@ -262,11 +262,6 @@ impl Errors {
         let off = largest(less(normal, hit.normal));
         self.normal_ulps.push(off / spacing(1.0));
     }
-}
-
-/// The largest magnitude of a vector's components.
-fn largest(vector: Vector) -> f64 {
-    vector.map(f64::abs).into_iter().fold(0.0, f64::max)
 }
 
 #[cfg(test)]

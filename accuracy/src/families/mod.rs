@@ -5,6 +5,7 @@
 
 mod make;
 pub mod space;
+pub mod triangles;
 
 use oracle::twin::Single;
 use oracle::twin::ball::Ray;

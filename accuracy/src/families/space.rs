@@ -1,33 +1,21 @@
 //! Random vectors by basic arithmetic and roots alone, which give the same on every host.
 
+pub use kernels::vector::{cross, dot, in_cube, less, unit};
 use oracle::twin::Single;
 use rand::Rng;
 
 use crate::truth::Vector;
 
-/// The scalar product.
+/// The largest magnitude of a vector's components.
 #[must_use]
-pub fn dot(a: Vector, b: Vector) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
-}
-
-/// a - b.
-#[must_use]
-pub fn less(a: Vector, b: Vector) -> Vector {
-    std::array::from_fn(|axis| a[axis] - b[axis])
+pub fn largest(vector: Vector) -> f64 {
+    vector.map(f64::abs).into_iter().fold(0.0, f64::max)
 }
 
 /// a + scale b.
 #[must_use]
 pub fn along(a: Vector, scale: f64, b: Vector) -> Vector {
     std::array::from_fn(|axis| a[axis] + scale * b[axis])
-}
-
-/// The vector at length 1.
-#[must_use]
-pub fn unit(vector: Vector) -> Vector {
-    let length = dot(vector, vector).sqrt();
-    vector.map(|component| component / length)
 }
 
 /// The single that is nearest; 0 for what is too small for one.
@@ -40,11 +28,6 @@ pub fn nearest(value: f64) -> Single {
 #[must_use]
 pub fn point(vector: Vector) -> [Single; 3] {
     vector.map(nearest)
-}
-
-/// Within the cube of that half side.
-pub fn in_cube(half: f64, random: &mut impl Rng) -> Vector {
-    [(); 3].map(|()| random.random_range(-half..half))
 }
 
 /// Within the ball of that radius.
@@ -77,11 +60,7 @@ pub fn across(axis: Vector) -> [Vector; 2] {
     let mut other = [0.0; 3];
     other[least] = 1.0;
     let first = unit(along(other, -dot(other, axis), axis));
-    let second = std::array::from_fn(|k| {
-        let (next, last) = ((k + 1) % 3, (k + 2) % 3);
-        axis[next] * first[last] - axis[last] * first[next]
-    });
-    [first, second]
+    [first, cross(axis, first)]
 }
 
 /// Within the disc of that radius about a point, across an axis.
