@@ -10,7 +10,7 @@ use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::shade::call::{Site, shadow_rays};
 use kernels::flat_records::Point;
-use kernels::vector::{Vector, cross, dot, in_cube, less, unit};
+use kernels::vector::{Vector, dot, in_cube, less, unit};
 use oracle::twin::ONE;
 use oracle::twin::ball::Ray;
 use oracle::twin::shadow_rays::Place;
@@ -24,6 +24,7 @@ use crate::families::space::direction;
 use crate::stability::family::{Family, NoCaseError, Tally, words_of};
 use crate::stability::random::{across, magnitude, nearby};
 use crate::stability::spheres::TANGENT;
+use crate::stability::triangles::{EDGE, off_edges};
 use crate::stability::statement::{Bound, StatementError, stated};
 use crate::truth::{self, Line, spacing};
 
@@ -106,15 +107,7 @@ impl Blocker for TriangleObject {
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
         let from = from.map(to_f64);
-        let way = less(to.map(to_f64), from);
-        let corners = self.vertices.map(|vertex| less(vertex.map(to_f64), from));
-        // Of the line and an edge, over the whole length of the edge.
-        let off = (0..3).map(|k| {
-            let (a, edge) = (corners[k], less(corners[(k + 1) % 3], corners[k]));
-            let across = cross(way, edge);
-            dot(a, across).abs() / dot(across, across).sqrt()
-        });
-        off.fold(f64::INFINITY, f64::min)
+        off_edges(&self.vertices, from, less(to.map(to_f64), from))
     }
 
     fn words(&self) -> Vec<u32> {
@@ -144,17 +137,17 @@ pub fn families() -> Result<[Box<dyn Family>; 2], StatementError> {
     // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the distance
     // may be as little as half of that part of it.
     let direction = stated("shadow_rays_r16", "ulp of 1")?;
-    let bound = Bound {
-        value: 2.0 * (2.0 * 3_f64.sqrt() * direction + TANGENT),
-        source: "header of shadow_rays_r16, both ways, and what decides a tangent".to_owned(),
+    let bound = |outline: f64| Bound {
+        value: 2.0 * (2.0 * 3_f64.sqrt() * direction + outline),
+        source: "header of shadow_rays_r16, and what decides at outlines, both ways".to_owned(),
     };
     Ok([
         Box::new(Symmetric::<SphereObject> {
-            bound: bound.clone(),
+            bound: bound(TANGENT),
             kind: PhantomData,
         }),
         Box::new(Symmetric::<TriangleObject> {
-            bound,
+            bound: bound(EDGE),
             kind: PhantomData,
         }),
     ])

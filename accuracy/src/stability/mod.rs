@@ -4,12 +4,17 @@
 //! what is said of them. Invariant: a bound is a kernel header's, or follows from one; a figure depends on
 //! the seed and the size alone.
 
+pub mod chains;
+pub mod estimates;
+pub mod extremes;
 pub mod family;
 pub mod random;
+pub mod refraction;
 pub mod regressions;
 pub mod report;
 pub mod spheres;
 pub mod statement;
+pub mod triangles;
 pub mod workers;
 
 use std::any::Any;
@@ -83,7 +88,15 @@ impl Size {
 /// A bound is not where it should be.
 pub fn families(section: Section) -> Result<Vec<Box<dyn Family>>, StatementError> {
     Ok(match section {
-        Section::Stress => spheres::families()?,
+        Section::Stress => {
+            let mut families = spheres::families()?;
+            families.extend(triangles::families()?);
+            families.extend(refraction::families()?);
+            families.extend(chains::families()?);
+            families.extend(estimates::families()?);
+            families.extend(extremes::families());
+            families
+        }
         Section::Guarantees => guarantees::families()?,
     })
 }

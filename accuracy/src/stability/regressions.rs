@@ -72,7 +72,31 @@ macro_rules! files {
     };
 }
 
-files! {}
+files! {
+    "estimate-borders"
+    "extreme-words"
+    "leave-cones"
+    "leave-rectangles"
+    "leave-spheres"
+    "leave-thin-cones"
+    "leave-triangles"
+    "mesh-far-out"
+    "mesh-lattice"
+    "mesh-lumpy"
+    "mesh-thin"
+    "mirror-chain"
+    "refract-critical"
+    "refract-grazing"
+    "shadow-spheres"
+    "shadow-triangles"
+    "sphere-grazing"
+    "sphere-nearest"
+    "sphere-scales"
+    "sphere-surface"
+    "triangle-degenerate"
+    "triangle-edges"
+    "triangle-needles"
+}
 
 impl Regressions {
     /// Those of the repository.
