@@ -100,7 +100,9 @@ pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
             lost: Some(THIN_CONES_LOSE),
         },
     ];
-    kinds.into_iter().map(|kind| Box::new(kind) as Box<dyn Family>)
+    kinds
+        .into_iter()
+        .map(|kind| Box::new(kind) as Box<dyn Family>)
 }
 
 fn vector(v: Vector) -> DVec3 {
@@ -151,11 +153,7 @@ fn sphere(random: &mut ChaCha8Rng) -> Option<Body> {
 }
 
 /// A flat body: its corners, and a point of it by two shares.
-fn flat(
-    kind: Kind,
-    vertices: Vec<Vector>,
-    random: &mut ChaCha8Rng,
-) -> Option<Body> {
+fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut ChaCha8Rng) -> Option<Body> {
     let (corner, first) = (vertices[0], less(vertices[1], vertices[0]));
     let second = less(vertices[vertices.len() - 1], corner);
     let across = cross(first, second);
@@ -258,7 +256,11 @@ fn towards(target: &Target, random: &mut ChaCha8Rng) -> Line {
     let way = less(target.point, origin);
     let length = dot(way, way);
     // Next to the eye the eye itself may be meant.
-    let way = if length > 0.0 { unit(way) } else { [0.0, 0.0, -1.0] };
+    let way = if length > 0.0 {
+        unit(way)
+    } else {
+        [0.0, 0.0, -1.0]
+    };
     [origin, way].map(|v| v.map(from_f64))
 }
 
@@ -469,10 +471,15 @@ impl Family for Leave {
         }
         let (object, lines) = words.split_at(Product::word_count(self.kind));
         let product = Product::from_words(self.kind, object);
-        let [origin, direction, light] =
-            [0, 3, 6].map(|at| std::array::from_fn(|k| lines[at + k]));
+        let [origin, direction, light] = [0, 3, 6].map(|at| std::array::from_fn(|k| lines[at + k]));
         let mut tried = Tally::default();
-        try_packets(bench, &[&product], &[[[origin, direction]; 16]], light, &mut tried);
+        try_packets(
+            bench,
+            &[&product],
+            &[[[origin, direction]; 16]],
+            light,
+            &mut tried,
+        );
         if self.lost.is_some() {
             // One ray is no share of a thousand.
             tally.cases += tried.cases;

@@ -53,7 +53,8 @@ pub fn far_out(random: &mut ChaCha8Rng) -> Mesh {
 pub fn lattice(random: &mut ChaCha8Rng) -> Mesh {
     const CELLS: usize = 2;
     // Odd numbers, so that products are longer than a single.
-    let steps: Vector = std::array::from_fn(|_| f64::from(random.random_range(0..4096_u32) * 2 + 1));
+    let steps: Vector =
+        std::array::from_fn(|_| f64::from(random.random_range(0..4096_u32) * 2 + 1));
     let corner: Vector = std::array::from_fn(|_| f64::from(random.random_range(-8..=4_i32)));
     let place = |at: Vector| point(std::array::from_fn(|k| (corner[k] + at[k]) * steps[k]));
     let mut vertices = Vec::new();
@@ -103,7 +104,11 @@ impl Mesh {
         let mut faces = Vec::new();
         for a in 0..12 {
             for b in (a + 1..12).filter(|b| near(a, *b)) {
-                faces.extend((b + 1..12).filter(|c| near(a, *c) && near(b, *c)).map(|c| [a, b, c]));
+                faces.extend(
+                    (b + 1..12)
+                        .filter(|c| near(a, *c) && near(b, *c))
+                        .map(|c| [a, b, c]),
+                );
             }
         }
         let vertices = vertices
@@ -174,7 +179,12 @@ mod tests {
     #[test]
     fn meshes_are_closed() {
         let mut random = of_round(1, "mesh", "", 0);
-        for (maker, faces) in [(lumpy as Maker, 20), (thin, 20), (far_out, 20), (lattice, 48)] {
+        for (maker, faces) in [
+            (lumpy as Maker, 20),
+            (thin, 20),
+            (far_out, 20),
+            (lattice, 48),
+        ] {
             for _ in 0..20 {
                 let mesh = maker(&mut random);
                 let triangles = mesh.triangles(&mut random);

@@ -93,9 +93,7 @@ impl Product {
             ambient: DVec3::ZERO,
             lights: vec![nff::Light {
                 line: 0,
-                kind: LightKind::Directional {
-                    to_light: DVec3::Z,
-                },
+                kind: LightKind::Directional { to_light: DVec3::Z },
                 colour: None,
             }],
             materials: vec![nff::Material {
@@ -217,7 +215,10 @@ pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<
             let out = dot(c, c) - k * k;
             let crossings = [-q / a, -out / q].into_iter();
             let on_body = |t: &f64| *t > 0.0 && (0.0..=height).contains(&(h + t * rise));
-            crossings.filter(|_| disc > 0.0).filter(on_body).reduce(f64::min)
+            crossings
+                .filter(|_| disc > 0.0)
+                .filter(on_body)
+                .reduce(f64::min)
         }
     }
 }

@@ -24,8 +24,8 @@ use crate::families::space::direction;
 use crate::stability::family::{Family, NoCaseError, Tally, words_of};
 use crate::stability::random::{across, magnitude, nearby};
 use crate::stability::spheres::TANGENT;
-use crate::stability::triangles::{EDGE, off_edges};
 use crate::stability::statement::{Bound, StatementError, stated};
+use crate::stability::triangles::{EDGE, off_edges};
 use crate::truth::{self, Line, spacing};
 
 /// What may stand between a point and a light.
@@ -214,7 +214,10 @@ fn blocked<B: Blocker>(
     let list: Vec<[usize; 2]> = (0..16).map(|packet| [0, packet]).collect();
     let (after, _) = call::pairs(bench, &packets, &[*object], &list, 0);
     let blocked = |ray: Ray| (ray.t as i32 > 0).then_some(ray.object != 0);
-    after.iter().map(|packet| call::rays(packet).map(blocked)).collect()
+    after
+        .iter()
+        .map(|packet| call::rays(packet).map(blocked))
+        .collect()
 }
 
 /// Tries all pairs of points and lights.

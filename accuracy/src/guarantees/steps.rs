@@ -60,7 +60,10 @@ pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[[Ray; 16]]) -> 
     let count = packets.len() as u32;
     let shears = (kind == Kind::Triangle).then(|| {
         let shears = bench.place(&vec![0x55; size_of::<Shear>() * packets.len()]);
-        bench.call("shear_packets_r16", &[placed.address, count, shears.address]);
+        bench.call(
+            "shear_packets_r16",
+            &[placed.address, count, shears.address],
+        );
         shears
     });
     let objects: Vec<u32> = products
@@ -158,7 +161,8 @@ pub fn leave(
             let count = (end - queue.address) as usize / size_of::<QueuedRay>();
             let mut lanes = [None; 16];
             for ray in &bench.read_all::<QueuedRay>(queue)[..count] {
-                lanes[ray.pixel.get() as usize] = Some([ray.origin, ray.direction].map(|v| v.map(bits)));
+                lanes[ray.pixel.get() as usize] =
+                    Some([ray.origin, ray.direction].map(|v| v.map(bits)));
             }
             lanes
         };
@@ -175,7 +179,10 @@ pub fn leave(
 /// The object's record with its material's address.
 fn with_material(product: &Product, material: u32) -> Vec<u8> {
     let mut bytes = product.object.clone();
-    let field = Object::RECORD.fields.iter().find(|field| field.name == "material");
+    let field = Object::RECORD
+        .fields
+        .iter()
+        .find(|field| field.name == "material");
     let start = field.map_or(bytes.len(), |field| field.offset);
     bytes[start..start + 4].copy_from_slice(&material.to_be_bytes());
     bytes

@@ -73,7 +73,8 @@ pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
                 subject: format!("{}, bounce {bounces}", room.name()),
                 bound: Bound {
                     value: room.carried(&noise, bounces),
-                    source: "headers of spheres, surfaces and reflections, carried along".to_owned(),
+                    source: "headers of spheres, surfaces and reflections, carried along"
+                        .to_owned(),
                 },
             }));
         }
@@ -204,7 +205,10 @@ impl Room {
                 }
                 Self::Within => {
                     let off = direction(random).map(|x| radius * random.random_range(0.0..0.9) * x);
-                    (std::array::from_fn(|k| place[k] + off[k]), direction(random))
+                    (
+                        std::array::from_fn(|k| place[k] + off[k]),
+                        direction(random),
+                    )
                 }
             };
             [rounded(from), unit(way)].map(|v| v.map(from_f64))
@@ -245,7 +249,9 @@ impl Exact {
         let normal = unit(less(point, centre));
         let along = dot(self.way, normal);
         self.cosine = self.cosine.min(along.abs());
-        self.way = unit(std::array::from_fn(|k| self.way[k] - 2.0 * along * normal[k]));
+        self.way = unit(std::array::from_fn(|k| {
+            self.way[k] - 2.0 * along * normal[k]
+        }));
         self.origin = point;
         (t > 0.0).then_some(())
     }
@@ -291,7 +297,9 @@ impl Chain {
                     points[number][lane] = [&found.point_x, &found.point_y, &found.point_z]
                         .map(|row| to_f64(bits(row[lane])));
                     let exact = &mut exact[number][lane];
-                    let on = exact.as_mut().and_then(|exact| exact.bounce(products[number]));
+                    let on = exact
+                        .as_mut()
+                        .and_then(|exact| exact.bounce(products[number]));
                     if on.is_none() {
                         *exact = None;
                     }
@@ -303,7 +311,9 @@ impl Chain {
             for lane in 0..16 {
                 let input = || {
                     let words = mirrors[number].iter().flat_map(Product::words);
-                    words.chain(lines[number][lane].into_iter().flatten()).collect()
+                    words
+                        .chain(lines[number][lane].into_iter().flatten())
+                        .collect()
                 };
                 let exact = exact[number][lane].as_ref();
                 match exact.filter(|exact| exact.cosine > self.room.cosine()) {
@@ -364,7 +374,8 @@ impl Family for Chain {
             let found = words.len();
             return Err(NoCaseError { found, needed });
         }
-        let mirrors = [0, 1].map(|at| Product::from_words(Kind::Sphere, &words[at * product..][..product]));
+        let mirrors =
+            [0, 1].map(|at| Product::from_words(Kind::Sphere, &words[at * product..][..product]));
         let line = [0, 3].map(|at| std::array::from_fn(|k| words[2 * product + at + k]));
         self.follow(bench, &[mirrors], &[[line; 16]], tally);
         Ok(())

@@ -31,9 +31,26 @@ use super::statement::Bound;
 /// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and all that
 /// saturates or would be no number elsewhere.
 const MAGNITUDES: [Single; 20] = [
-    0, 1, 0x007f_ffff, 0x0080_0000, 0x0080_0001, 0x1f80_0000, 0x2000_0000, 0x3380_0000, 0x3f7f_ffff,
-    0x3f80_0000, 0x3f80_0001, 0x4b7f_ffff, 0x5f7f_ffff, 0x5f80_0000, 0x7e7f_ffff, 0x7e80_0000,
-    0x7f7f_ffff, 0x7f80_0000, 0x7fc0_0000, 0x7fff_ffff,
+    0,
+    1,
+    0x007f_ffff,
+    0x0080_0000,
+    0x0080_0001,
+    0x1f80_0000,
+    0x2000_0000,
+    0x3380_0000,
+    0x3f7f_ffff,
+    0x3f80_0000,
+    0x3f80_0001,
+    0x4b7f_ffff,
+    0x5f7f_ffff,
+    0x5f80_0000,
+    0x7e7f_ffff,
+    0x7e80_0000,
+    0x7f7f_ffff,
+    0x7f80_0000,
+    0x7fc0_0000,
+    0x7fff_ffff,
 ];
 
 /// One of them, one near it, or any word.
@@ -58,7 +75,9 @@ trait OfWords: Shape + Sync {
 }
 
 fn take<const N: usize>(words: &mut &[u32]) -> [u32; N] {
-    let (first, rest) = words.split_first_chunk().expect("as many words as a shape has");
+    let (first, rest) = words
+        .split_first_chunk()
+        .expect("as many words as a shape has");
     *words = rest;
     *first
 }
@@ -156,7 +175,8 @@ impl<S: OfWords> Meeting<S> {
         for ((before, after), words) in before.iter().zip(call::rays(&after[0])).zip(rays) {
             let twin = shape.twin(*before, objects[0]);
             // As signed numbers, singles above 0 are in order.
-            let within = after == *before || (after.t as i32 > 0 && (after.t as i32) < before.t as i32);
+            let within =
+                after == *before || (after.t as i32 > 0 && (after.t as i32) < before.t as i32);
             tally.verdict(after == twin && within, || [object, words].concat());
         }
     }
@@ -220,7 +240,16 @@ const BOUNCE: usize = 20;
 fn bounce(words: [u32; BOUNCE], pixel: u32) -> Bounce {
     let mut words = &words[..];
     let [direction, point, normal, plane] = [(); 4].map(|()| take(&mut words));
-    let [weight, leave, mirror, transmittance, ratio, schlick, grazing, _] = take(&mut words);
+    let [
+        weight,
+        leave,
+        mirror,
+        transmittance,
+        ratio,
+        schlick,
+        grazing,
+        _,
+    ] = take(&mut words);
     Bounce {
         direction,
         weight,

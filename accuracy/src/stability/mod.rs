@@ -149,11 +149,7 @@ pub fn run(
 }
 
 /// Tries what is kept of a family.
-fn replay(
-    bench: &mut Bench,
-    family: &dyn Family,
-    kept: &Regressions,
-) -> Result<Tally, SuiteError> {
+fn replay(bench: &mut Bench, family: &dyn Family, kept: &Regressions) -> Result<Tally, SuiteError> {
     let mut tally = Tally::default();
     for words in kept.of(family.name(), family.subject()) {
         let tried = family.replay(bench, words, &mut tally);

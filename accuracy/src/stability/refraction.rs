@@ -119,7 +119,11 @@ fn truth(hit: &Bounce) -> Truth {
     Truth {
         squared,
         direction: std::array::from_fn(|k| sine[k] - cosine * normal[k]),
-        share: if squared < 0.0 { 1.0 } else { schlick + grazing * fifth },
+        share: if squared < 0.0 {
+            1.0
+        } else {
+            schlick + grazing * fifth
+        },
         thinner,
     }
 }
@@ -136,16 +140,24 @@ impl Critical {
         let sites = Sites::put(bench, &[packet], &mut junk);
         let end = bench.call(KERNEL, &sites.arguments()).value;
         let queued = sites.queued(bench, end);
-        let mirrors = sites.surfaces(bench)[0].mirror.map(|share| to_f64(bits(share)));
+        let mirrors = sites.surfaces(bench)[0]
+            .mirror
+            .map(|share| to_f64(bits(share)));
         for (hit, mirror) in packet.iter().zip(mirrors) {
             let truth = truth(hit);
             let ray = queued.iter().find(|ray| ray.pixel == hit.pixel);
             let input = || {
-                let words = [&hit.direction[..], &hit.normal, &[hit.ratio, hit.schlick, hit.grazing]];
+                let words = [
+                    &hit.direction[..],
+                    &hit.normal,
+                    &[hit.ratio, hit.schlick, hit.grazing],
+                ];
                 words.concat()
             };
             let cosine = truth.squared.max(0.0).sqrt();
-            if truth.squared.abs() < self.undecided * ULP || (self.way == Way::Out && cosine > STEEP) {
+            if truth.squared.abs() < self.undecided * ULP
+                || (self.way == Way::Out && cosine > STEEP)
+            {
                 tally.uncounted();
                 continue;
             }
@@ -158,7 +170,11 @@ impl Critical {
                 }
                 Some(_) if truth.squared < 0.0 => tally.wrong(input),
                 Some(ray) => {
-                    let share_scale = if self.way == Way::Out { truth.thinner } else { 1.0 };
+                    let share_scale = if self.way == Way::Out {
+                        truth.thinner
+                    } else {
+                        1.0
+                    };
                     let error = off(ray, truth.direction) * scale;
                     tally.error(error.max(share_error * share_scale), input);
                 }

@@ -111,6 +111,16 @@ impl Regressions {
         Ok(kept)
     }
 
+    /// Those of one family's file.
+    ///
+    /// # Errors
+    /// The file is not of the form.
+    pub fn of_file(family: &str, text: &str) -> Result<Self, RegressionsError> {
+        let mut kept = Self::default();
+        kept.add(family, text)?;
+        Ok(kept)
+    }
+
     /// Adds those of a family's file.
     fn add(&mut self, family: &str, text: &str) -> Result<(), RegressionsError> {
         let file: File = serde_json::from_str(text).map_err(|error| RegressionsError::Form {
@@ -146,7 +156,9 @@ impl Regressions {
 pub fn keep(report: &Report, folder: &Path) -> Result<(), RegressionsError> {
     let mut files: BTreeMap<&str, File> = BTreeMap::new();
     for row in report.rows.iter().filter(|row| !row.tally.input.is_empty()) {
-        let file = files.entry(row.family).or_insert(File { inputs: Vec::new() });
+        let file = files
+            .entry(row.family)
+            .or_insert(File { inputs: Vec::new() });
         file.inputs.push(Input {
             subject: row.subject.clone(),
             worst: row.tally.worst,
@@ -175,12 +187,11 @@ mod tests {
 
     #[test]
     fn a_file_says_inputs_by_subject() {
-        let mut kept = Regressions::default();
         let text = r#"{"inputs": [
             {"subject": "a", "worst": 1.5, "words": "3f800000 00000001"},
             {"subject": "b", "worst": 0.0, "words": "ffffffff"}
         ]}"#;
-        kept.add("family", text).expect("a good file");
+        let kept = Regressions::of_file("family", text).expect("a good file");
         let of = |subject| kept.of("family", subject).collect::<Vec<_>>();
         assert_eq!(of("a"), [&[0x3f80_0000, 1][..]]);
         assert_eq!(of("b"), [&[u32::MAX][..]]);
@@ -189,11 +200,10 @@ mod tests {
 
     #[test]
     fn bad_files_are_refused_by_what_is_bad() {
-        let mut kept = Regressions::default();
         let text = r#"{"inputs": [{"subject": "a", "worst": 1, "words": "3f80000g"}]}"#;
-        let error = kept.add("family", text).expect_err("no hexadecimal word");
+        let error = Regressions::of_file("family", text).expect_err("no hexadecimal word");
         assert!(error.to_string().contains("3f80000g"), "{error}");
-        let error = kept.add("family", "[]").expect_err("no file");
+        let error = Regressions::of_file("family", "[]").expect_err("no file");
         assert!(error.to_string().contains("family"), "{error}");
     }
 }

@@ -68,7 +68,13 @@ const KINDS: [Kind; 3] = [
         name: "triangle-degenerate",
         unit: "hits",
         make: repeated,
-        judge: |case| Some(if case.found.is_some() { f64::INFINITY } else { 0.0 }),
+        judge: |case| {
+            Some(if case.found.is_some() {
+                f64::INFINITY
+            } else {
+                0.0
+            })
+        },
     },
     Kind {
         name: "triangle-edges",
@@ -143,12 +149,15 @@ fn off_edge(case: &Case) -> Option<f64> {
     Some(off / spacing(farthest(case)))
 }
 
-/// A ray towards a point, from this far.
-fn towards(target: Vector, distance: f64, random: &mut ChaCha8Rng) -> Ray {
-    let back = direction(random);
+/// A ray towards a point, from this far back.
+fn towards(target: Vector, back: Vector, distance: f64, random: &mut ChaCha8Rng) -> Ray {
     let origin = rounded(std::array::from_fn(|k| target[k] + distance * back[k]));
     let way = less(target, origin);
-    let way = if way == [0.0; 3] { [0.0, 0.0, 1.0] } else { unit(way) };
+    let way = if way == [0.0; 3] {
+        [0.0, 0.0, 1.0]
+    } else {
+        unit(way)
+    };
     Ray {
         origin: origin.map(from_f64),
         direction: nearby(way, random),
@@ -163,15 +172,26 @@ fn needle(random: &mut ChaCha8Rng) -> Aimed {
     let a = rounded(in_cube(4.0 * size, random));
     let along = direction(random);
     let [aside, _] = across(along, random);
-    let width = if random.random_ratio(1, 4) { 0.0 } else { size * magnitude(-30, 0, random) };
+    let width = if random.random_ratio(1, 4) {
+        0.0
+    } else {
+        size * magnitude(-30, 0, random)
+    };
     let share = random.random_range(-0.5..1.5);
     let b: Vector = std::array::from_fn(|k| a[k] + size * along[k]);
     let c: Vector = std::array::from_fn(|k| a[k] + share * size * along[k] + width * aside[k]);
     let rays = [(); 16].map(|()| {
         let [u, v] = [(); 2].map(|()| random.random_range(0.0..0.5));
         let target = std::array::from_fn(|k| a[k] + u * (b[k] - a[k]) + v * (c[k] - a[k]));
+        // Half of them see it at one distance from end to end.
+        let [aside, _] = across(along, random);
+        let back = if random.random() {
+            aside
+        } else {
+            direction(random)
+        };
         let distance = size * magnitude(-4, 7, random);
-        towards(target, distance, random)
+        towards(target, back, distance, random)
     });
     Aimed {
         vertices: [a, b, c].map(|v| v.map(from_f64)),
@@ -195,7 +215,10 @@ fn repeated(random: &mut ChaCha8Rng) -> Aimed {
         };
         let target = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
         let distance = size * magnitude(-4, 7, random);
-        towards(target, distance, random)
+        {
+            let back = direction(random);
+            towards(target, back, distance, random)
+        }
     });
     Aimed {
         vertices: vertices.map(|v| v.map(from_f64)),
@@ -220,7 +243,10 @@ fn near_edge(random: &mut ChaCha8Rng) -> Aimed {
         };
         let target = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
         let distance = size * magnitude(-2, 7, random);
-        towards(target, distance, random)
+        {
+            let back = direction(random);
+            towards(target, back, distance, random)
+        }
     });
     Aimed {
         vertices: corners.map(|v| v.map(from_f64)),

@@ -108,7 +108,11 @@ impl Look {
     /// How far the ray passes from a tangent, in what decides it.
     pub fn off_tangent(&self) -> f64 {
         let larger = self.distance.max(self.radius);
-        let grown = if self.squares() { larger / self.radius } else { 1.0 };
+        let grown = if self.squares() {
+            larger / self.radius
+        } else {
+            1.0
+        };
         self.passing.beyond.abs() * self.radius / (spacing(larger) * grown)
     }
 

@@ -60,7 +60,11 @@ pub fn scales(random: &mut ChaCha8Rng, form: Form) -> Shot {
             Form::Eye => [0.0; 3],
             Form::General => {
                 let inside = random.random_ratio(1, 4);
-                let away = if inside { radius * random.random_range(0.0..0.999) } else { distance };
+                let away = if inside {
+                    radius * random.random_range(0.0..0.999)
+                } else {
+                    distance
+                };
                 let from = direction(random);
                 rounded(std::array::from_fn(|k| centre[k] + away * from[k]))
             }
@@ -125,7 +129,11 @@ pub fn surface(random: &mut ChaCha8Rng, _: Form) -> Shot {
             1 => random.random_range(0.0..64.0) * spacing(radius),
             _ => radius * magnitude(-20, -2, random),
         };
-        let height = if random.random() { radius + off } else { radius - off };
+        let height = if random.random() {
+            radius + off
+        } else {
+            radius - off
+        };
         let origin = std::array::from_fn(|k| centre[k] + height * out[k]);
         let way = if random.random() {
             direction(random)

@@ -67,7 +67,13 @@ const KINDS: &[Kind] = &[
         unit: "ulp of the distance, off the tangent",
         forms: &[Form::Eye, Form::General],
         make: make::grazing,
-        judge: |look| Judgement::Error(if look.agrees() { 0.0 } else { look.off_tangent() }),
+        judge: |look| {
+            Judgement::Error(if look.agrees() {
+                0.0
+            } else {
+                look.off_tangent()
+            })
+        },
         bound: |_, _| Bound {
             value: TANGENT,
             source: "roundings of the discriminant".to_owned(),
@@ -112,9 +118,7 @@ fn distance_error(look: &Look) -> Judgement {
     match (look.found, look.exact) {
         _ if !look.is_sure() => Judgement::Uncounted,
         (None, None) => Judgement::Error(0.0),
-        (Some(found), Some(exact)) if look.has_root() => {
-            Judgement::Error(look.ulps(found, exact))
-        }
+        (Some(found), Some(exact)) if look.has_root() => Judgement::Error(look.ulps(found, exact)),
         (Some(_), Some(_)) => Judgement::Uncounted,
         _ => Judgement::Wrong,
     }
@@ -145,7 +149,12 @@ impl Spheres {
             let line = Line::new(ray.origin, ray.direction);
             let look = Look::new(self.subject, self.stated, &sphere, &line, found);
             let input = || {
-                let words = [&shot.centre[..], &[shot.radius], &ray.origin, &ray.direction];
+                let words = [
+                    &shot.centre[..],
+                    &[shot.radius],
+                    &ray.origin,
+                    &ray.direction,
+                ];
                 words.concat()
             };
             match (self.kind.judge)(&look) {

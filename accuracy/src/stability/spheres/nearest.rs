@@ -67,10 +67,14 @@ fn pair(random: &mut ChaCha8Rng) -> Pair {
             let other = radius * magnitude(-3, 3, random);
             (other, radius + other * random.random_range(-1.0..1.0))
         }
-        _ => (1e7 * radius, 1e7 * radius + radius * random.random_range(-1.0..2.0)),
+        _ => (
+            1e7 * radius,
+            1e7 * radius + radius * random.random_range(-1.0..2.0),
+        ),
     };
     let centre: Vector = std::array::from_fn(|k| place[k] + apart * way[k]);
-    [(place, radius), (centre, other)].map(|(centre, radius)| (centre.map(from_f64), from_f64(radius)))
+    [(place, radius), (centre, other)]
+        .map(|(centre, radius)| (centre.map(from_f64), from_f64(radius)))
 }
 
 /// A ray to the region that both spheres are in, from outside or from between.
@@ -103,13 +107,18 @@ impl Nearest {
         let after = call::rays(&bench.read_all(placed.packets)[0]);
         for (ray, after) in rays.iter().zip(after) {
             let line = Line::new(ray.origin, ray.direction);
-            let chosen = placed.objects.iter().position(|object| *object == after.object);
+            let chosen = placed
+                .objects
+                .iter()
+                .position(|object| *object == after.object);
             let looks = pair.map(|(centre, radius)| {
                 let sphere = Sphere::of_radius(centre, radius);
                 Look::new(self.subject, self.stated, &sphere, &line, None)
             });
             let input = || {
-                let spheres = pair.iter().flat_map(|(centre, radius)| [&centre[..], &[*radius]].concat());
+                let spheres = pair
+                    .iter()
+                    .flat_map(|(centre, radius)| [&centre[..], &[*radius]].concat());
                 spheres.chain(ray.origin).chain(ray.direction).collect()
             };
             if !looks.iter().all(Look::has_root_or_misses) {
