@@ -4,12 +4,17 @@
 //! how far kernels are from it. Knows nothing of how a kernel computes. Invariant: a figure is measured
 //! by the run that prints it, and but for the host's clock it is the same on every host.
 
+pub mod document;
 pub mod families;
 pub mod guarantees;
 pub mod metrics;
+mod origin;
+pub mod output;
 pub mod parallel;
 pub mod pareto;
 pub mod pictures;
+pub mod plots;
+pub mod roots;
 pub mod run;
 pub mod spheres;
 pub mod stability;

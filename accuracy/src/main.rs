@@ -5,5 +5,7 @@ mod cli;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
+    // SAFETY: this is the first statement of a program that has one thread.
+    unsafe { accuracy::pictures::simulate_time() };
     cli::main()
 }

@@ -6,6 +6,7 @@ use kernels::cases::spheres::cycles_a_ray;
 use serde::{Deserialize, Serialize};
 
 use crate::pictures::{self, PictureError, PictureRow, Sizes};
+use crate::roots::{self, RootRow, host_time};
 use crate::spheres::{self, SphereRow};
 use crate::subject::{self, Subject};
 use crate::triangles::{self, TriangleRow};
@@ -14,7 +15,7 @@ use crate::triangles::{self, TriangleRow};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Extent {
-    /// In some seconds, without pictures: figures that are the same on every host.
+    /// In some seconds, without pictures and roots: what is the same on every host, and checked to be.
     Quick,
     /// In some minutes.
     Standard,
@@ -92,6 +93,8 @@ pub struct Results {
     pub spheres: Vec<SphereRow>,
     /// Kernels of triangles on theirs.
     pub triangles: Vec<TriangleRow>,
+    /// Reciprocals and roots.
+    pub roots: Vec<RootRow>,
     /// Whole pictures.
     pub pictures: Vec<PictureRow>,
 }
@@ -162,6 +165,12 @@ pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, Run
     let spheres = spheres::measure(&subjects, order.seed, shots);
     progress("triangles");
     let triangles = triangles::measure(&flat, order.seed, shots);
+    let roots = if order.extent == Extent::Quick || !order.only.is_empty() {
+        Vec::new()
+    } else {
+        progress("reciprocals and roots");
+        roots::measure(order.host_time)
+    };
     let pictures = if order.pictures {
         let asked = |formulation: &SphereFormulation| order.asks_for(formulation.name);
         pictures::measure(asked, &order.extent.sizes(), progress)?
@@ -174,6 +183,7 @@ pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, Run
         kernels,
         spheres,
         triangles,
+        roots,
         pictures,
     })
 }
@@ -208,7 +218,10 @@ fn kernels(
             doc: doc.to_owned(),
             kernel: kernel.to_owned(),
             cycles_a_ray,
-            host_ns_a_ray: None,
+            host_ns_a_ray: order
+                .host_time
+                .then(|| host_time(&mut bench, kernel))
+                .flatten(),
         })
     };
     of_spheres.chain(of_triangles).map(row).collect()

@@ -15,8 +15,9 @@ use crate::parallel;
 use crate::subject::{ANY_LENGTH, Given, Subject};
 use crate::truth::{Line, Vector, spacing};
 
-/// Ulps of a distance that half an ulp in what is given may move, for a family to be well-conditioned.
-pub const WELL_CONDITIONED: f64 = 32.0;
+/// Ulps of a distance that half an ulp in what is given may move in the mean, for a family to be
+/// well-conditioned.
+pub const WELL_CONDITIONED: f64 = 16.0;
 
 /// A kernel on a family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -29,9 +30,9 @@ pub struct SphereRow {
     pub family: String,
     /// Distance over radius, where that is what the family is about.
     pub ratio: Option<f64>,
-    /// Ulps of the distance that half an ulp in what is given moves, at most, over what counts.
-    pub condition: f64,
-    /// Whether that is little.
+    /// Ulps of the distance that half an ulp in each of the numbers given moves, of what counts.
+    pub condition: Option<Summary>,
+    /// Whether that is little in the mean.
     pub well_conditioned: bool,
     /// Rays.
     pub rays: usize,
@@ -62,8 +63,8 @@ struct Truth {
 struct Hit {
     distance: f64,
     normal: Vector,
-    /// Whether errors count.
-    counts: bool,
+    /// Ulps that half an ulp in what is given moves, if errors count.
+    condition: Option<f64>,
 }
 
 /// What is so of a shot.
@@ -71,7 +72,6 @@ struct Target {
     centre: Vector,
     radius: f64,
     rays: Vec<Truth>,
-    condition: f64,
 }
 
 /// Measures kernels on all families, so many spheres of each.
@@ -124,7 +124,6 @@ fn targets(family: &Family, form: Form, record: EyeRecord, shots: &[Shot]) -> Ve
     let edge = (family.counted * family.counted - 1.0) / 2.0;
     let target = |shot: &Shot| {
         let sphere = Given::new(form, record, shot).sphere();
-        let mut condition = 0.0_f64;
         let rays = shot.packets.iter().flatten().map(|ray| {
             let line = Line::new(ray.origin, ray.direction);
             let passing = sphere.passing(&line);
@@ -135,14 +134,10 @@ fn targets(family: &Family, form: Form, record: EyeRecord, shots: &[Shot]) -> Ve
                 Form::General => crossing.first(),
             });
             let counts = passing.beyond <= edge;
-            if let Some((distance, normal)) = hit.filter(|_| counts) {
-                let moved = sensitivity(form, shot, &line, distance, normal);
-                condition = condition.max(moved);
-            }
             let hit = hit.map(|(distance, normal)| Hit {
                 distance,
                 normal,
-                counts,
+                condition: counts.then(|| sensitivity(form, shot, &line, distance, normal)),
             });
             Truth { line, hit }
         });
@@ -150,7 +145,6 @@ fn targets(family: &Family, form: Form, record: EyeRecord, shots: &[Shot]) -> Ve
             rays: rays.collect(),
             centre: sphere.centre(),
             radius: sphere.radius(),
-            condition,
         }
     };
     shots.iter().map(target).collect()
@@ -198,7 +192,7 @@ fn of_subject(
         for (found, truth) in found.into_iter().zip(&target.rays) {
             hits += usize::from(truth.hit.is_some());
             match (found, &truth.hit) {
-                (Some(t), Some(hit)) if hit.counts => {
+                (Some(t), Some(hit)) if hit.condition.is_some() => {
                     errors.add(family.any_length, t, target, truth, hit);
                 }
                 (Some(_), None) => wrong_hits += 1,
@@ -207,15 +201,16 @@ fn of_subject(
             }
         }
     }
-    let conditions = targets.iter().map(|target| target.condition);
-    let condition = conditions.fold(0.0, f64::max);
+    let hits_that_count = targets.iter().flat_map(|target| &target.rays);
+    let conditions = hits_that_count.filter_map(|truth| truth.hit.as_ref()?.condition);
+    let condition = Summary::of(conditions.collect());
     SphereRow {
         formulation: subject.formulation.name.to_owned(),
         form: subject.form,
         family: family.name.to_owned(),
         ratio: family.ratio,
         condition,
-        well_conditioned: condition <= WELL_CONDITIONED,
+        well_conditioned: condition.is_some_and(|condition| condition.mean <= WELL_CONDITIONED),
         rays: targets.iter().map(|target| target.rays.len()).sum(),
         hits,
         wrong_hits,
@@ -323,7 +318,7 @@ mod tests {
         let hit = Hit {
             distance: 6.0,
             normal: [-1.0, 0.0, 0.0],
-            counts: true,
+            condition: Some(1.0),
         };
         let truth = Truth {
             line: Line {
@@ -336,7 +331,6 @@ mod tests {
             centre: [8.0, 0.0, 0.0],
             radius: 2.0,
             rays: Vec::new(),
-            condition: 0.0,
         };
         let ulp = spacing(6.0);
         let mut errors = Errors::default();

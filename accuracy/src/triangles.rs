@@ -26,9 +26,9 @@ pub struct TriangleRow {
     pub formulation: String,
     /// The family.
     pub family: String,
-    /// Ulps of the distance that half an ulp in what is given moves, at most.
-    pub condition: f64,
-    /// Whether that is little.
+    /// Ulps of the distance that half an ulp in each of the numbers given moves.
+    pub condition: Option<Summary>,
+    /// Whether that is little in the mean.
     pub well_conditioned: bool,
     /// Rays.
     pub rays: usize,
@@ -67,11 +67,12 @@ struct Truth {
 pub fn measure(formulations: &[&TriangleFormulation], seed: u64, shots: usize) -> Vec<TriangleRow> {
     let rows = parallel::map(FAMILIES, Bench::new, |bench, family| {
         let shots = family.shots(seed, shots);
-        let mut condition = 0.0;
+        let mut conditions = Vec::new();
         let truths: Vec<Vec<Truth>> = shots
             .iter()
-            .map(|shot| truths(shot, &mut condition))
+            .map(|shot| truths(shot, &mut conditions))
             .collect();
+        let condition = Summary::of(conditions);
         let row = |formulation: &&TriangleFormulation| {
             of_family(bench, formulation, family, &shots, &truths, condition)
         };
@@ -80,7 +81,7 @@ pub fn measure(formulations: &[&TriangleFormulation], seed: u64, shots: usize) -
     rows.into_iter().flatten().collect()
 }
 
-fn truths(shot: &Shot, condition: &mut f64) -> Vec<Truth> {
+fn truths(shot: &Shot, conditions: &mut Vec<f64>) -> Vec<Truth> {
     let triangles: Vec<triangle::Triangle> = shot
         .triangles
         .iter()
@@ -94,7 +95,7 @@ fn truths(shot: &Shot, condition: &mut f64) -> Vec<Truth> {
         });
         let nearest = hits.min_by(|(_, a), (_, b)| a.distance.total_cmp(&b.distance));
         if let Some((triangle, meeting)) = &nearest {
-            *condition = condition.max(sensitivity(triangle, &line, meeting));
+            conditions.push(sensitivity(triangle, &line, meeting));
         }
         let vertices = triangles.iter().flat_map(|triangle| triangle.vertices());
         let scene = vertices
@@ -136,7 +137,7 @@ fn of_family(
     family: &Family,
     shots: &[Shot],
     truths: &[Vec<Truth>],
-    condition: f64,
+    condition: Option<Summary>,
 ) -> TriangleRow {
     let (mut hits, mut wrong_hits, mut wrong_misses) = (0, 0, 0);
     let [mut distance_ulps, mut distance_relative] = [Vec::new(), Vec::new()];
@@ -168,7 +169,7 @@ fn of_family(
         formulation: formulation.name.to_owned(),
         family: family.name.to_owned(),
         condition,
-        well_conditioned: condition <= WELL_CONDITIONED,
+        well_conditioned: condition.is_some_and(|condition| condition.mean <= WELL_CONDITIONED),
         rays: truths.iter().map(Vec::len).sum(),
         hits,
         wrong_hits,
@@ -220,7 +221,10 @@ mod tests {
         assert_eq!(rows.len(), FAMILIES.len());
         for row in &rows {
             let worst = row.distance_ulps.unwrap().max;
-            assert!(worst > 0.0 && worst < 8.0 + 4.0 * row.condition, "{row:?}");
+            assert!(
+                worst > 0.0 && worst < 8.0 + 4.0 * row.condition.unwrap().max,
+                "{row:?}"
+            );
             if row.family == "shared edge" {
                 assert_eq!((row.hits, row.wrong_misses), (row.rays, 0));
             }

@@ -8,6 +8,8 @@
 //! A kernel is called in both images, from the same state, and the two have to leave the same: so
 //! whatever is checked of its plain version holds of the scheduled one, if there is one.
 
+use std::time::{Duration, Instant};
+
 use rand::{RngCore as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::channel::NoChannels;
@@ -301,6 +303,23 @@ impl Bench {
         let mut watch = Watch::default();
         machine.run(kernel, &registers, &mut watch);
         watch.time()
+    }
+
+    /// Runs one version of a kernel, without the checks, for the host's time that its instructions take. What
+    /// it writes stays.
+    ///
+    /// # Panics
+    ///
+    /// If the kernel does not return.
+    pub fn host_time(&mut self, version: Version, kernel: &str, arguments: &[u32]) -> Duration {
+        let registers = self.registers(arguments);
+        let machine = match version {
+            Version::Plain => &mut self.plain,
+            Version::Scheduled => &mut self.scheduled,
+        };
+        let start = Instant::now();
+        machine.run(kernel, &registers, &mut ());
+        start.elapsed()
     }
 
     /// Junk but for the arguments, the stack and the return address.

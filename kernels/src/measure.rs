@@ -155,6 +155,22 @@ pub fn time(bench: &mut Bench, kernel: &Kernel) -> Result<Vec<Timed>, MeasureErr
     Ok(cases.collect())
 }
 
+/// Runs of which the fastest counts as the host's time.
+const RUNS: u32 = 50;
+
+/// Nanoseconds in which the host's interpreter tests one ray with one object by a kernel's scheduled version:
+/// in its last case, on the longest list; none if it has no case.
+#[must_use]
+pub fn host_nanoseconds(bench: &mut Bench, kernel: &Kernel) -> Option<f64> {
+    let case = kernel.cases.last()?;
+    let (Objects::Fixed(objects) | Objects::List(_, objects)) = case.objects;
+    bench.reset();
+    let arguments = (case.place)(bench, objects);
+    let run = |_| bench.host_time(Version::Scheduled, kernel.name, &arguments);
+    let fastest = (0..RUNS).map(run).min()?;
+    Some(fastest.as_secs_f64() * 1e9 / f64::from(objects * kernel.rays))
+}
+
 /// Times a case of a kernel in one version.
 pub(crate) fn cost(bench: &mut Bench, kernel: &str, case: &Case, version: Version) -> Cost {
     let mut time = |objects| {

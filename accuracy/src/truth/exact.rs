@@ -30,13 +30,6 @@ impl Exact {
             .unwrap_or(Ordering::Equal)
     }
 
-    pub fn abs(&self) -> Self {
-        match self.sign() {
-            Ordering::Less => -self.clone(),
-            _ => self.clone(),
-        }
-    }
-
     /// The root, to [`DIGITS`], of a number that is not below 0.
     pub fn sqrt(&self) -> Self {
         if self.sign() == Ordering::Equal {
@@ -91,6 +84,16 @@ impl Div for Exact {
         let rounded = |number: FBig<HalfEven, 2>| number.with_precision(DIGITS).value();
         let quotient = rounded(self.0) / rounded(other.0);
         Self(quotient.with_precision(0).value())
+    }
+}
+
+#[cfg(test)]
+impl Exact {
+    pub fn abs(&self) -> Self {
+        match self.sign() {
+            Ordering::Less => -self.clone(),
+            _ => self.clone(),
+        }
     }
 }
 

@@ -12,6 +12,7 @@ mod space;
 pub mod sphere;
 pub mod triangle;
 
+use kernels::single;
 use oracle::twin::Single;
 use spu_emulator::float::single::to_f64;
 
@@ -50,10 +51,8 @@ impl Line {
 /// From a single to the next: what an ulp is at `value`. Below the smallest single, what it is there.
 #[must_use]
 pub fn spacing(value: f64) -> f64 {
-    const FRACTION: u64 = 23;
-    const SMALLEST: u64 = 1023 - 126;
-    let exponent = (value.to_bits() >> 52 & 0x7ff).max(SMALLEST);
-    f64::from_bits(exponent - FRACTION << 52)
+    const SMALLEST: f64 = 1.0 / (1_u128 << 126) as f64;
+    single::spacing(value.abs().max(SMALLEST))
 }
 
 #[cfg(test)]

@@ -1,0 +1,326 @@
+//! A chart: points in groups, each joined by a line of all of them or of what is not beaten.
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{FontStyle, register_font};
+
+use super::labels::{Area, apart, beside};
+use super::scale::{Kind, Scale, written};
+use crate::pareto;
+
+/// Pixels across and down.
+pub(super) const SIZE: (u32, u32) = (960, 600);
+const MARGIN: Margin = Margin {
+    left: 70,
+    top: 84,
+    right: 24,
+    bottom: 62,
+};
+/// Room for names at the ends of lines.
+const ENDS: i32 = 130;
+const FONT: &str = "sans-serif";
+const TEXT: u32 = 14;
+const TITLE: u32 = 19;
+const GREY: RGBColor = RGBColor(110, 110, 110);
+const PALE: RGBColor = RGBColor(228, 228, 228);
+const FRONT: RGBColor = RGBColor(60, 60, 60);
+
+/// Colours that the colour-blind tell apart too (Okabe and Ito), and darker ones of the same.
+const COLOURS: [RGBColor; 12] = [
+    RGBColor(213, 94, 0),
+    RGBColor(0, 114, 178),
+    RGBColor(230, 159, 0),
+    RGBColor(86, 180, 233),
+    RGBColor(0, 158, 115),
+    RGBColor(204, 121, 167),
+    RGBColor(120, 94, 40),
+    RGBColor(0, 0, 0),
+    RGBColor(140, 40, 40),
+    RGBColor(90, 60, 160),
+    RGBColor(100, 130, 20),
+    RGBColor(40, 90, 90),
+];
+
+struct Margin {
+    left: i32,
+    top: i32,
+    right: i32,
+    bottom: i32,
+}
+
+/// An axis.
+#[derive(Clone, Debug)]
+pub(super) struct Axis {
+    pub label: String,
+    pub kind: Kind,
+    /// Whether more is better.
+    pub rising: bool,
+}
+
+/// A point with its name.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Point {
+    pub name: String,
+    pub x: f64,
+    pub y: f64,
+    pub colour: usize,
+}
+
+/// How points of a group belong together.
+#[derive(Clone, Debug)]
+pub(super) enum Group {
+    /// Rivals: each has its name, and a line joins those that are not beaten.
+    Rivals(Vec<Point>),
+    /// A course: all are joined, and the last has the name.
+    Course(Vec<Point>),
+}
+
+/// A chart.
+#[derive(Clone, Debug)]
+pub(super) struct Chart {
+    pub title: String,
+    pub note: String,
+    pub x: Axis,
+    pub y: Axis,
+    pub groups: Vec<Group>,
+}
+
+impl Group {
+    fn points(&self) -> &[Point] {
+        match self {
+            Self::Rivals(points) | Self::Course(points) => points,
+        }
+    }
+}
+
+/// Tells the plotting crate of the font that it draws and measures with.
+pub(super) fn use_font() -> Result<(), String> {
+    for (style, bytes) in [
+        (FontStyle::Normal, dejavu::sans::regular()),
+        (FontStyle::Bold, dejavu::sans::bold()),
+    ] {
+        register_font(FONT, style, bytes).map_err(|_| "the font is not read".to_owned())?;
+    }
+    Ok(())
+}
+
+/// A chart's own numbers while it is drawn.
+struct Sheet<'a, DB: DrawingBackend> {
+    area: &'a DrawingArea<DB, Shift>,
+    frame: Area,
+    x: Scale,
+    y: Scale,
+}
+
+type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
+
+impl Chart {
+    /// Draws it.
+    pub fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> Drawn<DB> {
+        area.fill(&WHITE)?;
+        let points = || self.groups.iter().flat_map(Group::points);
+        let ends = self
+            .groups
+            .iter()
+            .any(|group| matches!(group, Group::Course(_)));
+        let right = SIZE.0 as i32 - MARGIN.right - if ends { ENDS } else { 0 };
+        let sheet = Sheet {
+            area,
+            frame: Area {
+                left: f64::from(MARGIN.left),
+                top: f64::from(MARGIN.top),
+                right: f64::from(right),
+                bottom: f64::from(SIZE.1 as i32 - MARGIN.bottom),
+            },
+            x: Scale::new(self.x.kind, points().map(|point| point.x)),
+            y: Scale::new(self.y.kind, points().map(|point| point.y)),
+        };
+        sheet.axes(self)?;
+        for group in &self.groups {
+            match group {
+                Group::Rivals(points) => sheet.front(&self.x, points)?,
+                Group::Course(points) => sheet.course(points)?,
+            }
+        }
+        sheet.names(&self.groups)?;
+        sheet.ends(&self.groups)?;
+        area.present()
+    }
+}
+
+impl<DB: DrawingBackend> Sheet<'_, DB> {
+    fn at(&self, x: f64, y: f64) -> (f64, f64) {
+        let Area {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        (
+            left + self.x.place(x) * (right - left),
+            bottom - self.y.place(y) * (bottom - top),
+        )
+    }
+
+    fn text(
+        &self,
+        text: &str,
+        at: (f64, f64),
+        size: u32,
+        colour: &RGBColor,
+        pos: Pos,
+    ) -> Drawn<DB> {
+        let style = TextStyle::from((FONT, size).into_font())
+            .color(colour)
+            .pos(pos);
+        self.area.draw_text(text, &style, pixel(at))
+    }
+
+    fn line(&self, path: Vec<(f64, f64)>, style: impl Into<ShapeStyle>) -> Drawn<DB> {
+        let path: Vec<(i32, i32)> = path.into_iter().map(pixel).collect();
+        self.area.draw(&PathElement::new(path, style))
+    }
+
+    fn axes(&self, chart: &Chart) -> Drawn<DB> {
+        let Area {
+            left,
+            top,
+            right,
+            bottom,
+        } = self.frame;
+        for tick in self.x.ticks() {
+            let (x, _) = (left + self.x.place(tick) * (right - left), 0);
+            self.line(vec![(x, top), (x, bottom)], PALE)?;
+            let below = Pos::new(HPos::Center, VPos::Top);
+            self.text(&written(tick), (x, bottom + 7.0), TEXT, &GREY, below)?;
+        }
+        for tick in self.y.ticks() {
+            let y = bottom - self.y.place(tick) * (bottom - top);
+            self.line(vec![(left, y), (right, y)], PALE)?;
+            let beside = Pos::new(HPos::Right, VPos::Center);
+            self.text(&written(tick), (left - 8.0, y), TEXT, &GREY, beside)?;
+        }
+        let corners = vec![(left, top), (left, bottom), (right, bottom)];
+        self.line(corners, GREY)?;
+        let from_left = Pos::new(HPos::Left, VPos::Top);
+        self.text(&chart.title, (14.0, 10.0), TITLE, &BLACK, from_left)?;
+        self.text(&chart.note, (14.0, 36.0), TEXT - 1, &GREY, from_left)?;
+        self.text(&chart.y.label, (14.0, 60.0), TEXT, &BLACK, from_left)?;
+        let under = Pos::new(HPos::Right, VPos::Top);
+        self.text(&chart.x.label, (right, bottom + 34.0), TEXT, &BLACK, under)
+    }
+
+    /// The steps along what is not beaten.
+    fn front(&self, x: &Axis, points: &[Point]) -> Drawn<DB> {
+        let front = not_beaten(x, points);
+        let path = front.iter().map(|at| self.at(points[*at].x, points[*at].y));
+        self.line(path.collect(), FRONT.stroke_width(2))?;
+        for (number, point) in points.iter().enumerate() {
+            let at = pixel(self.at(point.x, point.y));
+            let colour = colour(point);
+            self.area.draw(&Circle::new(at, 5, colour.filled()))?;
+            if front.contains(&number) {
+                self.area.draw(&Circle::new(at, 8, FRONT.stroke_width(2)))?;
+            }
+        }
+        Ok(())
+    }
+
+    fn course(&self, points: &[Point]) -> Drawn<DB> {
+        let Some(last) = points.last() else {
+            return Ok(());
+        };
+        let path = points.iter().map(|point| self.at(point.x, point.y));
+        self.line(path.clone().collect(), colour(last).stroke_width(2))?;
+        for at in path {
+            self.area
+                .draw(&Circle::new(pixel(at), 3, colour(last).filled()))?;
+        }
+        Ok(())
+    }
+
+    /// The names of rivals, beside their points.
+    fn names(&self, groups: &[Group]) -> Drawn<DB> {
+        let rivals = groups.iter().filter_map(|group| match group {
+            Group::Rivals(points) => Some(points),
+            Group::Course(_) => None,
+        });
+        let rivals: Vec<&Point> = rivals.flatten().collect();
+        let places: Vec<(f64, f64)> = rivals
+            .iter()
+            .map(|point| self.at(point.x, point.y))
+            .collect();
+        let style = TextStyle::from((FONT, TEXT).into_font());
+        let sizes = rivals.iter().map(|point| {
+            let size = self.area.estimate_text_size(&point.name, &style);
+            size.map(|(width, height)| (f64::from(width) + 6.0, f64::from(height) + 2.0))
+        });
+        let sizes = sizes.collect::<Result<Vec<_>, _>>()?;
+        let areas = beside(&places, &sizes, &self.frame);
+        for ((point, place), area) in rivals.iter().zip(places).zip(areas) {
+            let middle = (
+                f64::midpoint(area.left, area.right),
+                f64::midpoint(area.top, area.bottom),
+            );
+            let nearest = (
+                place.0.clamp(area.left, area.right),
+                place.1.clamp(area.top, area.bottom),
+            );
+            let far = (nearest.0 - place.0).abs().max((nearest.1 - place.1).abs());
+            if far > 12.0 {
+                self.line(vec![place, nearest], colour(point).mix(0.5))?;
+            }
+            let centred = Pos::new(HPos::Center, VPos::Center);
+            self.text(&point.name, middle, TEXT, &colour(point), centred)?;
+        }
+        Ok(())
+    }
+
+    /// The names of courses, where they end.
+    fn ends(&self, groups: &[Group]) -> Drawn<DB> {
+        let courses = groups.iter().filter_map(|group| match group {
+            Group::Course(points) => points.last(),
+            Group::Rivals(_) => None,
+        });
+        let courses: Vec<&Point> = courses.collect();
+        let places: Vec<(f64, f64)> = courses
+            .iter()
+            .map(|point| self.at(point.x, point.y))
+            .collect();
+        let heights: Vec<f64> = places.iter().map(|(_, y)| *y).collect();
+        let moved = apart(&heights, 18.0, self.frame.top, self.frame.bottom);
+        for ((point, place), height) in courses.iter().zip(places).zip(moved) {
+            let from = self.frame.right + 26.0;
+            let path = vec![place, (self.frame.right + 4.0, place.1), (from, height)];
+            self.line(path, colour(point).mix(0.5))?;
+            let beside = Pos::new(HPos::Left, VPos::Center);
+            self.text(
+                &point.name,
+                (from + 4.0, height),
+                TEXT,
+                &colour(point),
+                beside,
+            )?;
+        }
+        Ok(())
+    }
+}
+
+/// Numbers of the points that no other beats, the cheapest first.
+pub(super) fn not_beaten(x: &Axis, points: &[Point]) -> Vec<usize> {
+    let sign = if x.rising { -1.0 } else { 1.0 };
+    let points: Vec<(f64, f64)> = points
+        .iter()
+        .map(|point| (sign * point.x, point.y))
+        .collect();
+    pareto::front(&points)
+}
+
+fn colour(point: &Point) -> RGBColor {
+    COLOURS[point.colour % COLOURS.len()]
+}
+
+fn pixel((x, y): (f64, f64)) -> (i32, i32) {
+    (x.round() as i32, y.round() as i32)
+}

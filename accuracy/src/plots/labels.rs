@@ -1,0 +1,134 @@
+//! Where names stand, so that they lie neither on each other nor on points.
+
+/// A rectangle in pixels: left, top, right, bottom.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Area {
+    pub left: f64,
+    pub top: f64,
+    pub right: f64,
+    pub bottom: f64,
+}
+
+impl Area {
+    /// The area of this size around a point.
+    pub fn around((x, y): (f64, f64), width: f64, height: f64) -> Self {
+        Self {
+            left: x - width / 2.0,
+            top: y - height / 2.0,
+            right: x + width / 2.0,
+            bottom: y + height / 2.0,
+        }
+    }
+
+    fn meets(&self, other: &Self) -> bool {
+        self.left < other.right
+            && other.left < self.right
+            && self.top < other.bottom
+            && other.top < self.bottom
+    }
+
+    fn within(&self, other: &Self) -> bool {
+        self.left >= other.left
+            && self.right <= other.right
+            && self.top >= other.top
+            && self.bottom <= other.bottom
+    }
+}
+
+/// How large a point is, with the room around it.
+const POINT: f64 = 14.0;
+
+/// Directions in which a name may stand, the best first.
+const WAYS: [(f64, f64); 8] = [
+    (1.0, 0.0),
+    (-1.0, 0.0),
+    (0.0, -1.0),
+    (0.0, 1.0),
+    (1.0, -1.0),
+    (1.0, 1.0),
+    (-1.0, -1.0),
+    (-1.0, 1.0),
+];
+
+/// Places names of these sizes beside their points, within a frame: as near as they fit.
+pub(super) fn beside(points: &[(f64, f64)], sizes: &[(f64, f64)], frame: &Area) -> Vec<Area> {
+    let mut taken: Vec<Area> = points
+        .iter()
+        .map(|point| Area::around(*point, POINT, POINT))
+        .collect();
+    let mut areas = Vec::new();
+    for (&(x, y), &(width, height)) in points.iter().zip(sizes) {
+        let away = |(across, down): (f64, f64), far: f64| {
+            let middle = (
+                x + across * (width / 2.0 + far),
+                y + down * (height / 2.0 + far),
+            );
+            Area::around(middle, width, height)
+        };
+        let all = (0..40).flat_map(|step| {
+            let far = POINT / 2.0 + 1.0 + 7.0 * f64::from(step);
+            WAYS.map(|way| away(way, far))
+        });
+        let free = |area: &Area| area.within(frame) && !taken.iter().any(|other| other.meets(area));
+        let area = all
+            .clone()
+            .find(free)
+            .unwrap_or_else(|| away(WAYS[0], POINT));
+        taken.push(area);
+        areas.push(area);
+    }
+    areas
+}
+
+/// Moves heights apart, so that no two are nearer than `gap` and none is beyond `top` or `bottom`; their
+/// order stays.
+pub(super) fn apart(heights: &[f64], gap: f64, top: f64, bottom: f64) -> Vec<f64> {
+    let mut order: Vec<usize> = (0..heights.len()).collect();
+    order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));
+    let mut moved = heights.to_vec();
+    let mut least = top;
+    for &at in &order {
+        moved[at] = moved[at].max(least);
+        least = moved[at] + gap;
+    }
+    let mut most = bottom;
+    for &at in order.iter().rev() {
+        moved[at] = moved[at].min(most);
+        most = moved[at] - gap;
+    }
+    moved
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const FRAME: Area = Area {
+        left: 0.0,
+        top: 0.0,
+        right: 400.0,
+        bottom: 300.0,
+    };
+
+    #[test]
+    fn names_of_points_in_a_heap_lie_on_nothing() {
+        let points: Vec<(f64, f64)> = (0..12)
+            .map(|number| (200.0 + f64::from(number % 3), 150.0 + f64::from(number)))
+            .collect();
+        let areas = beside(&points, &[(60.0, 14.0); 12], &FRAME);
+        for (at, area) in areas.iter().enumerate() {
+            assert!(area.within(&FRAME));
+            assert!(areas[..at].iter().all(|other| !other.meets(area)));
+            let point = |point: &(f64, f64)| Area::around(*point, POINT, POINT);
+            assert!(points.iter().all(|other| !point(other).meets(area)));
+        }
+    }
+
+    #[test]
+    fn heights_keep_their_order_and_their_gap() {
+        let moved = apart(&[50.0, 49.0, 51.0, 290.0], 10.0, 0.0, 295.0);
+        assert_eq!(moved, [59.0, 49.0, 69.0, 290.0]);
+        let moved = apart(&[299.0, 298.0], 10.0, 0.0, 295.0);
+        assert_eq!(moved, [295.0, 285.0]);
+    }
+}

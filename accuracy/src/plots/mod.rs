@@ -1,0 +1,292 @@
+//! Plots of results, each as SVG and PNG.
+//!
+//! Owns which plots there are ([`plots`]); how they look is in `chart`. Invariant: a plot shows
+//! numbers of the results and no others.
+
+mod chart;
+mod labels;
+mod scale;
+
+use std::fs;
+use std::path::Path;
+
+use cellray::formulation::SPHERES;
+use image::RgbImage;
+use plotters::prelude::{BitMapBackend, IntoDrawingArea as _, SVGBackend};
+
+use crate::families::{FAMILIES, FAR, Form};
+use crate::output::OutputError;
+use crate::pictures::SCENES;
+use crate::run::Results;
+use crate::spheres::SphereRow;
+use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
+use scale::Kind;
+
+/// A plot.
+pub struct Plot {
+    /// Its file's name, without folder and ending.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// Those that are not beaten in cost and error, the cheapest first, where the plot is of both.
+    pub front: Vec<String>,
+    chart: Chart,
+}
+
+/// All plots that results are enough for.
+#[must_use]
+pub fn plots(results: &Results) -> Vec<Plot> {
+    let mut charts = Vec::new();
+    for form in [Form::Eye, Form::General] {
+        charts.push((format!("distance-{}", form.name()), distance(results, form)));
+        charts.push((format!("verdicts-{}", form.name()), verdicts(results, form)));
+        charts.push((format!("ratio-{}", form.name()), ratio(results, form)));
+    }
+    charts.push(("roots".to_owned(), roots(results)));
+    for scene in SCENES {
+        charts.push((
+            format!("picture-{}", scene.name),
+            picture(results, scene.name),
+        ));
+    }
+    let plots = charts.into_iter().filter_map(|(name, chart)| {
+        let fronts = chart.groups.iter().flat_map(|group| match group {
+            Group::Rivals(points) => not_beaten(&chart.x, points)
+                .into_iter()
+                .map(|at| points[at].name.clone())
+                .collect(),
+            Group::Course(_) => Vec::new(),
+        });
+        let front = fronts.collect();
+        chart.has_points().then_some(Plot {
+            name,
+            title: chart.title.clone(),
+            front,
+            chart,
+        })
+    });
+    plots.collect()
+}
+
+/// Writes all plots into a folder, their names behind a prefix.
+///
+/// # Errors
+///
+/// Files that can't be written.
+pub fn write(results: &Results, folder: &Path, prefix: &str) -> Result<(), OutputError> {
+    for plot in plots(results) {
+        for ending in ["svg", "png"] {
+            let path = folder.join(format!("{prefix}{}.{ending}", plot.name));
+            let failed = |reason: String| OutputError::Plot {
+                path: path.clone(),
+                reason,
+            };
+            use_font().map_err(failed)?;
+            match ending {
+                "svg" => {
+                    let text = svg(&plot.chart).map_err(failed)?;
+                    fs::write(&path, text).map_err(OutputError::file(&path))?;
+                }
+                _ => {
+                    let picture = bitmap(&plot.chart).map_err(failed)?;
+                    picture
+                        .save(&path)
+                        .map_err(|error| failed(error.to_string()))?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn svg(chart: &Chart) -> Result<String, String> {
+    let mut text = String::new();
+    let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+    chart.draw(&area).map_err(|error| error.to_string())?;
+    drop(area);
+    Ok(text)
+}
+
+fn bitmap(chart: &Chart) -> Result<RgbImage, String> {
+    let (width, height) = SIZE;
+    let mut picture = RgbImage::new(width, height);
+    let area = BitMapBackend::with_buffer(&mut picture, SIZE).into_drawing_area();
+    chart.draw(&area).map_err(|error| error.to_string())?;
+    drop(area);
+    Ok(picture)
+}
+
+/// Of each kernel of a form: what it costs, and something of its rows.
+fn rivals(
+    results: &Results,
+    form: Form,
+    value: impl Fn(&[&SphereRow]) -> Option<f64>,
+) -> Vec<Point> {
+    let kernels = results
+        .kernels
+        .iter()
+        .filter(|kernel| kernel.form == form.name());
+    let point = |kernel: &crate::run::KernelRow| {
+        let rows = results.spheres.iter();
+        let rows: Vec<&SphereRow> = rows
+            .filter(|row| row.form == form && row.formulation == kernel.formulation)
+            .collect();
+        Some(Point {
+            name: kernel.formulation.clone(),
+            x: kernel.cycles_a_ray,
+            y: value(&rows)?,
+            colour: colour(&kernel.formulation),
+        })
+    };
+    kernels.filter_map(point).collect()
+}
+
+/// A formulation has one colour in all plots.
+fn colour(formulation: &str) -> usize {
+    let place = SPHERES.iter().position(|known| known.name == formulation);
+    place.unwrap_or(SPHERES.len())
+}
+
+fn axis(label: impl Into<String>, kind: Kind) -> Axis {
+    Axis {
+        label: label.into(),
+        kind,
+        rising: false,
+    }
+}
+
+const CYCLES: &str = "cycles a ray and sphere (simulated)";
+
+fn whose(form: Form) -> &'static str {
+    match form {
+        Form::Eye => "rays from the eye",
+        Form::General => "rays from anywhere",
+    }
+}
+
+/// The largest error of the distance over the well-conditioned families, in ulps.
+#[must_use]
+pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
+    let counted = rows.iter().filter(|row| row.well_conditioned);
+    let errors = counted.filter_map(|row| Some(row.distance_ulps?.max));
+    errors.reduce(f64::max)
+}
+
+fn distance(results: &Results, form: Form) -> Chart {
+    Chart {
+        title: format!("Run time against error of the distance: {}", whose(form)),
+        note: "Largest error over all well-conditioned families; ringed and joined: not beaten in both".to_owned(),
+        x: axis(CYCLES, Kind::Log),
+        y: axis("largest error of the distance, ulps", Kind::Log),
+        groups: vec![Group::Rivals(rivals(results, form, worst_distance))],
+    }
+}
+
+/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per cent.
+#[must_use]
+pub(crate) fn wrong_far_off(rows: &[&SphereRow]) -> Option<f64> {
+    let row = rows.iter().find(|row| row.family == FAR)?;
+    Some(100.0 * (row.wrong_hits + row.wrong_misses) as f64 / row.rays as f64)
+}
+
+fn verdicts(results: &Results, form: Form) -> Chart {
+    Chart {
+        title: format!("Run time against wrong hits and misses: {}", whose(form)),
+        note: "At distance/radius 4096, rays over the disc within 2 radii; ringed and joined: not beaten in both".to_owned(),
+        x: axis(CYCLES, Kind::Log),
+        y: axis("wrong hits and misses, % of the rays", Kind::Log),
+        groups: vec![Group::Rivals(rivals(results, form, wrong_far_off))],
+    }
+}
+
+fn ratio(results: &Results, form: Form) -> Chart {
+    let course = |formulation: &str| {
+        let points = FAMILIES.iter().filter_map(|family| {
+            let row = results.spheres.iter().find(|row| {
+                row.form == form && row.formulation == formulation && row.family == family.name
+            });
+            Some(Point {
+                name: formulation.to_owned(),
+                x: family.ratio?,
+                y: row?.distance_ulps?.max,
+                colour: colour(formulation),
+            })
+        });
+        Group::Course(points.collect())
+    };
+    let kernels = results
+        .kernels
+        .iter()
+        .filter(|kernel| kernel.form == form.name());
+    Chart {
+        title: format!(
+            "Error of the distance against distance/radius: {}",
+            whose(form)
+        ),
+        note: "Largest error of the rays within 0.9 radii that the kernel lets hit".to_owned(),
+        x: axis("distance / radius", Kind::Log),
+        y: axis("largest error of the distance, ulps", Kind::Log),
+        groups: kernels.map(|kernel| course(&kernel.formulation)).collect(),
+    }
+}
+
+fn roots(results: &Results) -> Chart {
+    let quantities = ["1/x", "1/sqrt(x)", "sqrt(x)"];
+    let group = |(colour, quantity): (usize, &&str)| {
+        let rows = results
+            .roots
+            .iter()
+            .filter(|row| row.quantity == **quantity);
+        let point = |row: &crate::roots::RootRow| Point {
+            name: row.kernel.clone(),
+            x: row.cycles_an_operand,
+            y: row.ulps.max,
+            colour: [0, 1, 4][colour],
+        };
+        Group::Rivals(rows.map(point).collect())
+    };
+    Chart {
+        title: "Run time against error of reciprocals and roots".to_owned(),
+        note:
+            "Largest error over every fraction of an operand; ringed and joined: not beaten in both"
+                .to_owned(),
+        x: axis("cycles an operand (simulated)", Kind::Log),
+        y: axis("largest error, ulps", Kind::Log),
+        groups: quantities.iter().enumerate().map(group).collect(),
+    }
+}
+
+fn picture(results: &Results, scene: &str) -> Chart {
+    let rows: Vec<_> = results
+        .pictures
+        .iter()
+        .filter(|row| row.scene == scene)
+        .collect();
+    let point = |row: &&crate::pictures::PictureRow| Point {
+        name: row.formulation.clone(),
+        x: row.frames_per_second,
+        y: row.rmse,
+        colour: colour(&row.formulation),
+    };
+    let size = rows
+        .first()
+        .map_or_else(String::new, |row| format!("{}x{}, ", row.width, row.height));
+    Chart {
+        title: format!("Frames a second against the picture's error: {scene}"),
+        note: format!("{size}six SPUs; ringed and joined: not beaten in both"),
+        x: Axis {
+            rising: true,
+            ..axis("frames a second (simulated)", Kind::Linear)
+        },
+        y: axis("root of the mean square error, 1/255", Kind::Log),
+        groups: vec![Group::Rivals(rows.iter().map(point).collect())],
+    }
+}
+
+impl Chart {
+    fn has_points(&self) -> bool {
+        self.groups.iter().any(|group| match group {
+            Group::Rivals(points) | Group::Course(points) => !points.is_empty(),
+        })
+    }
+}
