@@ -108,6 +108,8 @@ pub(super) fn use_font() -> Result<(), String> {
 /// A chart's own numbers while it is drawn.
 struct Sheet<'a, DB: DrawingBackend> {
     area: &'a DrawingArea<DB, Shift>,
+    /// What lengths are drawn at, so many times as large.
+    zoom: u32,
     frame: Area,
     x: Scale,
     y: Scale,
@@ -116,8 +118,8 @@ struct Sheet<'a, DB: DrawingBackend> {
 type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
 
 impl Chart {
-    /// Draws it.
-    pub fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>) -> Drawn<DB> {
+    /// Draws it on an area that is so many times [`SIZE`].
+    pub fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>, zoom: u32) -> Drawn<DB> {
         area.fill(&WHITE)?;
         let points = || self.groups.iter().flat_map(Group::points);
         let ends = self
@@ -127,6 +129,7 @@ impl Chart {
         let right = SIZE.0 as i32 - MARGIN.right - if ends { ENDS } else { 0 };
         let sheet = Sheet {
             area,
+            zoom,
             frame: Area {
                 left: f64::from(MARGIN.left),
                 top: f64::from(MARGIN.top),
@@ -163,6 +166,11 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         )
     }
 
+    fn pixel(&self, (x, y): (f64, f64)) -> (i32, i32) {
+        let zoom = f64::from(self.zoom);
+        ((x * zoom).round() as i32, (y * zoom).round() as i32)
+    }
+
     fn text(
         &self,
         text: &str,
@@ -174,11 +182,13 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         let style = TextStyle::from((FONT, size).into_font())
             .color(colour)
             .pos(pos);
-        self.area.draw_text(text, &style, pixel(at))
+        self.area.draw_text(text, &style, self.pixel(at))
     }
 
     fn line(&self, path: Vec<(f64, f64)>, style: impl Into<ShapeStyle>) -> Drawn<DB> {
-        let path: Vec<(i32, i32)> = path.into_iter().map(pixel).collect();
+        let style = style.into();
+        let style = style.stroke_width(style.stroke_width * self.zoom);
+        let path: Vec<(i32, i32)> = path.into_iter().map(|at| self.pixel(at)).collect();
         self.area.draw(&PathElement::new(path, style))
     }
 
@@ -217,11 +227,16 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         let path = front.iter().map(|at| self.at(points[*at].x, points[*at].y));
         self.line(path.collect(), FRONT.stroke_width(2))?;
         for (number, point) in points.iter().enumerate() {
-            let at = pixel(self.at(point.x, point.y));
+            let at = self.pixel(self.at(point.x, point.y));
             let colour = colour(point);
-            self.area.draw(&Circle::new(at, 5, colour.filled()))?;
+            self.area
+                .draw(&Circle::new(at, 5 * self.zoom, colour.filled()))?;
             if front.contains(&number) {
-                self.area.draw(&Circle::new(at, 8, FRONT.stroke_width(2)))?;
+                self.area.draw(&Circle::new(
+                    at,
+                    8 * self.zoom,
+                    FRONT.stroke_width(2 * self.zoom),
+                ))?;
             }
         }
         Ok(())
@@ -234,8 +249,11 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         let path = points.iter().map(|point| self.at(point.x, point.y));
         self.line(path.clone().collect(), colour(last).stroke_width(2))?;
         for at in path {
-            self.area
-                .draw(&Circle::new(pixel(at), 3, colour(last).filled()))?;
+            self.area.draw(&Circle::new(
+                self.pixel(at),
+                3 * self.zoom,
+                colour(last).filled(),
+            ))?;
         }
         Ok(())
     }
@@ -319,8 +337,4 @@ pub(super) fn not_beaten(x: &Axis, points: &[Point]) -> Vec<usize> {
 
 fn colour(point: &Point) -> RGBColor {
     COLOURS[point.colour % COLOURS.len()]
-}
-
-fn pixel((x, y): (f64, f64)) -> (i32, i32) {
-    (x.round() as i32, y.round() as i32)
 }

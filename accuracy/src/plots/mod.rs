@@ -22,6 +22,9 @@ use crate::spheres::SphereRow;
 use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
 use scale::Kind;
 
+/// What PNGs are drawn at, so many times as large.
+const ZOOM: u32 = 2;
+
 /// A plot.
 pub struct Plot {
     /// Its file's name, without folder and ending.
@@ -102,16 +105,16 @@ pub fn write(results: &Results, folder: &Path, prefix: &str) -> Result<(), Outpu
 fn svg(chart: &Chart) -> Result<String, String> {
     let mut text = String::new();
     let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
-    chart.draw(&area).map_err(|error| error.to_string())?;
+    chart.draw(&area, 1).map_err(|error| error.to_string())?;
     drop(area);
     Ok(text)
 }
 
 fn bitmap(chart: &Chart) -> Result<RgbImage, String> {
-    let (width, height) = SIZE;
+    let (width, height) = (ZOOM * SIZE.0, ZOOM * SIZE.1);
     let mut picture = RgbImage::new(width, height);
-    let area = BitMapBackend::with_buffer(&mut picture, SIZE).into_drawing_area();
-    chart.draw(&area).map_err(|error| error.to_string())?;
+    let area = BitMapBackend::with_buffer(&mut picture, (width, height)).into_drawing_area();
+    chart.draw(&area, ZOOM).map_err(|error| error.to_string())?;
     drop(area);
     Ok(picture)
 }
