@@ -7,7 +7,11 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::metrics::Summary;
+use crate::plots;
 use crate::run::Results;
+
+/// The file that has all results.
+const JSON: &str = "results.json";
 
 /// Where and how results were measured: all that is not the same on every host.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -78,7 +82,7 @@ impl OutputError {
 /// If there is none and it can't be made, or it can't be written to.
 pub fn folder(path: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(path).map_err(OutputError::file(path))?;
-    let probe = path.join("results.json");
+    let probe = path.join(JSON);
     let mut open = fs::OpenOptions::new();
     open.append(true)
         .create(true)
@@ -101,6 +105,17 @@ pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
         fs::write(path, text)
     };
     written.map_err(OutputError::file(path))
+}
+
+/// Writes everything there is of results into a folder: JSON, tables and plots.
+///
+/// # Errors
+///
+/// A file that can't be written.
+pub fn write(document: &Document, folder: &Path) -> Result<(), OutputError> {
+    json(document, &folder.join(JSON))?;
+    tables(document, folder)?;
+    plots::write(&document.results, folder, "")
 }
 
 /// Writes the tables as `kernels.csv`, `spheres.csv` and so on.

@@ -76,9 +76,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         output::json(&document, file)?;
         return Ok(ExitCode::SUCCESS);
     }
-    output::json(&document, &arguments.out.join("results.json"))?;
-    output::tables(&document, &arguments.out)?;
-    plots::write(&document.results, &arguments.out, "")?;
+    output::write(&document, &arguments.out)?;
     eprintln!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));

@@ -146,7 +146,7 @@ impl Chart {
                 Group::Course(points) => sheet.course(points)?,
             }
         }
-        sheet.names(&self.groups)?;
+        sheet.names(&self.x, &self.groups)?;
         sheet.ends(&self.groups)?;
         area.present()
     }
@@ -179,7 +179,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         colour: &RGBColor,
         pos: Pos,
     ) -> Drawn<DB> {
-        let style = TextStyle::from((FONT, size).into_font())
+        let style = TextStyle::from((FONT, size * self.zoom).into_font())
             .color(colour)
             .pos(pos);
         self.area.draw_text(text, &style, self.pixel(at))
@@ -221,11 +221,18 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         self.text(&chart.x.label, (right, bottom + 34.0), TEXT, &BLACK, under)
     }
 
-    /// The steps along what is not beaten.
+    /// From each that is not beaten to the next.
+    fn front_path(&self, x: &Axis, points: &[Point]) -> Vec<(f64, f64)> {
+        let front = not_beaten(x, points).into_iter();
+        front
+            .map(|at| self.at(points[at].x, points[at].y))
+            .collect()
+    }
+
+    /// What is not beaten, ringed and joined, and all else.
     fn front(&self, x: &Axis, points: &[Point]) -> Drawn<DB> {
         let front = not_beaten(x, points);
-        let path = front.iter().map(|at| self.at(points[*at].x, points[*at].y));
-        self.line(path.collect(), FRONT.stroke_width(2))?;
+        self.line(self.front_path(x, points), FRONT.stroke_width(2))?;
         for (number, point) in points.iter().enumerate() {
             let at = self.pixel(self.at(point.x, point.y));
             let colour = colour(point);
@@ -259,7 +266,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
     }
 
     /// The names of rivals, beside their points.
-    fn names(&self, groups: &[Group]) -> Drawn<DB> {
+    fn names(&self, x: &Axis, groups: &[Group]) -> Drawn<DB> {
         let rivals = groups.iter().filter_map(|group| match group {
             Group::Rivals(points) => Some(points),
             Group::Course(_) => None,
@@ -275,7 +282,12 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
             size.map(|(width, height)| (f64::from(width) + 6.0, f64::from(height) + 2.0))
         });
         let sizes = sizes.collect::<Result<Vec<_>, _>>()?;
-        let areas = beside(&places, &sizes, &self.frame);
+        let lines = groups.iter().filter_map(|group| match group {
+            Group::Rivals(points) => Some(self.front_path(x, points)),
+            Group::Course(_) => None,
+        });
+        let lines: Vec<Vec<(f64, f64)>> = lines.collect();
+        let areas = beside(&places, &sizes, &lines, &self.frame);
         for ((point, place), area) in rivals.iter().zip(places).zip(areas) {
             let middle = (
                 f64::midpoint(area.left, area.right),

@@ -50,12 +50,35 @@ const WAYS: [(f64, f64); 8] = [
     (-1.0, 1.0),
 ];
 
-/// Places names of these sizes beside their points, within a frame: as near as they fit.
-pub(super) fn beside(points: &[(f64, f64)], sizes: &[(f64, f64)], frame: &Area) -> Vec<Area> {
-    let mut taken: Vec<Area> = points
+/// How much of a line is kept free at once.
+const STEP: f64 = 5.0;
+
+/// Small areas along a line.
+fn along(line: &[(f64, f64)]) -> impl Iterator<Item = Area> {
+    line.windows(2).flat_map(|ends| {
+        let ((x, y), (to_x, to_y)) = (ends[0], ends[1]);
+        let (across, down) = (to_x - x, to_y - y);
+        let steps = (across.abs().max(down.abs()) / STEP).ceil().max(1.0);
+        (0..=steps as u32).map(move |step| {
+            let part = f64::from(step) / steps;
+            Area::around((x + part * across, y + part * down), STEP, STEP)
+        })
+    })
+}
+
+/// Places names of these sizes beside their points, within a frame and off these lines: as near as they
+/// fit.
+pub(super) fn beside(
+    points: &[(f64, f64)],
+    sizes: &[(f64, f64)],
+    lines: &[Vec<(f64, f64)>],
+    frame: &Area,
+) -> Vec<Area> {
+    let points_taken = points
         .iter()
-        .map(|point| Area::around(*point, POINT, POINT))
-        .collect();
+        .map(|point| Area::around(*point, POINT, POINT));
+    let lines_taken = lines.iter().flat_map(|line| along(line));
+    let mut taken: Vec<Area> = points_taken.chain(lines_taken).collect();
     let mut areas = Vec::new();
     for (&(x, y), &(width, height)) in points.iter().zip(sizes) {
         let away = |(across, down): (f64, f64), far: f64| {
@@ -115,12 +138,14 @@ mod tests {
         let points: Vec<(f64, f64)> = (0..12)
             .map(|number| (200.0 + f64::from(number % 3), 150.0 + f64::from(number)))
             .collect();
-        let areas = beside(&points, &[(60.0, 14.0); 12], &FRAME);
+        let lines = [vec![(0.0, 140.0), (400.0, 160.0)]];
+        let areas = beside(&points, &[(60.0, 14.0); 12], &lines, &FRAME);
         for (at, area) in areas.iter().enumerate() {
             assert!(area.within(&FRAME));
             assert!(areas[..at].iter().all(|other| !other.meets(area)));
             let point = |point: &(f64, f64)| Area::around(*point, POINT, POINT);
             assert!(points.iter().all(|other| !point(other).meets(area)));
+            assert!(along(&lines[0]).all(|line| !line.meets(area)));
         }
     }
 
