@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::metrics::Summary;
-use crate::plots;
+use crate::plots::{self, Format};
 use crate::run::Results;
 
 /// The file that has all results.
@@ -115,7 +115,7 @@ pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
 pub fn write(document: &Document, folder: &Path) -> Result<(), OutputError> {
     json(document, &folder.join(JSON))?;
     tables(document, folder)?;
-    plots::write(&document.results, folder, "")
+    plots::write(&document.results, folder, "", &[Format::Svg, Format::Png])
 }
 
 /// Writes the tables as `kernels.csv`, `spheres.csv` and so on.

@@ -106,7 +106,8 @@ fn a_folder_gets_all_files_and_the_document_its_plots() {
             svg.contains("perpendicular") && svg.contains("</svg>"),
             "{name}"
         );
-        let png = oracle::Picture::read_png(Path::new(&at(&name.replace(".svg", ".png"))));
+        let png = name.replace("accuracy-", "").replace(".svg", ".png");
+        let png = oracle::Picture::read_png(&Path::new(&out).join(png));
         let png = png.unwrap();
         assert!(
             png.pixels().iter().any(|pixel| *pixel != [255; 3]),

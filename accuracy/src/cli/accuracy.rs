@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use accuracy::document;
 use accuracy::output::{self, Document, Origin};
+use accuracy::plots::{self, Format};
 use accuracy::run::{self, Extent, Order};
-use accuracy::{document, plots};
 use clap::Args;
 
 use super::Outcome;
@@ -80,7 +81,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     eprintln!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));
-        plots::write(&document.results, beside, document::PREFIX)?;
+        plots::write(&document.results, beside, document::PREFIX, &[Format::Svg])?;
         document::write(&document, file)?;
         eprintln!("cellray-bench: {}", file.display());
     }

@@ -71,26 +71,44 @@ pub fn plots(results: &Results) -> Vec<Plot> {
     plots.collect()
 }
 
+/// What plots are written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Lines and text, for documents.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
 /// Writes all plots into a folder, their names behind a prefix.
 ///
 /// # Errors
 ///
 /// Files that can't be written.
-pub fn write(results: &Results, folder: &Path, prefix: &str) -> Result<(), OutputError> {
+pub fn write(
+    results: &Results,
+    folder: &Path,
+    prefix: &str,
+    formats: &[Format],
+) -> Result<(), OutputError> {
     for plot in plots(results) {
-        for ending in ["svg", "png"] {
+        for format in formats {
+            let ending = match format {
+                Format::Svg => "svg",
+                Format::Png => "png",
+            };
             let path = folder.join(format!("{prefix}{}.{ending}", plot.name));
             let failed = |reason: String| OutputError::Plot {
                 path: path.clone(),
                 reason,
             };
             use_font().map_err(failed)?;
-            match ending {
-                "svg" => {
+            match format {
+                Format::Svg => {
                     let text = svg(&plot.chart).map_err(failed)?;
                     fs::write(&path, text).map_err(OutputError::file(&path))?;
                 }
-                _ => {
+                Format::Png => {
                     let picture = bitmap(&plot.chart).map_err(failed)?;
                     picture
                         .save(&path)
