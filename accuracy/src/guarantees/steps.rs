@@ -123,8 +123,8 @@ pub fn leave(
             let material = bench.place(&product.material);
             let object = bench.place(&with_material(product, material.address));
             let mut packet = call::packet(rays, 0);
-            for lane in 0..16 {
-                let hit = rays[lane].object == HIT;
+            for (lane, ray) in rays.iter().enumerate() {
+                let hit = ray.object == HIT;
                 let address = if hit { object } else { background }.address;
                 packet.object[lane] = address.into();
                 packet.weight[lane] = single(0x3f80_0000);
