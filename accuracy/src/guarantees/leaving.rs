@@ -36,9 +36,6 @@ const LINES: usize = 9;
 /// How near to an end of a cone, in parts of its size, the wall across may be missed.
 const END: f64 = 1e-3;
 
-/// Rays of a thousand that leave cones which taper to almost nothing and are lost, in a round of some 1500.
-const THIN_CONES_LOSE: f64 = 5.0;
-
 /// A body, and points of its surface that rays are sent to.
 struct Body {
     product: Product,
@@ -57,8 +54,6 @@ struct Leave {
     subject: &'static str,
     kind: Kind,
     body: fn(&mut ChaCha8Rng) -> Option<Body>,
-    /// Rays of a thousand that a round may lose, where some are known to be lost.
-    lost: Option<f64>,
 }
 
 /// A family for each kind of body.
@@ -69,35 +64,30 @@ pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
             subject: "surfaces, bounces, spheres",
             kind: Kind::Sphere,
             body: sphere,
-            lost: None,
         },
         Leave {
             name: "leave-triangles",
             subject: "surfaces, bounces, triangles",
             kind: Kind::Triangle,
             body: triangle,
-            lost: None,
         },
         Leave {
             name: "leave-rectangles",
             subject: "surfaces, bounces, parallelograms",
             kind: Kind::Rectangle,
             body: rectangle,
-            lost: None,
         },
         Leave {
             name: "leave-cones",
             subject: "surfaces, bounces, cones",
             kind: Kind::Cone,
             body: stout_cone,
-            lost: None,
         },
         Leave {
             name: "leave-thin-cones",
             subject: "surfaces, bounces, cones",
             kind: Kind::Cone,
             body: thin_cone,
-            lost: Some(THIN_CONES_LOSE),
         },
     ];
     kinds
@@ -413,20 +403,11 @@ impl Family for Leave {
     }
 
     fn unit(&self) -> &'static str {
-        match self.lost {
-            None => "rays lost or stuck",
-            Some(_) => "rays of 1000 lost or stuck",
-        }
+        "rays lost or stuck"
     }
 
     fn bound(&self) -> Bound {
-        match self.lost {
-            None => Bound::none("rays start by SURFACES_leave off"),
-            Some(value) => Bound {
-                value,
-                source: "measured: the header of isect_cone_pairs_r16 excepts them".to_owned(),
-            },
-        }
+        Bound::none("rays start by SURFACES_leave off")
     }
 
     fn rounds(&self) -> u32 {
@@ -434,7 +415,6 @@ impl Family for Leave {
     }
 
     fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
-        let mut round = Tally::default();
         for _ in 0..CALLS {
             let mut bodies = Vec::new();
             while bodies.len() < PACKETS {
@@ -449,13 +429,8 @@ impl Family for Leave {
             let light = direction(random);
             let light = std::array::from_fn(|k| from_f64(around[k] + far * light[k]));
             let products: Vec<&Product> = bodies.iter().map(|body| &body.product).collect();
-            try_packets(bench, &products, &lines, light, &mut round);
+            try_packets(bench, &products, &lines, light, tally);
         }
-        if self.lost.is_some() {
-            round.worst = 1000.0 * round.wrong as f64 / round.counted.max(1) as f64;
-            round.wrong = 0;
-        }
-        tally.append(round);
     }
 
     fn replay(
@@ -472,20 +447,8 @@ impl Family for Leave {
         let (object, lines) = words.split_at(Product::word_count(self.kind));
         let product = Product::from_words(self.kind, object);
         let [origin, direction, light] = [0, 3, 6].map(|at| std::array::from_fn(|k| lines[at + k]));
-        let mut tried = Tally::default();
-        try_packets(
-            bench,
-            &[&product],
-            &[[[origin, direction]; 16]],
-            light,
-            &mut tried,
-        );
-        if self.lost.is_some() {
-            // One ray is no share of a thousand.
-            tally.cases += tried.cases;
-        } else {
-            tally.append(tried);
-        }
+        let lines = [[[origin, direction]; 16]];
+        try_packets(bench, &[&product], &lines, light, tally);
         Ok(())
     }
 }

@@ -4,7 +4,7 @@
 use std::marker::PhantomData;
 
 use kernels::Bench;
-use kernels::cases::whitted::isect::ball::{FRONT, SphereObject, sphere};
+use kernels::cases::whitted::isect::ball::{By, FRONT, SphereObject, sphere};
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
@@ -14,6 +14,7 @@ use kernels::vector::{Vector, dot, in_cube, less, unit};
 use oracle::twin::ONE;
 use oracle::twin::ball::Ray;
 use oracle::twin::shadow_rays::Place;
+use oracle::twin::sphere::Perpendicular;
 use oracle::twin::surfaces::Surface;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -43,24 +44,24 @@ trait Blocker: Shape + Sync {
     fn from_words(words: &[u32]) -> Self;
 }
 
-impl Blocker for SphereObject {
+impl Blocker for By<Perpendicular> {
     const NAME: &'static str = "shadow-spheres";
     const WORDS: usize = 4;
 
     fn any(place: Vector, size: f64, _: &mut ChaCha8Rng) -> Self {
-        sphere(place, size, FRONT)
+        sphere(place, size, FRONT).into()
     }
 
     fn outline(&self, random: &mut ChaCha8Rng) -> [Vector; 2] {
         let normal = direction(random);
         let [along, _] = across(normal, random);
-        let radius = to_f64(self.offset);
-        let point = std::array::from_fn(|k| to_f64(self.centre[k]) + radius * normal[k]);
+        let radius = to_f64(self.sphere.offset);
+        let point = std::array::from_fn(|k| to_f64(self.sphere.centre[k]) + radius * normal[k]);
         [point, along]
     }
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
-        let sphere = truth::sphere::Sphere::of_radius(self.centre, self.offset);
+        let sphere = truth::sphere::Sphere::of_radius(self.sphere.centre, self.sphere.offset);
         let line = Line {
             origin: from.map(to_f64),
             direction: less(to.map(to_f64), from.map(to_f64)),
@@ -69,16 +70,17 @@ impl Blocker for SphereObject {
     }
 
     fn words(&self) -> Vec<u32> {
-        let [x, y, z] = self.centre;
-        vec![x, y, z, self.offset]
+        let [x, y, z] = self.sphere.centre;
+        vec![x, y, z, self.sphere.offset]
     }
 
     fn from_words(words: &[u32]) -> Self {
-        Self {
+        let sphere = SphereObject {
             centre: [words[0], words[1], words[2]],
             offset: words[3],
             sides: FRONT,
-        }
+        };
+        sphere.into()
     }
 }
 
@@ -142,7 +144,7 @@ pub fn families() -> Result<[Box<dyn Family>; 2], StatementError> {
         source: "header of shadow_rays_r16, and what decides at outlines, both ways".to_owned(),
     };
     Ok([
-        Box::new(Symmetric::<SphereObject> {
+        Box::new(Symmetric::<By<Perpendicular>> {
             bound: bound(TANGENT),
             kind: PhantomData,
         }),

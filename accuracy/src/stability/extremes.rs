@@ -7,8 +7,9 @@
 use std::marker::PhantomData;
 
 use kernels::Bench;
+use kernels::cases::formulation::ForAnyRay;
 use kernels::cases::whitted::bounce::Sites;
-use kernels::cases::whitted::isect::ball::SphereObject;
+use kernels::cases::whitted::isect::ball::{By, SphereObject};
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::cone::ConeObject;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
@@ -22,6 +23,10 @@ use oracle::twin::pairs::Sides;
 use oracle::twin::rectangle::Rectangle;
 use oracle::twin::reflect::reflect;
 use oracle::twin::refract::refract;
+use oracle::twin::sphere::{
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
+    Unnormalised,
+};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
@@ -69,7 +74,7 @@ fn words<const N: usize>(random: &mut ChaCha8Rng) -> [Single; N] {
 }
 
 /// Objects that words make.
-trait OfWords: Shape + Sync {
+trait OfWords: Shape {
     const WORDS: usize;
     fn of_words(words: &[u32]) -> Self;
 }
@@ -90,18 +95,19 @@ fn sides(words: &mut &[u32]) -> Sides {
     }
 }
 
-impl OfWords for SphereObject {
+impl<F: ForAnyRay> OfWords for By<F> {
     const WORDS: usize = 5;
 
     fn of_words(mut words: &[u32]) -> Self {
         let sides = sides(&mut words);
         let centre = take(&mut words);
         let [offset] = take(&mut words);
-        Self {
+        let sphere = SphereObject {
             centre,
             offset,
             sides,
-        }
+        };
+        sphere.into()
     }
 }
 
@@ -329,7 +335,16 @@ impl Family for Bounces {
 #[must_use]
 pub fn families() -> Vec<Box<dyn Family>> {
     vec![
-        Box::new(Meeting::<SphereObject>(PhantomData)),
+        Box::new(Meeting::<By<Paper>>(PhantomData)),
+        Box::new(Meeting::<By<Perpendicular>>(PhantomData)),
+        Box::new(Meeting::<By<Estimate>>(PhantomData)),
+        Box::new(Meeting::<By<Interpolated>>(PhantomData)),
+        Box::new(Meeting::<By<Newton2>>(PhantomData)),
+        Box::new(Meeting::<By<Stable>>(PhantomData)),
+        Box::new(Meeting::<By<Factored>>(PhantomData)),
+        Box::new(Meeting::<By<Refined>>(PhantomData)),
+        Box::new(Meeting::<By<Unnormalised>>(PhantomData)),
+        Box::new(Meeting::<By<InDouble>>(PhantomData)),
         Box::new(Meeting::<RectangleObject>(PhantomData)),
         Box::new(Meeting::<TriangleObject>(PhantomData)),
         Box::new(Meeting::<ConeObject>(PhantomData)),

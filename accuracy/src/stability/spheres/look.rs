@@ -16,7 +16,7 @@ const PAPER: &str = "paper";
 pub const TANGENT: f64 = 8.0;
 /// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other: the
 /// square of the distance less that of the radius is rounded once in each of its sums.
-pub const SURFACE: f64 = 8.0;
+const SURFACE: f64 = 8.0;
 /// The part of what decides a tangent beyond which the discriminant has digits for the root.
 const ROOT: f64 = 0.25;
 /// What a header says of a kernel's error.
@@ -26,6 +26,8 @@ pub struct Stated {
     pub error: f64,
     /// Of the larger of t and r; else of t.
     pub of_larger: bool,
+    /// How near to the centre, in radii, the eye may be.
+    pub nearest: f64,
     /// How far from the centre, in radii, the origin may be.
     pub radii: f64,
     /// How far from the centre, in radii, the ray may pass.
@@ -44,6 +46,8 @@ pub struct Look {
     pub distance: f64,
     /// The radius.
     pub radius: f64,
+    /// How far from 1 the direction's length is.
+    off_length: f64,
     /// What is first seen.
     pub exact: Option<f64>,
     /// What the kernel says.
@@ -55,13 +59,26 @@ impl Stated {
     ///
     /// # Errors
     /// It does not.
-    pub fn of(kernel: &str) -> Result<Self, StatementError> {
+    pub fn of(subject: &Subject) -> Result<Self, StatementError> {
+        let kernel = subject.kernel;
         Ok(Self {
             error: stated(kernel, "")?,
             of_larger: says(kernel, "ulp of the larger of t and r"),
+            nearest: match subject.form {
+                Form::Eye => stated(kernel, "to")?,
+                Form::General => 0.0,
+            },
             radii: stated(kernel, "radii")?,
             within: stated(kernel, "r of it")?,
         })
+    }
+}
+
+impl Stated {
+    /// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other, or
+    /// a hit be lost because its distance, being less than its error, is not above 0.
+    pub fn surface(&self) -> f64 {
+        SURFACE + self.error
     }
 }
 
@@ -90,6 +107,7 @@ impl Look {
             passing,
             distance: dot(from_centre, from_centre).sqrt(),
             radius: sphere.radius(),
+            off_length: (dot(line.direction, line.direction).sqrt() - 1.0).abs(),
             exact,
             found,
         }
@@ -127,16 +145,19 @@ impl Look {
         // beyond = -root^2 / 2 r^2.
         let steepness = 1.0 / (-2.0 * self.passing.beyond).max(0.0).sqrt();
         if self.squares() {
-            let chords = (self.distance / self.radius).max(1.0) * steepness;
+            // An ulp of a square may be twice as large a part of it as one of the distance.
+            let chords = 2.0 * (self.distance / self.radius).max(1.0) * steepness;
             (chords / (self.stated.radii * edge)).max(1.0)
         } else {
             (steepness / edge).max(1.0)
         }
     }
 
-    /// Whether hit or miss is decided by more than rounding.
+    /// Whether hit or miss is decided by more than rounding, where the kernel is for.
     pub fn is_sure(&self) -> bool {
-        self.off_tangent() >= TANGENT && self.off_surface() >= SURFACE
+        self.distance >= self.stated.nearest * self.radius
+            && self.off_tangent() >= TANGENT
+            && self.off_surface() >= self.stated.surface()
     }
 
     /// Whether the discriminant has digits for the root, too.
@@ -161,6 +182,12 @@ impl Look {
 
     /// Ulps of the header that the distance is off, at the condition of its domain.
     pub fn ulps(&self, found: f64, exact: f64) -> f64 {
-        (found - exact).abs() / self.unit(exact)
+        // Where less than an ulp is stated, the direction is taken to be as long as it is said to be.
+        let given = if self.stated.error < 1.0 {
+            self.off_length * self.distance
+        } else {
+            0.0
+        };
+        ((found - exact).abs() - given).max(0.0) / self.unit(exact)
     }
 }

@@ -21,7 +21,7 @@ use super::statement::{Bound, StatementError};
 use crate::families::{Form, Shot};
 use crate::subject::{self, Subject};
 use crate::truth::Line;
-use look::{Look, SURFACE, Stated};
+use look::{Look, Stated};
 
 pub use look::TANGENT;
 
@@ -85,9 +85,9 @@ const KINDS: &[Kind] = &[
         forms: &[Form::General],
         make: make::surface,
         judge: side_error,
-        bound: |_, _| Bound {
-            value: SURFACE,
-            source: "roundings of the distance's square".to_owned(),
+        bound: |subject, stated| Bound {
+            value: stated.surface(),
+            source: format!("header of {}, and the side's rounding", subject.kernel),
         },
     },
 ];
@@ -104,7 +104,7 @@ pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
                 families.push(Box::new(Spheres {
                     kind,
                     subject,
-                    stated: Stated::of(subject.kernel)?,
+                    stated: Stated::of(&subject)?,
                 }));
             }
         }

@@ -2,12 +2,13 @@
 //! ten million times as large as the other.
 
 use kernels::Bench;
-use kernels::cases::whitted::isect::ball::SphereObject;
+use kernels::cases::whitted::isect::ball::{By, SphereObject};
 use kernels::cases::whitted::isect::call;
 use kernels::source::Source;
 use kernels::vector::{Vector, less};
 use oracle::twin::ball::Ray;
 use oracle::twin::pairs::Sides;
+use oracle::twin::sphere::Perpendicular;
 use oracle::twin::{FARTHEST, Single};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -45,7 +46,7 @@ pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
     for subject in general.filter(|subject| Source::find(subject.kernel).is_some()) {
         families.push(Box::new(Nearest {
             subject,
-            stated: Stated::of(subject.kernel)?,
+            stated: Stated::of(&subject)?,
         }));
     }
     Ok(families)
@@ -92,13 +93,16 @@ fn towards(pair: &Pair, random: &mut ChaCha8Rng) -> Ray {
 
 impl Nearest {
     fn shoot(&self, bench: &mut Bench, pair: &Pair, rays: &[Ray; 16], tally: &mut Tally) {
-        let objects = pair.map(|(centre, offset)| SphereObject {
-            centre,
-            offset,
-            sides: Sides {
-                both: true,
-                exit: false,
-            },
+        // The record is that of all formulations.
+        let objects = pair.map(|(centre, offset)| {
+            By::<Perpendicular>::from(SphereObject {
+                centre,
+                offset,
+                sides: Sides {
+                    both: true,
+                    exit: false,
+                },
+            })
         });
         bench.reset();
         let packets = [call::packet(rays, 0)];
