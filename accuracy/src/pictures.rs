@@ -5,10 +5,10 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cellray::formulation::{SPHERES, SphereFormulation};
+use cellray::formulation::{Formulations, SPHERES, SphereFormulation};
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
 use cellray::scene::{Look, Model};
-use cellray::spe::Program;
+use cellray::spe::{Program, ProgramError};
 use cellray::{Engine, EngineError, Report, Scene, SceneError, Settings};
 use image::RgbImage;
 use oracle::{Picture, Reference, whitted};
@@ -98,6 +98,9 @@ pub enum PictureError {
     /// The scene can't be traced.
     #[error(transparent)]
     Scene(#[from] SceneError),
+    /// There is no program.
+    #[error(transparent)]
+    Program(#[from] ProgramError),
     /// No frame came.
     #[error(transparent)]
     Engine(#[from] EngineError),
@@ -119,10 +122,8 @@ pub unsafe fn simulate_time() {
     unsafe { std::env::set_var("LIBSPE2_TIMING", "1") };
 }
 
-/// The tracer's program with a formulation of spheres; `None` if it is not linked with that one.
-fn program(formulation: &SphereFormulation) -> Option<Program> {
-    (formulation.name == "perpendicular").then(Program::tracer)
-}
+/// Name of the row of the standard formulations, where these are more than one.
+pub const STANDARD: &str = "default";
 
 impl Subject {
     /// Whose rays a formulation is needed for.
@@ -131,6 +132,22 @@ impl Subject {
             Model::Depth => Form::Eye,
             Model::Scene | Model::Whitted => Form::General,
         }
+    }
+
+    /// What it is traced by: each formulation that has a kernel for its rays, by name; and the standard ones,
+    /// where mirrors' rays are not intersected as the eye's.
+    fn formulations(&self) -> Vec<(&'static str, Formulations)> {
+        let standard = Formulations::standard();
+        let has_kernel = |formulation: &&SphereFormulation| match self.form() {
+            Form::Eye => formulation.eye.is_some(),
+            Form::General => formulation.general.is_some(),
+        };
+        let alone = SPHERES.iter().filter(has_kernel).map(|formulation| {
+            let formulations = Formulations::of(formulation, standard.triangle);
+            (formulation.name, formulations)
+        });
+        let mixed = self.form() == Form::General && standard.seen != standard.bounced;
+        alone.chain(mixed.then_some((STANDARD, standard))).collect()
     }
 
     fn size(&self, sizes: &Sizes) -> (u32, u32) {
@@ -158,13 +175,13 @@ impl Subject {
     }
 }
 
-/// Traces every scene by each of these formulations that the tracer can be linked with.
+/// Traces every scene by each of the formulations whose names are chosen.
 ///
 /// # Errors
 ///
 /// Scenes or sizes that can't be traced, SPUs that fail.
 pub fn measure(
-    chosen: impl Fn(&SphereFormulation) -> bool,
+    chosen: impl Fn(&str) -> bool,
     sizes: &Sizes,
     mut progress: impl FnMut(&str),
 ) -> Result<Vec<PictureRow>, PictureError> {
@@ -174,15 +191,12 @@ pub fn measure(
         let scene = nff::parse(subject.text.as_bytes(), subject.name, &limits)?;
         let size = subject.size(sizes);
         let mut reference = None;
-        for formulation in SPHERES.iter().filter(|formulation| chosen(formulation)) {
-            let has = match subject.form() {
-                Form::Eye => formulation.eye.is_some(),
-                Form::General => formulation.general.is_some(),
-            };
-            let Some(program) = program(formulation).filter(|_| has) else {
+        for (name, formulations) in subject.formulations() {
+            if !chosen(name) {
                 continue;
-            };
-            progress(&format!("{} by {}", subject.name, formulation.name));
+            }
+            progress(&format!("{} by {name}", subject.name));
+            let program = Program::of(&formulations)?;
             let reference = match &mut reference {
                 Some(reference) => reference,
                 none => none.insert(subject.reference(&scene, size)?),
@@ -190,7 +204,7 @@ pub fn measure(
             let (picture, frames_per_second) = trace(subject, &scene, size, program)?;
             let compared = oracle::compare(&picture, reference)?;
             rows.push(PictureRow {
-                formulation: formulation.name.to_owned(),
+                formulation: name.to_owned(),
                 scene: subject.name.to_owned(),
                 width: size.0,
                 height: size.1,
@@ -299,7 +313,8 @@ mod tests {
             depth: (160, 90),
             whitted: (64, 36),
         };
-        let default = |formulation: &SphereFormulation| formulation.name == "perpendicular";
+        let standard = Formulations::standard();
+        let default = |name: &str| name == standard.eye.name || name == STANDARD;
         let rows = measure(default, &sizes, |_| ()).unwrap();
         assert_eq!(rows.len(), SCENES.len());
         for row in &rows {

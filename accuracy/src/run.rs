@@ -172,7 +172,7 @@ pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, Run
         roots::measure(order.host_time)
     };
     let pictures = if order.pictures {
-        let asked = |formulation: &SphereFormulation| order.asks_for(formulation.name);
+        let asked = |name: &str| order.asks_for(name);
         pictures::measure(asked, &order.extent.sizes(), progress)?
     } else {
         Vec::new()
