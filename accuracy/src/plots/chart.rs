@@ -293,10 +293,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
                 f64::midpoint(area.left, area.right),
                 f64::midpoint(area.top, area.bottom),
             );
-            let nearest = (
-                place.0.clamp(area.left, area.right),
-                place.1.clamp(area.top, area.bottom),
-            );
+            let nearest = area.nearest(place);
             let far = (nearest.0 - place.0).abs().max((nearest.1 - place.1).abs());
             if far > 12.0 {
                 self.line(vec![place, nearest], colour(point).mix(0.5))?;

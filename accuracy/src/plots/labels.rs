@@ -20,6 +20,14 @@ impl Area {
         }
     }
 
+    /// The point in it that is nearest to another.
+    pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
+        (
+            x.clamp(self.left, self.right),
+            y.clamp(self.top, self.bottom),
+        )
+    }
+
     fn meets(&self, other: &Self) -> bool {
         self.left < other.right
             && other.left < self.right
@@ -79,7 +87,7 @@ pub(super) fn beside(
         .map(|point| Area::around(*point, POINT, POINT));
     let lines_taken = lines.iter().flat_map(|line| along(line));
     let mut taken: Vec<Area> = points_taken.chain(lines_taken).collect();
-    let mut areas = Vec::new();
+    let mut areas: Vec<Area> = Vec::new();
     for (&(x, y), &(width, height)) in points.iter().zip(sizes) {
         let away = |(across, down): (f64, f64), far: f64| {
             let middle = (
@@ -98,6 +106,7 @@ pub(super) fn beside(
             .find(free)
             .unwrap_or_else(|| away(WAYS[0], POINT));
         taken.push(area);
+        taken.extend(along(&[(x, y), area.nearest((x, y))]));
         areas.push(area);
     }
     areas
