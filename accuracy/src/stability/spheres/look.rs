@@ -180,14 +180,18 @@ impl Look {
         spacing(size) * self.condition()
     }
 
-    /// Ulps of the header that the distance is off, at the condition of its domain.
-    pub fn ulps(&self, found: f64, exact: f64) -> f64 {
-        // Where less than an ulp is stated, the direction is taken to be as long as it is said to be.
-        let given = if self.stated.error < 1.0 {
+    /// What the direction's own length moves of a distance. Where less than an ulp is stated, it is not in it:
+    /// the direction is taken to be of length 1 as it is given.
+    pub fn given(&self) -> f64 {
+        if self.stated.error < 1.0 {
             self.off_length * self.distance
         } else {
             0.0
-        };
-        ((found - exact).abs() - given).max(0.0) / self.unit(exact)
+        }
+    }
+
+    /// Ulps of the header that the distance is off, at the condition of its domain.
+    pub fn ulps(&self, found: f64, exact: f64) -> f64 {
+        ((found - exact).abs() - self.given()).max(0.0) / self.unit(exact)
     }
 }

@@ -139,7 +139,9 @@ impl Nearest {
                     // By the rounding of each, in what is the larger of their units.
                     Some(exact) => {
                         let units = looks.iter().map(|look| look.unit(exact));
-                        tally.error((exact - nearest) / units.fold(0.0, f64::max), input);
+                        let given: f64 = looks.iter().map(Look::given).sum();
+                        let farther = (exact - nearest - given).max(0.0);
+                        tally.error(farther / units.fold(0.0, f64::max), input);
                     }
                 },
             }
