@@ -1,15 +1,18 @@
-//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, in the order of
-//! the kernels' operations, and random cameras and spheres.
+//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels find them,
+//! and random cameras and spheres.
 
 use glam::DVec3;
 use nff::{Camera, View};
+use oracle::twin::ball::Ball;
+use oracle::twin::sphere::{Axis, Constants, Eye as _, Perpendicular};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::estimate::{fi, frsqest};
-use spu_emulator::float::single::{fm, fma, fnms, fs, to_f64};
+use spu_emulator::float::single::{fm, fma, fnms, to_f64};
 use zerocopy::big_endian::F32;
 
 use super::layout::Sphere;
+use crate::formulation::EyeRecord;
 use crate::scene;
 
 /// A vector of the SPU's singles.
@@ -62,18 +65,37 @@ pub fn is_outside(sphere: &Sphere, normal: Singles) -> bool {
     is_negative(terms.fold(sphere.reach.get().to_bits(), product))
 }
 
-/// The entry that `isect_pairs_r16` finds.
-pub fn entry(sphere: &Sphere, [dx, dy, dz]: Singles) -> Option<f64> {
-    let [cx, cy, cz] = bits(sphere.centre);
-    let b = fma(cz, dz, fma(cy, dy, fm(cx, dx)));
-    let (lx, ly, lz) = (fnms(b, dx, cx), fnms(b, dy, cy), fnms(b, dz, cz));
-    let radius_squared = sphere.radius_squared.get().to_bits();
-    let disc = fnms(lz, lz, fnms(ly, ly, fnms(lx, lx, radius_squared)));
-    let y = fi(disc, frsqest(disc));
-    let s = fm(disc, y);
-    let root = fm(s, fma(fnms(s, y, ONE), HALF, ONE));
-    let t = fs(b, root);
-    (!is_negative(disc) && !is_negative(t)).then(|| to_f64(t))
+/// A form of the records, either.
+pub fn form(random: &mut ChaCha8Rng) -> EyeRecord {
+    if random.random() {
+        EyeRecord::Centre
+    } else {
+        EyeRecord::Axis
+    }
+}
+
+/// The entry that the kernel for records of this form finds.
+pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64> {
+    let word = |value: F32| value.get().to_bits();
+    let (centre, square) = (bits(sphere.centre), word(sphere.radius_squared));
+    let found = match form {
+        EyeRecord::Centre => Perpendicular::entry(
+            direction,
+            &Ball {
+                centre,
+                radius_squared: square,
+            },
+        ),
+        EyeRecord::Axis => Constants::entry(
+            direction,
+            &Axis {
+                axis: centre,
+                k: square,
+                distance: word(sphere.distance),
+            },
+        ),
+    };
+    (!is_negative(found.outside) && !is_negative(found.t)).then(|| to_f64(found.t))
 }
 
 /// A number between 2^`from` and 2^`to`, as likely in each octave.

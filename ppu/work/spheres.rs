@@ -91,31 +91,36 @@ fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
     let to_centre = lens.to(sphere.centre);
     let distance = to_centre.length();
     let radius = sphere.radius;
+    let part = match form {
+        EyeRecord::Centre => 1.0,
+        // An eye in the very centre is inside, in parts of any distance.
+        EyeRecord::Axis => 1.0 / distance.max(scene::SMALLEST),
+    };
     let seen = seen_radius(distance, radius);
     let rounding = ROUNDING * distance;
     let always = f64::from(-f32::MAX);
     let ray_limit = if seen < distance {
-        ((distance - seen) * (distance + seen)).sqrt() - rounding
+        part * (((distance - seen) * (distance + seen)).sqrt() - rounding)
     } else {
         always
     };
     let angle = (seen / distance).min(1.0).asin() + lens.packet_spread();
     let packet_limit = if seen < distance && angle < PI {
-        distance * angle.cos() - rounding
+        part * (distance * angle.cos() - rounding)
     } else {
         always
     };
     let plane_rounding = ROUNDING + 2.0 * lens.direction_error();
-    let part = match form {
-        EyeRecord::Centre => 1.0,
-        EyeRecord::Axis => 1.0 / distance,
-    };
     Sphere {
         centre: singles(to_centre * part),
-        radius_squared: F32::new((radius * part).powi(2) as f32),
+        radius_squared: F32::new(
+            (radius * part)
+                .clamp(scene::SMALLEST, scene::LARGEST)
+                .powi(2) as f32,
+        ),
         near: down(near(sphere, lens)),
-        ray_limit: down(ray_limit * part),
-        packet_limit: down(packet_limit * part),
+        ray_limit: down(ray_limit),
+        packet_limit: down(packet_limit),
         reach: up(part * (radius + plane_rounding * (distance + radius))),
         colour: singles(sphere.colour),
         distance: F32::new(distance as f32),

@@ -123,11 +123,11 @@ constants! {
     /// Most bytes of one DMA transfer.
     MAX_TRANSFER = 16384;
     /// Where in local store the buffers begin that depth shading and Whitted's model each use in their way.
-    ARENA_ADDRESS = 0x1b800;
+    ARENA_ADDRESS = 0x1b600;
     /// Where in local store the scene of Whitted's model lies: first the background's `OBJECT`.
-    SCENE_ADDRESS = 0x2e200;
+    SCENE_ADDRESS = 0x2e000;
     /// Bytes for the scene and the rays that wait.
-    SCENE_ROOM = 0x10d80;
+    SCENE_ROOM = 0x10f80;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
     /// Most lights.

@@ -26,7 +26,14 @@ fn seen(camera: &Camera, lens: &Lens, sphere: &scene::Sphere) -> Vec<(u32, u32)>
     let record = records.records()[0];
     let pixels = (0..SIZE.height).flat_map(|y| (0..SIZE.width).map(move |x| (x, y)));
     pixels
-        .filter(|&(x, y)| entry(&record, direction(camera, x.into(), y.into())).is_some())
+        .filter(|&(x, y)| {
+            entry(
+                &record,
+                EyeRecord::Centre,
+                direction(camera, x.into(), y.into()),
+            )
+            .is_some()
+        })
         .collect()
 }
 

@@ -2,7 +2,8 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use super::super::arithmetic::{
-    Singles, across, camera, direction, entry, is_above, is_outside, magnitude, sphere, unit, wide,
+    Singles, across, camera, direction, entry, form, is_above, is_outside, magnitude, sphere, unit,
+    wide,
 };
 use super::*;
 use crate::framebuffer::Geometry;
@@ -49,9 +50,13 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
         for _ in 0..500 {
             let towards = unit(&mut random);
             let sphere = sphere(&mut random, camera.eye, towards);
-            let record = record(&sphere, &lens, EyeRecord::Centre);
+            let form = form(&mut random);
+            let record = record(&sphere, &lens, form);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
-            let (exact, found) = (enters(&sphere, camera.eye, wide(ray)), entry(&record, ray));
+            let (exact, found) = (
+                enters(&sphere, camera.eye, wide(ray)),
+                entry(&record, form, ray),
+            );
             let passes = is_above(record.ray_limit, record.centre, ray);
             assert!(passes || !exact, "{sphere:?} {record:?} {ray:x?}");
             assert!(passes || found.is_none(), "{sphere:?} {record:?} {ray:x?}");
@@ -88,7 +93,8 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
             radius: distance * share,
             colour: DVec3::ONE,
         };
-        let record = record(&sphere, &lens, EyeRecord::Centre);
+        let form = form(&mut random);
+        let record = record(&sphere, &lens, form);
         let angle = share.asin() + 0.001;
         let passing = along * angle.cos() + across(&mut random, along) * angle.sin();
         let passing = passing.to_array().map(|value| (value as f32).to_bits());
@@ -134,10 +140,12 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
             };
             let towards = ray * angle.cos() + across(&mut random, ray) * angle.sin();
             sphere.centre = camera.eye + towards * distance;
-            let record = record(&sphere, &lens, EyeRecord::Centre);
+            let form = form(&mut random);
+            let record = record(&sphere, &lens, form);
             let passes = is_above(record.packet_limit, record.centre, middle);
             for &ray in &rays {
-                let hit = entry(&record, ray).is_some() || enters(&sphere, camera.eye, wide(ray));
+                let hit =
+                    entry(&record, form, ray).is_some() || enters(&sphere, camera.eye, wide(ray));
                 assert!(passes || !hit, "{camera:?} {sphere:?} {record:?}");
                 hits += u32::from(hit);
             }
@@ -157,7 +165,8 @@ fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
         for _ in 0..300 {
             let towards = unit(&mut random);
             let sphere = sphere(&mut random, camera.eye, towards);
-            let record = record(&sphere, &lens, EyeRecord::Centre);
+            let form = form(&mut random);
+            let record = record(&sphere, &lens, form);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
             // A plane through the ray, or nearly so, with the ray on its inner side. The worst one
             // has the sphere on the other side.
@@ -174,7 +183,7 @@ fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
             if wide(normal).dot(along) < 0.0 {
                 continue;
             }
-            let hit = entry(&record, ray).is_some() || enters(&sphere, camera.eye, wide(ray));
+            let hit = entry(&record, form, ray).is_some() || enters(&sphere, camera.eye, wide(ray));
             let left_out = is_outside(&record, normal);
             assert!(
                 !(hit && left_out),
@@ -198,12 +207,13 @@ fn no_ray_enters_a_sphere_around_the_eye() {
             let distance = (sphere.centre - camera.eye).length();
             sphere.radius = distance * (1.0 + magnitude(&mut random, -17.99, 4.0));
             assert!(!can_be_seen(&sphere, &lens));
-            let record = record(&sphere, &lens, EyeRecord::Centre);
+            let form = form(&mut random);
+            let record = record(&sphere, &lens, form);
             for _ in 0..10 {
                 let ray = unit(&mut random)
                     .to_array()
                     .map(|value| (value as f32).to_bits());
-                assert_eq!(entry(&record, ray), None, "{sphere:?} {ray:x?}");
+                assert_eq!(entry(&record, form, ray), None, "{sphere:?} {ray:x?}");
             }
         }
     }
@@ -221,7 +231,8 @@ fn what_the_eye_touches_is_always_tested() {
             colour: DVec3::ONE,
         };
         assert!(can_be_seen(&sphere, &lens));
-        let record = record(&sphere, &lens, EyeRecord::Centre);
+        let form = form(&mut random);
+        let record = record(&sphere, &lens, form);
         assert_eq!(record.ray_limit.get(), -f32::MAX);
         assert_eq!(record.packet_limit.get(), -f32::MAX);
         assert_eq!(record.near.get(), 0.0);
@@ -250,7 +261,7 @@ fn extreme_numbers_stay_singles() {
                         colour,
                     },
                     &lens,
-                    EyeRecord::Centre,
+                    form(&mut random),
                 );
                 for value in [
                     record.centre[0],
