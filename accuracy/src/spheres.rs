@@ -17,7 +17,7 @@ use crate::truth::{Line, Vector, spacing};
 
 /// Ulps of a distance that half an ulp in what is given may move in the mean, for a family to be
 /// well-conditioned.
-pub const WELL_CONDITIONED: f64 = 16.0;
+pub const WELL_CONDITIONED: f64 = 1.5;
 
 /// A kernel on a family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
@@ -261,9 +261,10 @@ impl Errors {
 
 #[cfg(test)]
 mod tests {
-    use cellray::formulation::SPHERES;
+    use cellray::formulation::{Formulations, SPHERES};
 
     use super::*;
+    use crate::families::FAR;
     use crate::subject;
 
     fn subjects(name: &str) -> Vec<Subject> {
@@ -279,36 +280,36 @@ mod tests {
         found.unwrap()
     }
 
+    /// Of the eye's rays: what Whitted's model has of another form is the same bits (oracle/tests/forms.rs).
     #[test]
-    fn the_default_is_right_at_every_distance_and_the_paper_s_is_lost_at_4096() {
-        let rows = measure(&subjects("perpendicular"), 1, 2);
-        for form in [Form::Eye, Form::General] {
-            for row in rows
-                .iter()
-                .filter(|row| row.form == form && row.ratio.is_some())
-            {
-                let worst = row.distance_ulps.unwrap().max;
+    fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {
+        let standard = Formulations::standard();
+        for (formulation, from) in [(standard.eye, 4.0), (standard.seen, 16.0)] {
+            let rows = measure(&subjects(formulation.name), 1, 8);
+            let eye = rows.iter().filter(|row| row.form == Form::Eye);
+            let mut counted = 0;
+            for row in eye.filter(|row| row.ratio.is_some_and(|ratio| ratio >= from)) {
                 assert!(row.well_conditioned, "{row:?}");
-                assert!(worst > 0.0 && worst < 64.0, "{row:?}");
+                let worst = row.distance_ulps.unwrap().max;
+                assert!(worst > 0.0 && worst <= 2.0, "{row:?}");
+                counted += 1;
             }
+            assert!(counted >= 8);
+            let far = row(&rows, Form::Eye, FAR);
+            assert_eq!((far.wrong_hits, far.wrong_misses), (0, 0), "{far:?}");
         }
-        let paper = measure(&subjects("paper"), 1, 2);
-        for form in [Form::Eye, Form::General] {
-            let far = row(&paper, form, crate::families::FAR);
-            assert!(far.wrong_hits + far.wrong_misses > far.rays / 50, "{far:?}");
-            let near = row(&paper, form, "ratio 2");
-            assert!(
-                near.wrong_hits + near.wrong_misses <= near.rays / 100,
-                "{near:?}"
-            );
-        }
+        let paper = measure(&subjects("paper"), 1, 8);
+        let far = row(&paper, Form::Eye, FAR);
+        assert!(far.wrong_hits + far.wrong_misses > far.rays / 8, "{far:?}");
+        let near = row(&paper, Form::Eye, "ratio 2");
+        assert!(near.wrong_hits + near.wrong_misses <= near.rays / 1000);
     }
 
     #[test]
     fn what_hangs_on_roundings_of_what_is_given_is_ill_conditioned() {
         let rows = measure(&subjects("perpendicular"), 1, 2);
         let of = |family| row(&rows, Form::General, family).well_conditioned;
-        assert!(of("ratio 16") && of("inside") && of("coherent"));
+        assert!(of("ratio 16") && of("coherent"));
         assert!(!of("grazing") && !of("ground 1e6"));
     }
 
