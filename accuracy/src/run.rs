@@ -116,7 +116,7 @@ impl Extent {
         Sizes {
             depth: (1280, 720),
             whitted: match self {
-                Self::Quick | Self::Standard => (640, 360),
+                Self::Quick | Self::Standard => (480, 270),
                 Self::Full => (1280, 720),
             },
         }
