@@ -6,6 +6,7 @@
 
 pub mod document;
 pub mod families;
+pub mod generator;
 pub mod guarantees;
 pub mod metrics;
 mod origin;

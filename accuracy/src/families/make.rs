@@ -1,9 +1,9 @@
 //! How each family's spheres and rays are made.
 
+use crate::generator::Generator;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
 
 use super::space::{
@@ -16,12 +16,12 @@ use crate::truth::Vector;
 const AROUND: f64 = 8.0;
 
 /// A radius of its order of magnitude.
-fn radius(random: &mut ChaCha8Rng) -> f64 {
+fn radius(random: &mut Generator) -> f64 {
     random.random_range(0.5..2.0)
 }
 
 /// Where rays of a form start, within a cube of that half side.
-fn origin(form: Form, half: f64, random: &mut ChaCha8Rng) -> Vector {
+fn origin(form: Form, half: f64, random: &mut Generator) -> Vector {
     match form {
         Form::Eye => [0.0; 3],
         Form::General => in_cube(half, random).map(rounded),
@@ -46,8 +46,8 @@ fn ray(origin: Vector, direction: Vector) -> Ray {
 fn shot(
     centre: Vector,
     radius: f64,
-    random: &mut ChaCha8Rng,
-    mut aim: impl FnMut(&mut ChaCha8Rng) -> Ray,
+    random: &mut Generator,
+    mut aim: impl FnMut(&mut Generator) -> Ray,
 ) -> Shot {
     let packet = |_| std::array::from_fn(|_| aim(random));
     Shot {
@@ -58,7 +58,7 @@ fn shot(
 }
 
 /// A sphere so many radii away and rays over the disc within 2 radii.
-fn distant(from: Vector, radius: f64, ratio: f64, random: &mut ChaCha8Rng) -> Shot {
+fn distant(from: Vector, radius: f64, ratio: f64, random: &mut Generator) -> Shot {
     let axis = direction(random);
     let centre = along(from, ratio * radius, axis);
     shot(centre, radius, random, |random| {
@@ -67,19 +67,19 @@ fn distant(from: Vector, radius: f64, ratio: f64, random: &mut ChaCha8Rng) -> Sh
     })
 }
 
-pub(super) fn at_ratio(random: &mut ChaCha8Rng, form: Form, ratio: f64) -> Shot {
+pub(super) fn at_ratio(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
     distant(from, radius, ratio, random)
 }
 
-pub(super) fn tiny(random: &mut ChaCha8Rng, form: Form, size: f64) -> Shot {
+pub(super) fn tiny(random: &mut Generator, form: Form, size: f64) -> Shot {
     let from = origin(form, 1.0, random);
     let radius = size * radius(random);
     distant(from, radius, 1e3 / radius, random)
 }
 
-pub(super) fn grazing(random: &mut ChaCha8Rng, form: Form, ratio: f64) -> Shot {
+pub(super) fn grazing(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
     let axis = direction(random);
@@ -93,7 +93,7 @@ pub(super) fn grazing(random: &mut ChaCha8Rng, form: Form, ratio: f64) -> Shot {
     })
 }
 
-pub(super) fn inside(random: &mut ChaCha8Rng, _: Form, scale: f64) -> Shot {
+pub(super) fn inside(random: &mut Generator, _: Form, scale: f64) -> Shot {
     let radius = scale * radius(random);
     let centre = in_cube(radius, random);
     shot(centre, radius, random, |random| {
@@ -102,7 +102,7 @@ pub(super) fn inside(random: &mut ChaCha8Rng, _: Form, scale: f64) -> Shot {
     })
 }
 
-pub(super) fn ground(random: &mut ChaCha8Rng, form: Form, radius: f64) -> Shot {
+pub(super) fn ground(random: &mut Generator, form: Form, radius: f64) -> Shot {
     let from = origin(form, 100.0, random);
     let up = direction(random);
     let height = random.random_range(1.0..100.0);
@@ -114,7 +114,7 @@ pub(super) fn ground(random: &mut ChaCha8Rng, form: Form, radius: f64) -> Shot {
     })
 }
 
-pub(super) fn coherent(random: &mut ChaCha8Rng, _: Form, ratio: f64) -> Shot {
+pub(super) fn coherent(random: &mut Generator, _: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let centre = in_cube(AROUND * radius, random);
     let packet = |_| {
@@ -135,7 +135,7 @@ pub(super) fn coherent(random: &mut ChaCha8Rng, _: Form, ratio: f64) -> Shot {
     }
 }
 
-pub(super) fn incoherent(random: &mut ChaCha8Rng, _: Form, _: f64) -> Shot {
+pub(super) fn incoherent(random: &mut Generator, _: Form, _: f64) -> Shot {
     let radius = radius(random);
     let centre = in_cube(AROUND * radius, random);
     shot(centre, radius, random, |random| {
@@ -148,7 +148,7 @@ pub(super) fn incoherent(random: &mut ChaCha8Rng, _: Form, _: f64) -> Shot {
     })
 }
 
-pub(super) fn lengths(random: &mut ChaCha8Rng, form: Form, ratio: f64) -> Shot {
+pub(super) fn lengths(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
     let axis = direction(random);

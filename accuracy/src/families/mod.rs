@@ -7,10 +7,9 @@ mod make;
 pub mod space;
 pub mod triangles;
 
+use crate::generator::{Generator, generator};
 use oracle::twin::Single;
 use oracle::twin::ball::Ray;
-use rand::SeedableRng as _;
-use rand_chacha::ChaCha8Rng;
 use serde::{Deserialize, Serialize};
 
 use crate::truth::Vector;
@@ -55,7 +54,7 @@ pub struct Family {
     /// Whether directions have any length.
     pub any_length: bool,
     /// A sphere and its rays.
-    make: fn(&mut ChaCha8Rng, Form, f64) -> Shot,
+    make: fn(&mut Generator, Form, f64) -> Shot,
     /// What the generator is told: the ratio, or a size.
     parameter: f64,
 }
@@ -174,9 +173,7 @@ impl Family {
     /// So many spheres with [`PACKETS`] packets each.
     #[must_use]
     pub fn shots(&self, form: Form, seed: u64, spheres: usize) -> Vec<Shot> {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        // A stream of its own, so that a family does not hang on which others are measured.
-        random.set_stream(stream(self.name, form));
+        let mut random = generator(seed, &[self.name, form.name()], 0);
         (0..spheres)
             .map(|_| (self.make)(&mut random, form, self.parameter))
             .collect()
@@ -195,14 +192,6 @@ impl Shot {
     pub fn radius(&self) -> f64 {
         spu_emulator::float::single::to_f64(self.radius)
     }
-}
-
-/// A number of a family's own (FNV-1a of its name).
-fn stream(name: &str, form: Form) -> u64 {
-    let bytes = name.bytes().chain(form.name().bytes());
-    bytes.fold(0xcbf2_9ce4_8422_2325, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 #[cfg(test)]

@@ -1,13 +1,13 @@
 //! Scene families of triangles: named generators of one or two of them and the rays that are sent there.
 
+use crate::generator::{Generator, generator};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use oracle::twin::triangle::Triangle;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand::Rng as _;
 
+use super::PACKETS;
 use super::space::{across, along, direction, dot, in_cube, less, point, unit};
-use super::{Form, PACKETS, stream};
 use crate::truth::Vector;
 
 /// How flat a ray may come at least: the cosine of its angle with the normal.
@@ -73,12 +73,11 @@ impl Family {
     /// So many shots with [`PACKETS`] packets each.
     #[must_use]
     pub fn shots(&self, seed: u64, shots: usize) -> Vec<Shot> {
-        let mut random = ChaCha8Rng::seed_from_u64(seed);
-        random.set_stream(stream(self.name, Form::General));
+        let mut random = generator(seed, &[self.name], 0);
         (0..shots).map(|_| self.shot(&mut random)).collect()
     }
 
-    fn shot(&self, random: &mut ChaCha8Rng) -> Shot {
+    fn shot(&self, random: &mut Generator) -> Shot {
         let edge = random.random_range(0.5..2.0);
         let normal = direction(random);
         let [along_edge, upwards] = across(normal);
@@ -89,7 +88,7 @@ impl Family {
             along(foot, side * self.height * edge, upwards)
         };
         let (c, d) = (top(1.0), top(-1.0));
-        let ray = |random: &mut ChaCha8Rng| {
+        let ray = |random: &mut Generator| {
             let from = self.origin(a, edge, normal, random);
             let target = if self.shared_edge {
                 along(a, edge * random.random_range(0.1..0.9), along_edge)
@@ -115,7 +114,7 @@ impl Family {
     }
 
     /// Where a ray begins, a single, not too flat over the plane on either side.
-    fn origin(&self, corner: Vector, edge: f64, normal: Vector, random: &mut ChaCha8Rng) -> Vector {
+    fn origin(&self, corner: Vector, edge: f64, normal: Vector, random: &mut Generator) -> Vector {
         let [near, far] = self.reach;
         let away = loop {
             let away = direction(random);

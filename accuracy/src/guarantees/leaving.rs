@@ -9,6 +9,7 @@
 //! `leave` over the radius, rounding may take the outer side for the inner one. Such hits are tried, and
 //! nothing is asked of what leaves from there.
 
+use crate::generator::Generator;
 use glam::DVec3;
 use kernels::Bench;
 use kernels::single::bits;
@@ -17,7 +18,6 @@ use nff::Shape;
 use oracle::twin::ball::Ray;
 use oracle::twin::{FARTHEST, Single};
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::product::{Kind, Product, Stuff, next_hit};
@@ -53,7 +53,7 @@ struct Leave {
     name: &'static str,
     subject: &'static str,
     kind: Kind,
-    body: fn(&mut ChaCha8Rng) -> Option<Body>,
+    body: fn(&mut Generator) -> Option<Body>,
 }
 
 /// A family for each kind of body.
@@ -100,13 +100,13 @@ fn vector(v: Vector) -> DVec3 {
 }
 
 /// Where a body may be: around the eye, near and far.
-fn place(random: &mut ChaCha8Rng) -> Vector {
+fn place(random: &mut Generator) -> Vector {
     let distance = magnitude(-3, 10, random);
     rounded(direction(random).map(|x| distance * x))
 }
 
 /// Glass of any index with a mirror's shine; a quarter lets nothing through.
-fn stuff(random: &mut ChaCha8Rng) -> Stuff {
+fn stuff(random: &mut Generator) -> Stuff {
     let index = random.random_range(1.01..2.5);
     Stuff {
         mirror: 0.5,
@@ -118,15 +118,15 @@ fn stuff(random: &mut ChaCha8Rng) -> Stuff {
 fn body(
     kind: Kind,
     shape: Shape,
-    random: &mut ChaCha8Rng,
-    mut target: impl FnMut(&mut ChaCha8Rng) -> Target,
+    random: &mut Generator,
+    mut target: impl FnMut(&mut Generator) -> Target,
 ) -> Option<Body> {
     let product = Product::of(kind, shape, stuff(random))?;
     let targets = (0..16).map(|_| target(random)).collect();
     Some(Body { product, targets })
 }
 
-fn sphere(random: &mut ChaCha8Rng) -> Option<Body> {
+fn sphere(random: &mut Generator) -> Option<Body> {
     let centre = place(random);
     let radius = magnitude(-7, 5, random);
     let shape = Shape::Sphere {
@@ -143,7 +143,7 @@ fn sphere(random: &mut ChaCha8Rng) -> Option<Body> {
 }
 
 /// A flat body: its corners, and a point of it by two shares.
-fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut ChaCha8Rng) -> Option<Body> {
+fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Body> {
     let (corner, first) = (vertices[0], less(vertices[1], vertices[0]));
     let second = less(vertices[vertices.len() - 1], corner);
     let across = cross(first, second);
@@ -163,7 +163,7 @@ fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut ChaCha8Rng) -> Option<Bo
     })
 }
 
-fn triangle(random: &mut ChaCha8Rng) -> Option<Body> {
+fn triangle(random: &mut Generator) -> Option<Body> {
     let (corner, size) = (place(random), magnitude(-7, 5, random));
     let vertices = (0..3).map(|_| {
         let offset = in_cube(size, random);
@@ -173,7 +173,7 @@ fn triangle(random: &mut ChaCha8Rng) -> Option<Body> {
     flat(Kind::Triangle, vertices, random)
 }
 
-fn rectangle(random: &mut ChaCha8Rng) -> Option<Body> {
+fn rectangle(random: &mut Generator) -> Option<Body> {
     let (corner, size) = (place(random), magnitude(-7, 5, random));
     let [u, v] = [(); 2].map(|()| in_cube(size, random));
     let sum = |edges: &[Vector]| -> Vector {
@@ -184,7 +184,7 @@ fn rectangle(random: &mut ChaCha8Rng) -> Option<Body> {
 }
 
 /// A cone or cylinder not thinner than 1 to 64, nor tapering to less than a hundredth.
-fn stout_cone(random: &mut ChaCha8Rng) -> Option<Body> {
+fn stout_cone(random: &mut Generator) -> Option<Body> {
     let height = magnitude(-5, 5, random);
     let widest = height * magnitude(-6, 3, random);
     let narrowest = widest
@@ -196,7 +196,7 @@ fn stout_cone(random: &mut ChaCha8Rng) -> Option<Body> {
 }
 
 /// A cone as thin as 1 to 4096 that tapers to a thousandth or to nothing.
-fn thin_cone(random: &mut ChaCha8Rng) -> Option<Body> {
+fn thin_cone(random: &mut Generator) -> Option<Body> {
     let height = magnitude(-5, 5, random);
     let widest = height * magnitude(-12, -6, random);
     let share = if random.random() { 0.0 } else { 1e-3 };
@@ -204,7 +204,7 @@ fn thin_cone(random: &mut ChaCha8Rng) -> Option<Body> {
 }
 
 /// A cone with these radii at its ends, whichever way round.
-fn cone(height: f64, mut radii: [f64; 2], random: &mut ChaCha8Rng) -> Option<Body> {
+fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body> {
     let base = place(random);
     let axis = direction(random);
     if random.random() {
@@ -229,7 +229,7 @@ fn cone(height: f64, mut radii: [f64; 2], random: &mut ChaCha8Rng) -> Option<Bod
 }
 
 /// A ray to a point of a surface, from the eye or from anywhere, half of them along the surface.
-fn towards(target: &Target, random: &mut ChaCha8Rng) -> Line {
+fn towards(target: &Target, random: &mut Generator) -> Line {
     let distance = magnitude(-6, 7, random);
     let back = match random.random_range(0..4) {
         0 => target.point.map(|x| -x),
@@ -414,7 +414,7 @@ impl Family for Leave {
         250
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..CALLS {
             let mut bodies = Vec::new();
             while bodies.len() < PACKETS {

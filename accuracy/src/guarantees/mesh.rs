@@ -2,11 +2,11 @@
 //!
 //! Invariant: the surface goes round the point, whatever rounding has made of the vertices.
 
+use crate::generator::Generator;
 use kernels::flat_records::{Point, point};
 use kernels::vector::{Vector, in_cube, less, unit};
 use oracle::twin::triangle::Triangle;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use crate::stability::random::magnitude;
@@ -23,11 +23,11 @@ pub struct Mesh {
 }
 
 /// How a mesh is made.
-pub type Maker = fn(&mut ChaCha8Rng) -> Mesh;
+pub type Maker = fn(&mut Generator) -> Mesh;
 
 /// A lumpy ball of any size, somewhere near.
 #[must_use]
-pub fn lumpy(random: &mut ChaCha8Rng) -> Mesh {
+pub fn lumpy(random: &mut Generator) -> Mesh {
     let size = magnitude(-10, 10, random);
     let place = in_cube(10.0 * size, random);
     Mesh::icosahedron(place, size, [1.0; 3], random)
@@ -35,14 +35,14 @@ pub fn lumpy(random: &mut ChaCha8Rng) -> Mesh {
 
 /// One that is thin in one direction or two.
 #[must_use]
-pub fn thin(random: &mut ChaCha8Rng) -> Mesh {
+pub fn thin(random: &mut Generator) -> Mesh {
     let widths = std::array::from_fn(|_| magnitude(-13, 0, random));
     Mesh::icosahedron([0.0; 3], 1.0, widths, random)
 }
 
 /// One so far out that the vertices lie on a coarse lattice, and many edges exactly behind others.
 #[must_use]
-pub fn far_out(random: &mut ChaCha8Rng) -> Mesh {
+pub fn far_out(random: &mut Generator) -> Mesh {
     let size = magnitude(0, 10, random);
     Mesh::icosahedron(FAR_OUT, size, [1.0; 3], random)
 }
@@ -50,7 +50,7 @@ pub fn far_out(random: &mut ChaCha8Rng) -> Mesh {
 /// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through vertices
 /// and along faces' edges.
 #[must_use]
-pub fn lattice(random: &mut ChaCha8Rng) -> Mesh {
+pub fn lattice(random: &mut Generator) -> Mesh {
     const CELLS: usize = 2;
     // Odd numbers, so that products are longer than a single.
     let steps: Vector =
@@ -88,7 +88,7 @@ pub fn lattice(random: &mut ChaCha8Rng) -> Mesh {
 impl Mesh {
     /// An icosahedron's vertices, each drawn out: every ray from `inside` along one of the icosahedron's
     /// meets that of the mesh, as long as rounding moves it by less than the mesh's least width.
-    fn icosahedron(place: Vector, size: f64, widths: Vector, random: &mut ChaCha8Rng) -> Self {
+    fn icosahedron(place: Vector, size: f64, widths: Vector, random: &mut Generator) -> Self {
         let golden = (1.0 + 5_f64.sqrt()) / 2.0;
         let mut vertices = Vec::new();
         for axis in 0..3 {
@@ -132,7 +132,7 @@ impl Mesh {
     }
 
     /// The triangles, each gone round as chance will.
-    pub fn triangles(&self, random: &mut ChaCha8Rng) -> Vec<Triangle> {
+    pub fn triangles(&self, random: &mut Generator) -> Vec<Triangle> {
         let triangle = |face: &[usize; 3]| {
             let mut face = *face;
             if random.random() {
@@ -145,7 +145,7 @@ impl Mesh {
     }
 
     /// Origin and direction of a ray to a vertex, to a point of an edge, or within an ulp or so of them.
-    pub fn aimed(&self, random: &mut ChaCha8Rng) -> [Point; 2] {
+    pub fn aimed(&self, random: &mut Generator) -> [Point; 2] {
         let face = self.faces[random.random_range(0..self.faces.len() as u32) as usize];
         let from = random.random_range(0..3_usize);
         let ends = [face[from], face[(from + 1) % 3]];

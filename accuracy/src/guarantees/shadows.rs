@@ -3,6 +3,7 @@
 
 use std::marker::PhantomData;
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::whitted::isect::ball::{By, FRONT, SphereObject, sphere};
 use kernels::cases::whitted::isect::call;
@@ -17,7 +18,6 @@ use oracle::twin::shadow_rays::Place;
 use oracle::twin::sphere::Perpendicular;
 use oracle::twin::surfaces::Surface;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::steps::NOT_THERE;
@@ -35,9 +35,9 @@ trait Blocker: Shape + Sync {
     /// Words that say it.
     const WORDS: usize;
     /// One that is about this large, at this place.
-    fn any(place: Vector, size: f64, random: &mut ChaCha8Rng) -> Self;
+    fn any(place: Vector, size: f64, random: &mut Generator) -> Self;
     /// A point of its outline as seen along a direction, and the direction there.
-    fn outline(&self, random: &mut ChaCha8Rng) -> [Vector; 2];
+    fn outline(&self, random: &mut Generator) -> [Vector; 2];
     /// How far a line passes from its outline.
     fn off_outline(&self, from: Point, to: Point) -> f64;
     fn words(&self) -> Vec<u32>;
@@ -48,11 +48,11 @@ impl Blocker for By<Perpendicular> {
     const NAME: &'static str = "shadow-spheres";
     const WORDS: usize = 4;
 
-    fn any(place: Vector, size: f64, _: &mut ChaCha8Rng) -> Self {
+    fn any(place: Vector, size: f64, _: &mut Generator) -> Self {
         sphere(place, size, FRONT).into()
     }
 
-    fn outline(&self, random: &mut ChaCha8Rng) -> [Vector; 2] {
+    fn outline(&self, random: &mut Generator) -> [Vector; 2] {
         let normal = direction(random);
         let [along, _] = across(normal, random);
         let radius = to_f64(self.sphere.offset);
@@ -88,7 +88,7 @@ impl Blocker for TriangleObject {
     const NAME: &'static str = "shadow-triangles";
     const WORDS: usize = 9;
 
-    fn any(place: Vector, size: f64, random: &mut ChaCha8Rng) -> Self {
+    fn any(place: Vector, size: f64, random: &mut Generator) -> Self {
         let mut corner = || {
             let offset = in_cube(size, random);
             std::array::from_fn(|k| from_f64(place[k] + offset[k]))
@@ -99,7 +99,7 @@ impl Blocker for TriangleObject {
         }
     }
 
-    fn outline(&self, random: &mut ChaCha8Rng) -> [Vector; 2] {
+    fn outline(&self, random: &mut Generator) -> [Vector; 2] {
         let from = random.random_range(0..3_usize);
         let [a, b] = [from, (from + 1) % 3].map(|k| self.vertices[k].map(to_f64));
         let share = random.random_range(0.0..1.0);
@@ -272,7 +272,7 @@ impl<B: Blocker> Family for Symmetric<B> {
         60
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let size = magnitude(-10, 10, random);
         let place = in_cube(4.0 * size, random);
         let object = B::any(place, size, random);

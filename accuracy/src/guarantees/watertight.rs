@@ -1,5 +1,6 @@
 //! Nothing leaks: every ray from inside a closed mesh meets it, also those aimed at its edges and vertices.
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape as _;
@@ -7,7 +8,6 @@ use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::flat_records::Point;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
-use rand_chacha::ChaCha8Rng;
 
 use super::mesh::{self, Maker};
 use crate::stability::family::{Family, NoCaseError, Tally};
@@ -90,7 +90,7 @@ impl Family for Watertight {
         250
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..MESHES {
             let mesh = (self.maker)(random);
             let triangles = mesh.triangles(random).into_iter();

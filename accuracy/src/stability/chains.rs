@@ -10,6 +10,7 @@
 //! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error grows with
 //!   the square of the number of bounces.
 
+use crate::generator::Generator;
 use glam::DVec3;
 use kernels::Bench;
 use kernels::single::bits;
@@ -18,7 +19,6 @@ use nff::Shape;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::family::{Family, NoCaseError, Tally};
@@ -167,7 +167,7 @@ impl Room {
     }
 
     /// The mirrors, in the order that a ray meets them, and sixteen rays.
-    fn mirrors(self, bounces: u32, random: &mut ChaCha8Rng) -> Option<([Product; 2], [Line; 16])> {
+    fn mirrors(self, bounces: u32, random: &mut Generator) -> Option<([Product; 2], [Line; 16])> {
         let radius = magnitude(-10, 10, random);
         let place: Vector = rounded(std::array::from_fn(|_| {
             PLACE * radius * random.random_range(-1.0..1.0)
@@ -350,7 +350,7 @@ impl Family for Chain {
         200
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let mut mirrors = Vec::new();
         let mut lines = Vec::new();
         while mirrors.len() < PACKETS {

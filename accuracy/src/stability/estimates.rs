@@ -1,12 +1,12 @@
 //! Reciprocals and square roots where tables meet: the first and the last fraction of every entry, those next
 //! to them, with every exponent and either sign.
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::math::error::ulps;
 use kernels::cases::math::{self, FUNCTIONS, Function};
 use oracle::twin::Single;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 
 use super::family::{Family, NoCaseError, Tally, words_of};
 use super::statement::{Bound, StatementError};
@@ -37,7 +37,7 @@ pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
 }
 
 /// A fraction at a border of an entry, and up to two ulps within; any exponent and sign.
-fn operand(random: &mut ChaCha8Rng) -> Single {
+fn operand(random: &mut Generator) -> Single {
     let first = random.random_range(0..ENTRIES) << POSITION;
     let within = random.random_range(0..3);
     let last = (1 << POSITION) - 1;
@@ -96,7 +96,7 @@ impl Family for Estimates {
         400
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let operands = [(); QUADWORDS].map(|()| [(); 4].map(|()| operand(random)));
         self.try_operands(bench, &operands, tally);
     }

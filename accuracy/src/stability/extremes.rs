@@ -6,6 +6,7 @@
 
 use std::marker::PhantomData;
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::formulation::ForAnyRay;
 use kernels::cases::whitted::bounce::Sites;
@@ -28,7 +29,6 @@ use oracle::twin::sphere::{
     Unnormalised,
 };
 use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 
 use super::family::{Family, NoCaseError, Tally};
 use super::statement::Bound;
@@ -59,7 +59,7 @@ const MAGNITUDES: [Single; 20] = [
 ];
 
 /// One of them, one near it, or any word.
-fn word(random: &mut ChaCha8Rng) -> Single {
+fn word(random: &mut Generator) -> Single {
     let sign = u32::from(random.random::<bool>()) << 31;
     let magnitude = MAGNITUDES[random.random_range(0..MAGNITUDES.len() as u32) as usize];
     match random.random_range(0..8) {
@@ -69,7 +69,7 @@ fn word(random: &mut ChaCha8Rng) -> Single {
     }
 }
 
-fn words<const N: usize>(random: &mut ChaCha8Rng) -> [Single; N] {
+fn words<const N: usize>(random: &mut Generator) -> [Single; N] {
     std::array::from_fn(|_| word(random))
 }
 
@@ -209,7 +209,7 @@ impl<S: OfWords> Family for Meeting<S> {
         2000
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let mut object = Vec::from_iter((0..S::WORDS).map(|_| word(random)));
         // Any sides.
         object[0] = random.random();
@@ -276,7 +276,7 @@ impl Bounces {
     fn leave(bench: &mut Bench, hits: &[[u32; BOUNCE]; 16], tally: &mut Tally) {
         let packet: [Bounce; 16] = std::array::from_fn(|lane| bounce(hits[lane], lane as u32));
         bench.reset();
-        let sites = Sites::put(bench, &[packet], &mut ChaCha8Rng::seed_from_u64(0));
+        let sites = Sites::put(bench, &[packet], &mut Generator::seed_from_u64(0));
         let queue = |kernel: &str, bench: &mut Bench| -> [Option<Queued>; 16] {
             let end = bench.call(kernel, &sites.arguments()).value;
             let queued = sites.queued(bench, end);
@@ -314,7 +314,7 @@ impl Family for Bounces {
         1000
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let hits = [(); 16].map(|()| words(random));
         Self::leave(bench, &hits, tally);
     }

@@ -2,8 +2,8 @@
 //!
 //! Invariant: a tally depends on the cases alone, in their order: not on who has tried them.
 
+use crate::generator::Generator;
 use kernels::Bench;
-use rand_chacha::ChaCha8Rng;
 use thiserror::Error;
 
 use super::statement::Bound;
@@ -21,7 +21,7 @@ pub trait Family: Sync {
     /// Rounds of a run that is neither quick nor full.
     fn rounds(&self) -> u32;
     /// Tries some cases.
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally);
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally);
     /// Tries the case that these words say.
     ///
     /// # Errors

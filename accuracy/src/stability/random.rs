@@ -1,24 +1,17 @@
 //! Random numbers whose bits are the same on every host: no logarithm, no power, no sine.
 
+use crate::generator::{Generator, generator};
 use kernels::vector::{Vector, cross, dot, unit};
 use oracle::twin::Single;
-use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use crate::families::space::direction;
 
 /// The random numbers of one round of a family: whoever tries it.
 #[must_use]
-pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> ChaCha8Rng {
-    // FNV-1a: the order of the families does not matter.
-    let name = family.bytes().chain([0]).chain(subject.bytes());
-    let hash = name.fold(0xcbf2_9ce4_8422_2325_u64, |hash, byte| {
-        (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    });
-    let mut random = ChaCha8Rng::seed_from_u64(seed ^ hash);
-    random.set_stream(u64::from(round));
-    random
+pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> Generator {
+    generator(seed, &[family, subject], round)
 }
 
 /// 2^exponent.
@@ -29,12 +22,12 @@ pub fn power_of_two(exponent: i32) -> f64 {
 }
 
 /// A number from 2^low to below 2^high, all powers equally likely.
-pub fn magnitude(low: i32, high: i32, random: &mut ChaCha8Rng) -> f64 {
+pub fn magnitude(low: i32, high: i32, random: &mut Generator) -> f64 {
     power_of_two(random.random_range(low..high)) * random.random_range(1.0..2.0)
 }
 
 /// Two directions across a third and one another.
-pub fn across(axis: Vector, random: &mut ChaCha8Rng) -> [Vector; 2] {
+pub fn across(axis: Vector, random: &mut Generator) -> [Vector; 2] {
     loop {
         let across = cross(axis, direction(random));
         if dot(across, across) > 0.01 {
@@ -51,7 +44,7 @@ pub fn rounded(vector: Vector) -> Vector {
 }
 
 /// Singles nearest to a vector, half of them one ulp off it.
-pub fn nearby(vector: Vector, random: &mut ChaCha8Rng) -> [Single; 3] {
+pub fn nearby(vector: Vector, random: &mut Generator) -> [Single; 3] {
     vector.map(|x| {
         let single = from_f64(x);
         if single == 0 || random.random() {

@@ -1,6 +1,7 @@
 //! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner medium: the
 //! direction beyond, whether there is one, and Schlick's share.
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::whitted::bounce::{Sites, off};
 use kernels::single::bits;
@@ -8,7 +9,6 @@ use kernels::vector::{Vector, dot, unit};
 use oracle::twin::ONE;
 use oracle::twin::bounce::Bounce;
 use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::family::{Family, NoCaseError, Tally, words_of};
@@ -64,7 +64,7 @@ pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
 }
 
 /// A hit whose cosine is this on the thinner side, which is the ray's or the one beyond.
-fn hit(way: Way, random: &mut ChaCha8Rng) -> Bounce {
+fn hit(way: Way, random: &mut Generator) -> Bounce {
     let dense: f64 = random.random_range(1.05..4.0);
     let cosine = magnitude(-14, -3, random) * 0.75;
     let beyond = random.random_ratio(1, 3);
@@ -136,7 +136,7 @@ impl Critical {
         });
         bench.reset();
         // What fills the records where the kernel does not read.
-        let mut junk = ChaCha8Rng::seed_from_u64(0);
+        let mut junk = Generator::seed_from_u64(0);
         let sites = Sites::put(bench, &[packet], &mut junk);
         let end = bench.call(KERNEL, &sites.arguments()).value;
         let queued = sites.queued(bench, end);
@@ -210,7 +210,7 @@ impl Family for Critical {
         200
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..PACKETS {
             let hits = [(); 16].map(|()| hit(self.way, random));
             self.try_hits(bench, &hits, tally);

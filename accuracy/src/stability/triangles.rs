@@ -3,6 +3,7 @@
 //! The watertight kernel's distance is a mean of the vertices', by weights that are not below 0: however thin a
 //! triangle is, its hits lie between its vertices.
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape as _;
@@ -12,7 +13,6 @@ use kernels::vector::{Vector, cross, dot, in_cube, less, unit};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::family::{Family, NoCaseError, Tally, words_of};
@@ -34,7 +34,7 @@ const TRIANGLES: u32 = 16;
 struct Kind {
     name: &'static str,
     unit: &'static str,
-    make: fn(&mut ChaCha8Rng) -> Aimed,
+    make: fn(&mut Generator) -> Aimed,
     /// The error of a ray, if anything is asked of it; infinite if it is wrong.
     judge: fn(&Case) -> Option<f64>,
 }
@@ -150,7 +150,7 @@ fn off_edge(case: &Case) -> Option<f64> {
 }
 
 /// A ray towards a point, from this far back.
-fn towards(target: Vector, back: Vector, distance: f64, random: &mut ChaCha8Rng) -> Ray {
+fn towards(target: Vector, back: Vector, distance: f64, random: &mut Generator) -> Ray {
     let origin = rounded(std::array::from_fn(|k| target[k] + distance * back[k]));
     let way = less(target, origin);
     let way = if way == [0.0; 3] {
@@ -167,7 +167,7 @@ fn towards(target: Vector, back: Vector, distance: f64, random: &mut ChaCha8Rng)
 }
 
 /// As thin as singles let a triangle be, or in line altogether; rays to points along it.
-fn needle(random: &mut ChaCha8Rng) -> Aimed {
+fn needle(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
     let along = direction(random);
@@ -200,7 +200,7 @@ fn needle(random: &mut ChaCha8Rng) -> Aimed {
 }
 
 /// Two or three vertices that are one point; rays to it and to the edge.
-fn repeated(random: &mut ChaCha8Rng) -> Aimed {
+fn repeated(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
     let along = direction(random);
@@ -227,7 +227,7 @@ fn repeated(random: &mut ChaCha8Rng) -> Aimed {
 }
 
 /// Any triangle, rays to points on its edges and within ulps of them.
-fn near_edge(random: &mut ChaCha8Rng) -> Aimed {
+fn near_edge(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let place = in_cube(4.0 * size, random);
     let corners = [(); 3].map(|()| {
@@ -302,7 +302,7 @@ impl Family for Triangles {
         400
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..TRIANGLES {
             let aimed = (self.kind.make)(random);
             self.shoot(bench, &aimed, tally);

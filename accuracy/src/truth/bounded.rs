@@ -115,15 +115,15 @@ impl Div for Bounded {
 
 #[cfg(test)]
 mod tests {
+    use crate::generator::Generator;
     use rand::{Rng as _, SeedableRng as _};
-    use rand_chacha::ChaCha8Rng;
 
     use super::super::exact::Exact;
     use super::*;
 
     #[test]
     fn the_exact_number_is_within_the_bound() {
-        let mut random = ChaCha8Rng::seed_from_u64(5);
+        let mut random = Generator::seed_from_u64(5);
         for _ in 0..20_000 {
             let mut number = || {
                 let scale = 2_f64.powi(random.random_range(-3..4));

@@ -199,8 +199,8 @@ impl Sphere {
 
 #[cfg(test)]
 mod tests {
+    use crate::generator::Generator;
     use rand::{Rng as _, SeedableRng as _};
-    use rand_chacha::ChaCha8Rng;
     use spu_emulator::float::single::from_f64;
 
     use super::*;
@@ -292,7 +292,7 @@ mod tests {
 
     #[test]
     fn double_precision_is_as_good_as_it_says() {
-        let mut random = ChaCha8Rng::seed_from_u64(7);
+        let mut random = Generator::seed_from_u64(7);
         let mut sure = 0;
         for _ in 0..4000 {
             let radius = 10_f64.powi(random.random_range(-3..7));

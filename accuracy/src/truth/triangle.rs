@@ -146,8 +146,8 @@ fn against(sign: Ordering, plane: Ordering) -> Ordering {
 
 #[cfg(test)]
 mod tests {
+    use crate::generator::Generator;
     use rand::{Rng as _, SeedableRng as _};
-    use rand_chacha::ChaCha8Rng;
     use spu_emulator::float::single::from_f64;
 
     use super::*;
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn double_precision_is_as_good_as_it_says() {
-        let mut random = ChaCha8Rng::seed_from_u64(8);
+        let mut random = Generator::seed_from_u64(8);
         let mut sure = 0;
         for number in 0..4000 {
             let mut point = |half: f64| [0; 3].map(|_| random.random_range(-half..half));

@@ -1,10 +1,10 @@
 //! Spheres and rays that are hard to tell apart from others.
 
+use crate::generator::Generator;
 use kernels::vector::{Vector, dot, less, unit};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use crate::families::space::direction;
@@ -29,8 +29,8 @@ pub fn ray(origin: Vector, way: Vector) -> Ray {
 fn shot(
     centre: Vector,
     radius: f64,
-    random: &mut ChaCha8Rng,
-    make: impl Fn(&mut ChaCha8Rng) -> (Vector, Vector),
+    random: &mut Generator,
+    make: impl Fn(&mut Generator) -> (Vector, Vector),
 ) -> Shot {
     let packets = (0..PACKETS).map(|_| {
         std::array::from_fn(|_| {
@@ -46,7 +46,7 @@ fn shot(
 }
 
 /// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, rays to all of the sphere and past it.
-pub fn scales(random: &mut ChaCha8Rng, form: Form) -> Shot {
+pub fn scales(random: &mut Generator, form: Form) -> Shot {
     let radius = magnitude(-20, 20, random);
     // The eye is outside, and of its header's domain at least.
     let distance = radius * if form == Form::Eye { 1.5 } else { 1.001 } * magnitude(0, 20, random);
@@ -86,7 +86,7 @@ pub fn unit_or(vector: Vector) -> Vector {
 }
 
 /// Rays within 64 ulps of the distance from a tangent.
-pub fn grazing(random: &mut ChaCha8Rng, form: Form) -> Shot {
+pub fn grazing(random: &mut Generator, form: Form) -> Shot {
     let radius = magnitude(-20, 20, random);
     let distance = 1.5 * radius * magnitude(0, 16, random);
     let way = direction(random);
@@ -119,7 +119,7 @@ pub fn grazing(random: &mut ChaCha8Rng, form: Form) -> Shot {
 }
 
 /// Origins on the surface and some ulps to either side of it, and farther by powers of two.
-pub fn surface(random: &mut ChaCha8Rng, _: Form) -> Shot {
+pub fn surface(random: &mut Generator, _: Form) -> Shot {
     let radius = to_f64(from_f64(magnitude(-20, 20, random)));
     let centre = rounded(direction(random).map(|x| radius * random.random_range(0.0..4.0) * x));
     shot(centre, radius, random, |random| {

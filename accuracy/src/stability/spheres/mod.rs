@@ -10,11 +10,11 @@ mod look;
 mod make;
 mod nearest;
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::source::Source;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
-use rand_chacha::ChaCha8Rng;
 
 use super::family::{Family, NoCaseError, Tally, words_of};
 use super::statement::{Bound, StatementError};
@@ -32,7 +32,7 @@ struct Kind {
     name: &'static str,
     unit: &'static str,
     forms: &'static [Form],
-    make: fn(&mut ChaCha8Rng, Form) -> Shot,
+    make: fn(&mut Generator, Form) -> Shot,
     judge: fn(&Look) -> Judgement,
     bound: fn(&Subject, &Stated) -> Bound,
 }
@@ -187,7 +187,7 @@ impl Family for Spheres {
         800
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..SPHERES {
             let shot = (self.kind.make)(random, self.subject.form);
             self.shoot(bench, &shot, tally);

@@ -1,6 +1,7 @@
 //! Two spheres that are hard to tell which is nearer: about one centre, touching, within one another, or one
 //! ten million times as large as the other.
 
+use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::whitted::isect::ball::{By, SphereObject};
 use kernels::cases::whitted::isect::call;
@@ -11,7 +12,6 @@ use oracle::twin::pairs::Sides;
 use oracle::twin::sphere::Perpendicular;
 use oracle::twin::{FARTHEST, Single};
 use rand::Rng as _;
-use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 
 use super::look::{Look, Stated};
@@ -53,7 +53,7 @@ pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
 }
 
 /// Two spheres, near one another.
-fn pair(random: &mut ChaCha8Rng) -> Pair {
+fn pair(random: &mut Generator) -> Pair {
     let radius = to_f64(from_f64(magnitude(-10, 10, random)));
     let place = rounded(direction(random).map(|x| radius * random.random_range(0.0..4.0) * x));
     let way = direction(random);
@@ -79,7 +79,7 @@ fn pair(random: &mut ChaCha8Rng) -> Pair {
 }
 
 /// A ray to the region that both spheres are in, from outside or from between.
-fn towards(pair: &Pair, random: &mut ChaCha8Rng) -> Ray {
+fn towards(pair: &Pair, random: &mut Generator) -> Ray {
     let (centre, radius) = (pair[0].0.map(to_f64), to_f64(pair[0].1));
     let target = direction(random).map(|x| radius * random.random_range(0.0..1.2) * x);
     let back = direction(random).map(|x| radius * magnitude(-4, 5, random) * x);
@@ -173,7 +173,7 @@ impl Family for Nearest {
         600
     }
 
-    fn round(&self, bench: &mut Bench, random: &mut ChaCha8Rng, tally: &mut Tally) {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..PAIRS {
             let pair = pair(random);
             let rays = std::array::from_fn(|_| towards(&pair, random));
