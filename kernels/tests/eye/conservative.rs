@@ -1,6 +1,7 @@
 //! With the records that the PPU makes, no kernel leaves out what some ray enters: by f64, from the
 //! sphere of the scene, and by what the intersector would find.
 
+use cellray::formulation::EyeRecord;
 use cellray::framebuffer::Geometry;
 use cellray::scene;
 use cellray::work::{EyeSpheres, Lens, Skip};
@@ -144,7 +145,7 @@ impl Group {
         for _ in 0..SPHERES {
             let ray = rays[random.random_range(0..16)][random.random_range(0..16)];
             let sphere = sphere_at(random, camera.eye, wide(ray));
-            eye_spheres.look(&[sphere], &lens, Skip::Nothing);
+            eye_spheres.look(&[sphere], &lens, Skip::Nothing, EyeRecord::Centre);
             let record = Sphere::read_from_bytes(eye_spheres.bytes()).expect("one record");
             let needs_test = |ray: &[Single; 3]| {
                 let hit =
