@@ -2,8 +2,8 @@
 //!
 //! A ray is taken as the line through its origin along its direction at length 1; distances along it may be
 //! below 0. Answers come from double precision, which carries a bound of its own rounding errors
-//! ([`bounded`]); where the bound is above [`DOUBT`] of an ulp, or leaves a sign open, from exact numbers
-//! ([`exact`]). Invariant: the verdict of hit or miss is exact, and a distance is right to [`DOUBT`] of an
+//! (`bounded`); where the bound is above [`DOUBT`] of an ulp, or leaves a sign open, from exact numbers
+//! (`exact`). Invariant: the verdict of hit or miss is exact, and a distance is right to [`DOUBT`] of an
 //! ulp of a single.
 
 mod bounded;

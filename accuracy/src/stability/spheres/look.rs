@@ -10,8 +10,8 @@ use crate::truth::{Line, spacing};
 
 /// The formulation that takes the square of the radius off that of the distance.
 const PAPER: &str = "paper";
-/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius (and for
-/// [`PAPER`] times the distance in radii): of the radius and of the perpendicular each coordinate is
+/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius (and by the
+/// paper's formula, times the distance in radii): of the radius and of the perpendicular each coordinate is
 /// rounded, and so is each of the discriminant's sums.
 pub const TANGENT: f64 = 8.0;
 /// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other: the
