@@ -138,6 +138,11 @@ mod tests {
         let child = unsafe { libc::fork() };
         assert!(child >= 0);
         if child == 0 {
+            // What starts the tests may have ignored signals, as a shell does for what it runs behind.
+            for signal in [SIGINT, SIGTERM] {
+                // SAFETY: the default action is no handler of ours.
+                unsafe { libc::signal(signal, libc::SIG_DFL) };
+            }
             let code = catch_unwind(scenario).unwrap_or(101);
             // SAFETY: ends the child.
             unsafe { libc::_exit(code) };

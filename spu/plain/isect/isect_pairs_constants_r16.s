@@ -4,7 +4,7 @@
 #   Out     the pairs' packets: t, object, where an entry is nearer than what was there
 #   Uses    $3-$4, $10-$42   Saves  -   Stack  0   Calls  -
 #   Domain  |d| and |axis| = 1 within 4 ulp; distance and radius from 2^-40 to 2^62
-#   Error   3 ulp of t, eye 2 to 1e6 radii from the centre, ray within 0.9 r of it
+#   Error   3.5 ulp of t, eye 2 to 1e6 radii from the centre, ray within 0.9 r of it
 #   Twin    oracle/src/twin/sphere/constants.rs
 #
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
