@@ -11,12 +11,12 @@ use kernels::cases::eye::call::{self, address, list, list_room, put, put_packets
 use kernels::cases::eye::error::NO_HITS;
 use kernels::eye_records::{self, Vectors};
 use kernels::layout::{Frustum, Packet, Pair, Sphere, TILE_HEIGHT, TILE_WIDTH};
-use kernels::single::single;
+use kernels::single::{bits, single};
 use nff::{Camera, View};
 use oracle::twin::Single;
 use oracle::twin::isect_pairs::isect_pair;
 use oracle::twin::ray_setup::Basis;
-use oracle::twin::sphere::Perpendicular;
+use oracle::twin::sphere::{Axis, Constants, Perpendicular};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, from_f64, to_f64};
@@ -145,11 +145,24 @@ impl Group {
         for _ in 0..SPHERES {
             let ray = rays[random.random_range(0..16)][random.random_range(0..16)];
             let sphere = sphere_at(random, camera.eye, wide(ray));
-            eye_spheres.look(&[sphere], &lens, Skip::Nothing, EyeRecord::Centre);
+            let form = if random.random() {
+                EyeRecord::Centre
+            } else {
+                EyeRecord::Axis
+            };
+            eye_spheres.look(&[sphere], &lens, Skip::Nothing, form);
             let record = Sphere::read_from_bytes(eye_spheres.bytes()).expect("one record");
+            let ball = eye_records::ball(&record);
+            let axis = Axis {
+                axis: ball.centre,
+                k: ball.radius_squared,
+                distance: bits(record.distance),
+            };
             let needs_test = |ray: &[Single; 3]| {
-                let hit =
-                    isect_pair::<Perpendicular>(*ray, &eye_records::ball(&record), 1, NO_HITS[0]);
+                let hit = match form {
+                    EyeRecord::Centre => isect_pair::<Perpendicular>(*ray, &ball, 1, NO_HITS[0]),
+                    EyeRecord::Axis => isect_pair::<Constants>(*ray, &axis, 1, NO_HITS[0]),
+                };
                 hit.object == 1 || enters(&sphere, camera.eye, wide(*ray))
             };
             let mask = rays.iter().fold(0, |mask, packet| {
