@@ -1,5 +1,5 @@
-//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's target, also a library of libspe2's names
-//! to link against. Every switch is listed in `docs/build-options.md`.
+//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's target, also a
+//! library of libspe2's names to link against. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
 use std::fmt::Write as _;
