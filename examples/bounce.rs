@@ -2,22 +2,59 @@
 //!
 //!     cargo run --release --example bounce -- FOLDER [FRAMES]
 //!
-//! A game will do what this does: change the scene, have a frame traced, again.
+//! How a game is made: the world is set up once, then changed once a frame.
 
 use std::error::Error;
 use std::path::PathBuf;
+use std::time::Duration;
 
-use cellray::framebuffer::{Geometry, Png};
-use cellray::{Engine, Scene, Settings};
-use glam::DVec3;
-use nff::{Material, Object, Shader, Shape, View};
+use cellray::Settings;
+use cellray::framebuffer::{Geometry, NumberedPath, Sequence};
+use cellray::game::{
+    DVec3, FixedSteps, Game, Material, Moment, ObjectId, Session, Start, World, WorldError,
+};
 
 const RADIUS: f64 = 0.6;
+/// Seconds of a jump.
+const JUMP: f64 = 0.5;
+
+#[derive(Default)]
+struct Bounce {
+    ball: ObjectId,
+}
+
+impl Game for Bounce {
+    fn name(&self) -> &str {
+        "bounce"
+    }
+
+    fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
+        world.look_from(DVec3::new(0.0, 2.0, 12.0), DVec3::new(0.0, 0.8, 0.0))?;
+        world.set_background(DVec3::new(0.05, 0.07, 0.14))?;
+        let orange = world.add_material(Material::matte(0.96, 0.4, 0.25))?;
+        let blue = world.add_material(Material::matte(0.4, 0.6, 0.9))?;
+        self.ball = world.add_sphere(DVec3::ZERO, RADIUS, orange)?;
+        for place in -4..=4 {
+            let centre = DVec3::new(f64::from(place), -RADIUS, -1.5);
+            let still = world.add_sphere(centre, RADIUS, blue)?;
+            world.fix(still)?;
+        }
+        Ok(())
+    }
+
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+        // Four jumps from left to right, each a parabola.
+        let across = moment.time / (4.0 * JUMP) % 1.0;
+        let jump = moment.time / JUMP % 1.0;
+        let height = RADIUS + 6.0 * jump * (1.0 - jump);
+        world.move_to(self.ball, DVec3::new(across * 8.0 - 4.0, height, 0.0))
+    }
+}
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1);
     let folder = PathBuf::from(arguments.next().ok_or("usage: bounce FOLDER [FRAMES]")?);
-    let frames: u32 = match arguments.next() {
+    let frames = match arguments.next() {
         Some(text) => text
             .to_string_lossy()
             .parse()
@@ -25,56 +62,12 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => 24,
     };
     std::fs::create_dir_all(&folder)?;
-    for frame in 0..frames {
-        let path = folder.join(format!("bounce-{frame:03}.png"));
-        let picture = Png::new(&path, Geometry::new(640, 360)?)?;
-        let mut engine = Engine::start(Settings::default(), Box::new(picture))?;
-        let scene = Scene::from_nff(&scene(f64::from(frame) / f64::from(frames)))?;
-        engine.render(&scene, &mut |_| ())?;
-    }
+    let pattern = folder.join("bounce-%03d.png");
+    let paths = NumberedPath::new(pattern.to_str().ok_or("FOLDER: not in UTF-8")?)?;
+    let pictures = Sequence::new(paths, 0, Geometry::new(640, 360)?)?;
+    let mut session = Session::start(Bounce::default(), Settings::default(), Box::new(pictures))?
+        .with_clock(Box::new(FixedSteps(Duration::from_secs(1) / 12)));
+    let report = session.run(Some(frames))?;
+    eprint!("{report}");
     Ok(())
-}
-
-/// The scene at a moment of the bounce, 0 to 1.
-fn scene(moment: f64) -> nff::Scene {
-    // Four jumps from left to right, each a parabola.
-    let jump = moment * 4.0 % 1.0;
-    let ball = DVec3::new(moment * 8.0 - 4.0, RADIUS + 6.0 * jump * (1.0 - jump), 0.0);
-    let row = (-4..=4).map(|place| DVec3::new(f64::from(place), -RADIUS, -1.5));
-    let material = |red, green, blue| Material {
-        line: 0,
-        colour: DVec3::new(red, green, blue),
-        diffuse: 1.0,
-        specular: 0.0,
-        shine: 0.0,
-        transmittance: 0.0,
-        refraction_index: 1.0,
-        shader: Shader::Phong,
-    };
-    let sphere = |centre, material| Object {
-        line: 0,
-        material,
-        shape: Shape::Sphere {
-            centre,
-            radius: RADIUS,
-        },
-    };
-    nff::Scene {
-        name: "bounce".into(),
-        view: View {
-            from: DVec3::new(0.0, 2.0, 12.0),
-            at: DVec3::new(0.0, 0.8, 0.0),
-            up: DVec3::Y,
-            angle: 30.0,
-            hither: 0.01,
-            resolution: (640, 360),
-        },
-        background: DVec3::new(0.05, 0.07, 0.14),
-        ambient: DVec3::ZERO,
-        lights: Vec::new(),
-        materials: vec![material(0.96, 0.4, 0.25), material(0.4, 0.6, 0.9)],
-        objects: std::iter::once(sphere(ball, 0))
-            .chain(row.map(|place| sphere(place, 1)))
-            .collect(),
-    }
 }

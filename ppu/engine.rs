@@ -130,7 +130,7 @@ struct Records {
     scene: SharedMemory,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
-    /// Room for a picture of units of one tile each.
+    /// Room for as many units as there may be.
     units: SharedMemory,
     costs: SharedMemory,
     framebuffer: Box<dyn Framebuffer>,
@@ -162,7 +162,7 @@ impl Engine {
         if !(1..=MAX_SPUS).contains(&settings.spus) {
             return Err(EngineError::SpuCount(settings.spus));
         }
-        let most_units = work::tile_count(framebuffer.geometry()) as usize;
+        let most_units = most_units(framebuffer.as_ref());
         let mut engine = Self {
             events: Events::create()?,
             spus: Vec::new(),
@@ -209,6 +209,25 @@ impl Engine {
         // Who asks may draw there.
         self.plan.forget_pages();
         Some(self.records.as_mut()?.framebuffer.as_mut())
+    }
+
+    /// Shows frames elsewhere from now on; gives the framebuffer that they were shown on.
+    pub fn show_on(
+        &mut self,
+        framebuffer: Box<dyn Framebuffer>,
+    ) -> Result<Box<dyn Framebuffer>, EngineError> {
+        let records = self.records.as_mut().ok_or(EngineError::Lost)?;
+        self.plan.forget_pages();
+        let most_units = most_units(framebuffer.as_ref());
+        records.units = SharedMemory::new(most_units * size_of::<WorkUnit>());
+        records.costs = SharedMemory::new(most_units * size_of::<UnitCost>());
+        Ok(std::mem::replace(&mut records.framebuffer, framebuffer))
+    }
+
+    /// What the SPUs said of the last frame.
+    #[must_use]
+    pub fn statistics(&self) -> &FrameStatistics {
+        &self.statistics
     }
 
     /// Traces a frame into the framebuffer and presents it; what the framebuffer already shows is not
@@ -403,8 +422,12 @@ impl Engine {
                     let Some(answer) = spu.context.answer()? else {
                         continue;
                     };
-                    // An image without the table has no names either.
-                    let shaders = self.settings.program.shaders().unwrap_or_default();
+                    // Looked up for what was refused alone: it takes memory. An image without the table
+                    // has no names either.
+                    let shaders = match answer {
+                        0 => Vec::new(),
+                        _ => self.settings.program.shaders().unwrap_or_default(),
+                    };
                     Refusal::of(answer, frame, address, &shaders).map(|refusal| {
                         EngineError::Refused {
                             spu: number,
@@ -442,6 +465,11 @@ impl Engine {
             std::mem::forget(spu);
         }
     }
+}
+
+/// Most units that a picture there is cut into: of one tile each.
+fn most_units(framebuffer: &dyn Framebuffer) -> usize {
+    work::tile_count(framebuffer.geometry()) as usize
 }
 
 impl Drop for Engine {

@@ -7,6 +7,7 @@
 pub mod engine;
 pub mod formulation;
 pub mod framebuffer;
+pub mod game;
 pub mod quality;
 mod report;
 pub mod scene;

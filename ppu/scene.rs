@@ -279,6 +279,11 @@ impl Scene {
         self.depth
     }
 
+    /// Gives the depth shading another range than that of the spheres.
+    pub fn set_depth(&mut self, depth: DepthShading) {
+        self.depth = depth;
+    }
+
     /// What the file has and a picture by depth shading will not show.
     #[must_use]
     pub fn not_drawn(&self) -> &[NotDrawn] {

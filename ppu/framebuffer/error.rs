@@ -22,6 +22,12 @@ pub enum FramebufferError {
         /// The text as given.
         text: String,
     },
+    /// Paths that have no number, or more than one.
+    #[error("{pattern:?} numbers nothing: expected the number's place once, as in frame-%05d.png")]
+    MalformedNumbering {
+        /// The pattern as given.
+        pattern: String,
+    },
     /// A file has no geometry of its own and none was given.
     #[error("{}: a file in the place of a framebuffer needs a size", path.display())]
     SizeNeeded {

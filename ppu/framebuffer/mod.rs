@@ -23,6 +23,7 @@ mod memory;
 mod pattern;
 mod pixel;
 mod png;
+mod sequence;
 mod surface;
 
 pub use corners::Corners;
@@ -33,6 +34,7 @@ pub use interrupted::Interrupted;
 pub use memory::Memory;
 pub use pixel::PixelFormat;
 pub use png::{Png, write_png};
+pub use sequence::{NumberedPath, Sequence};
 
 use std::fmt;
 use std::fs;

@@ -1,31 +1,54 @@
 //! The user layer: a [`Game`] is called once a frame and changes its [`World`]; the engine traces it.
 //!
 //! Owns what a game sees: the world, the input, the moment. Knows no window and no device: those who show a game
-//! ([`run`]) bring a framebuffer and a source of [`Input`]. Invariant: what a game sees in a frame depends on
-//! the frames' times and inputs alone, so that a recorded session is played back bit for bit.
+//! bring a framebuffer and a source of [`Input`] to its [`Session`]. Invariant: what a game sees in a frame
+//! depends on the frames' times, sizes and inputs alone, but for [`Moment::last`], so that a recorded session
+//! is played back bit for bit.
 
 mod input;
 mod run;
 mod world;
 
-pub use input::{Axis, Button, Input, InputEvent, Key, MouseButton, Pad, PadId};
-pub use run::{Clock, InputSource, NoInput, Session, SessionError, run};
-pub use world::{LightId, MaterialId, ObjectId, World, WorldError};
+pub use glam::DVec3;
+pub use nff::depth::DepthShading;
+pub use nff::{LightKind, Shader, Shape, View};
 
+pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
+pub use run::{
+    Clock, FixedSteps, InputSource, NoInput, RealTime, Recording, RecordingError, Session,
+    SessionError, SessionReport,
+};
+pub use world::{Light, LightId, Material, MaterialId, ObjectId, World, WorldError};
+
+pub use crate::scene::{Look, Model};
 use crate::statistics::FrameStatistics;
 
 /// Something to play or to watch.
 pub trait Game {
+    /// What it is called, in recordings and statistics.
+    fn name(&self) -> &str {
+        "game"
+    }
+
     /// Puts the first objects, lights and materials into the world. Called once.
-    fn set_up(&mut self, world: &mut World);
+    fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError>;
 
     /// Changes the world for the frame that comes next. Called once a frame.
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>);
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError>;
 
     /// Whether the game is over: after the frame at hand no other comes.
     fn is_over(&self) -> bool {
         false
     }
+}
+
+/// What a game is told before its first frame.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Start {
+    /// Number that all of a game's chance is to come from: a recorded session has it again.
+    pub seed: u64,
+    /// Pixels across and down.
+    pub size: (u32, u32),
 }
 
 /// What a game is told of a frame.
@@ -41,6 +64,7 @@ pub struct Moment<'a> {
     pub input: &'a Input,
     /// Pixels across and down.
     pub size: (u32, u32),
-    /// What the SPUs said of the last frame; nothing in the first.
+    /// What the SPUs said of the last frame; nothing in the first. It is another from run to run: to be shown,
+    /// not to be played by.
     pub last: Option<&'a FrameStatistics>,
 }

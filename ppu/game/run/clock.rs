@@ -1,0 +1,74 @@
+//! Where a game's time comes from.
+
+use std::thread;
+use std::time::{Duration, Instant};
+
+/// A source of time.
+pub trait Clock {
+    /// Time since the last call; called once a frame. May wait until it is time for the next one.
+    fn tick(&mut self) -> Duration;
+
+    /// Called instead where the time is already known, from a recording: may wait so long.
+    fn pace(&mut self, _step: Duration) {}
+}
+
+/// The time that passes, with a bound on the frames a second: what stands still is traced in no time, and would
+/// have the loop run for nothing.
+#[derive(Clone, Copy, Debug)]
+pub struct RealTime {
+    least: Duration,
+    last: Option<Instant>,
+}
+
+impl RealTime {
+    /// At most so many frames a second; with 0 as many as come.
+    #[must_use]
+    pub fn at_most(frames_per_second: u32) -> Self {
+        Self {
+            least: Duration::from_secs(1)
+                .checked_div(frames_per_second)
+                .unwrap_or_default(),
+            last: None,
+        }
+    }
+
+    fn wait(&mut self, step: Duration) -> Duration {
+        let before = self.last;
+        if let Some(last) = before {
+            thread::sleep(step.saturating_sub(last.elapsed()));
+        }
+        let now = Instant::now();
+        self.last = Some(now);
+        before.map_or(Duration::ZERO, |before| now - before)
+    }
+}
+
+impl Default for RealTime {
+    /// Sixty frames a second.
+    fn default() -> Self {
+        Self::at_most(60)
+    }
+}
+
+impl Clock for RealTime {
+    fn tick(&mut self) -> Duration {
+        self.wait(self.least)
+    }
+
+    fn pace(&mut self, step: Duration) {
+        self.wait(step);
+    }
+}
+
+/// The same step for every frame, however long it takes: for pictures and tests.
+#[derive(Clone, Copy, Debug)]
+pub struct FixedSteps(
+    /// The step.
+    pub Duration,
+);
+
+impl Clock for FixedSteps {
+    fn tick(&mut self) -> Duration {
+        self.0
+    }
+}

@@ -1,0 +1,257 @@
+//! Recorded sessions: JSON, one line for the session, then one for each frame.
+//!
+//! Invariant: what is read back is what was written, to the bit: times are whole nanoseconds, numbers are written
+//! so that they round to themselves.
+
+use std::fs::File;
+use std::io::{self, BufRead, BufReader, Read as _, Write};
+use std::path::Path;
+use std::time::Duration;
+
+use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+
+use crate::game::{InputEvent, Start, World};
+
+/// What the first line calls itself.
+const FORMAT: &str = "cellray recording";
+/// Version of the format; raised by every change that an older reader would misread.
+const VERSION: u32 = 1;
+/// Frames from one checksum of the world to the next.
+const CHECK_EVERY: u64 = 16;
+/// Longest line: a frame has never so many events.
+const LONGEST_LINE: u64 = 1 << 20;
+
+/// Why a recording can't be written or read.
+#[derive(Debug, thiserror::Error)]
+pub enum RecordingError {
+    /// The system refused.
+    #[error("recording: {0}")]
+    Io(#[from] io::Error),
+    /// The first line is not that of a recording.
+    #[error("not a recording: its first line has to say \"{FORMAT}\"")]
+    Format,
+    /// A recording by another version.
+    #[error("the recording is of version {0}, and this reads version {VERSION}")]
+    Version(u32),
+    /// A line that can't be understood.
+    #[error("recording, line {line}: {source}")]
+    Line {
+        /// Number of the line, from 1.
+        line: u64,
+        /// What is wrong with it.
+        source: serde_json::Error,
+    },
+    /// A line without an end: one that is cut off, or none at all.
+    #[error("recording, line {line}: it has no end within {LONGEST_LINE} bytes")]
+    CutOff {
+        /// Number of the line, from 1.
+        line: u64,
+    },
+}
+
+/// The first line.
+#[derive(Serialize, Deserialize)]
+pub(super) struct Header {
+    format: String,
+    version: u32,
+    game: String,
+    seed: u64,
+    size: (u32, u32),
+}
+
+impl Header {
+    pub fn new(game: &str, start: Start) -> Self {
+        Self {
+            format: FORMAT.to_owned(),
+            version: VERSION,
+            game: game.to_owned(),
+            seed: start.seed,
+            size: start.size,
+        }
+    }
+}
+
+/// A checksum; in hexadecimal, as no JSON number is sure to hold 64 bits.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Checksum(pub u64);
+
+impl Serialize for Checksum {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(&format_args!("{:016x}", self.0))
+    }
+}
+
+impl<'de> Deserialize<'de> for Checksum {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let text = String::deserialize(deserializer)?;
+        let number = u64::from_str_radix(&text, 16);
+        number.map(Self).map_err(de::Error::custom)
+    }
+}
+
+/// The line of a frame.
+#[derive(Debug, Default, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub(super) struct FrameRecord {
+    /// Nanoseconds since the last frame.
+    step: u64,
+    /// Pixels across and down.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub size: Option<(u32, u32)>,
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub events: Vec<InputEvent>,
+    /// What the world has come to.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub world: Option<Checksum>,
+}
+
+impl FrameRecord {
+    /// Begins another frame.
+    pub fn clear(&mut self) {
+        self.step = 0;
+        self.size = None;
+        self.events.clear();
+        self.world = None;
+    }
+
+    pub fn step(&self) -> Duration {
+        Duration::from_nanos(self.step)
+    }
+
+    pub fn set_step(&mut self, step: Duration) {
+        self.step = u64::try_from(step.as_nanos()).unwrap_or(u64::MAX);
+    }
+}
+
+/// Writes a recording.
+pub(super) struct Recorder {
+    writer: Box<dyn Write>,
+    /// A line, before it is written.
+    line: Vec<u8>,
+}
+
+impl Recorder {
+    pub fn new(writer: Box<dyn Write>) -> Self {
+        Self {
+            writer,
+            line: Vec::new(),
+        }
+    }
+
+    pub fn begin(&mut self, header: &Header) -> Result<(), RecordingError> {
+        self.write(header)
+    }
+
+    pub fn frame(
+        &mut self,
+        number: u64,
+        record: &mut FrameRecord,
+        world: &World,
+    ) -> Result<(), RecordingError> {
+        let checked = number.is_multiple_of(CHECK_EVERY);
+        record.world = checked.then(|| Checksum(world.checksum()));
+        self.write(record)
+    }
+
+    fn write(&mut self, line: &impl Serialize) -> Result<(), RecordingError> {
+        self.line.clear();
+        serde_json::to_writer(&mut self.line, line).map_err(io::Error::from)?;
+        self.line.push(b'\n');
+        Ok(self.writer.write_all(&self.line)?)
+    }
+
+    pub fn flush(&mut self) -> Result<(), RecordingError> {
+        Ok(self.writer.flush()?)
+    }
+}
+
+impl Drop for Recorder {
+    fn drop(&mut self) {
+        // A session that ends by an error has one to tell already.
+        let _ = self.flush();
+    }
+}
+
+/// A recorded session, to be played back.
+pub struct Recording {
+    header: Header,
+    reader: Box<dyn BufRead>,
+    /// Lines read.
+    lines: u64,
+    line: Vec<u8>,
+}
+
+impl Recording {
+    /// Reads the first line of a recording; those of the frames are read when they come.
+    pub fn read(reader: impl BufRead + 'static) -> Result<Self, RecordingError> {
+        let mut reader: Box<dyn BufRead> = Box::new(reader);
+        let mut line = Vec::new();
+        next_line(&mut reader, &mut line, 1)?;
+        let value: serde_json::Value =
+            serde_json::from_slice(&line).map_err(|_| RecordingError::Format)?;
+        if value.get("format").and_then(|format| format.as_str()) != Some(FORMAT) {
+            return Err(RecordingError::Format);
+        }
+        let version = value.get("version").and_then(serde_json::Value::as_u64);
+        if let Some(version) = version
+            && version != u64::from(VERSION)
+        {
+            let version = u32::try_from(version).unwrap_or(u32::MAX);
+            return Err(RecordingError::Version(version));
+        }
+        let header = serde_json::from_value(value);
+        Ok(Self {
+            header: header.map_err(|source| RecordingError::Line { line: 1, source })?,
+            reader,
+            lines: 1,
+            line,
+        })
+    }
+
+    /// Opens a file.
+    pub fn open(path: &Path) -> Result<Self, RecordingError> {
+        Self::read(BufReader::new(File::open(path)?))
+    }
+
+    /// The game's name.
+    #[must_use]
+    pub fn game(&self) -> &str {
+        &self.header.game
+    }
+
+    /// What the game was told before its first frame.
+    #[must_use]
+    pub fn start(&self) -> Start {
+        Start {
+            seed: self.header.seed,
+            size: self.header.size,
+        }
+    }
+
+    /// Reads the next frame; `false` after the last.
+    pub(super) fn next_frame(&mut self, record: &mut FrameRecord) -> Result<bool, RecordingError> {
+        let line = self.lines + 1;
+        if !next_line(&mut self.reader, &mut self.line, line)? {
+            return Ok(false);
+        }
+        self.lines = line;
+        *record = serde_json::from_slice(&self.line)
+            .map_err(|source| RecordingError::Line { line, source })?;
+        Ok(true)
+    }
+}
+
+/// Reads a line; `false` at the end.
+fn next_line(
+    reader: &mut dyn BufRead,
+    line: &mut Vec<u8>,
+    number: u64,
+) -> Result<bool, RecordingError> {
+    line.clear();
+    reader.take(LONGEST_LINE).read_until(b'\n', line)?;
+    match line.last() {
+        None => Ok(false),
+        Some(b'\n') => Ok(true),
+        Some(_) => Err(RecordingError::CutOff { line: number }),
+    }
+}

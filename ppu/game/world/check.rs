@@ -1,0 +1,151 @@
+//! What a world takes: numbers that the SPUs have room for, shapes that are some.
+//!
+//! Invariant: of a world whose parts have all passed, no frame is refused for a number in it, but for those
+//! that come of others, such as the growth of a very flat cone.
+
+use glam::DVec3;
+use nff::{LightKind, Shader, Shape};
+
+use super::{Light, Material, WorldError};
+use crate::scene::{LARGEST, SMALLEST};
+
+fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldError {
+    WorldError::OutOfRange { what, value, also }
+}
+
+/// Whether a number can be squared as a single; NaN can't.
+fn number(what: &'static str, value: f64) -> Result<(), WorldError> {
+    if value.abs() <= LARGEST {
+        Ok(())
+    } else {
+        Err(out_of_range(what, value, ""))
+    }
+}
+
+/// Whether all numbers of a vector can.
+pub(super) fn vector(what: &'static str, vector: DVec3) -> Result<(), WorldError> {
+    vector
+        .to_array()
+        .into_iter()
+        .try_for_each(|value| number(what, value))
+}
+
+fn size(what: &'static str, value: f64) -> Result<(), WorldError> {
+    if (SMALLEST..=LARGEST).contains(&value.abs()) {
+        Ok(())
+    } else {
+        Err(out_of_range(what, value, " and at least 2^-62"))
+    }
+}
+
+pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
+    match shape {
+        Shape::Sphere { centre, radius } => {
+            vector("centre", *centre)?;
+            size("radius", *radius)
+        }
+        Shape::Cone {
+            base,
+            base_radius,
+            apex,
+            apex_radius,
+        } => {
+            vector("base", *base)?;
+            vector("apex", *apex)?;
+            number("base radius", *base_radius)?;
+            number("apex radius", *apex_radius)?;
+            if *base_radius == 0.0 && *apex_radius == 0.0 {
+                return Err(WorldError::NoSurface("both radii of a cone are 0"));
+            }
+            size("height", base.distance(*apex))
+        }
+        Shape::Polygon { vertices } => polygon(vertices),
+        Shape::Patch { vertices, normals } => {
+            if vertices.len() != normals.len() {
+                return Err(WorldError::NoSurface("a patch needs a normal a vertex"));
+            }
+            polygon(vertices)?;
+            normals
+                .iter()
+                .try_for_each(|normal| vector("normal", *normal))
+        }
+    }
+}
+
+/// Whether a shape, all of it moved by so much, is still in range.
+pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldError> {
+    match shape {
+        Shape::Sphere { .. } => Ok(()),
+        Shape::Cone { apex, .. } => vector("apex", *apex + by),
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => vertices
+            .iter()
+            .try_for_each(|vertex| vector("vertex", *vertex + by)),
+    }
+}
+
+fn polygon(vertices: &[DVec3]) -> Result<(), WorldError> {
+    if vertices.len() < 3 {
+        return Err(WorldError::NoSurface(
+            "a polygon needs three vertices at least",
+        ));
+    }
+    vertices
+        .iter()
+        .try_for_each(|vertex| vector("vertex", *vertex))
+}
+
+pub(super) fn material(material: &Material) -> Result<(), WorldError> {
+    vector("colour", material.colour)?;
+    number("diffuse share", material.diffuse)?;
+    number("specular share", material.specular)?;
+    number("shine", material.shine)?;
+    number("transmittance", material.transmittance)?;
+    if material.transmittance > 0.0 {
+        size("index of refraction", material.refraction_index)?;
+    }
+    match &material.shader {
+        Shader::Flat | Shader::Lambert | Shader::Phong => Ok(()),
+        Shader::Checker { other, size: edge } => {
+            vector("colour", *other)?;
+            if *edge < 0.0 {
+                return Err(out_of_range("edge of a cube", *edge, " and more than 0"));
+            }
+            size("edge of a cube", *edge)
+        }
+        Shader::Depth { far, near } => {
+            number("far", *far)?;
+            number("near", *near)?;
+            fade(*near, *far)
+        }
+        Shader::Own { parameters, .. } => parameters
+            .iter()
+            .try_for_each(|value| number("number of the shader", *value)),
+    }
+}
+
+/// Whether brightness can fall between two distances.
+pub(super) fn fade(near: f64, far: f64) -> Result<(), WorldError> {
+    number("far", far)?;
+    number("near", near)?;
+    if near < 0.0 {
+        return Err(out_of_range("near", near, " and not negative"));
+    }
+    size("far less near", far - near)?;
+    if near > far {
+        return Err(out_of_range("far", far, " and more than near"));
+    }
+    Ok(())
+}
+
+pub(super) fn light(light: &Light) -> Result<(), WorldError> {
+    match light.kind {
+        LightKind::Point { position } => vector("light", position)?,
+        LightKind::Directional { to_light } => {
+            vector("direction to the light", to_light)?;
+            if to_light == DVec3::ZERO {
+                return Err(WorldError::NoDirection);
+            }
+        }
+    }
+    vector("brightness", light.colour.unwrap_or_default())
+}

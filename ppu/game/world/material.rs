@@ -1,0 +1,163 @@
+//! Materials and lights as a game gives them.
+
+use glam::DVec3;
+use nff::{LightKind, Shader};
+
+/// How an object looks. The fields are those of NFF's `f` and `#cellray shader`.
+///
+/// ```
+/// use cellray::game::{DVec3, Material, Shader};
+///
+/// let gold = Material { shine: 40.0, ..Material::shiny(1.0, 0.8, 0.3) };
+/// let tiles = Material {
+///     shader: Shader::Checker { other: DVec3::splat(0.1), size: 1.0 },
+///     ..Material::matte(0.9, 0.9, 0.9)
+/// };
+/// assert_eq!(gold.specular, 0.3);
+/// assert_ne!(gold, tiles);
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Material {
+    /// Red, green and blue, from 0 to 1.
+    pub colour: DVec3,
+    /// Diffuse share, Kd.
+    pub diffuse: f64,
+    /// Specular share, Ks: of the highlight, and of what a mirror reflects.
+    pub specular: f64,
+    /// Exponent of Phong's highlight.
+    pub shine: f64,
+    /// Share of light let through, T; 0 is opaque.
+    pub transmittance: f64,
+    /// Index of refraction.
+    pub refraction_index: f64,
+    /// What makes its colour; [`Shader::Own`] names one of the SPU program's.
+    pub shader: Shader,
+}
+
+impl Material {
+    /// Without highlight or mirror.
+    #[must_use]
+    pub fn matte(red: f64, green: f64, blue: f64) -> Self {
+        Self {
+            colour: DVec3::new(red, green, blue),
+            diffuse: 1.0,
+            specular: 0.0,
+            shine: 1.0,
+            transmittance: 0.0,
+            refraction_index: 1.0,
+            shader: Shader::Phong,
+        }
+    }
+
+    /// With a highlight, and a mirror that takes three tenths.
+    #[must_use]
+    pub fn shiny(red: f64, green: f64, blue: f64) -> Self {
+        Self {
+            diffuse: 0.7,
+            specular: 0.3,
+            shine: 20.0,
+            ..Self::matte(red, green, blue)
+        }
+    }
+
+    /// That reflects nearly all.
+    #[must_use]
+    pub fn mirror() -> Self {
+        Self {
+            diffuse: 0.1,
+            specular: 0.9,
+            shine: 100.0,
+            ..Self::matte(1.0, 1.0, 1.0)
+        }
+    }
+
+    /// That lets nearly all light through, with the refraction of crown glass.
+    #[must_use]
+    pub fn glass() -> Self {
+        Self {
+            diffuse: 0.0,
+            specular: 0.1,
+            shine: 100.0,
+            transmittance: 0.9,
+            refraction_index: 1.5,
+            ..Self::matte(1.0, 1.0, 1.0)
+        }
+    }
+
+    /// That shows its colour as it is, whatever light there is.
+    #[must_use]
+    pub fn flat(red: f64, green: f64, blue: f64) -> Self {
+        Self {
+            shader: Shader::Flat,
+            ..Self::matte(red, green, blue)
+        }
+    }
+}
+
+impl Material {
+    /// The same in a scene; messages say this line.
+    pub(super) fn to_nff(&self, line: u32) -> nff::Material {
+        nff::Material {
+            line,
+            colour: self.colour,
+            diffuse: self.diffuse,
+            specular: self.specular,
+            shine: self.shine,
+            transmittance: self.transmittance,
+            refraction_index: self.refraction_index,
+            shader: self.shader.clone(),
+        }
+    }
+}
+
+impl From<&nff::Material> for Material {
+    fn from(material: &nff::Material) -> Self {
+        Self {
+            colour: material.colour,
+            diffuse: material.diffuse,
+            specular: material.specular,
+            shine: material.shine,
+            transmittance: material.transmittance,
+            refraction_index: material.refraction_index,
+            shader: material.shader.clone(),
+        }
+    }
+}
+
+/// A light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Light {
+    /// Where it is.
+    pub kind: LightKind,
+    /// Its colour; without one, a grey by the number of all lights (see [`nff::Scene::brightness`]).
+    pub colour: Option<DVec3>,
+}
+
+impl Light {
+    /// In a place.
+    #[must_use]
+    pub fn at(position: DVec3) -> Self {
+        Self {
+            kind: LightKind::Point { position },
+            colour: None,
+        }
+    }
+
+    /// Infinitely far in a direction.
+    #[must_use]
+    pub fn sun(to_light: DVec3) -> Self {
+        Self {
+            kind: LightKind::Directional { to_light },
+            colour: None,
+        }
+    }
+
+    /// The same light with a colour.
+    #[must_use]
+    pub fn coloured(self, red: f64, green: f64, blue: f64) -> Self {
+        Self {
+            colour: Some(DVec3::new(red, green, blue)),
+            ..self
+        }
+    }
+}
