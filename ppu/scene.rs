@@ -9,7 +9,7 @@ use zerocopy::big_endian::F32;
 use crate::formulation::{Formulations, SphereFormulation};
 use crate::spe::Program;
 use crate::work::layout::MAX_SPHERES;
-use crate::work::{BlockError, BlockOptions, SceneBlock};
+use crate::work::{BlockError, BlockOptions, SceneBlock, ShaderEntries};
 
 /// Largest magnitude of a coordinate or a radius: its square is still a single.
 pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
@@ -51,6 +51,24 @@ impl Default for Look {
             fresnel: false,
             shadows: true,
             corners: false,
+        }
+    }
+}
+
+impl Look {
+    /// Whether a scene with so many lights is traced by Whitted's model.
+    pub(crate) fn is_whitted(self, lights: usize) -> bool {
+        match self.model {
+            Model::Scene => lights > 0,
+            Model::Depth => false,
+            Model::Whitted => true,
+        }
+    }
+
+    fn options(self) -> BlockOptions {
+        BlockOptions {
+            ray_depth: self.ray_depth,
+            fresnel: self.fresnel,
         }
     }
 }
@@ -127,19 +145,29 @@ impl Scene {
     /// A scene that is to look in some way, with the shaders of the program that will trace it. By
     /// depth shading, [`Scene::not_drawn`] says what is left out.
     pub fn new(scene: &nff::Scene, look: Look, program: &Program) -> Result<Self, SceneError> {
-        let whitted = match look.model {
-            Model::Scene => !scene.lights.is_empty(),
-            Model::Depth => false,
-            Model::Whitted => true,
-        };
-        if !whitted {
+        if !look.is_whitted(scene.lights.len()) {
             return Self::by_depth(scene, look);
         }
-        let options = BlockOptions {
-            ray_depth: look.ray_depth,
-            fresnel: look.fresnel,
-        };
-        Ok(Self {
+        let shader = |name: &str| program.shader(name).ok();
+        let block = SceneBlock::new(scene, look.options(), &shader)?;
+        Ok(Self::by_whitted(scene, look, block))
+    }
+
+    /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in place.
+    pub(crate) fn with_room(
+        scene: &nff::Scene,
+        look: Look,
+        shaders: &ShaderEntries,
+    ) -> Result<Self, SceneError> {
+        if !look.is_whitted(scene.lights.len()) {
+            return Self::by_depth(scene, look);
+        }
+        let block = SceneBlock::with_room(scene, look.options(), shaders)?;
+        Ok(Self::by_whitted(scene, look, block))
+    }
+
+    fn by_whitted(scene: &nff::Scene, look: Look, block: SceneBlock) -> Self {
+        Self {
             file: scene.name.clone(),
             view: scene.view.clone(),
             background: scene.background,
@@ -150,10 +178,8 @@ impl Scene {
             },
             not_drawn: Vec::new(),
             look,
-            block: Some(SceneBlock::new(scene, options, &|name| {
-                program.shader(name).ok()
-            })?),
-        })
+            block: Some(block),
+        }
     }
 
     fn by_depth(scene: &nff::Scene, look: Look) -> Result<Self, SceneError> {
@@ -279,9 +305,42 @@ impl Scene {
         self.depth
     }
 
-    /// Gives the depth shading another range than that of the spheres.
-    pub fn set_depth(&mut self, depth: DepthShading) {
-        self.depth = depth;
+    /// Moves the eye.
+    pub(crate) fn set_view(&mut self, view: &nff::View) -> Result<(), SceneError> {
+        self.view.clone_from(view);
+        match &mut self.block {
+            Some(block) => Ok(block.look(view.from)?),
+            None => Ok(()),
+        }
+    }
+
+    /// Changes the colour where nothing is hit.
+    pub(crate) fn set_background(&mut self, colour: DVec3) -> Result<(), SceneError> {
+        self.background = colour;
+        match &mut self.block {
+            Some(block) => Ok(block.set_background(colour)?),
+            None => Ok(()),
+        }
+    }
+
+    /// Changes the spheres of depth shading, and its range: to that of the spheres, if none is given. They
+    /// have to be in range, and as many as fit.
+    pub(crate) fn set_spheres(
+        &mut self,
+        spheres: impl Iterator<Item = Sphere>,
+        depth: Option<DepthShading>,
+    ) {
+        self.spheres.clear();
+        self.spheres.extend(spheres);
+        let balls = self.spheres.iter();
+        let balls = balls.map(|sphere| (sphere.centre, sphere.radius));
+        let from = self.view.from;
+        self.depth = depth.unwrap_or_else(|| DepthShading::around(from, balls));
+    }
+
+    /// What Whitted's model has SPUs sent, to be changed; [`Scene::set_view`] then has it written.
+    pub(crate) fn block_mut(&mut self) -> Option<&mut SceneBlock> {
+        self.block.as_mut()
     }
 
     /// What the file has and a picture by depth shading will not show.

@@ -54,12 +54,16 @@ impl DepthShading {
     /// The range of a scene; from 0 to 0 without drawn spheres.
     #[must_use]
     pub fn of(scene: &Scene) -> Self {
-        let (near, far) = drawn(scene).fold((f64::INFINITY, 0.0f64), |(near, far), sphere| {
-            let distance = sphere.centre.distance(scene.view.from);
-            (
-                near.min(distance - sphere.radius),
-                far.max(distance + sphere.radius),
-            )
+        let spheres = drawn(scene).map(|sphere| (sphere.centre, sphere.radius));
+        Self::around(scene.view.from, spheres)
+    }
+
+    /// The range of spheres, given by centres and radii, as an eye sees them; from 0 to 0 without any.
+    pub fn around(eye: DVec3, spheres: impl Iterator<Item = (DVec3, f64)>) -> Self {
+        let start = (f64::INFINITY, 0.0f64);
+        let (near, far) = spheres.fold(start, |(near, far), (centre, radius)| {
+            let distance = centre.distance(eye);
+            (near.min(distance - radius), far.max(distance + radius))
         });
         Self {
             near: near.clamp(0.0, far),

@@ -8,6 +8,7 @@ mod check;
 mod checksum;
 mod error;
 mod material;
+mod traced;
 
 pub use error::WorldError;
 pub use material::{Light, Material};
@@ -15,11 +16,11 @@ pub use material::{Light, Material};
 use glam::DVec3;
 use nff::depth::DepthShading;
 use nff::{Shape, View};
-use slotmap::{SlotMap, new_key_type};
+use slotmap::{SecondaryMap, SlotMap, new_key_type};
 
 use self::checksum::Checksum;
-use crate::scene::{Look, Scene};
-use crate::spe::Program;
+use self::traced::{Changes, Traced, Tracing};
+use crate::scene::Look;
 
 new_key_type! {
     /// Handle of an object in a [`World`]; the default one is none's.
@@ -37,12 +38,19 @@ struct Object {
     material: MaterialId,
     visible: bool,
     fixed: bool,
+    traced: Tracing,
 }
 
 struct Stuff {
-    material: Material,
+    material: nff::Material,
     /// Objects that are made of it.
     users: u32,
+    traced: Tracing,
+}
+
+struct Lamp {
+    light: Light,
+    traced: Tracing,
 }
 
 /// A scene that a game changes.
@@ -70,10 +78,12 @@ pub struct World {
     look: Look,
     fade: Option<DepthShading>,
     materials: SlotMap<MaterialId, Stuff>,
-    lights: SlotMap<LightId, Light>,
+    lights: SlotMap<LightId, Lamp>,
     objects: SlotMap<ObjectId, Object>,
-    /// What was traced last, until the world changes.
-    scene: Option<Scene>,
+    /// What was traced last.
+    traced: Option<Traced>,
+    /// How the world differs from that.
+    changes: Changes,
 }
 
 impl Default for World {
@@ -103,7 +113,8 @@ impl World {
             materials: SlotMap::with_key(),
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
-            scene: None,
+            traced: None,
+            changes: Changes::default(),
         }
     }
 
@@ -132,8 +143,13 @@ impl World {
     /// What the world shows, as a scene: what is not visible is left out.
     #[must_use]
     pub fn to_nff(&self) -> nff::Scene {
-        let place = |id: MaterialId| self.materials.keys().position(|key| key == id);
-        let visible = self.objects.values().filter(|object| object.visible);
+        self.content(|object| object.visible)
+    }
+
+    fn content(&self, wanted: impl Fn(&Object) -> bool) -> nff::Scene {
+        let mut place = SecondaryMap::new();
+        place.extend(self.materials.keys().zip(0..));
+        let objects = self.objects.values().filter(|object| wanted(object));
         nff::Scene {
             name: self.name.clone(),
             view: self.view.clone(),
@@ -141,17 +157,23 @@ impl World {
             ambient: self.ambient,
             lights: (1..)
                 .zip(self.lights.values())
-                .map(|(line, &Light { kind, colour })| nff::Light { line, kind, colour })
+                .map(|(line, lamp)| {
+                    let Light { kind, colour } = lamp.light;
+                    nff::Light { line, kind, colour }
+                })
                 .collect(),
             materials: (1..)
                 .zip(self.materials.values())
-                .map(|(line, stuff)| stuff.material.to_nff(line))
+                .map(|(line, stuff)| nff::Material {
+                    line,
+                    ..stuff.material.clone()
+                })
                 .collect(),
             objects: (1..)
-                .zip(visible)
+                .zip(objects)
                 .map(|(line, object)| nff::Object {
                     line,
-                    material: place(object.material).unwrap_or_default() as u32,
+                    material: place.get(object.material).copied().unwrap_or_default(),
                     shape: object.shape.clone(),
                 })
                 .collect(),
@@ -167,7 +189,7 @@ impl World {
     /// Calls it so.
     pub fn set_name(&mut self, name: &str) {
         name.clone_into(&mut self.name);
-        self.scene = None;
+        self.changes.anew = true;
     }
 
     /// The eye. Its resolution is not looked at: the picture is as large as the framebuffer.
@@ -189,7 +211,7 @@ impl World {
         view.camera(2, 2)?;
         if self.view != view {
             self.view = view;
-            self.scene = None;
+            self.changes.view = true;
         }
         Ok(())
     }
@@ -214,7 +236,7 @@ impl World {
         check::vector("background", colour)?;
         if self.background != colour {
             self.background = colour;
-            self.scene = None;
+            self.changes.background = true;
         }
         Ok(())
     }
@@ -230,7 +252,7 @@ impl World {
         check::vector("ambient light", brightness)?;
         if self.ambient != brightness {
             self.ambient = brightness;
-            self.scene = None;
+            self.changes.ambient = true;
         }
         Ok(())
     }
@@ -245,7 +267,7 @@ impl World {
     pub fn set_look(&mut self, look: Look) {
         if self.look != look {
             self.look = look;
-            self.scene = None;
+            self.changes.anew = true;
         }
     }
 
@@ -263,7 +285,7 @@ impl World {
         }
         if self.fade != fade {
             self.fade = fade;
-            self.scene = None;
+            self.changes.spheres = true;
         }
         Ok(())
     }
@@ -271,23 +293,40 @@ impl World {
     /// Adds a material.
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, WorldError> {
         check::material(&material)?;
-        self.scene = None;
-        Ok(self.materials.insert(Stuff { material, users: 0 }))
+        let id = self.materials.insert(Stuff {
+            material: material.into_nff(0),
+            users: 0,
+            traced: Tracing::default(),
+        });
+        self.touch_material(id);
+        Ok(id)
     }
 
     /// A material.
-    pub fn material(&self, id: MaterialId) -> Result<&Material, WorldError> {
+    pub fn material(&self, id: MaterialId) -> Result<Material, WorldError> {
         let stuff = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
-        Ok(&stuff.material)
+        Ok((&stuff.material).into())
     }
 
     /// Changes a material, and all objects made of it.
     pub fn set_material(&mut self, id: MaterialId, material: Material) -> Result<(), WorldError> {
         check::material(&material)?;
         let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
-        if stuff.material != material {
-            stuff.material = material;
-            self.scene = None;
+        let material = material.into_nff(0);
+        if stuff.material == material {
+            return Ok(());
+        }
+        // Of what lets light through, both sides are seen.
+        let had_sides = stuff.material.transmittance > 0.0;
+        let other_sides = had_sides != (material.transmittance > 0.0);
+        stuff.material = material;
+        self.touch_material(id);
+        if other_sides {
+            for (object, known) in &mut self.objects {
+                if known.material == id {
+                    self.changes.object(object, &mut known.traced);
+                }
+            }
         }
         Ok(())
     }
@@ -298,7 +337,7 @@ impl World {
         let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
         if stuff.material.colour != colour {
             stuff.material.colour = colour;
-            self.scene = None;
+            self.touch_material(id);
         }
         Ok(())
     }
@@ -309,8 +348,8 @@ impl World {
             None => Err(WorldError::NoMaterial),
             Some(&Stuff { users, .. }) if users > 0 => Err(WorldError::MaterialInUse { users }),
             Some(_) => {
+                // Nothing shows it: what is traced may keep it.
                 self.materials.remove(id);
-                self.scene = None;
                 Ok(())
             }
         }
@@ -324,22 +363,28 @@ impl World {
     /// Adds a light.
     pub fn add_light(&mut self, light: Light) -> Result<LightId, WorldError> {
         check::light(&light)?;
-        self.scene = None;
-        Ok(self.lights.insert(light))
+        // The others' brightness may depend on how many there are.
+        self.changes.anew = true;
+        Ok(self.lights.insert(Lamp {
+            light,
+            traced: Tracing::default(),
+        }))
     }
 
     /// A light.
     pub fn light(&self, id: LightId) -> Result<Light, WorldError> {
-        self.lights.get(id).copied().ok_or(WorldError::NoLight)
+        let lamp = self.lights.get(id).ok_or(WorldError::NoLight)?;
+        Ok(lamp.light)
     }
 
     /// Moves a light, or changes its colour.
     pub fn set_light(&mut self, id: LightId, light: Light) -> Result<(), WorldError> {
         check::light(&light)?;
-        let known = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
-        if *known != light {
-            *known = light;
-            self.scene = None;
+        let lamp = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
+        if lamp.light != light {
+            self.changes.anew |= lamp.light.colour.is_some() && light.colour.is_none();
+            lamp.light = light;
+            self.changes.light(id, &mut lamp.traced);
         }
         Ok(())
     }
@@ -347,7 +392,7 @@ impl World {
     /// Removes a light.
     pub fn remove_light(&mut self, id: LightId) -> Result<(), WorldError> {
         self.lights.remove(id).ok_or(WorldError::NoLight)?;
-        self.scene = None;
+        self.changes.anew = true;
         Ok(())
     }
 
@@ -361,13 +406,15 @@ impl World {
         check::shape(&shape)?;
         let stuff = self.materials.get_mut(material);
         stuff.ok_or(WorldError::NoMaterial)?.users += 1;
-        self.scene = None;
-        Ok(self.objects.insert(Object {
+        let id = self.objects.insert(Object {
             shape,
             material,
             visible: true,
             fixed: false,
-        }))
+            traced: Tracing::default(),
+        });
+        self.touch(id);
+        Ok(id)
     }
 
     /// Adds a sphere.
@@ -394,7 +441,7 @@ impl World {
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
         let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
         self.unuse(object.material);
-        self.scene = None;
+        self.changes.removed(&object.traced);
         Ok(())
     }
 
@@ -441,7 +488,7 @@ impl World {
                 }
             }
         }
-        self.scene = None;
+        self.touch(id);
         Ok(())
     }
 
@@ -451,7 +498,7 @@ impl World {
         let object = self.movable(id)?;
         if object.shape != shape {
             object.shape = shape;
-            self.scene = None;
+            self.touch(id);
         }
         Ok(())
     }
@@ -469,7 +516,7 @@ impl World {
         self.unuse(before);
         if before != material {
             self.object_mut(id)?.material = material;
-            self.scene = None;
+            self.touch(id);
         }
         Ok(())
     }
@@ -484,7 +531,7 @@ impl World {
         let object = self.object_mut(id)?;
         if object.visible != visible {
             object.visible = visible;
-            self.scene = None;
+            self.touch(id);
         }
         Ok(())
     }
@@ -507,21 +554,6 @@ impl World {
         Ok(())
     }
 
-    /// The scene of the world as it is now, for an [`Engine`](crate::Engine) that runs `program`.
-    pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
-        let scene = match self.scene.take() {
-            Some(scene) => scene,
-            None => {
-                let mut scene = Scene::new(&self.to_nff(), self.look, program)?;
-                if let Some(fade) = self.fade {
-                    scene.set_depth(fade);
-                }
-                scene
-            }
-        };
-        Ok(self.scene.insert(scene))
-    }
-
     /// A number that tells this world's content from another's, the same on every machine: of objects, materials
     /// and lights in their order, the handles apart; of the look nothing.
     #[must_use]
@@ -538,8 +570,8 @@ impl World {
             sum.vector(vector);
         }
         sum.float(angle);
-        for light in self.lights.values() {
-            sum.light(light);
+        for lamp in self.lights.values() {
+            sum.light(&lamp.light);
         }
         for object in self.objects.values() {
             sum.shape(&object.shape);
@@ -565,6 +597,18 @@ impl World {
             return Err(WorldError::Fixed);
         }
         Ok(object)
+    }
+
+    fn touch(&mut self, id: ObjectId) {
+        if let Some(object) = self.objects.get_mut(id) {
+            self.changes.object(id, &mut object.traced);
+        }
+    }
+
+    fn touch_material(&mut self, id: MaterialId) {
+        if let Some(stuff) = self.materials.get_mut(id) {
+            self.changes.material(id, &mut stuff.traced);
+        }
     }
 
     fn unuse(&mut self, material: MaterialId) {

@@ -30,6 +30,16 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
+    /// Pixels of both.
+    #[must_use]
+    pub fn intersection(&self, other: &Self) -> Self {
+        let both = |a: &Range<u32>, b: &Range<u32>| a.start.max(b.start)..a.end.min(b.end);
+        Self {
+            x: both(&self.x, &other.x),
+            y: both(&self.y, &other.y),
+        }
+    }
+
     /// Whether there is no pixel in it.
     #[must_use]
     pub fn is_empty(&self) -> bool {
@@ -107,6 +117,38 @@ impl Lens {
             sine.asin()
         } else {
             f64::INFINITY
+        }
+    }
+
+    /// Pixels on which something may be seen that is within a ball that moves from one place straight to
+    /// another, and grows or shrinks evenly on the way.
+    #[must_use]
+    pub fn sweep(&self, [from, to]: [(DVec3, f64); 2]) -> Rectangle {
+        let Geometry { width, height } = self.geometry;
+        let all = Rectangle {
+            x: 0..width,
+            y: 0..height,
+        };
+        let ahead = |(centre, radius): (DVec3, f64)| {
+            let to_centre = self.to(centre);
+            let ahead = self.axes.map_or(0.0, |axes| to_centre.dot(axes.ahead));
+            let radius = seen_radius(to_centre.length(), radius);
+            if ahead.abs() <= radius { 0.0 } else { ahead }
+        };
+        let sides = [from, to].map(ahead);
+        if sides.iter().all(|&ahead| ahead < 0.0) {
+            return Rectangle { x: 0..0, y: 0..0 };
+        }
+        if !sides.iter().all(|&ahead| ahead > 0.0) {
+            return all;
+        }
+        // What is in front of the eye throughout is seen between the two: also where they are beyond the edge.
+        let [from, to] = [from, to].map(|(centre, radius)| self.bounds(centre, radius));
+        let both =
+            |from: Range<u32>, to: Range<u32>| from.start.min(to.start)..from.end.max(to.end);
+        Rectangle {
+            x: both(from.x, to.x),
+            y: both(from.y, to.y),
         }
     }
 

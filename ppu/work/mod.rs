@@ -21,3 +21,4 @@ pub use spheres::EyeSpheres;
 pub use tiles::{tile_count, tile_pixels};
 pub use units::Units;
 pub use whitted::{BlockError, BlockOptions, SceneBlock};
+pub(crate) use whitted::{ShaderEntries, Shown};

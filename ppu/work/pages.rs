@@ -6,12 +6,11 @@
 use glam::DVec3;
 use nff::Camera;
 use nff::depth::DepthShading;
-use zerocopy::IntoBytes as _;
 
 use super::layout::{TILE_BLANK, UnitCost, WorkUnit};
 use super::lens::Lens;
 use super::tiles::TileSet;
-use super::units;
+use super::{Shown, units};
 use crate::framebuffer::{Geometry, PixelFormat, Target};
 use crate::scene::{Look, Scene, Sphere};
 
@@ -24,8 +23,8 @@ pub struct Pages {
     pages: Vec<Page>,
     /// Number of the page that is being written to.
     open: usize,
-    /// What SPUs are told for that page.
-    told: Vec<u8>,
+    /// What is to be seen there by Whitted's model.
+    to_show: Shown,
 }
 
 /// Where a page lies, and in which form.
@@ -46,9 +45,8 @@ struct Page {
     depth: DepthShading,
     look: Look,
     spheres: Vec<Sphere>,
-    /// What SPUs were told of a scene by Whitted's model. Of what has changed there, anything may be
-    /// seen anywhere: in mirrors.
-    told: Vec<u8>,
+    /// What is seen of a scene by Whitted's model.
+    shown: Shown,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
@@ -76,14 +74,15 @@ impl Pages {
             format: target.format,
         };
         changed.clear(target.geometry);
-        tell(scene, &mut self.told);
+        self.to_show.take(scene.block(), camera.eye);
         let Some(found) = self.pages.iter().position(|page| page.place == place) else {
             if self.pages.len() == MOST {
                 self.pages.clear();
             }
             changed.add_all();
             self.open = self.pages.len();
-            let mut page = Page::new(place, scene, camera, &self.told);
+            let mut page = Page::new(place, scene, camera);
+            page.show(scene, camera, &mut self.to_show);
             page.blank.clear(target.geometry);
             self.pages.push(page);
             return;
@@ -93,17 +92,18 @@ impl Pages {
         let same_view = page.camera == *camera
             && page.background == scene.background()
             && page.depth == scene.depth()
-            && page.look == scene.look()
-            && page.told == self.told;
+            && page.look == scene.look();
         if !page.whole || page.background != scene.background() {
             page.blank.clear(target.geometry);
         }
         if page.whole && same_view {
             page.changes(scene.spheres(), lens, changed);
+            let shadows = scene.look().shadows;
+            self.to_show.changes(&page.shown, shadows, lens, changed);
         } else {
             changed.add_all();
         }
-        page.show(scene, camera, &self.told);
+        page.show(scene, camera, &mut self.to_show);
     }
 
     /// Tiles of the page opened last that show nothing but the background.
@@ -122,21 +122,8 @@ impl Pages {
     }
 }
 
-/// Writes down what SPUs are told of a scene by Whitted's model: its block, and what the frame's
-/// descriptor says of it, without which the same block may be another scene.
-fn tell(scene: &Scene, told: &mut Vec<u8>) {
-    told.clear();
-    let Some(block) = scene.block() else {
-        return;
-    };
-    told.extend_from_slice(block.bytes());
-    told.extend_from_slice(block.trees().as_bytes());
-    told.extend_from_slice(block.ambient().as_bytes());
-    told.extend_from_slice(&block.light_count().to_be_bytes());
-}
-
 impl Page {
-    fn new(place: Place, scene: &Scene, camera: &Camera, told: &[u8]) -> Self {
+    fn new(place: Place, scene: &Scene, camera: &Camera) -> Self {
         Self {
             place,
             whole: false,
@@ -144,8 +131,8 @@ impl Page {
             background: scene.background(),
             depth: scene.depth(),
             look: scene.look(),
-            spheres: scene.spheres().to_vec(),
-            told: told.to_vec(),
+            spheres: Vec::new(),
+            shown: Shown::default(),
             blank: TileSet::default(),
         }
     }
@@ -164,14 +151,14 @@ impl Page {
         spheres[both..].iter().for_each(&mut add);
     }
 
-    fn show(&mut self, scene: &Scene, camera: &Camera, told: &[u8]) {
+    /// Takes over what the page is to show; `to_show` becomes what it showed before.
+    fn show(&mut self, scene: &Scene, camera: &Camera, to_show: &mut Shown) {
         self.whole = false;
         self.camera = *camera;
         self.background = scene.background();
         self.depth = scene.depth();
         self.look = scene.look();
-        self.told.clear();
-        self.told.extend_from_slice(told);
+        std::mem::swap(&mut self.shown, to_show);
         self.spheres.clear();
         self.spheres.extend_from_slice(scene.spheres());
     }

@@ -1,9 +1,9 @@
 //! A number by which two worlds are told apart: the same on every machine.
 
 use glam::DVec3;
-use nff::{LightKind, Shader, Shape};
+use nff::{LightKind, Material, Shader, Shape};
 
-use super::{Light, Material};
+use super::Light;
 
 /// FNV-1a over the big-endian bytes of all that is added.
 pub(super) struct Checksum(u64);

@@ -96,7 +96,7 @@ impl Material {
 
 impl Material {
     /// The same in a scene; messages say this line.
-    pub(super) fn to_nff(&self, line: u32) -> nff::Material {
+    pub(super) fn into_nff(self, line: u32) -> nff::Material {
         nff::Material {
             line,
             colour: self.colour,
@@ -105,7 +105,7 @@ impl Material {
             shine: self.shine,
             transmittance: self.transmittance,
             refraction_index: self.refraction_index,
-            shader: self.shader.clone(),
+            shader: self.shader,
         }
     }
 }

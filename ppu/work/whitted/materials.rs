@@ -3,8 +3,8 @@
 //! Invariant: a material's flags say all that its shares can do.
 
 use glam::DVec3;
-use nff::{LightKind, Material, Scene, Shader, unit};
-use zerocopy::FromZeros as _;
+use nff::{LightKind, Material, Shader, unit};
+use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::BlockError;
 use super::objects::{single, taxicab};
@@ -70,21 +70,24 @@ impl<'a> Shading<'a> {
 }
 
 /// What a scene's background is made of.
-pub(super) fn background(scene: &Scene) -> Result<layout::Material, BlockError> {
-    let place = Place {
-        file: &scene.name,
-        line: None,
-    };
-    place.vector("background", scene.background)?;
+pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, BlockError> {
+    let place = Place { file, line: None };
+    place.vector("background", colour)?;
     Ok(layout::Material {
-        emission: singles(scene.background),
+        emission: singles(colour),
         ..layout::Material::new_zeroed()
     })
 }
 
+/// Whether rays may go on from a material, or a game's own shader do what nobody else knows.
+pub(super) fn sees_others(record: &layout::Material, material: &Material) -> bool {
+    let goes_on = MATERIAL_MIRRORS | MATERIAL_TRANSMITS;
+    record.flags.get() & goes_on != 0 || matches!(material.shader, Shader::Own { .. })
+}
+
 /// The record of a material; `entry` knows the SPUs' shaders by name.
 pub(super) fn record(
-    scene: &Scene,
+    file: &str,
     material: &Material,
     fresnel: bool,
     entry: &dyn Fn(&str) -> Option<u32>,
@@ -100,7 +103,7 @@ pub(super) fn record(
         shader: _,
     } = material;
     let place = Place {
-        file: &scene.name,
+        file,
         line: Some(line),
     };
     place.vector("colour", colour)?;
@@ -115,7 +118,7 @@ pub(super) fn record(
     // What lets nothing through has no index, whatever the file says.
     let index = if transmittance > 0.0 {
         if refraction_index == 0.0 {
-            let file = scene.name.clone();
+            let file = file.to_owned();
             return Err(BlockError::RefractionIndex { file, line });
         }
         place.size("index of refraction", refraction_index)?;
@@ -128,7 +131,7 @@ pub(super) fn record(
     let mut parameters = [0.0; 4];
     if let Some((name, given)) = shading.shader {
         shader = entry(name).ok_or_else(|| BlockError::UnknownShader {
-            file: scene.name.clone(),
+            file: file.to_owned(),
             line,
             name: name.to_owned(),
         })?;
@@ -181,13 +184,8 @@ pub(super) struct Light {
 
 impl Light {
     /// A light of a scene.
-    pub fn of(scene: &Scene, light: &nff::Light) -> Result<Self, BlockError> {
-        let place = Place {
-            file: &scene.name,
-            line: Some(light.line),
-        };
-        let brightness = scene.brightness(light);
-        if let LightKind::Point { position } = light.kind {
+    pub fn of(kind: LightKind, brightness: DVec3, place: Place<'_>) -> Result<Self, BlockError> {
+        if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
         }
         place.vector("brightness", brightness)?;
@@ -195,10 +193,27 @@ impl Light {
             brightness: singles(brightness),
             ..layout::Light::new_zeroed()
         };
+        Ok(Self { kind, record })
+    }
+
+    /// The same light elsewhere.
+    pub fn moved(&self, kind: LightKind, place: Place<'_>) -> Result<Self, BlockError> {
+        if let LightKind::Point { position } = kind {
+            place.vector("light", position)?;
+        }
         Ok(Self {
-            kind: light.kind,
-            record,
+            kind,
+            record: self.record,
         })
+    }
+
+    pub fn kind(&self) -> LightKind {
+        self.kind
+    }
+
+    /// Whether it lights everything as another does.
+    pub fn lights_as(&self, other: &Self) -> bool {
+        self.kind == other.kind && self.record.as_bytes() == other.record.as_bytes()
     }
 
     /// Its record as seen from `eye`; `leave` is the largest that an object has.

@@ -6,17 +6,24 @@
 //! and rounded once; so a scene far from its origin loses nothing near the eye. The block begins with
 //! the background's object, for rays that hit nothing.
 //!
+//! The block of a scene that changes has room for more, and is edited in place.
+//!
 //! Invariant: a block fits the local store with the rays that wait; all its addresses lie within it.
 //! What it does not keep is the order of the file: of equally near surfaces any may be hit.
 
 mod ball;
 mod block;
+mod edit;
 mod error;
 mod materials;
 mod objects;
 mod planted;
 mod range;
+mod shadow;
+mod shown;
 mod tree;
+
+use std::ops::Range;
 
 use glam::DVec3;
 use nff::Scene;
@@ -33,7 +40,9 @@ use super::layout::{
 };
 use crate::scene::singles;
 
+pub(crate) use edit::ShaderEntries;
 pub use error::BlockError;
+pub(crate) use shown::Shown;
 
 /// Rays that wait at each depth from the second on, in parts of those that are traced together.
 const QUEUES: usize = 3;
@@ -62,12 +71,44 @@ impl Default for BlockOptions {
 #[derive(Clone, Debug)]
 pub struct SceneBlock {
     file: String,
-    ray_depth: u32,
+    options: BlockOptions,
     ambient: [F32; 4],
     lights: Vec<Light>,
     light_address: u32,
+    /// By their numbers in the scene; nothing for those that no object is made of.
+    materials: Vec<Option<Surface>>,
+    /// Addresses of room for further materials.
+    material_room: Vec<u32>,
     planted: [Planted; 4],
+    /// What the scene's objects have become: for each by its number the range of its pieces, and these.
+    objects: Vec<Range<usize>>,
+    pieces: Vec<Piece>,
     block: Block,
+    /// The eye that it is written for.
+    eye: Option<DVec3>,
+}
+
+/// A material in the block.
+#[derive(Clone, Copy, Debug)]
+struct Surface {
+    address: u32,
+    /// Whether what other objects look like may be seen in it.
+    sees_others: bool,
+}
+
+/// An object, or a part of one, as the SPUs know it.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    kind: Kind,
+    /// Number of its plot.
+    plot: usize,
+}
+
+/// Room for what a scene does not have as yet.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spare {
+    materials: usize,
+    objects: [usize; 4],
 }
 
 impl SceneBlock {
@@ -82,48 +123,80 @@ impl SceneBlock {
         options: BlockOptions,
         shader: &dyn Fn(&str) -> Option<u32>,
     ) -> Result<Self, BlockError> {
+        Self::with_spare(scene, options, shader, Spare::default())
+    }
+
+    fn with_spare(
+        scene: &Scene,
+        options: BlockOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+        spare: Spare,
+    ) -> Result<Self, BlockError> {
         if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
             return Err(BlockError::RayDepth(options.ray_depth));
         }
         let mut block = Block::default();
         add_background(scene, &mut block)?;
-        let ambient = ambient(scene)?;
+        let ambient = ambient(&scene.name, scene.ambient)?;
         let lights = lights(scene)?;
         let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
 
-        let found = objects(scene)?;
+        let Found {
+            found,
+            objects,
+            mut pieces,
+        } = Found::of(scene)?;
         let mut materials = vec![None; scene.materials.len()];
         for object in found.iter().flatten() {
             let index = object.material as usize;
             if materials[index].is_none() {
                 let material = &scene.materials[index];
-                let record = materials::record(scene, material, options.fresnel, shader)?;
-                materials[index] = Some(block.append(record.as_bytes()));
+                let record = materials::record(&scene.name, material, options.fresnel, shader)?;
+                materials[index] = Some(Surface {
+                    address: block.append(record.as_bytes()),
+                    sees_others: materials::sees_others(&record, material),
+                });
             }
         }
+        let material_room = (0..spare.materials)
+            .map(|_| block.reserve(size_of::<layout::Material>()))
+            .collect();
         let material = |object: &Object| {
-            let address = materials[object.material as usize];
-            U32::new(address.unwrap_or(SCENE_ADDRESS))
+            let surface = materials[object.material as usize];
+            U32::new(surface.map_or(SCENE_ADDRESS, |surface| surface.address))
         };
-        let planted =
-            Kind::ALL.map(|kind| Planted::new(kind, &found[kind as usize], material, &mut block));
+        let mut plots = Kind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
+        let planted = Kind::ALL.map(|kind| {
+            let (found, plots) = (&found[kind as usize], &mut plots[kind as usize]);
+            let number = |index: usize, plot: usize| plots[index] = plot;
+            let spare = spare.objects[kind as usize];
+            Planted::new(kind, found, spare, material, number, &mut block)
+        });
+        for piece in &mut pieces {
+            piece.plot = plots[piece.kind as usize][piece.plot];
+        }
         block.finish();
 
         let mut scene_block = Self {
             file: scene.name.clone(),
-            ray_depth: options.ray_depth,
+            options,
             ambient,
             lights,
             light_address,
+            materials,
+            material_room,
             planted,
+            objects,
+            pieces,
             block,
+            eye: None,
         };
         scene_block.check_room()?;
         scene_block.look(scene.view.from)?;
         Ok(scene_block)
     }
 
-    /// Writes the block for an eye.
+    /// Writes the block for an eye, where it is not so already.
     ///
     /// # Errors
     /// An eye out of range; the block is then the last one's.
@@ -133,18 +206,19 @@ impl SceneBlock {
             line: None,
         };
         place.vector("eye", eye)?;
+        let is_other_eye = self.eye.replace(eye) != Some(eye);
+        for planted in &mut self.planted {
+            planted.write(eye, is_other_eye, &mut self.block);
+        }
+        let leave = self.planted.iter().map(Planted::leave);
+        let leave = leave.fold(0.0, f64::max);
         let size = size_of::<layout::Light>();
         let places = (self.light_address..).step_by(size);
-        let leave = self.planted.iter().map(|planted| planted.leave(eye));
-        let leave = leave.fold(0.0, f64::max);
         for (address, light) in places.zip(&self.lights) {
             let record = light.record(eye, leave);
             self.block
                 .at(address, size)
                 .copy_from_slice(record.as_bytes());
-        }
-        for planted in &self.planted {
-            planted.write(eye, &mut self.block);
         }
         Ok(())
     }
@@ -182,18 +256,18 @@ impl SceneBlock {
     /// Most rays in a chain.
     #[must_use]
     pub fn ray_depth(&self) -> u32 {
-        self.ray_depth
+        self.options.ray_depth
     }
 
     /// Packets that are traced together: as many as there is room for.
     #[must_use]
     pub fn batch(&self) -> u32 {
-        let fits = |batch: &u32| self.bytes().len() <= room(*batch, self.ray_depth);
+        let fits = |batch: &u32| self.bytes().len() <= room(*batch, self.ray_depth());
         (1..=MAX_BATCH).rev().find(fits).unwrap_or(1)
     }
 
     fn check_room(&self) -> Result<(), BlockError> {
-        let (needed, room) = (self.bytes().len(), room(1, self.ray_depth));
+        let (needed, room) = (self.bytes().len(), room(1, self.ray_depth()));
         if needed <= room {
             return Ok(());
         }
@@ -210,7 +284,7 @@ impl SceneBlock {
             file: self.file.clone(),
             needed,
             room,
-            ray_depth: self.ray_depth,
+            ray_depth: self.ray_depth(),
             fit,
             count,
             what,
@@ -226,7 +300,7 @@ fn room(batch: u32, ray_depth: u32) -> usize {
 
 /// Begins a block with what rays hit that hit nothing.
 fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
-    let material = materials::background(scene)?;
+    let material = materials::background(&scene.name, scene.background)?;
     let size = size_of::<layout::Object>();
     let address = block.reserve(size);
     let object = objects::background(block.append(material.as_bytes()));
@@ -234,13 +308,10 @@ fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
     Ok(())
 }
 
-fn ambient(scene: &Scene) -> Result<[F32; 4], BlockError> {
-    let place = Place {
-        file: &scene.name,
-        line: None,
-    };
-    place.vector("ambient light", scene.ambient)?;
-    let [red, green, blue] = singles(scene.ambient);
+fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
+    let place = Place { file, line: None };
+    place.vector("ambient light", brightness)?;
+    let [red, green, blue] = singles(brightness);
     Ok([red, green, blue, F32::ZERO])
 }
 
@@ -251,36 +322,66 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
             line: light.line,
         });
     }
-    let lights = scene.lights.iter();
-    lights.map(|light| Light::of(scene, light)).collect()
-}
-
-/// The objects of each kind.
-fn objects(scene: &Scene) -> Result<[Vec<Object>; 4], BlockError> {
-    let mut found: [Vec<Object>; 4] = Default::default();
-    for object in &scene.objects {
-        let Some(material) = scene.materials.get(object.material as usize) else {
-            continue;
-        };
+    let light = |light: &nff::Light| {
         let place = Place {
             file: &scene.name,
-            line: Some(object.line),
+            line: Some(light.line),
         };
-        objects::of_shape(&object.shape, material, place, &mut |form, sides| {
-            let kind = form.kind();
-            let found = &mut found[kind as usize];
-            if found.len() == MAX_OBJECTS as usize {
-                return Err(place.too_many(kind.name()));
+        Light::of(light.kind, scene.brightness(light), place)
+    };
+    scene.lights.iter().map(light).collect()
+}
+
+/// What the objects of a scene become.
+#[derive(Default)]
+struct Found {
+    /// Of each kind.
+    found: [Vec<Object>; 4],
+    /// The range of each object's pieces, and these; for a plot the place in `found`.
+    objects: Vec<Range<usize>>,
+    pieces: Vec<Piece>,
+}
+
+impl Found {
+    fn of(scene: &Scene) -> Result<Self, BlockError> {
+        let Self {
+            mut found,
+            mut objects,
+            mut pieces,
+        } = Self::default();
+        for object in &scene.objects {
+            let first = pieces.len();
+            if let Some(material) = scene.materials.get(object.material as usize) {
+                let place = Place {
+                    file: &scene.name,
+                    line: Some(object.line),
+                };
+                objects::of_shape(&object.shape, material, place, &mut |form, sides| {
+                    let kind = form.kind();
+                    let found = &mut found[kind as usize];
+                    if found.len() == MAX_OBJECTS as usize {
+                        return Err(place.too_many(kind.name()));
+                    }
+                    pieces.push(Piece {
+                        kind,
+                        plot: found.len(),
+                    });
+                    found.push(Object {
+                        form,
+                        sides,
+                        material: object.material,
+                    });
+                    Ok(())
+                })?;
             }
-            found.push(Object {
-                form,
-                sides,
-                material: object.material,
-            });
-            Ok(())
-        })?;
+            objects.push(first..pieces.len());
+        }
+        Ok(Self {
+            found,
+            objects,
+            pieces,
+        })
     }
-    Ok(found)
 }
 
 #[cfg(test)]

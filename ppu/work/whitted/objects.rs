@@ -40,6 +40,16 @@ pub(super) enum Kind {
 impl Kind {
     pub const ALL: [Self; 4] = [Self::Sphere, Self::Rectangle, Self::Triangle, Self::Cone];
 
+    /// Bytes that an object of this kind takes at least.
+    pub fn least_size(self) -> usize {
+        match self {
+            Self::Sphere => size_of::<layout::Object>(),
+            Self::Rectangle => size_of::<layout::Rectangle>(),
+            Self::Triangle => size_of::<layout::Triangle>(),
+            Self::Cone => size_of::<layout::Cone>(),
+        }
+    }
+
     /// Its name in messages, plural.
     pub fn name(self) -> &'static str {
         match self {
@@ -88,6 +98,28 @@ pub(super) enum Form {
         /// Whether the normal points inwards.
         hollow: bool,
     },
+}
+
+/// Up to four balls.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hull {
+    balls: [Ball; 4],
+    count: usize,
+}
+
+impl Hull {
+    fn of<const COUNT: usize>(found: [Ball; COUNT]) -> Self {
+        let mut balls = [Ball::point(DVec3::ZERO); 4];
+        balls[..COUNT].copy_from_slice(&found);
+        Self {
+            balls,
+            count: COUNT,
+        }
+    }
+
+    pub fn balls(&self) -> &[Ball] {
+        &self.balls[..self.count]
+    }
 }
 
 /// What [`layout::Object`] says of a surface.
@@ -213,7 +245,16 @@ fn triangles(
     let Some(normal) = unit(area_vector(vertices)) else {
         return Ok(());
     };
-    for corners in nff::triangles(vertices) {
+    let cut;
+    let found_corners = match vertices {
+        // Without memory being taken: what moves may be one.
+        [_, _, _] => &[[0, 1, 2]][..],
+        _ => {
+            cut = nff::triangles(vertices);
+            &cut
+        }
+    };
+    for &corners in found_corners {
         let [a, b, c] = corners;
         // Where edges of the polygon cross, a triangle may lie the other way round.
         let area = area_vector(&corners.map(|index| vertices[index as usize]));
@@ -252,11 +293,10 @@ impl Form {
     /// Bytes of its record.
     pub fn size(&self) -> usize {
         match self {
-            Self::Sphere { .. } => size_of::<layout::Object>(),
-            Self::Rectangle { .. } => size_of::<layout::Rectangle>(),
-            Self::Triangle { smooth: None, .. } => size_of::<layout::Triangle>(),
-            Self::Triangle { .. } => size_of::<layout::Patch>(),
-            Self::Cone { .. } => size_of::<layout::Cone>(),
+            Self::Triangle {
+                smooth: Some(_), ..
+            } => size_of::<layout::Patch>(),
+            _ => self.kind().least_size(),
         }
     }
 
@@ -269,20 +309,18 @@ impl Form {
     }
 
     /// Balls such that a ball around them is one around the object.
-    pub fn hull(&self) -> Vec<Ball> {
+    pub fn hull(&self) -> Hull {
         match *self {
-            Self::Sphere { centre, radius } => vec![Ball {
+            Self::Sphere { centre, radius } => Hull::of([Ball {
                 centre,
                 radius: radius.abs(),
-            }],
+            }]),
             Self::Rectangle {
                 corner,
                 edges: [u, v],
                 ..
-            } => [corner, corner + u, corner + v, corner + u + v]
-                .map(Ball::point)
-                .to_vec(),
-            Self::Triangle { vertices, .. } => vertices.map(Ball::point).to_vec(),
+            } => Hull::of([corner, corner + u, corner + v, corner + u + v].map(Ball::point)),
+            Self::Triangle { vertices, .. } => Hull::of(vertices.map(Ball::point)),
             Self::Cone {
                 base,
                 axis,
@@ -293,11 +331,24 @@ impl Form {
                 // As far from one disc's rim as from the other's, unless one disc is the widest of all.
                 let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
                 let middle = equal.clamp(0.0, height);
-                vec![Ball {
+                Hull::of([Ball {
                     centre: base + middle * axis,
                     radius: middle.hypot(low).max((height - middle).hypot(high)),
-                }]
+                }])
             }
+        }
+    }
+
+    /// A point of the plane that it lies in, and the plane's normal; nothing for what is round.
+    pub fn plane(&self) -> Option<(DVec3, DVec3)> {
+        match *self {
+            Self::Rectangle { corner, normal, .. } => Some((corner, normal)),
+            Self::Triangle {
+                vertices: [corner, ..],
+                normal,
+                ..
+            } => Some((corner, normal)),
+            Self::Sphere { .. } | Self::Cone { .. } => None,
         }
     }
 

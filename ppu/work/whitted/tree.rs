@@ -1,18 +1,20 @@
 //! The tree of bounding spheres over the objects of one shape.
 //!
-//! What is where in the tree is settled once, in the scene's own coordinates; what depends on the eye
-//! is written anew for each.
+//! What is where in the tree is settled when it is planted, in the scene's own coordinates; what depends on the
+//! eye is written anew for each. Where objects move, the spheres above them are fitted again; a tree that has
+//! become bad by that is planted anew. The buffers serve for every tree.
 //!
 //! Invariant: every object is inside the spheres of all nodes that it is below, the rounding of the
 //! SPU's test included. A node's sphere holds the objects below it, not the spheres between: so it is
-//! smaller, and a ray that misses it misses the objects all the same.
+//! smaller, and a ray that misses it misses the objects all the same. One that was fitted again holds the
+//! spheres below it.
 
 use glam::DVec3;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use super::ball::{Ball, enclose};
-use super::objects::single;
+use super::objects::{Hull, single};
 use crate::work::layout::{MAX_ROOTS, Node, SCENE_ADDRESS, Tree};
 use crate::work::spheres::up;
 
@@ -25,36 +27,116 @@ const SLACK: f64 = 1.0 / (1 << 18) as f64;
 /// Children of a node.
 const LANES: usize = 4;
 
+/// By what the radii of a tree's spheres may grow, all taken together, before it is planted anew.
+const MOST_GROWTH: f64 = 1.5;
+
+/// A ball around another, such that the SPU finds no ray to miss it that meets an object in the other, as seen
+/// from `eye`.
+pub(super) fn widened(eye: DVec3, ball: Ball) -> Ball {
+    let distance = ball.centre.distance(eye);
+    Ball {
+        radius: ball.radius + SLACK * (distance + ball.radius),
+        ..ball
+    }
+}
+
 /// A tree without addresses.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Topology {
+    /// What each object is within, by its index; of those that are not there, anything.
+    balls: Vec<Ball>,
     /// The objects' indices, from left to right.
     order: Vec<usize>,
     /// From the lowest level up, what each child of a node is within: an object, then a node of the
-    /// level below, four of which follow one another in a node.
+    /// level below, four of which follow one another in a node. Levels beyond `height` are of other trees.
     levels: Vec<Vec<Ball>>,
+    height: usize,
+    /// Sum of the radii above the lowest level, when the tree was planted.
+    planted: f64,
+    /// Balls around which one is looked for.
+    hull: Vec<Ball>,
+    /// The places of a level below which something has moved.
+    touched: Vec<bool>,
 }
 
 impl Topology {
-    /// A tree over objects, each given by balls that it is within if they are.
-    pub fn new(hulls: &[Vec<Ball>]) -> Self {
-        let balls: Vec<Ball> = hulls.iter().filter_map(|hull| enclose(hull)).collect();
-        let mut order: Vec<usize> = (0..balls.len()).collect();
-        split(&mut order, &balls);
+    /// Plants a tree over the objects that are there, each given by balls that it is within if they are.
+    pub fn plant(&mut self, hulls: &[Option<Hull>]) {
+        let Self {
+            balls,
+            order,
+            levels,
+            hull,
+            ..
+        } = self;
+        balls.clear();
+        order.clear();
+        for (index, hull) in hulls.iter().enumerate() {
+            let ball = hull.as_ref().and_then(|hull| enclose(hull.balls()));
+            order.extend(ball.map(|_| index));
+            balls.push(ball.unwrap_or(Ball::point(DVec3::ZERO)));
+        }
+        split(order, balls);
 
-        let mut levels = vec![order.iter().map(|&index| balls[index]).collect::<Vec<_>>()];
+        let begin = |levels: &mut Vec<Vec<Ball>>, level: usize| {
+            if levels.len() == level {
+                levels.push(Vec::new());
+            }
+            levels[level].clear();
+        };
+        begin(levels, 0);
+        levels[0].extend(order.iter().map(|&index| balls[index]));
+        let mut top = 0;
         let mut below = LANES;
-        let mut hull = Vec::new();
-        while levels[levels.len() - 1].len().div_ceil(LANES) > MAX_ROOTS as usize {
-            let around = |objects: &[usize]| {
+        while nodes(levels[top].len()) > MAX_ROOTS as usize {
+            top += 1;
+            begin(levels, top);
+            for objects in order.chunks(below) {
                 hull.clear();
-                hull.extend(objects.iter().flat_map(|&index| &hulls[index]));
-                enclose(&hull)
-            };
-            levels.push(order.chunks(below).filter_map(around).collect());
+                let hulls = objects.iter().filter_map(|&index| hulls[index].as_ref());
+                hull.extend(hulls.flat_map(Hull::balls));
+                levels[top].extend(enclose(hull));
+            }
             below *= LANES;
         }
-        Self { order, levels }
+        self.height = top + 1;
+        self.planted = self.radii();
+    }
+
+    /// Fits the spheres above objects that have moved, and are those that there were; `false` if the tree has
+    /// become bad.
+    pub fn refit(&mut self, moved: impl Fn(usize) -> bool, hulls: &[Option<Hull>]) -> bool {
+        self.touched.clear();
+        for (place, &index) in self.order.iter().enumerate() {
+            let ball = hulls[index]
+                .as_ref()
+                .filter(|_| moved(index))
+                .and_then(|hull| enclose(hull.balls()));
+            self.touched.push(ball.is_some());
+            if let Some(ball) = ball {
+                self.balls[index] = ball;
+                self.levels[0][place] = ball;
+            }
+        }
+        for level in 1..self.height {
+            let (below, level) = self.levels.split_at_mut(level);
+            let below = &below[below.len() - 1];
+            for (place, ball) in level[0].iter_mut().enumerate() {
+                let children = place * LANES..below.len().min((place + 1) * LANES);
+                let touched = self.touched[children.clone()].contains(&true);
+                if touched && let Some(around) = enclose(&below[children]) {
+                    *ball = around;
+                }
+                // No place to the right needs what is overwritten.
+                self.touched[place] = touched;
+            }
+        }
+        self.radii() <= MOST_GROWTH * self.planted
+    }
+
+    fn radii(&self) -> f64 {
+        let above = self.levels[..self.height].iter().skip(1).flatten();
+        above.map(|ball| ball.radius).sum()
     }
 
     /// The objects' indices in the order of the tree.
@@ -62,32 +144,40 @@ impl Topology {
         &self.order
     }
 
-    /// Bytes of all nodes.
-    pub fn size(&self) -> usize {
-        let nodes: usize = self.levels.iter().map(|level| nodes(level)).sum();
-        nodes * size_of::<Node>()
+    /// Counts the objects, all of which have to be there, by their places from left to right from now on.
+    pub fn renumber(&mut self) {
+        self.balls.clone_from(&self.levels[0]);
+        for (place, index) in self.order.iter_mut().enumerate() {
+            *index = place;
+        }
+    }
+
+    /// What an object that is there is within.
+    pub fn ball(&self, index: usize) -> Ball {
+        self.balls[index]
     }
 
     /// What the frame says of the tree, whose nodes begin at `address`.
     pub fn record(&self, address: u32) -> Tree {
+        let top = self.levels.get(self.height.wrapping_sub(1));
         Tree {
             roots: address.into(),
-            root_count: (self.levels.last().map_or(0, |level| nodes(level)) as u32).into(),
-            levels: (self.levels.len() as u32).into(),
+            root_count: (top.map_or(0, |level| nodes(level.len())) as u32).into(),
+            levels: (self.height as u32).into(),
             objects: (self.order.len() as u32).into(),
         }
     }
 
-    /// Writes all nodes as seen from `eye`. They begin at `address`, the top first; `objects` has the
-    /// addresses of the objects in the order of the tree.
-    pub fn write(&self, eye: DVec3, address: u32, objects: &[U32], bytes: &mut [u8]) {
+    /// Writes all nodes as seen from `eye`. They begin at `address`, the top first; `object` has the
+    /// addresses of the objects by their indices.
+    pub fn write(&self, eye: DVec3, address: u32, object: impl Fn(usize) -> U32, bytes: &mut [u8]) {
         let mut records = bytes.chunks_exact_mut(size_of::<Node>());
         let mut next = address;
-        for (number, level) in self.levels.iter().enumerate().rev() {
-            next += (nodes(level) * size_of::<Node>()) as u32;
+        for (number, level) in self.levels[..self.height].iter().enumerate().rev() {
+            next += (nodes(level.len()) * size_of::<Node>()) as u32;
             for (first, balls) in (0..).step_by(LANES).zip(level.chunks(LANES)) {
                 let child = |lane: usize| match number {
-                    0 => objects[first + lane],
+                    0 => object(self.order[first + lane]),
                     _ => U32::new(next + ((first + lane) * size_of::<Node>()) as u32),
                 };
                 if let Some(record) = records.next() {
@@ -98,9 +188,20 @@ impl Topology {
     }
 }
 
+/// Bytes of all nodes of a tree over so many objects.
+pub(super) fn size(objects: usize) -> usize {
+    let mut children = objects;
+    let mut all = nodes(children);
+    while nodes(children) > MAX_ROOTS as usize {
+        children = nodes(children);
+        all += nodes(children);
+    }
+    all * size_of::<Node>()
+}
+
 /// Nodes that hold so many children.
-fn nodes(children: &[Ball]) -> usize {
-    children.len().div_ceil(LANES)
+fn nodes(children: usize) -> usize {
+    children.div_ceil(LANES)
 }
 
 fn node(eye: DVec3, balls: &[Ball], child: impl Fn(usize) -> U32) -> Node {
@@ -116,7 +217,7 @@ fn node(eye: DVec3, balls: &[Ball], child: impl Fn(usize) -> U32) -> Node {
         node.x[lane] = single(centre.x);
         node.y[lane] = single(centre.y);
         node.z[lane] = single(centre.z);
-        node.radius[lane] = up(ball.radius + SLACK * (centre.length() + ball.radius));
+        node.radius[lane] = up(widened(eye, *ball).radius);
         node.child[lane] = child(lane);
     }
     node

@@ -83,7 +83,7 @@ fn every_object_is_inside_all_spheres_above_it() {
         let mut met = 0;
         for kind in Kind::ALL {
             let planted = &block.planted[kind as usize];
-            let mut objects = planted.objects().iter();
+            let mut objects = planted.objects().into_iter();
             let mut last = SCENE_ADDRESS;
             block.walk(kind, &mut |address, above| {
                 assert!(address.get() > last, "objects lie in the order of the tree");

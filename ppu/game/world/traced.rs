@@ -1,0 +1,281 @@
+//! The scene that is traced, kept in step with its world.
+//!
+//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but for the places of
+//! its records and the shape of its trees, which no picture shows. Where nothing was added, this takes no memory.
+
+use super::{LightId, MaterialId, Object, ObjectId, World, WorldError};
+use nff::Shape;
+
+use crate::scene::{Scene, SceneError, Sphere};
+use crate::spe::Program;
+use crate::work::ShaderEntries;
+use crate::work::layout::MAX_SPHERES;
+
+/// What is known of the trace of something in the world.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Tracing {
+    /// Its number in the scene; nothing if it is not in there.
+    number: Option<usize>,
+    /// Whether it is among the changes.
+    is_changed: bool,
+}
+
+/// In what a world differs from what was traced of it.
+#[derive(Default)]
+pub(super) struct Changes {
+    /// Whether the scene has to be laid out anew.
+    pub anew: bool,
+    pub view: bool,
+    pub background: bool,
+    pub ambient: bool,
+    /// Whether spheres by depth shading differ, or their range.
+    pub spheres: bool,
+    objects: Vec<ObjectId>,
+    materials: Vec<MaterialId>,
+    lights: Vec<LightId>,
+    /// Numbers of objects that there are no more.
+    removed: Vec<usize>,
+}
+
+impl Changes {
+    pub fn object(&mut self, id: ObjectId, traced: &mut Tracing) {
+        self.spheres = true;
+        if !std::mem::replace(&mut traced.is_changed, true) {
+            self.objects.push(id);
+        }
+    }
+
+    pub fn material(&mut self, id: MaterialId, traced: &mut Tracing) {
+        self.spheres = true;
+        if !std::mem::replace(&mut traced.is_changed, true) {
+            self.materials.push(id);
+        }
+    }
+
+    pub fn light(&mut self, id: LightId, traced: &mut Tracing) {
+        if !std::mem::replace(&mut traced.is_changed, true) {
+            self.lights.push(id);
+        }
+    }
+
+    pub fn removed(&mut self, traced: &Tracing) {
+        self.spheres = true;
+        self.removed.extend(traced.number);
+    }
+
+    /// Forgets all, and keeps the memory.
+    fn clear(&mut self) {
+        self.anew = false;
+        self.view = false;
+        self.background = false;
+        self.ambient = false;
+        self.spheres = false;
+        self.objects.clear();
+        self.materials.clear();
+        self.lights.clear();
+        self.removed.clear();
+    }
+}
+
+/// A scene that was traced.
+pub(super) struct Traced {
+    scene: Scene,
+    shaders: ShaderEntries,
+    /// Of which the shaders are.
+    program: Program,
+}
+
+impl World {
+    /// The scene of the world as it is now, for an [`Engine`](crate::Engine) that runs `program`.
+    ///
+    /// What has changed since the last call is changed in place: where objects were moved, shown or made of other
+    /// materials, and materials, lights or the eye changed, this takes no memory. Objects and materials that are
+    /// added find the room of those that were removed, or that is kept for them; without it the scene is laid out
+    /// anew. So it is when lights are added or removed, or the world is made to look otherwise.
+    ///
+    /// # Errors
+    /// What does not fit the SPUs, and a shader that the program does not have.
+    pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
+        let is_whitted = self.look.is_whitted(self.lights.len());
+        let traced = self.traced.take().filter(|traced| {
+            !self.changes.anew
+                && std::ptr::eq(traced.program.image(), program.image())
+                && traced.scene.block().is_some() == is_whitted
+        });
+        let changed = match traced {
+            Some(mut traced) => self.change(&mut traced)?.then_some(traced),
+            None => None,
+        };
+        let traced = match changed {
+            Some(traced) => traced,
+            None => self.lay_out(program)?,
+        };
+        for id in &self.changes.objects {
+            if let Some(object) = self.objects.get_mut(*id) {
+                object.traced.is_changed = false;
+            }
+        }
+        for id in &self.changes.materials {
+            if let Some(stuff) = self.materials.get_mut(*id) {
+                stuff.traced.is_changed = false;
+            }
+        }
+        for id in &self.changes.lights {
+            if let Some(lamp) = self.lights.get_mut(*id) {
+                lamp.traced.is_changed = false;
+            }
+        }
+        self.changes.clear();
+        Ok(&self.traced.insert(traced).scene)
+    }
+
+    /// Makes a scene of all that there is.
+    fn lay_out(&mut self, program: &Program) -> Result<Traced, WorldError> {
+        // An image without a table has no shaders that a material could ask for.
+        let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
+        // Whitted's model keeps room for what is hidden.
+        let is_whitted = self.look.is_whitted(self.lights.len());
+        let content = self.content(|object| object.visible || is_whitted);
+        let mut scene = Scene::with_room(&content, self.look, &shaders)?;
+        for (number, stuff) in self.materials.values_mut().enumerate() {
+            stuff.traced.number = Some(number);
+        }
+        for (number, lamp) in self.lights.values_mut().enumerate() {
+            lamp.traced.number = Some(number);
+        }
+        for (number, object) in self.objects.values_mut().enumerate() {
+            object.traced.number = is_whitted.then_some(number);
+            if let Some(block) = scene.block_mut().filter(|_| !object.visible) {
+                block.hide_object(number);
+            }
+        }
+        scene.set_view(&self.view)?;
+        if !is_whitted {
+            self.set_spheres(&mut scene)?;
+        }
+        Ok(Traced {
+            scene,
+            shaders,
+            program: *program,
+        })
+    }
+
+    /// Changes a scene to what the world is now; `false` if that does not fit.
+    fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
+        let Traced { scene, shaders, .. } = traced;
+        if self.changes.background {
+            scene.set_background(self.background)?;
+        }
+        if scene.block().is_none() {
+            scene.set_view(&self.view)?;
+            if self.changes.spheres || self.changes.view {
+                self.set_spheres(scene)?;
+            }
+            return Ok(true);
+        }
+        if !self.change_whitted(scene, shaders)? {
+            return Ok(false);
+        }
+        // It writes what has changed, too.
+        scene.set_view(&self.view)?;
+        Ok(true)
+    }
+
+    fn set_spheres(&self, scene: &mut Scene) -> Result<(), WorldError> {
+        let drawn = |object: &Object| match object.shape {
+            Shape::Sphere { centre, radius } if radius > 0.0 && object.visible => {
+                let stuff = self.materials.get(object.material)?;
+                Some(Sphere {
+                    centre,
+                    radius,
+                    colour: stuff.material.colour,
+                })
+            }
+            _ => None,
+        };
+        let count = self.objects.values().filter_map(drawn).count();
+        if count > MAX_SPHERES as usize {
+            let file = self.name.clone();
+            return Err(SceneError::TooManySpheres { file, count }.into());
+        }
+        scene.set_spheres(self.objects.values().filter_map(drawn), self.fade);
+        Ok(())
+    }
+
+    fn change_whitted(
+        &mut self,
+        scene: &mut Scene,
+        shaders: &ShaderEntries,
+    ) -> Result<bool, WorldError> {
+        let Some(block) = scene.block_mut() else {
+            return Ok(false);
+        };
+        let Self {
+            changes,
+            objects,
+            materials,
+            lights,
+            ..
+        } = self;
+        if changes.ambient {
+            block.set_ambient(self.ambient).map_err(SceneError::from)?;
+        }
+        for number in &changes.removed {
+            block.remove_object(*number);
+        }
+        for id in &changes.lights {
+            let Some(lamp) = lights.get(*id) else {
+                continue;
+            };
+            let (number, light) = (lamp.traced.number, lamp.light);
+            let Some(number) = number else {
+                return Ok(false);
+            };
+            let fits = block.set_light(number, light.kind, light.colour);
+            if !fits.map_err(SceneError::from)? {
+                return Ok(false);
+            }
+        }
+        for id in &changes.materials {
+            let Some(stuff) = materials.get_mut(*id) else {
+                continue;
+            };
+            let number = stuff.traced.number.or_else(|| block.add_material());
+            let Some(number) = number else {
+                return Ok(false);
+            };
+            stuff.traced.number = Some(number);
+            let fits = block.set_material(number, &stuff.material, shaders);
+            if !fits.map_err(SceneError::from)? {
+                return Ok(false);
+            }
+        }
+        for id in &changes.objects {
+            let Some(object) = objects.get_mut(*id) else {
+                continue;
+            };
+            let stuff = materials.get(object.material);
+            let material = stuff.and_then(|stuff| Some((stuff.traced.number?, &stuff.material)));
+            let Some(material) = material else {
+                return Ok(false);
+            };
+            let (shape, traced) = (&object.shape, &mut object.traced);
+            let fits = match (traced.number, object.visible) {
+                (None, false) => Ok(true),
+                (None, true) => block.add_object(shape, material, shaders).map(|number| {
+                    traced.number = number;
+                    number.is_some()
+                }),
+                (Some(number), true) => block.set_object(number, shape, material, shaders),
+                (Some(number), false) => {
+                    block.hide_object(number);
+                    Ok(true)
+                }
+            };
+            if !fits.map_err(SceneError::from)? {
+                return Ok(false);
+            }
+        }
+        Ok(true)
+    }
+}
