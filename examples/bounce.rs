@@ -11,7 +11,8 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, NumberedPath, Sequence};
 use cellray::game::{
-    DVec3, FixedSteps, Game, Material, Moment, ObjectId, Session, Start, World, WorldError,
+    DVec3, DepthShading, FixedSteps, Game, Material, Moment, ObjectId, Session, Start, World,
+    WorldError,
 };
 
 const RADIUS: f64 = 0.6;
@@ -31,6 +32,11 @@ impl Game for Bounce {
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
         world.look_from(DVec3::new(0.0, 2.0, 12.0), DVec3::new(0.0, 0.8, 0.0))?;
         world.set_background(DVec3::new(0.05, 0.07, 0.14))?;
+        // Of its own, so that where nothing moves nothing changes.
+        world.set_fade(Some(DepthShading {
+            near: 10.0,
+            far: 17.0,
+        }))?;
         let orange = world.add_material(Material::matte(0.96, 0.4, 0.25))?;
         let blue = world.add_material(Material::matte(0.4, 0.6, 0.9))?;
         self.ball = world.add_sphere(DVec3::ZERO, RADIUS, orange)?;
@@ -68,6 +74,6 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut session = Session::start(Bounce::default(), Settings::default(), Box::new(pictures))?
         .with_clock(Box::new(FixedSteps(Duration::from_secs(1) / 12)));
     let report = session.run(Some(frames))?;
-    eprint!("{report}");
+    eprintln!("{report}");
     Ok(())
 }

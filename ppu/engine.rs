@@ -398,8 +398,7 @@ impl Engine {
             return Err(EngineError::Lost);
         }
         for spu in &self.spus {
-            spu.context
-                .mail(&[(address >> 32) as u32, address as u32])?;
+            spu.context.mail([(address >> 32) as u32, address as u32])?;
         }
         let deadline = Instant::now() + self.settings.timeout;
         let mut waiting = [false; MAX_SPUS as usize];
@@ -479,7 +478,7 @@ impl Drop for Engine {
                 continue;
             };
             // Address 0 ends the program. If it can't be mailed, waiting would be for ever.
-            if spu.context.mail(&[0, 0]).is_ok() {
+            if spu.context.mail([0, 0]).is_ok() {
                 let _ = thread.join();
             }
         }

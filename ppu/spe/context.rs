@@ -154,8 +154,7 @@ impl Context {
     }
 
     /// Writes all words into the inbound mailbox; sleeps while it is full.
-    pub fn mail(&self, words: &[u32]) -> Result<(), SpeError> {
-        let mut words = words.to_vec();
+    pub fn mail<const COUNT: usize>(&self, mut words: [u32; COUNT]) -> Result<(), SpeError> {
         let count = words.len() as c_int;
         // SAFETY: the context lives; the pointer is to `count` words.
         let written = unsafe {

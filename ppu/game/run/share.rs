@@ -54,9 +54,9 @@ impl SessionReport {
 impl fmt::Display for SessionReport {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.frames.fmt(f)?;
-        writeln!(
+        write!(
             f,
-            "frame loop: {:.2} ms of its processor a frame, {:.1} % of the time free",
+            "\nframe loop: {:.2} ms of its processor a frame, {:.1} % of the time free",
             1e3 * self.loop_seconds_a_frame(),
             self.free_percent
         )

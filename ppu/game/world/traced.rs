@@ -3,9 +3,9 @@
 //! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but for the places of
 //! its records and the shape of its trees, which no picture shows. Where nothing was added, this takes no memory.
 
-use super::{LightId, MaterialId, Object, ObjectId, World, WorldError};
 use nff::Shape;
 
+use super::{LightId, MaterialId, Object, ObjectId, Stuff, World, WorldError};
 use crate::scene::{Scene, SceneError, Sphere};
 use crate::spe::Program;
 use crate::work::ShaderEntries;
@@ -77,6 +77,14 @@ impl Changes {
     }
 }
 
+impl Stuff {
+    /// Gives it its number in the scene, by which messages call it.
+    fn number(&mut self, number: usize) {
+        self.traced.number = Some(number);
+        self.material.line = number as u32 + 1;
+    }
+}
+
 /// A scene that was traced.
 pub(super) struct Traced {
     scene: Scene,
@@ -138,7 +146,7 @@ impl World {
         let content = self.content(|object| object.visible || is_whitted);
         let mut scene = Scene::with_room(&content, self.look, &shaders)?;
         for (number, stuff) in self.materials.values_mut().enumerate() {
-            stuff.traced.number = Some(number);
+            stuff.number(number);
         }
         for (number, lamp) in self.lights.values_mut().enumerate() {
             lamp.traced.number = Some(number);
@@ -244,7 +252,7 @@ impl World {
             let Some(number) = number else {
                 return Ok(false);
             };
-            stuff.traced.number = Some(number);
+            stuff.number(number);
             let fits = block.set_material(number, &stuff.material, shaders);
             if !fits.map_err(SceneError::from)? {
                 return Ok(false);

@@ -1,0 +1,12 @@
+//! The user layer: worlds that change, input, sessions.
+
+mod allocations;
+mod content;
+mod fresh;
+mod handles;
+mod input;
+#[path = "../frames/recorder.rs"]
+mod recorder;
+mod retained;
+mod session;
+mod steady;
