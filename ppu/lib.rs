@@ -3,6 +3,35 @@
 //! This is the PPU's part. A [`Scene`] is handed, frame by frame, to an [`Engine`], whose SPUs trace
 //! it and write finished rows straight into a [`framebuffer`]. What answers below the libspe2 calls
 //! in [`spe`], a console's SPEs or emulated ones, this crate does not know.
+//!
+//! A game changes a [`World`](game::World) from frame to frame and leaves the rest to a
+//! [`Session`](game::Session). A ball that jumps, as numbered pictures:
+//!
+//! ```
+//! use cellray::framebuffer::{Geometry, NumberedPath, Sequence};
+//! use cellray::game::{DVec3, Game, Material, Moment, ObjectId, Session, Start, World, WorldError};
+//!
+//! struct Ball(ObjectId);
+//!
+//! impl Game for Ball {
+//!     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
+//!         let red = world.add_material(Material::matte(0.9, 0.2, 0.1))?;
+//!         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
+//!         Ok(())
+//!     }
+//!     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+//!         let part = moment.time % 1.0;
+//!         world.move_to(self.0, DVec3::Y * 8.0 * part * (1.0 - part))
+//!     }
+//! }
+//!
+//! # let folder = tempfile::tempdir()?;
+//! # std::env::set_current_dir(folder.path())?;
+//! let pictures = Sequence::new(NumberedPath::new("ball-%03d.png")?, 0, Geometry::new(64, 36)?)?;
+//! Session::start(Ball(ObjectId::default()), Default::default(), Box::new(pictures))?.run(Some(3))?;
+//! # assert!(std::path::Path::new("ball-002.png").is_file());
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod engine;
 pub mod formulation;

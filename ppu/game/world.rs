@@ -55,6 +55,19 @@ struct Lamp {
 
 /// A scene that a game changes.
 ///
+/// What is changed costs what has changed: records are written in place and the trees above them fitted again;
+/// nothing is said of the rest, and where the eye stands still the [`Engine`](crate::Engine) traces only what the
+/// change shows in (`keeps_contents` of the framebuffer permitting):
+///
+/// - nothing changed: nothing is traced;
+/// - by depth shading: the tiles in which a changed sphere is or was seen; all, where the range of the shading has
+///   changed with them, which [`World::set_fade`] prevents;
+/// - by Whitted's model: the tiles in which a changed object is or was seen, and its shadows fall or fell, and
+///   those in which mirrors, glass and objects with a game's own shader are seen, in all of which it may show;
+/// - all, when a light, the ambient light, the background, the eye or the look has changed.
+///
+/// The SPUs fetch the whole scene for each frame of which anything is traced.
+///
 /// ```
 /// use cellray::game::{DVec3, Light, Material, World};
 ///
@@ -526,7 +539,7 @@ impl World {
         Ok(self.object(id)?.visible)
     }
 
-    /// Shows an object, or hides it.
+    /// Shows an object, or hides it. By Whitted's model its room in the SPUs' local store is kept.
     pub fn show(&mut self, id: ObjectId, visible: bool) -> Result<(), WorldError> {
         let object = self.object_mut(id)?;
         if object.visible != visible {
@@ -541,8 +554,8 @@ impl World {
         Ok(self.object(id)?.fixed)
     }
 
-    /// Fixes an object: it refuses to be moved, so that what is meant to cost nothing in a steady frame
-    /// costs nothing. It may be made of another material, hidden and removed.
+    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and traced once is. It may
+    /// be made of another material, hidden and removed.
     pub fn fix(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = true;
         Ok(())

@@ -25,7 +25,7 @@ fn asked() {
         return;
     }
     let trace = Backtrace::force_capture().to_string();
-    if !trace.contains("libspe2::") {
+    if !trace.contains("spe2::") {
         ASKED.with_borrow_mut(|asked| asked.push(trace));
     }
     WATCHED.set(true);
