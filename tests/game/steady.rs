@@ -101,14 +101,17 @@ impl Game for Swarm {
                 *object,
                 self.materials[(number + moment.frame as usize) % 3],
             )?;
-            world.show(*object, (moment.frame as usize + number) % 11 != 0)?;
+            world.show(
+                *object,
+                !(moment.frame as usize + number).is_multiple_of(11),
+            )?;
         }
         for (number, material) in self.materials.iter().enumerate() {
             world.recolour(*material, way(moment.time, number) * 0.5)?;
         }
         let place = DVec3::new(0.0, 20.0, 5.0) + way(moment.time, 7);
         world.set_light(self.light, Light::at(place))?;
-        if moment.frame % 5 == 0 {
+        if moment.frame.is_multiple_of(5) {
             world.look_from(DVec3::Z * 12.0 + way(moment.time, 3), DVec3::ZERO)?;
         }
         Ok(())

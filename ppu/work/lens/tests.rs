@@ -160,3 +160,29 @@ fn steps_too_small_for_directions_bound_nothing() {
         Rectangle { x: 0..80, y: 0..50 }
     );
 }
+
+#[test]
+fn a_sweep_holds_all_balls_between() {
+    let mut random = ChaCha8Rng::seed_from_u64(17);
+    let mut bounded = 0;
+    for _ in 0..2000 {
+        let camera = camera(&mut random, SIZE.width, SIZE.height);
+        let lens = Lens::new(&camera, SIZE);
+        let mut ball = || {
+            let distance = magnitude(&mut random, -2.0, 6.0);
+            let centre = camera.eye + (camera.corner.normalize() + unit(&mut random)) * distance;
+            (centre, distance * random.random_range(0.0..0.5))
+        };
+        let (from, to) = (ball(), ball());
+        let sweep = lens.sweep([from, to]);
+        bounded += u32::from(sweep.x.len() < SIZE.width as usize);
+        for part in 0..=20 {
+            let part = f64::from(part) / 20.0;
+            let bounds = lens.bounds(from.0.lerp(to.0, part), from.1 + part * (to.1 - from.1));
+            let is_within = |a: &Range<u32>, b: &Range<u32>| a.start >= b.start && a.end <= b.end;
+            let within = is_within(&bounds.x, &sweep.x) && is_within(&bounds.y, &sweep.y);
+            assert!(bounds.is_empty() || within, "{bounds:?} of {sweep:?}");
+        }
+    }
+    assert!(bounded > 200, "{bounded}");
+}

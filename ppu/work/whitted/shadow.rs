@@ -8,7 +8,6 @@ use glam::DVec3;
 use nff::{LightKind, unit};
 
 use super::ball::Ball;
-use super::shown::Seen;
 use crate::work::lens::{Lens, Rectangle};
 
 /// By how much a ball that throws a shadow is widened, in parts of all distances that its shadow rays take: they
@@ -31,9 +30,9 @@ pub(super) struct Shadow {
 }
 
 impl Shadow {
-    /// The shadow of an object; nothing where the light is in it or nearly so: it falls anywhere.
-    pub fn of(seen: &Seen, light: LightKind, lens: &Lens) -> Option<Self> {
-        let Ball { centre, radius } = seen.ball;
+    /// The shadow of what is in a ball; nothing where the light is in it or nearly so: it falls anywhere.
+    pub fn of(ball: Ball, light: LightKind, lens: &Lens) -> Option<Self> {
+        let Ball { centre, radius } = ball;
         let reach = lens.to(centre).length() + radius;
         match light {
             LightKind::Point { position } => {
@@ -60,14 +59,21 @@ impl Shadow {
         }
     }
 
-    /// Hands out the pixels on which it may fall on an object.
-    pub fn on(&self, seen: &Seen, lens: &Lens, found: &mut impl FnMut(&Rectangle)) {
-        let distances = self.reach + self.from.distance(seen.ball.centre) + seen.ball.radius;
+    /// Hands out the pixels on which it may fall on an object within a ball, which may lie in a plane, given by a
+    /// point and a normal.
+    pub fn on(
+        &self,
+        ball: Ball,
+        plane: Option<(DVec3, DVec3)>,
+        lens: &Lens,
+        found: &mut impl FnMut(&Rectangle),
+    ) {
+        let distances = self.reach + self.from.distance(ball.centre) + ball.radius;
         let wider = Self {
-            radius: self.radius + SLACK * (distances + lens.to(seen.ball.centre).length()),
+            radius: self.radius + SLACK * (distances + lens.to(ball.centre).length()),
             ..*self
         };
-        let Some((first, last)) = wider.touching(seen) else {
+        let Some((first, last)) = wider.touching(ball, plane) else {
             return;
         };
         let at = |piece: u32| {
@@ -80,10 +86,10 @@ impl Shadow {
     }
 
     /// The first and the last of the balls that may touch an object.
-    fn touching(&self, seen: &Seen) -> Option<(f64, f64)> {
+    fn touching(&self, ball: Ball, plane: Option<(DVec3, DVec3)>) -> Option<(f64, f64)> {
         // |to - k way| <= growth k + radius + the object's radius, squared.
-        let to = seen.ball.centre - self.from;
-        let sum = self.radius + seen.ball.radius;
+        let to = ball.centre - self.from;
+        let sum = self.radius + ball.radius;
         let square = self.way.length_squared() - self.growth * self.growth;
         let half = to.dot(self.way) + self.growth * sum;
         let rest = to.length_squared() - sum * sum;
@@ -94,7 +100,7 @@ impl Shadow {
         let root = under.sqrt();
         let mut first = ((half - root) / square).max(self.first);
         let mut last = (half + root) / square;
-        if let Some((point, normal)) = seen.plane {
+        if let Some((point, normal)) = plane {
             // |height + k rise| <= growth k + radius, on either side.
             let height = (self.from - point).dot(normal);
             let rise = self.way.dot(normal);
@@ -110,5 +116,103 @@ impl Shadow {
             }
         }
         (first <= last).then_some((first, last))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nff::Camera;
+    use rand::{Rng as _, SeedableRng as _};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::framebuffer::Geometry;
+    use crate::work::arithmetic::{camera, magnitude, unit};
+
+    const SIZE: Geometry = Geometry {
+        width: 80,
+        height: 50,
+    };
+
+    /// The pixel in which a point is seen.
+    fn pixel(camera: &Camera, point: DVec3) -> Option<[u32; 2]> {
+        let ahead = camera.right.cross(camera.down);
+        let to = point - camera.eye;
+        let part = camera.corner.dot(ahead) / to.dot(ahead);
+        let from_corner = to * part - camera.corner;
+        let place =
+            [camera.right, camera.down].map(|step| from_corner.dot(step) / step.length_squared());
+        let inside = |place: f64, side: u32| place > -0.5 && place < f64::from(side) - 0.5;
+        (part > 0.0 && inside(place[0], SIZE.width) && inside(place[1], SIZE.height))
+            .then(|| place.map(|place| place.round() as u32))
+    }
+
+    /// Whether a ball is between a point and a light.
+    fn is_shadowed(ball: Ball, point: DVec3, light: LightKind) -> bool {
+        let (way, most) = match light {
+            LightKind::Point { position } => (position - point, 1.0),
+            LightKind::Directional { to_light } => (to_light, f64::INFINITY),
+        };
+        let nearest = (ball.centre - point).dot(way) / way.length_squared();
+        let nearest = nearest.clamp(0.0, most);
+        (point + nearest * way).distance(ball.centre) < ball.radius
+    }
+
+    #[test]
+    fn every_point_in_the_shadow_is_found() {
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        let (mut shadowed, mut small, mut all) = (0, 0, 0);
+        for _ in 0..20_000 {
+            let camera = camera(&mut random, SIZE.width, SIZE.height);
+            let lens = Lens::new(&camera, SIZE);
+            let place = random.random_range(0.0..80.0);
+            let sight = camera.corner + camera.right * place + camera.down * place * 0.6;
+            let middle = camera.eye + sight.normalize() * magnitude(&mut random, 1.0, 5.0);
+            let mut ball = |spread: f64| Ball {
+                centre: middle + unit(&mut random) * spread,
+                radius: spread * random.random_range(0.01..0.9),
+            };
+            let (caster, on) = (ball(3.0), ball(4.0));
+            let towards = unit(&mut random);
+            let light = if random.random() {
+                LightKind::Directional { to_light: towards }
+            } else {
+                let position = caster.centre + towards * magnitude(&mut random, 0.0, 6.0);
+                LightKind::Point { position }
+            };
+            let normal = unit(&mut random);
+            let plane = random.random::<bool>().then_some((on.centre, normal));
+            let Some(shadow) = Shadow::of(caster, light, &lens) else {
+                continue;
+            };
+            let mut pixels = Vec::new();
+            shadow.on(on, plane, &lens, &mut |found: &Rectangle| {
+                pixels.push(found.clone())
+            });
+            all += 1;
+            small += u32::from(
+                pixels
+                    .iter()
+                    .all(|found| found.x.len() < SIZE.width as usize),
+            );
+            for _ in 0..20 {
+                let mut away = unit(&mut random) * on.radius * random.random_range(0.0..1.0);
+                if plane.is_some() {
+                    away = away.reject_from_normalized(normal);
+                }
+                let point = on.centre + away;
+                if !is_shadowed(caster, point, light) {
+                    continue;
+                }
+                let Some([x, y]) = pixel(&camera, point) else {
+                    continue;
+                };
+                shadowed += 1;
+                let is_there = |found: &Rectangle| found.x.contains(&x) && found.y.contains(&y);
+                assert!(pixels.iter().any(is_there), "{x} {y} {pixels:?}");
+            }
+        }
+        assert!(shadowed > 2000, "{shadowed}");
+        assert!(small > all / 4, "{small} of {all}");
     }
 }

@@ -26,11 +26,11 @@ const MOST_SHADOWS: usize = 4096;
 
 /// An object of a picture.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seen {
+struct Seen {
     /// What it is within, widened for the SPU's rounding.
-    pub ball: Ball,
+    ball: Ball,
     /// A point of the plane that it lies in, and the plane's normal.
-    pub plane: Option<(DVec3, DVec3)>,
+    plane: Option<(DVec3, DVec3)>,
     /// Address and size of its record, address of its material's.
     record: (u32, usize),
     material: u32,
@@ -176,7 +176,7 @@ impl Shown {
     /// Adds the tiles that the shadows of an object fall on; `false` if there is no saying which.
     fn shadows(&self, seen: &Seen, lens: &Lens, changed: &mut TileSet) -> bool {
         for light in &self.lights {
-            let Some(shadow) = Shadow::of(seen, light.kind(), lens) else {
+            let Some(shadow) = Shadow::of(seen.ball, light.kind(), lens) else {
                 return false;
             };
             for on in self.objects.iter().flatten() {
@@ -184,7 +184,7 @@ impl Shown {
                 if bounds.is_empty() {
                     continue;
                 }
-                shadow.on(on, lens, &mut |pixels: &Rectangle| {
+                shadow.on(on.ball, on.plane, lens, &mut |pixels: &Rectangle| {
                     changed.add(&pixels.intersection(&bounds));
                 });
             }

@@ -105,6 +105,106 @@ fn every_object_is_inside_all_spheres_above_it() {
     }
 }
 
+/// Moved, hidden, added and removed: the trees are fitted again or planted anew, and lose nobody.
+#[test]
+fn trees_that_change_hold_their_objects() {
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let place = |random: &mut ChaCha8Rng| unit(random) * magnitude(random, -2.0, 5.0);
+    let texts: String = (0..150)
+        .map(|_| {
+            let place = place(&mut random);
+            any_object(&mut random, place)
+        })
+        .collect();
+    let first = scene(&texts);
+    let options = BlockOptions {
+        ray_depth: 1,
+        ..Default::default()
+    };
+    let shaders = ShaderEntries::new(Vec::new());
+    let mut block = SceneBlock::with_room(&first, options, &shaders).expect("a block");
+    let material = (0, &first.materials[0]);
+    let mut there: Vec<bool> = vec![true; first.objects.len()];
+    let (mut added, mut full) = (0, 0);
+    for round in 0..60 {
+        // Few move at first, then many.
+        for _ in 0..1 + round {
+            let place = place(&mut random);
+            let other = scene(&any_object(&mut random, place));
+            let shape = &other.objects[0].shape;
+            let number = random.random_range(0..there.len());
+            match random.random_range(0..8) {
+                0 => {
+                    block.hide_object(number);
+                    there[number] = false;
+                }
+                1 => {
+                    block.remove_object(number);
+                    there[number] = false;
+                }
+                2 => match block
+                    .add_object(shape, material, &shaders)
+                    .expect("in range")
+                {
+                    Some(number) => {
+                        added += 1;
+                        assert_eq!(number, there.len());
+                        there.push(true);
+                    }
+                    None => {
+                        // What did not fit has its number all the same, and has to be laid out anew.
+                        full += 1;
+                        block.remove_object(there.len());
+                        there.push(false);
+                    }
+                },
+                // Of another kind it does not fit, and stays what it was.
+                _ => {
+                    let before = first.objects.get(number).map(|object| &object.shape);
+                    let same = before.is_some_and(|before| {
+                        std::mem::discriminant(before) == std::mem::discriminant(shape)
+                    });
+                    if same && matches!(shape, nff::Shape::Sphere { .. }) {
+                        there[number] = block
+                            .set_object(number, shape, material, &shaders)
+                            .expect("in range");
+                    }
+                }
+            }
+        }
+        let eye = if round % 3 == 0 {
+            place(&mut random)
+        } else {
+            block.eye.unwrap_or_default()
+        };
+        block.look(eye).expect("an eye in range");
+        let mut met = 0;
+        for kind in Kind::ALL {
+            let planted = &block.planted[kind as usize];
+            let mut objects = planted.objects().into_iter();
+            block.walk(kind, &mut |address, above| {
+                let object = objects.next().expect("an object");
+                let record: &layout::Object = block.at(address);
+                assert_eq!(record.sides.get(), object.sides);
+                for point in points(&object.form, &mut random) {
+                    for (centre, radius) in above {
+                        let off = (point - eye).distance(*centre);
+                        assert!(off <= *radius, "{object:?}: {off} of {radius}");
+                    }
+                }
+                met += 1;
+            });
+            assert!(objects.next().is_none());
+        }
+        assert_eq!(
+            met,
+            there.iter().filter(|there| **there).count(),
+            "round {round}"
+        );
+    }
+    assert!(added > 20 && full > 0, "{added} {full}");
+}
+
 #[test]
 fn levels_and_nodes_at_the_top() {
     // Objects, levels, nodes at the top: at most 4 of them, and all leaves on one level. One object
