@@ -315,7 +315,7 @@ impl<G: Game> Session<G> {
     }
 
     /// The world, such as for a camera that the player moves beside the game. What is changed here is not in a
-    /// recording.
+    /// recording: one that is made meanwhile is found to be of another world when it is played back.
     pub fn world(&mut self) -> &mut World {
         &mut self.world
     }

@@ -83,6 +83,12 @@ impl Lens {
         }
     }
 
+    /// Where the rays begin.
+    #[must_use]
+    pub fn eye(&self) -> DVec3 {
+        self.eye
+    }
+
     /// From the eye to a point.
     #[must_use]
     pub fn to(&self, point: DVec3) -> DVec3 {
@@ -120,35 +126,39 @@ impl Lens {
         }
     }
 
-    /// Pixels on which something may be seen that is within a ball that moves from one place straight to
-    /// another, and grows or shrinks evenly on the way.
+    /// Pixels on which something may be seen that is within some balls and all that is straight between them.
     #[must_use]
-    pub fn sweep(&self, [from, to]: [(DVec3, f64); 2]) -> Rectangle {
+    pub fn hull(&self, balls: impl IntoIterator<Item = (DVec3, f64)>) -> Rectangle {
         let Geometry { width, height } = self.geometry;
-        let all = Rectangle {
-            x: 0..width,
-            y: 0..height,
-        };
-        let ahead = |(centre, radius): (DVec3, f64)| {
+        let nothing = Rectangle { x: 0..0, y: 0..0 };
+        let mut found: Option<Rectangle> = None;
+        let mut behind = false;
+        for (centre, radius) in balls {
             let to_centre = self.to(centre);
             let ahead = self.axes.map_or(0.0, |axes| to_centre.dot(axes.ahead));
-            let radius = seen_radius(to_centre.length(), radius);
-            if ahead.abs() <= radius { 0.0 } else { ahead }
-        };
-        let sides = [from, to].map(ahead);
-        if sides.iter().all(|&ahead| ahead < 0.0) {
-            return Rectangle { x: 0..0, y: 0..0 };
+            if ahead < -seen_radius(to_centre.length(), radius) {
+                behind = true;
+                continue;
+            }
+            let bounds = self.bounds(centre, radius);
+            // What is in front of the eye throughout is seen between the places of its balls, also of those that
+            // are beyond the picture's edge.
+            let both = |a: &Range<u32>, b: &Range<u32>| a.start.min(b.start)..a.end.max(b.end);
+            found = Some(match found {
+                None => bounds,
+                Some(found) => Rectangle {
+                    x: both(&found.x, &bounds.x),
+                    y: both(&found.y, &bounds.y),
+                },
+            });
         }
-        if !sides.iter().all(|&ahead| ahead > 0.0) {
-            return all;
-        }
-        // What is in front of the eye throughout is seen between the two: also where they are beyond the edge.
-        let [from, to] = [from, to].map(|(centre, radius)| self.bounds(centre, radius));
-        let both =
-            |from: Range<u32>, to: Range<u32>| from.start.min(to.start)..from.end.max(to.end);
-        Rectangle {
-            x: both(from.x, to.x),
-            y: both(from.y, to.y),
+        match found {
+            None => nothing,
+            Some(_) if behind => Rectangle {
+                x: 0..width,
+                y: 0..height,
+            },
+            Some(found) => found,
         }
     }
 

@@ -39,9 +39,9 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
 /// Changes something of a scene.
 type Change = fn(&mut nff::Scene);
 
-/// By Whitted's model anything may be seen anywhere: one change, and all is traced.
+/// By Whitted's model too what changes is traced, wherever it shows.
 #[test]
-fn whitteds_model_is_traced_again_when_anything_has_changed() {
+fn whitteds_model_is_traced_again_where_anything_has_changed() {
     let whitted = nff_scene("whitted16.nff");
     let changes: [(&str, Change); 11] = [
         ("a colour", |scene| scene.materials[7].colour.x = 0.1),

@@ -62,11 +62,26 @@ fn a_low_sun_throws_a_long_shadow() {
     assert!((4..=40).contains(&moved), "{moved}");
 }
 
+/// All that a mirror may show is traced, and what is beside it is not.
 #[test]
-fn a_mirror_floor_is_traced_again() {
+fn a_mirror_is_traced_again() {
     let above = Light::at(DVec3::new(-8.0, 30.0, 5.0));
     let (mut world, ball) = balls(Material::mirror(), &[above]).unwrap();
-    assert_eq!(traced(&mut world, ball), [80, 0]);
+    // The floor is six tiles wide.
+    assert_eq!(traced(&mut world, ball), [6 * 8, 0]);
+
+    let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[above]).unwrap();
+    let [without, _] = traced(&mut world, ball);
+    let silver = world.add_material(Material::mirror()).unwrap();
+    let corners = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (0.0, 0.0)];
+    let corners = corners.map(|(x, z)| DVec3::new(3.0 + x, 0.1, 1.0 + z));
+    world.add_polygon(&corners, silver).unwrap();
+    let [with, still] = traced(&mut world, ball);
+    assert!(
+        (without + 1..=without + 6).contains(&with),
+        "{with}, {without} without"
+    );
+    assert_eq!(still, 0);
 }
 
 /// By depth shading there is nothing but the ball; but where its distance is the range's, all changes.

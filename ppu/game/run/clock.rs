@@ -3,6 +3,9 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
+/// Longest that is waited for a recorded frame: a session that was asleep for a day is played back all the same.
+const LONGEST_PAUSE: Duration = Duration::from_secs(1);
+
 /// A source of time.
 pub trait Clock {
     /// Time since the last call; called once a frame. May wait until it is time for the next one.
@@ -56,7 +59,7 @@ impl Clock for RealTime {
     }
 
     fn pace(&mut self, step: Duration) {
-        self.wait(step);
+        self.wait(step.min(LONGEST_PAUSE));
     }
 }
 
@@ -70,5 +73,36 @@ pub struct FixedSteps(
 impl Clock for FixedSteps {
     fn tick(&mut self) -> Duration {
         self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn real_time_passes_and_is_not_outrun() {
+        let mut clock = RealTime::at_most(100);
+        let start = Instant::now();
+        assert_eq!(clock.tick(), Duration::ZERO);
+        let told: Duration = (0..5).map(|_| clock.tick()).sum();
+        let passed = start.elapsed();
+        assert!(
+            told >= Duration::from_millis(50) && told <= passed,
+            "{told:?} of {passed:?}"
+        );
+
+        let start = Instant::now();
+        clock.pace(Duration::from_millis(30));
+        clock.pace(Duration::from_millis(30));
+        assert!(start.elapsed() >= Duration::from_millis(50));
+    }
+
+    #[test]
+    fn without_a_bound_nothing_waits() {
+        let mut clock = RealTime::at_most(0);
+        let start = Instant::now();
+        (0..1000).for_each(|_| drop(clock.tick()));
+        assert!(start.elapsed() < Duration::from_secs(1));
     }
 }

@@ -118,6 +118,7 @@ impl FrameRecord {
         Duration::from_nanos(self.step)
     }
 
+    /// Centuries are brought down to what fits.
     pub fn set_step(&mut self, step: Duration) {
         self.step = u64::try_from(step.as_nanos()).unwrap_or(u64::MAX);
     }
@@ -173,6 +174,21 @@ impl Drop for Recorder {
 }
 
 /// A recorded session, to be played back.
+///
+/// ```
+/// use std::io::Cursor;
+///
+/// use cellray::game::Recording;
+///
+/// let text = concat!(
+///     r#"{"format":"cellray recording","version":1,"game":"pool","seed":7,"size":[320,180]}"#, "\n",
+///     r#"{"step":0,"size":[320,180],"world":"a8c7f832281a39c5"}"#, "\n",
+///     r#"{"step":16666667,"size":[320,180],"events":[{"key":{"key":"space","down":true}}]}"#, "\n",
+/// );
+/// let recording = Recording::read(Cursor::new(text))?;
+/// assert_eq!((recording.game(), recording.start().seed), ("pool", 7));
+/// # Ok::<(), cellray::game::RecordingError>(())
+/// ```
 pub struct Recording {
     header: Header,
     reader: Box<dyn BufRead>,

@@ -162,7 +162,7 @@ fn steps_too_small_for_directions_bound_nothing() {
 }
 
 #[test]
-fn a_sweep_holds_all_balls_between() {
+fn a_hull_holds_all_balls_between() {
     let mut random = ChaCha8Rng::seed_from_u64(17);
     let mut bounded = 0;
     for _ in 0..2000 {
@@ -174,14 +174,14 @@ fn a_sweep_holds_all_balls_between() {
             (centre, distance * random.random_range(0.0..0.5))
         };
         let (from, to) = (ball(), ball());
-        let sweep = lens.sweep([from, to]);
-        bounded += u32::from(sweep.x.len() < SIZE.width as usize);
+        let hull = lens.hull([from, to]);
+        bounded += u32::from(hull.x.len() < SIZE.width as usize);
         for part in 0..=20 {
             let part = f64::from(part) / 20.0;
             let bounds = lens.bounds(from.0.lerp(to.0, part), from.1 + part * (to.1 - from.1));
             let is_within = |a: &Range<u32>, b: &Range<u32>| a.start >= b.start && a.end <= b.end;
-            let within = is_within(&bounds.x, &sweep.x) && is_within(&bounds.y, &sweep.y);
-            assert!(bounds.is_empty() || within, "{bounds:?} of {sweep:?}");
+            let within = is_within(&bounds.x, &hull.x) && is_within(&bounds.y, &hull.y);
+            assert!(bounds.is_empty() || within, "{bounds:?} of {hull:?}");
         }
     }
     assert!(bounded > 200, "{bounded}");

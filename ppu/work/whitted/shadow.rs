@@ -81,7 +81,7 @@ impl Shadow {
             (wider.from + k * wider.way, wider.growth * k + wider.radius)
         };
         for piece in 0..PIECES {
-            found(&lens.sweep([at(piece), at(piece + 1)]));
+            found(&lens.hull([at(piece), at(piece + 1)]));
         }
     }
 

@@ -13,6 +13,7 @@ use zerocopy::big_endian::F32;
 
 use super::ball::Ball;
 use super::materials::Light;
+use super::objects::Hull;
 use super::shadow::Shadow;
 use super::tree::widened;
 use super::{BlockOptions, SceneBlock};
@@ -29,6 +30,8 @@ const MOST_SHADOWS: usize = 4096;
 struct Seen {
     /// What it is within, widened for the SPU's rounding.
     ball: Ball,
+    /// The same closer: it is straight between these.
+    hull: Hull,
     /// A point of the plane that it lies in, and the plane's normal.
     plane: Option<(DVec3, DVec3)>,
     /// Address and size of its record, address of its material's.
@@ -61,6 +64,17 @@ enum Change {
     Place,
 }
 
+impl Seen {
+    /// Pixels on which it may be seen.
+    fn bounds(&self, lens: &Lens) -> Rectangle {
+        let balls = self.hull.balls().iter();
+        lens.hull(balls.map(|&ball| {
+            let Ball { centre, radius } = widened(lens.eye(), ball);
+            (centre, radius)
+        }))
+    }
+}
+
 impl Shown {
     /// Takes down what a block that was written for this eye shows; nothing without one.
     pub fn take(&mut self, block: Option<&SceneBlock>, eye: DVec3) {
@@ -81,6 +95,7 @@ impl Shown {
                     let surface = block.materials.get(object.material as usize);
                     Seen {
                         ball: widened(eye, ball),
+                        hull: object.form.hull(),
                         plane: object.form.plane(),
                         record: (address, object.form.size()),
                         material: material.get(),
@@ -114,7 +129,7 @@ impl Shown {
             any = true;
             for (seen, all) in [(old, before), (new, self)] {
                 let Some(seen) = seen else { continue };
-                changed.add(&lens.bounds(seen.ball.centre, seen.ball.radius));
+                changed.add(&seen.bounds(lens));
                 if change == Change::Place && shadows {
                     pairs += self.lights.len() * self.objects.len();
                     if pairs > MOST_SHADOWS || !all.shadows(seen, lens, changed) {
@@ -130,7 +145,7 @@ impl Shown {
                 .flatten()
                 .filter(|seen| seen.sees_others)
             {
-                changed.add(&lens.bounds(seen.ball.centre, seen.ball.radius));
+                changed.add(&seen.bounds(lens));
             }
         }
     }
@@ -180,12 +195,11 @@ impl Shown {
                 return false;
             };
             for on in self.objects.iter().flatten() {
-                let bounds = lens.bounds(on.ball.centre, on.ball.radius);
-                if bounds.is_empty() {
-                    continue;
-                }
+                // Most objects are out of the shadow's way: theirs are not asked for.
+                let mut bounds = None;
                 shadow.on(on.ball, on.plane, lens, &mut |pixels: &Rectangle| {
-                    changed.add(&pixels.intersection(&bounds));
+                    let bounds = bounds.get_or_insert_with(|| on.bounds(lens));
+                    changed.add(&pixels.intersection(bounds));
                 });
             }
         }
