@@ -1,4 +1,4 @@
-//! Bounding spheres.
+//! Bounding spheres, and what few of them bound.
 //!
 //! Invariant: what [`enclose`] gives holds every ball that it was given, `f64`'s rounding included.
 
@@ -28,6 +28,28 @@ impl Ball {
     /// The farthest that any of its points is from here.
     fn farthest(&self, from: DVec3) -> f64 {
         from.distance(self.centre) + self.radius
+    }
+}
+
+/// Up to four balls.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hull {
+    balls: [Ball; 4],
+    count: usize,
+}
+
+impl Hull {
+    pub fn of<const COUNT: usize>(found: [Ball; COUNT]) -> Self {
+        let mut balls = [Ball::point(DVec3::ZERO); 4];
+        balls[..COUNT].copy_from_slice(&found);
+        Self {
+            balls,
+            count: COUNT,
+        }
+    }
+
+    pub fn balls(&self) -> &[Ball] {
+        &self.balls[..self.count]
     }
 }
 

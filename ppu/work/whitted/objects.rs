@@ -9,7 +9,7 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use super::BlockError;
-use super::ball::Ball;
+use super::ball::{Ball, Hull};
 use super::range::Place;
 use crate::scene::{LARGEST, SMALLEST, singles};
 use crate::work::layout::{self, MAX_OBJECTS, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
@@ -98,28 +98,6 @@ pub(super) enum Form {
         /// Whether the normal points inwards.
         hollow: bool,
     },
-}
-
-/// Up to four balls.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Hull {
-    balls: [Ball; 4],
-    count: usize,
-}
-
-impl Hull {
-    fn of<const COUNT: usize>(found: [Ball; COUNT]) -> Self {
-        let mut balls = [Ball::point(DVec3::ZERO); 4];
-        balls[..COUNT].copy_from_slice(&found);
-        Self {
-            balls,
-            count: COUNT,
-        }
-    }
-
-    pub fn balls(&self) -> &[Ball] {
-        &self.balls[..self.count]
-    }
 }
 
 /// What [`layout::Object`] says of a surface.

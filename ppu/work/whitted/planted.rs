@@ -6,9 +6,9 @@
 use glam::DVec3;
 use zerocopy::big_endian::U32;
 
-use super::ball::Ball;
+use super::ball::{Ball, Hull};
 use super::block::Block;
-use super::objects::{Hull, Kind, Object};
+use super::objects::{Kind, Object};
 use super::tree::{self, Topology};
 use crate::work::layout::Tree;
 

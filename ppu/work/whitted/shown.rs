@@ -11,9 +11,8 @@ use glam::DVec3;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use super::ball::Ball;
+use super::ball::{Ball, Hull};
 use super::materials::Light;
-use super::objects::Hull;
 use super::shadow::Shadow;
 use super::tree::widened;
 use super::{BlockOptions, SceneBlock};

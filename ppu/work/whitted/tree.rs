@@ -13,8 +13,8 @@ use glam::DVec3;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
-use super::ball::{Ball, enclose};
-use super::objects::{Hull, single};
+use super::ball::{Ball, Hull, enclose};
+use super::objects::single;
 use crate::work::layout::{MAX_ROOTS, Node, SCENE_ADDRESS, Tree};
 use crate::work::spheres::up;
 

@@ -1,0 +1,200 @@
+//! The objects of a world.
+
+use glam::DVec3;
+use nff::Shape;
+
+use super::traced::Tracing;
+use super::{MaterialId, Object, ObjectId, World, WorldError, check};
+
+impl World {
+    /// Adds an object of any shape, visible.
+    pub fn add(&mut self, shape: Shape, material: MaterialId) -> Result<ObjectId, WorldError> {
+        check::shape(&shape)?;
+        let stuff = self.materials.get_mut(material);
+        stuff.ok_or(WorldError::NoMaterial)?.users += 1;
+        let id = self.objects.insert(Object {
+            shape,
+            material,
+            visible: true,
+            fixed: false,
+            traced: Tracing::default(),
+        });
+        self.touch(id);
+        Ok(id)
+    }
+
+    /// Adds a sphere.
+    pub fn add_sphere(
+        &mut self,
+        centre: DVec3,
+        radius: f64,
+        material: MaterialId,
+    ) -> Result<ObjectId, WorldError> {
+        self.add(Shape::Sphere { centre, radius }, material)
+    }
+
+    /// Adds a polygon, counter-clockwise as seen from its front.
+    pub fn add_polygon(
+        &mut self,
+        vertices: &[DVec3],
+        material: MaterialId,
+    ) -> Result<ObjectId, WorldError> {
+        let vertices = vertices.to_vec();
+        self.add(Shape::Polygon { vertices }, material)
+    }
+
+    /// Removes an object. Its handle is refused from then on, also when its place serves for another.
+    pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
+        let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
+        self.unuse(object.material);
+        self.changes.removed(&object.traced);
+        Ok(())
+    }
+
+    /// All objects, visible or not.
+    pub fn objects(&self) -> impl Iterator<Item = ObjectId> {
+        self.objects.keys()
+    }
+
+    /// How many objects there are.
+    #[must_use]
+    pub fn object_count(&self) -> usize {
+        self.objects.len()
+    }
+
+    /// An object's shape.
+    pub fn shape(&self, id: ObjectId) -> Result<&Shape, WorldError> {
+        Ok(&self.object(id)?.shape)
+    }
+
+    /// Where an object is: a sphere's centre, a cone's base, the first vertex of all else.
+    pub fn position(&self, id: ObjectId) -> Result<DVec3, WorldError> {
+        Ok(position(&self.object(id)?.shape))
+    }
+
+    /// Moves an object, as it is, so that this becomes its [`World::position`].
+    pub fn move_to(&mut self, id: ObjectId, position: DVec3) -> Result<(), WorldError> {
+        let by = position - self.position(id)?;
+        if by == DVec3::ZERO {
+            return Ok(());
+        }
+        check::vector("position", position)?;
+        let object = self.movable(id)?;
+        check::moved(&object.shape, by)?;
+        match &mut object.shape {
+            // As it was given: the sum of the old one and the way would be rounded.
+            Shape::Sphere { centre, .. } => *centre = position,
+            Shape::Cone { base, apex, .. } => {
+                *base = position;
+                *apex += by;
+            }
+            Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+                for vertex in vertices {
+                    *vertex += by;
+                }
+            }
+        }
+        self.touch(id);
+        Ok(())
+    }
+
+    /// Gives an object another shape.
+    pub fn reshape(&mut self, id: ObjectId, shape: Shape) -> Result<(), WorldError> {
+        check::shape(&shape)?;
+        let object = self.movable(id)?;
+        if object.shape != shape {
+            object.shape = shape;
+            self.touch(id);
+        }
+        Ok(())
+    }
+
+    /// What an object is made of.
+    pub fn material_of(&self, id: ObjectId) -> Result<MaterialId, WorldError> {
+        Ok(self.object(id)?.material)
+    }
+
+    /// Makes an object of another material.
+    pub fn make_of(&mut self, id: ObjectId, material: MaterialId) -> Result<(), WorldError> {
+        let before = self.material_of(id)?;
+        let stuff = self.materials.get_mut(material);
+        stuff.ok_or(WorldError::NoMaterial)?.users += 1;
+        self.unuse(before);
+        if before != material {
+            self.object_mut(id)?.material = material;
+            self.touch(id);
+        }
+        Ok(())
+    }
+
+    /// Whether an object is seen.
+    pub fn is_visible(&self, id: ObjectId) -> Result<bool, WorldError> {
+        Ok(self.object(id)?.visible)
+    }
+
+    /// Shows an object, or hides it. By Whitted's model its room in the SPUs' local store is kept.
+    pub fn show(&mut self, id: ObjectId, visible: bool) -> Result<(), WorldError> {
+        let object = self.object_mut(id)?;
+        if object.visible != visible {
+            object.visible = visible;
+            self.touch(id);
+        }
+        Ok(())
+    }
+
+    /// Whether an object is fixed.
+    pub fn is_fixed(&self, id: ObjectId) -> Result<bool, WorldError> {
+        Ok(self.object(id)?.fixed)
+    }
+
+    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and traced once is. It may
+    /// be made of another material, hidden and removed.
+    pub fn fix(&mut self, id: ObjectId) -> Result<(), WorldError> {
+        self.object_mut(id)?.fixed = true;
+        Ok(())
+    }
+
+    /// Frees an object that was fixed.
+    pub fn free(&mut self, id: ObjectId) -> Result<(), WorldError> {
+        self.object_mut(id)?.fixed = false;
+        Ok(())
+    }
+
+    fn object(&self, id: ObjectId) -> Result<&Object, WorldError> {
+        self.objects.get(id).ok_or(WorldError::NoObject)
+    }
+
+    fn object_mut(&mut self, id: ObjectId) -> Result<&mut Object, WorldError> {
+        self.objects.get_mut(id).ok_or(WorldError::NoObject)
+    }
+
+    fn movable(&mut self, id: ObjectId) -> Result<&mut Object, WorldError> {
+        let object = self.object_mut(id)?;
+        if object.fixed {
+            return Err(WorldError::Fixed);
+        }
+        Ok(object)
+    }
+
+    fn touch(&mut self, id: ObjectId) {
+        if let Some(object) = self.objects.get_mut(id) {
+            self.changes.object(id, &mut object.traced);
+        }
+    }
+
+    fn unuse(&mut self, material: MaterialId) {
+        if let Some(stuff) = self.materials.get_mut(material) {
+            stuff.users -= 1;
+        }
+    }
+}
+
+fn position(shape: &Shape) -> DVec3 {
+    match shape {
+        Shape::Sphere { centre, .. } => *centre,
+        Shape::Cone { base, .. } => *base,
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+            vertices.first().copied().unwrap_or_default()
+        }
+    }
+}
