@@ -1,8 +1,9 @@
 //! The kernel's framebuffer device, /dev/fb0.
 //!
 //! Frames are made in the device's memory where SPUs can and should write to it, else in private
-//! memory, and copied as whole lines. Invariant: the order on drop is display, memory, console, so that
-//! the console redraws a screen that is its own again.
+//! memory, and copied as whole lines. While another terminal is on the screen, frames wait.
+//! Invariant: the order on drop is display, memory, console, so that the console redraws a screen that
+//! is its own again.
 
 use super::buffer::FrameBuffer;
 use super::console::Console;
@@ -10,8 +11,9 @@ use super::display::Display;
 use super::driver::{Driver, KernelDriver, Mapping};
 use super::forward;
 use super::ioctl::FbVarScreeninfo;
-use super::surface::{Scheme, Surface};
-use super::{Framebuffer, FramebufferError, Geometry, Target};
+use super::surface::{Scheme, Surface, driver_name};
+use super::video_mode::Moded;
+use super::{Framebuffer, FramebufferError, Geometry, Options, Target};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::ptr::NonNull;
@@ -36,12 +38,14 @@ pub struct Device {
     shadow: Option<FrameBuffer>,
     /// The frame that the next picture goes to.
     next: u32,
+    /// Whether somebody else has drawn on the frames since one was shown.
+    lost: bool,
     console: io::Result<Console>,
 }
 
-/// A driver that answered, before anything was changed.
+/// A driver that answered, before anything but its video mode was changed.
 struct Found {
-    driver: Box<dyn Driver>,
+    driver: Moded,
     var: FbVarScreeninfo,
     surface: Surface,
     map: Mapping,
@@ -49,26 +53,18 @@ struct Found {
 
 impl Device {
     /// Opens the device at `path` and takes over the screen and its console.
-    ///
-    /// `size`, if given, must be the size of the device's mode. `mode` chooses where frames are made;
-    /// `None` is [`Mode::Direct`] where the memory is known to be main memory (mainline ps3fb) and
-    /// laid out for DMA, else [`Mode::Shadow`].
-    pub fn open(
-        path: &Path,
-        size: Option<Geometry>,
-        mode: Option<Mode>,
-    ) -> Result<Device, FramebufferError> {
+    pub fn open(path: &Path, options: Options) -> Result<Device, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;
-        let found = Device::look(Box::new(driver), path, size)?;
-        Device::start(found, path, mode, Console::enter())
+        let found = Device::look(Box::new(driver), path, options)?;
+        Device::start(found, path, options, Console::enter())
     }
 
     /// One line about the device at `path`, of which nothing is changed.
     pub fn inspect(path: &Path) -> Result<String, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;
-        let Found { surface, .. } = Device::look(Box::new(driver), path, None)?;
+        let Found { surface, .. } = Device::look(Box::new(driver), path, Options::default())?;
         Ok(format!(
             "{}, driver {}, {}, stride {} bytes",
             path.display(),
@@ -79,9 +75,9 @@ impl Device {
     }
 
     fn look(
-        mut driver: Box<dyn Driver>,
+        driver: Box<dyn Driver>,
         path: &Path,
-        size: Option<Geometry>,
+        options: Options,
     ) -> Result<Found, FramebufferError> {
         let refused = |request| {
             move |source| FramebufferError::Ioctl {
@@ -90,14 +86,23 @@ impl Device {
                 source,
             }
         };
-        let var = driver
-            .var_screeninfo()
-            .map_err(refused("FBIOGET_VSCREENINFO"))?;
-        let fix = driver
-            .fix_screeninfo()
-            .map_err(refused("FBIOGET_FSCREENINFO"))?;
+        let mut driver = Moded::keep(driver);
+        let ask = |driver: &mut Moded| {
+            let var = driver
+                .var_screeninfo()
+                .map_err(refused("FBIOGET_VSCREENINFO"))?;
+            let fix = driver
+                .fix_screeninfo()
+                .map_err(refused("FBIOGET_FSCREENINFO"))?;
+            Ok((var, fix))
+        };
+        let (mut var, mut fix) = ask(&mut driver)?;
+        if let Some(raster) = options.raster {
+            driver.set(raster, &driver_name(&fix.id), path)?;
+            (var, fix) = ask(&mut driver)?;
+        }
         let surface = Surface::new(path, &var, &fix)?;
-        match size {
+        match options.size {
             Some(requested) if requested != surface.geometry => {
                 return Err(FramebufferError::SizeMismatch {
                     path: path.to_owned(),
@@ -121,27 +126,30 @@ impl Device {
     fn start(
         found: Found,
         path: &Path,
-        mode: Option<Mode>,
+        options: Options,
         console: io::Result<Console>,
     ) -> Result<Device, FramebufferError> {
         let Found {
             driver,
             var,
-            surface,
+            mut surface,
             map,
         } = found;
+        if !options.two_frames {
+            surface.use_one_frame();
+        }
         let promised = surface.scheme();
         for frame in 0..surface.frames(promised) {
             // The second frame is shown before it is first written to.
             blacken(&map, &surface, promised, frame);
         }
-        let display = Display::start(driver, path, var, &surface)?;
+        let display = Display::start(driver, path, var, &surface, options.vsync)?;
         let scheme = display.scheme();
         let obstacle = (0..display.frames()).find_map(|frame| {
             let offset = surface.frame_offset(scheme, frame);
             surface.direct_obstacle(address(&map, offset) as usize, offset)
         });
-        let shadow = match (mode, obstacle) {
+        let shadow = match (options.mode, obstacle) {
             (Some(Mode::Direct), Some(why)) => {
                 return Err(FramebufferError::NoDirect {
                     path: path.to_owned(),
@@ -161,6 +169,7 @@ impl Device {
             map,
             shadow,
             next: 0,
+            lost: false,
             console,
         })
     }
@@ -172,6 +181,23 @@ impl Device {
         } else {
             Mode::Direct
         }
+    }
+
+    /// Lets another terminal have the screen where that is asked for, and waits until it is given back.
+    /// Whether the screen is this program's: not when it is asked to end meanwhile.
+    fn hold_screen(&mut self) -> Result<bool, FramebufferError> {
+        let Ok(console) = &mut self.console else {
+            return Ok(true);
+        };
+        if let Some(asked) = console.asked() {
+            self.display.leave();
+            console.leave(asked);
+        }
+        if !console.come_back() {
+            return Ok(false);
+        }
+        self.lost = self.display.come_back()?;
+        Ok(true)
     }
 
     fn next_offset(&self) -> u64 {
@@ -216,6 +242,10 @@ impl Framebuffer for Device {
     }
 
     fn present(&mut self) -> Result<(), FramebufferError> {
+        // A frame made in memory that others have drawn on is as lost as those before.
+        if !self.hold_screen()? || (self.lost && self.shadow.is_none()) {
+            return Ok(());
+        }
         self.display.before_write()?;
         if let Some(shadow) = &self.shadow {
             let mut line = address(&self.map, self.next_offset());
@@ -235,7 +265,8 @@ impl Framebuffer for Device {
 
     /// Private memory does; the device's own as long as no other terminal is on the screen.
     fn keeps_contents(&self) -> bool {
-        self.shadow.is_some() || self.console.as_ref().is_ok_and(Console::has_the_screen)
+        let undisturbed = || self.console.as_ref().is_ok_and(Console::has_the_screen);
+        self.shadow.is_some() || (!self.lost && undisturbed())
     }
 
     fn describe(&self) -> String {

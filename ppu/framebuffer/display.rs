@@ -4,39 +4,48 @@
 //! Invariant: what was changed on the device is put back on drop.
 
 use super::FramebufferError;
-use super::driver::Driver;
-use super::ioctl::{FB_ACTIVATE_VBL, FbVarScreeninfo};
+use super::ioctl::{FB_ACTIVATE_VBL, FBIOPAN_DISPLAY, FbVarScreeninfo};
+use super::last_resort::{Argument, Place, PutBack};
 use super::surface::{Scheme, Surface};
+use super::video_mode::Moded;
 use std::io;
 use std::path::{Path, PathBuf};
 
 /// A driver and the way frames are shown by it.
 pub(super) struct Display {
-    driver: Box<dyn Driver>,
+    // Dropped first: it needs the driver open.
+    _promise: Option<PutBack>,
+    driver: Moded,
     path: PathBuf,
     /// The screen as it was found, to be put back.
     found: FbVarScreeninfo,
     scheme: Scheme,
     frames: u32,
     vsync: bool,
+    /// Whether the screen was put back for somebody else.
+    left: bool,
 }
 
 impl Display {
     /// Takes the screen over by the scheme that `surface` promises, or a simpler one where the driver
-    /// lacks the calls. With two frames the second is the one shown first.
+    /// lacks the calls. With two frames the second is the one shown first. Without `vsync` the vertical
+    /// blank is not waited for.
     pub(super) fn start(
-        driver: Box<dyn Driver>,
+        driver: Moded,
         path: &Path,
         found: FbVarScreeninfo,
         surface: &Surface,
+        vsync: bool,
     ) -> Result<Display, FramebufferError> {
         let mut display = Display {
+            _promise: None,
             driver,
             path: path.to_owned(),
             found,
             scheme: Scheme::Single,
             frames: 1,
-            vsync: true,
+            vsync,
+            left: false,
         };
         match surface.scheme() {
             Scheme::Ps3fb => display.start_ps3fb(surface)?,
@@ -54,7 +63,7 @@ impl Display {
         self.frames
     }
 
-    /// Whether the driver is still believed to wait for the vertical blank.
+    /// Whether the vertical blank is waited for: asked for, and the driver still believed to do it.
     pub(super) fn vsync(&self) -> bool {
         self.vsync
     }
@@ -88,6 +97,28 @@ impl Display {
         }
     }
 
+    /// Puts the screen back as it was found, until [`Display::come_back`].
+    pub(super) fn leave(&mut self) {
+        if !self.left {
+            self.left = true;
+            self.restore();
+        }
+    }
+
+    /// Takes the screen over again after [`Display::leave`]; whether it had been left.
+    pub(super) fn come_back(&mut self) -> Result<bool, FramebufferError> {
+        if !self.left {
+            return Ok(false);
+        }
+        if self.scheme == Scheme::Ps3fb {
+            self.driver
+                .ps3fb_on()
+                .map_err(|source| self.ioctl("PS3FB_IOCTL_ON", source))?;
+        }
+        self.left = false;
+        Ok(true)
+    }
+
     fn start_ps3fb(&mut self, surface: &Surface) -> Result<(), FramebufferError> {
         let screen = self.driver.ps3fb_screeninfo();
         let Some(screen) = self.optional("PS3FB_IOCTL_SCREENINFO", screen)? else {
@@ -115,10 +146,13 @@ impl Display {
     }
 
     fn start_pan(&mut self, surface: &Surface) -> Result<(), FramebufferError> {
+        let found = Argument::Screen(self.found);
+        let promise = self.driver.promise(Place::Offset, FBIOPAN_DISPLAY, found);
         let panned = self.pan(1);
         if self.optional("FBIOPAN_DISPLAY", panned)?.is_some() {
             self.scheme = Scheme::Pan;
             self.frames = surface.frames(Scheme::Pan);
+            self._promise = promise;
         }
         Ok(())
     }
@@ -180,6 +214,6 @@ impl Display {
 
 impl Drop for Display {
     fn drop(&mut self) {
-        self.restore();
+        self.leave();
     }
 }

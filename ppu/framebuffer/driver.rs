@@ -3,10 +3,11 @@
 //! The trait is the seam at which tests put a scripted driver in the kernel's place.
 
 use super::ioctl::{self, Encoding, FbFixScreeninfo, FbVarScreeninfo, Ps3fbIoctlRes};
+use super::last_resort::{Argument, Place, PutBack};
 use memmap2::{MmapOptions, MmapRaw};
 use std::fs::{File, OpenOptions};
 use std::io;
-use std::os::fd::AsRawFd;
+use std::os::fd::{AsFd, AsRawFd};
 use std::os::unix::fs::OpenOptionsExt;
 use std::path::Path;
 
@@ -41,6 +42,10 @@ pub(super) trait Driver: Send {
     fn pan_display(&mut self, var: &FbVarScreeninfo) -> io::Result<()>;
     /// FBIO_WAITFORVSYNC.
     fn wait_for_vsync(&mut self) -> io::Result<()>;
+    /// PS3FB_IOCTL_GETMODE.
+    fn ps3fb_getmode(&mut self) -> io::Result<u32>;
+    /// PS3FB_IOCTL_SETMODE: sets a video mode and clears the memory.
+    fn ps3fb_setmode(&mut self, mode: u32) -> io::Result<()>;
     /// PS3FB_IOCTL_SCREENINFO.
     fn ps3fb_screeninfo(&mut self) -> io::Result<Ps3fbIoctlRes>;
     /// PS3FB_IOCTL_ON: from here on frames are shown by `ps3fb_fsel` alone.
@@ -49,6 +54,9 @@ pub(super) trait Driver: Send {
     fn ps3fb_off(&mut self) -> io::Result<()>;
     /// PS3FB_IOCTL_FSEL: copies this frame to the video memory and shows it.
     fn ps3fb_fsel(&mut self, frame: u32) -> io::Result<()>;
+    /// Promises that a request restores `place` should the program end without a drop; `None` where
+    /// there is no device that outlives the program.
+    fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<PutBack>;
 }
 
 /// The kernel's driver behind a device node.
@@ -122,6 +130,16 @@ impl Driver for KernelDriver {
         )
     }
 
+    fn ps3fb_getmode(&mut self) -> io::Result<u32> {
+        let mut mode = 0u32;
+        self.request(const { Encoding::HOST.ps3fb_ioctl_getmode() }, &mut mode)?;
+        Ok(mode)
+    }
+
+    fn ps3fb_setmode(&mut self, mut mode: u32) -> io::Result<()> {
+        self.request(const { Encoding::HOST.ps3fb_ioctl_setmode() }, &mut mode)
+    }
+
     fn ps3fb_screeninfo(&mut self) -> io::Result<Ps3fbIoctlRes> {
         let mut screen = Ps3fbIoctlRes::default();
         self.request(
@@ -141,5 +159,14 @@ impl Driver for KernelDriver {
 
     fn ps3fb_fsel(&mut self, mut frame: u32) -> io::Result<()> {
         self.request(const { Encoding::HOST.ps3fb_ioctl_fsel() }, &mut frame)
+    }
+
+    fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<PutBack> {
+        Some(PutBack::promise(
+            place,
+            self.device.as_fd(),
+            request,
+            argument,
+        ))
     }
 }

@@ -1,6 +1,6 @@
 //! What can go wrong with a framebuffer, in words that name the file and the values found.
 
-use super::Geometry;
+use super::{Geometry, Raster};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -116,6 +116,16 @@ pub enum FramebufferError {
         /// The driver's name for itself.
         driver: String,
         /// The obstacle.
+        why: String,
+    },
+    /// A video mode was asked for that the device does not have.
+    #[error("{}: cannot set {raster}: {why}", path.display())]
+    NoVideoMode {
+        /// The device, or the file in its place.
+        path: PathBuf,
+        /// What was asked for.
+        raster: Raster,
+        /// The obstacle, or the driver's answer.
         why: String,
     },
     /// There is no memory for a frame.

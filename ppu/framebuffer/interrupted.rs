@@ -2,12 +2,12 @@
 //! on the ordinary way out.
 //!
 //! A second signal ends the program at once, as it would by default, so that a frame loop which does
-//! not come round can still be stopped; the handler puts the console back then.
+//! not come round can still be stopped; the handler puts the screen back then.
 //! Invariant: without an [`Interrupted`] alive, the signals have their default effect.
 
-use super::console;
+use super::last_resort;
 use signal_hook::SigId;
-use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
+use signal_hook::consts::{SIGHUP, SIGINT, SIGQUIT, SIGTERM};
 use signal_hook::low_level;
 use std::io::{self, PipeReader, PipeWriter, Read};
 use std::mem::MaybeUninit;
@@ -16,7 +16,7 @@ use std::ptr;
 use std::sync::atomic::{AtomicI32, AtomicUsize, Ordering};
 use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
-const SIGNALS: [i32; 3] = [SIGINT, SIGTERM, SIGHUP];
+const SIGNALS: [i32; 4] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT];
 
 /// Handles alive; the handler reads it, [`COUNTING`] guards its changes.
 static ALIVE: AtomicUsize = AtomicUsize::new(0);
@@ -26,7 +26,7 @@ static SIGNAL: AtomicI32 = AtomicI32::new(0);
 /// Holds one byte while [`SIGNAL`] is set, to wake whoever polls. Set once the handlers are in place.
 static WAKE: OnceLock<(PipeReader, PipeWriter)> = OnceLock::new();
 
-/// Makes SIGINT, SIGTERM and SIGHUP a request to stop, while it lives.
+/// Makes SIGINT, SIGTERM, SIGHUP and SIGQUIT a request to stop, while it lives.
 ///
 /// All values share one state, as signals are the process's. A signal that the program was started
 /// with ignored (nohup) stays ignored. [`AsFd`] gives a descriptor that turns readable with the signal.
@@ -39,14 +39,7 @@ impl Interrupted {
     /// Begins to catch the signals.
     pub fn install() -> io::Result<Interrupted> {
         let _guard = counting();
-        let wake = match WAKE.get() {
-            Some((wake, _)) => wake,
-            None => {
-                let pipe = io::pipe()?;
-                register()?;
-                &WAKE.get_or_init(|| pipe).0
-            }
-        };
+        let wake = handlers()?;
         ALIVE.fetch_add(1, Ordering::SeqCst);
         Ok(Interrupted { wake })
     }
@@ -74,6 +67,31 @@ impl Drop for Interrupted {
             let _ = self.wake.read(&mut [0]);
         }
     }
+}
+
+/// Puts the screen back at these signals, also where nobody waits for them.
+pub(super) fn watch() -> io::Result<()> {
+    let _guard = counting();
+    handlers().map(drop)
+}
+
+/// Whether the program was asked to stop.
+pub(super) fn came() -> bool {
+    SIGNAL.load(Ordering::SeqCst) != 0
+}
+
+/// Turns readable when the program is asked to stop.
+pub(super) fn wake() -> Option<BorrowedFd<'static>> {
+    WAKE.get().map(|(wake, _)| wake.as_fd())
+}
+
+fn handlers() -> io::Result<&'static PipeReader> {
+    if let Some((wake, _)) = WAKE.get() {
+        return Ok(wake);
+    }
+    let pipe = io::pipe()?;
+    register()?;
+    Ok(&WAKE.get_or_init(|| pipe).0)
 }
 
 fn counting() -> MutexGuard<'static, ()> {
@@ -117,7 +135,7 @@ fn on_signal(signal: i32) {
             .is_ok()
     };
     if ALIVE.load(Ordering::SeqCst) == 0 || !first() {
-        console::restore_in_handler();
+        last_resort::put_back();
         // It only fails for signals that can't be caught.
         let _ = low_level::emulate_default_handler(signal);
     } else if let Some((_, wake)) = WAKE.get() {
@@ -127,12 +145,12 @@ fn on_signal(signal: i32) {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use std::panic::catch_unwind;
 
     /// Runs `scenario` in a process of its own and gives its end as waitpid tells it.
-    fn in_child(scenario: fn() -> i32) -> i32 {
+    pub(in crate::framebuffer) fn in_child(scenario: fn() -> i32) -> i32 {
         // SAFETY: the child runs `scenario` alone and leaves without returning to the test harness;
         // no other test holds the locks of this module or of the signal registry.
         let child = unsafe { libc::fork() };

@@ -48,6 +48,14 @@ impl Encoding {
         self.request(self.write, b'F', 0x20, size_of::<u32>())
     }
 
+    pub(super) const fn ps3fb_ioctl_setmode(&self) -> u32 {
+        self.request(self.write, b'r', 1, size_of::<u32>())
+    }
+
+    pub(super) const fn ps3fb_ioctl_getmode(&self) -> u32 {
+        self.request(Self::READ, b'r', 2, size_of::<u32>())
+    }
+
     /// Encoded with the size of an int, though a [`Ps3fbIoctlRes`] is written.
     pub(super) const fn ps3fb_ioctl_screeninfo(&self) -> u32 {
         self.request(Self::READ, b'r', 3, size_of::<u32>())
@@ -72,12 +80,22 @@ pub(super) const FBIOGET_FSCREENINFO: u32 = 0x4602;
 pub(super) const FBIOPAN_DISPLAY: u32 = 0x4606;
 pub(super) const KDSETMODE: u32 = 0x4B3A;
 pub(super) const KDGETMODE: u32 = 0x4B3B;
+pub(super) const VT_GETMODE: u32 = 0x5601;
+pub(super) const VT_SETMODE: u32 = 0x5602;
 pub(super) const VT_GETSTATE: u32 = 0x5603;
+pub(super) const VT_RELDISP: u32 = 0x5605;
 
 /// Console mode in which the kernel draws text.
 pub(super) const KD_TEXT: i32 = 0;
 /// Console mode in which a program draws.
 pub(super) const KD_GRAPHICS: i32 = 1;
+
+/// The program is asked, by signals, before its terminal leaves the screen and after it came back.
+pub(super) const VT_PROCESS: i8 = 1;
+/// VT_RELDISP: the screen may go to another terminal.
+pub(super) const VT_RELEASED: i32 = 1;
+/// VT_RELDISP: the screen is taken back.
+pub(super) const VT_ACKACQ: i32 = 2;
 
 pub(super) const FB_TYPE_PACKED_PIXELS: u32 = 0;
 pub(super) const FB_VISUAL_TRUECOLOR: u32 = 2;
@@ -172,7 +190,20 @@ pub(super) struct VtStat {
     pub(super) state: u16,
 }
 
-const _: () = assert!(size_of::<VtStat>() == 6);
+/// How a virtual terminal leaves the screen: VT_GETMODE and VT_SETMODE.
+#[repr(C)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(super) struct VtMode {
+    pub(super) mode: i8,
+    pub(super) waitv: i8,
+    /// The signal that asks for the screen.
+    pub(super) relsig: i16,
+    /// The signal that gives it back.
+    pub(super) acqsig: i16,
+    pub(super) frsig: i16,
+}
+
+const _: () = assert!(size_of::<VtStat>() == 6 && size_of::<VtMode>() == 8);
 
 // Offsets measured with a powerpc64 compiler; those of the 32-bit fields hold on every machine.
 const _: () = {
@@ -208,6 +239,8 @@ mod tests {
     fn requests_on_powerpc_are_those_of_its_kernel() {
         let ppc = Encoding::POWERPC;
         assert_eq!(ppc.fbio_waitforvsync(), 0x8004_4620);
+        assert_eq!(ppc.ps3fb_ioctl_setmode(), 0x8004_7201);
+        assert_eq!(ppc.ps3fb_ioctl_getmode(), 0x4004_7202);
         assert_eq!(ppc.ps3fb_ioctl_screeninfo(), 0x4004_7203);
         assert_eq!(ppc.ps3fb_ioctl_on(), 0x2000_7204);
         assert_eq!(ppc.ps3fb_ioctl_off(), 0x2000_7205);
@@ -218,6 +251,8 @@ mod tests {
     fn requests_elsewhere_follow_the_generic_encoding() {
         let generic = Encoding::GENERIC;
         assert_eq!(generic.fbio_waitforvsync(), 0x4004_4620);
+        assert_eq!(generic.ps3fb_ioctl_setmode(), 0x4004_7201);
+        assert_eq!(generic.ps3fb_ioctl_getmode(), 0x8004_7202);
         assert_eq!(generic.ps3fb_ioctl_screeninfo(), 0x8004_7203);
         assert_eq!(generic.ps3fb_ioctl_on(), 0x0000_7204);
         assert_eq!(generic.ps3fb_ioctl_off(), 0x0000_7205);

@@ -18,6 +18,7 @@ mod file;
 mod forward;
 mod interrupted;
 mod ioctl;
+mod last_resort;
 mod memory;
 #[cfg(test)]
 mod pattern;
@@ -25,6 +26,8 @@ mod pixel;
 mod png;
 mod sequence;
 mod surface;
+mod switching;
+mod video_mode;
 
 pub use corners::Corners;
 pub use device::{Device, Mode};
@@ -35,6 +38,7 @@ pub use memory::Memory;
 pub use pixel::PixelFormat;
 pub use png::{Png, write_png};
 pub use sequence::{NumberedPath, Sequence};
+pub use video_mode::Raster;
 
 use std::fmt;
 use std::fs;
@@ -162,22 +166,69 @@ pub trait Framebuffer: Send {
     fn describe(&self) -> String;
 }
 
+/// How a framebuffer is to be used. The default is what suits each best.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Options {
+    /// Size of the picture: a file needs one; a device has its own, and another is an error.
+    pub size: Option<Geometry>,
+    /// The video mode that ps3fb is to be set to, until the framebuffer is dropped; an error elsewhere.
+    pub raster: Option<Raster>,
+    /// Where a device's frames are made; `None` is [`Mode::Direct`] where the memory is known to be main
+    /// memory (mainline ps3fb) and laid out for DMA, else [`Mode::Shadow`].
+    pub mode: Option<Mode>,
+    /// Whether a device that has room for two frames shows one while the other is made.
+    pub two_frames: bool,
+    /// Whether a device waits for the vertical blank before a frame is shown.
+    pub vsync: bool,
+}
+
+impl Default for Options {
+    fn default() -> Options {
+        Options {
+            size: None,
+            raster: None,
+            mode: None,
+            two_frames: true,
+            vsync: true,
+        }
+    }
+}
+
+/// Opens the framebuffer at `path` as suits it best: [`open_with`] the default options and `size`.
+pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+    open_with(
+        path,
+        Options {
+            size,
+            ..Options::default()
+        },
+    )
+}
+
 /// Opens the framebuffer at `path`: a character device by its driver, a regular file or a path that
 /// does not exist yet as a file in the device's place.
-///
-/// A file needs `size`; a device has its own, and a different `size` is an error.
-pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+pub fn open_with(path: &Path, options: Options) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+    let file = || -> Result<Box<dyn Framebuffer>, FramebufferError> {
+        match options.raster {
+            Some(raster) => Err(FramebufferError::NoVideoMode {
+                path: path.to_owned(),
+                raster,
+                why: "it is a file".to_owned(),
+            }),
+            None => Ok(Box::new(File::open(path, options.size)?)),
+        }
+    };
     let kind = match fs::metadata(path) {
         Ok(metadata) => metadata.file_type(),
         Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            return Ok(Box::new(File::open(path, size)?));
+            return file();
         }
         Err(source) => return Err(FramebufferError::io("look at", path, source)),
     };
     if kind.is_char_device() {
-        Ok(Box::new(Device::open(path, size, None)?))
+        Ok(Box::new(Device::open(path, options)?))
     } else if kind.is_file() {
-        Ok(Box::new(File::open(path, size)?))
+        file()
     } else {
         let kind = if kind.is_dir() {
             "a directory"
@@ -297,5 +348,15 @@ mod tests {
             open(&path, None).err().unwrap(),
             FramebufferError::SizeNeeded { .. }
         ));
+        let full = Options {
+            size: Some(size),
+            raster: Some(Raster::Full),
+            ..Options::default()
+        };
+        let text = open_with(&path, full).err().unwrap().to_string();
+        assert!(
+            text.contains("full-screen") && text.contains("file"),
+            "{text}"
+        );
     }
 }

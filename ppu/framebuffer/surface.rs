@@ -6,6 +6,9 @@ use super::ioctl::{FB_TYPE_PACKED_PIXELS, FB_VISUAL_TRUECOLOR, FbFixScreeninfo, 
 use super::{DMA_ALIGN, FramebufferError, Geometry, PIXEL_BYTES, PixelFormat};
 use std::path::Path;
 
+/// What the PS3's driver calls itself.
+pub(super) const PS3FB: &str = "ps3fb";
+
 /// How a driver can be told which of its frames to show.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scheme {
@@ -32,6 +35,7 @@ pub(super) struct Surface {
     xoffset: u32,
     yoffset: u32,
     ypanstep: u32,
+    most_frames: u32,
 }
 
 impl Surface {
@@ -64,6 +68,7 @@ impl Surface {
             xoffset: var.xoffset,
             yoffset: var.yoffset,
             ypanstep: u32::from(fix.ypanstep),
+            most_frames: 2,
         };
         if surface.column_offset() + geometry.shown_row_bytes() as u64 > u64::from(fix.line_length)
         {
@@ -81,6 +86,11 @@ impl Surface {
         Ok(surface)
     }
 
+    /// From here on there is room for one frame.
+    pub(super) fn use_one_frame(&mut self) {
+        self.most_frames = 1;
+    }
+
     /// The scheme that the driver's numbers promise; its calls may still turn out to be missing.
     pub(super) fn scheme(&self) -> Scheme {
         let height = self.geometry.height;
@@ -91,7 +101,8 @@ impl Surface {
             } else {
                 Scheme::Single
             }
-        } else if steps_fit
+        } else if self.most_frames > 1
+            && steps_fit
             && self.virtual_rows / 2 >= height
             && self.holds(self.frame_offset(Scheme::Pan, 1))
         {
@@ -103,7 +114,9 @@ impl Surface {
 
     /// How many frames of `scheme` the memory holds, two at most.
     pub(super) fn frames(&self, scheme: Scheme) -> u32 {
-        let second = scheme != Scheme::Single && self.holds(self.frame_offset(scheme, 1));
+        let second = self.most_frames > 1
+            && scheme != Scheme::Single
+            && self.holds(self.frame_offset(scheme, 1));
         if second { 2 } else { 1 }
     }
 
@@ -144,7 +157,7 @@ impl Surface {
     }
 
     fn is_ps3fb(&self) -> bool {
-        self.driver == "ps3fb"
+        self.driver == PS3FB
     }
 
     /// Whether ps3fb's memory is main memory, which SPUs reach and where its frames lie one after the
@@ -174,7 +187,7 @@ impl Surface {
 }
 
 /// The driver's name, up to the first zero byte.
-fn driver_name(id: &[u8; 16]) -> String {
+pub(super) fn driver_name(id: &[u8; 16]) -> String {
     let name = id.split(|&byte| byte == 0).next().unwrap_or_default();
     String::from_utf8_lossy(name).into_owned()
 }

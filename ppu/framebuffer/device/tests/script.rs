@@ -2,7 +2,8 @@
 
 use super::super::super::driver::{Driver, Mapping};
 use super::super::super::ioctl::{FbBitfield, FbFixScreeninfo, FbVarScreeninfo, Ps3fbIoctlRes};
-use super::super::super::{FramebufferError, Geometry, pattern};
+use super::super::super::last_resort::{Argument, Place, PutBack};
+use super::super::super::{FramebufferError, Geometry, Options, pattern};
 use super::super::{Device, Mode};
 use memmap2::MmapRaw;
 use std::fs;
@@ -13,6 +14,8 @@ use std::sync::{Arc, Mutex};
 
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum Call {
+    Getmode,
+    Setmode(u32),
     Screeninfo,
     On,
     Off,
@@ -26,6 +29,9 @@ pub(super) struct Script {
     pub(super) var: FbVarScreeninfo,
     pub(super) fix: FbFixScreeninfo,
     pub(super) num_frames: u32,
+    /// Video mode, and what FBIOGET answers after another was set.
+    pub(super) mode: u32,
+    pub(super) other_mode: Option<(FbVarScreeninfo, FbFixScreeninfo)>,
     /// Bytes of the mapping before the framebuffer.
     pub(super) start: usize,
     failing: Vec<(Call, i32)>,
@@ -79,6 +85,8 @@ impl Script {
             var,
             fix,
             num_frames: 2,
+            mode: 3,
+            other_mode: None,
             start: 0,
             failing: Vec::new(),
             memory: tempfile::tempfile().unwrap(),
@@ -104,12 +112,21 @@ impl Script {
         self
     }
 
-    /// Opens a device by this driver.
+    /// Opens a device of this size by this driver.
     pub(super) fn open(
         self,
         size: Option<Geometry>,
         mode: Option<Mode>,
     ) -> (Result<Device, FramebufferError>, Witness) {
+        self.open_with(Options {
+            size,
+            mode,
+            ..Options::default()
+        })
+    }
+
+    /// Opens a device by this driver.
+    pub(super) fn open_with(self, options: Options) -> (Result<Device, FramebufferError>, Witness) {
         let length = self.start as u64 + u64::from(self.fix.smem_len);
         self.memory.set_len(length).unwrap();
         self.memory
@@ -122,8 +139,8 @@ impl Script {
         };
         let path = Path::new(PATH);
         let console = Err(io::Error::from(io::ErrorKind::Unsupported));
-        let device = Device::look(Box::new(self), path, size)
-            .and_then(|found| Device::start(found, path, mode, console));
+        let device = Device::look(Box::new(self), path, options)
+            .and_then(|found| Device::start(found, path, options, console));
         (device, witness)
     }
 
@@ -152,6 +169,17 @@ impl Driver for Script {
     fn wait_for_vsync(&mut self) -> io::Result<()> {
         self.call(Call::Vsync)
     }
+    fn ps3fb_getmode(&mut self) -> io::Result<u32> {
+        self.call(Call::Getmode).map(|()| self.mode)
+    }
+    fn ps3fb_setmode(&mut self, mode: u32) -> io::Result<()> {
+        self.call(Call::Setmode(mode))?;
+        self.mode = mode;
+        if let Some((var, fix)) = self.other_mode.take() {
+            (self.var, self.fix) = (var, fix);
+        }
+        Ok(())
+    }
     fn ps3fb_screeninfo(&mut self) -> io::Result<Ps3fbIoctlRes> {
         let num_frames = self.num_frames;
         self.call(Call::Screeninfo).map(|()| Ps3fbIoctlRes {
@@ -167,6 +195,9 @@ impl Driver for Script {
     }
     fn ps3fb_fsel(&mut self, frame: u32) -> io::Result<()> {
         self.call(Call::Fsel(frame))
+    }
+    fn promise(&self, _: Place, _: u32, _: Argument) -> Option<PutBack> {
+        None
     }
 }
 

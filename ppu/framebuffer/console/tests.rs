@@ -1,0 +1,289 @@
+//! The console's logic against a terminal that notes what it is told.
+
+use super::super::interrupted::Interrupted;
+use super::super::interrupted::tests::in_child;
+use super::super::ioctl::KD_TEXT;
+use super::*;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::{Arc, Mutex};
+use std::thread;
+use std::time::Duration;
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Told {
+    Mode(i32),
+    Changes(VtMode),
+    Answer(i32),
+    Discard,
+}
+
+/// What a terminal was told, and what it is to say is on the screen.
+#[derive(Clone, Default)]
+struct Notes {
+    told: Arc<Mutex<Vec<Told>>>,
+    on_screen: Arc<Mutex<Option<u16>>>,
+}
+
+impl Notes {
+    /// What was told since the last question.
+    fn told(&self) -> Vec<Told> {
+        std::mem::take(&mut *self.told.lock().unwrap())
+    }
+
+    fn note(&self, told: Told) {
+        self.told.lock().unwrap().push(told);
+    }
+
+    fn show(&self, terminal: Option<u16>) {
+        *self.on_screen.lock().unwrap() = terminal;
+    }
+}
+
+struct Noted {
+    found: io::Result<i32>,
+    denied: bool,
+    changes: Option<VtMode>,
+    notes: Notes,
+}
+
+const UNKNOWN: i32 = libc::ENOTTY;
+
+impl Terminal for Noted {
+    fn mode(&self) -> io::Result<i32> {
+        self.found
+            .as_ref()
+            .copied()
+            .map_err(|error| io::Error::from(error.kind()))
+    }
+
+    fn set_mode(&mut self, mode: i32) -> io::Result<()> {
+        self.notes.note(Told::Mode(mode));
+        if self.denied {
+            Err(io::Error::from(io::ErrorKind::PermissionDenied))
+        } else {
+            Ok(())
+        }
+    }
+
+    fn on_screen(&self) -> io::Result<u16> {
+        let shown = *self.notes.on_screen.lock().unwrap();
+        shown.ok_or(io::Error::from_raw_os_error(UNKNOWN))
+    }
+
+    fn changes(&self) -> io::Result<VtMode> {
+        self.changes.ok_or(io::Error::from_raw_os_error(UNKNOWN))
+    }
+
+    fn set_changes(&self, changes: VtMode) -> io::Result<()> {
+        self.notes.note(Told::Changes(changes));
+        Ok(())
+    }
+
+    fn answer(&self, answer: i32) -> io::Result<()> {
+        self.notes.note(Told::Answer(answer));
+        Ok(())
+    }
+
+    fn discard_input(&self) {
+        self.notes.note(Told::Discard);
+    }
+}
+
+fn noted(found: io::Result<i32>, denied: bool) -> (Box<Noted>, Notes) {
+    let notes = Notes::default();
+    let noted = Noted {
+        found,
+        denied,
+        changes: None,
+        notes: notes.clone(),
+    };
+    (Box::new(noted), notes)
+}
+
+#[test]
+fn the_mode_found_comes_back() {
+    for found in [KD_TEXT, KD_GRAPHICS] {
+        let (terminal, notes) = noted(Ok(found), false);
+        drop(Console::take("tty", terminal).unwrap());
+        let told = [Told::Mode(KD_GRAPHICS), Told::Mode(found), Told::Discard];
+        assert_eq!(notes.told(), told);
+    }
+}
+
+#[test]
+fn the_mode_found_comes_back_after_a_panic() {
+    let (terminal, notes) = noted(Ok(KD_TEXT), false);
+    let console = Console::take("tty", terminal).unwrap();
+    let panicked = catch_unwind(AssertUnwindSafe(move || {
+        let _console = console;
+        std::panic::resume_unwind(Box::new(()));
+    }));
+    assert!(panicked.is_err());
+    let told = [Told::Mode(KD_GRAPHICS), Told::Mode(KD_TEXT), Told::Discard];
+    assert_eq!(notes.told(), told);
+}
+
+#[test]
+fn what_is_no_terminal_is_left_alone() {
+    let (terminal, notes) = noted(Err(io::Error::from_raw_os_error(UNKNOWN)), false);
+    assert!(Console::take("tty", terminal).is_err());
+    assert_eq!(notes.told(), []);
+    let (terminal, notes) = noted(Ok(KD_TEXT), true);
+    assert!(Console::take("tty", terminal).is_err());
+    assert_eq!(notes.told()[0], Told::Mode(KD_GRAPHICS));
+}
+
+#[test]
+fn the_screen_is_lost_while_another_terminal_is_on_it() {
+    let (terminal, notes) = noted(Ok(KD_TEXT), false);
+    notes.show(Some(2));
+    let console = Console::take("tty", terminal).unwrap();
+    for (shown, ours) in [
+        (Some(2), true),
+        (Some(3), false),
+        (None, false),
+        (Some(2), true),
+    ] {
+        notes.show(shown);
+        assert_eq!(console.has_the_screen(), ours, "{shown:?}");
+    }
+    // Where it could not be asked at the start, it is not believed later.
+    let (terminal, notes) = noted(Ok(KD_TEXT), false);
+    let console = Console::take("tty", terminal).unwrap();
+    assert!(!console.has_the_screen());
+    notes.show(Some(2));
+    assert!(!console.has_the_screen());
+}
+
+/// How the kernel changes terminals when nobody asked it to do otherwise.
+const AUTO: VtMode = VtMode {
+    mode: 0,
+    waitv: 3,
+    relsig: 0,
+    acqsig: 0,
+    frsig: 5,
+};
+
+fn raise(signal: i32) {
+    signal_hook::low_level::raise(signal).unwrap();
+}
+
+fn taken() -> (Console, Notes) {
+    let (mut terminal, notes) = noted(Ok(KD_TEXT), false);
+    terminal.changes = Some(AUTO);
+    (Console::take("tty", terminal).unwrap(), notes)
+}
+
+#[test]
+fn the_screen_goes_to_another_terminal_and_comes_back() {
+    let status = in_child(|| {
+        let (mut console, notes) = taken();
+        let [Told::Mode(KD_GRAPHICS), Told::Changes(ours)] = notes.told()[..] else {
+            return 1;
+        };
+        let signals = (i32::from(ours.relsig), i32::from(ours.acqsig));
+        assert_eq!(signals, (libc::SIGRTMIN(), libc::SIGRTMIN() + 1));
+        assert_eq!((ours.mode, ours.waitv, ours.frsig), (VT_PROCESS, 3, 5));
+        for _ in 0..3 {
+            assert!(console.asked().is_none() && console.come_back());
+            assert_eq!(notes.told(), []);
+            raise(signals.0);
+            assert_eq!(console.asked(), Some(Asked::Leave));
+            console.leave(Asked::Leave);
+            assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
+            // SAFETY: names this thread, which outlives the one that sends to it.
+            let waits = unsafe { libc::pthread_self() };
+            let kernel = thread::spawn(move || {
+                thread::sleep(Duration::from_millis(50));
+                // SAFETY: the thread is joined before the waiting one ends.
+                unsafe { libc::pthread_kill(waits, libc::SIGRTMIN() + 1) };
+            });
+            assert!(console.come_back());
+            kernel.join().unwrap();
+            assert_eq!(notes.told(), [Told::Answer(VT_ACKACQ)]);
+        }
+        drop(console);
+        let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
+        assert_eq!(notes.told(), told);
+        7
+    });
+    assert!(libc::WIFEXITED(status), "{status:#x}");
+    assert_eq!(libc::WEXITSTATUS(status), 7);
+}
+
+#[test]
+fn a_program_whose_screen_is_away_can_be_ended() {
+    let status = in_child(|| {
+        let interrupted = Interrupted::install().unwrap();
+        let (mut console, notes) = taken();
+        raise(libc::SIGRTMIN());
+        console.leave(console.asked().unwrap());
+        raise(libc::SIGTERM);
+        assert!(!console.come_back() && console.asked().is_none());
+        assert_eq!(interrupted.signal(), Some(libc::SIGTERM));
+        notes.told();
+        drop(console);
+        let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
+        assert_eq!(notes.told(), told);
+        7
+    });
+    assert!(libc::WIFEXITED(status), "{status:#x}");
+    assert_eq!(libc::WEXITSTATUS(status), 7);
+}
+
+#[test]
+fn a_program_that_is_stopped_leaves_text_behind() {
+    let status = in_child(|| {
+        let (mut console, notes) = taken();
+        let [_, Told::Changes(ours)] = notes.told()[..] else {
+            return 1;
+        };
+        raise(libc::SIGTSTP);
+        assert_eq!(console.asked(), Some(Asked::Stop));
+        // SAFETY: waits for the child made here, which continues this process once it is stopped.
+        unsafe {
+            let stopped = libc::getpid();
+            let shell = libc::fork();
+            if shell == 0 {
+                let stat = format!("/proc/{stopped}/stat");
+                while !std::fs::read_to_string(&stat).is_ok_and(|stat| stat.contains(") T ")) {
+                    libc::usleep(1000);
+                }
+                libc::kill(stopped, libc::SIGCONT);
+                libc::_exit(0);
+            }
+            console.leave(Asked::Stop);
+            libc::waitpid(shell, std::ptr::null_mut(), 0);
+        }
+        assert!(console.come_back());
+        let told = [
+            Told::Changes(AUTO),
+            Told::Mode(KD_TEXT),
+            Told::Discard,
+            Told::Mode(KD_GRAPHICS),
+            Told::Changes(ours),
+        ];
+        assert_eq!(notes.told(), told);
+        7
+    });
+    assert!(libc::WIFEXITED(status), "{status:#x}");
+    assert_eq!(libc::WEXITSTATUS(status), 7);
+}
+
+#[test]
+fn the_kernel_says_what_is_no_terminal() {
+    let mut null = VirtualTerminal::open(Path::new("/dev/null")).unwrap();
+    let answers = [
+        null.mode().map(drop),
+        null.set_mode(KD_GRAPHICS),
+        null.on_screen().map(drop),
+        null.changes().map(drop),
+        null.set_changes(AUTO),
+        null.answer(VT_RELEASED),
+    ];
+    for answer in answers {
+        // The second is the user-mode emulator's for a request that it does not know.
+        let unknown = [Some(libc::ENOTTY), Some(libc::ENOSYS)];
+        assert!(unknown.contains(&answer.unwrap_err().raw_os_error()));
+    }
+}

@@ -1,0 +1,140 @@
+//! Who may have the screen: the kernel's asking for it when the user changes to another terminal, its
+//! giving it back, and Ctrl-Z, as questions for the frame loop.
+//!
+//! Invariant: handlers only set flags and wake [`wait_until_back`]; without a [`Switching`] alive the
+//! kernel's two signals mean nothing, and Ctrl-Z stops the program as by default.
+
+use super::interrupted;
+use signal_hook::consts::SIGTSTP;
+use signal_hook::low_level;
+use std::io::{self, PipeReader, PipeWriter, Read};
+use std::os::fd::{AsFd, AsRawFd};
+use std::sync::OnceLock;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+
+static ALIVE: AtomicUsize = AtomicUsize::new(0);
+static LEAVE: AtomicBool = AtomicBool::new(false);
+static BACK: AtomicBool = AtomicBool::new(false);
+static STOP: AtomicBool = AtomicBool::new(false);
+/// Holds a byte for each time that [`BACK`] was set. Set before the handlers are in place.
+static WAKE: OnceLock<(PipeReader, PipeWriter)> = OnceLock::new();
+
+/// What the program is asked to do with its screen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Asked {
+    /// Let another terminal have it.
+    Leave,
+    /// Let the terminal have its text, and stop.
+    Stop,
+}
+
+/// The signal by which the kernel shall ask for the screen.
+pub(super) fn leave_signal() -> i32 {
+    libc::SIGRTMIN()
+}
+
+/// The signal by which the kernel shall give it back.
+pub(super) fn back_signal() -> i32 {
+    libc::SIGRTMIN() + 1
+}
+
+/// The signals are caught while it lives.
+#[derive(Debug)]
+pub(super) struct Switching(());
+
+impl Switching {
+    pub(super) fn catch() -> io::Result<Switching> {
+        if WAKE.get().is_none() {
+            let pipe = io::pipe()?;
+            if WAKE.set(pipe).is_ok() {
+                register()?;
+            }
+        }
+        for flag in [&LEAVE, &BACK, &STOP] {
+            flag.store(false, Ordering::SeqCst);
+        }
+        ALIVE.fetch_add(1, Ordering::SeqCst);
+        Ok(Switching(()))
+    }
+
+    /// What is asked, once.
+    pub(super) fn asked(&self) -> Option<Asked> {
+        if LEAVE.swap(false, Ordering::SeqCst) {
+            Some(Asked::Leave)
+        } else if STOP.swap(false, Ordering::SeqCst) {
+            Some(Asked::Stop)
+        } else {
+            None
+        }
+    }
+
+    /// Sleeps until the screen is given back, and says whether it is; not when the program is asked to
+    /// end meanwhile.
+    pub(super) fn wait_until_back(&self) -> bool {
+        loop {
+            if BACK.swap(false, Ordering::SeqCst) {
+                return true;
+            }
+            if interrupted::came() {
+                return false;
+            }
+            sleep();
+        }
+    }
+}
+
+impl Drop for Switching {
+    fn drop(&mut self) {
+        ALIVE.fetch_sub(1, Ordering::SeqCst);
+    }
+}
+
+/// Stops the program as Ctrl-Z does; returns when it is continued.
+pub(super) fn stop() {
+    // SIGSTOP can't be refused.
+    let _ = low_level::raise(libc::SIGSTOP);
+}
+
+fn register() -> io::Result<()> {
+    let flags = [
+        (leave_signal(), &LEAVE as &'static AtomicBool),
+        (back_signal(), &BACK),
+        (SIGTSTP, &STOP),
+    ];
+    for (signal, flag) in flags {
+        // SAFETY: `on_signal` only uses atomics and system calls that signal handlers may use.
+        unsafe { low_level::register(signal, move || on_signal(signal, flag)) }?;
+    }
+    Ok(())
+}
+
+fn on_signal(signal: i32, flag: &AtomicBool) {
+    if ALIVE.load(Ordering::SeqCst) > 0 {
+        flag.store(true, Ordering::SeqCst);
+        if let Some((_, wake)) = WAKE.get().filter(|_| signal == back_signal()) {
+            // SAFETY: the pipe is never closed; one byte is read.
+            unsafe { libc::write(wake.as_raw_fd(), [0u8].as_ptr().cast(), 1) };
+        }
+    } else if signal == SIGTSTP {
+        stop();
+    }
+}
+
+/// Sleeps until a signal of this module or one that ends the program has come.
+fn sleep() {
+    let Some((wake, _)) = WAKE.get() else { return };
+    let readable = |descriptor| libc::pollfd {
+        fd: descriptor,
+        events: libc::POLLIN,
+        revents: 0,
+    };
+    // A negative descriptor is passed over.
+    let ending = interrupted::wake().map_or(-1, |wake| wake.as_raw_fd());
+    let mut polls = [readable(wake.as_fd().as_raw_fd()), readable(ending)];
+    // SAFETY: two records, which outlive the call.
+    let ready = unsafe { libc::poll(polls.as_mut_ptr(), polls.len() as libc::nfds_t, -1) };
+    if ready > 0 && polls[0].revents != 0 {
+        // A broken pipe has none to take, and the flag tells all the same.
+        let _ = (&mut &*wake).read(&mut [0; 64]);
+    }
+}
