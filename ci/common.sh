@@ -9,6 +9,8 @@ cd "$top"
 ppc64=powerpc64-unknown-linux-gnu
 # build.rs looks for the SPU tools here too, after the variables and PATH.
 spu_binutils=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-binutils
+# A kernel of the distribution, unpacked, for the machine that ci/fbdev runs.
+linux=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/linux
 out=$top/target/ci
 
 say() { printf '== %s\n' "$*" >&2; }
@@ -26,6 +28,13 @@ spu_tool() {
         fi
     done
     return 1
+}
+
+# The kernel in $linux.
+linux_image() {
+    local image
+    image=$(ls "$linux"/boot/vmlinuz-* 2>/dev/null | tail -1)
+    [ -n "$image" ] && printf '%s\n' "$image"
 }
 
 # Runs a step and says how long it took.

@@ -278,11 +278,7 @@ impl Framebuffer for Device {
             Mode::Direct => "made in its memory",
             Mode::Shadow => "made in private memory and copied",
         };
-        let vsync = if self.display.vsync() {
-            "vsync"
-        } else {
-            "no vsync"
-        };
+        let vsync = self.display.vsync();
         let console = match &self.console {
             Ok(console) => format!("console {console} in graphics mode"),
             Err(error) => format!("console left in text mode: {error}"),

@@ -22,6 +22,8 @@ pub(super) struct Display {
     scheme: Scheme,
     frames: u32,
     vsync: bool,
+    /// Whether the driver has answered to waiting.
+    waited: bool,
     /// Whether the screen was put back for somebody else.
     left: bool,
 }
@@ -45,6 +47,7 @@ impl Display {
             scheme: Scheme::Single,
             frames: 1,
             vsync,
+            waited: false,
             left: false,
         };
         match surface.scheme() {
@@ -63,9 +66,13 @@ impl Display {
         self.frames
     }
 
-    /// Whether the vertical blank is waited for: asked for, and the driver still believed to do it.
-    pub(super) fn vsync(&self) -> bool {
-        self.vsync
+    /// Whether the vertical blank is waited for, in words.
+    pub(super) fn vsync(&self) -> &'static str {
+        match (self.vsync, self.waited) {
+            (true, true) => "vsync",
+            (true, false) => "vsync if the driver can",
+            (false, _) => "no vsync",
+        }
     }
 
     /// Waits until the visible frame may be written to, where that is the only one there is.
@@ -176,6 +183,7 @@ impl Display {
             }
             waited => self.vsync = self.optional("FBIO_WAITFORVSYNC", waited)?.is_some(),
         }
+        self.waited = true;
         Ok(())
     }
 

@@ -29,7 +29,7 @@ pub enum FramebufferError {
         pattern: String,
     },
     /// A file has no geometry of its own and none was given.
-    #[error("{}: a file in the place of a framebuffer needs a size", path.display())]
+    #[error("{}: no framebuffer device, and a file in the place of one needs a size", path.display())]
     SizeNeeded {
         /// The file.
         path: PathBuf,

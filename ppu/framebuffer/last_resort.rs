@@ -136,7 +136,7 @@ const ENDS: [i32; 15] = [
     libc::SIGPWR,
 ];
 
-/// How many of [`ENDS`], from the first, are put back for whoever handles them: the Rust runtime says
+/// How many of [`ENDS`], from the first, are faults, which go on to whoever handled them before: the Rust runtime says
 /// of a SIGSEGV that a stack is full, and ends the program. The others' handlers are let be.
 const FAULTS: usize = 6;
 
@@ -176,16 +176,19 @@ extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_vo
         return;
     };
     // SAFETY: the kernel gives a handler with SA_SIGINFO a siginfo_t; the action before is null or
-    // leaked for good.
+    // leaked for good; a valid signal is raised.
     unsafe {
-        libc::sigaction(
-            signal,
-            BEFORE[index].load(Ordering::SeqCst),
-            ptr::null_mut(),
-        );
-        // A fault comes again when its instruction does; what was sent has to be sent again, and
-        // waits until this handler has returned.
-        if index >= FAULTS || (*info).si_code <= 0 {
+        if (*info).si_code > 0 {
+            // A fault: its instruction is done again.
+            libc::sigaction(
+                signal,
+                BEFORE[index].load(Ordering::SeqCst),
+                ptr::null_mut(),
+            );
+        } else {
+            // Sent, so it has to be sent again, and waits until this handler has returned. The runtime's
+            // handler would let it pass for a fault that does not come again.
+            libc::signal(signal, libc::SIG_DFL);
             libc::raise(signal);
         }
     }
@@ -231,6 +234,12 @@ mod tests {
             let _promise = promise();
             std::process::abort()
         };
+        let sent_fault: fn() -> i32 = || {
+            let _promise = promise();
+            // SAFETY: the signal is what is tested, in a process of its own.
+            unsafe { libc::raise(libc::SIGSEGV) };
+            0
+        };
         let sent: fn() -> i32 = || {
             let _promise = promise();
             // SAFETY: the signal is what is tested, in a process of its own.
@@ -246,6 +255,7 @@ mod tests {
         };
         let cases = [
             (segv, libc::SIGSEGV, true),
+            (sent_fault, libc::SIGSEGV, true),
             (abort, libc::SIGABRT, true),
             (sent, libc::SIGUSR1, true),
             (done, libc::SIGUSR1, false),

@@ -70,7 +70,9 @@ fn ps3fb_with_one_frame_selects_it_alone() {
     let (device, witness) =
         Script::new("ps3fb", 1920, 1080, 7680, 9 * MIB - 0x1_0000).open(None, None);
     let mut device = device.unwrap();
+    assert!(device.describe().contains("vsync if the driver can"));
     show(&mut device, 0);
+    assert!(device.describe().contains(", vsync, "));
     show(&mut device, 1);
     drop(device);
     assert_eq!(
