@@ -219,3 +219,52 @@ impl Driver {
         copied.map_err(|error| error.raw_os_error().unwrap_or(libc::EIO))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::os::fd::FromRawFd;
+
+    /// A driver whose memory nobody looks at.
+    fn driver(words: &str) -> Driver {
+        let file = || {
+            let name = c"ps3fb";
+            // SAFETY: the name is a zero-terminated string; the descriptor is new and nobody else's.
+            unsafe { File::from_raw_fd(libc::memfd_create(name.as_ptr(), 0)) }
+        };
+        Driver::new(words, file(), file())
+    }
+
+    #[test]
+    fn frames_and_lines_are_those_of_the_kernels_arithmetic() {
+        // Words, bytes of a line, frames: what the driver's source gives for each.
+        for (words, line, frames) in [
+            ("mode:129", 2880, 6),
+            ("mode:129 memory:18", 2880, 13),
+            ("mode:3", 4544, 2),
+            ("mode:3 memory:18", 4544, 5),
+            ("mode:131", 5120, 2),
+            ("mode:5", 6784, 1),
+            ("mode:133", 7680, 1),
+            ("mode:133 memory:18", 7680, 2),
+            ("mode:3 patched", 5120, 9),
+        ] {
+            let driver = driver(words);
+            assert_eq!(
+                (driver.line_length(), driver.frames()),
+                (line, frames),
+                "{words}"
+            );
+        }
+    }
+
+    #[test]
+    fn a_mode_without_memory_or_number_is_refused_and_not_set() {
+        let mut small = driver("mode:3 memory:3");
+        assert_eq!(small.set_mode(131), Err(libc::ENOMEM));
+        assert_eq!(small.set_mode(14), Err(libc::EINVAL));
+        assert_eq!(small.mode, 3);
+        assert_eq!(small.set_mode(130), Ok(()));
+        assert_eq!(small.select(2), Err(libc::EINVAL));
+    }
+}

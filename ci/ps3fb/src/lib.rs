@@ -7,7 +7,7 @@
 //! | `PS3FB_MEMORY` | file that holds the device's memory |
 //! | `PS3FB_SCREEN` | file that gets what the television shows, when a frame is selected |
 //! | `PS3FB_LOG` | file that gets a line for each call that changes something or waits |
-//! | `PS3FB` | which driver it is: words of [`driver::Driver::new`] |
+//! | `PS3FB` | which driver it is: words that `driver.rs` lists |
 //!
 //! Invariant: what is not opened by those two names goes to the C library untouched. Request numbers are
 //! those of PowerPC's kernel, so the program under test must be one for it.

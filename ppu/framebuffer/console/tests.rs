@@ -1,13 +1,9 @@
 //! The console's logic against a terminal that notes what it is told.
 
-use super::super::interrupted::Interrupted;
-use super::super::interrupted::tests::in_child;
 use super::super::ioctl::KD_TEXT;
 use super::*;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::{Arc, Mutex};
-use std::thread;
-use std::time::Duration;
 
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Told {
@@ -164,112 +160,6 @@ const AUTO: VtMode = VtMode {
     frsig: 5,
 };
 
-fn raise(signal: i32) {
-    signal_hook::low_level::raise(signal).unwrap();
-}
-
-fn taken() -> (Console, Notes) {
-    let (mut terminal, notes) = noted(Ok(KD_TEXT), false);
-    terminal.changes = Some(AUTO);
-    (Console::take("tty", terminal).unwrap(), notes)
-}
-
-#[test]
-fn the_screen_goes_to_another_terminal_and_comes_back() {
-    let status = in_child(|| {
-        let (mut console, notes) = taken();
-        let [Told::Mode(KD_GRAPHICS), Told::Changes(ours)] = notes.told()[..] else {
-            return 1;
-        };
-        let signals = (i32::from(ours.relsig), i32::from(ours.acqsig));
-        assert_eq!(signals, (libc::SIGRTMIN(), libc::SIGRTMIN() + 1));
-        assert_eq!((ours.mode, ours.waitv, ours.frsig), (VT_PROCESS, 3, 5));
-        for _ in 0..3 {
-            assert!(console.asked().is_none() && console.come_back());
-            assert_eq!(notes.told(), []);
-            raise(signals.0);
-            assert_eq!(console.asked(), Some(Asked::Leave));
-            console.leave(Asked::Leave);
-            assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
-            // SAFETY: names this thread, which outlives the one that sends to it.
-            let waits = unsafe { libc::pthread_self() };
-            let kernel = thread::spawn(move || {
-                thread::sleep(Duration::from_millis(50));
-                // SAFETY: the thread is joined before the waiting one ends.
-                unsafe { libc::pthread_kill(waits, libc::SIGRTMIN() + 1) };
-            });
-            assert!(console.come_back());
-            kernel.join().unwrap();
-            assert_eq!(notes.told(), [Told::Answer(VT_ACKACQ)]);
-        }
-        drop(console);
-        let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
-        assert_eq!(notes.told(), told);
-        7
-    });
-    assert!(libc::WIFEXITED(status), "{status:#x}");
-    assert_eq!(libc::WEXITSTATUS(status), 7);
-}
-
-#[test]
-fn a_program_whose_screen_is_away_can_be_ended() {
-    let status = in_child(|| {
-        let interrupted = Interrupted::install().unwrap();
-        let (mut console, notes) = taken();
-        raise(libc::SIGRTMIN());
-        console.leave(console.asked().unwrap());
-        raise(libc::SIGTERM);
-        assert!(!console.come_back() && console.asked().is_none());
-        assert_eq!(interrupted.signal(), Some(libc::SIGTERM));
-        notes.told();
-        drop(console);
-        let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
-        assert_eq!(notes.told(), told);
-        7
-    });
-    assert!(libc::WIFEXITED(status), "{status:#x}");
-    assert_eq!(libc::WEXITSTATUS(status), 7);
-}
-
-#[test]
-fn a_program_that_is_stopped_leaves_text_behind() {
-    let status = in_child(|| {
-        let (mut console, notes) = taken();
-        let [_, Told::Changes(ours)] = notes.told()[..] else {
-            return 1;
-        };
-        raise(libc::SIGTSTP);
-        assert_eq!(console.asked(), Some(Asked::Stop));
-        // SAFETY: waits for the child made here, which continues this process once it is stopped.
-        unsafe {
-            let stopped = libc::getpid();
-            let shell = libc::fork();
-            if shell == 0 {
-                let stat = format!("/proc/{stopped}/stat");
-                while !std::fs::read_to_string(&stat).is_ok_and(|stat| stat.contains(") T ")) {
-                    libc::usleep(1000);
-                }
-                libc::kill(stopped, libc::SIGCONT);
-                libc::_exit(0);
-            }
-            console.leave(Asked::Stop);
-            libc::waitpid(shell, std::ptr::null_mut(), 0);
-        }
-        assert!(console.come_back());
-        let told = [
-            Told::Changes(AUTO),
-            Told::Mode(KD_TEXT),
-            Told::Discard,
-            Told::Mode(KD_GRAPHICS),
-            Told::Changes(ours),
-        ];
-        assert_eq!(notes.told(), told);
-        7
-    });
-    assert!(libc::WIFEXITED(status), "{status:#x}");
-    assert_eq!(libc::WEXITSTATUS(status), 7);
-}
-
 #[test]
 fn the_kernel_says_what_is_no_terminal() {
     let mut null = VirtualTerminal::open(Path::new("/dev/null")).unwrap();
@@ -285,5 +175,120 @@ fn the_kernel_says_what_is_no_terminal() {
         // The second is the user-mode emulator's for a request that it does not know.
         let unknown = [Some(libc::ENOTTY), Some(libc::ENOSYS)];
         assert!(unknown.contains(&answer.unwrap_err().raw_os_error()));
+    }
+}
+
+/// Each in a process of its own: signals are the process's.
+mod switching {
+    use super::*;
+    use crate::framebuffer::interrupted::Interrupted;
+    use crate::framebuffer::interrupted::tests::in_child;
+    use std::thread;
+    use std::time::Duration;
+
+    fn raise(signal: i32) {
+        signal_hook::low_level::raise(signal).unwrap();
+    }
+
+    fn taken() -> (Console, Notes) {
+        let (mut terminal, notes) = noted(Ok(KD_TEXT), false);
+        terminal.changes = Some(AUTO);
+        (Console::take("tty", terminal).unwrap(), notes)
+    }
+
+    #[test]
+    fn the_screen_goes_to_another_terminal_and_comes_back() {
+        let status = in_child(|| {
+            let (mut console, notes) = taken();
+            let [Told::Mode(KD_GRAPHICS), Told::Changes(ours)] = notes.told()[..] else {
+                return 1;
+            };
+            let signals = (i32::from(ours.relsig), i32::from(ours.acqsig));
+            assert_eq!(signals, (libc::SIGRTMIN(), libc::SIGRTMIN() + 1));
+            assert_eq!((ours.mode, ours.waitv, ours.frsig), (VT_PROCESS, 3, 5));
+            for _ in 0..3 {
+                assert!(console.asked().is_none() && console.come_back());
+                assert_eq!(notes.told(), []);
+                raise(signals.0);
+                assert_eq!(console.asked(), Some(Asked::Leave));
+                console.leave(Asked::Leave);
+                assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
+                // SAFETY: names this thread, which outlives the one that sends to it.
+                let waits = unsafe { libc::pthread_self() };
+                let kernel = thread::spawn(move || {
+                    thread::sleep(Duration::from_millis(50));
+                    // SAFETY: the thread is joined before the waiting one ends.
+                    unsafe { libc::pthread_kill(waits, libc::SIGRTMIN() + 1) };
+                });
+                assert!(console.come_back());
+                kernel.join().unwrap();
+                assert_eq!(notes.told(), [Told::Answer(VT_ACKACQ)]);
+            }
+            drop(console);
+            let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
+            assert_eq!(notes.told(), told);
+            7
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
+    }
+
+    #[test]
+    fn a_program_whose_screen_is_away_can_be_ended() {
+        let status = in_child(|| {
+            let interrupted = Interrupted::install().unwrap();
+            let (mut console, notes) = taken();
+            raise(libc::SIGRTMIN());
+            console.leave(console.asked().unwrap());
+            raise(libc::SIGTERM);
+            assert!(!console.come_back() && console.asked().is_none());
+            assert_eq!(interrupted.signal(), Some(libc::SIGTERM));
+            notes.told();
+            drop(console);
+            let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
+            assert_eq!(notes.told(), told);
+            7
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
+    }
+
+    #[test]
+    fn a_program_that_is_stopped_leaves_text_behind() {
+        let status = in_child(|| {
+            let (mut console, notes) = taken();
+            let [_, Told::Changes(ours)] = notes.told()[..] else {
+                return 1;
+            };
+            raise(libc::SIGTSTP);
+            assert_eq!(console.asked(), Some(Asked::Stop));
+            // SAFETY: waits for the child made here, which continues this process once it is stopped.
+            unsafe {
+                let stopped = libc::getpid();
+                let shell = libc::fork();
+                if shell == 0 {
+                    let stat = format!("/proc/{stopped}/stat");
+                    while !std::fs::read_to_string(&stat).is_ok_and(|stat| stat.contains(") T ")) {
+                        libc::usleep(1000);
+                    }
+                    libc::kill(stopped, libc::SIGCONT);
+                    libc::_exit(0);
+                }
+                console.leave(Asked::Stop);
+                libc::waitpid(shell, std::ptr::null_mut(), 0);
+            }
+            assert!(console.come_back());
+            let told = [
+                Told::Changes(AUTO),
+                Told::Mode(KD_TEXT),
+                Told::Discard,
+                Told::Mode(KD_GRAPHICS),
+                Told::Changes(ours),
+            ];
+            assert_eq!(notes.told(), told);
+            7
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
     }
 }
