@@ -51,6 +51,27 @@ struct Found {
     map: Mapping,
 }
 
+impl Found {
+    fn summary(mut self, path: &Path) -> String {
+        let surface = &self.surface;
+        let frames = match surface.frames(surface.scheme()) {
+            1 => "1 frame".to_owned(),
+            frames => format!("{frames} frames"),
+        };
+        let mode = match self.driver.ps3fb_getmode() {
+            Ok(mode) => format!(", video mode {mode}"),
+            Err(_) => String::new(),
+        };
+        format!(
+            "{}, driver {}, {}, stride {} bytes, room for {frames}{mode}",
+            path.display(),
+            surface.driver,
+            surface.geometry,
+            surface.line_length,
+        )
+    }
+}
+
 impl Device {
     /// Opens the device at `path` and takes over the screen and its console.
     pub fn open(path: &Path, options: Options) -> Result<Device, FramebufferError> {
@@ -64,14 +85,7 @@ impl Device {
     pub fn inspect(path: &Path) -> Result<String, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;
-        let Found { surface, .. } = Device::look(Box::new(driver), path, Options::default())?;
-        Ok(format!(
-            "{}, driver {}, {}, stride {} bytes",
-            path.display(),
-            surface.driver,
-            surface.geometry,
-            surface.line_length,
-        ))
+        Device::look(Box::new(driver), path, Options::default()).map(|found| found.summary(path))
     }
 
     fn look(

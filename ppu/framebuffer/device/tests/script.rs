@@ -144,6 +144,15 @@ impl Script {
         (device, witness)
     }
 
+    /// What is said of this driver when nothing is changed, and the calls made for it.
+    pub(super) fn inspect(self) -> (String, Vec<Call>) {
+        self.memory.set_len(self.fix.smem_len.into()).unwrap();
+        let (path, calls) = (Path::new(PATH), self.calls.clone());
+        let found = Device::look(Box::new(self), path, Options::default()).unwrap();
+        let summary = found.summary(path);
+        (summary, std::mem::take(&mut *calls.lock().unwrap()))
+    }
+
     fn call(&mut self, call: Call) -> io::Result<()> {
         self.calls.lock().unwrap().push(call.clone());
         match self.failing.iter().find(|(failing, _)| *failing == call) {
