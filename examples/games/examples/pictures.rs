@@ -1,0 +1,40 @@
+//! The pictures of `docs/games.md`.
+//!
+//!     cargo run --release -p games --example pictures -- FOLDER WIDTHxHEIGHT [NAME ...]
+
+use std::error::Error;
+use std::path::PathBuf;
+
+use cellray::framebuffer::{Geometry, Png};
+use cellray::{Engine, Settings};
+use games::demo::{DEMOS, Demo, demo};
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let usage = "usage: pictures FOLDER WIDTHxHEIGHT [NAME ...]";
+    let mut arguments = std::env::args().skip(1);
+    let folder = PathBuf::from(arguments.next().ok_or(usage)?);
+    let size = arguments.next().ok_or(usage)?;
+    let (width, height) = size.split_once('x').ok_or(usage)?;
+    let (width, height) = (width.parse()?, height.parse()?);
+    std::fs::create_dir_all(&folder)?;
+    let named: Vec<_> = arguments
+        .map(|name| demo(&name).ok_or(format!("no demonstration is called {name}")))
+        .collect::<Result<_, _>>()?;
+    let wanted: Vec<&Demo> = if named.is_empty() {
+        DEMOS.iter().collect()
+    } else {
+        named
+    };
+    for demo in wanted {
+        let path = folder.join(demo.name).with_extension("png");
+        demo.play((width, height), 0, |world| -> Result<(), Box<dyn Error>> {
+            let settings = Settings::default();
+            let picture = Png::new(&path, Geometry::new(width, height)?)?;
+            let mut engine = Engine::start(settings, Box::new(picture))?;
+            engine.render(world.scene(&settings.program)?, &mut |_| {})?;
+            Ok(())
+        })?;
+        eprintln!("{}", path.display());
+    }
+    Ok(())
+}

@@ -1,0 +1,190 @@
+//! How the player aims: direction, power, height of the tip.
+
+use cellray::game::{Axis, Button, DVec3, Input, Key, MouseButton};
+
+use super::balls::Balls;
+use super::table::{HALF, RADIUS};
+use crate::camera::stick;
+
+/// Radians by a pixel of the mouse's way, and a second by keys and sticks.
+const TURN_A_PIXEL: f64 = 0.002;
+const TURN_A_SECOND: f64 = 0.9;
+/// How much slower it turns where the player takes care.
+const CARE: f64 = 0.08;
+/// Power by a pixel that the mouse is drawn back, and a second by keys and sticks.
+const POWER_A_PIXEL: f64 = 0.004;
+const POWER_A_SECOND: f64 = 0.7;
+/// Height of the tip by a notch of the wheel, and a second by keys and buttons.
+const HEIGHT_A_NOTCH: f64 = 0.1;
+const HEIGHT_A_SECOND: f64 = 1.0;
+/// Power that is no blow: a mouse that was drawn back and brought forward again.
+const LEAST_POWER: f64 = 0.03;
+/// Speed of the cue ball with all power.
+const FASTEST: f64 = 7.5;
+
+/// How the cue is held.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Aim {
+    turn: f64,
+    power: f64,
+    height: f64,
+    /// The power before the mouse drew the cue back, while it does.
+    before: Option<f64>,
+}
+
+impl Default for Aim {
+    fn default() -> Self {
+        Self {
+            turn: 0.0,
+            power: 0.5,
+            height: 0.0,
+            before: None,
+        }
+    }
+}
+
+impl Aim {
+    /// Where the cue points, level and of length 1.
+    #[must_use]
+    pub fn direction(&self) -> DVec3 {
+        let (sine, cosine) = libm::sincos(self.turn);
+        DVec3::new(cosine, 0.0, sine)
+    }
+
+    /// Part of all power, 0 to 1.
+    #[must_use]
+    pub fn power(&self) -> f64 {
+        self.power
+    }
+
+    /// How high the tip is, -1 to 1.
+    #[must_use]
+    pub fn height(&self) -> f64 {
+        self.height
+    }
+
+    /// Speed of the blow.
+    #[must_use]
+    pub fn speed(&self) -> f64 {
+        // Finer where it is soft.
+        FASTEST * self.power * (0.4 + 0.6 * self.power)
+    }
+
+    /// Points it from a place to another.
+    pub fn point(&mut self, from: DVec3, to: DVec3) {
+        self.turn = libm::atan2(to.z - from.z, to.x - from.x);
+        self.height = 0.0;
+    }
+
+    /// Does what the player does; whether that was the blow.
+    pub fn steer(&mut self, input: &Input, seconds: f64) -> bool {
+        let key = |less, more| f64::from(input.key_axis(less, more)) * seconds;
+        let careful = input.key_held(Key::Shift) || input.mouse_held(MouseButton::Right);
+        let mut turn = key(Key::Left, Key::Right) * TURN_A_SECOND;
+        let mut power = key(Key::Down, Key::Up) * POWER_A_SECOND;
+        let mut height = key(Key::S, Key::W) * HEIGHT_A_SECOND;
+        let mut blow = input.key_pressed(Key::Space);
+        let mut care = if careful { CARE } else { 1.0 };
+        if let Some(pad) = input.pad() {
+            if pad.held(Button::L2) {
+                care = CARE;
+            }
+            let held = |button| f64::from(u8::from(pad.held(button))) * seconds;
+            turn += stick(pad.axis(Axis::LeftX)) * TURN_A_SECOND * seconds;
+            power += stick(pad.axis(Axis::RightY)) * POWER_A_SECOND * seconds;
+            height += (held(Button::R1) - held(Button::L1)) * HEIGHT_A_SECOND;
+            blow |= pad.pressed(Button::Cross);
+        }
+        let mouse = input.mouse();
+        let [across, back] = mouse.motion.map(f64::from);
+        height += f64::from(mouse.wheel[1]) * HEIGHT_A_NOTCH;
+        if input.mouse_pressed(MouseButton::Left) {
+            self.before = Some(self.power);
+            self.power = 0.0;
+        }
+        if self.before.is_some() {
+            power += back * POWER_A_PIXEL;
+        } else {
+            turn += across * TURN_A_PIXEL;
+        }
+        self.turn = libm::remainder(self.turn + turn * care, std::f64::consts::TAU);
+        self.power = (self.power + power).clamp(0.0, 1.0);
+        self.height = (self.height + height).clamp(-1.0, 1.0);
+        if input.mouse_released(MouseButton::Left)
+            && let Some(before) = self.before.take()
+        {
+            if self.power >= LEAST_POWER {
+                blow = true;
+            } else {
+                self.power = before;
+            }
+        }
+        blow && self.power >= LEAST_POWER
+    }
+
+    /// How far the cue ball goes before it touches a ball or a cushion.
+    #[must_use]
+    pub fn free_way(&self, balls: &Balls) -> f64 {
+        let (from, direction) = (balls.0[0].body.centre, self.direction());
+        let cushion = |place: f64, way: f64, half: f64| {
+            if way == 0.0 {
+                f64::INFINITY
+            } else {
+                ((half - RADIUS).copysign(way) - place) / way
+            }
+        };
+        let cushions =
+            cushion(from.x, direction.x, HALF.0).min(cushion(from.z, direction.z, HALF.1));
+        (1..balls.0.len())
+            .filter(|&number| balls.on_bed(number))
+            .filter_map(|number| {
+                let between = balls.0[number].body.centre - from;
+                let along = between.dot(direction);
+                let off = between.length_squared() - along * along;
+                let room = 4.0 * RADIUS * RADIUS - off;
+                (along > 0.0 && room > 0.0).then(|| along - room.sqrt())
+            })
+            .fold(cushions, f64::min)
+            .max(0.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Aim;
+    use cellray::game::{Input, InputEvent, MouseButton};
+
+    #[test]
+    fn the_mouse_draws_back_and_lets_go() {
+        let mut aim = Aim::default();
+        let mut input = Input::default();
+        let button = MouseButton::Left;
+        let mut steer = |events: &[InputEvent]| {
+            input.begin_frame();
+            events.iter().for_each(|event| input.apply(event));
+            aim.steer(&input, 0.1)
+        };
+        assert!(!steer(&[InputEvent::MouseButton { button, down: true }]));
+        assert!(!steer(&[InputEvent::MouseMotion { by: [50.0, 100.0] }]));
+        assert!(steer(&[InputEvent::MouseButton {
+            button,
+            down: false
+        }]));
+        assert_eq!((aim.power(), aim.turn), (0.4, 0.0));
+
+        // Drawn back and brought forward again: no blow, and the power is what it was.
+        let mut steer = |events: &[InputEvent]| {
+            input.begin_frame();
+            events.iter().for_each(|event| input.apply(event));
+            aim.steer(&input, 0.1)
+        };
+        assert!(!steer(&[InputEvent::MouseButton { button, down: true }]));
+        assert!(!steer(&[InputEvent::MouseMotion { by: [0.0, 90.0] }]));
+        assert!(!steer(&[InputEvent::MouseMotion { by: [0.0, -90.0] }]));
+        assert!(!steer(&[InputEvent::MouseButton {
+            button,
+            down: false
+        }]));
+        assert_eq!(aim.power(), 0.4);
+    }
+}

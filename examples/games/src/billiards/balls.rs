@@ -1,0 +1,318 @@
+//! How the balls run: they slide, roll, bounce and fall.
+//!
+//! Each ball has its way and its roll, the way that it would take if it rolled as it spins: where they differ it slides
+//! on the cloth, which brings them together. Follow and draw come of that. There is no spin about the upright axis.
+//! Invariants: energy never grows; on the bed all centres are at one height; balls at rest do not overlap by more
+//! than rounding.
+
+use cellray::game::DVec3;
+use rand::seq::SliceRandom as _;
+use rand_chacha::ChaCha8Rng;
+
+use super::rules::{EIGHT, Shot};
+use super::table::{CUSHIONS, FOOT, HALF, HEAD, POCKETS, RADIUS, nearest};
+use crate::bodies::{Body, meet, pairs};
+use crate::steps::STEP;
+
+/// Balls with the cue ball, which is number 0.
+pub const BALLS: usize = 16;
+
+const GRAVITY: f64 = 9.81;
+/// Friction of a ball that slides, and of one that rolls.
+const SLIDING: f64 = 0.2;
+const ROLLING: f64 = 0.014;
+/// Part of the speed at which two balls meet that they part with; of a ball and a cushion.
+const BALL_RESTITUTION: f64 = 0.95;
+const CUSHION_RESTITUTION: f64 = 0.8;
+/// What a cushion leaves of the way along it, and of the roll.
+const CUSHION_GRIP: f64 = 0.96;
+const CUSHION_ROLL: f64 = 0.55;
+/// Between balls in the rack.
+const GAP: f64 = 0.0004;
+/// Times that contacts are looked for in a step, while there are any: a rack passes a blow on.
+const ROUNDS: usize = 6;
+/// Lower than this a ball in a pocket is gone.
+const DEPTH: f64 = 2.0 * RADIUS;
+
+/// What has become of a ball.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Place {
+    /// It lies or runs on the bed.
+    Bed,
+    /// It falls into the pocket of that index.
+    Falling(usize),
+    /// It is in a pocket.
+    Gone,
+}
+
+/// A ball.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ball {
+    /// 0 for the cue ball.
+    pub number: usize,
+    /// Where it is and goes.
+    pub body: Body,
+    /// Its way if it rolled as it spins.
+    pub roll: DVec3,
+    /// A direction that turns with it, of length 1.
+    pub axis: DVec3,
+    /// What has become of it.
+    pub place: Place,
+}
+
+impl Ball {
+    fn new(number: usize, centre: DVec3) -> Self {
+        Self {
+            number,
+            body: Body {
+                mass: 1.0,
+                ..Body::new(centre, RADIUS)
+            },
+            roll: DVec3::ZERO,
+            // Each another way up, all the same in every game: what is painted on them is seen by most.
+            axis: tipped(number),
+            place: Place::Bed,
+        }
+    }
+
+    /// Energy of its way and its spin; the mass is 1.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.body.energy() + self.roll.length_squared() / 5.0
+    }
+
+    fn moves(&self) -> bool {
+        match self.place {
+            Place::Bed => self.body.velocity != DVec3::ZERO || self.roll != DVec3::ZERO,
+            Place::Falling(_) => true,
+            Place::Gone => false,
+        }
+    }
+
+    /// A step on the bed, as if it were alone there.
+    fn run(&mut self) {
+        let body = &mut self.body;
+        let slip = body.velocity - self.roll;
+        let (speed, grip) = (slip.length(), SLIDING * GRAVITY * STEP);
+        // The cloth slows the way by what it adds to the roll, which takes two and a half times as much.
+        if speed > 3.5 * grip {
+            let push = slip * (grip / speed);
+            body.velocity -= push;
+            self.roll += push * 2.5;
+        } else {
+            body.velocity -= slip / 3.5;
+            let (speed, drag) = (body.velocity.length(), ROLLING * GRAVITY * STEP);
+            if speed > drag {
+                body.velocity *= 1.0 - drag / speed;
+            } else {
+                body.velocity = DVec3::ZERO;
+            }
+            self.roll = body.velocity;
+        }
+        body.centre += body.velocity * STEP;
+        let spin = DVec3::new(self.roll.z, 0.0, -self.roll.x) / RADIUS;
+        let axis = self.axis + spin.cross(self.axis) * STEP;
+        self.axis = axis / axis.length();
+    }
+
+    /// Bounces off the cushions that it touches; whether there are any.
+    fn bounce(&mut self) -> bool {
+        let DVec3 { x, z, .. } = self.body.centre;
+        if x.abs() < HALF.0 - RADIUS && z.abs() < HALF.1 - RADIUS {
+            return false;
+        }
+        let mut touched = false;
+        for line in CUSHIONS.iter().flat_map(|cushion| cushion.lines()) {
+            let on_bed = DVec3::new(self.body.centre.x, 0.0, self.body.centre.z);
+            let away = on_bed - nearest(line, on_bed);
+            let distance = away.length();
+            if distance >= RADIUS || distance == 0.0 {
+                continue;
+            }
+            touched = true;
+            let normal = away / distance;
+            if self
+                .body
+                .rebound(normal, RADIUS - distance, CUSHION_RESTITUTION)
+            {
+                let across = normal * self.body.velocity.dot(normal);
+                let along = self.body.velocity - across;
+                self.body.velocity = across + along * CUSHION_GRIP;
+                self.roll *= CUSHION_ROLL;
+            }
+        }
+        touched
+    }
+
+    /// The pocket that it falls into.
+    fn pocket(&self) -> Option<usize> {
+        let on_bed = DVec3::new(self.body.centre.x, 0.0, self.body.centre.z);
+        let far = |pocket: usize| POCKETS[pocket].centre.distance(on_bed);
+        let near = (0..POCKETS.len()).min_by(|&a, &b| far(a).total_cmp(&far(b)))?;
+        // Whoever gets past the jaws has nowhere else to go.
+        let past = on_bed.x.abs() > HALF.0 + RADIUS || on_bed.z.abs() > HALF.1 + RADIUS;
+        (past || far(near) < POCKETS[near].reach).then_some(near)
+    }
+
+    /// A step down a pocket.
+    fn fall(&mut self, pocket: usize) {
+        let body = &mut self.body;
+        let middle = POCKETS[pocket].centre;
+        let on_bed = DVec3::new(body.centre.x, 0.0, body.centre.z);
+        // The pocket's wall holds what would fly on.
+        body.velocity.x = (middle.x - on_bed.x) * 8.0;
+        body.velocity.z = (middle.z - on_bed.z) * 8.0;
+        body.velocity.y -= GRAVITY * STEP;
+        body.centre += body.velocity * STEP;
+        if body.centre.y < -DEPTH {
+            self.place = Place::Gone;
+            self.body.velocity = DVec3::ZERO;
+            self.roll = DVec3::ZERO;
+        }
+    }
+}
+
+/// All balls.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Balls(pub [Ball; BALLS]);
+
+impl Balls {
+    /// The rack, in an order by chance: the eight in the middle, unequal corners behind.
+    #[must_use]
+    pub fn rack(chance: &mut ChaCha8Rng) -> Self {
+        const MIDDLE: usize = 4;
+        const CORNERS: [usize; 2] = [10, 14];
+        let mut order = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];
+        order.shuffle(chance);
+        let place_of = |order: &[usize], number| order.iter().position(|&ball| ball == number);
+        if let Some(eight) = place_of(&order, EIGHT) {
+            order.swap(eight, MIDDLE);
+        }
+        let striped = |ball: usize| ball > EIGHT;
+        if striped(order[CORNERS[0]]) == striped(order[CORNERS[1]]) {
+            let wanted = !striped(order[CORNERS[0]]);
+            let other =
+                (0..order.len()).find(|&place| place != MIDDLE && striped(order[place]) == wanted);
+            if let Some(other) = other {
+                order.swap(other, CORNERS[1]);
+            }
+        }
+        let mut balls = [Ball::new(0, HEAD); BALLS];
+        let (mut row, mut column) = (0, 0);
+        for number in order {
+            let apart = 2.0 * RADIUS + GAP;
+            let centre = FOOT
+                + DVec3::new(
+                    f64::from(row) * apart * 3.0_f64.sqrt() / 2.0,
+                    0.0,
+                    (f64::from(column) - f64::from(row) / 2.0) * apart,
+                );
+            balls[number] = Ball::new(number, centre);
+            (row, column) = if column == row {
+                (row + 1, 0)
+            } else {
+                (row, column + 1)
+            };
+        }
+        Self(balls)
+    }
+
+    /// Whether nothing moves.
+    #[must_use]
+    pub fn are_at_rest(&self) -> bool {
+        !self.0.iter().any(Ball::moves)
+    }
+
+    /// The balls on the bed, by number.
+    #[must_use]
+    pub fn on_bed(&self, number: usize) -> bool {
+        self.0[number].place == Place::Bed
+    }
+
+    /// Energy of all of them.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        let on_bed = self.0.iter().filter(|ball| ball.place == Place::Bed);
+        on_bed.map(Ball::energy).sum()
+    }
+
+    /// Strikes the cue ball: a speed in a direction, and how high, -1 to 1: above its middle it follows, below it is
+    /// drawn back.
+    pub fn strike(&mut self, direction: DVec3, speed: f64, height: f64) {
+        let ball = &mut self.0[0];
+        ball.body.velocity = direction * speed;
+        // A tip half a radius off the middle is as far as chalk holds.
+        ball.roll = direction * (speed * height * 1.25);
+    }
+
+    /// Puts the cue ball back on the head spot, or as near to it as there is room.
+    pub fn bring_back(&mut self) {
+        let free = |place: DVec3| {
+            self.0[1..]
+                .iter()
+                .filter(|ball| ball.place == Place::Bed)
+                .all(|ball| ball.body.centre.distance(place) > 2.0 * RADIUS)
+        };
+        // Fifteen balls can't take all of these.
+        let places = (0..32).map(|step| {
+            let side = if step % 2 == 0 { 1.0 } else { -1.0 };
+            HEAD + DVec3::Z * (side * f64::from(step / 2) * RADIUS * 1.2)
+        });
+        let place = places.clone().find(|&place| free(place)).unwrap_or(HEAD);
+        self.0[0] = Ball::new(0, place);
+    }
+
+    /// A step of all balls; what happens in it is written down.
+    pub fn step(&mut self, shot: &mut Shot) {
+        for ball in &mut self.0 {
+            match ball.place {
+                Place::Bed => ball.run(),
+                Place::Falling(pocket) => ball.fall(pocket),
+                Place::Gone => {}
+            }
+        }
+        for _ in 0..ROUNDS {
+            if !self.bounce(shot) {
+                break;
+            }
+        }
+        for ball in &mut self.0 {
+            if ball.place == Place::Bed
+                && let Some(pocket) = ball.pocket()
+            {
+                ball.place = Place::Falling(pocket);
+                shot.pocket(ball.number);
+            }
+        }
+    }
+
+    /// Off one another and off the cushions; whether anything touched.
+    fn bounce(&mut self, shot: &mut Shot) -> bool {
+        let mut touched = false;
+        pairs(&mut self.0, |a, b| {
+            if a.place == Place::Bed
+                && b.place == Place::Bed
+                && meet(&mut a.body, &mut b.body, BALL_RESTITUTION)
+            {
+                touched = true;
+                if a.number == 0 {
+                    shot.touch(b.number);
+                }
+            }
+        });
+        for ball in &mut self.0 {
+            if ball.place == Place::Bed {
+                touched |= ball.bounce();
+            }
+        }
+        touched
+    }
+}
+
+/// A direction for each number, none near another's.
+fn tipped(number: usize) -> DVec3 {
+    let turn = number as f64 * 2.4;
+    let (sine, cosine) = libm::sincos(turn);
+    let axis = DVec3::new(cosine, 0.55, sine);
+    axis / axis.length()
+}

@@ -1,0 +1,230 @@
+//! Eight-ball, as it is played where nobody has the rule book at hand.
+//!
+//! Who pockets the first ball after the break has its group, full or striped; who pockets one of their own plays on.
+//! It is a foul to pocket the cue ball, to touch nothing, or to touch first what is not one's own; the other player's
+//! turn comes then, and a pocketed cue ball is put back on the head spot. Who pockets the eight after all of their
+//! group, without a foul, has won; who pockets it earlier has lost. On the break it wins.
+
+/// Number of the ball that decides.
+pub const EIGHT: usize = 8;
+
+/// Balls of one kind.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Group {
+    /// Numbers 1 to 7.
+    Full,
+    /// Numbers 9 to 15.
+    Striped,
+}
+
+impl Group {
+    /// The group of a ball; the cue ball and the eight have none.
+    #[must_use]
+    pub fn of(number: usize) -> Option<Self> {
+        match number {
+            1..=7 => Some(Self::Full),
+            9..=15 => Some(Self::Striped),
+            _ => None,
+        }
+    }
+
+    fn other(self) -> Self {
+        match self {
+            Self::Full => Self::Striped,
+            Self::Striped => Self::Full,
+        }
+    }
+
+    fn numbers(self) -> std::ops::RangeInclusive<usize> {
+        match self {
+            Self::Full => 1..=7,
+            Self::Striped => 9..=15,
+        }
+    }
+}
+
+/// What happened from the blow until all was at rest.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Shot {
+    first_touched: Option<usize>,
+    first_pocketed: Option<usize>,
+    pocketed: u16,
+}
+
+impl Shot {
+    /// The cue ball touches a ball.
+    pub fn touch(&mut self, number: usize) {
+        self.first_touched.get_or_insert(number);
+    }
+
+    /// A ball falls into a pocket.
+    pub fn pocket(&mut self, number: usize) {
+        self.pocketed |= 1 << number;
+        if number != 0 {
+            self.first_pocketed.get_or_insert(number);
+        }
+    }
+
+    fn has(&self, number: usize) -> bool {
+        self.pocketed >> number & 1 == 1
+    }
+}
+
+/// Where a game stands. Players are 0 and 1.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Rules {
+    turn: usize,
+    /// The group of player 0.
+    group: Option<Group>,
+    broken: bool,
+    foul: bool,
+    winner: Option<usize>,
+}
+
+impl Rules {
+    /// A new game, in which that player breaks.
+    #[must_use]
+    pub fn new(turn: usize) -> Self {
+        Self {
+            turn,
+            ..Self::default()
+        }
+    }
+
+    /// Whose turn it is.
+    #[must_use]
+    pub fn turn(&self) -> usize {
+        self.turn
+    }
+
+    /// Whether the last shot was a foul.
+    #[must_use]
+    pub fn was_foul(&self) -> bool {
+        self.foul
+    }
+
+    /// Who has won.
+    #[must_use]
+    pub fn winner(&self) -> Option<usize> {
+        self.winner
+    }
+
+    /// The group of the player whose turn it is, once it is known.
+    #[must_use]
+    pub fn group(&self) -> Option<Group> {
+        self.group.map(|first| match self.turn {
+            0 => first,
+            _ => first.other(),
+        })
+    }
+
+    /// Whether the player at the table may touch a ball first. Asks what is on the bed.
+    #[must_use]
+    pub fn may_touch(&self, number: usize, on_bed: impl Fn(usize) -> bool) -> bool {
+        match self.group() {
+            None => number != EIGHT || !self.broken,
+            Some(own) if own.numbers().any(on_bed) => Group::of(number) == Some(own),
+            Some(_) => number == EIGHT,
+        }
+    }
+
+    /// Judges a shot. Asks what is on the bed after it.
+    pub fn judge(&mut self, shot: &Shot, on_bed: impl Fn(usize) -> bool) {
+        let before = |number: usize| on_bed(number) || shot.has(number);
+        let legal = shot
+            .first_touched
+            .is_some_and(|number| self.may_touch(number, before));
+        self.foul = shot.has(0) || !legal;
+        let broke = !std::mem::replace(&mut self.broken, true);
+        if shot.has(EIGHT) {
+            let cleared = self.group().is_some_and(|own| !own.numbers().any(&on_bed));
+            let won = !self.foul && (cleared || broke);
+            self.winner = Some(if won { self.turn } else { 1 - self.turn });
+            return;
+        }
+        if let (None, false, false, Some(group)) = (
+            self.group,
+            self.foul,
+            broke,
+            shot.first_pocketed.and_then(Group::of),
+        ) {
+            self.group = Some(if self.turn == 0 { group } else { group.other() });
+        }
+        let plays_on = match self.group() {
+            None => shot.first_pocketed.is_some(),
+            Some(own) => own.numbers().any(|number| shot.has(number)),
+        };
+        if self.foul || !plays_on {
+            self.turn = 1 - self.turn;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EIGHT, Group, Rules, Shot};
+
+    fn shot(touched: Option<usize>, pocketed: &[usize]) -> Shot {
+        let mut shot = Shot::default();
+        touched.into_iter().for_each(|number| shot.touch(number));
+        pocketed.iter().for_each(|&number| shot.pocket(number));
+        shot
+    }
+
+    /// Plays shots one after another; a number once pocketed is off the bed.
+    fn play(shots: &[Shot]) -> Rules {
+        let mut rules = Rules::new(0);
+        let mut gone = 0_u16;
+        for shot in shots {
+            gone |= shot.pocketed;
+            rules.judge(shot, |number| gone >> number & 1 == 0);
+        }
+        rules
+    }
+
+    #[test]
+    fn the_first_ball_after_the_break_gives_the_group() {
+        let rules = play(&[shot(Some(1), &[3]), shot(Some(9), &[12, 2])]);
+        assert_eq!((rules.turn(), rules.group()), (0, Some(Group::Striped)));
+        let rules = play(&[shot(Some(1), &[]), shot(Some(9), &[12])]);
+        assert_eq!((rules.turn(), rules.group()), (1, Some(Group::Striped)));
+        assert_eq!(play(&[shot(Some(1), &[3])]).group(), None);
+    }
+
+    #[test]
+    fn fouls_change_the_turn() {
+        for foul in [shot(None, &[]), shot(Some(2), &[0]), shot(Some(EIGHT), &[])] {
+            let rules = play(&[shot(Some(1), &[3]), foul]);
+            assert!(rules.was_foul());
+            assert_eq!((rules.turn(), rules.winner()), (1, None));
+        }
+        // The other's ball first, one's own pocketed.
+        let rules = play(&[
+            shot(Some(1), &[]),
+            shot(Some(9), &[12]),
+            shot(Some(2), &[13]),
+        ]);
+        assert!(rules.was_foul());
+        assert_eq!(rules.turn(), 0);
+    }
+
+    #[test]
+    fn nothing_pocketed_changes_the_turn_without_a_foul() {
+        let rules = play(&[shot(Some(1), &[])]);
+        assert_eq!((rules.turn(), rules.was_foul()), (1, false));
+    }
+
+    #[test]
+    fn the_eight_decides() {
+        let full = [1, 2, 3, 4, 5, 6, 7];
+        let early = play(&[shot(Some(1), &[2]), shot(Some(EIGHT), &[EIGHT])]);
+        assert_eq!(early.winner(), Some(1));
+        let cleared = [shot(Some(1), &[]), shot(Some(9), &[]), shot(Some(1), &full)];
+        let with = |last: Shot| play(&[&cleared[..], &[last]].concat()).winner();
+        assert_eq!(with(shot(Some(EIGHT), &[EIGHT])), Some(0));
+        assert_eq!(with(shot(Some(EIGHT), &[EIGHT, 0])), Some(1));
+        assert_eq!(with(shot(Some(9), &[EIGHT])), Some(1));
+        assert_eq!(play(&[shot(Some(1), &[EIGHT])]).winner(), Some(0));
+        assert_eq!(play(&[shot(Some(1), &[EIGHT, 0])]).winner(), Some(1));
+    }
+}

@@ -1,0 +1,171 @@
+//! Balls that bounce off one another.
+//!
+//! Invariants: what two balls that meet have of momentum together they keep, and of energy they never get more;
+//! they part without overlap, the lighter one by more.
+
+use cellray::game::DVec3;
+
+/// A ball that moves.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Body {
+    /// Where its centre is.
+    pub centre: DVec3,
+    /// Its way in a second.
+    pub velocity: DVec3,
+    /// Its radius.
+    pub radius: f64,
+    /// Its mass.
+    pub mass: f64,
+}
+
+impl Body {
+    /// One at rest, of the mass that its size gives it.
+    #[must_use]
+    pub fn new(centre: DVec3, radius: f64) -> Self {
+        Self {
+            centre,
+            velocity: DVec3::ZERO,
+            radius,
+            mass: radius * radius * radius,
+        }
+    }
+
+    /// What energy it has by its way.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        self.mass * self.velocity.length_squared() / 2.0
+    }
+
+    /// Turns it back at a wall that it has run into by `depth` and that faces along `normal`; whether it went
+    /// towards it.
+    pub fn rebound(&mut self, normal: DVec3, depth: f64, restitution: f64) -> bool {
+        self.centre += normal * depth;
+        let towards = -self.velocity.dot(normal);
+        if towards > 0.0 {
+            self.velocity += normal * ((1.0 + restitution) * towards);
+        }
+        towards > 0.0
+    }
+
+    /// Keeps it within a box, by its walls.
+    pub fn keep_within(&mut self, low: DVec3, high: DVec3, restitution: f64) {
+        for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
+            let place = self.centre.dot(axis);
+            let below = low.dot(axis) + self.radius - place;
+            let above = place - (high.dot(axis) - self.radius);
+            if below > 0.0 {
+                self.rebound(axis, below, restitution);
+            } else if above > 0.0 {
+                self.rebound(-axis, above, restitution);
+            }
+        }
+    }
+}
+
+/// Lets two balls bounce off one another if they touch; whether they did.
+pub fn meet(a: &mut Body, b: &mut Body, restitution: f64) -> bool {
+    let between = b.centre - a.centre;
+    let reach = a.radius + b.radius;
+    let square = between.length_squared();
+    if square >= reach * reach {
+        return false;
+    }
+    let distance = square.sqrt();
+    // Of two in one place any direction parts them, if it is the same every time.
+    let normal = if distance > 0.0 {
+        between / distance
+    } else {
+        DVec3::X
+    };
+    let (ease_a, ease_b) = (1.0 / a.mass, 1.0 / b.mass);
+    let ease = ease_a + ease_b;
+    let overlap = reach - distance;
+    a.centre -= normal * (overlap * ease_a / ease);
+    b.centre += normal * (overlap * ease_b / ease);
+    let closing = (a.velocity - b.velocity).dot(normal);
+    if closing > 0.0 {
+        let impulse = (1.0 + restitution) * closing / ease;
+        a.velocity -= normal * (impulse * ease_a);
+        b.velocity += normal * (impulse * ease_b);
+    }
+    true
+}
+
+/// Calls for each two of a list, in order.
+pub fn pairs<T>(list: &mut [T], mut each: impl FnMut(&mut T, &mut T)) {
+    let mut rest = list;
+    while let Some((first, others)) = rest.split_first_mut() {
+        for other in others.iter_mut() {
+            each(first, other);
+        }
+        rest = others;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Body, meet, pairs};
+    use cellray::game::DVec3;
+    use rand::{Rng as _, SeedableRng as _};
+    use rand_chacha::ChaCha8Rng;
+
+    fn random(rng: &mut ChaCha8Rng, size: f64) -> DVec3 {
+        DVec3::new(
+            rng.random_range(-size..size),
+            rng.random_range(-size..size),
+            rng.random_range(-size..size),
+        )
+    }
+
+    #[test]
+    fn momentum_is_kept_and_energy_never_grows() {
+        let mut rng = ChaCha8Rng::seed_from_u64(1);
+        let mut met = 0;
+        for _ in 0..10_000 {
+            let mut body = || Body {
+                velocity: random(&mut rng, 3.0),
+                ..Body::new(random(&mut rng, 1.0), rng.random_range(0.1..1.0))
+            };
+            let (mut a, mut b) = (body(), body());
+            let restitution = rng.random_range(0.0..=1.0);
+            let momentum = |a: &Body, b: &Body| a.velocity * a.mass + b.velocity * b.mass;
+            let (before, energy) = (momentum(&a, &b), a.energy() + b.energy());
+            met += u32::from(meet(&mut a, &mut b, restitution));
+            assert!((momentum(&a, &b) - before).length() < 1e-12);
+            assert!(a.energy() + b.energy() <= energy * (1.0 + 1e-14));
+            assert!(a.centre.distance(b.centre) >= (a.radius + b.radius) * (1.0 - 1e-14));
+        }
+        assert!(met > 1000, "{met}");
+    }
+
+    #[test]
+    fn balls_in_one_place_part() {
+        let mut balls = [Body::new(DVec3::ONE, 0.5); 2];
+        let [a, b] = &mut balls;
+        assert!(meet(a, b, 1.0));
+        assert_eq!(a.centre.distance(b.centre), 1.0);
+    }
+
+    #[test]
+    fn equal_balls_exchange_what_is_along_the_line_between_them() {
+        let mut balls = [
+            Body {
+                velocity: DVec3::new(2.0, 1.0, 0.0),
+                ..Body::new(DVec3::ZERO, 0.5)
+            },
+            Body::new(DVec3::X * 0.9, 0.5),
+        ];
+        pairs(&mut balls, |a, b| {
+            meet(a, b, 1.0);
+        });
+        assert_eq!(balls[0].velocity, DVec3::Y);
+        assert_eq!(balls[1].velocity, DVec3::X * 2.0);
+    }
+
+    #[test]
+    fn every_pair_comes_once() {
+        let mut pairs_seen = Vec::new();
+        pairs(&mut [0, 1, 2, 3], |a, b| pairs_seen.push((*a, *b)));
+        assert_eq!(pairs_seen, [(0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3)]);
+    }
+}

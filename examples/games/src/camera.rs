@@ -1,0 +1,114 @@
+//! An eye on a sphere round what it looks at, which the player turns.
+
+use cellray::game::{Axis, Button, DVec3, Input, Key, MouseButton};
+
+/// Radians that a pixel of the mouse's way turns it by.
+const A_PIXEL: f64 = 0.006;
+/// Radians a second by keys and sticks.
+const A_SECOND: f64 = 1.4;
+/// Part of the distance's logarithm by a notch of the wheel, and a second by keys.
+const A_NOTCH: f64 = 0.12;
+const ZOOM_A_SECOND: f64 = 1.2;
+/// What a stick that lies still may say.
+const DEAD: f64 = 0.15;
+
+/// The eye: where it is from what it looks at.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Orbit {
+    /// Radians round the upright axis; with 0 it is in the direction of z.
+    pub turn: f64,
+    /// Radians above the horizon.
+    pub rise: f64,
+    /// How far away it is.
+    pub distance: f64,
+    /// Least and greatest distance.
+    pub distances: (f64, f64),
+    /// Least and greatest rise.
+    pub rises: (f64, f64),
+}
+
+impl Orbit {
+    /// Moves it as the player does: the mouse dragged, the wheel, A, D, W, S, page keys, the right stick, and on a
+    /// pad L2 and R2 for the distance. Whether it was moved.
+    pub fn steer(&mut self, input: &Input, seconds: f64) -> bool {
+        let before = *self;
+        let mouse = input.mouse();
+        let mut turn = f64::from(input.key_axis(Key::A, Key::D)) * A_SECOND * seconds;
+        let mut rise = f64::from(input.key_axis(Key::S, Key::W)) * A_SECOND * seconds;
+        let mut zoom = f64::from(input.key_axis(Key::PageUp, Key::PageDown));
+        if input.mouse_held(MouseButton::Left) {
+            turn -= f64::from(mouse.motion[0]) * A_PIXEL;
+            rise += f64::from(mouse.motion[1]) * A_PIXEL;
+        }
+        if let Some(pad) = input.pad() {
+            turn += stick(pad.axis(Axis::RightX)) * A_SECOND * seconds;
+            rise -= stick(pad.axis(Axis::RightY)) * A_SECOND * seconds;
+            zoom += f64::from(u8::from(pad.held(Button::L2)))
+                - f64::from(u8::from(pad.held(Button::R2)));
+        }
+        let zoom = zoom * ZOOM_A_SECOND * seconds - f64::from(mouse.wheel[1]) * A_NOTCH;
+        self.turn = libm::remainder(self.turn + turn, std::f64::consts::TAU);
+        self.rise = (self.rise + rise).clamp(self.rises.0, self.rises.1);
+        // Bounded first: the wheel of a recording may say any number.
+        self.distance = (self.distance * libm::exp(zoom.clamp(-9.0, 9.0)))
+            .clamp(self.distances.0, self.distances.1);
+        *self != before
+    }
+
+    /// Where it is when it looks at a place.
+    #[must_use]
+    pub fn from(&self, at: DVec3) -> DVec3 {
+        let (turn_sine, turn_cosine) = libm::sincos(self.turn);
+        let (rise_sine, rise_cosine) = libm::sincos(self.rise);
+        let away = DVec3::new(
+            turn_sine * rise_cosine,
+            rise_sine,
+            turn_cosine * rise_cosine,
+        );
+        at + away * self.distance
+    }
+}
+
+/// What a stick says, -1 to 1, without what it says at rest.
+#[must_use]
+pub fn stick(value: f32) -> f64 {
+    let value = f64::from(value);
+    if value.abs() < DEAD { 0.0 } else { value }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Orbit;
+    use cellray::game::{DVec3, Input, InputEvent, MouseButton};
+
+    const ORBIT: Orbit = Orbit {
+        turn: 0.0,
+        rise: 0.3,
+        distance: 5.0,
+        distances: (2.0, 9.0),
+        rises: (0.1, 1.5),
+    };
+
+    #[test]
+    fn it_stays_within_its_bounds_whatever_the_mouse_says() {
+        let mut orbit = ORBIT;
+        let mut input = Input::default();
+        let button = MouseButton::Left;
+        input.apply(&InputEvent::MouseButton { button, down: true });
+        for by in [[1e30, 1e30], [-1e30, f32::MAX], [3.0, -1e30]] {
+            input.begin_frame();
+            input.apply(&InputEvent::MouseMotion { by });
+            input.apply(&InputEvent::Wheel { by });
+            assert!(orbit.steer(&input, 0.1));
+            assert!((0.1..=1.5).contains(&orbit.rise));
+            assert!((2.0..=9.0).contains(&orbit.distance));
+            let from = orbit.from(DVec3::ONE);
+            assert!((from.distance(DVec3::ONE) - orbit.distance).abs() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn it_rests_without_a_player() {
+        assert!(!ORBIT.clone().steer(&Input::default(), 1.0));
+    }
+}

@@ -1,0 +1,126 @@
+//! What a player does before the pictures of `docs/games.md` are taken, and before frames are measured.
+
+use cellray::game::{Game, Input, InputEvent, Key, Moment, Start, World, WorldError};
+
+use crate::find;
+
+/// Frames a second of a demonstration.
+const RATE: u32 = 30;
+
+/// A moment of a game that shows what it is like.
+#[derive(Clone, Copy, Debug)]
+pub struct Demo {
+    /// What it is called.
+    pub name: &'static str,
+    /// The game.
+    pub game: &'static str,
+    /// Keys that are held, from one frame to another.
+    pub keys: &'static [(Key, u64, u64)],
+    /// The frame of the moment.
+    pub frame: u64,
+}
+
+/// All of them.
+pub const DEMOS: &[Demo] = &[
+    Demo {
+        name: "billiards",
+        game: "billiards",
+        keys: &[(Key::Up, 1, 12), (Key::Space, 20, 22)],
+        frame: 58,
+    },
+    Demo {
+        name: "billiards-aim",
+        game: "billiards",
+        keys: &[
+            (Key::Up, 1, 12),
+            (Key::Space, 20, 22),
+            (Key::Left, 500, 504),
+        ],
+        frame: 520,
+    },
+    Demo {
+        name: "marbles",
+        game: "marbles",
+        keys: &[
+            (Key::Right, 5, 24),
+            (Key::Down, 14, 40),
+            (Key::Left, 34, 60),
+        ],
+        frame: 62,
+    },
+    Demo {
+        name: "orrery",
+        game: "orrery",
+        keys: &[(Key::Up, 1, 3), (Key::Up, 5, 7)],
+        frame: 240,
+    },
+    Demo {
+        name: "orrery-saturn",
+        game: "orrery",
+        keys: &[(Key::Digit6, 2, 4)],
+        frame: 260,
+    },
+    Demo {
+        name: "screensaver",
+        game: "screensaver",
+        keys: &[],
+        frame: 130,
+    },
+    Demo {
+        name: "screensaver-lights",
+        game: "screensaver",
+        keys: &[(Key::Space, 2, 4)],
+        frame: 130,
+    },
+];
+
+impl Demo {
+    /// Plays from the first frame to that of the moment, and so many more; calls with the world of each of these.
+    pub fn play<E: From<WorldError>>(
+        &self,
+        size: (u32, u32),
+        more: u64,
+        mut show: impl FnMut(&mut World) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let Some(entry) = find(self.game) else {
+            return Ok(());
+        };
+        let mut game: Box<dyn Game> = (entry.new)();
+        let mut world = World::new();
+        let mut input = Input::default();
+        game.set_up(&mut world, &Start { seed: 0, size })?;
+        for frame in 0..=self.frame + more {
+            input.begin_frame();
+            for &(key, from, to) in self.keys {
+                if frame == from || frame == to {
+                    let down = frame == from;
+                    input.apply(&InputEvent::Key { key, down });
+                }
+            }
+            let step = if frame == 0 {
+                0.0
+            } else {
+                1.0 / f64::from(RATE)
+            };
+            let moment = Moment {
+                frame,
+                time: frame as f64 / f64::from(RATE),
+                step,
+                input: &input,
+                size,
+                last: None,
+            };
+            game.frame(&mut world, &moment)?;
+            if frame >= self.frame {
+                show(&mut world)?;
+            }
+        }
+        Ok(())
+    }
+}
+
+/// The demonstration of a name.
+#[must_use]
+pub fn demo(name: &str) -> Option<&'static Demo> {
+    DEMOS.iter().find(|demo| demo.name == name)
+}

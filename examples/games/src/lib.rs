@@ -1,0 +1,65 @@
+//! Games for cellray. Each is a [`Game`] of the library and knows no window: `cellray-play` shows them.
+//!
+//! What they have in common: time in steps of one size ([`steps`]), balls that bounce off one another
+//! ([`bodies`]), an eye that the player moves ([`camera`]). Invariant: a game's world depends on its seed and what
+//! it is told of each frame alone, and is the same on every machine: nothing but `+ - * /`, square roots and
+//! `libm`'s functions is worked out.
+
+pub mod billiards;
+pub mod bodies;
+pub mod camera;
+pub mod colour;
+pub mod demo;
+pub mod marbles;
+pub mod orrery;
+pub mod screensaver;
+pub mod steps;
+
+use cellray::game::Game;
+
+/// A game that can be started by name.
+#[derive(Clone, Copy)]
+pub struct Entry {
+    /// What it is called, as [`Game::name`] has it.
+    pub name: &'static str,
+    /// What it is, in a line.
+    pub line: &'static str,
+    /// What the player can do, a line each.
+    pub controls: &'static [&'static str],
+    /// Makes it.
+    pub new: fn() -> Box<dyn Game>,
+}
+
+/// All games.
+pub const GAMES: &[Entry] = &[
+    Entry {
+        name: billiards::NAME,
+        line: "eight-ball for two on a table with six pockets",
+        controls: billiards::CONTROLS,
+        new: || Box::new(billiards::Billiards::default()),
+    },
+    Entry {
+        name: marbles::NAME,
+        line: "marbles on a mirror that the player tilts",
+        controls: marbles::CONTROLS,
+        new: || Box::new(marbles::Marbles::default()),
+    },
+    Entry {
+        name: orrery::NAME,
+        line: "the sun, its planets, moons and rings",
+        controls: orrery::CONTROLS,
+        new: || Box::new(orrery::Orrery::default()),
+    },
+    Entry {
+        name: screensaver::NAME,
+        line: "sixteen spheres that bounce in a room, for ever",
+        controls: screensaver::CONTROLS,
+        new: || Box::new(screensaver::Screensaver::default()),
+    },
+];
+
+/// The game of a name.
+#[must_use]
+pub fn find(name: &str) -> Option<&'static Entry> {
+    GAMES.iter().find(|game| game.name == name)
+}

@@ -1,0 +1,445 @@
+//! Marbles on a mirror that the player tilts.
+//!
+//! The golden marble is the player's. Where it touches a gem, the gem is won and lies elsewhere; each one won lights a
+//! bead on the rim, and when all are alight they go out again, and the gems are worth the next round.
+//!
+//! | | keyboard and mouse | pad |
+//! |---|---|---|
+//! | tilt | arrows, mouse dragged with the right button | left stick; SIXAXIS: the pad itself, while L1 is held |
+//! | turn the eye | A D W S, mouse dragged | right stick |
+//! | nearer, farther | page keys, wheel | L2, R2 |
+
+use cellray::game::{
+    Axis, Button, DVec3, Game, Input, Key, Light, Look, Material, MaterialId, Model, Moment,
+    MouseButton, ObjectId, Shader, Start, View, World, WorldError,
+};
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use crate::bodies::{Body, meet, pairs};
+use crate::camera::{Orbit, stick};
+use crate::colour::hue;
+use crate::steps::{STEP, Steps};
+
+/// What it is called.
+pub const NAME: &str = "marbles";
+/// What the player can do.
+pub const CONTROLS: &[&str] = &[
+    "arrows, mouse dragged with the right button, left stick, the pad itself with L1: tilt",
+    "A D W S, mouse dragged, right stick: turn the eye",
+    "page keys, wheel, L2 and R2: nearer, farther",
+];
+
+const COUNT: usize = 11;
+const GEMS: usize = 3;
+const BEADS: usize = 8;
+/// Half the tray's size, across and deep.
+const TRAY: (f64, f64) = (3.4, 2.3);
+const RIM: f64 = 0.3;
+const RIM_HEIGHT: f64 = 0.26;
+const GEM: f64 = 0.11;
+/// Acceleration of a ball that rolls down where it is steepest, tilted by 1.
+const PULL: f64 = 9.81 * 5.0 / 7.0;
+/// Greatest tilt.
+const TILT: f64 = 0.22;
+/// Part of the way to where the player tilts it that the tray goes in a step.
+const FOLLOWS: f64 = 0.012;
+/// What rolling takes of the speed in a second.
+const ROLLING: f64 = 0.16;
+/// Tilt by a pixel of the mouse's way.
+const A_PIXEL: f64 = 0.002;
+
+/// The game.
+pub struct Marbles {
+    bodies: [Body; COUNT],
+    marbles: [ObjectId; COUNT],
+    gems: [(DVec3, ObjectId); GEMS],
+    beads: [MaterialId; BEADS],
+    won: usize,
+    /// How far the tray hangs to the right and towards the player, and where it goes.
+    tilt: DVec3,
+    goal: DVec3,
+    orbit: Orbit,
+    steps: Steps,
+    chance: ChaCha8Rng,
+}
+
+impl Default for Marbles {
+    fn default() -> Self {
+        Self {
+            bodies: [Body::new(DVec3::ZERO, 1.0); COUNT],
+            marbles: [ObjectId::default(); COUNT],
+            gems: [(DVec3::ZERO, ObjectId::default()); GEMS],
+            beads: [MaterialId::default(); BEADS],
+            won: 0,
+            tilt: DVec3::ZERO,
+            goal: DVec3::ZERO,
+            orbit: Orbit {
+                turn: 0.25,
+                rise: 0.55,
+                distance: 8.4,
+                distances: (4.0, 14.0),
+                rises: (0.15, 1.45),
+            },
+            steps: Steps::default(),
+            chance: ChaCha8Rng::seed_from_u64(0),
+        }
+    }
+}
+
+impl Marbles {
+    /// The marbles; the first is the player's.
+    #[must_use]
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// Gems won since the game began.
+    #[must_use]
+    pub fn won(&self) -> usize {
+        self.won
+    }
+
+    /// Half the tray's size, across and deep.
+    #[must_use]
+    pub fn tray(&self) -> (f64, f64) {
+        TRAY
+    }
+
+    fn place_marbles(&mut self) {
+        for (number, body) in self.bodies.iter_mut().enumerate() {
+            // Rows of four, the player's in front.
+            let (across, deep) = (number % 4, number / 4);
+            let radius = if number == 0 {
+                0.34
+            } else {
+                self.chance.random_range(0.22..0.4)
+            };
+            let mut within = || self.chance.random_range(-0.2..0.2);
+            let place = DVec3::new(
+                (across as f64 - 1.5) * 1.5 + within(),
+                radius,
+                (1.0 - deep as f64) * 1.3 + within(),
+            );
+            *body = Body::new(place, radius);
+        }
+    }
+
+    /// A place for a gem that no marble is at.
+    fn free_place(&mut self) -> DVec3 {
+        let (x, z) = (TRAY.0 - 0.4, TRAY.1 - 0.4);
+        let mut place = DVec3::ZERO;
+        // All marbles together cover a small part of the tray: a try or two suffice.
+        for _ in 0..16 {
+            place = DVec3::new(
+                self.chance.random_range(-x..x),
+                GEM,
+                self.chance.random_range(-z..z),
+            );
+            let clear = |body: &Body| body.centre.distance(place) > body.radius + 3.0 * GEM;
+            if self.bodies.iter().all(clear) {
+                break;
+            }
+        }
+        place
+    }
+
+    fn add_tray(world: &mut World) -> Result<(), WorldError> {
+        let mirror = world.add_material(Material {
+            diffuse: 0.22,
+            specular: 0.66,
+            shine: 120.0,
+            shader: Shader::Checker {
+                other: DVec3::new(0.1, 0.13, 0.2),
+                size: TRAY.0 / 6.0,
+            },
+            ..Material::matte(0.62, 0.66, 0.74)
+        })?;
+        let wood = world.add_material(Material {
+            specular: 0.06,
+            shine: 12.0,
+            ..Material::matte(0.46, 0.24, 0.11)
+        })?;
+        let (x, z, h) = (TRAY.0, TRAY.1, RIM_HEIGHT);
+        let (far_x, far_z) = (x + RIM, z + RIM);
+        let p = DVec3::new;
+        let low = -0.12;
+        let fixed = [
+            (
+                mirror,
+                [p(-x, 0., z), p(x, 0., z), p(x, 0., -z), p(-x, 0., -z)],
+            ),
+            // Tops of the rim, the long ones with the corners.
+            (
+                wood,
+                [
+                    p(-far_x, h, far_z),
+                    p(far_x, h, far_z),
+                    p(far_x, h, z),
+                    p(-far_x, h, z),
+                ],
+            ),
+            (
+                wood,
+                [
+                    p(-far_x, h, -z),
+                    p(far_x, h, -z),
+                    p(far_x, h, -far_z),
+                    p(-far_x, h, -far_z),
+                ],
+            ),
+            (
+                wood,
+                [p(-far_x, h, z), p(-x, h, z), p(-x, h, -z), p(-far_x, h, -z)],
+            ),
+            (
+                wood,
+                [p(x, h, z), p(far_x, h, z), p(far_x, h, -z), p(x, h, -z)],
+            ),
+            // Its inner sides.
+            (
+                wood,
+                [p(-x, 0., -z), p(x, 0., -z), p(x, h, -z), p(-x, h, -z)],
+            ),
+            (wood, [p(x, 0., z), p(-x, 0., z), p(-x, h, z), p(x, h, z)]),
+            (
+                wood,
+                [p(-x, 0., z), p(-x, 0., -z), p(-x, h, -z), p(-x, h, z)],
+            ),
+            (wood, [p(x, 0., -z), p(x, 0., z), p(x, h, z), p(x, h, -z)]),
+            // Its outer sides.
+            (
+                wood,
+                [
+                    p(-far_x, low, far_z),
+                    p(far_x, low, far_z),
+                    p(far_x, h, far_z),
+                    p(-far_x, h, far_z),
+                ],
+            ),
+            (
+                wood,
+                [
+                    p(far_x, low, -far_z),
+                    p(-far_x, low, -far_z),
+                    p(-far_x, h, -far_z),
+                    p(far_x, h, -far_z),
+                ],
+            ),
+            (
+                wood,
+                [
+                    p(-far_x, low, -far_z),
+                    p(-far_x, low, far_z),
+                    p(-far_x, h, far_z),
+                    p(-far_x, h, -far_z),
+                ],
+            ),
+            (
+                wood,
+                [
+                    p(far_x, low, far_z),
+                    p(far_x, low, -far_z),
+                    p(far_x, h, -far_z),
+                    p(far_x, h, far_z),
+                ],
+            ),
+        ];
+        for (material, corners) in fixed {
+            let side = world.add_polygon(&corners, material)?;
+            world.fix(side)?;
+        }
+        Ok(())
+    }
+
+    fn add_marbles(&mut self, world: &mut World) -> Result<(), WorldError> {
+        for number in 0..COUNT {
+            let material = match number {
+                0 => Material {
+                    diffuse: 0.55,
+                    specular: 0.45,
+                    shine: 60.0,
+                    ..Material::matte(1.0, 0.74, 0.22)
+                },
+                3 | 8 => Material {
+                    refraction_index: 1.3,
+                    ..Material::glass()
+                },
+                _ => Material {
+                    diffuse: 0.78,
+                    specular: 0.22,
+                    shine: 60.0,
+                    ..Material::matte(1.0, 1.0, 1.0)
+                },
+            };
+            let coloured = !matches!(number, 0 | 3 | 8);
+            let material = world.add_material(material)?;
+            if coloured {
+                world.recolour(material, hue(number as f64 * 0.382, 0.12))?;
+            }
+            let Body { centre, radius, .. } = self.bodies[number];
+            self.marbles[number] = world.add_sphere(centre, radius, material)?;
+        }
+        Ok(())
+    }
+
+    fn add_gems_and_beads(&mut self, world: &mut World) -> Result<(), WorldError> {
+        let glow = world.add_material(Material::flat(0.35, 1.0, 0.62))?;
+        for number in 0..GEMS {
+            let place = self.free_place();
+            self.gems[number] = (place, world.add_sphere(place, GEM, glow)?);
+        }
+        for number in 0..BEADS {
+            let across = (number as f64 + 0.5) / BEADS as f64 * 2.0 - 1.0;
+            let centre = DVec3::new(across * TRAY.0 * 0.8, RIM_HEIGHT, -TRAY.1 - RIM / 2.0);
+            self.beads[number] = world.add_material(Material::flat(0.1, 0.1, 0.1))?;
+            let bead = world.add_sphere(centre, 0.09, self.beads[number])?;
+            world.fix(bead)?;
+        }
+        Ok(())
+    }
+
+    /// Where the player tilts the tray.
+    fn steer(&mut self, input: &Input) {
+        let mut goal = DVec3::new(
+            f64::from(input.key_axis(Key::Left, Key::Right)),
+            0.0,
+            f64::from(input.key_axis(Key::Up, Key::Down)),
+        );
+        if let Some(pad) = input.pad() {
+            goal.x += stick(pad.axis(Axis::LeftX));
+            goal.z += stick(pad.axis(Axis::LeftY));
+            if let Some(sensors) = pad.sensors().filter(|_| pad.held(Button::L1)) {
+                // Where its right side hangs, what holds it up points to its left.
+                goal.x -= f64::from(sensors.acceleration[0]) * 2.0;
+                goal.z -= f64::from(sensors.acceleration[2]) * 2.0;
+            }
+        }
+        let mut goal = goal * TILT;
+        if input.mouse_held(MouseButton::Right) {
+            let [x, y] = input.mouse().motion.map(f64::from);
+            // As far as it was dragged before, and so much on.
+            goal += self.from_the_eye(self.goal) + DVec3::new(x, 0.0, y) * A_PIXEL;
+        }
+        // As seen from the eye, which may be anywhere round the tray.
+        let (sine, cosine) = libm::sincos(self.orbit.turn);
+        let goal = goal.clamp(DVec3::splat(-TILT), DVec3::splat(TILT));
+        self.goal = DVec3::new(
+            goal.x * cosine + goal.z * sine,
+            0.0,
+            goal.z * cosine - goal.x * sine,
+        );
+    }
+
+    /// A tilt as seen from the eye: to its right and towards it.
+    fn from_the_eye(&self, tilt: DVec3) -> DVec3 {
+        let (sine, cosine) = libm::sincos(self.orbit.turn);
+        DVec3::new(
+            tilt.x * cosine - tilt.z * sine,
+            0.0,
+            tilt.x * sine + tilt.z * cosine,
+        )
+    }
+
+    fn roll(&mut self) {
+        self.tilt += (self.goal - self.tilt) * FOLLOWS;
+        let slower = ROLLING * STEP;
+        for body in &mut self.bodies {
+            body.velocity += self.tilt * (PULL * STEP);
+            let speed = body.velocity.length();
+            body.velocity = if speed > slower {
+                body.velocity * (1.0 - slower / speed)
+            } else {
+                DVec3::ZERO
+            };
+            body.centre += body.velocity * STEP;
+        }
+        pairs(&mut self.bodies, |a, b| {
+            meet(a, b, 0.88);
+        });
+        for body in &mut self.bodies {
+            // Centres of unequal marbles are not at one height: what parts them would lift the larger one.
+            body.centre.y = body.radius;
+            body.velocity.y = 0.0;
+            let height = DVec3::Y * 3.0;
+            let half = DVec3::new(TRAY.0, 0.0, TRAY.1);
+            body.keep_within(-half - height, half + height, 0.7);
+        }
+    }
+
+    fn win_gems(&mut self, world: &mut World) -> Result<(), WorldError> {
+        for number in 0..GEMS {
+            let (place, gem) = self.gems[number];
+            let player = &self.bodies[0];
+            if player.centre.distance(place) > player.radius + GEM {
+                continue;
+            }
+            let bead = self.won % BEADS;
+            self.won += 1;
+            if bead == 0 {
+                for &bead in &self.beads {
+                    world.recolour(bead, DVec3::splat(0.1))?;
+                }
+            }
+            let round = (self.won - 1) / BEADS;
+            world.recolour(self.beads[bead], hue(0.14 + 0.21 * round as f64, 0.0))?;
+            self.gems[number].0 = self.free_place();
+            world.move_to(gem, self.gems[number].0)?;
+        }
+        Ok(())
+    }
+
+    /// The eye stays with the tray: it hangs, and so does the picture.
+    fn look(&self, world: &mut World) -> Result<(), WorldError> {
+        let at = DVec3::new(0.0, -0.15, 0.1);
+        let hangs = self.from_the_eye(self.tilt);
+        let mut orbit = self.orbit;
+        orbit.rise = (orbit.rise + 0.6 * hangs.z).clamp(0.1, 1.5);
+        let (sine, cosine) = libm::sincos(orbit.turn);
+        let right = DVec3::new(cosine, 0.0, -sine);
+        world.set_view(View {
+            from: orbit.from(at),
+            at,
+            up: DVec3::Y - right * (0.6 * hangs.x),
+            ..world.view().clone()
+        })
+    }
+}
+
+impl Game for Marbles {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
+        self.chance = ChaCha8Rng::seed_from_u64(start.seed);
+        self.place_marbles();
+        world.set_name(NAME);
+        world.set_look(Look {
+            model: Model::Whitted,
+            ray_depth: 4,
+            ..Look::default()
+        });
+        world.set_background(DVec3::new(0.34, 0.47, 0.66))?;
+        world.set_ambient(DVec3::splat(0.2))?;
+        world.add_light(Light::at(DVec3::new(-4.0, 7.0, 3.0)).coloured(0.66, 0.62, 0.55))?;
+        world.add_light(Light::at(DVec3::new(5.0, 5.0, -2.0)).coloured(0.3, 0.34, 0.42))?;
+        Self::add_tray(world)?;
+        self.add_marbles(world)?;
+        self.add_gems_and_beads(world)?;
+        self.look(world)
+    }
+
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+        self.orbit.steer(moment.input, moment.step);
+        self.steer(moment.input);
+        for _ in 0..self.steps.of(moment.step) {
+            self.roll();
+            self.win_gems(world)?;
+        }
+        for (body, &marble) in self.bodies.iter().zip(&self.marbles) {
+            world.move_to(marble, body.centre)?;
+        }
+        self.look(world)
+    }
+}

@@ -1,0 +1,324 @@
+//! The sun, its planets, moons and rings.
+//!
+//! Periods, eccentricities and inclinations are those of the sky, sizes and distances are drawn together until all is
+//! in one picture: an orrery, not a chart. A day is a second at first.
+//!
+//! | | keyboard and mouse | pad |
+//! |---|---|---|
+//! | the next body, the one before | right and left arrow, 0 to 8 | R1, L1 |
+//! | time faster, slower | up and down arrow | up and down |
+//! | stop time, let it go on | Space | Cross |
+//! | turn the eye | A D W S, mouse dragged | right stick |
+//! | nearer, farther | page keys, wheel | L2, R2 |
+
+mod bodies;
+
+use std::f64::consts::TAU;
+
+use cellray::game::{
+    Button, DVec3, Game, Input, Key, Light, Look, Material, Model, Moment, ObjectId, Shader, Start,
+    World, WorldError,
+};
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
+use crate::camera::Orbit;
+
+/// What it is called.
+pub const NAME: &str = "orrery";
+/// What the player can do.
+pub const CONTROLS: &[&str] = &[
+    "left and right arrow, 0 to 8, L1 and R1: the body to follow",
+    "up and down arrow, up and down on the pad: time faster, slower",
+    "Space, Cross: stop time, let it go on",
+    "A D W S, mouse dragged, right stick: turn the eye",
+    "page keys, wheel, L2 and R2: nearer, farther",
+];
+
+const STARS: usize = 90;
+/// How far the stars are.
+const SKY: f64 = 140.0;
+/// Days a second, at first and at most.
+const SPEED: f64 = 6.0;
+const SPEEDS: (f64, f64) = (0.25, 400.0);
+/// How much of the way to what it follows the eye goes in a second, about.
+const FOLLOWS: f64 = 2.5;
+
+const DIGITS: [Key; 9] = [
+    Key::Digit0,
+    Key::Digit1,
+    Key::Digit2,
+    Key::Digit3,
+    Key::Digit4,
+    Key::Digit5,
+    Key::Digit6,
+    Key::Digit7,
+    Key::Digit8,
+];
+
+/// The game.
+pub struct Orrery {
+    planets: [ObjectId; PLANETS.len()],
+    moons: [ObjectId; MOONS.len()],
+    /// Every stone's ring, its place on it in turns, and the object.
+    stones: Vec<(&'static Ring, f64, ObjectId)>,
+    /// Where the planets are.
+    places: [DVec3; PLANETS.len()],
+    days: f64,
+    speed: f64,
+    stopped: bool,
+    /// What the eye follows: 0 is the sun.
+    followed: usize,
+    /// What it looks at, on the way to that.
+    at: DVec3,
+    orbit: Orbit,
+    /// How far it is to be from what it follows.
+    distance: f64,
+}
+
+impl Default for Orrery {
+    fn default() -> Self {
+        Self {
+            planets: [ObjectId::default(); PLANETS.len()],
+            moons: [ObjectId::default(); MOONS.len()],
+            stones: Vec::new(),
+            places: [DVec3::ZERO; PLANETS.len()],
+            days: 0.0,
+            speed: SPEED,
+            stopped: false,
+            followed: 0,
+            at: DVec3::ZERO,
+            orbit: Orbit {
+                turn: 0.5,
+                rise: 0.42,
+                distance: 24.0,
+                distances: (1.2, 60.0),
+                rises: (-1.4, 1.4),
+            },
+            distance: 24.0,
+        }
+    }
+}
+
+impl Orrery {
+    /// Days since the beginning.
+    #[must_use]
+    pub fn days(&self) -> f64 {
+        self.days
+    }
+
+    /// Where the planets are, from the sun outwards.
+    #[must_use]
+    pub fn places(&self) -> &[DVec3] {
+        &self.places
+    }
+
+    /// Number of the planet that the eye follows, from 1; 0 is the sun.
+    #[must_use]
+    pub fn followed(&self) -> usize {
+        self.followed
+    }
+
+    fn add_sky(world: &mut World, seed: u64) -> Result<(), WorldError> {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let materials = [
+            world.add_material(Material::flat(1.0, 0.95, 0.85))?,
+            world.add_material(Material::flat(0.62, 0.68, 0.8))?,
+            world.add_material(Material::flat(0.42, 0.4, 0.4))?,
+        ];
+        for star in 0..STARS {
+            let direction = loop {
+                let mut part = || rng.random_range(-1.0..1.0);
+                let place = DVec3::new(part(), part(), part());
+                if (0.1..=1.0).contains(&place.length_squared()) {
+                    break place / place.length();
+                }
+            };
+            let radius = rng.random_range(0.1..0.22);
+            let material = materials[star % materials.len()];
+            let star = world.add_sphere(direction * SKY, radius, material)?;
+            world.fix(star)?;
+        }
+        Ok(())
+    }
+
+    fn add_sun(world: &mut World) -> Result<(), WorldError> {
+        let glow = world.add_material(Material::flat(1.0, 0.84, 0.36))?;
+        // With a negative radius it is seen from within alone, as light goes: its own surface throws no shadow on
+        // what is outside. An eye outside sees the far side of it, which has the same outline.
+        let sun = world.add_sphere(DVec3::ZERO, -SUN_RADIUS, glow)?;
+        world.fix(sun)?;
+        world.add_light(Light::at(DVec3::ZERO).coloured(1.0, 0.96, 0.88))?;
+        Ok(())
+    }
+
+    fn add_bodies(&mut self, world: &mut World) -> Result<(), WorldError> {
+        let stuff = |[red, green, blue]: [f64; 3], shine: f64| Material {
+            diffuse: 1.0,
+            specular: shine,
+            shine: 14.0,
+            shader: if shine > 0.0 {
+                Shader::Phong
+            } else {
+                Shader::Lambert
+            },
+            ..Material::matte(red, green, blue)
+        };
+        for (number, planet) in PLANETS.iter().enumerate() {
+            let material = world.add_material(stuff(planet.colour, planet.shine))?;
+            self.planets[number] = world.add_sphere(DVec3::ZERO, planet.radius, material)?;
+        }
+        let rock = world.add_material(stuff([0.72, 0.7, 0.66], 0.0))?;
+        for (number, moon) in MOONS.iter().enumerate() {
+            self.moons[number] = world.add_sphere(DVec3::ZERO, moon.radius, rock)?;
+        }
+        self.stones.clear();
+        for ring in RINGS {
+            let material = world.add_material(stuff(ring.colour, 0.0))?;
+            for stone in 0..ring.stones {
+                let object = world.add_sphere(DVec3::ZERO, ring.stone, material)?;
+                let turn = f64::from(stone) / f64::from(ring.stones);
+                self.stones.push((ring, turn, object));
+            }
+        }
+        Ok(())
+    }
+
+    fn place_bodies(&mut self, world: &mut World) -> Result<(), WorldError> {
+        for (number, planet) in PLANETS.iter().enumerate() {
+            self.places[number] = planet.place(self.days);
+            world.move_to(self.planets[number], self.places[number])?;
+        }
+        for (moon, &object) in MOONS.iter().zip(&self.moons) {
+            world.move_to(object, self.places[moon.planet] + moon.place(self.days))?;
+        }
+        for &(ring, turn, object) in &self.stones {
+            let centre = ring
+                .planet
+                .map_or(DVec3::ZERO, |planet| self.places[planet]);
+            world.move_to(object, centre + ring.place(turn, self.days))?;
+        }
+        Ok(())
+    }
+
+    fn choose(&mut self, input: &Input) {
+        let (key, pad) = (|key| input.key_pressed(key), input.pad());
+        let button = |button| pad.is_some_and(|pad| pad.pressed(button));
+        let bodies = PLANETS.len() + 1;
+        let before = self.followed;
+        if key(Key::Right) || button(Button::R1) {
+            self.followed = (self.followed + 1) % bodies;
+        }
+        if key(Key::Left) || button(Button::L1) {
+            self.followed = (self.followed + bodies - 1) % bodies;
+        }
+        if let Some(digit) = DIGITS.iter().position(|&digit| key(digit)) {
+            self.followed = digit;
+        }
+        if self.followed != before {
+            self.distance = match self.followed.checked_sub(1) {
+                Some(planet) => PLANETS[planet].radius * 6.5 + 0.6,
+                None => 24.0,
+            };
+        }
+        if key(Key::Up) || button(Button::Up) {
+            self.speed = (self.speed * 2.0).min(SPEEDS.1);
+        }
+        if key(Key::Down) || button(Button::Down) {
+            self.speed = (self.speed / 2.0).max(SPEEDS.0);
+        }
+        if key(Key::Space) || button(Button::Cross) {
+            self.stopped = !self.stopped;
+        }
+    }
+
+    fn look(&mut self, world: &mut World, input: &Input, seconds: f64) -> Result<(), WorldError> {
+        let goal = self
+            .followed
+            .checked_sub(1)
+            .map_or(DVec3::ZERO, |planet| self.places[planet]);
+        let part = seconds * FOLLOWS / (1.0 + seconds * FOLLOWS);
+        self.at = self.at.lerp(goal, part);
+        let before = self.orbit.distance;
+        self.orbit.steer(input, seconds);
+        // What the player did to the distance is done to where it goes, too.
+        self.distance *= self.orbit.distance / before;
+        self.orbit.distance += (self.distance - self.orbit.distance) * part;
+        world.look_from(self.orbit.from(self.at), self.at)
+    }
+}
+
+impl Game for Orrery {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
+        world.set_name(NAME);
+        world.set_look(Look {
+            model: Model::Whitted,
+            ray_depth: 1,
+            ..Look::default()
+        });
+        world.set_background(DVec3::new(0.008, 0.009, 0.022))?;
+        world.set_ambient(DVec3::new(0.05, 0.055, 0.075))?;
+        Self::add_sky(world, start.seed)?;
+        Self::add_sun(world)?;
+        self.add_bodies(world)?;
+        self.place_bodies(world)?;
+        world.look_from(self.orbit.from(self.at), self.at)
+    }
+
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+        self.choose(moment.input);
+        if !self.stopped {
+            self.days += self.speed * moment.step.min(1.0);
+        }
+        self.place_bodies(world)?;
+        self.look(world, moment.input, moment.step)
+    }
+}
+
+impl Planet {
+    /// Where it is on its ellipse, the sun in one focus.
+    fn place(&self, days: f64) -> DVec3 {
+        let mean = TAU * (days / self.period + self.start);
+        // Kepler's equation, by Newton; for these eccentricities three rounds leave nothing.
+        let mut anomaly = mean;
+        for _ in 0..3 {
+            let (sine, cosine) = libm::sincos(anomaly);
+            let off = anomaly - self.eccentricity * sine - mean;
+            anomaly -= off / (1.0 - self.eccentricity * cosine);
+        }
+        let (sine, cosine) = libm::sincos(anomaly);
+        let across = (1.0 - self.eccentricity * self.eccentricity).sqrt();
+        let along = DVec3::new(cosine - self.eccentricity, 0.0, -sine * across) * self.distance;
+        let (tilt_sine, tilt_cosine) = libm::sincos(self.inclination.to_radians());
+        DVec3::new(along.x, along.z * tilt_sine, along.z * tilt_cosine)
+    }
+}
+
+impl Moon {
+    /// Where it is from its planet.
+    fn place(&self, days: f64) -> DVec3 {
+        let (sine, cosine) = libm::sincos(TAU * (days / self.period + self.start));
+        DVec3::new(cosine, 0.15 * sine, -sine) * self.distance
+    }
+}
+
+impl Ring {
+    /// Where a stone of it is from the ring's middle.
+    fn place(&self, turn: f64, days: f64) -> DVec3 {
+        let (sine, cosine) = libm::sincos(TAU * (turn + days / self.period));
+        // No ring is drawn with compasses: every stone keeps a way of its own.
+        let own = libm::sin(turn * 1234.5);
+        let radius = self.distance + self.width * own;
+        let (tilt_sine, tilt_cosine) = libm::sincos(self.tilt.to_radians());
+        DVec3::new(
+            cosine * radius,
+            sine * radius * tilt_sine,
+            -sine * radius * tilt_cosine,
+        )
+    }
+}

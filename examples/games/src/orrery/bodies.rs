@@ -1,0 +1,143 @@
+//! What goes round the sun, as a table.
+
+/// The sun's radius.
+pub(super) const SUN_RADIUS: f64 = 1.5;
+
+/// A planet.
+pub(super) struct Planet {
+    pub radius: f64,
+    /// Half of its ellipse's long axis.
+    pub distance: f64,
+    /// Days that it takes.
+    pub period: f64,
+    pub eccentricity: f64,
+    /// Degrees.
+    pub inclination: f64,
+    /// Where it begins, in turns.
+    pub start: f64,
+    pub colour: [f64; 3],
+    pub shine: f64,
+}
+
+macro_rules! planets {
+    ($($radius:literal $distance:literal $period:literal $eccentricity:literal $inclination:literal
+        $start:literal $colour:expr, $shine:literal;)*) => {
+        &[$(Planet {
+            radius: $radius,
+            distance: $distance,
+            period: $period,
+            eccentricity: $eccentricity,
+            inclination: $inclination,
+            start: $start,
+            colour: $colour,
+            shine: $shine,
+        }),*]
+    };
+}
+
+/// From the sun outwards: Mercury to Neptune.
+pub(super) const PLANETS: &[Planet; 8] = planets! {
+    0.20  2.6    87.97 0.206 7.0 0.10 [0.66, 0.6, 0.55], 0.0;
+    0.34  3.6   224.70 0.007 3.4 0.62 [0.93, 0.8, 0.52], 0.0;
+    0.36  5.0   365.26 0.017 0.0 0.88 [0.24, 0.48, 0.95], 0.35;
+    0.27  6.3   686.98 0.093 1.8 0.35 [0.86, 0.36, 0.2], 0.0;
+    0.95  9.2  4332.59 0.049 1.3 0.70 [0.87, 0.7, 0.52], 0.0;
+    0.80 12.6 10759.22 0.057 2.5 0.95 [0.92, 0.82, 0.58], 0.0;
+    0.52 15.8 30688.50 0.046 0.8 0.18 [0.58, 0.86, 0.9], 0.0;
+    0.50 18.4 60182.00 0.010 1.8 0.45 [0.3, 0.42, 0.95], 0.0;
+};
+
+/// A moon.
+pub(super) struct Moon {
+    /// Index of its planet.
+    pub planet: usize,
+    pub radius: f64,
+    pub distance: f64,
+    pub period: f64,
+    pub start: f64,
+}
+
+macro_rules! moons {
+    ($($planet:literal $radius:literal $distance:literal $period:literal $start:literal;)*) => {
+        &[$(Moon {
+            planet: $planet,
+            radius: $radius,
+            distance: $distance,
+            period: $period,
+            start: $start,
+        }),*]
+    };
+}
+
+/// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; Triton, which goes backwards.
+pub(super) const MOONS: &[Moon; 9] = moons! {
+    2 0.10 0.72  27.32 0.9;
+    3 0.05 0.42   0.32 0.0;
+    3 0.04 0.55   1.26 0.4;
+    4 0.10 1.30   1.77 0.1;
+    4 0.09 1.55   3.55 0.6;
+    4 0.14 1.85   7.15 0.3;
+    4 0.13 2.20  16.69 0.8;
+    5 0.13 2.35  15.95 0.2;
+    7 0.10 0.95  -5.88 0.5;
+};
+
+/// A ring of stones.
+pub(super) struct Ring {
+    /// Index of its planet; the sun's otherwise.
+    pub planet: Option<usize>,
+    pub stones: u32,
+    /// A stone's radius.
+    pub stone: f64,
+    /// From the middle, and how far the stones stray from that.
+    pub distance: f64,
+    pub width: f64,
+    pub period: f64,
+    /// Degrees.
+    pub tilt: f64,
+    pub colour: [f64; 3],
+}
+
+const SATURN: Ring = Ring {
+    planet: Some(5),
+    stones: 48,
+    stone: 0.055,
+    distance: 1.2,
+    width: 0.03,
+    period: 9.0,
+    tilt: 26.7,
+    colour: [0.86, 0.76, 0.58],
+};
+
+/// Saturn's, two of them; Uranus', which is upright; the asteroids.
+pub(super) const RINGS: &[Ring] = &[
+    SATURN,
+    Ring {
+        stones: 64,
+        distance: 1.6,
+        width: 0.06,
+        period: 14.0,
+        colour: [0.74, 0.64, 0.5],
+        ..SATURN
+    },
+    Ring {
+        planet: Some(6),
+        stones: 30,
+        stone: 0.028,
+        distance: 0.88,
+        width: 0.01,
+        period: 8.0,
+        tilt: 82.0,
+        colour: [0.5, 0.6, 0.66],
+    },
+    Ring {
+        planet: None,
+        stones: 60,
+        stone: 0.05,
+        distance: 7.4,
+        width: 0.3,
+        period: 1680.0,
+        tilt: 1.0,
+        colour: [0.56, 0.5, 0.44],
+    },
+];

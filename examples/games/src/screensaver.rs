@@ -1,0 +1,263 @@
+//! Sixteen spheres that bounce in a room, for ever.
+//!
+//! At first by the paper's depth shading, spheres alone in the dark; at the press of a key by Whitted's model, in a
+//! room with light. Left to itself the eye goes round, and the colours go round their circle; no two minutes
+//! are the same, and nothing wears off: the spheres lose no energy.
+//!
+//! | | keyboard and mouse | pad |
+//! |---|---|---|
+//! | the other model | Space | Cross |
+//! | turn the eye | A D W S, mouse dragged | right stick |
+//! | nearer, farther | page keys, wheel | L2, R2 |
+
+use cellray::game::{
+    Button, DVec3, DepthShading, Game, Key, Light, Look, Material, MaterialId, Model, Moment,
+    ObjectId, Shader, Start, World, WorldError,
+};
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use crate::bodies::{Body, meet, pairs};
+use crate::camera::Orbit;
+use crate::colour::hue;
+use crate::steps::{STEP, Steps};
+
+/// What it is called.
+pub const NAME: &str = "screensaver";
+/// What the player can do.
+pub const CONTROLS: &[&str] = &[
+    "Space, Cross: the paper's depth shading, or lights and shadows",
+    "A D W S, mouse dragged, right stick: turn the eye",
+    "page keys, wheel, L2 and R2: nearer, farther",
+];
+
+const COUNT: usize = 16;
+/// The room, from its middle.
+const ROOM: DVec3 = DVec3::new(4.4, 2.6, 3.2);
+/// Seconds that the colours take to go round.
+const ROUND: f64 = 100.0;
+/// Seconds after which the eye goes on by itself once the player has let it go.
+const PATIENCE: f64 = 5.0;
+/// Rays in a chain.
+const RAY_DEPTH: u32 = 3;
+
+/// The game.
+pub struct Screensaver {
+    bodies: [Body; COUNT],
+    spheres: [ObjectId; COUNT],
+    materials: [MaterialId; COUNT],
+    orbit: Orbit,
+    steps: Steps,
+    /// Seconds since the player last moved the eye.
+    alone: f64,
+    whitted: bool,
+}
+
+impl Default for Screensaver {
+    fn default() -> Self {
+        Self {
+            bodies: [Body::new(DVec3::ZERO, 1.0); COUNT],
+            spheres: [ObjectId::default(); COUNT],
+            materials: [MaterialId::default(); COUNT],
+            orbit: Orbit {
+                turn: 0.35,
+                rise: 0.2,
+                distance: 11.5,
+                distances: (7.0, 18.0),
+                rises: (-0.2, 1.2),
+            },
+            steps: Steps::default(),
+            alone: PATIENCE,
+            whitted: false,
+        }
+    }
+}
+
+impl Screensaver {
+    /// The spheres.
+    #[must_use]
+    pub fn bodies(&self) -> &[Body] {
+        &self.bodies
+    }
+
+    /// Half the room's size; its middle is the origin.
+    #[must_use]
+    pub fn room(&self) -> DVec3 {
+        ROOM
+    }
+
+    fn look(&self) -> Look {
+        Look {
+            model: if self.whitted {
+                Model::Whitted
+            } else {
+                Model::Depth
+            },
+            ray_depth: RAY_DEPTH,
+            ..Look::default()
+        }
+    }
+
+    fn place_spheres(&mut self, seed: u64) {
+        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        // Cells of four by two by two: none overlaps another at the start.
+        let cell = DVec3::new(ROOM.x / 2.0, ROOM.y, ROOM.z);
+        for (number, body) in self.bodies.iter_mut().enumerate() {
+            let place = DVec3::new(
+                (number % 4) as f64 - 1.5,
+                (number / 4 % 2) as f64 - 0.5,
+                (number / 8) as f64 - 0.5,
+            );
+            let mut within = || rng.random_range(-0.15..0.15);
+            let centre = place * cell + DVec3::new(within(), within(), within());
+            *body = Body::new(centre, rng.random_range(0.5..0.88));
+            let mut speed = || rng.random_range(-1.3..1.3);
+            body.velocity = DVec3::new(speed(), speed(), speed());
+        }
+    }
+
+    fn add_room(world: &mut World) -> Result<(), WorldError> {
+        let floor = world.add_material(Material {
+            shader: Shader::Checker {
+                other: DVec3::new(0.2, 0.23, 0.3),
+                size: ROOM.x / 4.0,
+            },
+            specular: 0.18,
+            shine: 30.0,
+            ..Material::matte(0.75, 0.74, 0.7)
+        })?;
+        let wall = world.add_material(Material {
+            shader: Shader::Lambert,
+            ..Material::matte(0.5, 0.56, 0.66)
+        })?;
+        let DVec3 { x, y, z } = ROOM;
+        let corner = |i: f64, j: f64, k: f64| DVec3::new(i * x, j * y, k * z);
+        // They face inwards: from without one sees through them.
+        for (material, corners) in [
+            (
+                floor,
+                [
+                    [-1., -1., 1.],
+                    [1., -1., 1.],
+                    [1., -1., -1.],
+                    [-1., -1., -1.],
+                ],
+            ),
+            (
+                wall,
+                [
+                    [-1., -1., -1.],
+                    [1., -1., -1.],
+                    [1., 1., -1.],
+                    [-1., 1., -1.],
+                ],
+            ),
+            (
+                wall,
+                [[1., -1., 1.], [-1., -1., 1.], [-1., 1., 1.], [1., 1., 1.]],
+            ),
+            (
+                wall,
+                [
+                    [-1., -1., 1.],
+                    [-1., -1., -1.],
+                    [-1., 1., -1.],
+                    [-1., 1., 1.],
+                ],
+            ),
+            (
+                wall,
+                [[1., -1., -1.], [1., -1., 1.], [1., 1., 1.], [1., 1., -1.]],
+            ),
+        ] {
+            let side = world.add_polygon(&corners.map(|[i, j, k]| corner(i, j, k)), material)?;
+            world.fix(side)?;
+        }
+        Ok(())
+    }
+
+    /// Where the eye goes by itself: round, up and down, nearer and farther, by periods without a common one.
+    fn wander(&mut self, time: f64, seconds: f64) {
+        let slowly = seconds / (seconds + 3.0);
+        let rise = 0.26 + 0.24 * libm::sin(time * 0.113);
+        let distance = 11.5 + 1.6 * libm::sin(time * 0.071);
+        self.orbit.turn += 0.09 * seconds;
+        self.orbit.rise += (rise - self.orbit.rise) * slowly;
+        self.orbit.distance += (distance - self.orbit.distance) * slowly;
+    }
+
+    fn show(&self, world: &mut World, time: f64) -> Result<(), WorldError> {
+        for (body, &sphere) in self.bodies.iter().zip(&self.spheres) {
+            world.move_to(sphere, body.centre)?;
+        }
+        // The part of the circle that they share out between them grows and shrinks.
+        let spread = 0.55 + 0.45 * libm::sin(time * 0.047 + 1.0);
+        for (number, &material) in self.materials.iter().enumerate() {
+            let turn = time / ROUND + spread * number as f64 / COUNT as f64;
+            world.recolour(material, hue(turn, 0.25))?;
+        }
+        world.set_fade(Some(DepthShading {
+            near: self.orbit.distance - 5.5,
+            far: self.orbit.distance + 6.5,
+        }))?;
+        world.look_from(self.orbit.from(DVec3::ZERO), DVec3::ZERO)
+    }
+}
+
+impl Game for Screensaver {
+    fn name(&self) -> &str {
+        NAME
+    }
+
+    fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
+        self.place_spheres(start.seed);
+        world.set_name(NAME);
+        world.set_look(self.look());
+        world.set_background(DVec3::new(0.012, 0.014, 0.03))?;
+        world.set_ambient(DVec3::splat(0.16))?;
+        world.add_light(Light::at(DVec3::new(-2.2, 2.4, 1.4)).coloured(0.62, 0.58, 0.52))?;
+        world.add_light(Light::at(DVec3::new(3.4, 2.2, 2.2)).coloured(0.3, 0.36, 0.46))?;
+        Self::add_room(world)?;
+        for number in 0..COUNT {
+            self.materials[number] = world.add_material(Material {
+                diffuse: 0.72,
+                specular: 0.28,
+                shine: 40.0,
+                ..Material::matte(1.0, 1.0, 1.0)
+            })?;
+            let Body { centre, radius, .. } = self.bodies[number];
+            self.spheres[number] = world.add_sphere(centre, radius, self.materials[number])?;
+        }
+        self.show(world, 0.0)
+    }
+
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+        let input = moment.input;
+        if input.key_pressed(Key::Space)
+            || input.pad().is_some_and(|pad| pad.pressed(Button::Cross))
+        {
+            self.whitted = !self.whitted;
+            world.set_look(self.look());
+        }
+        if self.orbit.steer(input, moment.step) {
+            self.alone = 0.0;
+        } else {
+            self.alone += moment.step;
+        }
+        if self.alone >= PATIENCE {
+            self.wander(moment.time, moment.step);
+        }
+        for _ in 0..self.steps.of(moment.step) {
+            for body in &mut self.bodies {
+                body.centre += body.velocity * STEP;
+            }
+            pairs(&mut self.bodies, |a, b| {
+                meet(a, b, 1.0);
+            });
+            for body in &mut self.bodies {
+                body.keep_within(-ROOM, ROOM, 1.0);
+            }
+        }
+        self.show(world, moment.time)
+    }
+}

@@ -1,0 +1,43 @@
+//! Time in steps of one size, so that what moves does not depend on how long frames take.
+
+/// Seconds of a step.
+pub const STEP: f64 = 1.0 / 480.0;
+
+/// Most seconds that a frame is given: where frames take longer, a game goes slower instead of leaping.
+const LONGEST: f64 = 0.25;
+
+/// Cuts frames' times into steps; what is left of one frame is the next one's.
+#[derive(Clone, Debug, Default)]
+pub struct Steps {
+    left: f64,
+}
+
+impl Steps {
+    /// Steps of a frame that comes so many seconds after the last one.
+    pub fn of(&mut self, seconds: f64) -> u32 {
+        self.left += seconds.clamp(0.0, LONGEST);
+        let steps = (self.left / STEP).floor();
+        self.left = (self.left - steps * STEP).max(0.0);
+        steps as u32
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{LONGEST, STEP, Steps};
+
+    #[test]
+    fn nothing_is_lost_between_frames() {
+        let mut steps = Steps::default();
+        let taken: u32 = (0..600).map(|_| steps.of(1.0 / 60.0)).sum();
+        assert!(taken.abs_diff(4800) <= 1, "{taken}");
+    }
+
+    #[test]
+    fn a_long_frame_is_cut_short() {
+        let mut steps = Steps::default();
+        assert_eq!(steps.of(1e9), (LONGEST / STEP) as u32);
+        assert_eq!(steps.of(f64::NAN.max(0.0)), 0);
+        assert_eq!(steps.of(-1.0), 0);
+    }
+}
