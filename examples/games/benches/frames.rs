@@ -1,1 +1,55 @@
-fn main() {}
+//! Frames a second of each game in simulated time: six SPUs at 1280x720, the moments of the demonstrations and the
+//! frames after them.
+//!
+//!     cargo bench -p games
+
+use std::error::Error;
+use std::process::Command;
+
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::{Engine, Report, Settings};
+use games::demo::DEMOS;
+
+const SIZE: (u32, u32) = (1280, 720);
+/// Frames after the first.
+const MORE: u64 = 3;
+const TIMING: &str = "LIBSPE2_TIMING";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    if std::env::var_os(TIMING).is_none() {
+        // It is read when a program starts.
+        let status = Command::new(std::env::current_exe()?)
+            .env(TIMING, "1")
+            .status()?;
+        std::process::exit(status.code().unwrap_or(1));
+    }
+    println!("| game | frames/s | million rays: eye, reflected, refracted, shadow | objects |");
+    println!("|---|---|---|---|");
+    let settings = Settings {
+        retain: false,
+        ..Settings::default()
+    };
+    for demo in DEMOS {
+        let mut report = Report::new(demo.name, SIZE, settings.spus);
+        let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
+        let mut engine = Engine::start(settings, Box::new(picture))?;
+        let mut objects = 0;
+        demo.play(SIZE, MORE, |world| -> Result<(), Box<dyn Error>> {
+            objects = world.object_count();
+            let scene = world.scene(&settings.program)?;
+            report.add(engine.render(scene, &mut |_| {})?, 0.0);
+            Ok(())
+        })?;
+        let million = |rays: u64| rays as f64 / f64::from(report.frames) / 1e6;
+        println!(
+            "| {} | {:.1} | {:.2}, {:.2}, {:.2}, {:.2} | {objects} |",
+            demo.name,
+            report.frames_per_second,
+            million(report.rays.eye),
+            million(report.rays.reflected),
+            million(report.rays.refracted),
+            million(report.rays.shadow),
+        );
+    }
+    Ok(())
+}

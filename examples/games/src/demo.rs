@@ -26,7 +26,7 @@ pub const DEMOS: &[Demo] = &[
         name: "billiards",
         game: "billiards",
         keys: &[(Key::Up, 1, 12), (Key::Space, 20, 22)],
-        frame: 58,
+        frame: 66,
     },
     Demo {
         name: "billiards-aim",
@@ -34,7 +34,7 @@ pub const DEMOS: &[Demo] = &[
         keys: &[
             (Key::Up, 1, 12),
             (Key::Space, 20, 22),
-            (Key::Left, 500, 504),
+            (Key::Left, 470, 476),
         ],
         frame: 520,
     },

@@ -45,6 +45,9 @@ const SPEEDS: (f64, f64) = (0.25, 400.0);
 /// How much of the way to what it follows the eye goes in a second, about.
 const FOLLOWS: f64 = 2.5;
 
+/// Radians from the sun's direction to where a planet looks best: a part of it by night.
+const ASIDE: f64 = 0.75;
+
 const DIGITS: [Key; 9] = [
     Key::Digit0,
     Key::Digit1,
@@ -61,8 +64,8 @@ const DIGITS: [Key; 9] = [
 pub struct Orrery {
     planets: [ObjectId; PLANETS.len()],
     moons: [ObjectId; MOONS.len()],
-    /// Every stone's ring, its place on it in turns, and the object.
-    stones: Vec<(&'static Ring, f64, ObjectId)>,
+    /// Every stone's ring, its number there, and the object.
+    stones: Vec<(&'static Ring, u32, ObjectId)>,
     /// Where the planets are.
     places: [DVec3; PLANETS.len()],
     days: f64,
@@ -75,6 +78,8 @@ pub struct Orrery {
     orbit: Orbit,
     /// How far it is to be from what it follows.
     distance: f64,
+    /// Radians that it is still to go round, to where what it follows is seen by day.
+    swing: f64,
 }
 
 impl Default for Orrery {
@@ -97,6 +102,7 @@ impl Default for Orrery {
                 rises: (-1.4, 1.4),
             },
             distance: 24.0,
+            swing: 0.0,
         }
     }
 }
@@ -135,7 +141,7 @@ impl Orrery {
                     break place / place.length();
                 }
             };
-            let radius = rng.random_range(0.1..0.22);
+            let radius = rng.random_range(0.16..0.36);
             let material = materials[star % materials.len()];
             let star = world.add_sphere(direction * SKY, radius, material)?;
             world.fix(star)?;
@@ -178,8 +184,7 @@ impl Orrery {
             let material = world.add_material(stuff(ring.colour, 0.0))?;
             for stone in 0..ring.stones {
                 let object = world.add_sphere(DVec3::ZERO, ring.stone, material)?;
-                let turn = f64::from(stone) / f64::from(ring.stones);
-                self.stones.push((ring, turn, object));
+                self.stones.push((ring, stone, object));
             }
         }
         Ok(())
@@ -193,11 +198,11 @@ impl Orrery {
         for (moon, &object) in MOONS.iter().zip(&self.moons) {
             world.move_to(object, self.places[moon.planet] + moon.place(self.days))?;
         }
-        for &(ring, turn, object) in &self.stones {
+        for &(ring, stone, object) in &self.stones {
             let centre = ring
                 .planet
                 .map_or(DVec3::ZERO, |planet| self.places[planet]);
-            world.move_to(object, centre + ring.place(turn, self.days))?;
+            world.move_to(object, centre + ring.place(stone, self.days))?;
         }
         Ok(())
     }
@@ -217,10 +222,14 @@ impl Orrery {
             self.followed = digit;
         }
         if self.followed != before {
-            self.distance = match self.followed.checked_sub(1) {
-                Some(planet) => PLANETS[planet].radius * 6.5 + 0.6,
-                None => 24.0,
-            };
+            self.distance = 24.0;
+            self.swing = 0.0;
+            if let Some(planet) = self.followed.checked_sub(1) {
+                self.distance = PLANETS[planet].radius * 6.5 + 0.6;
+                let to_sun = -self.places[planet];
+                let day = libm::atan2(to_sun.x, to_sun.z) + ASIDE;
+                self.swing = libm::remainder(day - self.orbit.turn, TAU);
+            }
         }
         if key(Key::Up) || button(Button::Up) {
             self.speed = (self.speed * 2.0).min(SPEEDS.1);
@@ -240,6 +249,8 @@ impl Orrery {
             .map_or(DVec3::ZERO, |planet| self.places[planet]);
         let part = seconds * FOLLOWS / (1.0 + seconds * FOLLOWS);
         self.at = self.at.lerp(goal, part);
+        self.orbit.turn += self.swing * part;
+        self.swing -= self.swing * part;
         let before = self.orbit.distance;
         self.orbit.steer(input, seconds);
         // What the player did to the distance is done to where it goes, too.
@@ -262,7 +273,7 @@ impl Game for Orrery {
             ..Look::default()
         });
         world.set_background(DVec3::new(0.008, 0.009, 0.022))?;
-        world.set_ambient(DVec3::new(0.05, 0.055, 0.075))?;
+        world.set_ambient(DVec3::new(0.13, 0.135, 0.16))?;
         Self::add_sky(world, start.seed)?;
         Self::add_sun(world)?;
         self.add_bodies(world)?;
@@ -309,10 +320,11 @@ impl Moon {
 
 impl Ring {
     /// Where a stone of it is from the ring's middle.
-    fn place(&self, turn: f64, days: f64) -> DVec3 {
+    fn place(&self, stone: u32, days: f64) -> DVec3 {
+        let turn = f64::from(stone) / f64::from(self.stones);
         let (sine, cosine) = libm::sincos(TAU * (turn + days / self.period));
-        // No ring is drawn with compasses: every stone keeps a way of its own.
-        let own = libm::sin(turn * 1234.5);
+        // No ring is drawn with compasses: every stone keeps a way of its own, none like its neighbours'.
+        let own = (f64::from(stone) * 0.618_034).fract() * 2.0 - 1.0;
         let radius = self.distance + self.width * own;
         let (tilt_sine, tilt_cosine) = libm::sincos(self.tilt.to_radians());
         DVec3::new(

@@ -62,7 +62,7 @@ impl Default for Screensaver {
             orbit: Orbit {
                 turn: 0.35,
                 rise: 0.2,
-                distance: 11.5,
+                distance: 10.2,
                 distances: (7.0, 18.0),
                 rises: (-0.2, 1.2),
             },
@@ -180,7 +180,7 @@ impl Screensaver {
     fn wander(&mut self, time: f64, seconds: f64) {
         let slowly = seconds / (seconds + 3.0);
         let rise = 0.26 + 0.24 * libm::sin(time * 0.113);
-        let distance = 11.5 + 1.6 * libm::sin(time * 0.071);
+        let distance = 10.2 + 1.1 * libm::sin(time * 0.071);
         self.orbit.turn += 0.09 * seconds;
         self.orbit.rise += (rise - self.orbit.rise) * slowly;
         self.orbit.distance += (distance - self.orbit.distance) * slowly;
@@ -197,8 +197,8 @@ impl Screensaver {
             world.recolour(material, hue(turn, 0.25))?;
         }
         world.set_fade(Some(DepthShading {
-            near: self.orbit.distance - 5.5,
-            far: self.orbit.distance + 6.5,
+            near: self.orbit.distance - 4.0,
+            far: self.orbit.distance + 7.5,
         }))?;
         world.look_from(self.orbit.from(DVec3::ZERO), DVec3::ZERO)
     }
@@ -215,8 +215,8 @@ impl Game for Screensaver {
         world.set_look(self.look());
         world.set_background(DVec3::new(0.012, 0.014, 0.03))?;
         world.set_ambient(DVec3::splat(0.16))?;
-        world.add_light(Light::at(DVec3::new(-2.2, 2.4, 1.4)).coloured(0.62, 0.58, 0.52))?;
-        world.add_light(Light::at(DVec3::new(3.4, 2.2, 2.2)).coloured(0.3, 0.36, 0.46))?;
+        world.add_light(Light::at(DVec3::new(-2.2, 2.4, 1.4)).coloured(0.72, 0.67, 0.6))?;
+        world.add_light(Light::at(DVec3::new(3.4, 2.2, 2.2)).coloured(0.36, 0.43, 0.55))?;
         Self::add_room(world)?;
         for number in 0..COUNT {
             self.materials[number] = world.add_material(Material {

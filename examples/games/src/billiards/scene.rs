@@ -65,8 +65,8 @@ pub(super) enum Sign {
 
 impl Scene {
     pub fn add(world: &mut World, balls: &Balls) -> Result<Self, WorldError> {
-        world.set_background(DVec3::new(0.035, 0.03, 0.032))?;
-        world.set_ambient(DVec3::splat(0.17))?;
+        world.set_background(DVec3::new(0.075, 0.06, 0.055))?;
+        world.set_ambient(DVec3::splat(0.2))?;
         add_room(world)?;
         add_bed(world)?;
         add_rails(world)?;
@@ -272,10 +272,10 @@ fn add_fixed(world: &mut World, corners: &[DVec3], of: MaterialId) -> Result<(),
 fn add_room(world: &mut World) -> Result<(), WorldError> {
     let floor = world.add_material(Material {
         shader: Shader::Checker {
-            other: DVec3::new(0.13, 0.085, 0.06),
+            other: DVec3::new(0.17, 0.11, 0.08),
             size: 0.45,
         },
-        ..Material::matte(0.2, 0.14, 0.1)
+        ..Material::matte(0.26, 0.18, 0.13)
     })?;
     add_fixed(world, &level((-4.5, -3.6), (4.5, 3.6), -0.78), floor)?;
     let lamp = world.add_material(Material::flat(1.0, 0.96, 0.86))?;
@@ -285,7 +285,7 @@ fn add_room(world: &mut World) -> Result<(), WorldError> {
         corners.reverse();
         add_fixed(world, &corners, lamp)?;
         let light = Light::at(DVec3::new(x, LAMP_HEIGHT, 0.0));
-        world.add_light(light.coloured(0.46, 0.44, 0.4))?;
+        world.add_light(light.coloured(0.6, 0.57, 0.52))?;
     }
     Ok(())
 }
@@ -315,10 +315,8 @@ fn add_bed(world: &mut World) -> Result<(), WorldError> {
 
 fn add_rails(world: &mut World) -> Result<(), WorldError> {
     let wood = world.add_material(Material {
-        diffuse: 0.92,
-        specular: 0.08,
-        shine: 40.0,
-        ..Material::matte(0.36, 0.15, 0.065)
+        shader: Shader::Lambert,
+        ..Material::matte(0.42, 0.18, 0.08)
     })?;
     let (x, z) = (HALF.0 + CUSHION, HALF.1 + CUSHION);
     let (far_x, far_z) = (x + RAIL, z + RAIL);

@@ -100,8 +100,8 @@ pub(super) struct Ring {
 
 const SATURN: Ring = Ring {
     planet: Some(5),
-    stones: 48,
-    stone: 0.055,
+    stones: 56,
+    stone: 0.06,
     distance: 1.2,
     width: 0.03,
     period: 9.0,
@@ -113,7 +113,7 @@ const SATURN: Ring = Ring {
 pub(super) const RINGS: &[Ring] = &[
     SATURN,
     Ring {
-        stones: 64,
+        stones: 80,
         distance: 1.6,
         width: 0.06,
         period: 14.0,

@@ -1,0 +1,154 @@
+//! Every game as it is run: without a player, with any player at all, twice, and without taking memory.
+
+use std::alloc::{GlobalAlloc, Layout, System};
+use std::cell::Cell;
+use std::io;
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use cellray::Settings;
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::game::{
+    Axis, Button, FixedSteps, Game, InputEvent, InputSource, Key, MouseButton, PadId, Session,
+};
+use games::{GAMES, find};
+use rand::seq::IndexedRandom as _;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+thread_local! {
+    static ALLOCATIONS: Cell<u64> = const { Cell::new(0) };
+}
+
+struct Counting;
+
+// SAFETY: all is the system's; a thread's count is not memory that it hands out.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        // At a thread's end there is no count any more.
+        let _ = ALLOCATIONS.try_with(|count| count.set(count.get() + 1));
+        // SAFETY: what the caller promises of `layout` is what the system asks.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: `pointer` is from `alloc`, thus from the system, with this layout.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+const FRAMES: u64 = 300;
+
+/// Who presses anything.
+struct Anyone {
+    rng: ChaCha8Rng,
+    begun: bool,
+}
+
+impl InputSource for Anyone {
+    fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
+        let (rng, pad) = (&mut self.rng, PadId(0));
+        if !self.begun {
+            self.begun = true;
+            let name = "a pad".to_owned();
+            events.push(InputEvent::PadConnected { pad, name });
+        }
+        for _ in 0..rng.random_range(0..4) {
+            let down = rng.random();
+            let by = [rng.random_range(-40.0..40.0), rng.random_range(-40.0..40.0)];
+            events.push(match rng.random_range(0..6) {
+                0 => InputEvent::Key {
+                    key: *Key::ALL.choose(rng).unwrap(),
+                    down,
+                },
+                1 => InputEvent::MouseMotion { by },
+                2 => InputEvent::Wheel {
+                    by: by.map(|part| part / 20.0),
+                },
+                3 => InputEvent::MouseButton {
+                    button: *MouseButton::ALL.choose(rng).unwrap(),
+                    down,
+                },
+                4 => InputEvent::PadButton {
+                    pad,
+                    button: *Button::ALL.choose(rng).unwrap(),
+                    down,
+                },
+                _ => InputEvent::PadAxis {
+                    pad,
+                    axis: *Axis::ALL.choose(rng).unwrap(),
+                    value: rng.random_range(-1.0..1.0),
+                },
+            });
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}
+
+fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
+    let settings = Settings {
+        spus: 2,
+        ..Settings::default()
+    };
+    let picture = Memory::new(Geometry::new(size.0, size.1).unwrap()).unwrap();
+    Session::start((find(name).unwrap().new)(), settings, Box::new(picture))
+        .unwrap()
+        .with_seed(seed)
+        .with_clock(Box::new(FixedSteps(Duration::from_millis(40))))
+}
+
+/// The world after some frames with that player.
+fn played(name: &str, seed: u64, player: u64) -> u64 {
+    let player = Anyone {
+        rng: ChaCha8Rng::seed_from_u64(player),
+        begun: false,
+    };
+    let mut session = session(name, seed, (48, 27)).with_input(Box::new(player));
+    let report = session.run(Some(FRAMES)).unwrap();
+    assert_eq!(u64::from(report.frames.frames), FRAMES);
+    session.world().checksum()
+}
+
+#[test]
+fn every_game_takes_any_player_and_is_the_same_twice() {
+    for game in GAMES {
+        let first = played(game.name, 1, 2);
+        assert_eq!(played(game.name, 1, 2), first, "{}", game.name);
+        assert_ne!(played(game.name, 1, 3), first, "{}", game.name);
+    }
+}
+
+#[test]
+fn seeds_give_other_worlds() {
+    for game in GAMES {
+        let world = |seed| {
+            let mut session = session(game.name, seed, (32, 18));
+            session.run(Some(2)).unwrap();
+            session.world().checksum()
+        };
+        assert_ne!(world(1), world(2), "{}", game.name);
+    }
+}
+
+#[test]
+fn frames_take_no_memory() {
+    for game in GAMES {
+        let mut session = session(game.name, 1, (48, 27));
+        session.run(Some(10)).unwrap();
+        let before = ALLOCATIONS.get();
+        session.run(Some(FRAMES)).unwrap();
+        assert_eq!(ALLOCATIONS.get() - before, 0, "{}", game.name);
+    }
+}
+
+#[test]
+fn games_are_found_by_the_name_they_have() {
+    for game in GAMES {
+        assert_eq!((game.new)().name(), game.name);
+        assert!(!game.line.is_empty() && !game.controls.is_empty());
+    }
+    assert!(find("chess").is_none());
+}

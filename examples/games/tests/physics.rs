@@ -1,0 +1,222 @@
+//! What moves, moves as it should.
+
+use cellray::game::{DVec3, Game, Input, InputEvent, Key, Moment, Start, World};
+use games::billiards::balls::{Balls, Place};
+use games::billiards::rules::Shot;
+use games::billiards::table::{CUSHION, HALF, HEAD, POCKETS, RADIUS};
+use games::bodies::Body;
+use games::marbles::Marbles;
+use games::screensaver::Screensaver;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+/// Most steps that a shot takes.
+const LONGEST: usize = 60 * 480;
+
+fn level(turn: f64) -> DVec3 {
+    let (sine, cosine) = libm::sincos(turn);
+    DVec3::new(cosine, 0.0, sine)
+}
+
+/// Where a ball on the bed may be.
+fn is_on_the_table(centre: DVec3) -> bool {
+    centre.y == RADIUS && centre.x.abs() < HALF.0 + CUSHION && centre.z.abs() < HALF.1 + CUSHION
+}
+
+#[test]
+fn energy_never_grows_and_all_comes_to_rest_on_the_table_or_in_a_pocket() {
+    let mut rng = ChaCha8Rng::seed_from_u64(5);
+    let (mut pocketed, mut gone) = (0, 0);
+    for _ in 0..24 {
+        let mut balls = Balls::rack(&mut rng);
+        for _ in 0..8 {
+            if !balls.on_bed(0) {
+                balls.bring_back();
+            }
+            let direction = level(rng.random_range(-3.2..3.2));
+            let speed = rng.random_range(0.5..7.5);
+            balls.strike(direction, speed, rng.random_range(-1.0..1.0));
+            let mut shot = Shot::default();
+            let mut energy = balls.energy();
+            let mut steps = 0;
+            while !balls.are_at_rest() {
+                balls.step(&mut shot);
+                let left = balls.energy();
+                assert!(left <= energy * (1.0 + 1e-12), "{energy} became {left}");
+                energy = left;
+                for ball in balls.0.iter().filter(|ball| ball.place == Place::Bed) {
+                    let centre = ball.body.centre;
+                    assert!(is_on_the_table(centre), "{centre}");
+                    assert!((ball.axis.length() - 1.0).abs() < 1e-12);
+                }
+                steps += 1;
+                assert!(steps < LONGEST, "they still move");
+            }
+            let on_bed: Vec<_> = balls
+                .0
+                .iter()
+                .filter(|ball| ball.place == Place::Bed)
+                .collect();
+            for (number, a) in on_bed.iter().enumerate() {
+                for b in &on_bed[number + 1..] {
+                    let apart = a.body.centre.distance(b.body.centre);
+                    assert!(apart > 2.0 * RADIUS - 1e-6, "{apart}");
+                }
+            }
+            pocketed += usize::from(shot != Shot::default());
+            gone = gone.max(
+                balls
+                    .0
+                    .iter()
+                    .filter(|ball| ball.place == Place::Gone)
+                    .count(),
+            );
+        }
+    }
+    // It was a game: most shots touch something, and some racks lose several balls.
+    assert!(pocketed > 96, "{pocketed} shots touched a ball");
+    assert!(gone >= 4, "at most {gone} balls were pocketed");
+}
+
+/// The cue ball alone on the bed.
+fn alone() -> Balls {
+    let mut balls = Balls::rack(&mut ChaCha8Rng::seed_from_u64(0));
+    for ball in &mut balls.0[1..] {
+        ball.place = Place::Gone;
+    }
+    balls
+}
+
+#[test]
+fn a_ball_driven_at_a_pocket_falls_into_it() {
+    for pocket in POCKETS {
+        let mut balls = alone();
+        let to =
+            DVec3::new(pocket.centre.x, 0.0, pocket.centre.z) - DVec3::new(HEAD.x, 0.0, HEAD.z);
+        // From the head spot the side pockets are hit at an angle that their jaws allow.
+        balls.strike(to.normalize(), 3.0, 0.4);
+        let mut shot = Shot::default();
+        for _ in 0..LONGEST {
+            balls.step(&mut shot);
+        }
+        let ball = balls.0[0];
+        assert_eq!(ball.place, Place::Gone, "{pocket:?}");
+        assert!(ball.body.centre.distance(pocket.centre) < 3.0 * RADIUS);
+    }
+}
+
+#[test]
+fn the_tips_height_makes_the_cue_ball_follow_or_come_back() {
+    let after = |height: f64| {
+        let mut balls = alone();
+        balls.0[1].place = Place::Bed;
+        balls.0[1].body.centre = HEAD + DVec3::X * 0.3;
+        balls.strike(DVec3::X, 2.0, height);
+        let mut shot = Shot::default();
+        // Until the other has left it behind, and before that comes back.
+        for _ in 0..300 {
+            balls.step(&mut shot);
+        }
+        balls.0[0].body.velocity.x
+    };
+    assert!(after(0.8) > 0.2, "follow: {}", after(0.8));
+    assert!(after(-1.0) < -0.2, "draw: {}", after(-1.0));
+    assert!(after(0.0).abs() < 0.35, "stun: {}", after(0.0));
+}
+
+/// Frames of a game, with the keys that are held in each.
+fn play<G: Game>(
+    game: &mut G,
+    frames: u64,
+    seed: u64,
+    mut keys: impl FnMut(u64) -> Vec<(Key, bool)>,
+    mut each: impl FnMut(&G),
+) {
+    let mut world = World::new();
+    let mut input = Input::default();
+    let size = (64, 36);
+    game.set_up(&mut world, &Start { seed, size }).unwrap();
+    for frame in 0..frames {
+        input.begin_frame();
+        for (key, down) in keys(frame) {
+            input.apply(&InputEvent::Key { key, down });
+        }
+        let moment = Moment {
+            frame,
+            time: frame as f64 / 30.0,
+            step: 1.0 / 30.0,
+            input: &input,
+            size,
+            last: None,
+        };
+        game.frame(&mut world, &moment).unwrap();
+        each(game);
+    }
+}
+
+fn overlap(bodies: &[Body]) -> f64 {
+    let mut most = 0.0_f64;
+    for (number, a) in bodies.iter().enumerate() {
+        for b in &bodies[number + 1..] {
+            most = most.max(a.radius + b.radius - a.centre.distance(b.centre));
+        }
+    }
+    most
+}
+
+#[test]
+fn the_screensaver_never_tires() {
+    let mut game = Screensaver::default();
+    let energy = |game: &Screensaver| game.bodies().iter().map(Body::energy).sum::<f64>();
+    let mut first = None;
+    // Ten minutes.
+    play(
+        &mut game,
+        18_000,
+        3,
+        |_| Vec::new(),
+        |game| {
+            let energy = energy(game);
+            let first = *first.get_or_insert(energy);
+            assert!(
+                (energy / first - 1.0).abs() < 1e-9,
+                "{first} became {energy}"
+            );
+            for body in game.bodies() {
+                let room = game.room() - DVec3::splat(body.radius - 1e-12);
+                assert!(body.centre.abs().cmple(room).all(), "{body:?}");
+            }
+            assert!(overlap(game.bodies()) < 0.05);
+        },
+    );
+}
+
+#[test]
+fn marbles_stay_in_their_tray_and_come_to_rest() {
+    let mut rng = ChaCha8Rng::seed_from_u64(9);
+    let arrows = [Key::Left, Key::Right, Key::Up, Key::Down];
+    let mut game = Marbles::default();
+    let (mut fastest, mut frame) = (0.0_f64, 0);
+    let keys = |frame: u64| match frame {
+        1800 => arrows.map(|key| (key, false)).to_vec(),
+        0..1800 if frame % 10 == 0 => vec![(arrows[rng.random_range(0..4)], rng.random())],
+        _ => Vec::new(),
+    };
+    play(&mut game, 4200, 1, keys, |game| {
+        frame += 1;
+        let (x, z) = game.tray();
+        for body in game.bodies() {
+            assert!(body.centre.x.abs() <= x - body.radius + 1e-12);
+            assert!(body.centre.z.abs() <= z - body.radius + 1e-12);
+            assert_eq!(body.centre.y, body.radius);
+            fastest = fastest.max(body.velocity.length());
+        }
+        if frame == 4200 {
+            let speeds = game.bodies().iter().map(|body| body.velocity.length());
+            assert_eq!(speeds.fold(0.0, f64::max), 0.0);
+            assert!(overlap(game.bodies()) < 1e-3, "{}", overlap(game.bodies()));
+        }
+    });
+    assert!(fastest > 1.0, "{fastest}");
+    assert!(game.won() > 0);
+}
