@@ -51,7 +51,7 @@ pub const DEMOS: &[Demo] = &[
     Demo {
         name: "orrery",
         game: "orrery",
-        keys: &[(Key::Up, 1, 3), (Key::Up, 5, 7)],
+        keys: &[],
         frame: 240,
     },
     Demo {

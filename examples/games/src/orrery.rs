@@ -36,9 +36,11 @@ pub const CONTROLS: &[&str] = &[
     "page keys, wheel, L2 and R2: nearer, farther",
 ];
 
-const STARS: usize = 90;
+const STARS: usize = 300;
 /// How far the stars are.
 const SKY: f64 = 140.0;
+/// How far the eye is from the sun when it follows that.
+const OVERVIEW: f64 = 22.0;
 /// Days a second, at first and at most.
 const SPEED: f64 = 6.0;
 const SPEEDS: (f64, f64) = (0.25, 400.0);
@@ -96,12 +98,12 @@ impl Default for Orrery {
             at: DVec3::ZERO,
             orbit: Orbit {
                 turn: 0.5,
-                rise: 0.42,
-                distance: 24.0,
+                rise: 0.46,
+                distance: OVERVIEW,
                 distances: (1.2, 60.0),
                 rises: (-1.4, 1.4),
             },
-            distance: 24.0,
+            distance: OVERVIEW,
             swing: 0.0,
         }
     }
@@ -222,7 +224,7 @@ impl Orrery {
             self.followed = digit;
         }
         if self.followed != before {
-            self.distance = 24.0;
+            self.distance = OVERVIEW;
             self.swing = 0.0;
             if let Some(planet) = self.followed.checked_sub(1) {
                 self.distance = PLANETS[planet].radius * 6.5 + 0.6;
@@ -332,5 +334,61 @@ impl Ring {
             sine * radius * tilt_sine,
             -sine * radius * tilt_cosine,
         )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{MOONS, PLANETS, RINGS};
+    use cellray::game::DVec3;
+
+    #[test]
+    fn planets_keep_to_their_ellipses() {
+        for planet in PLANETS {
+            let (long, eccentricity) = (planet.distance, planet.eccentricity);
+            let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+            for step in 0..1000 {
+                let day = planet.period * f64::from(step) / 1000.0;
+                let from_sun = planet.place(day).length();
+                least = least.min(from_sun);
+                most = most.max(from_sun);
+            }
+            assert!((least / (long * (1.0 - eccentricity)) - 1.0).abs() < 1e-4);
+            assert!((most / (long * (1.0 + eccentricity)) - 1.0).abs() < 1e-4);
+            let after = planet.place(planet.period);
+            assert!(planet.place(0.0).distance(after) < 1e-9 * long);
+        }
+    }
+
+    #[test]
+    fn in_equal_times_equal_areas_are_swept() {
+        let mercury = &PLANETS[0];
+        let day = mercury.period / 2000.0;
+        let swept = |step: f64| {
+            let (from, to) = (mercury.place(step * day), mercury.place((step + 1.0) * day));
+            from.cross(to).length()
+        };
+        let first = swept(0.0);
+        for step in 1..2000 {
+            assert!((swept(f64::from(step)) / first - 1.0).abs() < 1e-4);
+        }
+    }
+
+    #[test]
+    fn moons_and_rings_are_outside_their_planets() {
+        for moon in MOONS {
+            let clear = PLANETS[moon.planet].radius + moon.radius;
+            for day in 0..100 {
+                assert!(moon.place(f64::from(day) * 0.37).length() > clear);
+            }
+        }
+        for ring in RINGS {
+            let inner = ring.planet.map_or(0.0, |planet| PLANETS[planet].radius);
+            for stone in 0..ring.stones {
+                let off = ring.place(stone, 3.0).distance(DVec3::ZERO);
+                assert!(off > inner + ring.stone);
+                assert!((off - ring.distance).abs() <= ring.width + 1e-12);
+            }
+        }
     }
 }

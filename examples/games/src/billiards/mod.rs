@@ -250,7 +250,7 @@ impl Billiards {
             Phase::Run | Phase::Over => {
                 let side = if self.eye.x < 0.0 { -1.0 } else { 1.0 };
                 (
-                    DVec3::new(side * 0.75, 1.3, 1.55),
+                    DVec3::new(side * 0.7, 1.12, 1.46),
                     DVec3::new(0.0, -0.08, 0.06),
                 )
             }
