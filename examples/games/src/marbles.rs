@@ -319,7 +319,7 @@ impl Marbles {
         if input.mouse_held(MouseButton::Right) {
             let [x, y] = input.mouse().motion.map(f64::from);
             // As far as it was dragged before, and so much on.
-            goal += self.from_the_eye(self.goal) + DVec3::new(x, 0.0, y) * A_PIXEL;
+            goal += self.seen_from_the_eye(self.goal) + DVec3::new(x, 0.0, y) * A_PIXEL;
         }
         // As seen from the eye, which may be anywhere round the tray.
         let (sine, cosine) = libm::sincos(self.orbit.turn);
@@ -332,7 +332,7 @@ impl Marbles {
     }
 
     /// A tilt as seen from the eye: to its right and towards it.
-    fn from_the_eye(&self, tilt: DVec3) -> DVec3 {
+    fn seen_from_the_eye(&self, tilt: DVec3) -> DVec3 {
         let (sine, cosine) = libm::sincos(self.orbit.turn);
         DVec3::new(
             tilt.x * cosine - tilt.z * sine,
@@ -392,7 +392,7 @@ impl Marbles {
     /// The eye stays with the tray: it hangs, and so does the picture.
     fn look(&self, world: &mut World) -> Result<(), WorldError> {
         let at = DVec3::new(0.0, -0.15, 0.1);
-        let hangs = self.from_the_eye(self.tilt);
+        let hangs = self.seen_from_the_eye(self.tilt);
         let mut orbit = self.orbit;
         orbit.rise = (orbit.rise + 0.6 * hangs.z).clamp(0.1, 1.5);
         let (sine, cosine) = libm::sincos(orbit.turn);

@@ -1,7 +1,7 @@
 //! The sun, its planets, moons and rings.
 //!
 //! Periods, eccentricities and inclinations are those of the sky, sizes and distances are drawn together until all is
-//! in one picture: an orrery, not a chart. A day is a second at first.
+//! in one picture: an orrery, not a chart. A second is six days at first.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -256,7 +256,8 @@ impl Orrery {
         let before = self.orbit.distance;
         self.orbit.steer(input, seconds);
         // What the player did to the distance is done to where it goes, too.
-        self.distance *= self.orbit.distance / before;
+        let (least, most) = self.orbit.distances;
+        self.distance = (self.distance * self.orbit.distance / before).clamp(least, most);
         self.orbit.distance += (self.distance - self.orbit.distance) * part;
         world.look_from(self.orbit.from(self.at), self.at)
     }

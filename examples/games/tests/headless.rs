@@ -83,7 +83,7 @@ fn played(name: &str, seed: u64, player: u64) -> u64 {
         rng: ChaCha8Rng::seed_from_u64(player),
         begun: false,
     };
-    let mut session = session(name, seed, (48, 27)).with_input(Box::new(player));
+    let mut session = session(name, seed, (32, 18)).with_input(Box::new(player));
     let report = session.run(Some(FRAMES)).unwrap();
     assert_eq!(u64::from(report.frames.frames), FRAMES);
     session.world().checksum()

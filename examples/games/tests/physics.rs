@@ -202,7 +202,7 @@ fn marbles_stay_in_their_tray_and_come_to_rest() {
     let (mut fastest, mut frame) = (0.0_f64, 0);
     let keys = |frame: u64| match frame {
         1800 => arrows.map(|key| (key, false)).to_vec(),
-        0..1800 if frame % 10 == 0 => vec![(arrows[rng.random_range(0..4)], rng.random())],
+        0..1800 if frame.is_multiple_of(10) => vec![(arrows[rng.random_range(0..4)], rng.random())],
         _ => Vec::new(),
     };
     play(&mut game, 4200, 1, keys, |game| {
