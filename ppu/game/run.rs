@@ -198,7 +198,39 @@ impl<G: Game> Session<G> {
         flow
     }
 
+    /// One frame without its picture: the game is called, nothing is traced or shown. So a sequence of pictures
+    /// may begin in the middle of a game.
+    pub fn pass_over(&mut self) -> Result<ControlFlow<()>, SessionError> {
+        Ok(match self.next_moment()? {
+            ControlFlow::Continue(()) => self.end_frame(),
+            over => over,
+        })
+    }
+
     fn next_frame(&mut self) -> Result<ControlFlow<()>, SessionError> {
+        if self.next_moment()?.is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+        let scene = self.world.scene(&self.settings.program)?;
+        let source = &mut self.source;
+        let statistics = self
+            .engine
+            .render(scene, &mut |part| source.tracing(part))?;
+        self.report.add_frame(statistics);
+        Ok(self.end_frame())
+    }
+
+    fn end_frame(&mut self) -> ControlFlow<()> {
+        self.frame += 1;
+        if self.game.is_over() {
+            ControlFlow::Break(())
+        } else {
+            ControlFlow::Continue(())
+        }
+    }
+
+    /// From the input to the world of the frame at hand.
+    fn next_moment(&mut self) -> Result<ControlFlow<()>, SessionError> {
         if self.start.is_none() {
             self.set_up()?;
         }
@@ -227,18 +259,7 @@ impl<G: Game> Session<G> {
         };
         self.game.frame(&mut self.world, &moment)?;
         self.check_and_record()?;
-        let scene = self.world.scene(&self.settings.program)?;
-        let source = &mut self.source;
-        let statistics = self
-            .engine
-            .render(scene, &mut |part| source.tracing(part))?;
-        self.report.add_frame(statistics);
-        self.frame += 1;
-        Ok(if self.game.is_over() {
-            ControlFlow::Break(())
-        } else {
-            ControlFlow::Continue(())
-        })
+        Ok(ControlFlow::Continue(()))
     }
 
     fn set_up(&mut self) -> Result<(), SessionError> {
