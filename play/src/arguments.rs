@@ -1,0 +1,175 @@
+//! The command line.
+
+use std::path::PathBuf;
+use std::time::Duration;
+
+use cellray::Settings;
+use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
+use cellray::scene::{Look, Model};
+use cellray::spe::{Program, ProgramError};
+use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::frames::FrameRange;
+
+/// Play games and look at scenes, traced by SPUs.
+#[derive(Debug, Parser)]
+#[command(name = "cellray-play", version, after_help = KEYS, after_long_help = KEYS)]
+pub struct Arguments {
+    /// What to do.
+    #[command(subcommand)]
+    pub command: Command,
+}
+
+const KEYS: &str = "\
+Keys:
+  Escape, Q, a pad's PS button   end
+  F1                             show or hide speed and loads
+  F12                            take a picture
+  view: arrows or a drag turn, wheel or page keys zoom, Home goes back
+
+Examples:
+  cellray-play play billiards
+  cellray-play view scenes/whitted16.nff --display terminal
+  cellray-play play orrery --frames 0..250 --out 'f-%05d.png' --size 1280x720";
+
+/// What to do.
+#[derive(Debug, Subcommand)]
+pub enum Command {
+    /// Play a game; without a name, list those that there are
+    Play(PlayArguments),
+    /// Look at a scene from all sides
+    View(ViewArguments),
+}
+
+/// `play`.
+#[derive(Debug, Args)]
+pub struct PlayArguments {
+    /// Game
+    pub name: Option<String>,
+    /// All of the game's chance comes from this number [default: another one each time, but 0 for pictures]
+    #[arg(long, value_name = "N")]
+    pub seed: Option<u64>,
+    /// Options of the session.
+    #[command(flatten)]
+    pub options: Options,
+}
+
+/// `view`.
+#[derive(Debug, Args)]
+pub struct ViewArguments {
+    /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
+    pub scene: PathBuf,
+    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all shapes
+    #[arg(long, value_enum, default_value_t)]
+    model: Model,
+    /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
+    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    ray_depth: u32,
+    /// Glass reflects as Schlick's approximation has it, beyond its Ks
+    #[arg(long)]
+    fresnel: bool,
+    /// Objects throw no shadows
+    #[arg(long)]
+    no_shadows: bool,
+    /// Options of the session.
+    #[command(flatten)]
+    pub options: Options,
+}
+
+impl ViewArguments {
+    /// How the scene is to look.
+    #[must_use]
+    pub fn look(&self) -> Look {
+        Look {
+            model: self.model,
+            ray_depth: self.ray_depth,
+            fresnel: self.fresnel,
+            shadows: !self.no_shadows,
+            corners: false,
+        }
+    }
+}
+
+/// Where a game is seen.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum DisplayKind {
+    /// A window on a desktop.
+    Window,
+    /// The terminal, in colours.
+    Terminal,
+    /// The console's framebuffer.
+    Fb,
+    /// Numbered pictures: needs --frames and --out.
+    Images,
+    /// Nowhere: frames are traced and measured; needs --frames or --replay.
+    None,
+}
+
+/// Options of a session.
+#[derive(Debug, Args)]
+pub struct Options {
+    /// Where it is seen [default: images with --out; else a window if there is a display server, else the terminal]
+    #[arg(long, value_enum)]
+    pub display: Option<DisplayKind>,
+    /// Pixels across and down [default: in a window and a terminal as many as are fluid]
+    #[arg(long, value_name = "WxH")]
+    pub size: Option<Geometry>,
+    /// Framebuffer device, or a regular file that is written like one
+    #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
+    pub device: PathBuf,
+    /// Frames: A..B, from A up to B, which is not among them; or N, the first N
+    #[arg(long, value_name = "A..B")]
+    pub frames: Option<FrameRange>,
+    /// Numbered pictures, such as f-%05d.png; those that are there already are kept
+    #[arg(long, value_name = "F-%05d.png", value_parser = numbered)]
+    pub out: Option<NumberedPath>,
+    /// Frames a second of game time, for pictures
+    #[arg(long, default_value_t = 25, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    pub fps: u32,
+    /// Record the session to a new file
+    #[arg(long, value_name = "F")]
+    pub record: Option<PathBuf>,
+    /// Play a recorded session back
+    #[arg(long, value_name = "F", conflicts_with = "record")]
+    pub replay: Option<PathBuf>,
+    /// Folder that F12 puts pictures in
+    #[arg(long, default_value = ".", value_name = "FOLDER")]
+    pub screenshots: PathBuf,
+    /// Nothing is said over the picture at first
+    #[arg(long)]
+    pub no_overlay: bool,
+    /// SPUs to use
+    #[arg(long, default_value_t = 6, value_name = "N")]
+    spus: u32,
+    /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
+    #[arg(long, value_name = "F.elf")]
+    program: Option<PathBuf>,
+    /// Seconds that a frame may take before its SPUs count as lost
+    #[arg(long, default_value_t = 600, value_name = "S")]
+    timeout: u64,
+}
+
+impl Options {
+    /// How the engine is to work.
+    pub fn settings(&self) -> Result<Settings, ProgramError> {
+        Ok(Settings {
+            spus: self.spus,
+            timeout: Duration::from_secs(self.timeout),
+            program: match &self.program {
+                Some(file) => Program::from_file(file)?,
+                None => Program::tracer(),
+            },
+            ..Settings::default()
+        })
+    }
+
+    /// Game time from one picture to the next.
+    #[must_use]
+    pub fn step(&self) -> Duration {
+        Duration::from_secs(1) / self.fps
+    }
+}
+
+fn numbered(text: &str) -> Result<NumberedPath, FramebufferError> {
+    NumberedPath::new(text)
+}

@@ -1,0 +1,46 @@
+//! No display: frames are traced and measured.
+
+use std::io;
+
+use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
+
+use super::{Display, Happening};
+use crate::canvas::Picture;
+use crate::overlay::Overlay;
+
+/// A display that nobody sees.
+pub struct Nowhere(Geometry);
+
+impl Nowhere {
+    /// Of this size.
+    #[must_use]
+    pub fn new(size: Geometry) -> Self {
+        Self(size)
+    }
+}
+
+impl Display for Nowhere {
+    fn area(&self) -> Geometry {
+        self.0
+    }
+
+    fn scales(&self) -> bool {
+        false
+    }
+
+    fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+        Ok(Box::new(Memory::new(size)?))
+    }
+
+    fn poll(&mut self, _happenings: &mut Vec<Happening>) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn show(&mut self, _overlay: Option<&Overlay>) -> io::Result<()> {
+        Ok(())
+    }
+
+    fn picture(&self) -> Option<Picture> {
+        None
+    }
+}

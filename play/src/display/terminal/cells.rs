@@ -1,0 +1,228 @@
+//! Pictures as characters: the upper half block, its own colour above, the background's below.
+//!
+//! Invariant: only what differs from what the terminal shows already is written, so that a picture that hardly
+//! changes takes little of a line.
+
+use std::io::Write as _;
+
+use super::super::Fit;
+use crate::canvas::Picture;
+
+const HALF: &str = "\u{2580}";
+const WHITE: [u8; 3] = [255; 3];
+
+/// How colours are told.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Colours {
+    /// By red, green and blue.
+    True,
+    /// By the number of one of 256: a cube of six steps each way.
+    Cube,
+}
+
+impl Colours {
+    /// What the terminal says it has.
+    pub fn of_environment() -> Self {
+        match std::env::var("COLORTERM").as_deref() {
+            Ok("truecolor" | "24bit") => Self::True,
+            _ => Self::Cube,
+        }
+    }
+
+    /// The colour nearest to one, as numbers of the terminal's own: equal ones look equal.
+    fn shown(self, [red, green, blue]: [u8; 3]) -> Colour {
+        match self {
+            Self::True => Colour::True([red, green, blue]),
+            Self::Cube => {
+                Colour::Cube(16 + 36 * cube_step(red) + 6 * cube_step(green) + cube_step(blue))
+            }
+        }
+    }
+}
+
+/// The nearest of the cube's six steps: 0, 95, 135, 175, 215, 255.
+fn cube_step(channel: u8) -> u8 {
+    match channel {
+        0..48 => 0,
+        48..115 => 1,
+        _ => (channel - 35) / 40,
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Colour {
+    True([u8; 3]),
+    Cube(u8),
+}
+
+impl Colour {
+    /// Writes it as the colour of letters (3) or of what is behind them (4).
+    fn write(self, layer: u8, out: &mut Vec<u8>) {
+        // Writing to memory can't fail.
+        let _ = match self {
+            Self::True([red, green, blue]) => write!(out, "\x1b[{layer}8;2;{red};{green};{blue}m"),
+            Self::Cube(number) => write!(out, "\x1b[{layer}8;5;{number}m"),
+        };
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+struct Cell {
+    letter: Option<char>,
+    above: Colour,
+    below: Colour,
+}
+
+/// What the terminal shows.
+#[derive(Debug)]
+pub struct Grid {
+    colours: Colours,
+    size: (u16, u16),
+    /// Nothing where it is not known.
+    shown: Vec<Option<Cell>>,
+    text: Vec<u8>,
+}
+
+impl Grid {
+    pub fn new(colours: Colours) -> Self {
+        Self {
+            colours,
+            size: (0, 0),
+            shown: Vec::new(),
+            text: Vec::new(),
+        }
+    }
+
+    /// What to write so that the terminal shows the picture, and a line of text at its foot.
+    pub fn draw(
+        &mut self,
+        picture: &Picture,
+        fit: Fit,
+        (columns, rows): (u16, u16),
+        line: Option<&str>,
+    ) -> &[u8] {
+        self.text.clear();
+        if self.size != (columns, rows) {
+            self.size = (columns, rows);
+            self.shown.clear();
+            self.shown
+                .resize(usize::from(columns) * usize::from(rows), None);
+        }
+        let colour = |x: u16, y: u32| {
+            let place = fit.column(u32::from(x)).zip(fit.row(y));
+            let pixel = place.map(|(x, y)| picture.at(x, y)).unwrap_or_default();
+            self.colours.shown(pixel)
+        };
+        let mut letters = line.unwrap_or_default().chars();
+        // Where the terminal's own cursor is, and what it writes in.
+        let mut cursor = None;
+        let mut ink = None;
+        for y in 0..rows {
+            for x in 0..columns {
+                let is_text = line.is_some() && y + 1 == rows;
+                let letter = is_text.then(|| letters.next().unwrap_or(' '));
+                let cell = match letter {
+                    Some(_) => Cell {
+                        letter,
+                        above: self.colours.shown(WHITE),
+                        below: self.colours.shown([0; 3]),
+                    },
+                    None => Cell {
+                        letter,
+                        above: colour(x, 2 * u32::from(y)),
+                        below: colour(x, 2 * u32::from(y) + 1),
+                    },
+                };
+                let place = usize::from(y) * usize::from(columns) + usize::from(x);
+                if self.shown[place] == Some(cell) {
+                    continue;
+                }
+                self.shown[place] = Some(cell);
+                if cursor != Some((x, y)) {
+                    // Writing to memory can't fail.
+                    let _ = write!(self.text, "\x1b[{};{}H", y + 1, x + 1);
+                }
+                let (above, below) = ink.unzip();
+                if above != Some(cell.above) {
+                    cell.above.write(3, &mut self.text);
+                }
+                if below != Some(cell.below) {
+                    cell.below.write(4, &mut self.text);
+                }
+                ink = Some((cell.above, cell.below));
+                let mut bytes = [0; 4];
+                let text = cell
+                    .letter
+                    .map_or(HALF, |letter| letter.encode_utf8(&mut bytes));
+                self.text.extend_from_slice(text.as_bytes());
+                // What follows the last column is not the same on all terminals.
+                cursor = (x + 1 < columns).then_some((x + 1, y));
+            }
+        }
+        &self.text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn picture(pixels: &[[u8; 3]]) -> Picture {
+        Picture {
+            width: 2,
+            height: pixels.len() as u32 / 2,
+            pixels: pixels.to_vec(),
+        }
+    }
+
+    fn draw(grid: &mut Grid, picture: &Picture, line: Option<&str>) -> String {
+        let fit = Fit::new((2, 4), (2, 4));
+        let text = grid.draw(picture, fit, (2, 2), line);
+        String::from_utf8(text.to_vec()).expect("text")
+    }
+
+    const RED: [u8; 3] = [200, 0, 0];
+    const BLUE: [u8; 3] = [0, 0, 99];
+
+    #[test]
+    fn two_pixels_are_one_character_and_only_changes_are_written() {
+        let mut grid = Grid::new(Colours::True);
+        let mut shown = picture(&[RED, RED, BLUE, BLUE, RED, BLUE, RED, BLUE]);
+        let first = draw(&mut grid, &shown, None);
+        assert_eq!(
+            first,
+            "\x1b[1;1H\x1b[38;2;200;0;0m\x1b[48;2;0;0;99m\u{2580}\u{2580}\
+             \x1b[2;1H\x1b[48;2;200;0;0m\u{2580}\x1b[38;2;0;0;99m\x1b[48;2;0;0;99m\u{2580}"
+        );
+        assert_eq!(draw(&mut grid, &shown, None), "");
+        shown.pixels[7] = RED;
+        let changed = draw(&mut grid, &shown, None);
+        assert_eq!(
+            changed,
+            "\x1b[2;2H\x1b[38;2;0;0;99m\x1b[48;2;200;0;0m\u{2580}"
+        );
+    }
+
+    #[test]
+    fn text_is_on_the_last_line_and_goes_again() {
+        let mut grid = Grid::new(Colours::Cube);
+        let shown = picture(&[RED; 8]);
+        let with_text = draw(&mut grid, &shown, Some("abc"));
+        assert!(
+            with_text.contains("ab") && !with_text.contains('c'),
+            "{with_text:?}"
+        );
+        assert_eq!(with_text.matches(HALF).count(), 2);
+        assert_eq!(draw(&mut grid, &shown, None).matches(HALF).count(), 2);
+    }
+
+    #[test]
+    fn the_cubes_step_is_the_nearest() {
+        for channel in 0..=255_u8 {
+            let steps = [0, 95, 135, 175, 215, 255_u8];
+            let away = |step: u8| steps[usize::from(step)].abs_diff(channel);
+            let best = (0..6).map(away).min();
+            assert_eq!(Some(away(cube_step(channel))), best, "{channel}");
+        }
+    }
+}

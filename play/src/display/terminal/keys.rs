@@ -1,0 +1,244 @@
+//! Keys of a terminal.
+//!
+//! Terminals that know the kitty protocol tell of releases. Others tell of a key again and again while it is held:
+//! there it counts as released when nothing has been heard of it for a while. The pause before the first
+//! repetition is longer than that, so a key that is held is let go of for a moment once.
+
+use std::time::{Duration, Instant};
+
+use cellray::game::{InputEvent, Key};
+use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers, ModifierKeyCode};
+
+/// How long a key counts as held that is not heard of again.
+const HELD: Duration = Duration::from_millis(150);
+
+/// The keys that are held.
+#[derive(Debug, Default)]
+pub struct Keys {
+    held: Vec<(Key, Instant)>,
+    /// The terminal has told of a release, so it tells of all.
+    tells_releases: bool,
+}
+
+impl Keys {
+    /// Takes an event of the terminal.
+    pub fn take(&mut self, event: KeyEvent, now: Instant, input: &mut impl FnMut(InputEvent)) {
+        let is_release = event.kind == KeyEventKind::Release;
+        self.tells_releases |= is_release;
+        let modifiers = [
+            (KeyModifiers::SHIFT, Key::Shift),
+            (KeyModifiers::CONTROL, Key::Control),
+            (KeyModifiers::ALT, Key::Alt),
+        ];
+        // Where releases are told, so are these keys.
+        if !self.tells_releases {
+            for (modifier, key) in modifiers {
+                if event.modifiers.contains(modifier) {
+                    self.press(key, now, input);
+                }
+            }
+        }
+        let Some(key) = key(event.code) else {
+            return;
+        };
+        if is_release {
+            self.held.retain(|(held, _)| *held != key);
+            input(InputEvent::Key { key, down: false });
+        } else {
+            self.press(key, now, input);
+        }
+    }
+
+    /// Releases what has not been heard of.
+    pub fn let_go(&mut self, now: Instant, input: &mut impl FnMut(InputEvent)) {
+        if self.tells_releases {
+            return;
+        }
+        self.held.retain(|&(key, heard)| {
+            let is_held = now.saturating_duration_since(heard) < HELD;
+            if !is_held {
+                input(InputEvent::Key { key, down: false });
+            }
+            is_held
+        });
+    }
+
+    fn press(&mut self, key: Key, now: Instant, input: &mut impl FnMut(InputEvent)) {
+        match self.held.iter_mut().find(|(held, _)| *held == key) {
+            Some((_, heard)) => *heard = now,
+            None => {
+                self.held.push((key, now));
+                input(InputEvent::Key { key, down: true });
+            }
+        }
+    }
+}
+
+/// The key, if a game knows it. Of letters that are printed on the same key both are it.
+fn key(code: KeyCode) -> Option<Key> {
+    Some(match code {
+        KeyCode::Char(letter) => return of_letter(letter),
+        KeyCode::Enter => Key::Enter,
+        KeyCode::Tab | KeyCode::BackTab => Key::Tab,
+        KeyCode::Backspace => Key::Backspace,
+        KeyCode::Esc => Key::Escape,
+        KeyCode::Up => Key::Up,
+        KeyCode::Down => Key::Down,
+        KeyCode::Left => Key::Left,
+        KeyCode::Right => Key::Right,
+        KeyCode::Insert => Key::Insert,
+        KeyCode::Delete => Key::Delete,
+        KeyCode::Home => Key::Home,
+        KeyCode::End => Key::End,
+        KeyCode::PageUp => Key::PageUp,
+        KeyCode::PageDown => Key::PageDown,
+        KeyCode::F(number @ 1..=12) => FUNCTION[usize::from(number - 1)],
+        KeyCode::Modifier(ModifierKeyCode::LeftShift | ModifierKeyCode::RightShift) => Key::Shift,
+        KeyCode::Modifier(ModifierKeyCode::LeftControl | ModifierKeyCode::RightControl) => {
+            Key::Control
+        }
+        KeyCode::Modifier(ModifierKeyCode::LeftAlt | ModifierKeyCode::RightAlt) => Key::Alt,
+        _ => return None,
+    })
+}
+
+const FUNCTION: [Key; 12] = [
+    Key::F1,
+    Key::F2,
+    Key::F3,
+    Key::F4,
+    Key::F5,
+    Key::F6,
+    Key::F7,
+    Key::F8,
+    Key::F9,
+    Key::F10,
+    Key::F11,
+    Key::F12,
+];
+
+/// Letters of each key on a keyboard of the United States.
+const LETTERS: [(&str, Key); 48] = [
+    ("aA", Key::A),
+    ("bB", Key::B),
+    ("cC", Key::C),
+    ("dD", Key::D),
+    ("eE", Key::E),
+    ("fF", Key::F),
+    ("gG", Key::G),
+    ("hH", Key::H),
+    ("iI", Key::I),
+    ("jJ", Key::J),
+    ("kK", Key::K),
+    ("lL", Key::L),
+    ("mM", Key::M),
+    ("nN", Key::N),
+    ("oO", Key::O),
+    ("pP", Key::P),
+    ("qQ", Key::Q),
+    ("rR", Key::R),
+    ("sS", Key::S),
+    ("tT", Key::T),
+    ("uU", Key::U),
+    ("vV", Key::V),
+    ("wW", Key::W),
+    ("xX", Key::X),
+    ("yY", Key::Y),
+    ("zZ", Key::Z),
+    ("0)", Key::Digit0),
+    ("1!", Key::Digit1),
+    ("2@", Key::Digit2),
+    ("3#", Key::Digit3),
+    ("4$", Key::Digit4),
+    ("5%", Key::Digit5),
+    ("6^", Key::Digit6),
+    ("7&", Key::Digit7),
+    ("8*", Key::Digit8),
+    ("9(", Key::Digit9),
+    ("`~", Key::Backquote),
+    ("-_", Key::Minus),
+    ("=+", Key::Equal),
+    ("[{", Key::BracketLeft),
+    ("]}", Key::BracketRight),
+    ("\\|", Key::Backslash),
+    (";:", Key::Semicolon),
+    ("'\"", Key::Quote),
+    (",<", Key::Comma),
+    (".>", Key::Period),
+    ("/?", Key::Slash),
+    (" ", Key::Space),
+];
+
+fn of_letter(letter: char) -> Option<Key> {
+    let found = LETTERS.iter().find(|(letters, _)| letters.contains(letter));
+    found.map(|&(_, key)| key)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn told(keys: &mut Keys, code: KeyCode, kind: KeyEventKind, now: Instant) -> Vec<(Key, bool)> {
+        let mut told = Vec::new();
+        let event = KeyEvent::new_with_kind(code, KeyModifiers::NONE, kind);
+        keys.take(event, now, &mut |event| told.push(event));
+        downs(told)
+    }
+
+    fn let_go(keys: &mut Keys, now: Instant) -> Vec<(Key, bool)> {
+        let mut told = Vec::new();
+        keys.let_go(now, &mut |event| told.push(event));
+        downs(told)
+    }
+
+    fn downs(events: Vec<InputEvent>) -> Vec<(Key, bool)> {
+        let down = |event| match event {
+            InputEvent::Key { key, down } => (key, down),
+            other => panic!("{other:?}"),
+        };
+        events.into_iter().map(down).collect()
+    }
+
+    #[test]
+    fn a_key_that_falls_silent_is_released() {
+        let (mut keys, start) = (Keys::default(), Instant::now());
+        let at = |millis| start + Duration::from_millis(millis);
+        let press = KeyEventKind::Press;
+        assert_eq!(
+            told(&mut keys, KeyCode::Char('a'), press, at(0)),
+            [(Key::A, true)]
+        );
+        assert_eq!(told(&mut keys, KeyCode::Char('A'), press, at(100)), []);
+        assert_eq!(let_go(&mut keys, at(200)), []);
+        assert_eq!(let_go(&mut keys, at(250)), [(Key::A, false)]);
+        assert_eq!(let_go(&mut keys, at(900)), []);
+        assert_eq!(
+            told(&mut keys, KeyCode::Up, press, at(950)),
+            [(Key::Up, true)]
+        );
+    }
+
+    #[test]
+    fn told_releases_are_believed() {
+        let (mut keys, start) = (Keys::default(), Instant::now());
+        let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
+        told(&mut keys, KeyCode::Left, press, start);
+        assert_eq!(
+            told(&mut keys, KeyCode::Left, release, start),
+            [(Key::Left, false)]
+        );
+        told(&mut keys, KeyCode::Left, press, start);
+        assert_eq!(let_go(&mut keys, start + Duration::from_secs(9)), []);
+        assert_eq!(
+            told(&mut keys, KeyCode::Left, release, start),
+            [(Key::Left, false)]
+        );
+    }
+
+    #[test]
+    fn each_letter_is_of_one_key() {
+        let all: String = LETTERS.iter().map(|(letters, _)| *letters).collect();
+        assert!((' '..='~').all(|letter| all.matches(letter).count() == 1));
+        assert_eq!(of_letter('é'), None);
+    }
+}

@@ -1,0 +1,294 @@
+//! What stands between the player and the session: display, pads, signals, and the keys that are not the game's.
+//!
+//! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the picture, F12 takes a
+//! picture. Invariant: those never reach a game; all else does, once, in order, also what comes while a frame is
+//! traced.
+
+use std::cell::RefCell;
+use std::io;
+use std::ops::ControlFlow;
+use std::rc::Rc;
+use std::time::Instant;
+
+use cellray::framebuffer::Interrupted;
+use cellray::game::{Button, InputEvent, InputSource, Key};
+
+use crate::display::{Display, Happening};
+use crate::input::Hub;
+
+/// Why a session ended.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ending {
+    /// The game is over, the recording is, or the frames are.
+    Over,
+    /// The player has closed it.
+    Closed,
+    /// A signal came.
+    Signal(i32),
+}
+
+/// What the player wants of the session itself.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Wishes {
+    /// An end.
+    pub ending: Option<Ending>,
+    /// The display is of another size.
+    pub resized: bool,
+    /// What is said over the picture is to be hidden, or shown again.
+    pub overlay: bool,
+    /// A picture.
+    pub screenshot: bool,
+}
+
+/// The player's side.
+pub struct Front {
+    /// What is seen.
+    pub display: Box<dyn Display>,
+    devices: Option<Hub>,
+    /// A terminal that is no display: its keys count where there is no keyboard.
+    keys: Option<Box<dyn Display>>,
+    interrupted: Interrupted,
+    happenings: Vec<Happening>,
+    from_devices: Vec<InputEvent>,
+    pending: Vec<InputEvent>,
+    wishes: Wishes,
+    failed: Option<io::Error>,
+}
+
+impl Front {
+    /// With a display, and devices if they are to be read.
+    #[must_use]
+    pub fn new(
+        display: Box<dyn Display>,
+        devices: Option<Hub>,
+        keys: Option<Box<dyn Display>>,
+        interrupted: Interrupted,
+    ) -> Self {
+        Self {
+            display,
+            devices,
+            keys,
+            interrupted,
+            happenings: Vec::new(),
+            from_devices: Vec::new(),
+            pending: Vec::new(),
+            wishes: Wishes::default(),
+            failed: None,
+        }
+    }
+
+    /// What the player wants since the last call; an ending stays.
+    pub fn take_wishes(&mut self) -> Wishes {
+        let wishes = self.wishes;
+        self.wishes = Wishes {
+            ending: wishes.ending,
+            ..Wishes::default()
+        };
+        wishes
+    }
+
+    /// What the devices have to say to people.
+    pub fn take_messages(&mut self) -> Vec<String> {
+        self.devices
+            .as_mut()
+            .map_or_else(Vec::new, Hub::take_messages)
+    }
+
+    fn gather(&mut self) -> io::Result<()> {
+        if let Some(signal) = self.interrupted.signal() {
+            self.end(Ending::Signal(signal));
+        }
+        self.display.poll(&mut self.happenings)?;
+        let mut has_keyboard = false;
+        if let Some(devices) = &mut self.devices {
+            devices.poll(Instant::now(), &mut self.from_devices);
+            has_keyboard = devices.has_keyboard();
+        }
+        if let Some(keys) = &mut self.keys {
+            let before = self.happenings.len();
+            keys.poll(&mut self.happenings)?;
+            if has_keyboard {
+                // The same keys were heard of from the keyboard.
+                self.happenings.truncate(before);
+            }
+        }
+        for happening in std::mem::take(&mut self.happenings) {
+            match happening {
+                Happening::Input(event) => self.take(event),
+                Happening::Resized => self.wishes.resized = true,
+                Happening::Closed => self.end(Ending::Closed),
+                Happening::Interrupted => self.end(Ending::Signal(signal_hook::consts::SIGINT)),
+            }
+        }
+        for event in std::mem::take(&mut self.from_devices) {
+            self.take(event);
+        }
+        Ok(())
+    }
+
+    fn take(&mut self, event: InputEvent) {
+        match event {
+            InputEvent::Key { key, down } => match key {
+                Key::Escape | Key::Q => self.end(Ending::Closed),
+                Key::F1 => self.wishes.overlay ^= down,
+                Key::F12 => self.wishes.screenshot |= down,
+                _ => self.pending.push(event),
+            },
+            InputEvent::PadButton {
+                button: Button::Ps,
+                down,
+                ..
+            } => {
+                if down {
+                    self.end(Ending::Closed);
+                }
+            }
+            _ => self.pending.push(event),
+        }
+    }
+
+    fn end(&mut self, ending: Ending) {
+        self.wishes.ending = self.wishes.ending.or(Some(ending));
+    }
+}
+
+/// The front as the session's input.
+pub struct FrontInput(pub Rc<RefCell<Front>>);
+
+impl InputSource for FrontInput {
+    fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
+        let mut front = self.0.borrow_mut();
+        if let Some(error) = front.failed.take() {
+            return Err(error);
+        }
+        front.gather()?;
+        events.append(&mut front.pending);
+        Ok(match front.wishes.ending {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(()),
+        })
+    }
+
+    fn tracing(&mut self, _part: f64) {
+        let mut front = self.0.borrow_mut();
+        // It is told at the next poll.
+        if let Err(error) = front.gather() {
+            front.failed = Some(error);
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::canvas::Picture;
+    use crate::overlay::Overlay;
+    use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
+
+    /// Tells of one list of happenings at each call.
+    struct Script(Vec<Vec<Happening>>);
+
+    impl Display for Script {
+        fn area(&self) -> Geometry {
+            Geometry {
+                width: 8,
+                height: 8,
+            }
+        }
+
+        fn scales(&self) -> bool {
+            true
+        }
+
+        fn framebuffer(
+            &mut self,
+            size: Geometry,
+        ) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+            Ok(Box::new(Memory::new(size)?))
+        }
+
+        fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
+            if self.0.is_empty() {
+                return Err(io::Error::other("the end of the script"));
+            }
+            happenings.append(&mut self.0.remove(0));
+            Ok(())
+        }
+
+        fn show(&mut self, _: Option<&Overlay>) -> io::Result<()> {
+            Ok(())
+        }
+
+        fn picture(&self) -> Option<Picture> {
+            None
+        }
+    }
+
+    fn key(key: Key, down: bool) -> Happening {
+        Happening::Input(InputEvent::Key { key, down })
+    }
+
+    fn front(script: Vec<Vec<Happening>>) -> Rc<RefCell<Front>> {
+        let interrupted = Interrupted::install().expect("signals");
+        let front = Front::new(Box::new(Script(script)), None, None, interrupted);
+        Rc::new(RefCell::new(front))
+    }
+
+    #[test]
+    fn what_comes_while_a_frame_is_traced_is_not_lost() {
+        let script = (0..5).map(|_| vec![key(Key::A, true), key(Key::A, false)]);
+        let front = front(script.collect());
+        let mut input = FrontInput(Rc::clone(&front));
+        let mut events = Vec::new();
+        assert!(input.poll(&mut events).expect("input").is_continue());
+        assert_eq!(events.len(), 2);
+        (0..3).for_each(|_| input.tracing(0.5));
+        assert!(input.poll(&mut events).expect("input").is_continue());
+        assert_eq!(events.len(), 10);
+        // The display fails while a frame is traced: the next poll says so.
+        input.tracing(0.5);
+        assert!(input.poll(&mut events).is_err());
+    }
+
+    #[test]
+    fn the_sessions_keys_are_not_the_games() {
+        let front = front(vec![
+            vec![key(Key::F1, true), key(Key::F1, false), key(Key::B, true)],
+            vec![
+                key(Key::F12, true),
+                key(Key::F12, false),
+                Happening::Resized,
+            ],
+            vec![key(Key::Q, true), Happening::Interrupted],
+        ]);
+        let mut input = FrontInput(Rc::clone(&front));
+        let mut events = Vec::new();
+        let wishes = |input: &mut FrontInput, events: &mut Vec<InputEvent>| {
+            let flow = input.poll(events).expect("input");
+            let wishes = input.0.borrow_mut().take_wishes();
+            assert_eq!(flow.is_break(), wishes.ending.is_some());
+            (
+                wishes.overlay,
+                wishes.screenshot,
+                wishes.resized,
+                wishes.ending,
+            )
+        };
+        assert_eq!(wishes(&mut input, &mut events), (true, false, false, None));
+        assert_eq!(wishes(&mut input, &mut events), (false, true, true, None));
+        let closed = Some(Ending::Closed);
+        assert_eq!(
+            wishes(&mut input, &mut events),
+            (false, false, false, closed)
+        );
+        let [
+            InputEvent::Key {
+                key: Key::B,
+                down: true,
+            },
+        ] = events[..]
+        else {
+            panic!("{events:?}");
+        };
+    }
+}

@@ -1,0 +1,245 @@
+//! From a device's own events to those of a game, by the tables of its kind.
+
+use std::collections::BTreeMap;
+
+use cellray::game::{Axis, Button, InputEvent, PadId, Sensors};
+use evdev::{AbsoluteAxisCode as Abs, EventType, KeyCode as Code, RelativeAxisCode as Rel};
+
+use super::capabilities::Capabilities;
+use super::device::{Range, RawEvent};
+use super::layout::{self, HATS, KEYS, Layout, MOUSE};
+
+/// What a SIXAXIS counts in one g, where its driver doesn't say.
+const SIXAXIS_UNITS_A_G: f32 = 113.0;
+/// Ending of the name of a pad's sensors, which are a device of their own.
+const SENSORS: &str = " Motion Sensors";
+/// EV_SYN's code for events that were dropped.
+const SYN_DROPPED: u16 = 3;
+
+/// What a device is.
+#[derive(Clone, Copy, Debug)]
+pub enum Kind {
+    /// A pad.
+    Pad(&'static Layout),
+    /// The sensors of a pad.
+    Sensors,
+    /// A keyboard, a mouse, or both.
+    Desk,
+}
+
+impl Kind {
+    /// What the device is, if it is of use to a game.
+    #[must_use]
+    pub fn of(device: &Capabilities) -> Option<Self> {
+        let acceleration = [Abs::ABS_X, Abs::ABS_Y, Abs::ABS_Z];
+        let is_mouse = device.relative.has(Rel::REL_X.0) && device.relative.has(Rel::REL_Y.0);
+        if device.name.ends_with(SENSORS) {
+            let has_all = acceleration.iter().all(|axis| device.absolute.has(axis.0));
+            has_all.then_some(Self::Sensors)
+        } else if let Some(layout) = layout::of_pad(device) {
+            Some(Self::Pad(layout))
+        } else if is_mouse && device.keys.has(Code::BTN_LEFT.0)
+            || device.keys.has(Code::KEY_SPACE.0) && device.keys.has(Code::KEY_A.0)
+        {
+            Some(Self::Desk)
+        } else {
+            None
+        }
+    }
+}
+
+/// Name of the pad that the sensors of this name belong to.
+#[must_use]
+pub fn pad_of_sensors(name: &str) -> &str {
+    name.strip_suffix(SENSORS).unwrap_or(name)
+}
+
+/// What the codes of one device mean, and what it said last.
+#[derive(Debug)]
+pub struct Mapping {
+    kind: Kind,
+    /// The pad that it is, or that its sensors are of.
+    pad: Option<PadId>,
+    ranges: BTreeMap<u16, Range>,
+    sensors: Sensors,
+    /// The sensors moved since the last report.
+    sensed: bool,
+    motion: [f32; 2],
+    wheel: [f32; 2],
+    /// The kernel has dropped events, up to the next report.
+    dropped: bool,
+}
+
+impl Mapping {
+    /// Of a device of this kind; its axes have these ranges.
+    #[must_use]
+    pub fn new(kind: Kind, pad: Option<PadId>, ranges: BTreeMap<u16, Range>) -> Self {
+        Self {
+            kind,
+            pad,
+            ranges,
+            sensors: Sensors {
+                acceleration: [0.0, 1.0, 0.0],
+                turn: 0.0,
+            },
+            sensed: false,
+            motion: [0.0; 2],
+            wheel: [0.0; 2],
+            dropped: false,
+        }
+    }
+
+    /// What the device is.
+    #[must_use]
+    pub fn kind(&self) -> Kind {
+        self.kind
+    }
+
+    /// The pad that it is, or that its sensors are of.
+    #[must_use]
+    pub fn pad(&self) -> Option<PadId> {
+        self.pad
+    }
+
+    /// Where its sticks are at the start: they tell of changes alone.
+    pub fn begin(&self, events: &mut Vec<InputEvent>) {
+        for (&code, range) in &self.ranges {
+            self.axis(code, range.value, events);
+        }
+    }
+
+    /// What the event means, if anything.
+    pub fn translate(&mut self, event: RawEvent, events: &mut Vec<InputEvent>) {
+        let RawEvent { kind, code, value } = event;
+        match EventType(kind) {
+            EventType::SYNCHRONIZATION if code == SYN_DROPPED => self.dropped = true,
+            EventType::SYNCHRONIZATION => self.report(events),
+            // Up to the next report nothing is sure.
+            _ if self.dropped => {}
+            EventType::KEY => self.key(Code(code), value, events),
+            EventType::ABSOLUTE => match self.kind {
+                Kind::Sensors => self.sense(Abs(code), value),
+                Kind::Pad(_) => self.axis(code, value, events),
+                Kind::Desk => {}
+            },
+            EventType::RELATIVE => match Rel(code) {
+                Rel::REL_X => self.motion[0] += value as f32,
+                Rel::REL_Y => self.motion[1] += value as f32,
+                Rel::REL_HWHEEL => self.wheel[0] += value as f32,
+                Rel::REL_WHEEL => self.wheel[1] += value as f32,
+                _ => {}
+            },
+            _ => {}
+        }
+    }
+
+    fn report(&mut self, events: &mut Vec<InputEvent>) {
+        if std::mem::take(&mut self.dropped) {
+            events.push(InputEvent::FocusLost);
+        }
+        let by = std::mem::take(&mut self.motion);
+        if by != [0.0; 2] {
+            events.push(InputEvent::MouseMotion { by });
+        }
+        let by = std::mem::take(&mut self.wheel);
+        if by != [0.0; 2] {
+            events.push(InputEvent::Wheel { by });
+        }
+        if let (true, Some(pad)) = (std::mem::take(&mut self.sensed), self.pad) {
+            let sensors = self.sensors;
+            events.push(InputEvent::PadSensors { pad, sensors });
+        }
+    }
+
+    fn key(&self, code: Code, value: i32, events: &mut Vec<InputEvent>) {
+        // 2 is the repetition of a key that is held.
+        let down = match value {
+            0 => false,
+            1 => true,
+            _ => return,
+        };
+        if let (Kind::Pad(layout), Some(pad)) = (self.kind, self.pad) {
+            if let Some(&(_, button)) = layout.buttons.iter().find(|(known, _)| *known == code) {
+                events.push(InputEvent::PadButton { pad, button, down });
+            }
+        } else if let Some(&(_, key)) = KEYS.iter().find(|(known, _)| *known == code) {
+            events.push(InputEvent::Key { key, down });
+        } else if let Some(&(_, button)) = MOUSE.iter().find(|(known, _)| *known == code) {
+            events.push(InputEvent::MouseButton { button, down });
+        }
+    }
+
+    fn axis(&self, code: u16, value: i32, events: &mut Vec<InputEvent>) {
+        let (Kind::Pad(layout), Some(pad)) = (self.kind, self.pad) else {
+            return;
+        };
+        if let Some(&(_, less, more)) = HATS.iter().find(|(hat, _, _)| hat.0 == code) {
+            for (button, down) in [(less, value < 0), (more, value > 0)] {
+                events.push(InputEvent::PadButton { pad, button, down });
+            }
+            return;
+        }
+        let known = layout.axes.iter().find(|(axis, _)| axis.0 == code);
+        if let (Some(&(_, axis)), Some(range)) = (known, self.ranges.get(&code)) {
+            let value = match axis {
+                Axis::L2 | Axis::R2 => range.part(value),
+                _ => range.deflection(value),
+            };
+            events.push(InputEvent::PadAxis { pad, axis, value });
+            // xpad's triggers are no buttons: they are pressed from the middle on.
+            let trigger = match axis {
+                Axis::L2 => (Button::L2, Code::BTN_TL2),
+                Axis::R2 => (Button::R2, Code::BTN_TR2),
+                _ => return,
+            };
+            let (button, code) = trigger;
+            if !layout.buttons.iter().any(|(known, _)| *known == code) {
+                let down = value > 0.5;
+                events.push(InputEvent::PadButton { pad, button, down });
+            }
+        }
+    }
+
+    fn sense(&mut self, axis: Abs, value: i32) {
+        let resolution = self.ranges.get(&axis.0).map_or(0, |range| range.resolution);
+        let units = if resolution > 0 {
+            resolution as f32
+        } else {
+            SIXAXIS_UNITS_A_G
+        };
+        let value = value as f32 / units;
+        match axis {
+            Abs::ABS_X => self.sensors.acceleration[0] = value,
+            Abs::ABS_Y => self.sensors.acceleration[1] = value,
+            Abs::ABS_Z => self.sensors.acceleration[2] = value,
+            Abs::ABS_RY => self.sensors.turn = value,
+            _ => return,
+        }
+        self.sensed = true;
+    }
+}
+
+impl Range {
+    /// From 0 at its least to 1 at its most.
+    fn part(self, value: i32) -> f32 {
+        let length = f64::from(self.most) - f64::from(self.least);
+        if length <= 0.0 {
+            return 0.0;
+        }
+        let part = (f64::from(value) - f64::from(self.least)) / length;
+        part.clamp(0.0, 1.0) as f32
+    }
+
+    /// From -1 to 1, 0 around the middle.
+    fn deflection(self, value: i32) -> f32 {
+        let (least, most) = (f64::from(self.least), f64::from(self.most));
+        let (middle, half) = ((least + most) / 2.0, (most - least) / 2.0);
+        let flat = f64::from(self.flat).max(0.0);
+        if half <= flat {
+            return 0.0;
+        }
+        let away = f64::from(value) - middle;
+        let beyond = (away.abs() - flat).max(0.0) / (half - flat);
+        (beyond.min(1.0) * away.signum()) as f32
+    }
+}

@@ -1,0 +1,119 @@
+//! From what SPUs and frame loop say of themselves to what the overlay says.
+
+use std::time::{Duration, Instant};
+
+use cellray::game::SessionReport;
+use cellray::statistics::FrameStatistics;
+
+use crate::overlay::Overlay;
+
+/// Numbers are means over so long: shorter can't be read.
+const EVERY: Duration = Duration::from_millis(400);
+/// How long a message stays.
+const MESSAGE: Duration = Duration::from_secs(5);
+
+/// Measures a session.
+#[derive(Debug)]
+pub struct Meter {
+    began: Instant,
+    frames: u32,
+    traced: u32,
+    spu_seconds: f64,
+    loop_seconds: f64,
+    shown: f64,
+    simulated: f64,
+    free: f64,
+    message: Option<(String, Instant)>,
+    overlay: Overlay,
+}
+
+impl Meter {
+    /// Begins to measure.
+    #[must_use]
+    pub fn new(now: Instant) -> Self {
+        Self {
+            began: now,
+            frames: 0,
+            traced: 0,
+            spu_seconds: 0.0,
+            loop_seconds: 0.0,
+            shown: 0.0,
+            simulated: 0.0,
+            free: 100.0,
+            message: None,
+            overlay: Overlay::default(),
+        }
+    }
+
+    /// Has this said for a while.
+    pub fn say(&mut self, message: String, now: Instant) {
+        self.message = Some((message, now));
+    }
+
+    /// What to say after a frame.
+    pub fn frame(
+        &mut self,
+        now: Instant,
+        report: &SessionReport,
+        last: &FrameStatistics,
+        (picture, area): ((u32, u32), (u32, u32)),
+    ) -> &Overlay {
+        let passed = now.saturating_duration_since(self.began);
+        if passed >= EVERY {
+            self.measure(now, passed.as_secs_f64(), report);
+        }
+        let tests = last.tests();
+        let needless = tests.skipped + tests.unseen;
+        if last.is_traced() {
+            let ticks = last.ticks().max(1);
+            self.overlay.loads.clear();
+            let load = |busy: u64| busy as f32 / ticks as f32;
+            let loads = last.spus.iter().map(|spu| load(spu.busy));
+            self.overlay.loads.extend(loads);
+        }
+        let percent = |part: u64, all: u64| 100.0 * part as f64 / all.max(1) as f64;
+        let lines = &mut self.overlay.lines;
+        lines.clear();
+        lines.push(format!(
+            "{:.1} frames/s, {:.1} by the SPUs' clock",
+            self.shown, self.simulated
+        ));
+        lines.push(format!(
+            "{}x{} of {}x{}, {:.0} % of tests skipped",
+            picture.0,
+            picture.1,
+            area.0,
+            area.1,
+            percent(needless, needless + tests.made)
+        ));
+        lines.push(format!("frame loop {:.1} % free", self.free));
+        if let Some((message, said)) = &self.message
+            && now.saturating_duration_since(*said) < MESSAGE
+        {
+            lines.push(message.clone());
+        }
+        &self.overlay
+    }
+
+    fn measure(&mut self, now: Instant, seconds: f64, report: &SessionReport) {
+        let frames = &report.frames;
+        let spu_seconds = if frames.frames_per_second > 0.0 {
+            f64::from(frames.frames_traced) / frames.frames_per_second
+        } else {
+            0.0
+        };
+        self.shown = f64::from(frames.frames - self.frames) / seconds;
+        // While nothing is traced there is no speed to tell of: the last one stays.
+        if spu_seconds > self.spu_seconds {
+            let traced = f64::from(frames.frames_traced - self.traced);
+            self.simulated = traced / (spu_seconds - self.spu_seconds);
+        }
+        let busy = report.loop_seconds - self.loop_seconds;
+        self.free = 100.0 * (1.0 - busy / seconds).clamp(0.0, 1.0);
+        self.began = now;
+        self.frames = frames.frames;
+        self.traced = frames.frames_traced;
+        self.spu_seconds = spu_seconds;
+        self.loop_seconds = report.loop_seconds;
+    }
+}

@@ -1,0 +1,98 @@
+//! Pictures of what is shown, each under a number of its own.
+//!
+//! Invariant: no file that is there is ever replaced.
+
+use std::fs::{self, OpenOptions};
+use std::io;
+use std::path::{Path, PathBuf};
+
+use cellray::framebuffer::write_png;
+use image::RgbImage;
+
+/// Most numbers.
+const MOST: u32 = 9999;
+
+/// Why there is no picture.
+#[derive(Debug, thiserror::Error)]
+pub enum ScreenshotError {
+    /// No file can be made there.
+    #[error("cannot write {}: {source}", path.display())]
+    Io {
+        /// Where.
+        path: PathBuf,
+        /// The system's answer.
+        source: io::Error,
+    },
+    /// The picture can't be written.
+    #[error(transparent)]
+    Png(#[from] cellray::framebuffer::FramebufferError),
+    /// All numbers are taken.
+    #[error("{}: all of {stem}-0001.png to {stem}-{MOST}.png are there already", folder.display())]
+    Full {
+        /// Where.
+        folder: PathBuf,
+        /// What the names begin with.
+        stem: String,
+    },
+}
+
+/// Writes a picture as `STEM-NNNN.png` with the lowest number that is free; gives its path.
+pub fn write(folder: &Path, stem: &str, picture: &RgbImage) -> Result<PathBuf, ScreenshotError> {
+    for number in 1..=MOST {
+        let path = folder.join(format!("{stem}-{number:04}.png"));
+        // The name is taken first: whoever writes there at the same time gets another.
+        match OpenOptions::new().write(true).create_new(true).open(&path) {
+            Ok(_) => {
+                if let Err(error) = write_png(&path, picture) {
+                    // The error to tell is the first one.
+                    let _ = fs::remove_file(&path);
+                    return Err(error.into());
+                }
+                return Ok(path);
+            }
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {}
+            Err(source) => return Err(ScreenshotError::Io { path, source }),
+        }
+    }
+    Err(ScreenshotError::Full {
+        folder: folder.to_owned(),
+        stem: stem.to_owned(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_is_overwritten() {
+        let folder = tempfile::tempdir().expect("a folder");
+        let name = |number: u32| folder.path().join(format!("s-{number:04}.png"));
+        fs::write(name(2), "a file of the user").expect("a file");
+        let picture = RgbImage::new(3, 2);
+        for number in [1, 3, 4] {
+            let path = write(folder.path(), "s", &picture).expect("a picture");
+            assert_eq!(path, name(number));
+            assert_eq!(image::open(path).expect("a PNG").into_rgb8(), picture);
+        }
+        assert_eq!(
+            fs::read(name(2)).expect("still there"),
+            b"a file of the user"
+        );
+    }
+
+    #[test]
+    fn a_failed_one_leaves_no_file() {
+        let folder = tempfile::tempdir().expect("a folder");
+        // The encoder refuses a picture without pixels.
+        let error = write(folder.path(), "s", &RgbImage::new(0, 0)).expect_err("no picture");
+        assert!(error.to_string().contains("s-0001.png"), "{error}");
+        assert_eq!(fs::read_dir(folder.path()).expect("a folder").count(), 0);
+        let error = write(&folder.path().join("none"), "s", &picture()).expect_err("no folder");
+        assert!(error.to_string().contains("none/s-0001.png"), "{error}");
+    }
+
+    fn picture() -> RgbImage {
+        RgbImage::new(1, 1)
+    }
+}

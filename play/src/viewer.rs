@@ -1,0 +1,280 @@
+//! A scene to look at: a game whose only player is the eye.
+//!
+//! Invariant: the eye stays on a sphere about what it looks at, and never passes its poles. Turns are by rational
+//! numbers, not by sines, so that a recorded session is the same on every machine.
+
+use cellray::game::{
+    Axis, Button, DVec3, Game, Key, Moment, Mouse, MouseButton, Start, View, World, WorldError,
+};
+use cellray::scene::Look;
+
+/// Turn of the eye by a key or a stick, in radians a second.
+const TURN: f64 = 1.5;
+/// Turn by a drag across the whole picture.
+const DRAG: f64 = std::f64::consts::PI;
+/// Turn by a mouse that points nowhere, for each of its units.
+const UNIT: f64 = 0.005;
+/// Part of the distance by one notch of the wheel.
+const NOTCH: f64 = 0.1;
+/// Part of the distance in a second of a key.
+const ZOOM: f64 = 1.0;
+/// Largest cosine of the angle between the line of sight and the pole.
+const STEEPEST: f64 = 0.995;
+/// Times that the distance may become larger or smaller.
+const FARTHEST: f64 = 100.0;
+
+/// A viewer of one scene.
+pub struct Viewer {
+    name: String,
+    scene: nff::Scene,
+    look: Look,
+    orbit: Orbit,
+    pointer: Option<[f32; 2]>,
+}
+
+impl Viewer {
+    /// Of this scene.
+    #[must_use]
+    pub fn new(scene: nff::Scene, look: Look) -> Self {
+        Self {
+            name: format!("view {}", scene.name),
+            orbit: Orbit::of(&scene.view),
+            scene,
+            look,
+            pointer: None,
+        }
+    }
+
+    /// Radians to the right and up that the mouse was dragged by.
+    fn drag(&mut self, mouse: Mouse, size: (u32, u32)) -> [f64; 2] {
+        let before = std::mem::replace(&mut self.pointer, mouse.position);
+        match (before, mouse.position) {
+            (Some(before), Some(now)) => {
+                let part = |axis: usize, side: u32| {
+                    f64::from(now[axis] - before[axis]) / f64::from(side.max(1))
+                };
+                [DRAG * part(0, size.0), DRAG * part(1, size.1)]
+            }
+            (None, None) => mouse.motion.map(|by| UNIT * f64::from(by)),
+            _ => [0.0; 2],
+        }
+    }
+}
+
+impl Game for Viewer {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
+        *world = World::from_nff(&self.scene, self.look)?;
+        Ok(())
+    }
+
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+        let Moment {
+            input, step, size, ..
+        } = *moment;
+        if input.key_pressed(Key::Home) || input.pad().is_some_and(|pad| pad.pressed(Button::Start))
+        {
+            self.orbit = Orbit::of(&self.scene.view);
+        }
+        let drag = self.drag(input.mouse(), size);
+        let held = input.mouse_held(MouseButton::Left);
+        let [across, along] = if held { drag } else { [0.0; 2] };
+        let key = |less, more| f64::from(input.key_axis(less, more));
+        let stick = |axis| input.pad().map_or(0.0, |pad| f64::from(pad.axis(axis)));
+        let turn = TURN * step;
+        // The scene follows the mouse; the eye follows keys and sticks.
+        let right = turn * (key(Key::Left, Key::Right) + stick(Axis::LeftX)) - across;
+        let up = turn * (key(Key::Down, Key::Up) - stick(Axis::LeftY)) + along;
+        self.orbit.turn(right, up);
+        let nearer = f64::from(input.mouse().wheel[1]) * NOTCH
+            + (key(Key::PageDown, Key::PageUp) - stick(Axis::RightY)) * ZOOM * step;
+        self.orbit.approach(nearer);
+        world.look_from(self.orbit.eye(), self.orbit.at)
+    }
+}
+
+/// An eye about a place.
+#[derive(Clone, Copy, Debug)]
+struct Orbit {
+    at: DVec3,
+    /// The pole.
+    up: DVec3,
+    /// From the place to the eye; of length 1.
+    towards: DVec3,
+    distance: f64,
+    first_distance: f64,
+}
+
+impl Orbit {
+    fn of(view: &View) -> Self {
+        let away = view.from - view.at;
+        let distance = away.length();
+        Self {
+            at: view.at,
+            up: view.up.normalize(),
+            towards: away / distance,
+            distance,
+            first_distance: distance,
+        }
+    }
+
+    fn eye(&self) -> DVec3 {
+        self.at + self.towards * self.distance
+    }
+
+    /// Moves the eye to its right and up, by about so many radians.
+    fn turn(&mut self, right: f64, up: f64) {
+        if right != 0.0 {
+            self.towards = rotate(self.towards, self.up, right).normalize();
+        }
+        let side = self.up.cross(self.towards);
+        if up != 0.0 && side.length_squared() > 0.0 {
+            let raised = rotate(self.towards, side.normalize(), -up).normalize();
+            let height = raised.dot(self.up);
+            // A view that begins beyond the steepest may come back.
+            let is_steeper = height.abs() > self.towards.dot(self.up).abs();
+            let has_passed = raised.dot(self.towards.reject_from_normalized(self.up)) <= 0.0;
+            if !(is_steeper && height.abs() > STEEPEST || has_passed) {
+                self.towards = raised;
+            }
+        }
+    }
+
+    /// Moves the eye nearer by about this part of its distance.
+    fn approach(&mut self, part: f64) {
+        let distance = if part >= 0.0 {
+            self.distance / (1.0 + part)
+        } else {
+            self.distance * (1.0 - part)
+        };
+        let (least, most) = (
+            self.first_distance / FARTHEST,
+            self.first_distance * FARTHEST,
+        );
+        self.distance = distance.clamp(least, most);
+    }
+}
+
+/// A vector, turned about an axis of length 1 by `2 atan(angle / 2)`: the angle itself where it is small.
+fn rotate(vector: DVec3, axis: DVec3, angle: f64) -> DVec3 {
+    let half = angle / 2.0;
+    let scale = 1.0 / (1.0 + half * half);
+    let (cosine, sine) = ((1.0 - half * half) * scale, 2.0 * half * scale);
+    vector * cosine + axis.cross(vector) * sine + axis * axis.dot(vector) * (1.0 - cosine)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cellray::game::{Input, InputEvent};
+
+    fn scene() -> nff::Scene {
+        let text = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 64 36\n\
+                    l 5 -5 5\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
+        nff::parse("a scene", text.as_bytes()).expect("a scene")
+    }
+
+    struct Player {
+        viewer: Viewer,
+        world: World,
+        input: Input,
+        frame: u64,
+    }
+
+    impl Player {
+        fn new() -> Self {
+            let (mut viewer, mut world) = (Viewer::new(scene(), Look::default()), World::new());
+            let start = Start {
+                seed: 0,
+                size: (64, 36),
+            };
+            viewer.set_up(&mut world, &start).expect("a world");
+            Self {
+                viewer,
+                world,
+                input: Input::default(),
+                frame: 0,
+            }
+        }
+
+        /// Frames with these events in the first; where the eye is then.
+        fn play(&mut self, events: &[InputEvent], frames: u64) -> DVec3 {
+            for number in 0..frames {
+                self.input.begin_frame();
+                if number == 0 {
+                    events.iter().for_each(|event| self.input.apply(event));
+                }
+                let moment = Moment {
+                    frame: self.frame,
+                    time: 0.0,
+                    step: 0.05,
+                    input: &self.input,
+                    size: (64, 36),
+                    last: None,
+                };
+                self.viewer
+                    .frame(&mut self.world, &moment)
+                    .expect("a frame");
+                self.frame += 1;
+            }
+            self.world.view().from
+        }
+    }
+
+    fn key(key: Key, down: bool) -> InputEvent {
+        InputEvent::Key { key, down }
+    }
+
+    #[test]
+    fn keys_turn_the_eye_about_the_scene() {
+        let mut player = Player::new();
+        let begin = player.play(&[], 1);
+        assert_eq!(begin, DVec3::new(0.0, -10.0, 0.0));
+        let right = player.play(&[key(Key::Right, true)], 10);
+        assert!(right.x > 5.0 && right.y < 0.0 && right.z == 0.0, "{right}");
+        assert!((right.length() - 10.0).abs() < 1e-9);
+        let up = player.play(&[key(Key::Right, false), key(Key::Up, true)], 5);
+        assert!(up.z > 2.0 && (up.length() - 10.0).abs() < 1e-9, "{up}");
+        let home = player.play(&[key(Key::Up, false), key(Key::Home, true)], 1);
+        assert_eq!(home, begin);
+    }
+
+    #[test]
+    fn the_eye_never_passes_a_pole() {
+        for (held, sign) in [(Key::Up, 1.0), (Key::Down, -1.0)] {
+            let mut player = Player::new();
+            let eye = player.play(&[key(held, true)], 500);
+            assert!(
+                eye.z * sign > 9.5 && eye.z * sign < 10.0 && eye.y < 0.0,
+                "{eye}"
+            );
+        }
+        // Nor by a drag across many pictures.
+        let mut orbit = Orbit::of(&scene().view);
+        for up in [9.0, -50.0, 3.2, 1e6] {
+            orbit.turn(0.0, up);
+            assert!(orbit.eye().y < 0.0, "{}", orbit.eye());
+        }
+    }
+
+    #[test]
+    fn the_scene_follows_the_mouse_and_the_wheel_brings_it_near() {
+        let mut player = Player::new();
+        let at = |x: f32, y: f32| InputEvent::MouseMoved { to: [x, y] };
+        let left = |down| InputEvent::MouseButton {
+            button: MouseButton::Left,
+            down,
+        };
+        let begin = player.play(&[at(10.0, 10.0)], 1);
+        assert_eq!(player.play(&[at(20.0, 10.0)], 1), begin);
+        let dragged = player.play(&[left(true), at(30.0, 10.0)], 1);
+        assert!(dragged.x < -1.0, "{dragged}");
+        let near = player.play(&[left(false), InputEvent::Wheel { by: [0.0, 2.0] }], 1);
+        assert!((near.length() - 10.0 / 1.2).abs() < 1e-9);
+        let far = player.play(&[InputEvent::Wheel { by: [0.0, -1e9] }], 1);
+        assert!((far.length() - 1000.0).abs() < 1e-6);
+    }
+}
