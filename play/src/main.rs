@@ -2,6 +2,14 @@
 
 use std::process::ExitCode;
 
+use cellray_play::Entry;
+
 fn main() -> ExitCode {
-    cellray_play::main(&[])
+    let games = games::GAMES.iter().map(|game| Entry {
+        name: game.name,
+        line: game.line,
+        controls: game.controls,
+        new: game.new,
+    });
+    cellray_play::main(&games.collect::<Vec<_>>())
 }

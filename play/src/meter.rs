@@ -23,6 +23,7 @@ pub struct Meter {
     shown: f64,
     simulated: f64,
     free: f64,
+    skipped: f64,
     message: Option<(String, Instant)>,
     overlay: Overlay,
 }
@@ -40,6 +41,7 @@ impl Meter {
             shown: 0.0,
             simulated: 0.0,
             free: 100.0,
+            skipped: 0.0,
             message: None,
             overlay: Overlay::default(),
         }
@@ -62,30 +64,28 @@ impl Meter {
         if passed >= EVERY {
             self.measure(now, passed.as_secs_f64(), report);
         }
-        let tests = last.tests();
-        let needless = tests.skipped + tests.unseen;
+        // What stands still is not traced: the last numbers stay.
         if last.is_traced() {
+            let tests = last.tests();
+            let needless = tests.skipped + tests.unseen;
+            self.skipped = 100.0 * needless as f64 / (needless + tests.made).max(1) as f64;
             let ticks = last.ticks().max(1);
             self.overlay.loads.clear();
             let load = |busy: u64| busy as f32 / ticks as f32;
             let loads = last.spus.iter().map(|spu| load(spu.busy));
             self.overlay.loads.extend(loads);
         }
-        let percent = |part: u64, all: u64| 100.0 * part as f64 / all.max(1) as f64;
         let lines = &mut self.overlay.lines;
         lines.clear();
         lines.push(format!(
-            "{:.1} frames/s, {:.1} by the SPUs' clock",
+            "{:.1} frames/s, SPUs {:.1}",
             self.shown, self.simulated
         ));
         lines.push(format!(
-            "{}x{} of {}x{}, {:.0} % of tests skipped",
-            picture.0,
-            picture.1,
-            area.0,
-            area.1,
-            percent(needless, needless + tests.made)
+            "{}x{} of {}x{}",
+            picture.0, picture.1, area.0, area.1,
         ));
+        lines.push(format!("{:.1} % of tests skipped", self.skipped));
         lines.push(format!("frame loop {:.1} % free", self.free));
         if let Some((message, said)) = &self.message
             && now.saturating_duration_since(*said) < MESSAGE
