@@ -14,7 +14,7 @@ use cellray::framebuffer::Interrupted;
 use cellray::game::{Button, InputEvent, InputSource, Key};
 
 use crate::display::{Display, Happening};
-use crate::input::Hub;
+use crate::input::{Foreground, Hub};
 
 /// Why a session ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,6 +45,9 @@ pub struct Front {
     /// What is seen.
     pub display: Box<dyn Display>,
     devices: Option<Hub>,
+    foreground: Foreground,
+    /// The player is on another virtual terminal.
+    is_away: bool,
     /// A terminal that is no display: its keys count where there is no keyboard.
     keys: Option<Box<dyn Display>>,
     interrupted: Interrupted,
@@ -67,6 +70,8 @@ impl Front {
         Self {
             display,
             devices,
+            foreground: Foreground::of_system(),
+            is_away: false,
             keys,
             interrupted,
             happenings: Vec::new(),
@@ -102,6 +107,13 @@ impl Front {
         let mut has_keyboard = false;
         if let Some(devices) = &mut self.devices {
             devices.poll(Instant::now(), &mut self.from_devices);
+            let was_away = std::mem::replace(&mut self.is_away, self.foreground.is_other());
+            if self.is_away {
+                self.from_devices.retain(is_of_presence);
+                if !was_away {
+                    self.from_devices.push(InputEvent::FocusLost);
+                }
+            }
             has_keyboard = devices.has_keyboard();
         }
         if let Some(keys) = &mut self.keys {
@@ -150,6 +162,14 @@ impl Front {
     fn end(&mut self, ending: Ending) {
         self.wishes.ending = self.wishes.ending.or(Some(ending));
     }
+}
+
+/// Whether an event tells of a device and not of what the player does with it.
+fn is_of_presence(event: &InputEvent) -> bool {
+    matches!(
+        event,
+        InputEvent::PadConnected { .. } | InputEvent::PadDisconnected { .. }
+    )
 }
 
 /// The front as the session's input.

@@ -174,7 +174,7 @@ mod tests {
     fn scene() -> nff::Scene {
         let text = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 40\nhither 1\nresolution 64 36\n\
                     l 5 -5 5\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n";
-        nff::parse("a scene", text.as_bytes()).expect("a scene")
+        nff::parse(text.as_bytes(), "a scene", &nff::Limits::default()).expect("a scene")
     }
 
     struct Player {

@@ -16,7 +16,7 @@ impl Fit {
     #[must_use]
     pub fn new(picture: (u32, u32), display: (u32, u32)) -> Self {
         let ((pw, ph), (dw, dh)) = (picture, display);
-        if pw == 0 || ph == 0 {
+        if [pw, ph, dw, dh].contains(&0) {
             return Self::default();
         }
         let scaled =
@@ -29,9 +29,9 @@ impl Fit {
             }
         };
         let (width, height) = if u64::from(dw) * u64::from(ph) <= u64::from(dh) * u64::from(pw) {
-            (dw, nearly(scaled(dw, ph, pw).min(dh), dh))
+            (dw, nearly(scaled(dw, ph, pw).clamp(1, dh), dh))
         } else {
-            (nearly(scaled(dh, pw, ph).min(dw), dw), dh)
+            (nearly(scaled(dh, pw, ph).clamp(1, dw), dw), dh)
         };
         Self {
             left: (dw - width) / 2,
@@ -121,10 +121,10 @@ mod tests {
 
     #[test]
     fn no_picture_is_nowhere() {
-        let fit = Fit::new((0, 0), (10, 10));
-        assert_eq!(
-            (fit.column(0), fit.row(0), fit.place(1.0, 1.0)),
-            (None, None, None)
-        );
+        for (picture, display) in [((0, 0), (10, 10)), ((10, 10), (10, 0))] {
+            let fit = Fit::new(picture, display);
+            let found = (fit.column(0), fit.row(0), fit.place(1.0, 1.0));
+            assert_eq!(found, (None, None, None));
+        }
     }
 }

@@ -129,11 +129,12 @@ impl ApplicationHandler for State {
             WindowEvent::CloseRequested | WindowEvent::Destroyed => {
                 self.happenings.push(Happening::Closed);
             }
-            WindowEvent::Resized(size) if size.width > 0 && size.height > 0 => {
-                if size != self.area {
-                    self.area = size;
-                    self.happenings.push(Happening::Resized);
-                }
+            // One that is hidden may have no size.
+            WindowEvent::Resized(size)
+                if size.width > 0 && size.height > 0 && size != self.area =>
+            {
+                self.area = size;
+                self.happenings.push(Happening::Resized);
             }
             WindowEvent::Focused(false) => self.input(InputEvent::FocusLost),
             WindowEvent::KeyboardInput { event, .. } if !event.repeat => {

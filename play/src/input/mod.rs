@@ -6,11 +6,13 @@
 
 mod capabilities;
 mod device;
+mod foreground;
 mod hotplug;
 mod layout;
 mod mapping;
 
 pub use capabilities::{Capabilities, Codes};
 pub use device::{Device, Devices, Range, RawEvent, SystemDevices};
+pub use foreground::Foreground;
 pub use hotplug::{Hub, Wanted};
 pub use mapping::{Kind, Mapping};
