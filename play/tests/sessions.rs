@@ -354,6 +354,24 @@ fn signals_and_ctrl_c_put_the_terminal_back() {
 }
 
 #[test]
+fn a_second_signal_ends_at_once_and_puts_the_terminal_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut pty = in_terminal(&folder.path().join("session"));
+    pty.wait_for("\u{2580}");
+    // Both are there when it goes on: the frame loop has no time to come round.
+    for signal in [libc::SIGSTOP, libc::SIGINT, libc::SIGTERM, libc::SIGCONT] {
+        pty::signal(pty.process(), signal);
+    }
+    let status = pty.end();
+    let signal = std::os::unix::process::ExitStatusExt::signal(&status);
+    assert!(
+        [Some(libc::SIGINT), Some(libc::SIGTERM)].contains(&signal),
+        "{status}"
+    );
+    pty.assert_restored();
+}
+
+#[test]
 fn a_terminals_size_is_followed() {
     let folder = tempfile::tempdir().expect("a folder");
     let mut pty = in_terminal(&folder.path().join("session"));

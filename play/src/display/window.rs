@@ -3,6 +3,7 @@
 //! Invariants: every key and button of the window becomes an event, in order, however long a frame takes: the
 //! window's events are taken in while a frame is traced, too.
 
+mod draw;
 mod keys;
 
 use std::io;
@@ -225,7 +226,7 @@ impl Display for Window {
         let mut buffer = surface.buffer_mut().map_err(failed)?;
         paint(&picture, *fit, &mut buffer, area.width as usize);
         if let Some(overlay) = overlay {
-            overlay.draw(&mut buffer, area.width as usize);
+            draw::draw(overlay, &mut buffer, area.width as usize);
         }
         window.pre_present_notify();
         buffer.present().map_err(failed)
