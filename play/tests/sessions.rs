@@ -346,11 +346,13 @@ fn signals_and_ctrl_c_put_the_terminal_back() {
         }
         pty.assert_restored();
     }
-    let mut pty = in_terminal(&folder.path().join("ctrl-c"));
-    pty.wait_for("\u{2580}");
-    pty.type_in("\x03");
-    assert_eq!(pty.end().code(), Some(130));
-    pty.assert_restored();
+    for (typed, status) in [("\x03", 130), ("\x04", 0)] {
+        let mut pty = in_terminal(&folder.path().join(status.to_string() + "-typed"));
+        pty.wait_for("\u{2580}");
+        pty.type_in(typed);
+        assert_eq!(pty.end().code(), Some(status));
+        pty.assert_restored();
+    }
 }
 
 #[test]

@@ -77,17 +77,19 @@ impl Terminal {
     }
 
     fn take_in(&mut self, event: Event, happenings: &mut Vec<Happening>) {
+        if let Event::Key(key) = event
+            && key.modifiers.contains(KeyModifiers::CONTROL)
+        {
+            // What a terminal itself makes of them where keys come line by line.
+            match key.code {
+                KeyCode::Char('c') => return happenings.push(Happening::Interrupted),
+                KeyCode::Char('d') => return happenings.push(Happening::Closed),
+                _ => {}
+            }
+        }
         let mut input = |event| happenings.push(Happening::Input(event));
         match event {
-            Event::Key(key) => {
-                let is_interrupt =
-                    key.code == KeyCode::Char('c') && key.modifiers.contains(KeyModifiers::CONTROL);
-                if is_interrupt {
-                    happenings.push(Happening::Interrupted);
-                } else {
-                    self.keys.take(key, Instant::now(), &mut input);
-                }
-            }
+            Event::Key(key) => self.keys.take(key, Instant::now(), &mut input),
             Event::Mouse(mouse) => {
                 // The middle of the character.
                 let (x, y) = (
