@@ -1,6 +1,6 @@
 //! A ball that bounces over a row of others, as numbered pictures.
 //!
-//!     cargo run --release --example bounce -- FOLDER [FRAMES]
+//!     cargo run --release --example bounce -- FOLDER [FRAMES | A..B]
 //!
 //! How a game is made: the world is set up once, then changed once a frame.
 
@@ -9,10 +9,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cellray::Settings;
-use cellray::framebuffer::{Geometry, NumberedPath, Sequence};
+use cellray::framebuffer::{Geometry, NumberedPath};
 use cellray::game::{
-    DVec3, DepthShading, FixedSteps, Game, Material, Moment, ObjectId, Session, Start, World,
-    WorldError,
+    DVec3, DepthShading, FixedSteps, FrameRange, Game, Material, Moment, ObjectId, Pictures,
+    Session, Start, World, WorldError,
 };
 
 const RADIUS: f64 = 0.6;
@@ -59,21 +59,23 @@ impl Game for Bounce {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let mut arguments = std::env::args_os().skip(1);
-    let folder = PathBuf::from(arguments.next().ok_or("usage: bounce FOLDER [FRAMES]")?);
-    let frames = match arguments.next() {
-        Some(text) => text
-            .to_string_lossy()
-            .parse()
-            .map_err(|error| format!("FRAMES: {error}"))?,
-        None => 24,
+    let folder = PathBuf::from(
+        arguments
+            .next()
+            .ok_or("usage: bounce FOLDER [FRAMES | A..B]")?,
+    );
+    let frames: FrameRange = match arguments.next() {
+        Some(text) => text.to_string_lossy().parse()?,
+        None => FrameRange { first: 0, end: 24 },
     };
     std::fs::create_dir_all(&folder)?;
     let pattern = folder.join("bounce-%03d.png");
     let paths = NumberedPath::new(pattern.to_str().ok_or("FOLDER: not in UTF-8")?)?;
-    let pictures = Sequence::new(paths, 0, Geometry::new(640, 360)?)?;
-    let mut session = Session::start(Bounce::default(), Settings::default(), Box::new(pictures))?
+    let pictures = Pictures::new(paths);
+    let picture = pictures.framebuffer(Geometry::new(640, 360)?)?;
+    let mut session = Session::start(Bounce::default(), Settings::default(), picture)?
         .with_clock(Box::new(FixedSteps(Duration::from_secs(1) / 12)));
-    let report = session.run(Some(frames))?;
-    eprintln!("{report}");
+    pictures.write(&mut session, frames)?;
+    eprintln!("{}", session.report());
     Ok(())
 }

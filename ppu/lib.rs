@@ -8,8 +8,10 @@
 //! [`Session`](game::Session). A ball that jumps, as numbered pictures:
 //!
 //! ```
-//! use cellray::framebuffer::{Geometry, NumberedPath, Sequence};
-//! use cellray::game::{DVec3, Game, Material, Moment, ObjectId, Session, Start, World, WorldError};
+//! use cellray::framebuffer::{Geometry, NumberedPath};
+//! use cellray::game::{
+//!     DVec3, FrameRange, Game, Material, Moment, ObjectId, Pictures, Session, Start, World, WorldError,
+//! };
 //!
 //! struct Ball(ObjectId);
 //!
@@ -27,8 +29,10 @@
 //!
 //! # let folder = tempfile::tempdir()?;
 //! # std::env::set_current_dir(folder.path())?;
-//! let pictures = Sequence::new(NumberedPath::new("ball-%03d.png")?, 0, Geometry::new(64, 36)?)?;
-//! Session::start(Ball(ObjectId::default()), Default::default(), Box::new(pictures))?.run(Some(3))?;
+//! let pictures = Pictures::new(NumberedPath::new("ball-%03d.png")?);
+//! let picture = pictures.framebuffer(Geometry::new(64, 36)?)?;
+//! let mut session = Session::start(Ball(ObjectId::default()), Default::default(), picture)?;
+//! pictures.write(&mut session, FrameRange { first: 0, end: 3 })?;
 //! # assert!(std::path::Path::new("ball-002.png").is_file());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -47,6 +51,6 @@ pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};
 pub use quality::Quality;
-pub use report::Report;
+pub use report::{LoopTime, Report};
 pub use scene::{Scene, SceneError};
 pub use shared::SharedMemory;

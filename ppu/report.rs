@@ -1,5 +1,7 @@
 //! Frames of one scene, summed up: what `--stats` writes and a run says at its end.
 
+mod loop_time;
+
 use std::fmt;
 
 use serde::Serialize;
@@ -8,8 +10,12 @@ use crate::formulation::Formulations;
 use crate::scene::Scene;
 use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
 
+pub use loop_time::LoopTime;
+
 /// Ticks of the decrementer a second on a PlayStation 3, in the emulator too.
 const PS3_TIMEBASE: f64 = 79_800_000.0;
+/// Frames a second that a television shows.
+const TELEVISION: f64 = 60.0;
 
 /// A run's frames; its JSON is what `--stats` writes. Times are in seconds.
 #[derive(Clone, Debug, Serialize)]
@@ -28,8 +34,13 @@ pub struct Report {
     pub frames: u32,
     /// Of these, those of which anything was traced; the others already were where they go.
     pub frames_traced: u32,
-    /// Seconds of the host's clock, from the first mail to the last answer.
+    /// Seconds of the host's clock that passed in the frame loop.
     pub host_seconds: f64,
+    /// What of them the loop's thread had on its processor. Emulated SPUs run in threads of their own, which are
+    /// not in it.
+    pub loop_seconds: f64,
+    /// Part of `host_seconds` in which the loop's thread slept, in per cent.
+    pub loop_free_percent: f64,
     /// Frames traced a second by the SPUs' decrementers: the console's time on a console.
     pub frames_per_second: f64,
     /// Part of the time that the SPUs were at work in, until the slowest of each frame was done: 1 if
@@ -122,6 +133,8 @@ impl Report {
             frames: 0,
             frames_traced: 0,
             host_seconds: 0.0,
+            loop_seconds: 0.0,
+            loop_free_percent: 100.0,
             frames_per_second: 0.0,
             busy_share: 0.0,
             dma_wait_share: 0.0,
@@ -146,11 +159,27 @@ impl Report {
         self
     }
 
-    /// Adds a frame, at whose end the frames had taken `host_seconds`.
-    pub fn add(&mut self, frame: &FrameStatistics, host_seconds: f64) {
+    /// Adds the time since a moment of this thread.
+    pub fn add_time_since(&mut self, began: LoopTime) {
+        let (passed, processor) = began.until_now();
+        self.host_seconds += passed.as_secs_f64();
+        self.loop_seconds += processor.as_secs_f64();
+        if self.host_seconds > 0.0 {
+            let busy = self.loop_seconds / self.host_seconds;
+            self.loop_free_percent = 100.0 * (1.0 - busy).max(0.0);
+        }
+    }
+
+    /// Time of the loop's thread on its processor for one frame.
+    #[must_use]
+    pub fn loop_seconds_a_frame(&self) -> f64 {
+        self.loop_seconds / f64::from(self.frames.max(1))
+    }
+
+    /// Adds a frame.
+    pub fn add(&mut self, frame: &FrameStatistics) {
         self.frames += 1;
         self.frames_traced += u32::from(frame.is_traced());
-        self.host_seconds = host_seconds;
         self.ticks += frame.ticks();
         self.tests += frame.tests();
         self.tiles.retained += frame.tiles_retained;
@@ -264,19 +293,22 @@ impl fmt::Display for Report {
         for (number, spu) in self.spu.iter().enumerate() {
             let (busy, wait) = (percent(spu.busy, seconds), percent(spu.dma_wait, seconds));
             let idle = (100.0 - busy - wait).max(0.0);
-            let end = if number + 1 < self.spu.len() {
-                "\n"
-            } else {
-                ""
-            };
-            write!(
+            writeln!(
                 f,
                 "SPU {number}: {busy:.1} % busy, {wait:.1} % waiting for DMA, {idle:.1} % idle; {} tiles, \
-                 {} packets{end}",
+                 {} packets",
                 spu.tiles, spu.packets
             )?;
         }
-        Ok(())
+        let a_frame = self.loop_seconds_a_frame();
+        write!(
+            f,
+            "frame loop: {:.2} ms of its processor a frame, {:.1} % of the time free; {:.1} % at {TELEVISION} \
+             frames/s",
+            1e3 * a_frame,
+            self.loop_free_percent,
+            100.0 * (1.0 - TELEVISION * a_frame).max(0.0)
+        )
     }
 }
 
@@ -359,8 +391,8 @@ mod tests {
     fn the_slowest_spu_sets_the_frame_rate() {
         let mut report = Report::new("s", (4, 4), 2);
         let traced = frame([(798_000, 0), (1_000_000, 596_000)], 16);
-        report.add(&traced, 0.5);
-        report.add(&traced, 1.0);
+        report.add(&traced);
+        report.add(&traced);
         let expected = timebase() / 1_596_000.0;
         assert!((report.frames_per_second - expected).abs() < 1e-9 * expected);
         assert_eq!((report.frames, report.frames_traced), (2, 2));
@@ -378,12 +410,33 @@ mod tests {
     #[test]
     fn frames_that_nothing_was_traced_of_are_no_speed() {
         let mut report = Report::new("s", (4, 4), 2);
-        report.add(&frame([(798_000, 0), (798_000, 0)], 16), 1.0);
+        report.add(&frame([(798_000, 0), (798_000, 0)], 16));
         let expected = report.frames_per_second;
-        report.add(&FrameStatistics::default(), 2.0);
+        report.add(&FrameStatistics::default());
         assert_eq!((report.frames, report.frames_traced), (2, 1));
         assert!((report.frames_per_second - expected).abs() < 1e-9 * expected);
         let text = report.to_string();
         assert!(text.contains("2 frame(s), 1 traced"), "{text}");
+    }
+
+    #[test]
+    fn a_loop_that_sleeps_is_free() {
+        let mut report = Report::new("s", (4, 4), 2);
+        let began = LoopTime::now();
+        std::thread::sleep(std::time::Duration::from_millis(50));
+        report.add_time_since(began);
+        assert!(report.host_seconds >= 0.05);
+        assert!(report.loop_seconds < 0.5 * report.host_seconds);
+        assert!(report.loop_free_percent > 50.0, "{report}");
+
+        let mut report = Report::new("s", (4, 4), 2);
+        let began = LoopTime::now();
+        while report.loop_seconds < 0.02 {
+            report = Report::new("s", (4, 4), 2);
+            report.add_time_since(began);
+        }
+        report.frames = 2;
+        assert!(report.loop_seconds_a_frame() >= 0.01);
+        assert!(report.to_string().ends_with(" at 60 frames/s"), "{report}");
     }
 }

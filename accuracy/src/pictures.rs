@@ -241,7 +241,7 @@ fn trace(
     let mut report = Report::new(subject.name, (width, height), settings.spus);
     let mut engine = Engine::start(settings, Box::new(framebuffer))?;
     engine.render(&scene, &mut |_| ())?;
-    report.add(engine.render(&scene, &mut |_| ())?, 0.0);
+    report.add(engine.render(&scene, &mut |_| ())?);
     let mut picture = Picture::black(width, height)?;
     let shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
     for (to, from) in picture.pixels_mut().iter_mut().zip(shown.pixels()) {

@@ -5,11 +5,10 @@ use std::time::Duration;
 
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
+use cellray::game::FrameRange;
 use cellray::scene::{Look, Model};
 use cellray::spe::{Program, ProgramError};
 use clap::{Args, Parser, Subcommand, ValueEnum};
-
-use crate::frames::FrameRange;
 
 /// Play games and look at scenes, traced by SPUs.
 #[derive(Debug, Parser)]
@@ -19,6 +18,12 @@ pub struct Arguments {
     #[command(subcommand)]
     pub command: Command,
 }
+
+const GAME_KEYS: &str = "\
+Keys:
+  Escape, Q, a pad's PS button   end
+  F1                             show or hide speed and loads
+  F12                            take a picture";
 
 const KEYS: &str = "\
 Keys:
@@ -46,12 +51,29 @@ pub enum Command {
 pub struct PlayArguments {
     /// Game
     pub name: Option<String>,
+    /// Options of the game.
+    #[command(flatten)]
+    pub options: GameOptions,
+}
+
+/// The command line of a program of one game.
+#[derive(Debug, Parser)]
+#[command(about = "A game, traced by SPUs", after_help = GAME_KEYS, after_long_help = GAME_KEYS)]
+pub struct OneGame {
+    /// Options of the game.
+    #[command(flatten)]
+    pub options: GameOptions,
+}
+
+/// Options of a game.
+#[derive(Debug, Args)]
+pub struct GameOptions {
     /// All of the game's chance comes from this number [default: another one each time, but 0 for pictures]
     #[arg(long, value_name = "N")]
     pub seed: Option<u64>,
     /// Options of the session.
     #[command(flatten)]
-    pub options: Options,
+    pub session: Options,
 }
 
 /// `view`.
@@ -150,6 +172,12 @@ pub struct Options {
 }
 
 impl Options {
+    /// Whether an SPU program is asked for.
+    #[must_use]
+    pub fn has_program(&self) -> bool {
+        self.program.is_some()
+    }
+
     /// How the engine is to work.
     pub fn settings(&self) -> Result<Settings, ProgramError> {
         Ok(Settings {

@@ -5,8 +5,9 @@ use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::time::{Duration, Instant};
 
+use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted};
-use cellray::game::{Clock, Game, Session, SessionReport};
+use cellray::game::{Clock, Game, Session};
 
 use crate::arguments::Options;
 use crate::display::Display;
@@ -27,7 +28,7 @@ pub struct Played {
     /// Why it ended.
     pub ending: Ending,
     /// What its frames took.
-    pub report: SessionReport,
+    pub report: Report,
     /// What could not be said before: the terminal was the picture's.
     pub messages: Vec<String>,
 }
@@ -78,12 +79,12 @@ pub fn play(
     let mut left = options.frames.map(|range| range.end);
     let mut ending = Ending::Over;
     while left != Some(0) {
-        let shown_before = session.report().frames.frames;
+        let shown_before = session.report().frames;
         let flow = session.frame()?;
         let mut front = front.borrow_mut();
         let wishes = front.take_wishes();
         let mut messages = front.take_messages();
-        if session.report().frames.frames > shown_before {
+        if session.report().frames > shown_before {
             has_overlay ^= wishes.overlay;
             let area = front.display.area();
             let report = session.report().clone();

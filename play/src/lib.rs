@@ -1,39 +1,17 @@
 //! Games and scenes before a player: in a window, a terminal, on the console's framebuffer, or as pictures.
 //!
 //! Owns displays, input devices and the command line of `cellray-play`; what is played it is given, as a table of
-//! [`Entry`]s. A program of one's own needs no more than
+//! [`Entry`]s. A program of one game needs no more than that game:
 //!
 //! ```no_run
-//! use cellray::game::{Game, Moment, Start, World, WorldError};
-//!
-//! struct Empty;
-//!
-//! impl Game for Empty {
-//!     fn set_up(&mut self, _: &mut World, _: &Start) -> Result<(), WorldError> {
-//!         Ok(())
-//!     }
-//!     fn frame(&mut self, _: &mut World, _: &Moment<'_>) -> Result<(), WorldError> {
-//!         Ok(())
-//!     }
-//! }
-//!
-//! fn main() -> std::process::ExitCode {
-//!     cellray_play::main(&[cellray_play::Entry {
-//!         name: "empty",
-//!         line: "nothing to see",
-//!         controls: &[],
-//!         new: || Box::new(Empty),
-//!     }])
-//! }
+#![doc = include_str!("../examples/ball.rs")]
 //! ```
 
 mod arguments;
 mod canvas;
 mod display;
 mod error;
-mod frames;
 mod front;
-mod images;
 pub mod input;
 mod interactive;
 mod meter;
@@ -45,15 +23,14 @@ mod viewer;
 
 use std::fmt::Write as _;
 use std::process::ExitCode;
-use std::sync::Arc;
-use std::sync::atomic::AtomicBool;
 use std::time::{SystemTime, UNIX_EPOCH};
 
-use cellray::framebuffer::Geometry;
-use cellray::game::{Clock, FixedSteps, Game, RealTime, SessionReport};
+use cellray::Report;
+use cellray::framebuffer::{Geometry, Interrupted, refuse_large_files};
+use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
 use clap::Parser as _;
 
-use self::arguments::{Arguments, Command, DisplayKind, Options};
+use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
 use self::display::{Nowhere, Screen, Terminal, Window};
 use self::error::PlayError;
 use self::front::Ending;
@@ -67,28 +44,25 @@ const SIZE: Geometry = Geometry {
     height: 540,
 };
 
-/// A game that can be played.
-#[derive(Clone, Copy)]
-pub struct Entry {
-    /// What it is called on the command line.
-    pub name: &'static str,
-    /// What it is, in a line.
-    pub line: &'static str,
-    /// What the player can do, a line each.
-    pub controls: &'static [&'static str],
-    /// Makes it.
-    pub new: fn() -> Box<dyn Game>,
-}
-
 /// The program, with these games.
 pub fn main(games: &[Entry]) -> ExitCode {
-    // A file that may not grow is an error to tell of, and no reason to be killed.
-    let ignored = Arc::new(AtomicBool::new(false));
-    if let Err(error) = signal_hook::flag::register(libc::SIGXFSZ, ignored) {
-        eprintln!("cellray-play: error: signals: {error}");
-        return ExitCode::FAILURE;
-    }
-    match run(games, &Arguments::parse()) {
+    end(prepare().and_then(|()| run(games, &Arguments::parse())))
+}
+
+/// A program of one game, whose command line has the options of `cellray-play play` alone.
+pub fn main_of<G: Game + Default + 'static>() -> ExitCode {
+    end(prepare().and_then(|()| {
+        let OneGame { options } = OneGame::parse();
+        play(Box::new(G::default()), &options)
+    }))
+}
+
+fn prepare() -> Result<(), PlayError> {
+    refuse_large_files().map_err(PlayError::Signals)
+}
+
+fn end(ending: Result<Ending, PlayError>) -> ExitCode {
+    match ending {
         Ok(Ending::Over | Ending::Closed) => ExitCode::SUCCESS,
         Ok(Ending::Signal(signal)) => {
             eprintln!("cellray-play: ended by signal {signal}");
@@ -121,7 +95,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             for line in entry.controls {
                 eprintln!("cellray-play: {line}");
             }
-            session((entry.new)(), play.seed, SIZE, &play.options)
+            self::play((entry.new)(), &play.options)
         }
         Command::View(view) => {
             let scene = nff::load(&view.scene)?;
@@ -132,6 +106,10 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             session(Box::new(viewer), Some(0), size, &view.options)
         }
     }
+}
+
+fn play(game: Box<dyn Game>, options: &GameOptions) -> Result<Ending, PlayError> {
+    session(game, options.seed, SIZE, &options.session)
 }
 
 fn list(games: &[Entry]) -> String {
@@ -160,6 +138,11 @@ fn session(
     usual: Geometry,
     options: &Options,
 ) -> Result<Ending, PlayError> {
+    if options.has_program() && game.program()?.is_some() {
+        return Err(PlayError::Options(
+            "--program: the game has an SPU program of its own",
+        ));
+    }
     let kind = display_kind(options)?;
     let size = options.size.unwrap_or(usual);
     if kind != DisplayKind::Images {
@@ -251,16 +234,25 @@ fn pictures(
             "pictures need --frames A..B and --out 'f-%05d.png'",
         ));
     };
-    let pictures = images::write(game, seed, options, range, paths, size)?;
-    tell(&pictures.report);
+    let pictures = Pictures::new(paths.clone());
+    let interrupted = Interrupted::install().map_err(PlayError::Signals)?;
+    let until = Interrupted::install().map_err(PlayError::Signals)?;
+    let session = Session::start(game, options.settings()?, pictures.framebuffer(size)?)?
+        .with_seed(seed)
+        .with_clock(Box::new(FixedSteps(options.step())))
+        .with_input(Box::new(until));
+    let replay = options.replay.as_deref();
+    let mut session = recording::connect(session, options.record.as_deref(), replay)?;
+    let made = pictures.write(&mut session, range)?;
+    tell(session.report());
     eprintln!(
         "cellray-play: {} picture(s) written, {} there already",
-        pictures.written, pictures.kept
+        made.written, made.kept
     );
-    Ok(pictures.ending)
+    Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
 }
 
-fn tell(report: &SessionReport) {
+fn tell(report: &Report) {
     for line in report.to_string().lines() {
         eprintln!("cellray-play: {line}");
     }

@@ -2,7 +2,7 @@
 
 use std::time::{Duration, Instant};
 
-use cellray::game::SessionReport;
+use cellray::Report;
 use cellray::statistics::FrameStatistics;
 
 use crate::overlay::Overlay;
@@ -56,7 +56,7 @@ impl Meter {
     pub fn frame(
         &mut self,
         now: Instant,
-        report: &SessionReport,
+        report: &Report,
         last: &FrameStatistics,
         (picture, area): ((u32, u32), (u32, u32)),
     ) -> &Overlay {
@@ -95,24 +95,23 @@ impl Meter {
         &self.overlay
     }
 
-    fn measure(&mut self, now: Instant, seconds: f64, report: &SessionReport) {
-        let frames = &report.frames;
-        let spu_seconds = if frames.frames_per_second > 0.0 {
-            f64::from(frames.frames_traced) / frames.frames_per_second
+    fn measure(&mut self, now: Instant, seconds: f64, report: &Report) {
+        let spu_seconds = if report.frames_per_second > 0.0 {
+            f64::from(report.frames_traced) / report.frames_per_second
         } else {
             0.0
         };
-        self.shown = f64::from(frames.frames - self.frames) / seconds;
+        self.shown = f64::from(report.frames - self.frames) / seconds;
         // While nothing is traced there is no speed to tell of: the last one stays.
         if spu_seconds > self.spu_seconds {
-            let traced = f64::from(frames.frames_traced - self.traced);
+            let traced = f64::from(report.frames_traced - self.traced);
             self.simulated = traced / (spu_seconds - self.spu_seconds);
         }
         let busy = report.loop_seconds - self.loop_seconds;
         self.free = 100.0 * (1.0 - busy / seconds).clamp(0.0, 1.0);
         self.began = now;
-        self.frames = frames.frames;
-        self.traced = frames.frames_traced;
+        self.frames = report.frames;
+        self.traced = report.frames_traced;
         self.spu_seconds = spu_seconds;
         self.loop_seconds = report.loop_seconds;
     }

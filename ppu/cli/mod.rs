@@ -1,15 +1,17 @@
 //! Commands: data goes to standard output, talk to standard error.
 
-mod bench;
+mod beside;
 mod fb;
 mod info;
 mod progress;
 mod render;
 mod run;
+mod sequence;
 mod sphereflake;
 
 use std::process::ExitCode;
 
+use cellray::framebuffer;
 use clap::{Parser, Subcommand};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
@@ -30,18 +32,25 @@ Examples:
   cellray render sphereflake:2 --spus 6 --frames 10 --stats - --out balls.png
   cellray fb scenes/paper16.nff --device /tmp/fb --size 1280x720
   cellray render scenes/far.nff --sphere paper --out far.png
+  cellray render scenes/whitted16.nff --frames 0..250 --out 'f-%05d.png'
+  cellray play billiards
+  cellray view scenes/whitted16.nff
   cellray bench accuracy
   cellray sphereflake 4 > balls.nff
   cellray info";
 
 #[derive(Subcommand)]
 enum Command {
-    /// Trace a scene into a PNG file
+    /// Trace a scene into a PNG file, or into a sequence of them
     Render(render::Arguments),
     /// Trace a scene into a framebuffer, or a file in the place of one
     Fb(fb::Arguments),
+    /// Play a game, by the program cellray-play; without a name, list those that there are
+    Play(beside::Arguments),
+    /// Look at a scene from all sides, by the program cellray-play
+    View(beside::Arguments),
     /// Measure run time against error, and numerical stability, by the program cellray-bench
-    Bench(bench::Arguments),
+    Bench(beside::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 that answers, its SPEs, and the framebuffer
@@ -49,18 +58,24 @@ enum Command {
 }
 
 pub fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
-        Command::Render(arguments) => render::run(&arguments),
-        Command::Fb(arguments) => fb::run(&arguments),
-        Command::Bench(arguments) => bench::run(&arguments),
-        Command::Sphereflake(arguments) => sphereflake::run(&arguments),
-        Command::Info(arguments) => info::run(&arguments),
-    };
-    match outcome {
+    match dispatch(&Arguments::parse().command) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
             eprintln!("cellray: error: {error}");
             ExitCode::FAILURE
         }
+    }
+}
+
+fn dispatch(command: &Command) -> Outcome {
+    framebuffer::refuse_large_files()?;
+    match command {
+        Command::Render(arguments) => render::run(arguments),
+        Command::Fb(arguments) => fb::run(arguments),
+        Command::Play(arguments) => beside::PLAY.run(Some("play"), arguments),
+        Command::View(arguments) => beside::PLAY.run(Some("view"), arguments),
+        Command::Bench(arguments) => beside::BENCH.run(None, arguments),
+        Command::Sphereflake(arguments) => sphereflake::run(arguments),
+        Command::Info(arguments) => info::run(arguments),
     }
 }

@@ -1,14 +1,17 @@
-//! `cellray render`: a scene into a PNG file.
+//! `cellray render`: a scene into a PNG file, or a sequence of them.
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
-use cellray::framebuffer::{Corners, Framebuffer, Geometry, Memory, Png};
+use cellray::framebuffer::{
+    Corners, Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, Png,
+};
+use cellray::game::{FrameRange, Pictures, Turntable, View};
 use cellray::scene::Look;
 use clap::Args;
 
-use super::{Outcome, run};
+use super::{Outcome, run, sequence};
 
-/// Trace a scene into a PNG file.
+/// Trace a scene into a PNG file, or into a sequence of them.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -16,37 +19,77 @@ pub struct Arguments {
     /// Pixels across and down [default: the scene's own]
     #[arg(long, value_name = "WxH")]
     size: Option<Geometry>,
-    /// Picture to write; without it the frames are traced and only measured
+    /// Picture to write; without it the frames are traced and only measured. With the frames' number in it, as in
+    /// f-%05d.png, every frame is a picture; those that are there already are kept
     #[arg(long, value_name = "F.png")]
     out: Option<PathBuf>,
-    /// Frames to show: a frame that stands still is traced once, unless --retrace asks for more
-    #[arg(long, default_value_t = 1, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
-    frames: u32,
+    /// Frames: N, the first N, of which a frame that stands still is traced once unless --retrace asks for more; or
+    /// A..B, from A up to B, which is not among them, as numbered pictures
+    #[arg(long, default_value = "1", value_name = "A..B")]
+    frames: FrameRange,
+    /// Frames in which the eye of numbered pictures goes once around what it looks at
+    #[arg(long, default_value_t = 250, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    turn: u32,
     /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard Procedural
     /// Databases have it
     #[arg(long)]
     corners: bool,
 }
 
+impl Arguments {
+    /// The pictures' size: as asked for, else the scene's own.
+    fn geometry(&self, view: &View) -> Result<Geometry, FramebufferError> {
+        match (self.size, view.resolution) {
+            (Some(size), _) => Ok(size),
+            (None, (width, height)) => Geometry::new(width, height),
+        }
+    }
+
+    /// The names of numbered pictures, if such are wanted.
+    fn numbered(&self) -> Result<Option<NumberedPath>, FramebufferError> {
+        let pattern = self.out.as_deref().and_then(Path::to_str);
+        let pattern = pattern.filter(|pattern| pattern.contains('%'));
+        pattern.map(NumberedPath::new).transpose()
+    }
+
+    fn sequence(&self, paths: NumberedPath) -> Outcome {
+        if self.corners {
+            return Err("--corners has no numbered pictures".into());
+        }
+        let scene = nff::load(&self.options.scene)?;
+        let size = self.geometry(&scene.view)?;
+        let turntable = Turntable::new(scene, self.options.look(), self.turn);
+        sequence::run(
+            &self.options,
+            turntable,
+            &Pictures::new(paths),
+            self.frames,
+            size,
+        )
+    }
+}
+
 pub fn run(arguments: &Arguments) -> Outcome {
+    if let Some(paths) = arguments.numbered()? {
+        return arguments.sequence(paths);
+    }
+    if arguments.frames.first != 0 {
+        return Err(
+            "--frames A..B with an A over 0 needs numbered pictures: --out 'f-%05d.png'".into(),
+        );
+    }
     let look = Look {
         corners: arguments.corners,
         ..arguments.options.look()
     };
     let program = arguments.options.program()?;
     let scene = run::scene(&arguments.options, look, &program)?;
-    let geometry = match arguments.size {
-        Some(size) => size,
-        None => {
-            let (width, height) = scene.view().resolution;
-            Geometry::new(width, height)?
-        }
-    };
+    let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),
         Some(path) => Box::new(Png::new(path, geometry)?),
         None => Box::new(Memory::new(geometry)?),
     };
-    let enough = |traced| traced >= arguments.frames as usize;
+    let enough = |traced| traced as u64 >= arguments.frames.end;
     run::frames(&arguments.options, program, &scene, framebuffer, enough)
 }

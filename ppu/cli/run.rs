@@ -3,14 +3,14 @@
 use std::fs;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use cellray::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::{Look, Model};
 use cellray::spe::{Program, ProgramError};
 use cellray::work::{Skip, Split};
-use cellray::{Engine, Quality, Report, Scene, Settings};
+use cellray::{Engine, LoopTime, Quality, Report, Scene, Settings};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 
@@ -81,6 +81,23 @@ impl Options {
         }
     }
 
+    /// How the engine is to work.
+    pub fn settings(&self, program: Program) -> Settings {
+        Settings {
+            spus: self.spus,
+            split: self.split,
+            skip: if self.no_skip {
+                Skip::Nothing
+            } else {
+                Skip::Misses
+            },
+            retain: !self.retrace,
+            check_shaders: self.check_shaders,
+            timeout: Duration::from_secs(self.timeout),
+            program,
+        }
+    }
+
     /// What the SPUs are to run.
     pub fn program(&self) -> Result<Program, ProgramError> {
         if let Some(file) = &self.program {
@@ -125,37 +142,30 @@ pub fn frames(
     mut enough: impl FnMut(usize) -> bool,
 ) -> Outcome {
     let Geometry { width, height } = framebuffer.geometry();
-    let settings = Settings {
-        spus: options.spus,
-        split: options.split,
-        skip: if options.no_skip {
-            Skip::Nothing
-        } else {
-            Skip::Misses
-        },
-        retain: !options.retrace,
-        check_shaders: options.check_shaders,
-        timeout: Duration::from_secs(options.timeout),
-        program,
-    };
-    let mut engine = Engine::start(settings, framebuffer)?;
+    let mut engine = Engine::start(options.settings(program), framebuffer)?;
     let formulations = program.formulations().ok();
     let mut report =
         Report::new(scene.file(), (width, height), options.spus).intersected(scene, formulations);
     let mut progress = Progress::start();
-    let start = Instant::now();
     while !enough(report.frames as usize) {
         let number = report.frames as usize + 1;
         let mut show = |part: f64| progress.show(number, part);
+        let began = LoopTime::now();
         let statistics = engine.render(scene, &mut show)?;
-        report.add(statistics, start.elapsed().as_secs_f64());
+        report.add(statistics);
+        report.add_time_since(began);
     }
     progress.end();
+    tell(options, &report)
+}
+
+/// Says what frames have taken, and writes it where it is wanted.
+pub fn tell(options: &Options, report: &Report) -> Outcome {
     for line in report.to_string().lines() {
         eprintln!("cellray: {line}");
     }
     match &options.stats {
-        Some(path) => write_stats(path, &report),
+        Some(path) => write_stats(path, report),
         None => Ok(()),
     }
 }

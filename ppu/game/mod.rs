@@ -7,6 +7,7 @@
 
 mod input;
 mod run;
+mod turntable;
 mod world;
 
 pub use glam::DVec3;
@@ -15,12 +16,14 @@ pub use nff::{LightKind, Shader, Shape, View};
 
 pub use input::{Axis, Button, Input, InputEvent, Key, Mouse, MouseButton, Pad, PadId, Sensors};
 pub use run::{
-    Clock, FixedSteps, InputSource, NoInput, RealTime, Recording, RecordingError, Session,
-    SessionError, SessionReport,
+    Clock, FixedSteps, FrameRange, FrameRangeError, InputSource, Made, NoInput, Pictures, RealTime,
+    Recording, RecordingError, Session, SessionError,
 };
+pub use turntable::Turntable;
 pub use world::{Light, LightId, Material, MaterialId, ObjectId, World, WorldError};
 
 pub use crate::scene::{Look, Model};
+use crate::spe::{Program, ProgramError};
 use crate::statistics::FrameStatistics;
 
 /// Something to play or to watch.
@@ -28,6 +31,11 @@ pub trait Game {
     /// What it is called, in recordings and statistics.
     fn name(&self) -> &str {
         "game"
+    }
+
+    /// The SPU program that it is traced by, if that is one of its own, with its shaders.
+    fn program(&self) -> Result<Option<Program>, ProgramError> {
+        Ok(None)
     }
 
     /// Puts the first objects, lights and materials into the world. Called once.
@@ -40,6 +48,19 @@ pub trait Game {
     fn is_over(&self) -> bool {
         false
     }
+}
+
+/// A game in a table of those that can be started.
+#[derive(Clone, Copy)]
+pub struct Entry {
+    /// What it is called on a command line, as [`Game::name`] has it.
+    pub name: &'static str,
+    /// What it is, in a line.
+    pub line: &'static str,
+    /// What the player can do, a line each.
+    pub controls: &'static [&'static str],
+    /// Makes it.
+    pub new: fn() -> Box<dyn Game>,
 }
 
 /// What a game is told before its first frame.

@@ -6,23 +6,25 @@
 
 mod clock;
 mod error;
+mod frames;
+mod pictures;
 mod recording;
-mod share;
 
 pub use clock::{Clock, FixedSteps, RealTime};
 pub use error::SessionError;
+pub use frames::{FrameRange, FrameRangeError};
+pub use pictures::{Made, Pictures};
 pub use recording::{Recording, RecordingError};
-pub use share::SessionReport;
 
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
 use self::recording::{FrameRecord, Header, Recorder};
-use self::share::ThreadTime;
 use super::{Game, Input, InputEvent, Moment, Start, World};
-use crate::framebuffer::Framebuffer;
-use crate::{Engine, EngineError, Settings};
+use crate::framebuffer::{Framebuffer, Interrupted};
+use crate::spe::{Program, ProgramError};
+use crate::{Engine, EngineError, LoopTime, Report, Settings};
 
 /// Where input comes from.
 pub trait InputSource {
@@ -42,6 +44,16 @@ pub struct NoInput;
 impl InputSource for NoInput {
     fn poll(&mut self, _events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>> {
         Ok(ControlFlow::Continue(()))
+    }
+}
+
+/// No input, up to a signal.
+impl InputSource for Interrupted {
+    fn poll(&mut self, _events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>> {
+        Ok(match self.signal() {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(()),
+        })
     }
 }
 
@@ -74,7 +86,7 @@ impl InputSource for NoInput {
 ///     .with_clock(Box::new(FixedSteps(Duration::from_millis(40))));
 /// session.run(Some(3))?;
 /// // What stands still is traced once.
-/// assert_eq!(session.report().frames.frames_traced, 1);
+/// assert_eq!(session.report().frames_traced, 1);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Session<G> {
@@ -95,20 +107,23 @@ pub struct Session<G> {
     record: FrameRecord,
     frame: u64,
     time: Duration,
-    report: SessionReport,
+    report: Report,
 }
 
 impl<G: Game> Session<G> {
-    /// Starts the SPUs. The game is set up at the first frame; until something else is said there is no input,
-    /// and at most sixty frames come a second.
+    /// Starts the SPUs, with the game's own program if it has one. The game is set up at the first frame; until
+    /// something else is said there is no input, and at most sixty frames come a second.
     pub fn start(
         game: G,
-        settings: Settings,
+        mut settings: Settings,
         framebuffer: Box<dyn Framebuffer>,
     ) -> Result<Self, SessionError> {
+        if let Some(program) = game.program()? {
+            settings.program = program;
+        }
         let geometry = framebuffer.geometry();
         let size = (geometry.width, geometry.height);
-        let report = SessionReport::new(game.name(), size, settings.spus);
+        let report = Report::new(game.name(), size, settings.spus);
         Ok(Self {
             engine: Engine::start(settings, framebuffer)?,
             game,
@@ -176,7 +191,7 @@ impl<G: Game> Session<G> {
     }
 
     /// Runs until the game is over, the input ends, the recording does or so many frames are shown.
-    pub fn run(&mut self, frames: Option<u64>) -> Result<&SessionReport, SessionError> {
+    pub fn run(&mut self, frames: Option<u64>) -> Result<&Report, SessionError> {
         let mut left = frames;
         while left != Some(0) {
             if self.frame()?.is_break() {
@@ -189,9 +204,9 @@ impl<G: Game> Session<G> {
 
     /// One frame, from the input to the picture; with [`ControlFlow::Break`], that the session is over.
     pub fn frame(&mut self) -> Result<ControlFlow<()>, SessionError> {
-        let began = ThreadTime::now();
+        let began = LoopTime::now();
         let flow = self.next_frame();
-        self.report.add_time(began.until_now());
+        self.report.add_time_since(began);
         if let (Ok(ControlFlow::Break(())), Some(recorder)) = (&flow, &mut self.recorder) {
             recorder.flush()?;
         }
@@ -216,7 +231,7 @@ impl<G: Game> Session<G> {
         let statistics = self
             .engine
             .render(scene, &mut |part| source.tracing(part))?;
-        self.report.add_frame(statistics);
+        self.report.add(statistics);
         Ok(self.end_frame())
     }
 
@@ -325,7 +340,7 @@ impl<G: Game> Session<G> {
 
     /// What the frames so far have taken.
     #[must_use]
-    pub fn report(&self) -> &SessionReport {
+    pub fn report(&self) -> &Report {
         &self.report
     }
 
@@ -356,6 +371,10 @@ impl<G: Game> Session<G> {
 impl<G: Game + ?Sized> Game for Box<G> {
     fn name(&self) -> &str {
         (**self).name()
+    }
+
+    fn program(&self) -> Result<Option<Program>, ProgramError> {
+        (**self).program()
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), super::WorldError> {

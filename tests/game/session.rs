@@ -285,7 +285,7 @@ fn a_game_that_is_over_ends_the_session() {
     let (session, _) = start(Driven::new(), (64, 32));
     let clock = Box::new(FixedSteps(Duration::from_millis(10)));
     let mut session = session.with_input(Box::new(Quitter(0))).with_clock(clock);
-    assert_eq!(session.run(None).unwrap().frames.frames, 3);
+    assert_eq!(session.run(None).unwrap().frames, 3);
 }
 
 #[test]
@@ -301,7 +301,7 @@ fn input_that_ends_or_fails_ends_the_session() {
     }
     let (session, _) = start(Driven::new(), (64, 32));
     let mut session = session.with_input(Box::new(Ends(false)));
-    assert_eq!(session.run(None).unwrap().frames.frames, 0);
+    assert_eq!(session.run(None).unwrap().frames, 0);
     let mut session = session.with_input(Box::new(Ends(true)));
     let error = session.run(None).unwrap_err();
     assert!(error.to_string().contains("unplugged"), "{error}");

@@ -37,7 +37,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         demo.play(SIZE, MORE, |world| -> Result<(), Box<dyn Error>> {
             objects = world.object_count();
             let scene = world.scene(&settings.program)?;
-            report.add(engine.render(scene, &mut |_| {})?, 0.0);
+            report.add(engine.render(scene, &mut |_| {})?);
             Ok(())
         })?;
         let million = |rays: u64| rays as f64 / f64::from(report.frames) / 1e6;

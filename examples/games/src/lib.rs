@@ -1,4 +1,5 @@
-//! Games for cellray. Each is a [`Game`] of the library and knows no window: `cellray-play` shows them.
+//! Games for cellray. Each is a [`Game`](cellray::game::Game) of the library and knows no window: `cellray-play`
+//! shows them.
 //!
 //! What they have in common: time in steps of one size ([`steps`]), balls that bounce off one another
 //! ([`bodies`]), an eye that the player moves ([`camera`]). Invariant: a game's world depends on its seed and what
@@ -15,20 +16,7 @@ pub mod orrery;
 pub mod screensaver;
 pub mod steps;
 
-use cellray::game::Game;
-
-/// A game that can be started by name.
-#[derive(Clone, Copy)]
-pub struct Entry {
-    /// What it is called, as [`Game::name`] has it.
-    pub name: &'static str,
-    /// What it is, in a line.
-    pub line: &'static str,
-    /// What the player can do, a line each.
-    pub controls: &'static [&'static str],
-    /// Makes it.
-    pub new: fn() -> Box<dyn Game>,
-}
+use cellray::game::Entry;
 
 /// All games.
 pub const GAMES: &[Entry] = &[

@@ -85,7 +85,7 @@ fn played(name: &str, seed: u64, player: u64) -> u64 {
     };
     let mut session = session(name, seed, (32, 18)).with_input(Box::new(player));
     let report = session.run(Some(FRAMES)).unwrap();
-    assert_eq!(u64::from(report.frames.frames), FRAMES);
+    assert_eq!(u64::from(report.frames), FRAMES);
     session.world().checksum()
 }
 

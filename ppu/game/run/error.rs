@@ -5,6 +5,7 @@ use std::io;
 use super::recording::RecordingError;
 use crate::EngineError;
 use crate::game::WorldError;
+use crate::spe::ProgramError;
 
 /// Why a session can't go on.
 #[derive(Debug, thiserror::Error)]
@@ -12,6 +13,9 @@ pub enum SessionError {
     /// The game did with its world what can't be done.
     #[error(transparent)]
     World(#[from] WorldError),
+    /// The game's own SPU program is none.
+    #[error(transparent)]
+    Program(#[from] ProgramError),
     /// No frame came.
     #[error(transparent)]
     Engine(#[from] EngineError),

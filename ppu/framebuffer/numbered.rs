@@ -1,10 +1,8 @@
-//! Frames as a sequence of numbered PNG pictures.
-//!
-//! Invariant: a picture's name depends on its number alone, and each is whole as soon as it is there.
+//! Names of numbered pictures.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
-use super::{Framebuffer, FramebufferError, Geometry, Memory, Target, write_png};
+use super::FramebufferError;
 
 /// Most digits of a number: as many as the largest has.
 const MOST_DIGITS: usize = 20;
@@ -69,76 +67,8 @@ impl NumberedPath {
     }
 }
 
-/// A framebuffer of which every presented frame becomes a picture of its own.
-pub struct Sequence {
-    paths: NumberedPath,
-    next: u64,
-    memory: Memory,
-}
-
-impl Sequence {
-    /// Prepares frames of `geometry`, the first of which has the number `first`; nothing is written before it.
-    pub fn new(
-        paths: NumberedPath,
-        first: u64,
-        geometry: Geometry,
-    ) -> Result<Self, FramebufferError> {
-        Ok(Self {
-            paths,
-            next: first,
-            memory: Memory::new(geometry)?,
-        })
-    }
-
-    /// The path of the picture that comes next.
-    #[must_use]
-    pub fn next_path(&self) -> PathBuf {
-        self.paths.of(self.next)
-    }
-
-    /// Whether the picture that comes next is there already, from an earlier run.
-    #[must_use]
-    pub fn has_next(&self) -> bool {
-        Path::is_file(&self.next_path())
-    }
-
-    /// Passes over the picture that comes next.
-    pub fn skip(&mut self) {
-        self.next += 1;
-    }
-}
-
-impl Framebuffer for Sequence {
-    fn geometry(&self) -> Geometry {
-        self.memory.geometry()
-    }
-
-    fn target(&mut self) -> Target {
-        self.memory.target()
-    }
-
-    fn present(&mut self) -> Result<(), FramebufferError> {
-        write_png(&self.next_path(), &self.memory.rgb())?;
-        self.next += 1;
-        Ok(())
-    }
-
-    fn keeps_contents(&self) -> bool {
-        self.memory.keeps_contents()
-    }
-
-    fn describe(&self) -> String {
-        format!(
-            "PNG pictures from {} on, {}",
-            self.next_path().display(),
-            self.geometry()
-        )
-    }
-}
-
 #[cfg(test)]
 mod tests {
-    use super::super::pattern;
     use super::*;
 
     #[test]
@@ -168,27 +98,6 @@ mod tests {
         ] {
             let error = NumberedPath::new(pattern).expect_err(pattern);
             assert!(error.to_string().contains("%05d"), "{error}");
-        }
-    }
-
-    #[test]
-    fn every_frame_is_a_picture() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let pattern = folder.path().join("f-%02d.png");
-        let paths = NumberedPath::new(pattern.to_str().expect("text")).expect("a pattern");
-        let size = Geometry {
-            width: 37,
-            height: 9,
-        };
-        let mut sequence = Sequence::new(paths, 9, size).expect("memory");
-        for seed in 0..2 {
-            assert!(!sequence.has_next());
-            pattern::paint(sequence.target(), seed);
-            sequence.present().expect("a picture");
-        }
-        for (seed, name) in [(0, "f-09.png"), (1, "f-10.png")] {
-            let picture = image::open(folder.path().join(name)).expect(name);
-            pattern::assert_shows(&picture.into_rgb8(), seed);
         }
     }
 }

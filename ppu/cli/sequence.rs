@@ -1,0 +1,36 @@
+//! Frames of a scene as numbered pictures.
+
+use std::time::Duration;
+
+use cellray::framebuffer::{Geometry, Interrupted};
+use cellray::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
+use signal_hook::low_level::emulate_default_handler;
+
+use super::{Outcome, run};
+
+/// Makes those of a range of frames that are not there.
+pub fn run(
+    options: &run::Options,
+    turntable: Turntable,
+    pictures: &Pictures,
+    frames: FrameRange,
+    size: Geometry,
+) -> Outcome {
+    let interrupted = Interrupted::install()?;
+    let settings = options.settings(options.program()?);
+    // A frame is told by its number alone.
+    let mut session = Session::start(turntable, settings, pictures.framebuffer(size)?)?
+        .with_clock(Box::new(FixedSteps(Duration::ZERO)))
+        .with_input(Box::new(Interrupted::install()?));
+    let made = pictures.write(&mut session, frames)?;
+    run::tell(options, session.report())?;
+    eprintln!(
+        "cellray: {} picture(s) written, {} there already",
+        made.written, made.kept
+    );
+    if let Some(signal) = interrupted.signal() {
+        eprintln!("cellray: ended by signal {signal}");
+        emulate_default_handler(signal)?;
+    }
+    Ok(())
+}
