@@ -104,8 +104,7 @@ fn register() -> io::Result<()> {
         if is_ignored(signal)? {
             continue;
         }
-        // SAFETY: `on_signal` only uses atomics and system calls that signal handlers may use.
-        match unsafe { low_level::register(signal, move || on_signal(signal)) } {
+        match catch(signal) {
             Ok(id) => registered.push(id),
             Err(error) => {
                 for id in registered {
@@ -116,6 +115,11 @@ fn register() -> io::Result<()> {
         }
     }
     Ok(())
+}
+
+fn catch(signal: i32) -> io::Result<SigId> {
+    // SAFETY: `on_signal` only uses atomics and system calls that signal handlers may use.
+    unsafe { low_level::register(signal, move || on_signal(signal)) }
 }
 
 fn is_ignored(signal: i32) -> io::Result<bool> {
@@ -157,9 +161,15 @@ pub(super) mod tests {
         assert!(child >= 0);
         if child == 0 {
             // What starts the tests may have ignored signals, as a shell does for what it runs behind.
-            for signal in [SIGINT, SIGTERM] {
-                // SAFETY: the default action is no handler of ours.
-                unsafe { libc::signal(signal, libc::SIG_DFL) };
+            for signal in SIGNALS {
+                if is_ignored(signal).expect("the action of a signal") {
+                    // SAFETY: the default action is no handler of ours.
+                    unsafe { libc::signal(signal, libc::SIG_DFL) };
+                    // Handlers that another test has put in place left this one out.
+                    if WAKE.get().is_some() {
+                        catch(signal).expect("a handler");
+                    }
+                }
             }
             let code = catch_unwind(scenario).unwrap_or(101);
             // SAFETY: ends the child.

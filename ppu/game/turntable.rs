@@ -65,8 +65,7 @@ mod tests {
 
     #[test]
     fn the_eye_goes_around_at_its_height_and_distance() {
-        let text =
-            "v\nfrom 3 -4 2\nat 0 0 1\nup 0 0 2\nangle 40\nhither 1\nresolution 4 4\ns 0 0 1 1\n";
+        let text = "v\nfrom 3 -4 2\nat 0 0 1\nup 0 0 2\nangle 40\nhither 1\nresolution 4 4\nf 1 1 1 1 0 0 0 1\ns 0 0 1 1\n";
         let scene = nff::parse(text.as_bytes(), "s", &nff::Limits::default()).expect("a scene");
         let View { from, at, .. } = scene.view;
         let turntable = Turntable::new(scene, Look::default(), 8);

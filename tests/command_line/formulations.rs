@@ -1,11 +1,9 @@
 //! The choice of formulations: all of them draw, and what was chosen is what is said.
 
-use std::os::unix::fs::symlink;
-
 use cellray::formulation::{Formulations, SPHERES, TRIANGLES};
 use image::RgbImage;
 
-use crate::support::{bad, good, text};
+use crate::support::{bad, good};
 
 /// Renders a scene with options; gives the picture, the formulations of the statistics, and the talk.
 fn rendered(scene: &str, options: &[&str]) -> (RgbImage, [String; 2], String) {
@@ -102,34 +100,4 @@ fn what_can_not_be_chosen_is_named() {
         &["render", scene, "--quality", "fast", "--program", "p.elf"],
         &["--quality", "--program"],
     );
-}
-
-#[test]
-fn benchmarks_are_handed_over_to_their_program() {
-    // Links, and on one file system: a program that is being written can't be run.
-    let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
-    let elsewhere = tempfile::tempdir().unwrap();
-    let cellray = folder.path().join("cellray");
-    std::fs::hard_link(env!("CARGO_BIN_EXE_cellray"), &cellray).unwrap();
-    let run = || {
-        std::process::Command::new(&cellray)
-            .args(["bench", "accuracy", "--seed", "x y"])
-            .env("PATH", elsewhere.path())
-            .output()
-            .unwrap()
-    };
-    let output = run();
-    let err = text(&output.stderr);
-    assert!(!output.status.success());
-    assert!(
-        err.contains("cellray-bench") && err.contains("cargo build"),
-        "{err}"
-    );
-    // One on PATH, then one beside cellray, which goes before it.
-    symlink("/bin/false", elsewhere.path().join("cellray-bench")).unwrap();
-    assert_eq!(run().status.code(), Some(1));
-    symlink("/bin/echo", folder.path().join("cellray-bench")).unwrap();
-    let output = run();
-    assert!(output.status.success(), "{}", text(&output.stderr));
-    assert_eq!(text(&output.stdout), "accuracy --seed x y\n");
 }

@@ -1,6 +1,8 @@
 //! The command line, as its users meet it: what it writes, and what it says of bad input.
 
+mod beside;
 mod formulations;
+mod sequence;
 mod support;
 mod whitted;
 
