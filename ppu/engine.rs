@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::formulation::EyeRecord;
-use crate::framebuffer::{Framebuffer, FramebufferError};
+use crate::framebuffer::{self, Framebuffer, FramebufferError};
 use crate::scene::{Scene, SceneError};
 use crate::shared::SharedMemory;
 use crate::spe::{Context, Ended, Event, Events, Program, ProgramError, SpeError};
@@ -400,13 +400,13 @@ impl Engine {
         for spu in &self.spus {
             spu.context.mail([(address >> 32) as u32, address as u32])?;
         }
-        let deadline = Instant::now() + self.settings.timeout;
+        let started = Instant::now();
         let mut waiting = [false; MAX_SPUS as usize];
         waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
         // All SPUs are waited for, also after an error: they write to the frame's memory until then.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
-            let left = deadline.saturating_duration_since(Instant::now());
+            let left = self.settings.timeout.saturating_sub(started.elapsed());
             if left.is_zero() {
                 let (spu, timeout) = (slowest as u32, self.settings.timeout);
                 return Err(EngineError::Silent { spu, timeout });
@@ -457,8 +457,10 @@ impl Engine {
     }
 
     /// Gives up the SPUs. libspe2 has no call that stops one: its thread, its context
-    /// and all memory that it may still write to are left to the end of the process.
+    /// and all memory that it may still write to are left to the end of the process. The screen is
+    /// given back now: whoever would do it is left, too.
     fn abandon(&mut self) {
+        framebuffer::put_back();
         std::mem::forget(self.records.take());
         for spu in self.spus.drain(..) {
             std::mem::forget(spu);

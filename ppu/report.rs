@@ -1,6 +1,7 @@
 //! Frames of one scene, summed up: what `--stats` writes and a run says at its end.
 
 mod loop_time;
+mod memory;
 
 use std::fmt;
 
@@ -41,6 +42,8 @@ pub struct Report {
     pub loop_seconds: f64,
     /// Part of `host_seconds` in which the loop's thread slept, in per cent.
     pub loop_free_percent: f64,
+    /// Most bytes of memory that the program has had at a time, emulated SPUs included, if it was asked for.
+    pub peak_bytes: Option<u64>,
     /// Frames traced a second by the SPUs' decrementers: the console's time on a console.
     pub frames_per_second: f64,
     /// Part of the time that the SPUs were at work in, until the slowest of each frame was done: 1 if
@@ -135,6 +138,7 @@ impl Report {
             host_seconds: 0.0,
             loop_seconds: 0.0,
             loop_free_percent: 100.0,
+            peak_bytes: None,
             frames_per_second: 0.0,
             busy_share: 0.0,
             dma_wait_share: 0.0,
@@ -168,6 +172,11 @@ impl Report {
             let busy = self.loop_seconds / self.host_seconds;
             self.loop_free_percent = 100.0 * (1.0 - busy).max(0.0);
         }
+    }
+
+    /// Asks the system how much memory the program has had.
+    pub fn add_memory(&mut self) {
+        self.peak_bytes = memory::peak_bytes();
     }
 
     /// Time of the loop's thread on its processor for one frame.
@@ -308,7 +317,15 @@ impl fmt::Display for Report {
             1e3 * a_frame,
             self.loop_free_percent,
             100.0 * (1.0 - TELEVISION * a_frame).max(0.0)
-        )
+        )?;
+        match self.peak_bytes {
+            Some(bytes) => write!(
+                f,
+                "\nmemory: {:.1} MiB at most",
+                bytes as f64 / f64::from(1 << 20)
+            ),
+            None => Ok(()),
+        }
     }
 }
 

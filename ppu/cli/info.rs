@@ -1,5 +1,6 @@
 //! `cellray info`: what this program has to work with.
 
+use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
 use cellray::formulation::{SPHERES, TRIANGLES};
@@ -23,22 +24,23 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let library = library
         .as_deref()
         .map_or("unknown".into(), Path::to_string_lossy);
-    println!("libspe2      {library}");
-    println!("SPEs         {}", spe::usable_spes()?);
-    println!(
-        "SPU program  {} bytes of ELF",
-        Program::tracer().image().len()
-    );
-    println!(
+    let program = Program::tracer();
+    let mut out = std::io::stdout().lock();
+    writeln!(out, "libspe2      {library}")?;
+    writeln!(out, "SPEs         {}", spe::usable_spes()?)?;
+    let bytes = program.image().len();
+    writeln!(out, "SPU program  {bytes} bytes of ELF")?;
+    writeln!(
+        out,
         "intersects   by {} of: {}; {}",
-        Program::tracer().formulations()?.name(),
+        program.formulations()?.name(),
         names(SPHERES.iter().map(|sphere| sphere.name)),
         names(TRIANGLES.iter().map(|triangle| triangle.name)),
-    );
-    println!("work unit    version {}", layout::VERSION);
+    )?;
+    writeln!(out, "work unit    version {}", layout::VERSION)?;
     match Device::inspect(&arguments.device) {
-        Ok(line) => println!("framebuffer  {line}"),
-        Err(error) => println!("framebuffer  none: {error}"),
+        Ok(line) => writeln!(out, "framebuffer  {line}")?,
+        Err(error) => writeln!(out, "framebuffer  none: {error}")?,
     }
     Ok(())
 }

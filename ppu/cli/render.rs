@@ -56,9 +56,12 @@ impl Arguments {
         if self.corners {
             return Err("--corners has no numbered pictures".into());
         }
+        let look = self.options.look();
+        // What can't be drawn is said before the first frame.
+        run::scene(&self.options, look, &self.options.program()?)?;
         let scene = nff::load(&self.options.scene)?;
         let size = self.geometry(&scene.view)?;
-        let turntable = Turntable::new(scene, self.options.look(), self.turn);
+        let turntable = Turntable::new(scene, look, self.turn);
         sequence::run(
             &self.options,
             turntable,

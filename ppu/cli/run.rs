@@ -156,16 +156,17 @@ pub fn frames(
         report.add_time_since(began);
     }
     progress.end();
-    tell(options, &report)
+    tell(options, report)
 }
 
 /// Says what frames have taken, and writes it where it is wanted.
-pub fn tell(options: &Options, report: &Report) -> Outcome {
+pub fn tell(options: &Options, mut report: Report) -> Outcome {
+    report.add_memory();
     for line in report.to_string().lines() {
         eprintln!("cellray: {line}");
     }
     match &options.stats {
-        Some(path) => write_stats(path, report),
+        Some(path) => write_stats(path, &report),
         None => Ok(()),
     }
 }

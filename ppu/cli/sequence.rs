@@ -23,7 +23,7 @@ pub fn run(
         .with_clock(Box::new(FixedSteps(Duration::ZERO)))
         .with_input(Box::new(Interrupted::install()?));
     let made = pictures.write(&mut session, frames)?;
-    run::tell(options, session.report())?;
+    run::tell(options, session.report().clone())?;
     eprintln!(
         "cellray: {} picture(s) written, {} there already",
         made.written, made.kept

@@ -66,9 +66,10 @@ impl Console {
     pub(super) fn leave(&mut self, asked: Asked) {
         match asked {
             Asked::Leave => {
-                self.away = true;
-                // Refused only where the user thought better of it: then the screen is given back.
-                let _ = self.terminal.answer(VT_RELEASED);
+                self.switching.leave();
+                // Refused where nobody waits for the screen: the user thought better of it, or the signal was not the
+                // kernel's. Then it is not given back, either.
+                self.away = self.terminal.answer(VT_RELEASED).is_ok();
             }
             Asked::Stop => {
                 self.restore();

@@ -89,7 +89,7 @@ impl Drop for PutBack {
 }
 
 /// Makes every call promised, once.
-pub(super) fn put_back() {
+pub(crate) fn put_back() {
     for place in &PROMISED {
         let call = place.swap(ptr::null_mut(), Ordering::SeqCst);
         // SAFETY: what is in a place was leaked from a box, and is not freed once it was taken out.

@@ -46,6 +46,14 @@ fn replaceable(path: &Path) -> Result<PathBuf, FramebufferError> {
             path,
             io::Error::other("it is there and no regular file"),
         )),
+        // Renaming over a link to nothing would leave the picture elsewhere than the link says.
+        Err(error) if error.kind() == io::ErrorKind::NotFound && path.is_symlink() => {
+            Err(FramebufferError::io(
+                "write",
+                path,
+                io::Error::other("it is a link to what is not there"),
+            ))
+        }
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(path.to_owned()),
         Err(source) => Err(FramebufferError::io("look at", path, source)),
     }
@@ -194,6 +202,16 @@ mod tests {
         write_png(&link, &RgbImage::new(2, 2)).unwrap();
         assert!(fs::symlink_metadata(&link).unwrap().is_symlink());
         assert_eq!(image::open(&real).unwrap().into_rgb8().dimensions(), (2, 2));
+    }
+
+    #[test]
+    fn a_link_to_nothing_is_an_error() {
+        let folder = tempfile::tempdir().unwrap();
+        let link = folder.path().join("link.png");
+        symlink(folder.path().join("nothing.png"), &link).unwrap();
+        let error = write_png(&link, &RgbImage::new(2, 2)).unwrap_err();
+        assert!(error.to_string().contains("link.png"), "{error}");
+        assert!(link.is_symlink());
     }
 
     #[test]

@@ -68,6 +68,11 @@ impl Switching {
         }
     }
 
+    /// Forgets that the screen was given back: it is about to be left.
+    pub(super) fn leave(&self) {
+        BACK.store(false, Ordering::SeqCst);
+    }
+
     /// Sleeps until the screen is given back, and says whether it is; not when the program is asked to
     /// end meanwhile.
     pub(super) fn wait_until_back(&self) -> bool {

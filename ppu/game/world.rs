@@ -35,6 +35,8 @@ new_key_type! {
 }
 
 struct Object {
+    /// In the file that it is from.
+    line: Option<u32>,
     shape: Shape,
     material: MaterialId,
     visible: bool,
@@ -43,6 +45,8 @@ struct Object {
 }
 
 struct Stuff {
+    /// In the file that it is from.
+    line: Option<u32>,
     material: nff::Material,
     /// Objects that are made of it.
     users: u32,
@@ -50,6 +54,8 @@ struct Stuff {
 }
 
 struct Lamp {
+    /// In the file that it is from.
+    line: Option<u32>,
     light: Light,
     traced: Tracing,
 }
@@ -132,24 +138,38 @@ impl World {
         }
     }
 
-    /// The world that a scene shows. Its objects, materials and lights are in the scene's order.
+    /// The world that a scene shows. Its objects, materials and lights are in the scene's order, and called by the
+    /// lines that they are in.
     pub fn from_nff(scene: &nff::Scene, look: Look) -> Result<Self, WorldError> {
+        let at = |line| {
+            move |source| WorldError::At {
+                file: scene.name.clone(),
+                line,
+                source: Box::new(source),
+            }
+        };
         let mut world = Self::new();
         world.name.clone_from(&scene.name);
         world.set_look(look);
         world.set_view(scene.view.clone())?;
         world.set_background(scene.background)?;
         world.set_ambient(scene.ambient)?;
-        for &nff::Light { kind, colour, .. } in &scene.lights {
-            world.add_light(Light { kind, colour })?;
+        for &nff::Light { line, kind, colour } in &scene.lights {
+            let id = world.add_light(Light { kind, colour }).map_err(at(line))?;
+            world.lights[id].line = Some(line);
         }
-        let materials = scene.materials.iter();
-        let ids: Vec<_> = materials
-            .map(|material| world.add_material(material.into()))
-            .collect::<Result<_, _>>()?;
+        let mut ids = Vec::new();
+        for material in &scene.materials {
+            let id = world.add_material(material.into());
+            let id = id.map_err(at(material.line))?;
+            world.materials[id].line = Some(material.line);
+            ids.push(id);
+        }
         for object in &scene.objects {
             let material = ids.get(object.material as usize).copied();
-            world.add(object.shape.clone(), material.unwrap_or_default())?;
+            let id = world.add(object.shape.clone(), material.unwrap_or_default());
+            let id = id.map_err(at(object.line))?;
+            world.objects[id].line = Some(object.line);
         }
         Ok(world)
     }
@@ -173,20 +193,21 @@ impl World {
                 .zip(self.lights.values())
                 .map(|(line, lamp)| {
                     let Light { kind, colour } = lamp.light;
+                    let line = lamp.line.unwrap_or(line);
                     nff::Light { line, kind, colour }
                 })
                 .collect(),
             materials: (1..)
                 .zip(self.materials.values())
                 .map(|(line, stuff)| nff::Material {
-                    line,
+                    line: stuff.line.unwrap_or(line),
                     ..stuff.material.clone()
                 })
                 .collect(),
             objects: (1..)
                 .zip(objects)
                 .map(|(line, object)| nff::Object {
-                    line,
+                    line: object.line.unwrap_or(line),
                     material: place.get(object.material).copied().unwrap_or_default(),
                     shape: object.shape.clone(),
                 })

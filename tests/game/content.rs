@@ -25,9 +25,17 @@ pub fn shape(random: &mut ChaCha8Rng) -> Shape {
             apex: middle + a,
             apex_radius: random.random_range(0.0..0.6),
         },
-        4 => Shape::Polygon {
-            vertices: vec![middle, middle + a, middle + a + b, middle + b],
-        },
+        4 => {
+            // Vertices need not be in a plane.
+            let bent = if random.random() {
+                0.7 * c
+            } else {
+                DVec3::ZERO
+            };
+            Shape::Polygon {
+                vertices: vec![middle, middle + a, middle + a + b + bent, middle + b],
+            }
+        }
         5 => Shape::Polygon {
             vertices: vec![middle, middle + a, middle + b],
         },

@@ -10,6 +10,9 @@ use cellray::work::layout::MAX_SPHERES;
 
 use crate::recorder::{nff_scene, render};
 
+/// Seven lines.
+const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n";
+
 fn red(world: &mut World) -> MaterialId {
     world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap()
 }
@@ -277,4 +280,27 @@ fn a_scene_comes_back_as_it_was() {
             [&scene, &world.to_nff()].map(|scene| render(scene, 32, 16, Settings::default()));
         assert!(before == after, "{name}");
     }
+}
+
+#[test]
+fn what_a_file_has_is_called_by_its_line() {
+    let parse = |text: &str| {
+        let text = format!("{VIEW}{text}");
+        nff::parse(text.as_bytes(), "dir/s.nff", &nff::Limits::default()).unwrap()
+    };
+    let world = |text: &str| World::from_nff(&parse(text), Look::default());
+    let refused = |text: &str| world(text).err().expect("an error").to_string();
+    let text = refused("\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n\n\ns 0 0 0 1e30\n");
+    assert!(
+        text.starts_with("dir/s.nff:13: radius 1e30 is out"),
+        "{text}"
+    );
+    let text = refused("l 0 0 1e30\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n");
+    assert!(text.starts_with("dir/s.nff:8: "), "{text}");
+
+    let text = "l 0 9 9\n\n\nf 1 1 1 1 0 0 0 0\n#cellray shader wood\ns 0 0 0 1\n";
+    let mut world = world(text).unwrap();
+    let error = world.scene(&Program::tracer()).err().expect("an error");
+    let error = error.to_string();
+    assert!(error.starts_with("dir/s.nff:11: "), "{error}");
 }

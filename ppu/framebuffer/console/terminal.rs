@@ -114,7 +114,14 @@ impl Terminal for VirtualTerminal {
     }
 
     fn discard_input(&self) {
+        let terminal = self.file.as_raw_fd();
         // SAFETY: the descriptor is open.
-        unsafe { libc::tcflush(self.file.as_raw_fd(), libc::TCIFLUSH) };
+        unsafe {
+            // Behind the shell what was typed is the shell's, and the call would stop the program.
+            let foreground = libc::tcgetpgrp(terminal);
+            if foreground < 0 || foreground == libc::getpgrp() {
+                libc::tcflush(terminal, libc::TCIFLUSH);
+            }
+        }
     }
 }

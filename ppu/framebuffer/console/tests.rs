@@ -38,6 +38,8 @@ impl Notes {
 struct Noted {
     found: io::Result<i32>,
     denied: bool,
+    /// Whether nobody waits for the screen.
+    unasked: bool,
     changes: Option<VtMode>,
     notes: Notes,
 }
@@ -77,7 +79,11 @@ impl Terminal for Noted {
 
     fn answer(&self, answer: i32) -> io::Result<()> {
         self.notes.note(Told::Answer(answer));
-        Ok(())
+        if self.unasked {
+            Err(io::Error::from(io::ErrorKind::InvalidInput))
+        } else {
+            Ok(())
+        }
     }
 
     fn discard_input(&self) {
@@ -90,6 +96,7 @@ fn noted(found: io::Result<i32>, denied: bool) -> (Box<Noted>, Notes) {
     let noted = Noted {
         found,
         denied,
+        unasked: false,
         changes: None,
         notes: notes.clone(),
     };
@@ -227,6 +234,45 @@ mod switching {
             drop(console);
             let told = [Told::Changes(AUTO), Told::Mode(KD_TEXT), Told::Discard];
             assert_eq!(notes.told(), told);
+            7
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
+    }
+
+    #[test]
+    fn a_screen_that_nobody_waits_for_is_kept() {
+        let status = in_child(|| {
+            let (mut terminal, notes) = noted(Ok(KD_TEXT), false);
+            terminal.changes = Some(AUTO);
+            terminal.unasked = true;
+            let mut console = Console::take("tty", terminal).unwrap();
+            notes.told();
+            raise(libc::SIGRTMIN());
+            console.leave(console.asked().unwrap());
+            // At once: nobody would give it back.
+            assert!(console.come_back());
+            assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
+            7
+        });
+        assert!(libc::WIFEXITED(status), "{status:#x}");
+        assert_eq!(libc::WEXITSTATUS(status), 7);
+    }
+
+    /// A program that starts behind another terminal is given the screen without having left it.
+    #[test]
+    fn an_earlier_giving_back_is_no_answer_to_a_later_leaving() {
+        let status = in_child(|| {
+            let interrupted = Interrupted::install().unwrap();
+            let (mut console, _) = taken();
+            raise(libc::SIGRTMIN() + 1);
+            assert!(console.asked().is_none() && console.come_back());
+            raise(libc::SIGRTMIN());
+            console.leave(console.asked().unwrap());
+            // Else it would wait for ever, as it should.
+            raise(libc::SIGTERM);
+            assert!(!console.come_back());
+            drop(interrupted);
             7
         });
         assert!(libc::WIFEXITED(status), "{status:#x}");

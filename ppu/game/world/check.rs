@@ -57,6 +57,11 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
             if *base_radius == 0.0 && *apex_radius == 0.0 {
                 return Err(WorldError::NoSurface("both radii of a cone are 0"));
             }
+            if base_radius * apex_radius < 0.0 {
+                return Err(WorldError::NoSurface(
+                    "one radius of a cone is below 0, the other above",
+                ));
+            }
             size("height", base.distance(*apex))
         }
         Shape::Polygon { vertices } => polygon(vertices),

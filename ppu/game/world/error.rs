@@ -38,6 +38,16 @@ pub enum WorldError {
     /// A shape that is none.
     #[error("the shape has no surface: {0}")]
     NoSurface(&'static str),
+    /// What is in a line of a file is refused.
+    #[error("{file}:{line}: {source}")]
+    At {
+        /// The file.
+        file: String,
+        /// The line, from 1.
+        line: u32,
+        /// Why.
+        source: Box<WorldError>,
+    },
     /// A light from nowhere.
     #[error("a light that is infinitely far needs a direction, which 0 is not")]
     NoDirection,

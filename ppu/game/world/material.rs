@@ -170,6 +170,7 @@ impl World {
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, WorldError> {
         check::material(&material)?;
         let id = self.materials.insert(Stuff {
+            line: None,
             material: material.into_nff(0),
             users: 0,
             traced: Tracing::default(),
@@ -242,6 +243,7 @@ impl World {
         // The others' brightness may depend on how many there are.
         self.changes.anew = true;
         Ok(self.lights.insert(Lamp {
+            line: None,
             light,
             traced: Tracing::default(),
         }))

@@ -13,6 +13,7 @@ impl World {
         let stuff = self.materials.get_mut(material);
         stuff.ok_or(WorldError::NoMaterial)?.users += 1;
         let id = self.objects.insert(Object {
+            line: None,
             shape,
             material,
             visible: true,

@@ -81,7 +81,7 @@ impl Stuff {
     /// Gives it its number in the scene, by which messages call it.
     fn number(&mut self, number: usize) {
         self.traced.number = Some(number);
-        self.material.line = number as u32 + 1;
+        self.material.line = self.line.unwrap_or(number as u32 + 1);
     }
 }
 

@@ -61,6 +61,10 @@ impl Kind {
     }
 }
 
+/// What a triangle's vertices may be off its polygon's plane, in parts of its edges: no more than numbers of a scene
+/// are rounded by.
+const FLAT: f64 = 1.0 / (1 << 18) as f64;
+
 /// An object where the scene has it.
 #[derive(Clone, Debug)]
 pub(super) struct Object {
@@ -328,6 +332,22 @@ impl Form {
             } => Some((corner, normal)),
             Self::Sphere { .. } | Self::Cone { .. } => None,
         }
+    }
+
+    /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through its first vertex that
+    /// has the whole polygon's normal, where that polygon's vertices are in no plane.
+    pub fn is_bent(&self) -> bool {
+        let Self::Triangle {
+            vertices: [a, b, c],
+            normal,
+            ..
+        } = *self
+        else {
+            return false;
+        };
+        let (ab, ac) = (b - a, c - a);
+        let off = ab.dot(normal).abs().max(ac.dot(normal).abs());
+        off > FLAT * ab.length().max(ac.length())
     }
 
     fn head(&self) -> Head {

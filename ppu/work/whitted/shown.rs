@@ -38,6 +38,8 @@ struct Seen {
     material: u32,
     /// Whether others may be seen in it.
     sees_others: bool,
+    /// Whether it is shaded beside where it is seen.
+    is_bent: bool,
 }
 
 /// What a picture was made of; its buffers serve for the next.
@@ -78,6 +80,7 @@ impl Shown {
     /// Takes down what a block that was written for this eye shows; nothing without one.
     pub fn take(&mut self, block: Option<&SceneBlock>, eye: DVec3) {
         self.options = block.map(|block| block.options);
+        self.ambient = Default::default();
         self.lights.clear();
         self.objects.clear();
         self.addresses.clear();
@@ -96,6 +99,7 @@ impl Shown {
                         ball: widened(eye, ball),
                         hull: object.form.hull(),
                         plane: object.form.plane(),
+                        is_bent: object.form.is_bent(),
                         record: (address, object.form.size()),
                         material: material.get(),
                         sees_others: surface
@@ -194,6 +198,10 @@ impl Shown {
                 return false;
             };
             for on in self.objects.iter().flatten() {
+                if on.is_bent {
+                    changed.add(&on.bounds(lens));
+                    continue;
+                }
                 // Most objects are out of the shadow's way: theirs are not asked for.
                 let mut bounds = None;
                 shadow.on(on.ball, on.plane, lens, &mut |pixels: &Rectangle| {
