@@ -43,6 +43,7 @@ pub struct Input {
     buttons: Switches<MouseButton>,
     mouse: Mouse,
     pads: Vec<Pad>,
+    lost_focus: bool,
 }
 
 impl Input {
@@ -52,6 +53,7 @@ impl Input {
         self.buttons.begin_frame();
         self.mouse.motion = [0.0; 2];
         self.mouse.wheel = [0.0; 2];
+        self.lost_focus = false;
         for pad in &mut self.pads {
             pad.begin_frame();
         }
@@ -86,6 +88,12 @@ impl Input {
                 self.with_pad(*pad, |pad| pad.set_sensors(*sensors));
             }
         }
+    }
+
+    /// Whether keys began to go elsewhere in this frame: what counts as released by that, the player did not let go.
+    #[must_use]
+    pub fn lost_focus(&self) -> bool {
+        self.lost_focus
     }
 
     /// Whether a key is down, or was within the frame.
@@ -156,6 +164,7 @@ impl Input {
 
     /// Everything held counts as released: nobody will hear of it when it is.
     fn let_go(&mut self) {
+        self.lost_focus = true;
         self.keys.let_go();
         self.buttons.let_go();
         self.pads.iter_mut().for_each(Pad::let_go);

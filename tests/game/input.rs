@@ -167,9 +167,13 @@ fn who_loses_the_focus_lets_go() {
         },
         key(Key::A, true),
     ]);
+    assert!(!input.lost_focus());
     next(&mut input, &[InputEvent::FocusLost]);
+    assert!(input.lost_focus());
     assert!(input.key_released(Key::A) && !input.key_held(Key::A));
     let pad = input.pad().unwrap();
     assert!(pad.released(Button::R2) && !pad.held(Button::R2));
     assert_eq!(pad.axis(Axis::R2), 0.0);
+    next(&mut input, &[]);
+    assert!(!input.lost_focus(), "it was lost once");
 }
