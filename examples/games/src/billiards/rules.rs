@@ -2,8 +2,9 @@
 //!
 //! Who pockets the first ball after the break has its group, full or striped; who pockets one of their own plays on.
 //! It is a foul to pocket the cue ball, to touch nothing, or to touch first what is not one's own; the other player's
-//! turn comes then, and a pocketed cue ball is put back on the head spot. Who pockets the eight after all of their
-//! group, without a foul, has won; who pockets it earlier has lost. On the break it wins.
+//! turn comes then, and a pocketed cue ball is put back on the head spot. Who pockets the eight in a later shot than
+//! the last of their group, without a foul, has won; who pockets it earlier has lost. On the break it wins; the break
+//! is the first shot that touches a ball.
 
 /// Number of the ball that decides.
 pub const EIGHT: usize = 8;
@@ -109,13 +110,19 @@ impl Rules {
         self.winner
     }
 
-    /// The group of the player whose turn it is, once it is known.
+    /// The group of a player, once it is known.
     #[must_use]
-    pub fn group(&self) -> Option<Group> {
-        self.group.map(|first| match self.turn {
+    pub fn group_of(&self, player: usize) -> Option<Group> {
+        self.group.map(|first| match player {
             0 => first,
             _ => first.other(),
         })
+    }
+
+    /// The group of the player whose turn it is, once it is known.
+    #[must_use]
+    pub fn group(&self) -> Option<Group> {
+        self.group_of(self.turn)
     }
 
     /// Whether the player at the table may touch a ball first. Asks what is on the bed.
@@ -135,9 +142,10 @@ impl Rules {
             .first_touched
             .is_some_and(|number| self.may_touch(number, before));
         self.foul = shot.has(0) || !legal;
-        let broke = !std::mem::replace(&mut self.broken, true);
+        let broke = !self.broken;
+        self.broken |= shot.first_touched.is_some();
         if shot.has(EIGHT) {
-            let cleared = self.group().is_some_and(|own| !own.numbers().any(&on_bed));
+            let cleared = self.group().is_some_and(|own| !own.numbers().any(before));
             let won = !self.foul && (cleared || broke);
             self.winner = Some(if won { self.turn } else { 1 - self.turn });
             return;
@@ -224,7 +232,43 @@ mod tests {
         assert_eq!(with(shot(Some(EIGHT), &[EIGHT])), Some(0));
         assert_eq!(with(shot(Some(EIGHT), &[EIGHT, 0])), Some(1));
         assert_eq!(with(shot(Some(9), &[EIGHT])), Some(1));
+        // In the shot of the last of the group it is too early, whichever of the two falls first.
+        let seven_left = [
+            shot(Some(1), &[]),
+            shot(Some(9), &[]),
+            shot(Some(1), &full[..6]),
+        ];
+        for last in [&[EIGHT, 7], &[7, EIGHT]] {
+            let rules = play(&[&seven_left[..], &[shot(Some(7), last)]].concat());
+            assert_eq!(rules.winner(), Some(1), "{last:?}");
+        }
         assert_eq!(play(&[shot(Some(1), &[EIGHT])]).winner(), Some(0));
         assert_eq!(play(&[shot(Some(1), &[EIGHT, 0])]).winner(), Some(1));
+    }
+
+    #[test]
+    fn a_shot_that_misses_the_rack_is_no_break() {
+        let missed = shot(None, &[]);
+        let rules = play(std::slice::from_ref(&missed));
+        assert_eq!((rules.turn(), rules.was_foul()), (1, true));
+        // The other breaks then: what falls gives no group, and the eight wins.
+        let rules = play(&[missed.clone(), shot(Some(1), &[3])]);
+        assert_eq!((rules.turn(), rules.group()), (1, None));
+        let rules = play(&[missed, shot(Some(1), &[EIGHT])]);
+        assert_eq!(rules.winner(), Some(1));
+    }
+
+    #[test]
+    fn each_player_has_a_group_whoever_is_at_the_table() {
+        // Player 0 has the full ones, and loses by the eight: the turn stays.
+        let rules = play(&[
+            shot(Some(1), &[3]),
+            shot(Some(1), &[2]),
+            shot(Some(1), &[EIGHT]),
+        ]);
+        assert_eq!((rules.turn(), rules.winner()), (0, Some(1)));
+        assert_eq!(rules.group(), Some(Group::Full));
+        assert_eq!(rules.group_of(0), Some(Group::Full));
+        assert_eq!(rules.group_of(1), Some(Group::Striped));
     }
 }

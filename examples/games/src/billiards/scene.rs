@@ -185,22 +185,31 @@ impl Scene {
         rules: &Rules,
         sign: Sign,
     ) -> Result<(), WorldError> {
-        let player = rules.winner().unwrap_or(rules.turn());
-        let across = [-0.25, 0.25][player];
-        let rail = |half: f64| half + CUSHION + RAIL / 2.0;
-        let y = HEIGHT + MARKER;
-        let centre = match rules.group() {
-            Some(Group::Full) => DVec3::new(-0.3, y, rail(HALF.1)),
-            Some(Group::Striped) => DVec3::new(-0.3, y, -rail(HALF.1)),
-            None => DVec3::new(rail(HALF.0), y, across),
-        };
+        let player = shown_player(rules);
         let colour = match sign {
             Sign::Turn => [DVec3::new(1.0, 0.85, 0.25), DVec3::new(0.3, 0.65, 1.0)][player],
             Sign::Foul => DVec3::new(1.0, 0.1, 0.05),
             Sign::Won(seconds) => hue(seconds, 0.0),
         };
-        world.move_to(self.marker, centre)?;
+        world.move_to(self.marker, marker_place(rules))?;
         world.recolour(self.marker_glow, colour)
+    }
+}
+
+/// Whom the marker speaks of: who has won, or whose turn it is.
+fn shown_player(rules: &Rules) -> usize {
+    rules.winner().unwrap_or(rules.turn())
+}
+
+/// Where the marker lies.
+fn marker_place(rules: &Rules) -> DVec3 {
+    let player = shown_player(rules);
+    let rail = |half: f64| half + CUSHION + RAIL / 2.0;
+    let y = HEIGHT + MARKER;
+    match rules.group_of(player) {
+        Some(Group::Full) => DVec3::new(-0.3, y, rail(HALF.1)),
+        Some(Group::Striped) => DVec3::new(-0.3, y, -rail(HALF.1)),
+        None => DVec3::new(rail(HALF.0), y, [-0.25, 0.25][player]),
     }
 }
 
@@ -396,4 +405,32 @@ fn add_pockets(world: &mut World) -> Result<(), WorldError> {
         world.fix(bowl)?;
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{EIGHT, Rules, marker_place};
+    use crate::billiards::rules::Shot;
+
+    #[test]
+    fn the_marker_lies_by_the_balls_of_whom_it_speaks() {
+        let mut rules = Rules::new(0);
+        let mut gone = 0_u16;
+        let mut judge = |rules: &mut Rules, touched: usize, pocketed: usize| {
+            let mut shot = Shot::default();
+            shot.touch(touched);
+            shot.pocket(pocketed);
+            gone |= 1 << pocketed;
+            rules.judge(&shot, |number| gone >> number & 1 == 0);
+        };
+        judge(&mut rules, 1, 3);
+        assert!(marker_place(&rules).x > 1.0);
+        // Full ones are laid in front, for player 0.
+        judge(&mut rules, 1, 2);
+        assert!(marker_place(&rules).z > 0.6);
+        // Who loses by the eight is still at the table: the other has won, whose balls are behind.
+        judge(&mut rules, 1, EIGHT);
+        assert_eq!((rules.turn(), rules.winner()), (0, Some(1)));
+        assert!(marker_place(&rules).z < -0.6);
+    }
 }
