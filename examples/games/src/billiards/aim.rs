@@ -70,10 +70,16 @@ impl Aim {
         FASTEST * self.power * (0.4 + 0.6 * self.power)
     }
 
-    /// Points it from a place to another.
+    /// Points it from a place to another, for a new turn: a cue that the mouse still draws back is let go.
     pub fn point(&mut self, from: DVec3, to: DVec3) {
+        self.let_go();
         self.turn = libm::atan2(to.z - from.z, to.x - from.x);
         self.height = 0.0;
+    }
+
+    /// Ends the mouse's drawing without a blow: the power is what it was.
+    fn let_go(&mut self) {
+        self.power = self.before.take().unwrap_or(self.power);
     }
 
     /// Does what the player does; whether that was the blow.
@@ -110,16 +116,23 @@ impl Aim {
         self.turn = libm::remainder(self.turn + turn * care, std::f64::consts::TAU);
         self.power = (self.power + power).clamp(0.0, 1.0);
         self.height = (self.height + height).clamp(-1.0, 1.0);
-        if input.mouse_released(MouseButton::Left)
-            && let Some(before) = self.before.take()
-        {
+        // Who turns to another window lets the button go there, and does not mean to strike.
+        if input.lost_focus() {
+            self.let_go();
+        }
+        if input.mouse_released(MouseButton::Left) && self.before.is_some() {
             if self.power >= LEAST_POWER {
                 blow = true;
             } else {
-                self.power = before;
+                self.let_go();
             }
         }
-        blow && self.power >= LEAST_POWER
+        blow &= self.power >= LEAST_POWER;
+        if blow {
+            // However it was struck: the button's release is none any more.
+            self.before = None;
+        }
+        blow
     }
 
     /// How far the cue ball goes before it touches a ball or a cushion.
@@ -152,39 +165,85 @@ impl Aim {
 #[cfg(test)]
 mod tests {
     use super::Aim;
-    use cellray::game::{Input, InputEvent, MouseButton};
+    use cellray::game::{DVec3, Input, InputEvent, Key, MouseButton};
+
+    const PRESS: InputEvent = InputEvent::MouseButton {
+        button: MouseButton::Left,
+        down: true,
+    };
+    const RELEASE: InputEvent = InputEvent::MouseButton {
+        button: MouseButton::Left,
+        down: false,
+    };
+
+    fn motion(across: f32, back: f32) -> InputEvent {
+        InputEvent::MouseMotion { by: [across, back] }
+    }
+
+    /// An aim with a player's input.
+    #[derive(Default)]
+    struct Played {
+        aim: Aim,
+        input: Input,
+    }
+
+    impl Played {
+        /// A frame; whether it had the blow.
+        fn frame(&mut self, events: &[InputEvent]) -> bool {
+            self.input.begin_frame();
+            events.iter().for_each(|event| self.input.apply(event));
+            self.aim.steer(&self.input, 0.1)
+        }
+    }
 
     #[test]
     fn the_mouse_draws_back_and_lets_go() {
-        let mut aim = Aim::default();
-        let mut input = Input::default();
-        let button = MouseButton::Left;
-        let mut steer = |events: &[InputEvent]| {
-            input.begin_frame();
-            events.iter().for_each(|event| input.apply(event));
-            aim.steer(&input, 0.1)
-        };
-        assert!(!steer(&[InputEvent::MouseButton { button, down: true }]));
-        assert!(!steer(&[InputEvent::MouseMotion { by: [50.0, 100.0] }]));
-        assert!(steer(&[InputEvent::MouseButton {
-            button,
-            down: false
-        }]));
-        assert_eq!((aim.power(), aim.turn), (0.4, 0.0));
+        let mut played = Played::default();
+        assert!(!played.frame(&[PRESS]));
+        assert!(!played.frame(&[motion(50.0, 100.0)]));
+        assert!(played.frame(&[RELEASE]));
+        assert_eq!((played.aim.power(), played.aim.turn), (0.4, 0.0));
 
         // Drawn back and brought forward again: no blow, and the power is what it was.
-        let mut steer = |events: &[InputEvent]| {
-            input.begin_frame();
-            events.iter().for_each(|event| input.apply(event));
-            aim.steer(&input, 0.1)
-        };
-        assert!(!steer(&[InputEvent::MouseButton { button, down: true }]));
-        assert!(!steer(&[InputEvent::MouseMotion { by: [0.0, 90.0] }]));
-        assert!(!steer(&[InputEvent::MouseMotion { by: [0.0, -90.0] }]));
-        assert!(!steer(&[InputEvent::MouseButton {
-            button,
-            down: false
-        }]));
-        assert_eq!(aim.power(), 0.4);
+        assert!(!played.frame(&[PRESS]));
+        assert!(!played.frame(&[motion(0.0, 90.0)]));
+        assert!(!played.frame(&[motion(0.0, -90.0)]));
+        assert!(!played.frame(&[RELEASE]));
+        assert_eq!(played.aim.power(), 0.4);
+    }
+
+    #[test]
+    fn a_blow_by_a_key_ends_the_mouses_drawing() {
+        let mut played = Played::default();
+        played.frame(&[PRESS, motion(0.0, 75.0)]);
+        let (key, down) = (Key::Space, true);
+        assert!(played.frame(&[InputEvent::Key { key, down }]));
+        assert_eq!(played.aim.power(), 0.3);
+        // The next turn: the mouse turns the cue, and a release is no blow.
+        played.aim.point(DVec3::ZERO, DVec3::X);
+        assert!(!played.frame(&[motion(10.0, 100.0)]));
+        assert_eq!(played.aim.power(), 0.3);
+        assert_ne!(played.aim.turn, 0.0);
+        assert!(!played.frame(&[RELEASE]));
+    }
+
+    #[test]
+    fn a_new_game_begins_with_a_cue_at_rest() {
+        let mut played = Played::default();
+        played.frame(&[PRESS, motion(0.0, 75.0)]);
+        played.aim.point(DVec3::ZERO, DVec3::X);
+        assert_eq!(played.aim.power(), 0.5);
+        assert!(!played.frame(&[RELEASE]));
+    }
+
+    #[test]
+    fn who_turns_to_another_window_does_not_strike() {
+        let mut played = Played::default();
+        played.frame(&[PRESS, motion(0.0, 75.0)]);
+        assert!(!played.frame(&[InputEvent::FocusLost]));
+        assert_eq!(played.aim.power(), 0.5);
+        assert!(!played.frame(&[RELEASE]));
+        assert!(!played.frame(&[motion(0.0, 50.0)]));
+        assert_eq!(played.aim.power(), 0.5);
     }
 }
