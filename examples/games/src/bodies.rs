@@ -5,6 +5,12 @@
 
 use cellray::game::DVec3;
 
+use crate::steps::STEP;
+
+/// Overlap, of squares of distances and in parts of the whole, that is none: what parting two balls leaves of it is
+/// some 1e-16.
+const ROUNDING: f64 = 1e-12;
+
 /// A ball that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
@@ -63,32 +69,69 @@ impl Body {
 }
 
 /// Lets two balls bounce off one another if they touch; whether they did.
+///
+/// They are found when they overlap already, after a step. Which way they part is decided where they touched first:
+/// a step of a fast ball is so long that the line between their centres has turned by then.
 pub fn meet(a: &mut Body, b: &mut Body, restitution: f64) -> bool {
     let between = b.centre - a.centre;
     let reach = a.radius + b.radius;
-    let square = between.length_squared();
-    if square >= reach * reach {
+    if between.length_squared() >= reach * reach {
         return false;
     }
-    let distance = square.sqrt();
-    // Of two in one place any direction parts them, if it is the same every time.
-    let normal = if distance > 0.0 {
-        between / distance
-    } else {
-        DVec3::X
-    };
+    let since = since_contact(between, a.velocity - b.velocity, reach);
+    a.centre -= a.velocity * since;
+    b.centre -= b.velocity * since;
     let (ease_a, ease_b) = (1.0 / a.mass, 1.0 / b.mass);
     let ease = ease_a + ease_b;
-    let overlap = reach - distance;
-    a.centre -= normal * (overlap * ease_a / ease);
-    b.centre += normal * (overlap * ease_b / ease);
+    let (normal, _) = line_between(a, b);
     let closing = (a.velocity - b.velocity).dot(normal);
     if closing > 0.0 {
         let impulse = (1.0 + restitution) * closing / ease;
         a.velocity -= normal * (impulse * ease_a);
         b.velocity += normal * (impulse * ease_b);
     }
+    a.centre += a.velocity * since;
+    b.centre += b.velocity * since;
+    let (normal, distance) = line_between(a, b);
+    if distance < reach {
+        let overlap = reach - distance;
+        a.centre -= normal * (overlap * ease_a / ease);
+        b.centre += normal * (overlap * ease_b / ease);
+    }
     true
+}
+
+/// Direction from a ball to another, and how far their centres are apart.
+fn line_between(a: &Body, b: &Body) -> (DVec3, f64) {
+    let between = b.centre - a.centre;
+    let distance = between.length();
+    // Of two in one place any direction parts them, if it is the same every time.
+    let normal = if distance > 0.0 {
+        between / distance
+    } else {
+        DVec3::X
+    };
+    (normal, distance)
+}
+
+/// Seconds since two balls that overlap touched first, by their ways: `between` is from the one to the other, which
+/// comes nearer by `closing` in a second. 0 where that was not within the last step: they lie on one another then,
+/// and no way of theirs brought them there.
+fn since_contact(between: DVec3, closing: DVec3, reach: f64) -> f64 {
+    // |between + closing t| = reach has one solution later than none, as they are nearer than that now.
+    let (speed, along) = (closing.length_squared(), between.dot(closing));
+    let depth = reach * reach - between.length_squared();
+    if along <= 0.0 && depth < ROUNDING * reach * reach {
+        // They go apart, and overlap by what rounding left when they last met.
+        return 0.0;
+    }
+    let root = (along * along + speed * depth).sqrt();
+    let since = if along > 0.0 {
+        depth / (along + root)
+    } else {
+        (root - along) / speed
+    };
+    if since <= STEP { since } else { 0.0 }
 }
 
 /// Calls for each two of a list, in order.
@@ -105,6 +148,7 @@ pub fn pairs<T>(list: &mut [T], mut each: impl FnMut(&mut T, &mut T)) {
 #[cfg(test)]
 mod tests {
     use super::{Body, meet, pairs};
+    use crate::steps::STEP;
     use cellray::game::DVec3;
     use rand::{Rng as _, SeedableRng as _};
     use rand_chacha::ChaCha8Rng;
@@ -136,6 +180,51 @@ mod tests {
             assert!(a.centre.distance(b.centre) >= (a.radius + b.radius) * (1.0 - 1e-14));
         }
         assert!(met > 1000, "{met}");
+    }
+
+    /// Two of a pool ball's size: the one comes along x at a speed, with the other's middle off its way by so much, and
+    /// has touched it such a part of a step ago.
+    fn cut(speed: f64, offset: f64, part: f64) -> (Body, Body) {
+        let radius = 0.0286;
+        let contact = (4.0 * radius * radius - offset * offset).sqrt();
+        let moved = speed * STEP * part;
+        let a = Body {
+            velocity: DVec3::X * speed,
+            ..Body::new(DVec3::X * (moved - contact), radius)
+        };
+        (a, Body::new(DVec3::Z * offset, radius))
+    }
+
+    #[test]
+    fn balls_part_along_the_line_between_them_when_they_touched() {
+        for degrees in [0.0, 15.0, 30.0, 45.0, 60.0, 75.0] {
+            for speed in [1.0, 2.5, 4.0, 6.0, 7.5] {
+                for part in [0.01, 0.2, 0.4, 0.6, 0.8, 0.99] {
+                    let (a, b) = cut(speed, 0.0572 * libm::sin(f64::to_radians(degrees)), part);
+                    let (mut after_a, mut after_b) = (a, b);
+                    assert!(meet(&mut after_a, &mut after_b, 0.95));
+                    let went = libm::atan2(after_b.velocity.z, after_b.velocity.x).to_degrees();
+                    let what = format!("{degrees} degrees, {speed} m/s, {part}: {went}");
+                    assert!((went - degrees).abs() < 0.1, "{what}");
+                    // Each has gone its new way for what was left of the step.
+                    let gone = after_b.centre - b.centre;
+                    assert!((gone - after_b.velocity * (part * STEP)).length() < 1e-9);
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn balls_that_have_met_do_not_meet_again() {
+        for degrees in [30.0, 60.0, 75.0, 85.0] {
+            let (mut a, mut b) = cut(2.0, 0.0572 * libm::sin(f64::to_radians(degrees)), 0.1);
+            assert!(meet(&mut a, &mut b, 0.0));
+            let velocities = (a.velocity, b.velocity);
+            for _ in 0..6 {
+                meet(&mut a, &mut b, 0.0);
+                assert_eq!((a.velocity, b.velocity), velocities, "{degrees} degrees");
+            }
+        }
     }
 
     #[test]

@@ -31,6 +31,8 @@ const CUSHION_ROLL: f64 = 0.55;
 const GAP: f64 = 0.0004;
 /// Times that contacts are looked for in a step, while there are any: a rack passes a blow on.
 const ROUNDS: usize = 6;
+/// Halvings of a step that find a moment in it: to less than an atom's breadth at any speed.
+const HALVINGS: usize = 28;
 /// Lower than this a ball in a pocket is gone.
 const DEPTH: f64 = 2.0 * RADIUS;
 
@@ -123,14 +125,23 @@ impl Ball {
         }
         let mut touched = false;
         for line in CUSHIONS.iter().flat_map(|cushion| cushion.lines()) {
-            let on_bed = DVec3::new(self.body.centre.x, 0.0, self.body.centre.z);
-            let away = on_bed - nearest(line, on_bed);
+            let away_before = |seconds: f64| {
+                let place = self.body.centre - self.body.velocity * seconds;
+                let on_bed = DVec3::new(place.x, 0.0, place.z);
+                on_bed - nearest(line, on_bed)
+            };
+            if away_before(0.0).length() >= RADIUS {
+                continue;
+            }
+            let since = since_contact(|seconds| away_before(seconds).length());
+            let away = away_before(since);
             let distance = away.length();
-            if distance >= RADIUS || distance == 0.0 {
+            if distance == 0.0 {
                 continue;
             }
             touched = true;
             let normal = away / distance;
+            self.body.centre -= self.body.velocity * since;
             if self
                 .body
                 .rebound(normal, RADIUS - distance, CUSHION_RESTITUTION)
@@ -140,6 +151,7 @@ impl Ball {
                 self.body.velocity = across + along * CUSHION_GRIP;
                 self.roll *= CUSHION_ROLL;
             }
+            self.body.centre += self.body.velocity * since;
         }
         touched
     }
@@ -309,10 +321,64 @@ impl Balls {
     }
 }
 
+/// Seconds since a ball touched a cushion that it overlaps, by how far it was from it how many seconds ago; 0 where that
+/// was more than a step ago. Off an end of a line it bounces by where it was then: it turns a jaw's corner within a step.
+fn since_contact(distance_before: impl Fn(f64) -> f64) -> f64 {
+    let (mut within, mut out) = (0.0, STEP);
+    if distance_before(out) < RADIUS {
+        return 0.0;
+    }
+    // Along a straight way the distance from a line has one valley: there is one moment to be found.
+    for _ in 0..HALVINGS {
+        let middle = (within + out) / 2.0;
+        if distance_before(middle) < RADIUS {
+            within = middle;
+        } else {
+            out = middle;
+        }
+    }
+    out
+}
+
 /// A direction for each number, none near another's.
 fn tipped(number: usize) -> DVec3 {
     let turn = number as f64 * 2.4;
     let (sine, cosine) = libm::sincos(turn);
     let axis = DVec3::new(cosine, 0.55, sine);
     axis / axis.length()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Ball, CUSHION_GRIP, CUSHION_RESTITUTION};
+    use crate::billiards::table::{CUSHIONS, RADIUS};
+    use crate::steps::STEP;
+    use cellray::game::DVec3;
+
+    #[test]
+    fn a_ball_bounces_off_a_jaws_corner_by_where_it_touched() {
+        // The end of a long cushion, by the side pocket at negative z.
+        let [corner, _] = CUSHIONS[1].nose;
+        for degrees in [10.0, 25.0, 40.0, 55.0, 70.0] {
+            let (sine, cosine) = libm::sincos(f64::to_radians(degrees));
+            let normal = DVec3::new(-sine, 0.0, cosine);
+            for speed in [1.0, 3.0, 7.0] {
+                for part in [0.01, 0.3, 0.6, 0.99] {
+                    let before = DVec3::NEG_Z * speed;
+                    let moved = before * (part * STEP);
+                    let mut ball = Ball::new(1, corner + normal * RADIUS + DVec3::Y * RADIUS);
+                    ball.body.centre += moved;
+                    ball.body.velocity = before;
+                    assert!(ball.bounce());
+                    let across = normal * before.dot(normal);
+                    let after = (before - across) * CUSHION_GRIP - across * CUSHION_RESTITUTION;
+                    let off = (ball.body.velocity - after).length();
+                    assert!(
+                        off < 1e-5 * speed,
+                        "{degrees} degrees, {speed} m/s, {part}: {off}"
+                    );
+                }
+            }
+        }
+    }
 }
