@@ -29,9 +29,8 @@ pub struct Orbit {
 
 impl Orbit {
     /// Moves it as the player does: the mouse dragged, the wheel, A, D, W, S, page keys, the right stick, and on a
-    /// pad L2 and R2 for the distance. Whether it was moved.
+    /// pad R2 for nearer and L2 for farther. Whether the player does anything, be it at a bound.
     pub fn steer(&mut self, input: &Input, seconds: f64) -> bool {
-        let before = *self;
         let mouse = input.mouse();
         let mut turn = f64::from(input.key_axis(Key::A, Key::D)) * A_SECOND * seconds;
         let mut rise = f64::from(input.key_axis(Key::S, Key::W)) * A_SECOND * seconds;
@@ -52,7 +51,7 @@ impl Orbit {
         // Bounded first: the wheel of a recording may say any number.
         self.distance = (self.distance * libm::exp(zoom.clamp(-9.0, 9.0)))
             .clamp(self.distances.0, self.distances.1);
-        *self != before
+        turn != 0.0 || rise != 0.0 || zoom != 0.0
     }
 
     /// Where it is when it looks at a place.
@@ -79,7 +78,7 @@ pub fn stick(value: f32) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::Orbit;
-    use cellray::game::{DVec3, Input, InputEvent, MouseButton};
+    use cellray::game::{Button, DVec3, Input, InputEvent, Key, MouseButton, PadId};
 
     const ORBIT: Orbit = Orbit {
         turn: 0.0,
@@ -110,5 +109,46 @@ mod tests {
     #[test]
     fn it_rests_without_a_player() {
         assert!(!ORBIT.clone().steer(&Input::default(), 1.0));
+        // Nor does it count as moved where somebody else has turned it farther than round.
+        let mut orbit = Orbit { turn: 4.0, ..ORBIT };
+        assert!(!orbit.steer(&Input::default(), 1.0));
+        assert!((orbit.turn - (4.0 - std::f64::consts::TAU)).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_key_held_at_a_bound_is_a_player() {
+        let mut orbit = ORBIT;
+        let mut input = Input::default();
+        let key = Key::W;
+        input.apply(&InputEvent::Key { key, down: true });
+        for _ in 0..3 {
+            assert!(orbit.steer(&input, 5.0));
+            assert_eq!(orbit.rise, ORBIT.rises.1);
+        }
+    }
+
+    #[test]
+    fn it_comes_nearer_and_goes_farther_as_is_written() {
+        let pad = PadId(0);
+        let name = "a pad".to_owned();
+        let after = |event: InputEvent| {
+            let mut input = Input::default();
+            let name = name.clone();
+            input.apply(&InputEvent::PadConnected { pad, name });
+            input.apply(&event);
+            let mut orbit = ORBIT;
+            orbit.steer(&input, 0.1);
+            orbit.distance
+        };
+        let down = true;
+        let key = |key| InputEvent::Key { key, down };
+        let button = |button| InputEvent::PadButton { pad, button, down };
+        let wheel = |notch| InputEvent::Wheel { by: [0.0, notch] };
+        for nearer in [key(Key::PageUp), button(Button::R2), wheel(1.0)] {
+            assert!(after(nearer) < ORBIT.distance);
+        }
+        for farther in [key(Key::PageDown), button(Button::L2), wheel(-1.0)] {
+            assert!(after(farther) > ORBIT.distance);
+        }
     }
 }
