@@ -15,7 +15,10 @@ pub struct Steps {
 impl Steps {
     /// Steps of a frame that comes so many seconds after the last one.
     pub fn of(&mut self, seconds: f64) -> u32 {
-        self.left += seconds.clamp(0.0, LONGEST);
+        // Not by clamp: a frame of a time that is no number would take away what was left before it.
+        if seconds > 0.0 {
+            self.left += seconds.min(LONGEST);
+        }
         let steps = (self.left / STEP).floor();
         self.left = (self.left - steps * STEP).max(0.0);
         steps as u32
@@ -37,7 +40,16 @@ mod tests {
     fn a_long_frame_is_cut_short() {
         let mut steps = Steps::default();
         assert_eq!(steps.of(1e9), (LONGEST / STEP) as u32);
-        assert_eq!(steps.of(f64::NAN.max(0.0)), 0);
         assert_eq!(steps.of(-1.0), 0);
+    }
+
+    #[test]
+    fn after_a_frame_without_a_time_they_go_on() {
+        let mut steps = Steps::default();
+        assert_eq!(steps.of(2.5 * STEP), 2);
+        assert_eq!(steps.of(f64::NAN), 0);
+        assert_eq!(steps.of(0.75 * STEP), 1);
+        assert_eq!(steps.of(f64::NAN), 0);
+        assert_eq!(steps.of(1.0 * STEP), 1);
     }
 }

@@ -7,7 +7,8 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{
-    Axis, Button, FixedSteps, Game, InputEvent, InputSource, Key, MouseButton, PadId, Session,
+    Axis, Button, Clock, FixedSteps, Game, InputEvent, InputSource, Key, MouseButton, PadId,
+    Sensors, Session,
 };
 use games::{GAMES, find};
 use rand::seq::IndexedRandom as _;
@@ -19,49 +20,96 @@ mod allocations;
 
 const FRAMES: u64 = 300;
 
-/// Who presses anything.
+/// Who presses anything, turns to other windows, and has a pad that comes loose.
 struct Anyone {
     rng: ChaCha8Rng,
     begun: bool,
 }
 
+impl Anyone {
+    /// What a broken device may say.
+    fn number(&mut self) -> f32 {
+        let odd = [f32::NAN, f32::INFINITY, 1e30, -1e30, f32::MAX, f32::MIN];
+        if self.rng.random_ratio(1, 6) {
+            *odd.choose(&mut self.rng).unwrap()
+        } else {
+            self.rng.random_range(-40.0..40.0)
+        }
+    }
+}
+
 impl InputSource for Anyone {
     fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
-        let (rng, pad) = (&mut self.rng, PadId(0));
+        let pad = PadId(0);
+        let connected = || InputEvent::PadConnected {
+            pad,
+            name: "a pad".to_owned(),
+        };
         if !self.begun {
             self.begun = true;
-            let name = "a pad".to_owned();
-            events.push(InputEvent::PadConnected { pad, name });
+            events.push(connected());
         }
-        for _ in 0..rng.random_range(0..4) {
+        for _ in 0..self.rng.random_range(0..4) {
+            let by = [self.number(), self.number()];
+            let [x, y, z, turn] = std::array::from_fn(|_| self.number());
+            let rng = &mut self.rng;
             let down = rng.random();
-            let by = [rng.random_range(-40.0..40.0), rng.random_range(-40.0..40.0)];
-            events.push(match rng.random_range(0..6) {
-                0 => InputEvent::Key {
-                    key: *Key::ALL.choose(rng).unwrap(),
-                    down,
-                },
-                1 => InputEvent::MouseMotion { by },
-                2 => InputEvent::Wheel {
-                    by: by.map(|part| part / 20.0),
-                },
-                3 => InputEvent::MouseButton {
-                    button: *MouseButton::ALL.choose(rng).unwrap(),
-                    down,
-                },
-                4 => InputEvent::PadButton {
-                    pad,
-                    button: *Button::ALL.choose(rng).unwrap(),
-                    down,
-                },
-                _ => InputEvent::PadAxis {
-                    pad,
-                    axis: *Axis::ALL.choose(rng).unwrap(),
-                    value: rng.random_range(-1.0..1.0),
+            events.push(match rng.random_range(0..40) {
+                // Some things happen seldom.
+                0 => InputEvent::FocusLost,
+                1 => InputEvent::PadDisconnected { pad },
+                2..4 => connected(),
+                4 => InputEvent::MouseLeft,
+                5 => InputEvent::MouseMoved { to: by },
+                kind => match kind % 7 {
+                    0 => InputEvent::Key {
+                        key: *Key::ALL.choose(rng).unwrap(),
+                        down,
+                    },
+                    1 => InputEvent::MouseMotion { by },
+                    2 => InputEvent::Wheel {
+                        by: by.map(|part| part / 20.0),
+                    },
+                    3 => InputEvent::MouseButton {
+                        button: *MouseButton::ALL.choose(rng).unwrap(),
+                        down,
+                    },
+                    4 => InputEvent::PadButton {
+                        pad,
+                        button: *Button::ALL.choose(rng).unwrap(),
+                        down,
+                    },
+                    5 => InputEvent::PadAxis {
+                        pad,
+                        axis: *Axis::ALL.choose(rng).unwrap(),
+                        value: x / 40.0,
+                    },
+                    _ => InputEvent::PadSensors {
+                        pad,
+                        sensors: Sensors {
+                            acceleration: [x, y, z],
+                            turn,
+                        },
+                    },
                 },
             });
         }
         Ok(ControlFlow::Continue(()))
+    }
+}
+
+/// Time as it passes on a machine that has other things to do.
+struct AnyTime(ChaCha8Rng);
+
+impl Clock for AnyTime {
+    fn tick(&mut self) -> Duration {
+        let micros = match self.0.random_range(0..20) {
+            0 => 0,
+            1 => self.0.random_range(1_000_000..20_000_000),
+            2 => 86_400_000_000,
+            _ => self.0.random_range(1_000..100_000),
+        };
+        Duration::from_micros(micros)
     }
 }
 
@@ -79,11 +127,14 @@ fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
 
 /// The world after some frames with that player.
 fn played(name: &str, seed: u64, player: u64) -> u64 {
+    let clock = AnyTime(ChaCha8Rng::seed_from_u64(player + 1000));
     let player = Anyone {
         rng: ChaCha8Rng::seed_from_u64(player),
         begun: false,
     };
-    let mut session = session(name, seed, (32, 18)).with_input(Box::new(player));
+    let mut session = session(name, seed, (32, 18))
+        .with_input(Box::new(player))
+        .with_clock(Box::new(clock));
     let report = session.run(Some(FRAMES)).unwrap();
     assert_eq!(u64::from(report.frames), FRAMES);
     session.world().checksum()
