@@ -1,19 +1,19 @@
 //! What a player does before the pictures of `docs/games.md` are taken, and before frames are measured.
 
-use cellray::game::{Game, Input, InputEvent, Key, Moment, Start, World, WorldError};
+use cellray::game::{Entry, Input, InputEvent, Key, Moment, Start, World, WorldError};
 
-use crate::find;
+use crate::{billiards, marbles, orrery, screensaver};
 
 /// Frames a second of a demonstration.
 const RATE: u32 = 30;
 
 /// A moment of a game that shows what it is like.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy)]
 pub struct Demo {
     /// What it is called.
     pub name: &'static str,
     /// The game.
-    pub game: &'static str,
+    pub game: &'static Entry,
     /// Keys that are held, from one frame to another.
     pub keys: &'static [(Key, u64, u64)],
     /// The frame of the moment.
@@ -24,23 +24,23 @@ pub struct Demo {
 pub const DEMOS: &[Demo] = &[
     Demo {
         name: "billiards",
-        game: "billiards",
+        game: &billiards::ENTRY,
         keys: &[(Key::Up, 1, 12), (Key::Space, 20, 22)],
         frame: 66,
     },
     Demo {
         name: "billiards-aim",
-        game: "billiards",
+        game: &billiards::ENTRY,
         keys: &[
             (Key::Up, 1, 12),
             (Key::Space, 20, 22),
-            (Key::Left, 470, 476),
+            (Key::Left, 470, 512),
         ],
-        frame: 520,
+        frame: 540,
     },
     Demo {
         name: "marbles",
-        game: "marbles",
+        game: &marbles::ENTRY,
         keys: &[
             (Key::Right, 5, 24),
             (Key::Down, 14, 40),
@@ -50,25 +50,25 @@ pub const DEMOS: &[Demo] = &[
     },
     Demo {
         name: "orrery",
-        game: "orrery",
+        game: &orrery::ENTRY,
         keys: &[],
         frame: 240,
     },
     Demo {
         name: "orrery-saturn",
-        game: "orrery",
+        game: &orrery::ENTRY,
         keys: &[(Key::Digit6, 2, 4)],
         frame: 260,
     },
     Demo {
         name: "screensaver",
-        game: "screensaver",
+        game: &screensaver::ENTRY,
         keys: &[],
         frame: 130,
     },
     Demo {
         name: "screensaver-lights",
-        game: "screensaver",
+        game: &screensaver::ENTRY,
         keys: &[(Key::Space, 2, 4)],
         frame: 130,
     },
@@ -82,10 +82,7 @@ impl Demo {
         more: u64,
         mut show: impl FnMut(&mut World) -> Result<(), E>,
     ) -> Result<(), E> {
-        let Some(entry) = find(self.game) else {
-            return Ok(());
-        };
-        let mut game: Box<dyn Game> = (entry.new)();
+        let mut game = (self.game.new)();
         let mut world = World::new();
         let mut input = Input::default();
         game.set_up(&mut world, &Start { seed: 0, size })?;

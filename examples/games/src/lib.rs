@@ -20,30 +20,10 @@ use cellray::game::Entry;
 
 /// All games.
 pub const GAMES: &[Entry] = &[
-    Entry {
-        name: billiards::NAME,
-        line: "eight-ball for two on a table with six pockets",
-        controls: billiards::CONTROLS,
-        new: || Box::new(billiards::Billiards::default()),
-    },
-    Entry {
-        name: marbles::NAME,
-        line: "marbles on a mirror that the player tilts",
-        controls: marbles::CONTROLS,
-        new: || Box::new(marbles::Marbles::default()),
-    },
-    Entry {
-        name: orrery::NAME,
-        line: "the sun, its planets, moons and rings",
-        controls: orrery::CONTROLS,
-        new: || Box::new(orrery::Orrery::default()),
-    },
-    Entry {
-        name: screensaver::NAME,
-        line: "sixteen spheres that bounce in a room, for ever",
-        controls: screensaver::CONTROLS,
-        new: || Box::new(screensaver::Screensaver::default()),
-    },
+    billiards::ENTRY,
+    marbles::ENTRY,
+    orrery::ENTRY,
+    screensaver::ENTRY,
 ];
 
 /// The game of a name.

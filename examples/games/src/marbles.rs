@@ -7,10 +7,10 @@
 //! |---|---|---|
 //! | tilt | arrows, mouse dragged with the right button | left stick; SIXAXIS: the pad itself, while L1 is held |
 //! | turn the eye | A D W S, mouse dragged | right stick |
-//! | nearer, farther | page keys, wheel | L2, R2 |
+//! | nearer, farther | page keys, wheel | R2, L2 |
 
 use cellray::game::{
-    Axis, Button, DVec3, Game, Input, Key, Light, Look, Material, MaterialId, Model, Moment,
+    Axis, Button, DVec3, Entry, Game, Input, Key, Light, Look, Material, MaterialId, Model, Moment,
     MouseButton, ObjectId, Shader, Start, View, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
@@ -27,8 +27,15 @@ pub const NAME: &str = "marbles";
 pub const CONTROLS: &[&str] = &[
     "arrows, mouse dragged with the right button, left stick, the pad itself with L1: tilt",
     "A D W S, mouse dragged, right stick: turn the eye",
-    "page keys, wheel, L2 and R2: nearer, farther",
+    "page keys, wheel, R2 and L2: nearer, farther",
 ];
+/// Its line in the table of games.
+pub const ENTRY: Entry = Entry {
+    name: NAME,
+    line: "marbles on a mirror that the player tilts",
+    controls: CONTROLS,
+    new: || Box::new(Marbles::default()),
+};
 
 const COUNT: usize = 11;
 const GEMS: usize = 3;

@@ -16,8 +16,8 @@ mod bodies;
 use std::f64::consts::TAU;
 
 use cellray::game::{
-    Button, DVec3, Game, Input, Key, Light, Look, Material, Model, Moment, ObjectId, Shader, Start,
-    World, WorldError,
+    Button, DVec3, Entry, Game, Input, Key, Light, Look, Material, Model, Moment, ObjectId, Shader,
+    Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -35,6 +35,13 @@ pub const CONTROLS: &[&str] = &[
     "A D W S, mouse dragged, right stick: turn the eye",
     "page keys, wheel, L2 and R2: nearer, farther",
 ];
+/// Its line in the table of games.
+pub const ENTRY: Entry = Entry {
+    name: NAME,
+    line: "the sun, its planets, moons and rings",
+    controls: CONTROLS,
+    new: || Box::new(Orrery::default()),
+};
 
 const STARS: usize = 300;
 /// How far the stars are.

@@ -8,11 +8,11 @@
 //! |---|---|---|
 //! | the other model | Space | Cross |
 //! | turn the eye | A D W S, mouse dragged | right stick |
-//! | nearer, farther | page keys, wheel | L2, R2 |
+//! | nearer, farther | page keys, wheel | R2, L2 |
 
 use cellray::game::{
-    Button, DVec3, DepthShading, Game, Key, Light, Look, Material, MaterialId, Model, Moment,
-    ObjectId, Shader, Start, World, WorldError,
+    Button, DVec3, DepthShading, Entry, Game, Key, Light, Look, Material, MaterialId, Model,
+    Moment, ObjectId, Shader, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -28,8 +28,15 @@ pub const NAME: &str = "screensaver";
 pub const CONTROLS: &[&str] = &[
     "Space, Cross: the paper's depth shading, or lights and shadows",
     "A D W S, mouse dragged, right stick: turn the eye",
-    "page keys, wheel, L2 and R2: nearer, farther",
+    "page keys, wheel, R2 and L2: nearer, farther",
 ];
+/// Its line in the table of games.
+pub const ENTRY: Entry = Entry {
+    name: NAME,
+    line: "sixteen spheres that bounce in a room, for ever",
+    controls: CONTROLS,
+    new: || Box::new(Screensaver::default()),
+};
 
 const COUNT: usize = 16;
 /// The room, from its middle.

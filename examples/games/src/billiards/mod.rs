@@ -21,7 +21,7 @@ mod scene;
 pub mod table;
 
 use cellray::game::{
-    Button, DVec3, Game, Input, Key, Look, Model, Moment, MouseButton, Start, View, World,
+    Button, DVec3, Entry, Game, Input, Key, Look, Model, Moment, MouseButton, Start, View, World,
     WorldError,
 };
 use rand::SeedableRng as _;
@@ -44,6 +44,13 @@ pub const CONTROLS: &[&str] = &[
     "C, middle button, Triangle: from above, or from behind the ball",
     "N, Start: a new game",
 ];
+/// Its line in the table of games.
+pub const ENTRY: Entry = Entry {
+    name: NAME,
+    line: "eight-ball for two on a table with six pockets",
+    controls: CONTROLS,
+    new: || Box::new(Billiards::default()),
+};
 
 /// Steps that the cue takes to come forward.
 const BLOW: u32 = 40;
