@@ -1,7 +1,7 @@
 //! The sun, its planets, moons and rings.
 //!
 //! Periods, eccentricities and inclinations are those of the sky, sizes and distances are drawn together until all is
-//! in one picture: an orrery, not a chart. A second is six days at first.
+//! in one picture of 16:9 and nothing goes through anything else: an orrery, not a chart. A second is six days at first.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -9,7 +9,7 @@
 //! | time faster, slower | up and down arrow | up and down |
 //! | stop time, let it go on | Space | Cross |
 //! | turn the eye | A D W S, mouse dragged | right stick |
-//! | nearer, farther | page keys, wheel | L2, R2 |
+//! | nearer, farther | page keys, wheel | R2, L2 |
 
 mod bodies;
 
@@ -24,6 +24,7 @@ use rand_chacha::ChaCha8Rng;
 
 use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
 use crate::camera::Orbit;
+use crate::steps::{STEP, Steps};
 
 /// What it is called.
 pub const NAME: &str = "orrery";
@@ -33,7 +34,7 @@ pub const CONTROLS: &[&str] = &[
     "up and down arrow, up and down on the pad: time faster, slower",
     "Space, Cross: stop time, let it go on",
     "A D W S, mouse dragged, right stick: turn the eye",
-    "page keys, wheel, L2 and R2: nearer, farther",
+    "page keys, wheel, R2 and L2: nearer, farther",
 ];
 /// Its line in the table of games.
 pub const ENTRY: Entry = Entry {
@@ -46,8 +47,14 @@ pub const ENTRY: Entry = Entry {
 const STARS: usize = 300;
 /// How far the stars are.
 const SKY: f64 = 140.0;
-/// How far the eye is from the sun when it follows that.
-const OVERVIEW: f64 = 22.0;
+/// How far the eye is from the sun when it follows that, and how high: Neptune's orbit just fits in.
+const OVERVIEW: f64 = 42.0;
+const OVERVIEW_RISE: f64 = 0.34;
+/// Least and greatest distance of the eye from what it follows, and least from the sun.
+const DISTANCES: (f64, f64) = (1.2, 60.0);
+const SUN_DISTANCE: f64 = 2.0;
+/// How near to the surface of the sun or a planet it may be.
+const ROOM: f64 = 0.02;
 /// Days a second, at first and at most.
 const SPEED: f64 = 6.0;
 const SPEEDS: (f64, f64) = (0.25, 400.0);
@@ -77,6 +84,7 @@ pub struct Orrery {
     stones: Vec<(&'static Ring, u32, ObjectId)>,
     /// Where the planets are.
     places: [DVec3; PLANETS.len()],
+    steps: Steps,
     days: f64,
     speed: f64,
     stopped: bool,
@@ -98,6 +106,7 @@ impl Default for Orrery {
             moons: [ObjectId::default(); MOONS.len()],
             stones: Vec::new(),
             places: [DVec3::ZERO; PLANETS.len()],
+            steps: Steps::default(),
             days: 0.0,
             speed: SPEED,
             stopped: false,
@@ -105,9 +114,9 @@ impl Default for Orrery {
             at: DVec3::ZERO,
             orbit: Orbit {
                 turn: 0.5,
-                rise: 0.46,
+                rise: OVERVIEW_RISE,
                 distance: OVERVIEW,
-                distances: (1.2, 60.0),
+                distances: DISTANCES,
                 rises: (-1.4, 1.4),
             },
             distance: OVERVIEW,
@@ -261,12 +270,37 @@ impl Orrery {
         self.orbit.turn += self.swing * part;
         self.swing -= self.swing * part;
         let before = self.orbit.distance;
+        let least = match self.followed {
+            0 => SUN_DISTANCE,
+            _ => DISTANCES.0,
+        };
+        // It comes from nearer where it followed a planet before: it goes out then, and does not leap.
+        self.orbit.distances.0 = least.min(before);
         self.orbit.steer(input, seconds);
         // What the player did to the distance is done to where it goes, too.
-        let (least, most) = self.orbit.distances;
-        self.distance = (self.distance * self.orbit.distance / before).clamp(least, most);
+        self.distance = (self.distance * self.orbit.distance / before).clamp(least, DISTANCES.1);
         self.orbit.distance += (self.distance - self.orbit.distance) * part;
-        world.look_from(self.orbit.from(self.at), self.at)
+        world.look_from(self.clear(self.orbit.from(self.at)), self.at)
+    }
+
+    /// The place for the eye nearest to another that is outside the sun and all planets: what it follows may be behind
+    /// or before what it looks at, and it passes others on the way from one to the next.
+    fn clear(&self, eye: DVec3) -> DVec3 {
+        let radii = PLANETS.iter().map(|planet| planet.radius);
+        let planets = self.places.iter().copied().zip(radii);
+        std::iter::once((DVec3::ZERO, SUN_RADIUS))
+            .chain(planets)
+            .fold(eye, |eye, (centre, radius)| {
+                let (away, least) = (eye - centre, radius + ROOM);
+                let distance = away.length();
+                if distance >= least {
+                    eye
+                } else if distance > 0.0 {
+                    centre + away * (least / distance)
+                } else {
+                    centre + DVec3::Z * least
+                }
+            })
     }
 }
 
@@ -293,8 +327,10 @@ impl Game for Orrery {
 
     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
         self.choose(moment.input);
-        if !self.stopped {
-            self.days += self.speed * moment.step.min(1.0);
+        for _ in 0..self.steps.of(moment.step) {
+            if !self.stopped {
+                self.days += self.speed * STEP;
+            }
         }
         self.place_bodies(world)?;
         self.look(world, moment.input, moment.step)
@@ -347,7 +383,7 @@ impl Ring {
 
 #[cfg(test)]
 mod tests {
-    use super::{MOONS, PLANETS, RINGS};
+    use super::{MOONS, PLANETS, RINGS, Ring, SUN_RADIUS};
     use cellray::game::DVec3;
 
     #[test]
@@ -382,21 +418,63 @@ mod tests {
         }
     }
 
+    /// From where to where a body is, by its nearest and farthest.
+    fn shell(places: impl Iterator<Item = DVec3>, radius: f64) -> (f64, f64) {
+        let (least, most) = places
+            .map(DVec3::length)
+            .fold((f64::INFINITY, 0.0_f64), |(least, most), off| {
+                (least.min(off), most.max(off))
+            });
+        (least - radius, most + radius)
+    }
+
+    fn ring_shell(ring: &Ring) -> (f64, f64) {
+        let shell = shell(
+            (0..ring.stones).map(|stone| ring.place(stone, 3.0)),
+            ring.stone,
+        );
+        let stray = ring.width + ring.stone + 1e-12;
+        assert!(ring.distance - shell.0 <= stray && shell.1 - ring.distance <= stray);
+        (ring.distance - stray, ring.distance + stray)
+    }
+
+    /// What goes round a planet has shells of its own, the planet's first; how far the last one reaches.
+    fn reach(number: usize) -> f64 {
+        let turns = (0..1000).map(|step| f64::from(step) / 1000.0);
+        let moons = MOONS.iter().filter(|moon| moon.planet == number);
+        let rings = RINGS.iter().filter(|ring| ring.planet == Some(number));
+        let mut shells: Vec<_> = moons
+            .map(|moon| {
+                let places = turns.clone().map(|turn| moon.place(turn * moon.period));
+                shell(places, moon.radius)
+            })
+            .chain(rings.map(ring_shell))
+            .chain([(0.0, PLANETS[number].radius)])
+            .collect();
+        are_apart(&mut shells)
+    }
+
+    /// Sorts shells and finds that none reaches into the next; the farthest one's end.
+    fn are_apart(shells: &mut [(f64, f64)]) -> f64 {
+        shells.sort_by(|a, b| a.0.total_cmp(&b.0));
+        for two in shells.windows(2) {
+            assert!(two[0].1 < two[1].0, "{two:?}");
+        }
+        shells[shells.len() - 1].1
+    }
+
     #[test]
-    fn moons_and_rings_are_outside_their_planets() {
-        for moon in MOONS {
-            let clear = PLANETS[moon.planet].radius + moon.radius;
-            for day in 0..100 {
-                assert!(moon.place(f64::from(day) * 0.37).length() > clear);
-            }
-        }
-        for ring in RINGS {
-            let inner = ring.planet.map_or(0.0, |planet| PLANETS[planet].radius);
-            for stone in 0..ring.stones {
-                let off = ring.place(stone, 3.0).distance(DVec3::ZERO);
-                assert!(off > inner + ring.stone);
-                assert!((off - ring.distance).abs() <= ring.width + 1e-12);
-            }
-        }
+    fn nothing_goes_through_anything_else() {
+        let systems = PLANETS.iter().enumerate().map(|(number, planet)| {
+            let stray = planet.distance * planet.eccentricity + reach(number);
+            (planet.distance - stray, planet.distance + stray)
+        });
+        let rings = RINGS.iter().filter(|ring| ring.planet.is_none());
+        let mut shells: Vec<_> = systems
+            .chain(rings.map(ring_shell))
+            .chain([(0.0, SUN_RADIUS)])
+            .collect();
+        are_apart(&mut shells);
+        assert_eq!(shells.len(), PLANETS.len() + 2);
     }
 }

@@ -1,7 +1,11 @@
 //! What goes round the sun, as a table.
+//!
+//! Invariant: nothing goes through anything else, ever. Whatever belongs to a planet, and every ring of the sun's, has a
+//! shell round the sun of its own: the planet's ellipse and as far on both sides as its moons and rings reach; within
+//! it, each moon and ring has a shell round the planet.
 
 /// The sun's radius.
-pub(super) const SUN_RADIUS: f64 = 1.5;
+pub(super) const SUN_RADIUS: f64 = 1.4;
 
 /// A planet.
 pub(super) struct Planet {
@@ -37,14 +41,14 @@ macro_rules! planets {
 
 /// From the sun outwards: Mercury to Neptune.
 pub(super) const PLANETS: &[Planet; 8] = planets! {
-    0.20  2.6    87.97 0.206 7.0 0.10 [0.66, 0.6, 0.55], 0.0;
-    0.34  3.6   224.70 0.007 3.4 0.10 [0.93, 0.8, 0.52], 0.0;
-    0.36  5.0   365.26 0.017 0.0 0.02 [0.24, 0.48, 0.95], 0.35;
-    0.27  6.3   686.98 0.093 1.8 0.40 [0.86, 0.36, 0.2], 0.0;
-    0.95  9.2  4332.59 0.049 1.3 0.43 [0.87, 0.7, 0.52], 0.0;
-    0.80 12.6 10759.22 0.057 2.5 0.20 [0.92, 0.82, 0.58], 0.0;
-    0.52 15.8 30688.50 0.046 0.8 0.62 [0.58, 0.86, 0.9], 0.0;
-    0.50 18.4 60182.00 0.010 1.8 0.06 [0.3, 0.42, 0.95], 0.0;
+    0.24  2.28    87.97 0.206 7.0 0.10 [0.66, 0.6, 0.55], 0.0;
+    0.38  3.42   224.70 0.007 3.4 0.74 [0.93, 0.8, 0.52], 0.0;
+    0.40  4.57   365.26 0.017 0.0 0.02 [0.24, 0.48, 0.95], 0.35;
+    0.32  6.42   686.98 0.093 1.8 0.40 [0.86, 0.36, 0.2], 0.0;
+    0.90 10.18  4332.59 0.049 1.3 0.43 [0.87, 0.7, 0.52], 0.0;
+    0.72 14.70 10759.22 0.057 2.5 0.20 [0.92, 0.82, 0.58], 0.0;
+    0.50 18.76 30688.50 0.046 0.8 0.62 [0.58, 0.86, 0.9], 0.0;
+    0.48 21.38 60182.00 0.010 1.8 0.06 [0.3, 0.42, 0.95], 0.0;
 };
 
 /// A moon.
@@ -71,15 +75,15 @@ macro_rules! moons {
 
 /// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; Triton, which goes backwards.
 pub(super) const MOONS: &[Moon; 9] = moons! {
-    2 0.10 0.72  27.32 0.9;
-    3 0.05 0.42   0.32 0.0;
-    3 0.04 0.55   1.26 0.4;
-    4 0.10 1.30   1.77 0.1;
-    4 0.09 1.55   3.55 0.6;
-    4 0.14 1.85   7.15 0.3;
-    4 0.13 2.20  16.69 0.8;
-    5 0.13 2.35  15.95 0.2;
-    7 0.10 0.95  -5.88 0.5;
+    2 0.07  0.56  27.32 0.9;
+    3 0.03  0.39   0.32 0.0;
+    3 0.03  0.47   1.26 0.4;
+    4 0.06  1.04   1.77 0.1;
+    4 0.055 1.17   3.55 0.6;
+    4 0.075 1.33   7.15 0.3;
+    4 0.07  1.50  16.69 0.8;
+    5 0.085 1.45  15.95 0.2;
+    7 0.07  0.66  -5.88 0.5;
 };
 
 /// A ring of stones.
@@ -101,8 +105,8 @@ pub(super) struct Ring {
 const SATURN: Ring = Ring {
     planet: Some(5),
     stones: 56,
-    stone: 0.06,
-    distance: 1.2,
+    stone: 0.045,
+    distance: 0.98,
     width: 0.03,
     period: 9.0,
     tilt: 26.7,
@@ -114,8 +118,8 @@ pub(super) const RINGS: &[Ring] = &[
     SATURN,
     Ring {
         stones: 80,
-        distance: 1.6,
-        width: 0.06,
+        distance: 1.2,
+        width: 0.05,
         period: 14.0,
         colour: [0.74, 0.64, 0.5],
         ..SATURN
@@ -124,7 +128,7 @@ pub(super) const RINGS: &[Ring] = &[
         planet: Some(6),
         stones: 30,
         stone: 0.028,
-        distance: 0.88,
+        distance: 0.72,
         width: 0.01,
         period: 8.0,
         tilt: 82.0,
@@ -134,8 +138,8 @@ pub(super) const RINGS: &[Ring] = &[
         planet: None,
         stones: 60,
         stone: 0.05,
-        distance: 7.4,
-        width: 0.3,
+        distance: 7.8,
+        width: 0.2,
         period: 1680.0,
         tilt: 1.0,
         colour: [0.56, 0.5, 0.44],

@@ -1,0 +1,195 @@
+//! What is seen of the orrery.
+
+use cellray::game::{DVec3, Game, Input, InputEvent, Key, Moment, ObjectId, Shape, Start, World};
+use games::orrery::Orrery;
+use rand::seq::IndexedRandom as _;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+/// A picture that is this wide and high has to hold it all.
+const SIZE: (u32, u32) = (1280, 720);
+/// Nearer than this is what is not a star.
+const HERE: f64 = 100.0;
+
+struct Played {
+    game: Orrery,
+    world: World,
+    input: Input,
+    frame: u64,
+}
+
+impl Played {
+    fn new() -> Self {
+        let (mut game, mut world) = (Orrery::default(), World::new());
+        let start = Start {
+            seed: 0,
+            size: SIZE,
+        };
+        game.set_up(&mut world, &start).unwrap();
+        Self {
+            game,
+            world,
+            input: Input::default(),
+            frame: 0,
+        }
+    }
+
+    fn frame(&mut self, step: f64, keys: &[(Key, bool)]) {
+        self.input.begin_frame();
+        for &(key, down) in keys {
+            self.input.apply(&InputEvent::Key { key, down });
+        }
+        let moment = Moment {
+            frame: self.frame,
+            time: self.frame as f64 * step,
+            step,
+            input: &self.input,
+            size: SIZE,
+            last: None,
+        };
+        self.game.frame(&mut self.world, &moment).unwrap();
+        self.frame += 1;
+    }
+
+    /// A key pressed, and let go at once.
+    fn press(&mut self, key: Key) {
+        self.frame(0.0, &[(key, true), (key, false)]);
+    }
+
+    fn sphere(&self, object: ObjectId) -> (DVec3, f64) {
+        match *self.world.shape(object).unwrap() {
+            Shape::Sphere { centre, radius } => (centre, radius.abs()),
+            ref other => panic!("all is made of spheres, but for {other:?}"),
+        }
+    }
+
+    /// What is wholly in the picture, at the edges of which `part` of its half is left free.
+    fn is_in_the_picture(&self, (centre, radius): (DVec3, f64)) -> bool {
+        let view = self.world.view();
+        let ahead = (view.at - view.from).normalize();
+        let right = ahead.cross(view.up).normalize();
+        let up = right.cross(ahead);
+        let high = (view.angle / 2.0).to_radians().tan();
+        let wide = high * f64::from(SIZE.0) / f64::from(SIZE.1);
+        let to = centre - view.from;
+        // The four planes that bound what is seen go through the eye.
+        [(right, wide), (-right, wide), (up, high), (-up, high)]
+            .into_iter()
+            .all(|(aside, half)| {
+                let inwards = (ahead * half - aside).normalize();
+                to.dot(inwards) > radius
+            })
+    }
+}
+
+#[test]
+fn all_is_in_the_picture_at_any_time() {
+    let mut played = Played::new();
+    for _ in 0..10 {
+        played.press(Key::Up);
+    }
+    let objects: Vec<_> = played.world.objects().collect();
+    let mut farthest = 0.0_f64;
+    // Neptune goes round once.
+    while played.game.days() < 61_000.0 {
+        played.frame(0.1, &[]);
+        for &object in &objects {
+            let sphere = played.sphere(object);
+            if sphere.0.length() < HERE {
+                farthest = farthest.max(sphere.0.length());
+                assert!(
+                    played.is_in_the_picture(sphere),
+                    "day {}: {sphere:?}",
+                    played.game.days()
+                );
+            }
+        }
+    }
+    assert!(farthest > 21.0, "{farthest}");
+    assert!(farthest < HERE / 2.0, "{farthest}");
+}
+
+#[test]
+fn the_eye_is_never_within_the_sun_or_a_planet() {
+    let mut rng = ChaCha8Rng::seed_from_u64(4);
+    let mut played = Played::new();
+    let objects: Vec<_> = played.world.objects().collect();
+    let follow = [
+        Key::Digit0,
+        Key::Digit1,
+        Key::Digit2,
+        Key::Digit4,
+        Key::Digit5,
+        Key::Right,
+    ];
+    let held = [Key::PageUp, Key::PageDown, Key::A, Key::W, Key::S];
+    let mut near = 0;
+    for _ in 0..6000 {
+        if rng.random_ratio(1, 60) {
+            played.press(*follow.choose(&mut rng).unwrap());
+        }
+        if rng.random_ratio(1, 60) {
+            played.press(*[Key::Up, Key::Down].choose(&mut rng).unwrap());
+        }
+        let key = *held.choose(&mut rng).unwrap();
+        // Nearer most of the time.
+        let down = rng.random_ratio(if key == Key::PageUp { 9 } else { 1 }, 10);
+        played.frame(0.04, &[(key, down)]);
+        let eye = played.world.view().from;
+        let bodies = [DVec3::ZERO]
+            .into_iter()
+            .chain(played.game.places().to_vec());
+        for centre in bodies {
+            let radius = objects
+                .iter()
+                .map(|&object| played.sphere(object))
+                .filter(|sphere| sphere.0 == centre)
+                .map(|sphere| sphere.1)
+                .fold(0.0, f64::max);
+            assert!(radius > 0.2, "a body at {centre}");
+            let off = eye.distance(centre) - radius;
+            assert!(off > 0.0, "{off} off what is at {centre}");
+            near += u32::from(off < 0.1);
+        }
+    }
+    assert!(near > 10, "it was near a body {near} times");
+}
+
+#[test]
+fn the_eye_keeps_its_distance_from_the_sun() {
+    let mut played = Played::new();
+    played.frame(0.0, &[(Key::PageUp, true)]);
+    for _ in 0..300 {
+        played.frame(0.04, &[]);
+    }
+    assert_eq!(played.game.followed(), 0);
+    assert!((played.world.view().from.length() - 2.0).abs() < 1e-9);
+    // A planet is seen from nearer.
+    played.press(Key::Digit1);
+    for _ in 0..300 {
+        played.frame(0.04, &[]);
+    }
+    assert_eq!(played.game.followed(), 1);
+    let view = played.world.view();
+    assert!(view.from.distance(view.at) < 1.3);
+}
+
+#[test]
+fn days_do_not_depend_on_the_frames() {
+    let days = |frames: u32, step: f64| {
+        let mut played = Played::new();
+        (0..frames).for_each(|_| played.frame(step, &[]));
+        played.game.days()
+    };
+    // Multiples of a step, to the bit.
+    assert_eq!(days(16, 1.0 / 32.0), days(32, 1.0 / 64.0));
+    assert_eq!(days(16, 1.0 / 32.0), days(4, 1.0 / 8.0));
+    assert!((days(30, 1.0 / 30.0) - 6.0).abs() < 0.02);
+    // A long frame slows time.
+    assert_eq!(days(1, 0.25), days(1, 100.0));
+
+    let mut played = Played::new();
+    played.press(Key::Space);
+    played.frame(0.2, &[]);
+    assert_eq!(played.game.days(), 0.0);
+}
