@@ -1,5 +1,4 @@
-//! Frames a second of each game in simulated time: six SPUs at 1280x720, the moments of the demonstrations and the
-//! frames after them.
+//! Frames a second of each game in simulated time: six SPUs at 1280x720, the moments of the demonstrations.
 //!
 //!     cargo bench -p games
 
@@ -11,8 +10,6 @@ use cellray::{Engine, Report, Settings};
 use games::demo::DEMOS;
 
 const SIZE: (u32, u32) = (1280, 720);
-/// Frames after the first.
-const MORE: u64 = 3;
 const TIMING: &str = "LIBSPE2_TIMING";
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -34,13 +31,13 @@ fn main() -> Result<(), Box<dyn Error>> {
         let picture = Memory::new(Geometry::new(SIZE.0, SIZE.1)?)?;
         let mut engine = Engine::start(settings, Box::new(picture))?;
         let mut objects = 0;
-        demo.play(SIZE, MORE, |world| -> Result<(), Box<dyn Error>> {
+        demo.play(SIZE, |world| -> Result<(), Box<dyn Error>> {
             objects = world.object_count();
             let scene = world.scene(&settings.program)?;
             report.add(engine.render(scene, &mut |_| {})?);
             Ok(())
         })?;
-        let million = |rays: u64| rays as f64 / f64::from(report.frames) / 1e6;
+        let million = |rays: u64| rays as f64 / 1e6;
         println!(
             "| {} | {:.1} | {:.2}, {:.2}, {:.2}, {:.2} | {objects} |",
             demo.name,

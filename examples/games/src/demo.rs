@@ -75,18 +75,17 @@ pub const DEMOS: &[Demo] = &[
 ];
 
 impl Demo {
-    /// Plays from the first frame to that of the moment, and so many more; calls with the world of each of these.
+    /// Plays from the first frame to that of the moment, and calls with its world.
     pub fn play<E: From<WorldError>>(
         &self,
         size: (u32, u32),
-        more: u64,
-        mut show: impl FnMut(&mut World) -> Result<(), E>,
+        show: impl FnOnce(&mut World) -> Result<(), E>,
     ) -> Result<(), E> {
         let mut game = (self.game.new)();
         let mut world = World::new();
         let mut input = Input::default();
         game.set_up(&mut world, &Start { seed: 0, size })?;
-        for frame in 0..=self.frame + more {
+        for frame in 0..=self.frame {
             input.begin_frame();
             for &(key, from, to) in self.keys {
                 if frame == from || frame == to {
@@ -108,11 +107,8 @@ impl Demo {
                 last: None,
             };
             game.frame(&mut world, &moment)?;
-            if frame >= self.frame {
-                show(&mut world)?;
-            }
         }
-        Ok(())
+        show(&mut world)
     }
 }
 
