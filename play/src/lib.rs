@@ -4,7 +4,7 @@
 //! [`Entry`]s. A program of one game needs no more than that game:
 //!
 //! ```no_run
-#![doc = include_str!("../examples/ball.rs")]
+#![doc = include_str!("../../examples/tutorial/src/bin/ball.rs")]
 //! ```
 
 mod arguments;

@@ -1,4 +1,4 @@
-//! A ball that swings.
+//! A ball that jumps.
 
 use cellray::game::{DVec3, Game, Material, Moment, ObjectId, Start, World, WorldError};
 
@@ -12,7 +12,8 @@ impl Game for Ball {
         Ok(())
     }
     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        world.move_to(self.0, 3.0 * DVec3::X * moment.time.sin())
+        let part = moment.time % 1.0;
+        world.move_to(self.0, DVec3::Y * (16.0 * part * (1.0 - part) - 2.0))
     }
 }
 
