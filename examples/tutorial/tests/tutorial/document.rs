@@ -1,0 +1,144 @@
+//! The tutorial's text: what it shows is in its programs, what it has one type is understood.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use crate::program::{BALL, STEER, STRIPES, good};
+
+const TUTORIAL: &str = include_str!("../../../../docs/tutorial.md");
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The source that is shown: the file that the line above names in backquotes, the language, the text.
+fn blocks() -> Vec<(String, String, String)> {
+    let mut blocks = Vec::new();
+    let mut above = "";
+    let mut lines = TUTORIAL.lines();
+    while let Some(line) = lines.next() {
+        if let Some(language) = line.strip_prefix("```") {
+            let text: Vec<_> = lines.by_ref().take_while(|line| *line != "```").collect();
+            let file = above.split('`').nth(1).unwrap_or_default();
+            blocks.push((file.to_owned(), language.to_owned(), text.join("\n")));
+        }
+        if !line.is_empty() {
+            above = line;
+        }
+    }
+    blocks
+}
+
+#[test]
+fn what_is_shown_is_in_the_programs() {
+    let mut shown = Vec::new();
+    for (file, language, text) in blocks() {
+        // A crate of one's own is not in this repository.
+        if language == "toml" {
+            continue;
+        }
+        let source = fs::read_to_string(root().join(&file));
+        let source = source.unwrap_or_else(|error| panic!("{file}, before {text}: {error}"));
+        let source = format!("\n{source}");
+        assert!(
+            source.contains(&format!("\n{text}\n")),
+            "{file} has no {text}"
+        );
+        shown.push(file);
+    }
+    for file in [
+        "src/bin/ball.rs",
+        "src/bin/steer.rs",
+        "src/bin/stripes.rs",
+        "shaders/stripes.s",
+        "build.rs",
+    ] {
+        let file = format!("examples/tutorial/{file}");
+        assert!(shown.contains(&file), "{file} is not shown");
+    }
+}
+
+#[test]
+fn a_crate_of_ones_own_names_what_there_is() {
+    let (_, _, text) = blocks()
+        .into_iter()
+        .find(|(_, language, _)| language == "toml")
+        .unwrap();
+    let mut found = 0;
+    for line in text.lines() {
+        let Some((name, rest)) = line.split_once(" = { path = \"../cellray") else {
+            continue;
+        };
+        let folder = rest.split('"').next().unwrap().trim_start_matches('/');
+        let manifest = fs::read_to_string(root().join(folder).join("Cargo.toml")).unwrap();
+        assert!(
+            manifest.contains(&format!("\nname = \"{name}\"\n")),
+            "{line}"
+        );
+        found += 1;
+    }
+    assert_eq!(found, 3);
+}
+
+/// The words of a command line, of which some stand in single quotes.
+fn words(line: &str) -> Vec<&str> {
+    line.split_whitespace()
+        .map(|word| word.trim_matches('\''))
+        .collect()
+}
+
+#[test]
+fn what_is_to_be_typed_is_understood() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut typed = 0;
+    let joined = TUTORIAL.replace("\\\n", "");
+    for line in joined.lines() {
+        let Some(line) = line.strip_prefix("    cargo run --release -p tutorial --bin ") else {
+            continue;
+        };
+        let mut words = words(line.split(" #").next().unwrap()).into_iter();
+        let program = match words.next() {
+            Some("ball") => BALL,
+            Some("steer") => STEER,
+            Some("stripes") => STRIPES,
+            other => panic!("no program {other:?}"),
+        };
+        let mut arguments: Vec<_> = words.filter(|word| *word != "--").collect();
+        // No display is there, and small pictures do.
+        for option in ["--display", "--size"] {
+            if let Some(at) = arguments.iter().position(|word| *word == option) {
+                arguments.drain(at..at + 2);
+            }
+        }
+        arguments.extend(["--size", "64x36"]);
+        let has = |arguments: &[&str], name| arguments.contains(&name);
+        if !has(&arguments, "--out") {
+            arguments.extend(["--display", "none"]);
+        }
+        if !has(&arguments, "--frames") && !has(&arguments, "--replay") {
+            arguments.extend(["--frames", "8"]);
+        }
+        let repository = root();
+        let recorded = repository.join("examples/tutorial/played.session");
+        for argument in &mut arguments {
+            if *argument == "examples/tutorial/played.session" {
+                *argument = recorded.to_str().unwrap();
+            }
+        }
+        good(program, folder.path(), &arguments);
+        typed += 1;
+    }
+    assert!(typed >= 8, "{typed} command lines");
+}
+
+#[test]
+fn its_pictures_are_there() {
+    let mut seen = 0;
+    for part in TUTORIAL.split("](tutorial/").skip(1) {
+        let name = part.split(')').next().unwrap();
+        let picture = image::open(root().join("docs/tutorial").join(name)).unwrap();
+        assert_eq!((picture.width(), picture.height()), (480, 270), "{name}");
+        seen += 1;
+    }
+    assert_eq!(seen, 3);
+}

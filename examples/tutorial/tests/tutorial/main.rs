@@ -1,0 +1,7 @@
+//! The programs of `docs/tutorial.md` as they are run, and the document itself.
+
+mod ball;
+mod document;
+mod program;
+mod steer;
+mod stripes;

@@ -1,0 +1,51 @@
+//! The tutorial's programs, run without a display.
+
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+
+pub const BALL: &str = env!("CARGO_BIN_EXE_ball");
+pub const STEER: &str = env!("CARGO_BIN_EXE_steer");
+pub const STRIPES: &str = env!("CARGO_BIN_EXE_stripes");
+
+/// Pixels of the pictures that are compared.
+pub const SIZE: (u32, u32) = (160, 90);
+
+pub fn run(program: &str, folder: &Path, arguments: &[&str]) -> Output {
+    Command::new(program)
+        .args(arguments)
+        .current_dir(folder)
+        .env_remove("DISPLAY")
+        .env_remove("WAYLAND_DISPLAY")
+        .output()
+        .unwrap()
+}
+
+/// What a run says that ends well.
+pub fn good(program: &str, folder: &Path, arguments: &[&str]) -> String {
+    let output = run(program, folder, arguments);
+    let talk = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{program} {arguments:?}: {talk}");
+    talk
+}
+
+/// Makes pictures of frames, A..B, of [`SIZE`].
+pub fn pictures(program: &str, folder: &Path, frames: &str, more: &[&str]) -> String {
+    let size = format!("{}x{}", SIZE.0, SIZE.1);
+    let arguments = ["--size", &size, "--frames", frames, "--out", "f-%05d.png"];
+    good(program, folder, &[&arguments, more].concat())
+}
+
+pub fn path(folder: &Path, frame: u32) -> PathBuf {
+    folder.join(format!("f-{frame:05}.png"))
+}
+
+/// How many frames the report of a run tells of.
+pub fn frames(talk: &str) -> u32 {
+    let mut counts = talk.lines().filter_map(|line| {
+        let before = line.split_once(" frame(s)")?.0;
+        before.rsplit(' ').next()?.parse().ok()
+    });
+    counts
+        .next_back()
+        .unwrap_or_else(|| panic!("no frames: {talk}"))
+}
