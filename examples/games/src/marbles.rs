@@ -14,7 +14,7 @@ use cellray::game::{
     MouseButton, ObjectId, Shader, Start, View, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::bodies::{Body, meet, pairs};
 use crate::camera::{Orbit, stick};
@@ -68,7 +68,7 @@ pub struct Marbles {
     goal: DVec3,
     orbit: Orbit,
     steps: Steps,
-    chance: ChaCha8Rng,
+    chance: Xoshiro256PlusPlus,
 }
 
 impl Default for Marbles {
@@ -89,7 +89,7 @@ impl Default for Marbles {
                 rises: (0.15, 1.45),
             },
             steps: Steps::default(),
-            chance: ChaCha8Rng::seed_from_u64(0),
+            chance: Xoshiro256PlusPlus::seed_from_u64(0),
         }
     }
 }
@@ -419,7 +419,7 @@ impl Game for Marbles {
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
-        self.chance = ChaCha8Rng::seed_from_u64(start.seed);
+        self.chance = Xoshiro256PlusPlus::seed_from_u64(start.seed);
         self.place_marbles();
         world.set_name(NAME);
         world.set_look(Look {

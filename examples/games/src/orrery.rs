@@ -20,7 +20,7 @@ use cellray::game::{
     Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
 use crate::camera::Orbit;
@@ -145,7 +145,7 @@ impl Orrery {
     }
 
     fn add_sky(world: &mut World, seed: u64) -> Result<(), WorldError> {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
         let materials = [
             world.add_material(Material::flat(1.0, 0.95, 0.85))?,
             world.add_material(Material::flat(0.62, 0.68, 0.8))?,

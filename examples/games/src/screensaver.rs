@@ -15,7 +15,7 @@ use cellray::game::{
     Moment, ObjectId, Shader, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 use crate::bodies::{Body, meet, pairs};
 use crate::camera::Orbit;
@@ -106,7 +106,7 @@ impl Screensaver {
     }
 
     fn place_spheres(&mut self, seed: u64) {
-        let mut rng = ChaCha8Rng::seed_from_u64(seed);
+        let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
         // Cells of four by two by two: none overlaps another at the start.
         let cell = DVec3::new(ROOM.x / 2.0, ROOM.y, ROOM.z);
         for (number, body) in self.bodies.iter_mut().enumerate() {

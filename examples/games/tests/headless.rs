@@ -13,7 +13,7 @@ use cellray::game::{
 use games::{GAMES, find};
 use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
-use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 #[path = "../../../tests/game/allocations.rs"]
 mod allocations;
@@ -22,7 +22,7 @@ const FRAMES: u64 = 300;
 
 /// Who presses anything, turns to other windows, and has a pad that comes loose.
 struct Anyone {
-    rng: ChaCha8Rng,
+    rng: Xoshiro256PlusPlus,
     begun: bool,
 }
 
@@ -99,7 +99,7 @@ impl InputSource for Anyone {
 }
 
 /// Time as it passes on a machine that has other things to do.
-struct AnyTime(ChaCha8Rng);
+struct AnyTime(Xoshiro256PlusPlus);
 
 impl Clock for AnyTime {
     fn tick(&mut self) -> Duration {
@@ -127,9 +127,9 @@ fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
 
 /// The world after some frames with that player.
 fn played(name: &str, seed: u64, player: u64) -> u64 {
-    let clock = AnyTime(ChaCha8Rng::seed_from_u64(player + 1000));
+    let clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
     let player = Anyone {
-        rng: ChaCha8Rng::seed_from_u64(player),
+        rng: Xoshiro256PlusPlus::seed_from_u64(player),
         begun: false,
     };
     let mut session = session(name, seed, (32, 18))

@@ -7,7 +7,7 @@
 
 use cellray::game::DVec3;
 use rand::seq::SliceRandom as _;
-use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 use super::rules::{EIGHT, Shot};
 use super::table::{CUSHIONS, FOOT, HALF, HEAD, POCKETS, RADIUS, nearest};
@@ -191,7 +191,7 @@ pub struct Balls(pub [Ball; BALLS]);
 impl Balls {
     /// The rack, in an order by chance: the eight in the middle, unequal corners behind.
     #[must_use]
-    pub fn rack(chance: &mut ChaCha8Rng) -> Self {
+    pub fn rack(chance: &mut Xoshiro256PlusPlus) -> Self {
         const MIDDLE: usize = 4;
         const CORNERS: [usize; 2] = [10, 14];
         let mut order = [1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15];

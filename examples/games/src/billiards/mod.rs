@@ -25,7 +25,7 @@ use cellray::game::{
     WorldError,
 };
 use rand::SeedableRng as _;
-use rand_chacha::ChaCha8Rng;
+use rand_xoshiro::Xoshiro256PlusPlus;
 
 use self::aim::Aim;
 use self::balls::{Ball, Balls};
@@ -86,13 +86,13 @@ pub struct Billiards {
     above: bool,
     eye: DVec3,
     at: DVec3,
-    chance: ChaCha8Rng,
+    chance: Xoshiro256PlusPlus,
     scene: Scene,
 }
 
 impl Default for Billiards {
     fn default() -> Self {
-        let mut chance = ChaCha8Rng::seed_from_u64(0);
+        let mut chance = Xoshiro256PlusPlus::seed_from_u64(0);
         Self {
             balls: Balls::rack(&mut chance),
             rules: Rules::default(),
@@ -271,7 +271,7 @@ impl Game for Billiards {
     }
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
-        self.chance = ChaCha8Rng::seed_from_u64(start.seed);
+        self.chance = Xoshiro256PlusPlus::seed_from_u64(start.seed);
         self.begin();
         world.set_name(NAME);
         world.set_look(Look {
