@@ -87,11 +87,9 @@ impl Meter {
         ));
         lines.push(format!("{:.1} % of tests skipped", self.skipped));
         lines.push(format!("frame loop {:.1} % free", self.free));
-        if let Some((message, said)) = &self.message
-            && now.saturating_duration_since(*said) < MESSAGE
-        {
-            lines.push(message.clone());
-        }
+        let news = self.message.as_ref();
+        let news = news.filter(|(_, said)| now.saturating_duration_since(*said) < MESSAGE);
+        self.overlay.message = news.map(|(message, _)| message.clone());
         &self.overlay
     }
 

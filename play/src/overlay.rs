@@ -7,10 +7,12 @@ pub struct Overlay {
     pub lines: Vec<String>,
     /// Part of the frame's time that each SPU was at work in, 0 to 1.
     pub loads: Vec<f32>,
+    /// News, for a while.
+    pub message: Option<String>,
 }
 
 impl Overlay {
-    /// All of it in one line, for where there are letters alone.
+    /// All of it in one line, for where there are letters alone; what matters most first, as the line may be cut.
     #[must_use]
     pub fn line(&self) -> String {
         let loads: Vec<_> = self
@@ -18,7 +20,11 @@ impl Overlay {
             .iter()
             .map(|load| format!("{:.0}", 100.0 * load))
             .collect();
-        format!("{}  SPUs {} %", self.lines.join("  "), loads.join(" "))
+        let loads = format!("SPUs {} %", loads.join(" "));
+        let news = self.message.iter().map(String::as_str);
+        let numbers = self.lines.iter().map(String::as_str);
+        let all: Vec<_> = news.chain([loads.as_str()]).chain(numbers).collect();
+        all.join("  ")
     }
 }
 
@@ -31,7 +37,16 @@ mod tests {
         let overlay = Overlay {
             lines: vec!["12 frames/s".into(), "64x48".into()],
             loads: vec![0.25, 1.0],
+            message: None,
         };
-        assert_eq!(overlay.line(), "12 frames/s  64x48  SPUs 25 100 %");
+        assert_eq!(overlay.line(), "SPUs 25 100 %  12 frames/s  64x48");
+        let overlay = Overlay {
+            message: Some("pad 1 is gone".into()),
+            ..overlay
+        };
+        assert_eq!(
+            overlay.line(),
+            "pad 1 is gone  SPUs 25 100 %  12 frames/s  64x48"
+        );
     }
 }

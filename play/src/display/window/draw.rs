@@ -25,20 +25,18 @@ pub const ROOM: u32 = 0x0030_3030;
 /// Draws over pixels, of which a row has so many. What does not fit is left out.
 pub fn draw(overlay: &Overlay, pixels: &mut [u32], width: usize) {
     let bars = overlay.loads.len() * (BAR_WIDTH + 4);
-    let longest = overlay
-        .lines
-        .iter()
-        .map(|line| line.chars().count() * LETTER);
+    let lines: Vec<_> = overlay.lines.iter().chain(&overlay.message).collect();
+    let longest = lines.iter().map(|line| line.chars().count() * LETTER);
     let wide = longest.max().unwrap_or(0).max(bars) + 2 * MARGIN;
-    let high = overlay.lines.len() * LINE + 3 * MARGIN + BAR_HEIGHT;
+    let high = lines.len() * LINE + 3 * MARGIN + BAR_HEIGHT;
     let mut canvas = Canvas { pixels, width };
     for y in 0..high {
         (0..wide).for_each(|x| canvas.darken(x, y));
     }
-    for (number, line) in overlay.lines.iter().enumerate() {
+    for (number, line) in lines.iter().enumerate() {
         canvas.text(MARGIN, MARGIN + number * LINE, line);
     }
-    let top = overlay.lines.len() * LINE + 2 * MARGIN;
+    let top = lines.len() * LINE + 2 * MARGIN;
     for (number, &load) in overlay.loads.iter().enumerate() {
         let left = MARGIN + number * (BAR_WIDTH + 4);
         let filled = (load.clamp(0.0, 1.0) * BAR_HEIGHT as f32).round() as usize;
@@ -108,6 +106,7 @@ mod tests {
         let overlay = Overlay {
             lines: vec!["fps".into()],
             loads: vec![0.0, 0.5, 1.0],
+            message: None,
         };
         let pixels = drawn(&overlay, 200, 100);
         assert_eq!(count(&pixels, LOAD), BAR_WIDTH * BAR_HEIGHT * 3 / 2);
@@ -121,7 +120,12 @@ mod tests {
         let text = |text: &str| {
             let lines = vec![text.to_owned()];
             let loads = Vec::new();
-            drawn(&Overlay { lines, loads }, 64, 24)
+            let overlay = Overlay {
+                lines,
+                loads,
+                message: None,
+            };
+            drawn(&overlay, 64, 24)
         };
         // The upright of an L, and its foot.
         let letter = text("L");
@@ -135,6 +139,7 @@ mod tests {
         let overlay = Overlay {
             lines: vec!["a long line of text".into(); 9],
             loads: vec![1.0; 6],
+            message: Some("news".into()),
         };
         for (width, height) in [(1, 1), (7, 3), (64, 64)] {
             drawn(&overlay, width, height);
