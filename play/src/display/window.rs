@@ -55,9 +55,7 @@ impl Window {
     /// Whether there is a display server.
     #[must_use]
     pub fn is_possible() -> bool {
-        ["WAYLAND_DISPLAY", "WAYLAND_SOCKET", "DISPLAY"]
-            .iter()
-            .any(|name| std::env::var_os(name).is_some_and(|value| !value.is_empty()))
+        is_wayland() || is_set("DISPLAY")
     }
 
     /// Opens one.
@@ -66,6 +64,11 @@ impl Window {
             kind: "window",
             why,
         };
+        let has_xkb = || xkbcommon_dl::xkbcommon_option().is_some();
+        let has_xkb_of_x11 = || xkbcommon_dl::x11::xkbcommon_x11_option().is_some();
+        if let Some(library) = missing_library(!is_wayland(), has_xkb, has_xkb_of_x11) {
+            return Err(none(format!("{library} is not installed")));
+        }
         let mut events = EventLoop::new().map_err(|error| none(error.to_string()))?;
         events.set_control_flow(ControlFlow::Poll);
         let wanted = PhysicalSize::new(size.width, size.height);
@@ -138,12 +141,14 @@ impl ApplicationHandler for State {
                 self.happenings.push(Happening::Resized);
             }
             WindowEvent::Focused(false) => self.input(InputEvent::FocusLost),
-            WindowEvent::KeyboardInput { event, .. } if !event.repeat => {
-                if let PhysicalKey::Code(code) = event.physical_key
-                    && let Some(key) = keys::key(code)
-                {
-                    let down = event.state == ElementState::Pressed;
-                    self.input(InputEvent::Key { key, down });
+            WindowEvent::KeyboardInput {
+                event,
+                is_synthetic,
+                ..
+            } => {
+                let (code, state) = (event.physical_key, event.state);
+                if let Some(event) = key_event(code, state, event.repeat, is_synthetic) {
+                    self.input(event);
                 }
             }
             WindowEvent::CursorMoved { position, .. } => {
@@ -237,6 +242,30 @@ impl Display for Window {
     }
 }
 
+fn is_set(variable: &str) -> bool {
+    std::env::var_os(variable).is_some_and(|value| !value.is_empty())
+}
+
+/// Whether windows are of Wayland: it goes before X11.
+fn is_wayland() -> bool {
+    is_set("WAYLAND_DISPLAY") || is_set("WAYLAND_SOCKET")
+}
+
+/// A library that winit loads for the keyboard once it has a display server, and panics without.
+fn missing_library(
+    is_x11: bool,
+    has_xkb: impl Fn() -> bool,
+    has_xkb_of_x11: impl Fn() -> bool,
+) -> Option<&'static str> {
+    if !has_xkb() {
+        Some("libxkbcommon.so.0")
+    } else if is_x11 && !has_xkb_of_x11() {
+        Some("libxkbcommon-x11.so.0")
+    } else {
+        None
+    }
+}
+
 /// Paints the picture, each pixel as the one of the picture that lies there.
 fn paint(picture: &Picture, fit: Fit, pixels: &mut [u32], width: usize) {
     let columns: Vec<_> = (0..width as u32).map(|x| fit.column(x)).collect();
@@ -258,6 +287,22 @@ fn failed(error: softbuffer::SoftBufferError) -> io::Error {
     io::Error::other(error.to_string())
 }
 
+/// What a key's event is to a game. One that was down as the window came to the front was pressed elsewhere; what
+/// the window lets go of as it goes to the back is released.
+fn key_event(
+    code: PhysicalKey,
+    state: ElementState,
+    is_repeat: bool,
+    is_synthetic: bool,
+) -> Option<InputEvent> {
+    let down = state == ElementState::Pressed;
+    let PhysicalKey::Code(code) = code else {
+        return None;
+    };
+    let key = keys::key(code).filter(|_| !is_repeat && !(is_synthetic && down))?;
+    Some(InputEvent::Key { key, down })
+}
+
 fn mouse_button(button: winit::event::MouseButton) -> Option<MouseButton> {
     use winit::event::MouseButton as Winit;
     match button {
@@ -273,6 +318,33 @@ fn mouse_button(button: winit::event::MouseButton) -> Option<MouseButton> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cellray::game::Key;
+    use winit::keyboard::KeyCode;
+
+    #[test]
+    fn only_what_was_pressed_in_the_window_is_pressed() {
+        let (key, code) = (Key::Escape, PhysicalKey::Code(KeyCode::Escape));
+        let event = |down| Some(InputEvent::Key { key, down });
+        let (pressed, released) = (ElementState::Pressed, ElementState::Released);
+        assert_eq!(key_event(code, pressed, false, false), event(true));
+        assert_eq!(key_event(code, pressed, false, true), None);
+        assert_eq!(key_event(code, pressed, true, false), None);
+        assert_eq!(key_event(code, released, false, false), event(false));
+        assert_eq!(key_event(code, released, false, true), event(false));
+    }
+
+    #[test]
+    fn a_desktop_without_the_libraries_of_keyboards_is_told_of() {
+        let (there, missing) = (|| true, || false);
+        assert_eq!(missing_library(true, there, there), None);
+        assert_eq!(missing_library(false, there, missing), None);
+        let x11 = missing_library(true, there, missing);
+        assert_eq!(x11, Some("libxkbcommon-x11.so.0"));
+        for is_x11 in [true, false] {
+            let both = missing_library(is_x11, missing, missing);
+            assert_eq!(both, Some("libxkbcommon.so.0"));
+        }
+    }
 
     #[test]
     fn a_picture_is_painted_large_with_bars_beside_it() {
