@@ -1,10 +1,13 @@
 //! What puts the screen back where nothing unwinds: at a second signal, at a fault, at `abort`.
 //!
 //! A place is promised the call that restores it for as long as a [`PutBack`] lives. [`put_back`] makes
-//! the calls promised: it takes no lock and allocates nothing, so signal handlers may call it.
+//! the calls promised, and then those of a [`LastResort`], by which a program restores what else it took:
+//! it takes no lock and allocates nothing, so signal handlers may call it.
 //! Invariant: whoever takes a promise out of its place makes its call or frees it, and no other does.
 
 use super::ioctl::FbVarScreeninfo;
+use super::{interrupted, switching};
+use std::io;
 use std::mem::{self, MaybeUninit};
 use std::os::fd::{AsRawFd, BorrowedFd, RawFd};
 use std::ptr::{self, NonNull};
@@ -58,8 +61,7 @@ impl PutBack {
         request: u32,
         argument: Argument,
     ) -> PutBack {
-        static CATCH: Once = Once::new();
-        CATCH.call_once(catch_ends);
+        catch_ends();
         let call = NonNull::from(Box::leak(Box::new(Call {
             descriptor: descriptor.as_raw_fd(),
             request,
@@ -88,7 +90,44 @@ impl Drop for PutBack {
     }
 }
 
-/// Makes every call promised, once.
+/// What a program has changed besides the screen, such as the terminal that it was started from.
+///
+/// Once armed, it is put back by whatever ends the program without unwinding: a fault, `abort`, a signal that
+/// nobody has asked for, or the second of those that [`Interrupted`](super::Interrupted) makes a request of.
+/// Ctrl-Z puts it back too, and takes it again when the program goes on.
+#[derive(Debug)]
+pub struct LastResort {
+    /// Puts it back, unless it is not taken or was put back before.
+    pub put_back: fn(),
+    /// Takes it again, if the last stop put it back.
+    pub take_again: fn(),
+}
+
+/// The one that is armed.
+static ARMED: AtomicPtr<LastResort> = AtomicPtr::new(ptr::null_mut());
+
+impl LastResort {
+    /// Has it called from now on, in the place of one that was armed before.
+    ///
+    /// # Safety
+    ///
+    /// Both functions are called in signal handlers, on any thread, at any moment: they may use atomics and the
+    /// system calls that POSIX lets handlers make, and neither allocate, nor take a lock, nor panic.
+    pub unsafe fn arm(&'static self) -> io::Result<()> {
+        ARMED.store(ptr::from_ref(self).cast_mut(), Ordering::SeqCst);
+        catch_ends();
+        interrupted::watch()?;
+        switching::watch()
+    }
+
+    /// The one that is armed, if one is.
+    pub(super) fn armed() -> Option<&'static LastResort> {
+        // SAFETY: only `arm` sets it, to what lives for good.
+        unsafe { ARMED.load(Ordering::SeqCst).as_ref() }
+    }
+}
+
+/// Makes every call promised, once, and those of what is armed.
 pub(crate) fn put_back() {
     for place in &PROMISED {
         let call = place.swap(ptr::null_mut(), Ordering::SeqCst);
@@ -114,6 +153,9 @@ pub(crate) fn put_back() {
                 }
             }
         };
+    }
+    if let Some(armed) = LastResort::armed() {
+        (armed.put_back)();
     }
 }
 
@@ -144,6 +186,11 @@ static BEFORE: [AtomicPtr<libc::sigaction>; ENDS.len()] =
     [const { AtomicPtr::new(ptr::null_mut()) }; ENDS.len()];
 
 fn catch_ends() {
+    static CATCH: Once = Once::new();
+    CATCH.call_once(catch_each_end);
+}
+
+fn catch_each_end() {
     for (index, &signal) in ENDS.iter().enumerate() {
         let mut before = MaybeUninit::<libc::sigaction>::zeroed();
         // SAFETY: with no new action this only writes the present one.
@@ -197,13 +244,17 @@ extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_vo
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::framebuffer::Interrupted;
     use crate::framebuffer::interrupted::tests::in_child;
-    use std::io::{self, PipeReader};
+    use std::io::PipeReader;
     use std::os::fd::AsFd;
+    use std::sync::Mutex;
     use std::sync::atomic::AtomicI32;
 
     /// The pipe that children inherit: the mode of its open file is theirs and the test's.
     static SHARED: AtomicI32 = AtomicI32::new(-1);
+    /// Whose pipe it is.
+    static SHARING: Mutex<()> = Mutex::new(());
 
     fn promise() -> PutBack {
         // SAFETY: the test keeps the pipe open.
@@ -260,7 +311,75 @@ mod tests {
             (sent, libc::SIGUSR1, true),
             (done, libc::SIGUSR1, false),
         ];
+        let _sharing = SHARING.lock().unwrap();
         for (scenario, signal, restored) in cases {
+            let (pipe, _writer) = io::pipe().unwrap();
+            SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
+            let status = in_child(scenario);
+            assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
+            assert_eq!(libc::WTERMSIG(status), signal);
+            assert_eq!(was_put_back(&pipe), restored, "{signal}");
+        }
+    }
+
+    static RESORT: LastResort = LastResort {
+        put_back: || {
+            let on: libc::c_int = 1;
+            // SAFETY: the test keeps the pipe open; the request reads one int.
+            unsafe { libc::ioctl(SHARED.load(Ordering::SeqCst), libc::FIONBIO, &raw const on) };
+        },
+        take_again: || {},
+    };
+
+    fn arm() {
+        // SAFETY: an atomic and one system call that only sets a flag.
+        unsafe { RESORT.arm() }.unwrap();
+    }
+
+    #[test]
+    fn what_is_armed_is_put_back_by_all_that_ends_the_program() {
+        fn raise(signal: i32) {
+            // SAFETY: the signal is what is tested, in a process of its own.
+            unsafe { libc::raise(signal) };
+        }
+        let alarm: fn() -> i32 = || {
+            arm();
+            raise(libc::SIGALRM);
+            0
+        };
+        let fault: fn() -> i32 = || {
+            arm();
+            // SAFETY: none: the fault is what is tested, in a process of its own.
+            unsafe { ptr::without_provenance::<i32>(8).read_volatile() }
+        };
+        let unexpected: fn() -> i32 = || {
+            arm();
+            raise(libc::SIGTERM);
+            0
+        };
+        let second: fn() -> i32 = || {
+            arm();
+            let _interrupted = Interrupted::install().unwrap();
+            raise(libc::SIGHUP);
+            raise(libc::SIGTERM);
+            0
+        };
+        let first: fn() -> i32 = || {
+            arm();
+            let _interrupted = Interrupted::install().unwrap();
+            raise(libc::SIGQUIT);
+            // A request alone: nothing is put back yet.
+            // SAFETY: SIGKILL ends the child, and can't be caught.
+            unsafe { libc::raise(libc::SIGKILL) }
+        };
+        let _sharing = SHARING.lock().unwrap();
+        for (scenario, signal, restored) in [
+            (alarm, libc::SIGALRM, true),
+            (fault, libc::SIGSEGV, true),
+            (unexpected, libc::SIGTERM, true),
+            (second, libc::SIGTERM, true),
+            (first, libc::SIGKILL, false),
+        ] {
             let (pipe, _writer) = io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let status = in_child(scenario);

@@ -36,6 +36,7 @@ pub use error::FramebufferError;
 pub use file::File;
 pub use file_limit::refuse_large_files;
 pub use interrupted::Interrupted;
+pub use last_resort::LastResort;
 pub(crate) use last_resort::put_back;
 pub use memory::Memory;
 pub use numbered::NumberedPath;

@@ -2,9 +2,11 @@
 //! giving it back, and Ctrl-Z, as questions for the frame loop.
 //!
 //! Invariant: handlers only set flags and wake [`wait_until_back`]; without a [`Switching`] alive the
-//! kernel's two signals mean nothing, and Ctrl-Z stops the program as by default.
+//! kernel's two signals mean nothing, and Ctrl-Z stops the program as by default. What is armed as a
+//! [`LastResort`] is put back before the program stops.
 
 use super::interrupted;
+use super::last_resort::LastResort;
 use signal_hook::consts::SIGTSTP;
 use signal_hook::low_level;
 use std::io::{self, PipeReader, PipeWriter, Read};
@@ -44,12 +46,7 @@ pub(super) struct Switching(());
 
 impl Switching {
     pub(super) fn catch() -> io::Result<Switching> {
-        if WAKE.get().is_none() {
-            let pipe = io::pipe()?;
-            if WAKE.set(pipe).is_ok() {
-                register()?;
-            }
-        }
+        watch()?;
         for flag in [&LEAVE, &BACK, &STOP] {
             flag.store(false, Ordering::SeqCst);
         }
@@ -94,10 +91,29 @@ impl Drop for Switching {
     }
 }
 
-/// Stops the program as Ctrl-Z does; returns when it is continued.
+/// Stops the program as Ctrl-Z does; returns when it is continued. May be called from a signal handler.
 pub(super) fn stop() {
+    let armed = LastResort::armed();
+    if let Some(armed) = armed {
+        (armed.put_back)();
+    }
     // SIGSTOP can't be refused.
     let _ = low_level::raise(libc::SIGSTOP);
+    // A program that is continued to end has no more use for it.
+    if let Some(armed) = armed.filter(|_| !interrupted::came()) {
+        (armed.take_again)();
+    }
+}
+
+/// Has Ctrl-Z stop the program by way of [`stop`], also where no screen is taken.
+pub(super) fn watch() -> io::Result<()> {
+    if WAKE.get().is_none() {
+        let pipe = io::pipe()?;
+        if WAKE.set(pipe).is_ok() {
+            register()?;
+        }
+    }
+    Ok(())
 }
 
 fn register() -> io::Result<()> {
