@@ -2,7 +2,8 @@
 //!
 //! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the picture, F12 takes a
 //! picture. Invariant: those never reach a game; all else does, once, in order, also what comes while a frame is
-//! traced.
+//! traced. Of devices nothing does that the player did elsewhere: on another virtual terminal, or at the shell
+//! while the program was stopped.
 
 use std::cell::RefCell;
 use std::io;
@@ -12,9 +13,10 @@ use std::time::Instant;
 
 use cellray::framebuffer::Interrupted;
 use cellray::game::{Button, InputEvent, InputSource, Key};
+use signal_hook::consts::{SIGHUP, SIGINT};
 
 use crate::display::{Display, Happening};
-use crate::input::{Foreground, Hub};
+use crate::input::{Foreground, Hub, SystemForeground};
 
 /// Why a session ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -45,8 +47,10 @@ pub struct Front {
     /// What is seen.
     pub display: Box<dyn Display>,
     devices: Option<Hub>,
-    foreground: Foreground,
-    /// The player is on another virtual terminal.
+    foreground: Box<dyn Foreground>,
+    /// The player was elsewhere before the last look at the devices, or after it.
+    was_left: bool,
+    /// What is heard of the devices is not the game's.
     is_away: bool,
     /// A terminal that is no display: its keys count where there is no keyboard.
     keys: Option<Box<dyn Display>>,
@@ -60,17 +64,17 @@ pub struct Front {
 
 impl Front {
     /// With a display, and devices if they are to be read.
-    #[must_use]
     pub fn new(
         display: Box<dyn Display>,
         devices: Option<Hub>,
         keys: Option<Box<dyn Display>>,
         interrupted: Interrupted,
-    ) -> Self {
-        Self {
+    ) -> io::Result<Self> {
+        Ok(Self {
             display,
             devices,
-            foreground: Foreground::of_system(),
+            foreground: Box::new(SystemForeground::new()?),
+            was_left: false,
             is_away: false,
             keys,
             interrupted,
@@ -79,7 +83,7 @@ impl Front {
             pending: Vec::new(),
             wishes: Wishes::default(),
             failed: None,
-        }
+        })
     }
 
     /// What the player wants since the last call; an ending stays.
@@ -107,14 +111,8 @@ impl Front {
         let mut has_keyboard = false;
         if let Some(devices) = &mut self.devices {
             devices.poll(Instant::now(), &mut self.from_devices);
-            let was_away = std::mem::replace(&mut self.is_away, self.foreground.is_other());
-            if self.is_away {
-                self.from_devices.retain(is_of_presence);
-                if !was_away {
-                    self.from_devices.push(InputEvent::FocusLost);
-                }
-            }
             has_keyboard = devices.has_keyboard();
+            self.forget_what_was_done_elsewhere();
         }
         if let Some(keys) = &mut self.keys {
             let before = self.happenings.len();
@@ -129,7 +127,8 @@ impl Front {
                 Happening::Input(event) => self.take(event),
                 Happening::Resized => self.wishes.resized = true,
                 Happening::Closed => self.end(Ending::Closed),
-                Happening::Interrupted => self.end(Ending::Signal(signal_hook::consts::SIGINT)),
+                Happening::Interrupted => self.end(Ending::Signal(SIGINT)),
+                Happening::HungUp => self.end(Ending::Signal(SIGHUP)),
             }
         }
         for event in std::mem::take(&mut self.from_devices) {
@@ -138,10 +137,29 @@ impl Front {
         Ok(())
     }
 
+    /// Called when the devices have been read: whatever was typed before that and elsewhere is among it, but for
+    /// what came between that and this. So a look away counts for the next reading, too.
+    fn forget_what_was_done_elsewhere(&mut self) {
+        let is_left = self.foreground.was_left();
+        let is_away = std::mem::replace(&mut self.was_left, is_left) || is_left;
+        let was_away = std::mem::replace(&mut self.is_away, is_away);
+        if is_away {
+            self.from_devices.retain(is_of_presence);
+            if !was_away {
+                self.from_devices.push(InputEvent::FocusLost);
+            }
+        }
+    }
+
     fn take(&mut self, event: InputEvent) {
         match event {
             InputEvent::Key { key, down } => match key {
-                Key::Escape | Key::Q => self.end(Ending::Closed),
+                // A release may be of a press that was another window's.
+                Key::Escape | Key::Q => {
+                    if down {
+                        self.end(Ending::Closed);
+                    }
+                }
                 Key::F1 => self.wishes.overlay ^= down,
                 Key::F12 => self.wishes.screenshot |= down,
                 _ => self.pending.push(event),
@@ -204,6 +222,7 @@ mod tests {
     use crate::canvas::Picture;
     use crate::overlay::Overlay;
     use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
+    use cellray::game::PadId;
 
     /// Tells of one list of happenings at each call.
     struct Script(Vec<Vec<Happening>>);
@@ -251,7 +270,67 @@ mod tests {
     fn front(script: Vec<Vec<Happening>>) -> Rc<RefCell<Front>> {
         let interrupted = Interrupted::install().expect("signals");
         let front = Front::new(Box::new(Script(script)), None, None, interrupted);
-        Rc::new(RefCell::new(front))
+        Rc::new(RefCell::new(front.expect("signals")))
+    }
+
+    /// Says once each whether the player was elsewhere.
+    struct Looks(Vec<bool>);
+
+    impl Foreground for Looks {
+        fn was_left(&mut self) -> bool {
+            self.0.remove(0)
+        }
+    }
+
+    #[test]
+    fn what_is_typed_elsewhere_is_not_heard() {
+        let front = front(Vec::new());
+        let mut front = front.borrow_mut();
+        // There and back between two looks; then for longer.
+        let looks = [false, true, false, false, true, true, false, false];
+        front.foreground = Box::new(Looks(looks.to_vec()));
+        let typed = InputEvent::Key {
+            key: Key::Q,
+            down: true,
+        };
+        let plugged = InputEvent::PadDisconnected { pad: PadId(3) };
+        let heard = (0..looks.len()).map(|_| {
+            front.from_devices = vec![typed.clone(), plugged.clone()];
+            front.forget_what_was_done_elsewhere();
+            std::mem::take(&mut front.from_devices)
+        });
+        let all = vec![typed.clone(), plugged.clone()];
+        let first_away = vec![plugged.clone(), InputEvent::FocusLost];
+        let away = vec![plugged.clone()];
+        assert_eq!(
+            heard.collect::<Vec<_>>(),
+            [
+                &all,
+                &first_away,
+                &away,
+                &all,
+                &first_away,
+                &away,
+                &away,
+                &all
+            ]
+            .map(Vec::clone)
+        );
+    }
+
+    #[test]
+    fn a_key_that_is_let_go_ends_nothing() {
+        let front = front(vec![
+            vec![key(Key::Escape, false), key(Key::Q, false)],
+            vec![Happening::HungUp],
+        ]);
+        let mut input = FrontInput(Rc::clone(&front));
+        let mut events = Vec::new();
+        assert!(input.poll(&mut events).expect("input").is_continue());
+        assert_eq!(events, []);
+        assert!(input.poll(&mut events).expect("input").is_break());
+        let ending = front.borrow_mut().take_wishes().ending;
+        assert_eq!(ending, Some(Ending::Signal(SIGHUP)));
     }
 
     #[test]

@@ -64,7 +64,8 @@ pub fn play(
         clock,
         ticked: Rc::clone(&traced_from),
     };
-    let front = Front::new(display, player.devices, player.keys, interrupted);
+    let front = Front::new(display, player.devices, player.keys, interrupted)
+        .map_err(PlayError::Signals)?;
     let front = Rc::new(RefCell::new(front));
     let session = Session::start(game, options.settings()?, framebuffer)?
         .with_seed(seed)

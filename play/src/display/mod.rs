@@ -35,6 +35,8 @@ pub enum Happening {
     Closed,
     /// The player has asked for an end as by SIGINT.
     Interrupted,
+    /// The terminal that it is on is gone.
+    HungUp,
 }
 
 /// A display.

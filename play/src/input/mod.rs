@@ -13,6 +13,6 @@ mod mapping;
 
 pub use capabilities::{Capabilities, Codes};
 pub use device::{Device, Devices, Range, RawEvent, SystemDevices};
-pub use foreground::Foreground;
+pub use foreground::{Foreground, SystemForeground};
 pub use hotplug::{Hub, Wanted};
 pub use mapping::{Kind, Mapping};
