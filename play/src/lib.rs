@@ -143,6 +143,8 @@ fn session(
             "--program: the game has an SPU program of its own",
         ));
     }
+    // Before a display is opened: a signal that comes meanwhile is a request, too.
+    let _interrupted = Interrupted::install().map_err(PlayError::Signals)?;
     let kind = display_kind(options)?;
     let size = options.size.unwrap_or(usual);
     if kind != DisplayKind::Images {

@@ -3,17 +3,23 @@
 //! Known weakness: most terminals don't tell when a key is released; see [`keys`].
 
 mod cells;
+mod events;
 mod keys;
 mod restore;
 
 use std::io::{self, IsTerminal as _, Write as _};
+use std::sync::Arc;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry};
 use cellray::game::{InputEvent, MouseButton};
 use crossterm::event::{self, Event, KeyCode, KeyModifiers, MouseEventKind};
+use signal_hook::consts::SIGWINCH;
+use signal_hook::flag;
 
 use self::cells::{Colours, Grid};
+use self::events::Events;
 use self::keys::Keys;
 use self::restore::Taken;
 use super::{Display, DisplayError, Fit, Happening};
@@ -24,18 +30,26 @@ use crate::overlay::Overlay;
 const DEFAULT: (u16, u16) = (80, 24);
 /// Most columns and rows: more is none that anyone sees.
 const MOST: u16 = 1000;
+/// Pixels of a character, as games know them of a mouse's way: most fonts are nearly so.
+const CHARACTER: [f32; 2] = [8.0, 16.0];
 
 /// The terminal of the program.
 pub struct Terminal {
     shown: Shown,
     /// Columns and rows.
     cells: (u16, u16),
+    is_resized: Arc<AtomicBool>,
     fit: Fit,
     grid: Grid,
+    events: Events,
     keys: Keys,
+    /// The character that the mouse was last on.
+    mouse: Option<(u16, u16)>,
     has_pictures: bool,
+    /// The terminal has hung up.
+    is_gone: bool,
     // Dropped last: all else may still write there.
-    _taken: Taken,
+    taken: Taken,
 }
 
 impl Terminal {
@@ -64,15 +78,24 @@ impl Terminal {
         if !there {
             return Err(none("standard input or output is none".to_owned()));
         }
-        let taken = Taken::take(has_pictures).map_err(|error| none(error.to_string()))?;
+        let is_resized = Arc::new(AtomicBool::new(false));
+        let opened = || {
+            flag::register(SIGWINCH, Arc::clone(&is_resized))?;
+            Ok((Taken::take(has_pictures)?, Events::read()?))
+        };
+        let (taken, events) = opened().map_err(|error: io::Error| none(error.to_string()))?;
         Ok(Self {
             shown: Shown::default(),
             cells: size(),
+            is_resized,
             fit: Fit::default(),
             grid: Grid::new(Colours::of_environment()),
+            events,
             keys: Keys::default(),
+            mouse: None,
             has_pictures,
-            _taken: taken,
+            is_gone: false,
+            taken,
         })
     }
 
@@ -100,6 +123,10 @@ impl Terminal {
                     Some(to) => InputEvent::MouseMoved { to },
                     None => InputEvent::MouseLeft,
                 });
+                let at = (mouse.column, mouse.row);
+                if let Some(by) = self.mouse.replace(at).and_then(|from| way(from, at)) {
+                    input(InputEvent::MouseMotion { by });
+                }
                 match mouse.kind {
                     MouseEventKind::Down(button) => input(InputEvent::MouseButton {
                         button: mouse_button(button),
@@ -116,12 +143,13 @@ impl Terminal {
                     MouseEventKind::Moved | MouseEventKind::Drag(_) => {}
                 }
             }
-            Event::FocusLost => input(InputEvent::FocusLost),
-            Event::Resize(..) => {
-                self.cells = size();
-                happenings.push(Happening::Resized);
+            Event::FocusLost => {
+                self.keys.forget();
+                self.mouse = None;
+                input(InputEvent::FocusLost);
             }
-            Event::FocusGained => {}
+            // The signal tells of it too, also while half an event keeps the reader waiting.
+            Event::Resize(..) | Event::FocusGained => {}
         }
     }
 }
@@ -144,9 +172,29 @@ impl Display for Terminal {
     }
 
     fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
-        while event::poll(std::time::Duration::ZERO)? {
-            let event = event::read()?;
-            self.take_in(event, happenings);
+        let is_back = self.taken.is_back();
+        if self.is_resized.swap(false, Ordering::SeqCst) || is_back {
+            // A terminal that was made smaller and larger again has lost what it showed.
+            self.grid.forget();
+            self.cells = size();
+            happenings.push(Happening::Resized);
+        }
+        if is_back {
+            self.take_in(Event::FocusLost, happenings);
+        }
+        loop {
+            match self.events.next() {
+                Ok(Some(event)) => self.take_in(event, happenings),
+                Ok(None) => break,
+                Err(_) => {
+                    self.is_gone = true;
+                    break;
+                }
+            }
+        }
+        // Where the picture is elsewhere it goes on without keys.
+        if self.is_gone && self.has_pictures {
+            happenings.push(Happening::HungUp);
         }
         self.keys.let_go(Instant::now(), &mut |event| {
             happenings.push(Happening::Input(event));
@@ -166,8 +214,14 @@ impl Display for Terminal {
             .grid
             .draw(&picture, self.fit, self.cells, line.as_deref());
         let mut out = io::stdout().lock();
-        out.write_all(text)?;
-        out.flush()
+        match out.write_all(text).and_then(|()| out.flush()) {
+            // What the system says of a terminal that has hung up.
+            Err(error) if error.raw_os_error() == Some(libc::EIO) => {
+                self.is_gone = true;
+                Ok(())
+            }
+            written => written,
+        }
     }
 
     fn picture(&self) -> Option<Picture> {
@@ -185,10 +239,29 @@ fn size() -> (u16, u16) {
     }
 }
 
+/// What a mouse has gone from character to character, in pixels.
+fn way(from: (u16, u16), to: (u16, u16)) -> Option<[f32; 2]> {
+    let along = |from: u16, to: u16, pixels: f32| (f32::from(to) - f32::from(from)) * pixels;
+    let [width, height] = CHARACTER;
+    (from != to).then(|| [along(from.0, to.0, width), along(from.1, to.1, height)])
+}
+
 fn mouse_button(button: event::MouseButton) -> MouseButton {
     match button {
         event::MouseButton::Left => MouseButton::Left,
         event::MouseButton::Right => MouseButton::Right,
         event::MouseButton::Middle => MouseButton::Middle,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_mouse_on_characters_has_gone_pixels() {
+        assert_eq!(way((3, 4), (3, 4)), None);
+        assert_eq!(way((3, 4), (5, 3)), Some([16.0, -16.0]));
+        assert_eq!(way((u16::MAX, 0), (0, 0)), Some([-8.0 * 65535.0, 0.0]));
     }
 }

@@ -93,6 +93,11 @@ impl Grid {
         }
     }
 
+    /// Nothing is known any more of what the terminal shows.
+    pub fn forget(&mut self) {
+        self.size = (0, 0);
+    }
+
     /// What to write so that the terminal shows the picture, and a line of text at its foot.
     pub fn draw(
         &mut self,
@@ -201,6 +206,16 @@ mod tests {
             changed,
             "\x1b[2;2H\x1b[38;2;0;0;99m\x1b[48;2;200;0;0m\u{2580}"
         );
+    }
+
+    #[test]
+    fn what_is_forgotten_is_written_again() {
+        let mut grid = Grid::new(Colours::True);
+        let shown = picture(&[RED; 8]);
+        let first = draw(&mut grid, &shown, None);
+        assert_eq!(draw(&mut grid, &shown, None), "");
+        grid.forget();
+        assert_eq!(draw(&mut grid, &shown, None), first);
     }
 
     #[test]

@@ -63,6 +63,11 @@ impl Keys {
         });
     }
 
+    /// Forgets what is held: the terminal has told that it hears no more of it.
+    pub fn forget(&mut self) {
+        self.held.clear();
+    }
+
     fn press(&mut self, key: Key, now: Instant, input: &mut impl FnMut(InputEvent)) {
         match self.held.iter_mut().find(|(held, _)| *held == key) {
             Some((_, heard)) => *heard = now,
@@ -232,6 +237,20 @@ mod tests {
         assert_eq!(
             told(&mut keys, KeyCode::Left, release, start),
             [(Key::Left, false)]
+        );
+    }
+
+    #[test]
+    fn a_key_held_as_the_focus_went_is_pressed_again() {
+        let (mut keys, now) = (Keys::default(), Instant::now());
+        let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
+        told(&mut keys, KeyCode::Up, press, now);
+        told(&mut keys, KeyCode::Up, release, now);
+        told(&mut keys, KeyCode::Left, press, now);
+        keys.forget();
+        assert_eq!(
+            told(&mut keys, KeyCode::Left, press, now),
+            [(Key::Left, true)]
         );
     }
 
