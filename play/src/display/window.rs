@@ -21,6 +21,7 @@ use winit::keyboard::PhysicalKey;
 use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::window::{Window as Winit, WindowId};
 
+use self::keys::HeldElsewhere;
 use super::{Display, DisplayError, Fit, Happening};
 use crate::canvas::{Picture, Shown};
 use crate::overlay::Overlay;
@@ -48,6 +49,7 @@ struct State {
     failed: Option<String>,
     area: PhysicalSize<u32>,
     fit: Fit,
+    keys: HeldElsewhere,
     happenings: Vec<Happening>,
 }
 
@@ -79,6 +81,7 @@ impl Window {
             failed: None,
             area: wanted,
             fit: Fit::default(),
+            keys: HeldElsewhere::default(),
             happenings: Vec::new(),
         };
         // The first events are those that make the window.
@@ -146,9 +149,12 @@ impl ApplicationHandler for State {
                 is_synthetic,
                 ..
             } => {
-                let (code, state) = (event.physical_key, event.state);
-                if let Some(event) = key_event(code, state, event.repeat, is_synthetic) {
-                    self.input(event);
+                let down = event.state == ElementState::Pressed;
+                if let PhysicalKey::Code(code) = event.physical_key
+                    && let Some(key) = keys::key(code)
+                    && self.keys.is_news(key, down, event.repeat, is_synthetic)
+                {
+                    self.input(InputEvent::Key { key, down });
                 }
             }
             WindowEvent::CursorMoved { position, .. } => {
@@ -287,22 +293,6 @@ fn failed(error: softbuffer::SoftBufferError) -> io::Error {
     io::Error::other(error.to_string())
 }
 
-/// What a key's event is to a game. One that was down as the window came to the front was pressed elsewhere; what
-/// the window lets go of as it goes to the back is released.
-fn key_event(
-    code: PhysicalKey,
-    state: ElementState,
-    is_repeat: bool,
-    is_synthetic: bool,
-) -> Option<InputEvent> {
-    let down = state == ElementState::Pressed;
-    let PhysicalKey::Code(code) = code else {
-        return None;
-    };
-    let key = keys::key(code).filter(|_| !is_repeat && !(is_synthetic && down))?;
-    Some(InputEvent::Key { key, down })
-}
-
 fn mouse_button(button: winit::event::MouseButton) -> Option<MouseButton> {
     use winit::event::MouseButton as Winit;
     match button {
@@ -318,20 +308,6 @@ fn mouse_button(button: winit::event::MouseButton) -> Option<MouseButton> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use cellray::game::Key;
-    use winit::keyboard::KeyCode;
-
-    #[test]
-    fn only_what_was_pressed_in_the_window_is_pressed() {
-        let (key, code) = (Key::Escape, PhysicalKey::Code(KeyCode::Escape));
-        let event = |down| Some(InputEvent::Key { key, down });
-        let (pressed, released) = (ElementState::Pressed, ElementState::Released);
-        assert_eq!(key_event(code, pressed, false, false), event(true));
-        assert_eq!(key_event(code, pressed, false, true), None);
-        assert_eq!(key_event(code, pressed, true, false), None);
-        assert_eq!(key_event(code, released, false, false), event(false));
-        assert_eq!(key_event(code, released, false, true), event(false));
-    }
 
     #[test]
     fn a_desktop_without_the_libraries_of_keyboards_is_told_of() {

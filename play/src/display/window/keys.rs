@@ -1,4 +1,4 @@
-//! The keys of a window under the names that a game knows.
+//! The keys of a window under the names that a game knows, and which of them were pressed in it.
 
 use cellray::game::Key;
 use winit::keyboard::KeyCode;
@@ -85,4 +85,49 @@ pub fn key(code: KeyCode) -> Option<Key> {
         KeyCode::F12 => Key::F12,
         _ => return None,
     })
+}
+
+/// Keys that were down as the window came to the front: pressed elsewhere, so not pressed here until they are let
+/// go of. The first of their repetitions is not marked as one.
+#[derive(Debug, Default)]
+pub struct HeldElsewhere(Vec<Key>);
+
+impl HeldElsewhere {
+    /// Whether an event is a press in the window, or a release. `is_synthetic` are those that tell what is down as
+    /// the window comes to the front, and let go of all as it goes to the back.
+    pub fn is_news(&mut self, key: Key, down: bool, is_repeat: bool, is_synthetic: bool) -> bool {
+        if !down {
+            self.0.retain(|held| *held != key);
+            return true;
+        }
+        if is_synthetic {
+            self.0.push(key);
+        }
+        !is_repeat && !self.0.contains(&key)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_what_was_pressed_in_the_window_is_pressed() {
+        let mut keys = HeldElsewhere::default();
+        let mut press = |is_repeat, is_synthetic| {
+            (
+                keys.is_news(Key::A, true, is_repeat, false),
+                keys.is_news(Key::Escape, true, is_repeat, is_synthetic),
+            )
+        };
+        assert_eq!(press(false, false), (true, true));
+        assert_eq!(press(true, false), (false, false));
+        // The second stands for a repetition that is not marked.
+        assert_eq!(press(false, true), (true, false));
+        assert_eq!(press(false, false), (true, false));
+        assert!(keys.is_news(Key::Escape, false, false, false));
+        assert!(keys.is_news(Key::Escape, true, false, false));
+        // The window lets go of what is held as it goes to the back.
+        assert!(keys.is_news(Key::Escape, false, false, true));
+    }
 }
