@@ -10,6 +10,7 @@ use super::console::Console;
 use super::display::Display;
 use super::driver::{Driver, KernelDriver, Mapping};
 use super::forward;
+use super::interrupted;
 use super::ioctl::FbVarScreeninfo;
 use super::surface::{Scheme, Surface, driver_name};
 use super::video_mode::Moded;
@@ -77,6 +78,9 @@ impl Device {
     pub fn open(path: &Path, options: Options) -> Result<Device, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;
+        // Before the video mode is another: a signal that nobody waits for puts it back, too.
+        interrupted::watch()
+            .map_err(|source| FramebufferError::io("catch signals for", path, source))?;
         let found = Device::look(Box::new(driver), path, options)?;
         Device::start(found, path, options, Console::enter())
     }

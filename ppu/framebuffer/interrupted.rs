@@ -122,7 +122,8 @@ fn catch(signal: i32) -> io::Result<SigId> {
     unsafe { low_level::register(signal, move || on_signal(signal)) }
 }
 
-fn is_ignored(signal: i32) -> io::Result<bool> {
+/// Whether a signal is ignored, as the program was started or by its own wish.
+pub(super) fn is_ignored(signal: i32) -> io::Result<bool> {
     let mut action = MaybeUninit::<libc::sigaction>::uninit();
     // SAFETY: with no new action this only writes the present one.
     if unsafe { libc::sigaction(signal, ptr::null(), action.as_mut_ptr()) } != 0 {

@@ -178,9 +178,10 @@ const ENDS: [i32; 15] = [
     libc::SIGPWR,
 ];
 
-/// How many of [`ENDS`], from the first, are faults, which go on to whoever handled them before: the Rust runtime says
-/// of a SIGSEGV that a stack is full, and ends the program. The others' handlers are let be.
-const FAULTS: usize = 6;
+/// How many of [`ENDS`], from the first, are faults whose instruction is done again, so that they go on to whoever
+/// handled them before: the Rust runtime says of a SIGSEGV that a stack is full, and ends the program. The others'
+/// handlers are let be.
+const FAULTS: usize = 4;
 
 static BEFORE: [AtomicPtr<libc::sigaction>; ENDS.len()] =
     [const { AtomicPtr::new(ptr::null_mut()) }; ENDS.len()];
@@ -225,16 +226,16 @@ extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_vo
     // SAFETY: the kernel gives a handler with SA_SIGINFO a siginfo_t; the action before is null or
     // leaked for good; a valid signal is raised.
     unsafe {
-        if (*info).si_code > 0 {
-            // A fault: its instruction is done again.
+        if index < FAULTS && (*info).si_code > 0 {
+            // The kernel's word that it was one.
             libc::sigaction(
                 signal,
                 BEFORE[index].load(Ordering::SeqCst),
                 ptr::null_mut(),
             );
         } else {
-            // Sent, so it has to be sent again, and waits until this handler has returned. The runtime's
-            // handler would let it pass for a fault that does not come again.
+            // Sent, by a timer as it may be, so it has to be sent again, and waits until this handler has returned. The
+            // runtime's handler would let it pass for a fault that does not come again.
             libc::signal(signal, libc::SIG_DFL);
             libc::raise(signal);
         }
@@ -291,6 +292,15 @@ mod tests {
             unsafe { libc::raise(libc::SIGSEGV) };
             0
         };
+        let timer: fn() -> i32 = || {
+            let _promise = promise();
+            // SAFETY: the signal is what is tested, in a process of its own.
+            unsafe {
+                libc::alarm(1);
+                libc::pause();
+            }
+            0
+        };
         let sent: fn() -> i32 = || {
             let _promise = promise();
             // SAFETY: the signal is what is tested, in a process of its own.
@@ -308,6 +318,7 @@ mod tests {
             (segv, libc::SIGSEGV, true),
             (sent_fault, libc::SIGSEGV, true),
             (abort, libc::SIGABRT, true),
+            (timer, libc::SIGALRM, true),
             (sent, libc::SIGUSR1, true),
             (done, libc::SIGUSR1, false),
         ];

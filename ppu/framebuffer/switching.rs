@@ -123,6 +123,9 @@ fn register() -> io::Result<()> {
         (SIGTSTP, &STOP),
     ];
     for (signal, flag) in flags {
+        if interrupted::is_ignored(signal)? {
+            continue;
+        }
         // SAFETY: `on_signal` only uses atomics and system calls that signal handlers may use.
         unsafe { low_level::register(signal, move || on_signal(signal, flag)) }?;
     }
