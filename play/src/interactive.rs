@@ -122,6 +122,7 @@ pub fn play(
             }
         }
     }
+    session.finish()?;
     Ok(Played {
         ending,
         report: session.report().clone(),

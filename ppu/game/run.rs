@@ -190,7 +190,8 @@ impl<G: Game> Session<G> {
         })
     }
 
-    /// Runs until the game is over, the input ends, the recording does or so many frames are shown.
+    /// Runs until the game is over, the input ends, the recording does or so many frames are shown, and
+    /// [finishes](Session::finish).
     pub fn run(&mut self, frames: Option<u64>) -> Result<&Report, SessionError> {
         let mut left = frames;
         while left != Some(0) {
@@ -199,17 +200,25 @@ impl<G: Game> Session<G> {
             }
             left = left.map(|left| left - 1);
         }
+        self.finish()?;
         Ok(&self.report)
     }
 
-    /// One frame, from the input to the picture; with [`ControlFlow::Break`], that the session is over.
+    /// Writes what its recording still lacks. To be called after the last frame: where it isn't, what the disk
+    /// refuses then is told to nobody. The session may go on all the same.
+    pub fn finish(&mut self) -> Result<(), SessionError> {
+        match &mut self.recorder {
+            Some(recorder) => Ok(recorder.finish(&self.world)?),
+            None => Ok(()),
+        }
+    }
+
+    /// One frame, from the input to the picture; with [`ControlFlow::Break`], that the session is over. After the
+    /// last one comes [`Session::finish`].
     pub fn frame(&mut self) -> Result<ControlFlow<()>, SessionError> {
         let began = LoopTime::now();
         let flow = self.next_frame();
         self.report.add_time_since(began);
-        if let (Ok(ControlFlow::Break(())), Some(recorder)) = (&flow, &mut self.recorder) {
-            recorder.flush()?;
-        }
         flow
     }
 

@@ -108,6 +108,7 @@ impl Pictures {
                 break;
             }
         }
+        session.finish()?;
         Ok(made)
     }
 }

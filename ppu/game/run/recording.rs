@@ -5,6 +5,7 @@
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read as _, Write};
+use std::mem;
 use std::path::Path;
 use std::time::Duration;
 
@@ -129,6 +130,8 @@ pub(super) struct Recorder {
     writer: Box<dyn Write>,
     /// A line, before it is written.
     line: Vec<u8>,
+    /// The frame at hand: it may turn out to be the last, which tells of the world.
+    held: Option<FrameRecord>,
 }
 
 impl Recorder {
@@ -136,6 +139,7 @@ impl Recorder {
         Self {
             writer,
             line: Vec::new(),
+            held: None,
         }
     }
 
@@ -143,6 +147,7 @@ impl Recorder {
         self.write(header)
     }
 
+    /// Takes a frame; gives the buffers of another for it.
     pub fn frame(
         &mut self,
         number: u64,
@@ -151,7 +156,19 @@ impl Recorder {
     ) -> Result<(), RecordingError> {
         let checked = number.is_multiple_of(CHECK_EVERY);
         record.world = checked.then(|| Checksum(world.checksum()));
-        self.write(record)
+        if let Some(before) = self.held.replace(mem::take(record)) {
+            self.write(&before)?;
+            *record = before;
+        }
+        Ok(())
+    }
+
+    /// Writes the last frame, and with it what the world has come to.
+    pub fn finish(&mut self, world: &World) -> Result<(), RecordingError> {
+        if let Some(last) = &mut self.held {
+            last.world = Some(Checksum(world.checksum()));
+        }
+        self.flush()
     }
 
     fn write(&mut self, line: &impl Serialize) -> Result<(), RecordingError> {
@@ -161,7 +178,10 @@ impl Recorder {
         Ok(self.writer.write_all(&self.line)?)
     }
 
-    pub fn flush(&mut self) -> Result<(), RecordingError> {
+    fn flush(&mut self) -> Result<(), RecordingError> {
+        if let Some(held) = self.held.take() {
+            self.write(&held)?;
+        }
         Ok(self.writer.flush()?)
     }
 }
