@@ -7,6 +7,7 @@
 mod clock;
 mod error;
 mod frames;
+mod merge;
 mod pictures;
 mod recording;
 
@@ -263,6 +264,7 @@ impl<G: Game> Session<G> {
         if flow.map_err(SessionError::Input)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
+        merge::merge(&mut self.record.events);
         if !self.find_moment()? {
             return Ok(ControlFlow::Break(()));
         }

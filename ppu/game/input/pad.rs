@@ -15,6 +15,14 @@ pub struct Sensors {
     pub turn: f32,
 }
 
+impl Sensors {
+    /// Whether all that they say are numbers.
+    pub(crate) fn is_finite(&self) -> bool {
+        let mut numbers = self.acceleration.iter().chain([&self.turn]);
+        numbers.all(|number| number.is_finite())
+    }
+}
+
 /// A pad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pad {
@@ -98,8 +106,7 @@ impl Pad {
     }
 
     pub(super) fn set_sensors(&mut self, sensors: Sensors) {
-        let numbers = sensors.acceleration.iter().chain([&sensors.turn]);
-        if numbers.copied().all(f32::is_finite) {
+        if sensors.is_finite() {
             self.sensors = Some(sensors);
         }
     }
