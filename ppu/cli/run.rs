@@ -65,7 +65,7 @@ pub struct Options {
     #[arg(long, value_name = "S.json")]
     pub stats: Option<PathBuf>,
     /// Seconds that a frame may take before its SPUs count as lost
-    #[arg(long, default_value_t = 600, value_name = "S")]
+    #[arg(long, default_value_t = 600, value_name = "S", value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
 }
 
