@@ -42,6 +42,9 @@ pub enum PlayError {
     /// The display failed.
     #[error("display: {0}")]
     Show(#[source] io::Error),
+    /// Nothing can be written to standard output.
+    #[error("standard output: {0}")]
+    Output(#[source] io::Error),
     /// Signals can't be caught.
     #[error("signals: {0}")]
     Signals(#[source] io::Error),

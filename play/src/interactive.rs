@@ -18,6 +18,7 @@ use crate::meter::Meter;
 use crate::pace::Pace;
 use crate::recording;
 use crate::screenshot;
+use crate::talk::say;
 
 /// Fewer pixels across or down show nothing.
 const LEAST_SIDE: u32 = 8;
@@ -101,7 +102,7 @@ pub fn play(
         for message in messages {
             meter.say(message.clone(), Instant::now());
             if player.may_talk {
-                eprintln!("cellray-play: {message}");
+                say(message);
             } else {
                 kept.push(message);
             }

@@ -19,9 +19,11 @@ mod overlay;
 mod pace;
 mod recording;
 mod screenshot;
+mod talk;
 mod viewer;
 
 use std::fmt::Write as _;
+use std::io::{self, IsTerminal as _, Write as _};
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -36,6 +38,7 @@ use self::error::PlayError;
 use self::front::Ending;
 use self::input::{Hub, SystemDevices, Wanted};
 use self::interactive::Player;
+use self::talk::say;
 use self::viewer::Viewer;
 
 /// Size of a window at first, and of pictures.
@@ -65,12 +68,12 @@ fn end(ending: Result<Ending, PlayError>) -> ExitCode {
     match ending {
         Ok(Ending::Over | Ending::Closed) => ExitCode::SUCCESS,
         Ok(Ending::Signal(signal)) => {
-            eprintln!("cellray-play: ended by signal {signal}");
+            say(format_args!("ended by signal {signal}"));
             // As shells tell of it.
             u8::try_from(128 + signal).map_or(ExitCode::FAILURE, ExitCode::from)
         }
         Err(error) => {
-            eprintln!("cellray-play: error: {error}");
+            say(format_args!("error: {error}"));
             ExitCode::FAILURE
         }
     }
@@ -80,8 +83,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
     match &arguments.command {
         Command::Play(play) => {
             let Some(name) = &play.name else {
-                print!("{}", list(games));
-                return Ok(Ending::Over);
+                return print(&list(games));
             };
             let entry = games.iter().find(|entry| entry.name == name.as_str());
             let entry = entry.ok_or_else(|| PlayError::NoGame {
@@ -93,7 +95,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
                     .join(", "),
             })?;
             for line in entry.controls {
-                eprintln!("cellray-play: {line}");
+                say(line);
             }
             self::play((entry.new)(), &play.options)
         }
@@ -119,6 +121,15 @@ fn list(games: &[Entry]) -> String {
         let _ = writeln!(text, "{:12} {}", entry.name, entry.line);
     }
     text
+}
+
+/// Writes to standard output; whoever reads there may have had enough.
+fn print(text: &str) -> Result<Ending, PlayError> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PlayError::Output(error)),
+        _ => Ok(Ending::Over),
+    }
 }
 
 /// The display that was asked for, or the first that there is.
@@ -182,7 +193,7 @@ fn session(
             (real, player)
         }
         DisplayKind::Fb => {
-            let keys = match Terminal::is_possible() {
+            let keys = match io::stdin().is_terminal() {
                 true => Some(Box::new(Terminal::keys_only()?) as _),
                 false => None,
             };
@@ -219,7 +230,7 @@ fn session(
     });
     let played = interactive::play(game, seed, options, clock, player)?;
     for message in &played.messages {
-        eprintln!("cellray-play: {message}");
+        say(message);
     }
     tell(&played.report);
     Ok(played.ending)
@@ -247,16 +258,16 @@ fn pictures(
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let made = pictures.write(&mut session, range)?;
     tell(session.report());
-    eprintln!(
-        "cellray-play: {} picture(s) written, {} there already",
+    say(format_args!(
+        "{} picture(s) written, {} there already",
         made.written, made.kept
-    );
+    ));
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
 }
 
 fn tell(report: &Report) {
     for line in report.to_string().lines() {
-        eprintln!("cellray-play: {line}");
+        say(line);
     }
 }
 

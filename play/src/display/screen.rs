@@ -10,6 +10,7 @@ use cellray::framebuffer::{self, Framebuffer, FramebufferError, Geometry};
 use super::{Display, DisplayError, Happening};
 use crate::canvas::Picture;
 use crate::overlay::Overlay;
+use crate::talk::say;
 
 /// A framebuffer device, or a file in the place of one.
 pub struct Screen {
@@ -22,7 +23,7 @@ impl Screen {
     /// Opens it; a file needs a size.
     pub fn open(path: &Path, size: Option<Geometry>) -> Result<Self, DisplayError> {
         let framebuffer = framebuffer::open(path, size)?;
-        eprintln!("cellray-play: {}", framebuffer.describe());
+        say(framebuffer.describe());
         Ok(Self {
             area: framebuffer.geometry(),
             framebuffer: Some(framebuffer),
