@@ -19,6 +19,7 @@ use crate::pace::Pace;
 use crate::recording;
 use crate::screenshot;
 use crate::talk::say;
+use crate::viewer::VIEW;
 
 /// Fewer pixels across or down show nothing.
 const LEAST_SIDE: u32 = 8;
@@ -155,7 +156,8 @@ fn take_picture(display: &dyn Display, options: &Options, stem: &str) -> String 
 
 /// A game's name as the beginning of a file's.
 fn file_stem(name: &str) -> String {
-    let file = name.rsplit('/').next().unwrap_or_default();
+    let file = name.strip_prefix(VIEW).unwrap_or(name);
+    let file = file.rsplit('/').next().unwrap_or_default();
     let letter = |letter: char| match letter {
         letter if letter.is_ascii_alphanumeric() => letter,
         _ => '-',
@@ -188,7 +190,8 @@ mod tests {
 
     #[test]
     fn names_become_those_of_files() {
-        assert_eq!(file_stem("view scenes/paper16.nff"), "paper16-nff");
+        assert_eq!(file_stem("view paper16.nff"), "paper16-nff");
+        assert_eq!(file_stem("view my scene.nff"), "my-scene-nff");
         assert_eq!(file_stem("billiards"), "billiards");
         assert_eq!(file_stem("../.."), "--");
     }

@@ -8,6 +8,8 @@ use cellray::game::{
 };
 use cellray::scene::Look;
 
+/// What a viewer's name as a game begins with, before the scene's.
+pub const VIEW: &str = "view ";
 /// Turn of the eye by a key or a stick, in radians a second.
 const TURN: f64 = 1.5;
 /// Turn by a drag across the whole picture.
@@ -29,7 +31,8 @@ pub struct Viewer {
     scene: nff::Scene,
     look: Look,
     orbit: Orbit,
-    pointer: Option<[f32; 2]>,
+    /// Where the mouse was, as parts of the picture's sides: its pixels may be others from frame to frame.
+    pointer: Option<[f64; 2]>,
 }
 
 impl Viewer {
@@ -37,7 +40,7 @@ impl Viewer {
     #[must_use]
     pub fn new(scene: nff::Scene, look: Look) -> Self {
         Self {
-            name: format!("view {}", scene.name),
+            name: format!("{VIEW}{}", file_name(&scene.name)),
             orbit: Orbit::of(&scene.view),
             scene,
             look,
@@ -47,14 +50,12 @@ impl Viewer {
 
     /// Radians to the right and up that the mouse was dragged by.
     fn drag(&mut self, mouse: Mouse, size: (u32, u32)) -> [f64; 2] {
-        let before = std::mem::replace(&mut self.pointer, mouse.position);
-        match (before, mouse.position) {
-            (Some(before), Some(now)) => {
-                let part = |axis: usize, side: u32| {
-                    f64::from(now[axis] - before[axis]) / f64::from(side.max(1))
-                };
-                [DRAG * part(0, size.0), DRAG * part(1, size.1)]
-            }
+        let part = |at: f32, side: u32| f64::from(at) / f64::from(side.max(1));
+        let now = mouse.position;
+        let now = now.map(|[x, y]| [part(x, size.0), part(y, size.1)]);
+        let before = std::mem::replace(&mut self.pointer, now);
+        match (before, now) {
+            (Some(before), Some(now)) => [0, 1].map(|axis| DRAG * (now[axis] - before[axis])),
             (None, None) => mouse.motion.map(|by| UNIT * f64::from(by)),
             _ => [0.0; 2],
         }
@@ -94,6 +95,11 @@ impl Game for Viewer {
         self.orbit.approach(nearer);
         world.look_from(self.orbit.eye(), self.orbit.at)
     }
+}
+
+/// A scene is the same by whichever path it was found; that its content is, the world's checksum tells.
+fn file_name(path: &str) -> &str {
+    path.rsplit('/').next().unwrap_or_default()
 }
 
 /// An eye about a place.
@@ -182,6 +188,7 @@ mod tests {
         world: World,
         input: Input,
         frame: u64,
+        size: (u32, u32),
     }
 
     impl Player {
@@ -197,6 +204,7 @@ mod tests {
                 world,
                 input: Input::default(),
                 frame: 0,
+                size: (64, 36),
             }
         }
 
@@ -212,7 +220,7 @@ mod tests {
                     time: 0.0,
                     step: 0.05,
                     input: &self.input,
-                    size: (64, 36),
+                    size: self.size,
                     last: None,
                 };
                 self.viewer
@@ -257,6 +265,35 @@ mod tests {
         for up in [9.0, -50.0, 3.2, 1e6] {
             orbit.turn(0.0, up);
             assert!(orbit.eye().y < 0.0, "{}", orbit.eye());
+        }
+    }
+
+    #[test]
+    fn a_drag_goes_on_where_the_picture_becomes_coarser() {
+        let mut player = Player::new();
+        let at = |x: f32, y: f32| InputEvent::MouseMoved { to: [x, y] };
+        let left = InputEvent::MouseButton {
+            button: MouseButton::Left,
+            down: true,
+        };
+        player.play(&[at(10.0, 10.0), left], 1);
+        let before = player.play(&[at(40.0, 10.0)], 1);
+        player.size = (16, 9);
+        assert_eq!(player.play(&[at(10.0, 2.5)], 1), before);
+        let dragged = player.play(&[at(11.0, 2.5)], 1);
+        player.size = (64, 36);
+        assert_eq!(player.play(&[at(44.0, 10.0)], 1), dragged);
+        assert!(dragged.x < before.x - 0.1, "{before} {dragged}");
+    }
+
+    #[test]
+    fn a_scene_has_one_name_by_all_its_paths() {
+        for path in ["x.nff", "./x.nff", "/there/../x.nff"] {
+            let scene = nff::Scene {
+                name: path.into(),
+                ..scene()
+            };
+            assert_eq!(Viewer::new(scene, Look::default()).name(), "view x.nff");
         }
     }
 

@@ -5,6 +5,7 @@
 
 mod fit;
 mod nowhere;
+mod pointer;
 mod screen;
 mod terminal;
 #[cfg_attr(target_arch = "powerpc64", path = "no_window.rs")]
@@ -12,6 +13,7 @@ mod window;
 
 pub use fit::Fit;
 pub use nowhere::Nowhere;
+pub use pointer::Pointer;
 pub use screen::Screen;
 pub use terminal::Terminal;
 pub use window::Window;

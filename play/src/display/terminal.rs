@@ -22,7 +22,7 @@ use self::cells::{Colours, Grid};
 use self::events::Events;
 use self::keys::Keys;
 use self::restore::Taken;
-use super::{Display, DisplayError, Fit, Happening};
+use super::{Display, DisplayError, Fit, Happening, Pointer};
 use crate::canvas::{Picture, Shown};
 use crate::overlay::Overlay;
 
@@ -39,7 +39,7 @@ pub struct Terminal {
     /// Columns and rows.
     cells: (u16, u16),
     is_resized: Arc<AtomicBool>,
-    fit: Fit,
+    pointer: Pointer,
     grid: Grid,
     events: Events,
     keys: Keys,
@@ -88,7 +88,7 @@ impl Terminal {
             shown: Shown::default(),
             cells: size(),
             is_resized,
-            fit: Fit::default(),
+            pointer: Pointer::default(),
             grid: Grid::new(Colours::of_environment()),
             events,
             keys: Keys::default(),
@@ -97,6 +97,11 @@ impl Terminal {
             is_gone: false,
             taken,
         })
+    }
+
+    fn refit(&mut self, picture: (u32, u32)) {
+        let Geometry { width, height } = self.area();
+        self.pointer.refit(Fit::new(picture, (width, height)));
     }
 
     fn take_in(&mut self, event: Event, happenings: &mut Vec<Happening>) {
@@ -119,10 +124,7 @@ impl Terminal {
                     f64::from(mouse.column) + 0.5,
                     f64::from(mouse.row) * 2.0 + 1.0,
                 );
-                input(match self.fit.place(x, y) {
-                    Some(to) => InputEvent::MouseMoved { to },
-                    None => InputEvent::MouseLeft,
-                });
+                input(self.pointer.moved(x, y));
                 let at = (mouse.column, mouse.row);
                 if let Some(by) = self.mouse.replace(at).and_then(|from| way(from, at)) {
                     input(InputEvent::MouseMotion { by });
@@ -168,6 +170,7 @@ impl Display for Terminal {
     }
 
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+        self.refit((size.width, size.height));
         Ok(Box::new(self.shown.canvas(size)?))
     }
 
@@ -196,6 +199,7 @@ impl Display for Terminal {
         if self.is_gone && self.has_pictures {
             happenings.push(Happening::HungUp);
         }
+        happenings.extend(self.pointer.again().map(Happening::Input));
         self.keys.let_go(Instant::now(), &mut |event| {
             happenings.push(Happening::Input(event));
         });
@@ -206,13 +210,13 @@ impl Display for Terminal {
         if !self.has_pictures {
             return Ok(());
         }
-        let Geometry { width, height } = self.area();
-        let picture = self.shown.picture();
-        self.fit = Fit::new((picture.width, picture.height), (width, height));
+        let shown = self.shown.clone();
+        let picture = shown.picture();
+        self.refit((picture.width, picture.height));
         let line = overlay.map(Overlay::line);
         let text = self
             .grid
-            .draw(&picture, self.fit, self.cells, line.as_deref());
+            .draw(&picture, self.pointer.fit(), self.cells, line.as_deref());
         let mut out = io::stdout().lock();
         match out.write_all(text).and_then(|()| out.flush()) {
             // What the system says of a terminal that has hung up.

@@ -22,7 +22,7 @@ use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::window::{Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
-use super::{Display, DisplayError, Fit, Happening};
+use super::{Display, DisplayError, Fit, Happening, Pointer};
 use crate::canvas::{Picture, Shown};
 use crate::overlay::Overlay;
 
@@ -48,7 +48,7 @@ struct State {
     open: Option<(Rc<Winit>, Surface)>,
     failed: Option<String>,
     area: PhysicalSize<u32>,
-    fit: Fit,
+    pointer: Pointer,
     keys: HeldElsewhere,
     happenings: Vec<Happening>,
 }
@@ -80,7 +80,7 @@ impl Window {
             open: None,
             failed: None,
             area: wanted,
-            fit: Fit::default(),
+            pointer: Pointer::default(),
             keys: HeldElsewhere::default(),
             happenings: Vec::new(),
         };
@@ -115,6 +115,11 @@ impl State {
         }
         self.open = Some((window, surface));
         Ok(())
+    }
+
+    fn refit(&mut self, picture: (u32, u32)) {
+        let area = (self.area.width, self.area.height);
+        self.pointer.refit(Fit::new(picture, area));
     }
 
     fn input(&mut self, event: InputEvent) {
@@ -158,12 +163,13 @@ impl ApplicationHandler for State {
                 }
             }
             WindowEvent::CursorMoved { position, .. } => {
-                self.input(match self.fit.place(position.x, position.y) {
-                    Some(to) => InputEvent::MouseMoved { to },
-                    None => InputEvent::MouseLeft,
-                });
+                let event = self.pointer.moved(position.x, position.y);
+                self.input(event);
             }
-            WindowEvent::CursorLeft { .. } => self.input(InputEvent::MouseLeft),
+            WindowEvent::CursorLeft { .. } => {
+                let event = self.pointer.left();
+                self.input(event);
+            }
             WindowEvent::MouseInput { state, button, .. } => {
                 if let Some(button) = mouse_button(button) {
                     let down = state == ElementState::Pressed;
@@ -205,6 +211,7 @@ impl Display for Window {
     }
 
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
+        self.state.refit((size.width, size.height));
         Ok(Box::new(self.shown.canvas(size)?))
     }
 
@@ -213,6 +220,7 @@ impl Display for Window {
             .events
             .pump_app_events(Some(Duration::ZERO), &mut self.state);
         happenings.append(&mut self.state.happenings);
+        happenings.extend(self.state.pointer.again().map(Happening::Input));
         if let PumpStatus::Exit(_) = pumped {
             happenings.push(Happening::Closed);
         }
@@ -220,9 +228,10 @@ impl Display for Window {
     }
 
     fn show(&mut self, overlay: Option<&Overlay>) -> io::Result<()> {
-        let State {
-            open, area, fit, ..
-        } = &mut self.state;
+        let picture = self.shown.picture();
+        self.state.refit((picture.width, picture.height));
+        let fit = self.state.pointer.fit();
+        let State { open, area, .. } = &mut self.state;
         let Some((window, surface)) = open else {
             return Ok(());
         };
@@ -231,11 +240,9 @@ impl Display for Window {
         else {
             return Ok(());
         };
-        let picture = self.shown.picture();
-        *fit = Fit::new((picture.width, picture.height), (area.width, area.height));
         surface.resize(width, height).map_err(failed)?;
         let mut buffer = surface.buffer_mut().map_err(failed)?;
-        paint(&picture, *fit, &mut buffer, area.width as usize);
+        paint(&picture, fit, &mut buffer, area.width as usize);
         if let Some(overlay) = overlay {
             draw::draw(overlay, &mut buffer, area.width as usize);
         }
