@@ -8,6 +8,7 @@
 use std::cell::RefCell;
 use std::io;
 use std::ops::ControlFlow;
+use std::os::fd::AsFd as _;
 use std::rc::Rc;
 use std::time::Instant;
 
@@ -16,7 +17,7 @@ use cellray::game::{Button, InputEvent, InputSource, Key};
 use signal_hook::consts::{SIGHUP, SIGINT};
 
 use crate::display::{Display, Happening};
-use crate::input::{Foreground, Hub, SystemForeground};
+use crate::input::{Foreground, Hub, SystemForeground, is_of_console};
 
 /// Why a session ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -52,7 +53,7 @@ pub struct Front {
     was_left: bool,
     /// What is heard of the devices is not the game's.
     is_away: bool,
-    /// A terminal that is no display: its keys count where there is no keyboard.
+    /// A terminal that is no display: its keys count where no device tells of the same.
     keys: Option<Box<dyn Display>>,
     interrupted: Interrupted,
     happenings: Vec<Happening>,
@@ -117,7 +118,7 @@ impl Front {
         if let Some(keys) = &mut self.keys {
             let before = self.happenings.len();
             keys.poll(&mut self.happenings)?;
-            if has_keyboard {
+            if has_keyboard && is_of_console(io::stdin().as_fd()) {
                 // The same keys were heard of from the keyboard.
                 self.happenings.truncate(before);
             }

@@ -1,6 +1,6 @@
 //! Input devices that are not there: recorded events of pads, keyboards and mice, and devices that come and go.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, VecDeque};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -64,10 +64,12 @@ fn mouse() -> Capabilities {
 
 /// The devices of a test, and what is done to them while they are read.
 #[derive(Clone, Default)]
-struct Bench(Rc<RefCell<BTreeMap<PathBuf, Plugged>>>);
+struct Bench(Rc<RefCell<BTreeMap<PathBuf, Plugged>>>, Rc<Cell<usize>>);
 
 struct Plugged {
     found: Capabilities,
+    /// Another for each that is ever plugged in.
+    number: usize,
     may_open: bool,
     said: Rc<RefCell<Said>>,
 }
@@ -75,14 +77,20 @@ struct Plugged {
 #[derive(Default)]
 struct Said {
     events: VecDeque<RawEvent>,
+    /// What the kernel says when it is asked, beside the events.
+    held: Codes,
+    axes: BTreeMap<u16, i32>,
     is_gone: bool,
 }
 
 impl Bench {
     fn plug(&self, name: &str, found: Capabilities) -> Rc<RefCell<Said>> {
         let said = Rc::new(RefCell::new(Said::default()));
+        let number = self.1.get();
+        self.1.set(number + 1);
         let plugged = Plugged {
             found,
+            number,
             may_open: true,
             said: Rc::clone(&said),
         };
@@ -107,6 +115,12 @@ impl Bench {
 impl Devices for Bench {
     fn list(&mut self) -> io::Result<Vec<PathBuf>> {
         Ok(self.0.borrow().keys().cloned().collect())
+    }
+
+    fn identity(&mut self, path: &Path) -> io::Result<PathBuf> {
+        let devices = self.0.borrow();
+        let plugged = devices.get(path).ok_or(io::ErrorKind::NotFound)?;
+        Ok(format!("input{}", plugged.number).into())
     }
 
     fn capabilities(&mut self, path: &Path) -> io::Result<Capabilities> {
@@ -136,13 +150,16 @@ impl Device for Opened {
             flat: 15,
             resolution: 0,
         };
-        Ok(match axis {
-            2 | 5 => Range {
-                value: 0,
-                ..sixaxis
-            },
-            _ => sixaxis,
+        let rest = if matches!(axis, 2 | 5) { 0 } else { 128 };
+        let value = self.0.borrow().axes.get(&axis).copied();
+        Ok(Range {
+            value: value.unwrap_or(rest),
+            ..sixaxis
         })
+    }
+
+    fn held(&self) -> io::Result<Codes> {
+        Ok(self.0.borrow().held.clone())
     }
 
     fn read(&mut self, events: &mut Vec<RawEvent>) -> io::Result<()> {
@@ -488,6 +505,7 @@ fn what_the_kernel_dropped_is_not_held_for_ever() {
         report(),
     ];
     keys.borrow_mut().events.extend(dropped);
+    keys.borrow_mut().held = [46].into_iter().collect();
     player.frame(20);
     player.frame(20);
     assert!(!player.input.key_held(Key::A) && !player.input.key_held(Key::B));
@@ -505,4 +523,175 @@ fn a_keyboard_that_vanishes_holds_nothing() {
     player.frame(20);
     player.frame(20);
     assert!(!player.input.key_held(Key::A) && !player.hub.has_keyboard());
+}
+
+#[test]
+fn what_was_held_while_the_kernel_dropped_events_is_held_on() {
+    let bench = Bench::default();
+    let keys = bench.plug("event0", keyboard());
+    let mut hat = new_sixaxis();
+    hat.absolute = [0, 1, 2, 3, 4, 5, 0x10, 0x11].into_iter().collect();
+    let pad = bench.plug("event1", hat);
+    let mut player = Player::new(&bench, Wanted::All);
+    player.frame(0);
+    keys.borrow_mut().events.extend([raw(KEY, 30, 1), report()]);
+    pad.borrow_mut().events.extend([
+        raw(KEY, 0x130, 1),
+        raw(KEY, 0x131, 1),
+        raw(ABS, 0, 255),
+        raw(ABS, 0x10, -1),
+        report(),
+    ]);
+    player.frame(20);
+    // While nobody read: Circle was released, Square pressed, the right stick moved, the rest is as it was.
+    {
+        let mut pad = pad.borrow_mut();
+        pad.events
+            .extend([raw(SYN, 3, 0), raw(ABS, 1, 7), report()]);
+        pad.held = [0x130, 0x134].into_iter().collect();
+        pad.axes.extend([(0, 255), (3, 0), (0x10, -1), (0x11, 0)]);
+    }
+    player.frame(20);
+    assert!(player.input.key_held(Key::A), "of another device");
+    let state = player.input.pad().expect("a pad");
+    assert!(state.released(Button::Circle) && state.pressed(Button::Square));
+    assert!(state.held(Button::Cross) && !state.pressed(Button::Cross));
+    assert!(state.held(Button::Left) && !state.pressed(Button::Left));
+    let sticks = [Axis::LeftX, Axis::LeftY, Axis::RightX].map(|axis| state.axis(axis));
+    assert_eq!(sticks, [1.0, 0.0, -1.0]);
+    // It is asked once.
+    pad.borrow_mut().held = Codes::default();
+    player.frame(20);
+    assert_eq!(player.events, []);
+}
+
+#[test]
+fn a_mouse_is_no_keyboard() {
+    let bench = Bench::default();
+    bench.plug("event0", mouse());
+    let mut player = Player::new(&bench, Wanted::All);
+    player.frame(0);
+    assert!(!player.hub.has_keyboard());
+    bench.plug("event1", keyboard());
+    player.frame(1100);
+    assert!(player.hub.has_keyboard());
+    bench.unplug("event1");
+    player.frame(20);
+    assert!(!player.hub.has_keyboard());
+}
+
+#[test]
+fn a_pad_that_takes_the_place_of_what_is_of_no_use_is_found() {
+    let bench = Bench::default();
+    bench.plug("event0", device("Power Button", &[116], &[], &[]));
+    bench.plug("event1", keyboard());
+    let mut player = Player::new(&bench, Wanted::Pads);
+    player.frame(0);
+    player.frame(1100);
+    assert!(player.input.pads().is_empty());
+    // Within the second between two looks, under the same names.
+    for name in ["event0", "event1"] {
+        bench.unplug(name);
+        bench.plug(name, new_sixaxis());
+    }
+    player.frame(1100);
+    assert_eq!(player.input.pads().len(), 2);
+}
+
+#[test]
+fn a_pad_that_vanishes_holds_nothing_when_it_is_back() {
+    let bench = Bench::default();
+    let said = bench.plug("event0", new_sixaxis());
+    let mut player = Player::new(&bench, Wanted::Pads);
+    player.frame(0);
+    said.borrow_mut()
+        .events
+        .extend([raw(KEY, 0x130, 1), raw(ABS, 0, 255), report()]);
+    player.frame(20);
+    let pad = player.input.pad().expect("a pad");
+    assert!(pad.held(Button::Cross) && pad.axis(Axis::LeftX) == 1.0);
+    bench.unplug("event0");
+    player.frame(20);
+    assert_eq!(player.input.pad(), None);
+    bench.plug("event7", new_sixaxis());
+    player.frame(1100);
+    let pad = player.input.pad().expect("a pad");
+    assert!(!pad.held(Button::Cross) && pad.axis(Axis::LeftX) == 0.0);
+}
+
+#[test]
+fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
+    // xpad's, whatever it calls them: no buttons for the triggers.
+    let xpad: Vec<_> = [0x130, 0x131, 0x133, 0x134, 0x136, 0x137]
+        .into_iter()
+        .chain(0x13a..=0x13e)
+        .collect();
+    let logitech = device(
+        "Logitech Gamepad F310",
+        &xpad,
+        &[0, 1, 2, 3, 4, 5, 0x10, 0x11],
+        &[],
+    );
+    // Over Bluetooth; its report has room for all buttons.
+    let bluetooth = device(
+        "Xbox Wireless Controller",
+        &(0x130..=0x13e).collect::<Vec<_>>(),
+        &[0, 1, 2, 5, 9, 10, 0x10, 0x11],
+        &[],
+    );
+    // (right stick, left trigger)
+    for (found, stick, trigger) in [(logitech, [3, 4], 2), (bluetooth, [2, 5], 10)] {
+        let name = found.name.clone();
+        let bench = Bench::default();
+        let said = bench.plug("event0", found);
+        said.borrow_mut()
+            .axes
+            .extend([(2, 128), (5, 128), (trigger, 0), (0x10, 0), (0x11, 0)]);
+        let mut player = Player::new(&bench, Wanted::Pads);
+        player.frame(0);
+        said.borrow_mut().events.extend([
+            raw(KEY, 0x133, 1),
+            raw(ABS, stick[0], 255),
+            raw(ABS, stick[1], 0),
+            raw(ABS, trigger, 255),
+            report(),
+        ]);
+        player.frame(20);
+        let pad = player.input.pad().expect("a pad");
+        assert!(
+            pad.held(Button::Square) && !pad.held(Button::Triangle),
+            "{name}"
+        );
+        let sticks = [Axis::RightX, Axis::RightY].map(|axis| pad.axis(axis));
+        assert_eq!(sticks, [1.0, -1.0], "{name}");
+        assert!(pad.axis(Axis::L2) == 1.0 && pad.held(Button::L2), "{name}");
+        assert!(pad.axis(Axis::R2) < 0.6, "{name}");
+    }
+    // A pad by place whose triggers are axes alone presses them, too.
+    let keys: Vec<_> = (0x130..0x138).collect();
+    let bench = Bench::default();
+    let said = bench.plug(
+        "event0",
+        device("Some pad", &keys, &[0, 1, 2, 3, 4, 5], &[]),
+    );
+    let mut player = Player::new(&bench, Wanted::Pads);
+    player.frame(0);
+    said.borrow_mut()
+        .events
+        .extend([raw(ABS, 5, 255), report()]);
+    player.frame(20);
+    assert!(player.input.pad().expect("a pad").held(Button::R2));
+
+    // Many buttons don't make an old SIXAXIS of a joystick.
+    let many: Vec<_> = (0x120..=0x12f).chain([0x2c0]).collect();
+    let bench = Bench::default();
+    let said = bench.plug("event0", device("Throttle", &many, &[0, 1], &[]));
+    let mut player = Player::new(&bench, Wanted::Pads);
+    player.frame(0);
+    said.borrow_mut()
+        .events
+        .extend([raw(KEY, 0x121, 1), report()]);
+    player.frame(20);
+    let pad = player.input.pad().expect("a pad");
+    assert!(pad.held(Button::Cross) && !pad.held(Button::L3));
 }

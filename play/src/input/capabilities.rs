@@ -48,6 +48,24 @@ impl Codes {
         word.is_some_and(|word| word >> (code % 64) & 1 == 1)
     }
 
+    /// All of them, the lowest first.
+    pub fn iter(&self) -> impl Iterator<Item = u16> {
+        let all = (0..).step_by(64).zip(&self.words);
+        all.flat_map(|(first, &word)| {
+            let bits = (0..64).filter(move |bit| word >> bit & 1 == 1);
+            bits.map(move |bit| first + bit)
+        })
+    }
+
+    /// Has a code among them or not.
+    pub fn set(&mut self, code: u16, is_in: bool) {
+        if is_in {
+            self.insert(code);
+        } else if let Some(word) = self.words.get_mut(usize::from(code / 64)) {
+            *word &= !(1 << (code % 64));
+        }
+    }
+
     fn insert(&mut self, code: u16) {
         let word = usize::from(code / 64);
         if self.words.len() <= word {
@@ -118,6 +136,17 @@ mod tests {
             assert!(!codes.has(code), "{code:#x}");
         }
         assert!((0x180..0x184).all(|code| codes.has(code)));
+    }
+
+    #[test]
+    fn codes_are_put_in_and_taken_out() {
+        let all = [0, 63, 64, 0x130, 0x2ff];
+        let mut codes: Codes = all.into_iter().collect();
+        assert!(codes.iter().eq(all));
+        codes.set(64, false);
+        codes.set(0x2fff, false);
+        codes.set(5, true);
+        assert!(codes.iter().eq([0, 5, 63, 0x130, 0x2ff]));
     }
 
     #[test]

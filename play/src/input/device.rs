@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 
 use evdev::raw_stream::RawDevice;
 
-use super::capabilities::Capabilities;
+use super::capabilities::{Capabilities, Codes};
 
 /// An event as a device tells it, with the kernel's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -42,6 +42,9 @@ pub trait Device {
     /// Where an axis is, and can be.
     fn range(&self, axis: u16) -> io::Result<Range>;
 
+    /// The keys and buttons that are down now.
+    fn held(&self) -> io::Result<Codes>;
+
     /// Appends the events that have come since the last call; none is no error, a vanished device is one.
     fn read(&mut self, events: &mut Vec<RawEvent>) -> io::Result<()>;
 }
@@ -50,6 +53,9 @@ pub trait Device {
 pub trait Devices {
     /// The devices that are there, in a lasting order.
     fn list(&mut self) -> io::Result<Vec<PathBuf>>;
+
+    /// What tells the device at a path from another that comes there later.
+    fn identity(&mut self, path: &Path) -> io::Result<PathBuf>;
 
     /// What a device can tell of.
     fn capabilities(&mut self, path: &Path) -> io::Result<Capabilities>;
@@ -83,6 +89,11 @@ impl Devices for SystemDevices {
         }
         found.sort_unstable();
         Ok(found.into_iter().map(|(_, path)| path).collect())
+    }
+
+    fn identity(&mut self, path: &Path) -> io::Result<PathBuf> {
+        // Its target has the kernel's number of the device, which no other ever gets.
+        fs::read_link(Path::new(CLASSES).join(path.file_name().unwrap_or_default()))
     }
 
     fn capabilities(&mut self, path: &Path) -> io::Result<Capabilities> {
@@ -132,6 +143,24 @@ impl Device for EventDevice {
             flat: info.flat,
             resolution: info.resolution,
         })
+    }
+
+    fn held(&self) -> io::Result<Codes> {
+        /// Number of EVIOCGKEY.
+        const KEYS: u32 = 0x18;
+        /// KEY_CNT.
+        const COUNT: u16 = 0x300;
+        // The kernel's long words, whatever their bytes' order: no crate takes them for that.
+        const BITS: u16 = libc::c_ulong::BITS as u16;
+        type Words = [libc::c_ulong; (COUNT / BITS) as usize];
+        let mut words = Words::default();
+        let request = libc::_IOR::<Words>(u32::from(b'E'), KEYS);
+        // SAFETY: the descriptor is open as long as the device is; EVIOCGKEY writes as many bytes as it is told.
+        if unsafe { libc::ioctl(self.0.as_raw_fd(), request, words.as_mut_ptr()) } < 0 {
+            return Err(io::Error::last_os_error());
+        }
+        let is_down = |code: &u16| words[usize::from(code / BITS)] >> (code % BITS) & 1 == 1;
+        Ok((0..COUNT).filter(is_down).collect())
     }
 
     fn read(&mut self, events: &mut Vec<RawEvent>) -> io::Result<()> {

@@ -9,13 +9,12 @@ use std::time::{Duration, Instant};
 
 use cellray::game::{InputEvent, PadId};
 
+use super::capabilities::Capabilities;
 use super::device::{Device, Devices, RawEvent};
 use super::mapping::{self, Kind, Mapping};
 
 /// Between two looks for new devices.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
-/// Codes of axes, those of ABS_CNT.
-const AXES: std::ops::Range<u16> = 0..0x40;
 
 /// Which devices are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,8 +30,9 @@ pub struct Hub {
     devices: Box<dyn Devices>,
     wanted: Wanted,
     open: BTreeMap<PathBuf, Open>,
-    /// Devices that are of no use, or can't be opened and that was said.
-    useless: BTreeSet<PathBuf>,
+    /// Devices that are of no use, and which they are.
+    useless: BTreeMap<PathBuf, PathBuf>,
+    /// Those that can't be opened, and that was said.
     refused: BTreeSet<PathBuf>,
     looked: Option<Instant>,
     raw: Vec<RawEvent>,
@@ -53,7 +53,7 @@ impl Hub {
             devices,
             wanted,
             open: BTreeMap::new(),
-            useless: BTreeSet::new(),
+            useless: BTreeMap::new(),
             refused: BTreeSet::new(),
             looked: None,
             raw: Vec::new(),
@@ -70,7 +70,7 @@ impl Hub {
     #[must_use]
     pub fn has_keyboard(&self) -> bool {
         let mut all = self.open.values();
-        all.any(|open| matches!(open.mapping.kind(), Kind::Desk))
+        all.any(|open| open.mapping.is_keyboard())
     }
 
     /// Appends what has happened since the last call.
@@ -87,6 +87,7 @@ impl Hub {
             for &event in &self.raw {
                 open.mapping.translate(event, events);
             }
+            let read = read.and_then(|()| open.mapping.catch_up(open.device.as_ref(), events));
             if let Err(error) = read {
                 gone.push((path.clone(), error));
             }
@@ -107,7 +108,7 @@ impl Hub {
             Err(_) => return,
         };
         let there = |path: &PathBuf| paths.contains(path);
-        self.useless.retain(there);
+        self.useless.retain(|path, _| paths.contains(path));
         self.refused.retain(there);
         let gone: Vec<_> = self
             .open
@@ -120,18 +121,26 @@ impl Hub {
         }
         let (mut later, mut sensors) = (Vec::new(), Vec::new());
         for path in paths {
-            if self.open.contains_key(&path) || self.useless.contains(&path) {
+            if self.open.contains_key(&path) {
                 continue;
             }
-            match self.devices.capabilities(&path) {
+            let found = match self.devices.identity(&path) {
+                Ok(identity) if self.useless.get(&path) == Some(&identity) => continue,
+                Ok(identity) => {
+                    let found = self.devices.capabilities(&path);
+                    found.map(|found| (identity, found))
+                }
+                Err(error) => Err(error),
+            };
+            match found {
                 // A node may be there before sysfs tells of it.
                 Err(error) => self.refuse(&path, &error.to_string()),
-                Ok(found) => match Kind::of(&found) {
+                Ok((identity, found)) => match Kind::of(&found) {
                     None => {
-                        self.useless.insert(path);
+                        self.useless.insert(path, identity);
                     }
                     Some(Kind::Desk) if self.wanted == Wanted::Pads => {
-                        self.useless.insert(path);
+                        self.useless.insert(path, identity);
                     }
                     // Those belong to a pad, which has to be known first.
                     Some(Kind::Sensors) => sensors.push((path, Kind::Sensors, found)),
@@ -141,8 +150,7 @@ impl Hub {
         }
         later.append(&mut sensors);
         for (path, kind, found) in later {
-            let axes = AXES.filter(|&axis| found.absolute.has(axis)).collect();
-            self.connect(path, kind, found.name, axes, events);
+            self.connect(path, kind, found, events);
         }
     }
 
@@ -150,10 +158,15 @@ impl Hub {
         &mut self,
         path: PathBuf,
         kind: Kind,
-        name: String,
-        axes: Vec<u16>,
+        found: Capabilities,
         events: &mut Vec<InputEvent>,
     ) {
+        let Capabilities {
+            name,
+            keys,
+            absolute,
+            ..
+        } = found;
         let pad = match kind {
             Kind::Pad(_) => Some(self.free_pad()),
             Kind::Sensors => match self.pad_named(mapping::pad_of_sensors(&name)) {
@@ -164,14 +177,14 @@ impl Hub {
             Kind::Desk => None,
         };
         let opened = self.devices.open(&path).and_then(|device| {
-            let ranges = axes.into_iter().map(|axis| Ok((axis, device.range(axis)?)));
+            let ranges = absolute.iter().map(|axis| Ok((axis, device.range(axis)?)));
             let ranges: std::io::Result<_> = ranges.collect();
             Ok((device, ranges?))
         });
         match opened {
             Err(error) => self.refuse(&path, &error.to_string()),
             Ok((device, ranges)) => {
-                let mapping = Mapping::new(kind, pad, ranges);
+                let mapping = Mapping::new(kind, pad, keys, ranges);
                 self.refused.remove(&path);
                 if let (Kind::Pad(_), Some(pad)) = (kind, pad) {
                     self.messages.push(format!("pad {}: {name}", pad.0 + 1));

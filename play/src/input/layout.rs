@@ -9,7 +9,7 @@ use evdev::{AbsoluteAxisCode as Abs, KeyCode as Code};
 use super::capabilities::Capabilities;
 
 /// What the codes of a kind of pad mean.
-#[derive(Debug)]
+#[derive(Clone, Copy, Debug)]
 pub struct Layout {
     /// Buttons.
     pub buttons: &'static [(Code, Button)],
@@ -19,27 +19,53 @@ pub struct Layout {
 
 /// The pad's layout, if the device is one.
 #[must_use]
-pub fn of_pad(device: &Capabilities) -> Option<&'static Layout> {
+pub fn of_pad(device: &Capabilities) -> Option<Layout> {
     let has = |code: Code| device.keys.has(code.0);
     let axis = |axis: Abs| device.absolute.has(axis.0);
     if has(Code::BTN_SOUTH) {
         let lower = device.name.to_ascii_lowercase();
-        Some(if lower.contains("x-box") || lower.contains("xbox") {
-            &XPAD
-        } else if !axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && axis(Abs::ABS_RZ) {
-            &STICK_ON_Z
-        } else {
-            &SIXAXIS
+        // Its driver gives all its pads such axes, and triggers that are no buttons, whatever they are called.
+        let is_like_xpad =
+            axis(Abs::ABS_HAT0X) && axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && !has(Code::BTN_TL2);
+        let is_xpad = lower.contains("x-box") || lower.contains("xbox") || is_like_xpad;
+        // One that Bluetooth has no driver for, too.
+        let has_stick_on_z = !axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && axis(Abs::ABS_RZ);
+        Some(Layout {
+            buttons: if is_xpad { XPAD } else { FROM_SOUTH },
+            axes: if has_stick_on_z {
+                STICKS_ON_Z
+            } else {
+                STICKS_AND_TRIGGERS
+            },
         })
-    } else if has(Code::BTN_TRIGGER) && has(Code::BTN_TRIGGER_HAPPY1) && has(Code::BTN_DEAD) {
-        Some(&OLD_SIXAXIS)
+    } else if has(Code::BTN_TRIGGER)
+        && has(Code::BTN_TRIGGER_HAPPY1)
+        && has(Code::BTN_DEAD)
+        && device.name.contains("PLAYSTATION(R)3")
+    {
+        Some(Layout {
+            buttons: OLD_SIXAXIS,
+            axes: OLD_STICKS,
+        })
     } else if has(Code::BTN_TRIGGER) && axis(Abs::ABS_X) && axis(Abs::ABS_Y) {
-        Some(&JOYSTICK)
+        Some(Layout {
+            buttons: JOYSTICK,
+            axes: STICKS_ON_Z,
+        })
     } else {
         None
     }
 }
 
+/// Beyond these the old driver has axes without meaning.
+const OLD_STICKS: &[(Abs, Axis)] = &[
+    (Abs::ABS_X, Axis::LeftX),
+    (Abs::ABS_Y, Axis::LeftY),
+    (Abs::ABS_Z, Axis::RightX),
+    (Abs::ABS_RZ, Axis::RightY),
+];
+
+/// hid-sony since Linux 4.13, and all that name their buttons by place.
 const FROM_SOUTH: &[(Code, Button)] = &[
     (Code::BTN_SOUTH, Button::Cross),
     (Code::BTN_EAST, Button::Circle),
@@ -78,87 +104,61 @@ const STICKS_ON_Z: &[(Abs, Axis)] = &[
     (Abs::ABS_GAS, Axis::R2),
 ];
 
-/// hid-sony since Linux 4.13, and all that name their buttons by place.
-pub static SIXAXIS: Layout = Layout {
-    buttons: FROM_SOUTH,
-    axes: STICKS_AND_TRIGGERS,
-};
-
-/// The same, of pads whose right stick is on other axes.
-pub static STICK_ON_Z: Layout = Layout {
-    buttons: FROM_SOUTH,
-    axes: STICKS_ON_Z,
-};
-
 /// hid-sony up to Linux 4.12: numbers in the order of the pad's report.
-pub static OLD_SIXAXIS: Layout = Layout {
-    buttons: &[
-        (Code::BTN_TRIGGER, Button::Select),
-        (Code::BTN_THUMB, Button::L3),
-        (Code::BTN_THUMB2, Button::R3),
-        (Code::BTN_TOP, Button::Start),
-        (Code::BTN_TOP2, Button::Up),
-        (Code::BTN_PINKIE, Button::Right),
-        (Code::BTN_BASE, Button::Down),
-        (Code::BTN_BASE2, Button::Left),
-        (Code::BTN_BASE3, Button::L2),
-        (Code::BTN_BASE4, Button::R2),
-        (Code::BTN_BASE5, Button::L1),
-        (Code::BTN_BASE6, Button::R1),
-        (Code(0x12c), Button::Triangle),
-        (Code(0x12d), Button::Circle),
-        (Code(0x12e), Button::Cross),
-        (Code::BTN_DEAD, Button::Square),
-        (Code::BTN_TRIGGER_HAPPY1, Button::Ps),
-    ],
-    axes: &[
-        (Abs::ABS_X, Axis::LeftX),
-        (Abs::ABS_Y, Axis::LeftY),
-        (Abs::ABS_Z, Axis::RightX),
-        (Abs::ABS_RZ, Axis::RightY),
-    ],
-};
+const OLD_SIXAXIS: &[(Code, Button)] = &[
+    (Code::BTN_TRIGGER, Button::Select),
+    (Code::BTN_THUMB, Button::L3),
+    (Code::BTN_THUMB2, Button::R3),
+    (Code::BTN_TOP, Button::Start),
+    (Code::BTN_TOP2, Button::Up),
+    (Code::BTN_PINKIE, Button::Right),
+    (Code::BTN_BASE, Button::Down),
+    (Code::BTN_BASE2, Button::Left),
+    (Code::BTN_BASE3, Button::L2),
+    (Code::BTN_BASE4, Button::R2),
+    (Code::BTN_BASE5, Button::L1),
+    (Code::BTN_BASE6, Button::R1),
+    (Code(0x12c), Button::Triangle),
+    (Code(0x12d), Button::Circle),
+    (Code(0x12e), Button::Cross),
+    (Code::BTN_DEAD, Button::Square),
+    (Code::BTN_TRIGGER_HAPPY1, Button::Ps),
+];
 
 /// xpad: its X and Y have the codes of the other's place.
-pub static XPAD: Layout = Layout {
-    buttons: &[
-        (Code::BTN_SOUTH, Button::Cross),
-        (Code::BTN_EAST, Button::Circle),
-        (Code::BTN_NORTH, Button::Square),
-        (Code::BTN_WEST, Button::Triangle),
-        (Code::BTN_TL, Button::L1),
-        (Code::BTN_TR, Button::R1),
-        (Code::BTN_SELECT, Button::Select),
-        (Code::BTN_START, Button::Start),
-        (Code::BTN_MODE, Button::Ps),
-        (Code::BTN_THUMBL, Button::L3),
-        (Code::BTN_THUMBR, Button::R3),
-        (Code::BTN_TRIGGER_HAPPY1, Button::Left),
-        (Code::BTN_TRIGGER_HAPPY2, Button::Right),
-        (Code::BTN_TRIGGER_HAPPY3, Button::Up),
-        (Code::BTN_TRIGGER_HAPPY4, Button::Down),
-    ],
-    axes: STICKS_AND_TRIGGERS,
-};
+const XPAD: &[(Code, Button)] = &[
+    (Code::BTN_SOUTH, Button::Cross),
+    (Code::BTN_EAST, Button::Circle),
+    (Code::BTN_NORTH, Button::Square),
+    (Code::BTN_WEST, Button::Triangle),
+    (Code::BTN_TL, Button::L1),
+    (Code::BTN_TR, Button::R1),
+    (Code::BTN_SELECT, Button::Select),
+    (Code::BTN_START, Button::Start),
+    (Code::BTN_MODE, Button::Ps),
+    (Code::BTN_THUMBL, Button::L3),
+    (Code::BTN_THUMBR, Button::R3),
+    (Code::BTN_TRIGGER_HAPPY1, Button::Left),
+    (Code::BTN_TRIGGER_HAPPY2, Button::Right),
+    (Code::BTN_TRIGGER_HAPPY3, Button::Up),
+    (Code::BTN_TRIGGER_HAPPY4, Button::Down),
+];
 
 /// A pad without a driver of its own: its buttons are numbered as those of most are printed.
-pub static JOYSTICK: Layout = Layout {
-    buttons: &[
-        (Code::BTN_TRIGGER, Button::Square),
-        (Code::BTN_THUMB, Button::Cross),
-        (Code::BTN_THUMB2, Button::Circle),
-        (Code::BTN_TOP, Button::Triangle),
-        (Code::BTN_TOP2, Button::L1),
-        (Code::BTN_PINKIE, Button::R1),
-        (Code::BTN_BASE, Button::L2),
-        (Code::BTN_BASE2, Button::R2),
-        (Code::BTN_BASE3, Button::Select),
-        (Code::BTN_BASE4, Button::Start),
-        (Code::BTN_BASE5, Button::L3),
-        (Code::BTN_BASE6, Button::R3),
-    ],
-    axes: STICKS_ON_Z,
-};
+const JOYSTICK: &[(Code, Button)] = &[
+    (Code::BTN_TRIGGER, Button::Square),
+    (Code::BTN_THUMB, Button::Cross),
+    (Code::BTN_THUMB2, Button::Circle),
+    (Code::BTN_TOP, Button::Triangle),
+    (Code::BTN_TOP2, Button::L1),
+    (Code::BTN_PINKIE, Button::R1),
+    (Code::BTN_BASE, Button::L2),
+    (Code::BTN_BASE2, Button::R2),
+    (Code::BTN_BASE3, Button::Select),
+    (Code::BTN_BASE4, Button::Start),
+    (Code::BTN_BASE5, Button::L3),
+    (Code::BTN_BASE6, Button::R3),
+];
 
 /// Crosses of directions that are axes: the axis, and the buttons that its ends are.
 pub static HATS: [(Abs, Button, Button); 2] = [

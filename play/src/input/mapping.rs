@@ -1,12 +1,13 @@
 //! From a device's own events to those of a game, by the tables of its kind.
 
 use std::collections::BTreeMap;
+use std::io;
 
 use cellray::game::{Axis, Button, InputEvent, PadId, Sensors};
 use evdev::{AbsoluteAxisCode as Abs, EventType, KeyCode as Code, RelativeAxisCode as Rel};
 
-use super::capabilities::Capabilities;
-use super::device::{Range, RawEvent};
+use super::capabilities::{Capabilities, Codes};
+use super::device::{Device, Range, RawEvent};
 use super::layout::{self, HATS, KEYS, Layout, MOUSE};
 
 /// What a SIXAXIS counts in one g, where its driver doesn't say.
@@ -20,7 +21,7 @@ const SYN_DROPPED: u16 = 3;
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
     /// A pad.
-    Pad(&'static Layout),
+    Pad(Layout),
     /// The sensors of a pad.
     Sensors,
     /// A keyboard, a mouse, or both.
@@ -61,6 +62,10 @@ pub struct Mapping {
     /// The pad that it is, or that its sensors are of.
     pad: Option<PadId>,
     ranges: BTreeMap<u16, Range>,
+    /// The keys and buttons that it has.
+    keys: Codes,
+    /// Those that are down, as it said.
+    held: Codes,
     sensors: Sensors,
     /// The sensors moved since the last report.
     sensed: bool,
@@ -68,16 +73,20 @@ pub struct Mapping {
     wheel: [f32; 2],
     /// The kernel has dropped events, up to the next report.
     dropped: bool,
+    /// It has, and what the device said before may be so no more.
+    is_stale: bool,
 }
 
 impl Mapping {
-    /// Of a device of this kind; its axes have these ranges.
+    /// Of a device of this kind, with these keys; its axes have these ranges.
     #[must_use]
-    pub fn new(kind: Kind, pad: Option<PadId>, ranges: BTreeMap<u16, Range>) -> Self {
+    pub fn new(kind: Kind, pad: Option<PadId>, keys: Codes, ranges: BTreeMap<u16, Range>) -> Self {
         Self {
             kind,
             pad,
             ranges,
+            keys,
+            held: Codes::default(),
             sensors: Sensors {
                 acceleration: [0.0, 1.0, 0.0],
                 turn: 0.0,
@@ -86,6 +95,7 @@ impl Mapping {
             motion: [0.0; 2],
             wheel: [0.0; 2],
             dropped: false,
+            is_stale: false,
         }
     }
 
@@ -101,11 +111,50 @@ impl Mapping {
         self.pad
     }
 
+    /// Whether it is a keyboard, whatever else it is.
+    #[must_use]
+    pub fn is_keyboard(&self) -> bool {
+        matches!(self.kind, Kind::Desk) && self.keys.has(Code::KEY_A.0)
+    }
+
     /// Where its sticks are at the start: they tell of changes alone.
     pub fn begin(&self, events: &mut Vec<InputEvent>) {
         for (&code, range) in &self.ranges {
             self.axis(code, range.value, events);
         }
+    }
+
+    /// After events that the kernel has dropped: what has changed by them, as the device has it now.
+    pub fn catch_up(
+        &mut self,
+        device: &dyn Device,
+        events: &mut Vec<InputEvent>,
+    ) -> io::Result<()> {
+        if !std::mem::take(&mut self.is_stale) {
+            return Ok(());
+        }
+        let now = device.held()?;
+        let changed = |code: &u16| now.has(*code) != self.held.has(*code);
+        let changed: Vec<_> = self.keys.iter().filter(changed).collect();
+        for code in changed {
+            self.key(Code(code), i32::from(now.has(code)), events);
+        }
+        for (&axis, range) in &mut self.ranges {
+            *range = device.range(axis)?;
+        }
+        self.begin(events);
+        if matches!(self.kind, Kind::Sensors) {
+            let axes: Vec<_> = self
+                .ranges
+                .iter()
+                .map(|(&axis, range)| (axis, range.value))
+                .collect();
+            for (axis, value) in axes {
+                self.sense(Abs(axis), value);
+            }
+            self.report(events);
+        }
+        Ok(())
     }
 
     /// What the event means, if anything.
@@ -134,9 +183,7 @@ impl Mapping {
     }
 
     fn report(&mut self, events: &mut Vec<InputEvent>) {
-        if std::mem::take(&mut self.dropped) {
-            events.push(InputEvent::FocusLost);
-        }
+        self.is_stale |= std::mem::take(&mut self.dropped);
         let by = std::mem::take(&mut self.motion);
         if by != [0.0; 2] {
             events.push(InputEvent::MouseMotion { by });
@@ -151,13 +198,14 @@ impl Mapping {
         }
     }
 
-    fn key(&self, code: Code, value: i32, events: &mut Vec<InputEvent>) {
+    fn key(&mut self, code: Code, value: i32, events: &mut Vec<InputEvent>) {
         // 2 is the repetition of a key that is held.
         let down = match value {
             0 => false,
             1 => true,
             _ => return,
         };
+        self.held.set(code.0, down);
         if let (Kind::Pad(layout), Some(pad)) = (self.kind, self.pad) {
             if let Some(&(_, button)) = layout.buttons.iter().find(|(known, _)| *known == code) {
                 events.push(InputEvent::PadButton { pad, button, down });
@@ -186,14 +234,15 @@ impl Mapping {
                 _ => range.deflection(value),
             };
             events.push(InputEvent::PadAxis { pad, axis, value });
-            // xpad's triggers are no buttons: they are pressed from the middle on.
+            // Triggers that are no buttons are pressed from the middle on.
             let trigger = match axis {
                 Axis::L2 => (Button::L2, Code::BTN_TL2),
                 Axis::R2 => (Button::R2, Code::BTN_TR2),
                 _ => return,
             };
             let (button, code) = trigger;
-            if !layout.buttons.iter().any(|(known, _)| *known == code) {
+            let is_button = layout.buttons.iter().any(|(known, _)| *known == code);
+            if !(is_button && self.keys.has(code.0)) {
                 let down = value > 0.5;
                 events.push(InputEvent::PadButton { pad, button, down });
             }
