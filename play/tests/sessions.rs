@@ -4,10 +4,14 @@ mod pty;
 mod terminal;
 
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::{Duration, Instant};
 
+use cellray::Settings;
+use cellray::framebuffer::{Framebuffer, Geometry, Memory, NumberedPath};
+use cellray::game::{FixedSteps, Game, Moment, Pictures, Session, Start, World, WorldError};
 use pty::Pty;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/paper16.nff");
@@ -95,14 +99,21 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     assert!(files(other.path()) != expected, "the seed plays no part");
 }
 
+/// The program, where files have no more than 576 blocks of 512 bytes: room for an emulated SPU's local store, and
+/// for no picture of 1920x1080.
+fn on_a_full_disk() -> Command {
+    let mut command = Command::new("sh");
+    command
+        .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
+        .arg(env!("CARGO_BIN_EXE_cellray-play"));
+    command
+}
+
 #[test]
 fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("f-%05d.png");
-    // In blocks of 512 bytes: room for an emulated SPU's local store, and for no picture of this size.
-    let output = Command::new("sh")
-        .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
-        .arg(env!("CARGO_BIN_EXE_cellray-play"))
+    let output = on_a_full_disk()
         .args([
             "view",
             SCENE,
@@ -125,7 +136,13 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
 }
 
 #[test]
-fn sigterm_ends_pictures_between_two_of_them() {
+fn signals_end_pictures_between_two_of_them() {
+    [libc::SIGTERM, libc::SIGINT]
+        .into_iter()
+        .for_each(ends_pictures);
+}
+
+fn ends_pictures(signal: i32) {
     let folder = tempfile::tempdir().expect("a folder");
     let out = folder.path().join("f-%05d.png");
     let mut child = program()
@@ -141,9 +158,9 @@ fn sigterm_ends_pictures_between_two_of_them() {
         assert!(begun.elapsed() < Duration::from_secs(60), "no pictures");
         std::thread::sleep(Duration::from_millis(20));
     }
-    pty::signal(child.id(), libc::SIGTERM);
+    pty::signal(child.id(), signal);
     let status = child.wait().expect("its end");
-    assert_eq!(status.code(), Some(128 + libc::SIGTERM));
+    assert_eq!(status.code(), Some(128 + signal));
     for (name, _) in files(folder.path()) {
         let picture = image::open(folder.path().join(&name));
         assert!(picture.is_ok(), "{name:?}: {:?}", picture.err());
@@ -208,6 +225,11 @@ fn bad_input_is_told_of() {
             ],
             "0 SPUs",
         ),
+        (
+            &["play", GAME, "--timeout", "18446744073709551615"],
+            "86400",
+        ),
+        (&["play", GAME, "--timeout", "0"], "86400"),
     ] {
         let talk = bad(arguments);
         assert!(talk.contains(words), "{arguments:?}: {talk}");
@@ -375,4 +397,237 @@ fn a_terminals_size_is_followed() {
     pty.wait_for("\x1b[40;");
     pty.type_in("q");
     assert_eq!(pty.end().code(), Some(0));
+}
+
+#[test]
+fn a_recording_that_the_disk_has_no_room_for_is_told_of() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let record = folder.path().join("session");
+    let output = on_a_full_disk()
+        .args(["play", GAME, "--display", "none", "--size", "16x16"])
+        .args(["--frames", "1000000", "--record"])
+        .arg(&record)
+        .output()
+        .expect("the program");
+    let talk = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{talk}");
+    let name = record.to_str().expect("text");
+    assert!(talk.contains(name) && talk.contains("too large"), "{talk}");
+}
+
+/// Has room for so many bytes.
+struct Room(usize);
+
+impl io::Write for Room {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let left = self.0.checked_sub(bytes.len());
+        self.0 = left.ok_or(io::ErrorKind::StorageFull)?;
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        Ok(())
+    }
+}
+
+struct Still;
+
+impl Game for Still {
+    fn set_up(&mut self, _: &mut World, _: &Start) -> Result<(), WorldError> {
+        Ok(())
+    }
+
+    fn frame(&mut self, _: &mut World, _: &Moment<'_>) -> Result<(), WorldError> {
+        Ok(())
+    }
+}
+
+/// A session that is recorded to room for so many bytes.
+fn recorded(room: usize, framebuffer: Box<dyn Framebuffer>) -> Session<Still> {
+    let session = Session::start(Still, Settings::default(), framebuffer).expect("a session");
+    session
+        .with_clock(Box::new(FixedSteps(Duration::from_millis(40))))
+        .record_to(Box::new(io::BufWriter::new(Room(room))))
+}
+
+#[test]
+fn what_a_recording_lacks_at_the_end_is_an_error() {
+    let size = Geometry::new(16, 16).expect("a size");
+    let memory = || Box::new(Memory::new(size).expect("memory"));
+    let folder = tempfile::tempdir().expect("a folder");
+    let paths = NumberedPath::new(folder.path().join("f-%d.png").to_str().expect("text"));
+    let pictures = Pictures::new(paths.expect("a path"));
+    for (room, fits) in [(0, false), (1000, true)] {
+        let is_over = recorded(room, memory()).run(Some(3)).is_ok();
+        assert_eq!(is_over, fits, "{room}");
+        let framebuffer = pictures.framebuffer(size).expect("pictures");
+        let mut session = recorded(room, framebuffer);
+        let frames = "0..3".parse().expect("frames");
+        assert_eq!(pictures.write(&mut session, frames).is_ok(), fits, "{room}");
+    }
+}
+
+#[test]
+fn a_timeout_may_be_longer_than_time() {
+    let memory = Memory::new(Geometry::new(16, 16).expect("a size")).expect("memory");
+    let settings = Settings {
+        timeout: Duration::MAX,
+        ..Settings::default()
+    };
+    let mut session = Session::start(Still, settings, Box::new(memory)).expect("a session");
+    assert_eq!(session.run(Some(2)).expect("frames").frames, 2);
+}
+
+#[test]
+fn the_last_frame_of_a_recording_tells_of_the_world() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let record = folder.path().join("session");
+    let name = record.to_str().expect("text");
+    let none = ["play", GAME, "--display", "none", "--size", "16x16"];
+    good(&[&none[..], &["--frames", "19", "--record", name]].concat());
+    let text = fs::read_to_string(&record).expect("a recording");
+    let checked = |line: &&str| line.contains("\"world\"");
+    assert_eq!(
+        (text.lines().count(), text.lines().filter(checked).count()),
+        (20, 3)
+    );
+    let last = text.lines().last().expect("a line");
+    assert!(last.contains("\"world\""), "{last}");
+    let talk = good(&[&none[..], &["--replay", name]].concat());
+    assert!(talk.contains("19 frame(s)"), "{talk}");
+
+    let (rest, checksum) = last.rsplit_once("\"world\":").expect("a checksum");
+    let other = match checksum {
+        "\"0000000000000000\"}" => "1",
+        _ => "0000000000000000",
+    };
+    let other = format!("{rest}\"world\":\"{other}\"}}");
+    fs::write(&record, text.replace(last, &other)).expect("a file");
+    let talk = bad(&[&none[..], &["--replay", name]].concat());
+    assert!(talk.contains("frame 18: the world is another"), "{talk}");
+}
+
+#[test]
+fn a_picture_that_the_disk_has_no_room_for_is_told_of_and_earlier_ones_stay() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let earlier = folder.path().join("paper16-nff-0001.png");
+    fs::write(&earlier, "an earlier picture").expect("a file");
+    let mut command = on_a_full_disk();
+    command
+        .args(["view", SCENE, "--display", "terminal"])
+        .args(["--size", "1920x1080", "--screenshots"])
+        .arg(folder.path())
+        .env("TERM", "xterm-256color");
+    let mut pty = Pty::start(command, 64, 24);
+    pty.wait_for("\u{2580}");
+    pty.type_in(F12);
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+    // It is said when the terminal shows text again.
+    let seen = pty.seen();
+    let talk = seen.split("\x1b[?1049l").last().unwrap_or_default();
+    assert!(
+        talk.contains("no picture: ") && talk.contains("too large"),
+        "{talk}"
+    );
+    let kept = (
+        PathBuf::from("paper16-nff-0001.png"),
+        b"an earlier picture".to_vec(),
+    );
+    assert_eq!(files(folder.path()), [kept]);
+}
+
+const F12: &str = "\x1b[24~";
+
+#[test]
+fn a_live_sessions_pictures_are_those_of_its_replay() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [shots, again] = ["shots", "again"].map(|name| folder.path().join(name));
+    for path in [&shots, &again] {
+        fs::create_dir(path).expect("a folder");
+    }
+    let record = folder.path().join("session");
+    let mut command = program();
+    command
+        .args(["play", GAME, "--display", "terminal", "--size", "64x48"])
+        .arg("--screenshots")
+        .arg(&shots)
+        .arg("--record")
+        .arg(&record)
+        .env("TERM", "xterm-256color");
+    let mut pty = Pty::start(command, 64, 24);
+    // What moves is drawn at each frame, from its first changed character on.
+    for number in 1..=3 {
+        let shown = pty.seen().len();
+        pty.wait_until(|seen| seen.len() > shown + 20_000);
+        pty.type_in(F12);
+        pty.wait_until(|_| files(&shots).len() == number);
+    }
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+
+    good(&[
+        "play",
+        GAME,
+        "--size",
+        "64x48",
+        "--frames",
+        "100000",
+        "--replay",
+        record.to_str().expect("text"),
+        "--out",
+        again.join("f-%05d.png").to_str().expect("text"),
+    ]);
+    let replayed = files(&again);
+    assert!(replayed.len() > 17, "{}", replayed.len());
+    let place = |(name, picture): &(PathBuf, Vec<u8>)| {
+        let place = replayed.iter().position(|(_, frame)| frame == picture);
+        place.unwrap_or_else(|| panic!("{name:?} is none of {} frames", replayed.len()))
+    };
+    let places: Vec<_> = files(&shots).iter().map(place).collect();
+    assert!(places.is_sorted_by(|a, b| a < b), "{places:?}");
+}
+
+#[test]
+fn nobody_has_to_listen() {
+    let mut sh = Command::new("sh");
+    let program = env!("CARGO_BIN_EXE_cellray-play");
+    let closed = ["-c", "exec 3>&1; { \"$0\" play; echo $? >&3; } | :"];
+    let output = sh.args(closed).arg(program).output().expect("the program");
+    assert_eq!(String::from_utf8_lossy(&output.stdout), "0\n");
+    let mut sh = Command::new("sh");
+    let full = ["-c", "\"$0\" play >/dev/full"];
+    let output = sh.args(full).arg(program).output().expect("the program");
+    let talk = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{talk}");
+    assert!(talk.contains("standard output: "), "{talk}");
+    let mut sh = Command::new("sh");
+    let session = "exec \"$0\" play \"$1\" --display none --frames 2 --size 16x16 2>/dev/full";
+    let status = sh.args(["-c", session, program, GAME]).status();
+    assert_eq!(status.expect("the program").code(), Some(0));
+}
+
+#[test]
+fn a_framebuffers_keys_are_taken_though_the_talk_goes_to_a_file() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let [fb, log] = ["fb", "log"].map(|name| folder.path().join(name));
+    let mut command = Command::new("sh");
+    let session = "exec \"$0\" view \"$1\" --display fb --device \"$2\" --size 64x36 >\"$3\"";
+    command
+        .args(["-c", session, env!("CARGO_BIN_EXE_cellray-play"), SCENE])
+        .args([&fb, &log]);
+    let mut pty = Pty::start(command, 64, 24);
+    let begun = Instant::now();
+    while !pty.is_taken() {
+        assert!(begun.elapsed() < Duration::from_secs(60), "{}", pty.seen());
+        std::thread::sleep(Duration::from_millis(20));
+    }
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+    assert!(
+        !pty.is_taken() && pty.seen().contains("frame(s)"),
+        "{}",
+        pty.seen()
+    );
+    assert_eq!(fs::read(&log).expect("a file"), b"");
 }
