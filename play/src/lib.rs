@@ -232,7 +232,7 @@ fn session(
     for message in &played.messages {
         say(message);
     }
-    tell(&played.report);
+    tell(played.report);
     Ok(played.ending)
 }
 
@@ -257,7 +257,7 @@ fn pictures(
     let replay = options.replay.as_deref();
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
     let made = pictures.write(&mut session, range)?;
-    tell(session.report());
+    tell(session.report().clone());
     say(format_args!(
         "{} picture(s) written, {} there already",
         made.written, made.kept
@@ -265,7 +265,8 @@ fn pictures(
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
 }
 
-fn tell(report: &Report) {
+fn tell(mut report: Report) {
+    report.add_memory();
     for line in report.to_string().lines() {
         say(line);
     }

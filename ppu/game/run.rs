@@ -124,9 +124,11 @@ impl<G: Game> Session<G> {
         }
         let geometry = framebuffer.geometry();
         let size = (geometry.width, geometry.height);
+        // It refuses what can't be: a number of SPUs for which there is no room in a report, either.
+        let engine = Engine::start(settings, framebuffer)?;
         let report = Report::new(game.name(), size, settings.spus);
         Ok(Self {
-            engine: Engine::start(settings, framebuffer)?,
+            engine,
             game,
             world: World::new(),
             settings,
@@ -264,6 +266,8 @@ impl<G: Game> Session<G> {
         if flow.map_err(SessionError::Input)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
+        // A game would not hear of others, and a recording has no word for them.
+        self.record.events.retain(InputEvent::is_finite);
         merge::merge(&mut self.record.events);
         if !self.find_moment()? {
             return Ok(ControlFlow::Break(()));

@@ -300,7 +300,10 @@ fn what_a_file_has_is_called_by_its_line() {
 
     let text = "l 0 9 9\n\n\nf 1 1 1 1 0 0 0 0\n#cellray shader wood\ns 0 0 0 1\n";
     let mut world = world(text).unwrap();
-    let error = world.scene(&Program::tracer()).err().expect("an error");
+    let error = match world.scene(&Program::tracer()) {
+        Ok(_) => panic!("a shader that there is not"),
+        Err(error) => error,
+    };
     let error = error.to_string();
     assert!(error.starts_with("dir/s.nff:11: "), "{error}");
 }

@@ -102,6 +102,12 @@ impl InputSource for Player {
                 pad,
                 name: "\"pad\"\n".into(),
             }),
+            // What is no number is not heard, and not recorded.
+            3 => events.push(InputEvent::PadAxis {
+                pad,
+                axis: Axis::LeftY,
+                value: f32::NAN,
+            }),
             _ => {}
         }
         Ok(ControlFlow::Continue(()))

@@ -87,3 +87,18 @@ pub enum InputEvent {
         sensors: Sensors,
     },
 }
+
+impl InputEvent {
+    /// Whether all that it says are numbers.
+    #[must_use]
+    pub fn is_finite(&self) -> bool {
+        match self {
+            Self::MouseMoved { to: pair }
+            | Self::MouseMotion { by: pair }
+            | Self::Wheel { by: pair } => pair.iter().all(|value| value.is_finite()),
+            Self::PadAxis { value, .. } => value.is_finite(),
+            Self::PadSensors { sensors, .. } => sensors.is_finite(),
+            _ => true,
+        }
+    }
+}
