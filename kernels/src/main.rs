@@ -24,11 +24,11 @@ struct Arguments {
     #[arg(long)]
     json: bool,
     /// Write the table into a document, between its markers.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["names", "json"])]
+    #[arg(long, value_name = "FILE", conflicts_with = "json")]
     write: Option<PathBuf>,
     /// Fail if the document's table is not what is measured now; with --schedule and without FILE,
     /// if scheduled versions are not what would be written.
-    #[arg(long, value_name = "FILE", num_args = 0..=1, conflicts_with_all = ["names", "json", "write"])]
+    #[arg(long, value_name = "FILE", num_args = 0..=1, conflicts_with_all = ["json", "write"])]
     check: Option<Option<PathBuf>>,
     /// Write the scheduled versions of all kernels, made of the plain ones.
     #[arg(long, conflicts_with_all = ["names", "json", "write"])]
