@@ -85,9 +85,9 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
     let mut units = Units::default();
     units.cut(&wanted, 6, Split::Units, Some(&costs));
     let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
-    let mean = costs.iter().sum::<u32>() / 900;
+    let sum: u64 = wanted.iter().map(cost).sum();
     let (dear, cheap): (Vec<u32>, Vec<u32>) =
-        order.iter().partition(|tile| cost(tile) * 2 >= mean.into());
+        order.iter().partition(|tile| 2 * cost(tile) * 900 >= sum);
     assert!(dear.is_sorted_by_key(|tile| Reverse(cost(tile))));
     assert!(cheap.is_sorted_by_key(|tile| Reverse(cost(tile))));
     let early = |tile: &&u32| order[..450].contains(tile);
