@@ -45,3 +45,7 @@ step() {
     "$@"
     say "$what: $((SECONDS - start)) s"
 }
+
+# This machine's programs as the tests have them: optimised, too, and built with the tests, once.
+host=${CARGO_TARGET_DIR:-$top/target}/debug
+build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }
