@@ -75,9 +75,24 @@ pub fn stick(value: f32) -> f64 {
     if value.abs() < DEAD { 0.0 } else { value }
 }
 
+/// Nearer, an eye is where it is to be: it can't be seen that it is not.
+const ARRIVED: f64 = 1e-5;
+
+/// Goes this part of the way. Who has arrived stays to the bit, however long the frames are: else a picture in which
+/// nothing moves would be traced again and again.
+#[must_use]
+pub fn follow(from: DVec3, to: DVec3, part: f64) -> DVec3 {
+    let way = to - from;
+    if way.length_squared() < ARRIVED * ARRIVED {
+        to
+    } else {
+        from + way * part
+    }
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Orbit;
+    use super::{Orbit, follow};
     use cellray::game::{Button, DVec3, Input, InputEvent, Key, MouseButton, PadId};
 
     const ORBIT: Orbit = Orbit {
@@ -87,6 +102,18 @@ mod tests {
         distances: (2.0, 9.0),
         rises: (0.1, 1.5),
     };
+
+    #[test]
+    fn who_has_arrived_stays_whatever_the_frames_take() {
+        let (mut eye, to) = (DVec3::new(0.3, -7.1, 2.9), DVec3::new(0.1, 0.7, 1.3));
+        for frame in 0..400 {
+            eye = follow(eye, to, 0.05 + 0.001 * f64::from(frame % 97));
+        }
+        assert_eq!(eye, to);
+        for part in [0.0, 0.013, 0.3, 0.9999, 1.0] {
+            assert_eq!(follow(eye, to, part), to);
+        }
+    }
 
     #[test]
     fn it_stays_within_its_bounds_whatever_the_mouse_says() {

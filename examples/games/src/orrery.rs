@@ -23,7 +23,7 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
 use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
-use crate::camera::Orbit;
+use crate::camera::{Orbit, follow};
 use crate::steps::{STEP, Steps};
 
 /// What it is called.
@@ -266,7 +266,7 @@ impl Orrery {
             .checked_sub(1)
             .map_or(DVec3::ZERO, |planet| self.places[planet]);
         let part = seconds * FOLLOWS / (1.0 + seconds * FOLLOWS);
-        self.at = self.at.lerp(goal, part);
+        self.at = follow(self.at, goal, part);
         self.orbit.turn += self.swing * part;
         self.swing -= self.swing * part;
         let before = self.orbit.distance;

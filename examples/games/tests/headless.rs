@@ -125,6 +125,15 @@ fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
         .with_clock(Box::new(FixedSteps(Duration::from_millis(40))))
 }
 
+/// Where nobody plays nothing moves, and nothing is traced again, however long the frames take.
+#[test]
+fn a_table_at_rest_is_traced_once() {
+    let clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(5));
+    let mut session = session("billiards", 7, (32, 18)).with_clock(Box::new(clock));
+    let report = session.run(Some(200)).unwrap();
+    assert_eq!((report.frames, report.frames_traced), (200, 1));
+}
+
 /// The world after some frames with that player.
 fn played(name: &str, seed: u64, player: u64) -> u64 {
     let clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));

@@ -31,6 +31,7 @@ use self::aim::Aim;
 use self::balls::{Ball, Balls};
 use self::rules::{Rules, Shot};
 use self::scene::{Scene, Sign};
+use crate::camera::follow;
 use crate::steps::Steps;
 
 /// What it is called.
@@ -239,8 +240,8 @@ impl Billiards {
         self.scene.show_marker(world, &self.rules, sign)?;
         let (eye, at) = self.view();
         let part = seconds * FOLLOWS / (1.0 + seconds * FOLLOWS);
-        self.eye = self.eye.lerp(eye, part);
-        self.at = self.at.lerp(at, part);
+        self.eye = follow(self.eye, eye, part);
+        self.at = follow(self.at, at, part);
         world.look_from(self.eye, self.at)
     }
 
