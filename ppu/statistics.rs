@@ -1,7 +1,7 @@
 //! What SPUs say of their frames.
 
 use serde::Serialize;
-use zerocopy::big_endian::U32;
+use zerocopy::big_endian::U64;
 
 use crate::work::Size;
 use crate::work::layout::Statistics;
@@ -141,31 +141,30 @@ impl FrameStatistics {
 
 impl SpuStatistics {
     fn of(line: &Statistics, spheres_unseen: u64) -> Self {
-        let wide = |word: U32| u64::from(word.get());
         Self {
-            tiles: wide(line.tiles),
-            tiles_filled: wide(line.tiles_empty),
-            tiles_blank: wide(line.tiles_blank),
-            packets: wide(line.packets),
-            packets_filled: wide(line.packets_empty),
+            tiles: line.tiles.get(),
+            tiles_filled: line.tiles_empty.get(),
+            tiles_blank: line.tiles_blank.get(),
+            packets: line.packets.get(),
+            packets_filled: line.packets_empty.get(),
             rays: Rays::of(line),
             tests: Tests {
                 made: line.tests_made.get() * PACKET_RAYS,
                 hits_looked_for: line.hits_looked_for.get() * PACKET_RAYS,
                 skipped: line.tests_skipped.get() * PACKET_RAYS,
-                hidden: wide(line.tests_hidden) * PACKET_RAYS,
-                unseen: wide(line.packets) * spheres_unseen * PACKET_RAYS,
-                cull: wide(line.cull_tests),
+                hidden: line.tests_hidden.get() * PACKET_RAYS,
+                unseen: line.packets.get() * spheres_unseen * PACKET_RAYS,
+                cull: line.cull_tests.get(),
             },
-            busy: wide(line.busy),
-            dma_wait: wide(line.dma_wait),
-            idle: wide(line.idle),
+            busy: line.busy.get(),
+            dma_wait: line.dma_wait.get(),
+            idle: line.idle.get(),
             phases: Phases {
-                fetch: wide(line.ticks_fetch),
-                cull: wide(line.ticks_cull),
-                rays: wide(line.ticks_rays),
-                isect: wide(line.ticks_isect),
-                shade: wide(line.ticks_shade),
+                fetch: line.ticks_fetch.get(),
+                cull: line.ticks_cull.get(),
+                rays: line.ticks_rays.get(),
+                isect: line.ticks_isect.get(),
+                shade: line.ticks_shade.get(),
             },
         }
     }
@@ -173,16 +172,16 @@ impl SpuStatistics {
 
 impl Rays {
     fn of(line: &Statistics) -> Self {
-        let wide = |word: U32| u64::from(word.get());
-        let [eye, reflected, refracted] = [line.eye_rays, line.reflected, line.refracted].map(wide);
+        let [eye, reflected, refracted] =
+            [line.eye_rays, line.reflected, line.refracted].map(U64::get);
         // By depth shading there are no rays but the eye's, and no other hits are counted.
-        let hit = wide(line.hits).max(wide(line.eye_hits));
+        let hit = line.hits.get().max(line.eye_hits.get());
         Self {
             eye,
-            eye_hit: wide(line.eye_hits),
+            eye_hit: line.eye_hits.get(),
             reflected,
             refracted,
-            shadow: wide(line.shadow),
+            shadow: line.shadow.get(),
             hit,
             background: (eye + reflected + refracted).saturating_sub(hit),
         }

@@ -1,4 +1,4 @@
-# What this SPU has to say of the frame: one line in main memory.
+# What this SPU has to say of the frame: a record in main memory.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -11,6 +11,9 @@ statistics:
         .global counters
 counters:
         .skip   COUNTERS_SIZE
+        .global times_added
+times_added:                            # decrementer when times_add was last called
+        .skip   16
 
 # statistics_reset   begins the counts of a frame
 #   Uses    $20
@@ -24,16 +27,45 @@ function statistics_reset
     .set    place,place+16
     .endr
         ori     $g_began,$g_mailed,0
+        stqa    $g_mailed,times_added
     .irp ticks, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade,n_hits
         il      $g_\ticks,0
     .endr
         bi      $lr
 endfunction statistics_reset
 
-# statistics_put   fills the line and sends it; it has arrived when this returns
+# times_add   moves the ticks that are in registers to the counters; to be called before they are
+#             2^32, so also in the middle of a tile that takes long
+#   Uses    $10-$14
+        .set    now,10
+        .set    since,11
+        .set    t_sum,12
+        .set    t_add,13
+        .set    t_carry,14
+
+function times_add
+        rdch    $now,$SPU_RdDec
+        lqa     $since,times_added
+        stqa    $now,times_added
+        sf      $since,$now,$since                      # it counts down
+        count   elapsed,$since,$t_sum,$t_add,$t_carry
+    .irp ticks, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade
+        count   \ticks,$g_\ticks,$t_sum,$t_add,$t_carry
+        il      $g_\ticks,0
+    .endr
+        # A tile's cost is one word: of what is over by now, it has at most LONG_TICKS.
+        sf      $since,$now,$g_tile_began
+        rotmi   $since,$since,-LONG_TICKS_LOG2
+        biz     $since,$lr
+        ilhu    $since,1<<(LONG_TICKS_LOG2-16)
+        a       $g_tile_began,$now,$since
+        bi      $lr
+endfunction times_add
+
+# statistics_put   fills the record and sends it; it has arrived when this returns
 #   Uses    $3, $10-$21
         .set    a_frame,10
-        .set    a_line,11
+        .set    a_record,11
         .set    value,12
         .set    t_quad,13
         .set    t_mask,14
@@ -45,39 +77,53 @@ endfunction statistics_reset
         .set    command,20
         .set    more,21
 
-.macro  put_word field:req, register:req
-        store_word \register,STATS_\field,$a_line,$t_quad,$t_mask
+# 64 bits, from the first two words of a register.
+.macro  put_long field:req, register:req
+        lqd     $t_quad,(STATS_\field)&~15($a_record)
+        cdd     $t_mask,(STATS_\field)&15($sp)
+        shufb   $t_quad,\register,$t_quad,$t_mask
+        stqd    $t_quad,(STATS_\field)&~15($a_record)
 .endm
 
 .macro  put_count field:req
         lqa     $value,counters+COUNT_\field
-        rotqbyi $value,$value,4
-        put_word \field,$value
+        put_long \field,$value
 .endm
 
-.macro  put_long_count field:req
-        lqa     $value,counters+COUNT_\field
-        put_word \field,$value
-        rotqbyi $value,$value,4
-        put_word \field+4,$value
+# out = a - b, of 64 bits each in the first two words.
+.macro  difference out:req, a:req, b:req
+        bg      $t_carry,\b,\a                          # 1 unless it borrows
+        shlqbyi $t_carry,$t_carry,4
+        sfx     $t_carry,\b,\a
+        ori     \out,$t_carry,0
 .endm
 
 function statistics_put
         enter
+        brsl    $lr,times_add
         ila     $a_frame,frame
-        ila     $a_line,statistics
+        ila     $a_record,statistics
         load_word $value,FRAME_number,$a_frame
-        put_word number,$value
+        store_word $value,STATS_number,$a_record,$t_quad,$t_mask
         sum_lanes $g_n_hits,$value
-        put_word eye_hits,$g_n_hits
+        rotqmbyi $value,$g_n_hits,-4
+        fsmbi   $t_mask,0x0f00
+        and     $value,$value,$t_mask
+        put_long eye_hits,$value
     .irp field, tiles,packets,eye_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
         put_count \field
     .endr
-    .irp field, reflected,refracted,shadow,hits
+    .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits
         put_count \field
     .endr
-        put_long_count tests_made
-        put_long_count hits_looked_for
+    .irp field, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade
+        put_count \field
+    .endr
+        put_long idle,$g_idle
+        lqa     $value,counters+COUNT_elapsed
+        lqa     $more,counters+COUNT_dma_wait
+        difference $value,$value,$more
+        put_long busy,$value
 
         # Every packet with every sphere, less the tests made. Whitted's model has counted them.
         lqa     $value,counters+COUNT_packets
@@ -93,23 +139,11 @@ function statistics_put
         rotqbyi $more,$value,4
         add_effective $high,$low,$more,$t_carry
         a       $high,$high,$value
-        lqa     $value,counters+COUNT_tests_made
-        rotqbyi $more,$value,4
-        bg      $t_carry,$more,$low                     # 1 unless it borrows
-        sf      $low,$more,$low
-        sfx     $t_carry,$value,$high
-        put_word tests_skipped,$t_carry
-        put_word tests_skipped+4,$low
-
-    .irp phase, fetch,cull,rays,isect,shade
-        put_word ticks_\phase,$g_ticks_\phase
-    .endr
-        put_word dma_wait,$g_dma_wait
-        put_word idle,$g_idle
-        rdch    $value,$SPU_RdDec
-        sf      $value,$value,$g_mailed                 # it counts down
-        sf      $value,$g_dma_wait,$value
-        put_word busy,$value
+        cwd     $t_mask,4($sp)
+        shufb   $value,$low,$high,$t_mask
+        lqa     $more,counters+COUNT_tests_made
+        difference $value,$value,$more
+        put_long tests_skipped,$value
 
         load_word $high,FRAME_statistics,$a_frame
         load_word $low,FRAME_statistics+4,$a_frame
@@ -118,7 +152,7 @@ function statistics_put
         add_effective $high,$low,$value,$t_carry
         il      $tag,TAG_STATISTICS
         il      $command,MFC_PUT
-        mfc_command $a_line,$high,$low,$size,$tag,$command
+        mfc_command $a_record,$high,$low,$size,$tag,$command
         il      $3,1<<TAG_STATISTICS
         brsl    $lr,dma_wait
         leave

@@ -87,8 +87,8 @@ next_tile:
         brz     $bad,refuse
         brsl    $lr,tile_place
         brsl    $lr,tile_trace
-
-        rdch    $ticks,$SPU_RdDec
+        times_checked tile_late,$ticks,$bad
+tile_timed:
         sf      $bad,$ticks,$g_tile_began               # it counts down
         ori     $g_tile_began,$ticks,0
         or      $bad,$bad,$3
@@ -105,6 +105,11 @@ next_tile:
         brnz    $bad,next_tile
         brsl    $lr,costs_put
         br      next_unit
+
+tile_late:
+        brsl    $lr,times_add
+        rdch    $ticks,$SPU_RdDec
+        br      tile_timed
 
 refuse: il      $g_unit,STATUS_Tile
         br      settle

@@ -1,7 +1,9 @@
 //! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that go wrong,
 //! and shaders of games.
 
+mod descriptor;
 mod faults;
+mod long_frames;
 mod pictures;
 mod protocol;
 mod random;

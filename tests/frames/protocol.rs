@@ -2,11 +2,11 @@
 
 use std::time::Duration;
 
+use crate::descriptor::Descriptor;
 use crate::recorder::{Recorder, nff_scene};
-use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
+use cellray::framebuffer::Memory;
 use cellray::work::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter, WorkUnit};
-use cellray::work::{self, Addresses, EyeSpheres, Lens, Order, Skip, Split, Units};
-use cellray::{Engine, EngineError, Scene, Settings, SharedMemory};
+use cellray::{Engine, EngineError, Settings, SharedMemory, work};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -60,50 +60,28 @@ fn whitted_fixture(spus: u32) -> Fixture {
 }
 
 fn fixture_of(scene: &nff::Scene, spus: u32) -> Fixture {
-    let scene = Scene::from_nff(scene).unwrap();
-    let mut framebuffer = Memory::new(Geometry {
-        width: 64,
-        height: 32,
-    })
-    .unwrap();
-    let target = framebuffer.target();
-    let camera = scene.camera(64, 32).unwrap();
-    let mut records = EyeSpheres::default();
-    let lens = Lens::new(&camera, target.geometry);
-    let program = Settings::default().program.formulations().unwrap();
-    records.look(scene.spheres(), &lens, Skip::Misses, program.eye.record);
-    let mut spheres = SharedMemory::new(records.bytes().len());
-    spheres.write(0, records.bytes());
-    let block = scene.block().map_or(&[][..], |block| block.bytes());
-    let mut whitted = SharedMemory::new(block.len().max(128));
-    whitted.write(0, block);
-    let mut cut = Units::default();
-    cut.cut(&[0, 1], spus, Split::Slices, None);
-    let mut units = SharedMemory::new(cut.bytes().len());
-    units.write(0, cut.bytes());
+    let Descriptor {
+        mut frame,
+        spheres,
+        block,
+        units,
+        framebuffer,
+    } = Descriptor::of(scene, spus);
+    let shared = |bytes: &[u8]| {
+        let mut memory = SharedMemory::new(bytes.len());
+        memory.write(0, bytes);
+        memory
+    };
+    let costs = SharedMemory::new(units.len());
+    let [spheres, whitted, units] = [spheres, block, units].map(|bytes| shared(&bytes));
     let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
     let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
-    let costs = SharedMemory::new(cut.bytes().len());
-    let frame = work::describe(&Order {
-        scene: &scene,
-        camera: &camera,
-        target: &target,
-        addresses: Addresses {
-            spheres: spheres.address(),
-            scene: whitted.address(),
-            unit_counter: unit_counter.address(),
-            statistics: statistics.address(),
-            units: units.address(),
-            costs: costs.address(),
-        },
-        sphere_count: records.records().len() as u32,
-        units: &cut,
-        number: 1,
-        spus,
-        split: Split::Slices,
-        skip: Skip::Misses,
-        check_shaders: false,
-    });
+    frame.spheres = spheres.address().into();
+    frame.scene = whitted.address().into();
+    frame.unit_counter = unit_counter.address().into();
+    frame.statistics = statistics.address().into();
+    frame.units = units.address().into();
+    frame.costs = costs.address().into();
     let settings = Settings {
         spus,
         timeout: Duration::from_secs(30),

@@ -78,8 +78,10 @@ record! {
         lights: U32,
         /// Lights.
         light_count: U32,
+        /// A ray whose weight in its pixel is below this is not sent on.
+        least_weight: F32,
         /// Zero; keeps the trees on quadwords.
-        reserved: [U32; 2],
+        reserved: U32,
         /// The objects: spheres, parallelograms, triangles, cones.
         trees: [Tree; 4],
         /// Brightness of the light that is everywhere: red, green, blue, 0.
@@ -136,7 +138,7 @@ record! {
     UnitCost as "COST" {
         /// Tiles, as in the unit.
         count: U32,
-        /// Decrementer ticks that each tile took; `TILE_BLANK` with them.
+        /// Decrementer ticks that each tile took, about 2^29 for all that took longer; `TILE_BLANK` with them.
         ticks: [U32; 31],
     }
 }
@@ -146,20 +148,22 @@ record! {
     Statistics as "STATS" {
         /// Number of the frame.
         number: U32,
+        /// Zero; keeps what follows on doublewords.
+        unused: U32,
         /// Tiles, traced or filled.
-        tiles: U32,
+        tiles: U64,
         /// Packets of 4x4 rays, traced or filled.
-        packets: U32,
+        packets: U64,
         /// Eye rays within the picture.
-        eye_rays: U32,
+        eye_rays: U64,
         /// Eye rays that hit something.
-        eye_hits: U32,
+        eye_hits: U64,
         /// Decrementer ticks from the mail to the answer, less `dma_wait`.
-        busy: U32,
+        busy: U64,
         /// Decrementer ticks spent waiting for the MFC.
-        dma_wait: U32,
+        dma_wait: U64,
         /// Decrementer ticks spent waiting for the mail.
-        idle: U32,
+        idle: U64,
         /// Tests of one packet with one object.
         tests_made: U64,
         /// Such tests that were found needless.
@@ -167,34 +171,34 @@ record! {
         /// Of `tests_made`, those after which a hit was looked for.
         hits_looked_for: U64,
         /// Tiles that nothing can be seen in: filled.
-        tiles_empty: U32,
+        tiles_empty: U64,
         /// Of these, those that showed the background before: nothing was sent.
-        tiles_blank: U32,
+        tiles_blank: U64,
         /// Packets that nothing can be seen in, those of such tiles too: filled.
-        packets_empty: U32,
+        packets_empty: U64,
         /// Tests left out because all of a packet's rays had hit something nearer.
-        tests_hidden: U32,
+        tests_hidden: U64,
         /// Tests of a frustum or of a packet's cone with an object.
-        cull_tests: U32,
+        cull_tests: U64,
         /// Ticks spent fetching and checking the frame and its scene.
-        ticks_fetch: U32,
+        ticks_fetch: U64,
         /// Ticks spent culling.
-        ticks_cull: U32,
+        ticks_cull: U64,
         /// Ticks spent making rays.
-        ticks_rays: U32,
+        ticks_rays: U64,
         /// Ticks spent testing rays with objects.
-        ticks_isect: U32,
+        ticks_isect: U64,
         /// Ticks spent shading and packing pixels.
-        ticks_shade: U32,
+        ticks_shade: U64,
         /// Rays that mirrors have sent on.
-        reflected: U32,
+        reflected: U64,
         /// Rays that were let through.
-        refracted: U32,
+        refracted: U64,
         /// Rays to lights.
-        shadow: U32,
+        shadow: U64,
         /// Eye, reflected and refracted rays that hit something.
-        hits: U32,
-        /// Zero; fills the line.
-        reserved: [U32; 4],
+        hits: U64,
+        /// Zero; fills the second line.
+        reserved: [U64; 7],
     }
 }

@@ -79,7 +79,7 @@ constants! {
     /// `CRAY`, the first word of a frame descriptor.
     MAGIC = 0x4352_4159;
     /// Version of this layout; raised by every change that an older SPU program would misread.
-    VERSION = 4;
+    VERSION = 5;
     /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
     LINE = 128;
     /// Feature bit: the scene has spheres.
@@ -303,7 +303,7 @@ const _: () = {
     assert!(size_of::<UnitCounter>() == LINE as usize);
     assert!(size_of::<WorkUnit>() == LINE as usize);
     assert!(size_of::<UnitCost>() == LINE as usize);
-    assert!(size_of::<Statistics>() == LINE as usize);
+    assert!(size_of::<Statistics>() == 2 * LINE as usize);
     assert!(std::mem::offset_of!(Frame, corner) % 16 == 0);
     assert!(std::mem::offset_of!(Frame, framebuffer) % 8 == 0);
 };

@@ -30,6 +30,8 @@ cleared:
         brnz    $left,clear
         brsl    $lr,eye_places
 next_batch:
+        times_checked late,$left,$amount
+in_time:
         brsl    $lr,queue_full
         brnz    $3,waiting
         brnz    $w_eye_left,from_eye
@@ -58,6 +60,9 @@ traced:
         brsl    $lr,pack_sums
         phase_ends $g_ticks_shade,$amount
         leave
+
+late:   brsl    $lr,times_add
+        br      in_time
 endfunction whitted_tile
 
 # eye_places   lists the packets of the tile at hand
