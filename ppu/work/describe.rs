@@ -139,6 +139,7 @@ pub fn describe(order: &Order) -> Frame {
         frame.scene = addresses.scene.into();
         frame.scene_bytes = (block.bytes().len() as u32).into();
         frame.ray_depth = block.ray_depth().into();
+        frame.least_weight = block.least_weight().into();
         frame.batch = block.batch().into();
         frame.lights = block.light_address().into();
         frame.light_count = block.light_count().into();

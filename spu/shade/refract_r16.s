@@ -1,9 +1,9 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
-#   C       struct queued *refract_r16(const struct site *, int count, struct queued *);
+#   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float least);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
-#           there may be; pointers 16-aligned
-#   Out     a ray for each lane that lets something through, in order; surfaces' mirror: T F more;
-#           $3 the rays' end
+#           there may be, $6 least weight of a ray that is sent on; pointers 16-aligned
+#   Out     a ray for each lane that lets something through, of a weight not below the least, in
+#           order; surfaces' mirror: T F more; $3 the rays' end
 #   Uses    $2-$4, $6-$79   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side; ratio from
 #           1/4 to 4
@@ -25,31 +25,31 @@
         .include "math.inc"
         .include "bounce.inc"
 
-        .set    k_one,53
-        .set    transmittance,54
-        .set    ratio,55
-        .set    schlick,56
-        .set    grazing,57
-        .set    mirror,58
-        .set    along,59                                # d.N
-        .set    k,60
-        .set    beyond,61
-        .set    side,62                                 # r.G
-        .set    cosine,63                               # N.G
-        .set    wrong,64
-        .set    taken,65                                # d.N of the normal taken
-        .set    away,66                                 # 1 - c on this side
-        .set    off,67                                  # 1 - c
-        .set    fifth,68
-        .set    share,69                                # F
-        .set    through,70
-        .set    total,71
-        .set    thicker,72
-        .set    t_y,73
-        .set    t_s,74
-        .set    ux,75                                   # s
-        .set    uy,76
-        .set    uz,77
+        .set    k_one,55
+        .set    transmittance,56
+        .set    ratio,57
+        .set    schlick,58
+        .set    grazing,59
+        .set    mirror,60
+        .set    along,61                                # d.N
+        .set    k,62
+        .set    beyond,63
+        .set    side,64                                 # r.G
+        .set    cosine,65                               # N.G
+        .set    wrong,66
+        .set    taken,67                                # d.N of the normal taken
+        .set    away,68                                 # 1 - c on this side
+        .set    off,69                                  # 1 - c
+        .set    fifth,70
+        .set    share,71                                # F
+        .set    through,72
+        .set    total,73
+        .set    thicker,74
+        .set    t_y,75
+        .set    t_s,76
+        .set    ux,77                                   # s
+        .set    uy,78
+        .set    uz,79
 
 # s, k and sqrt(k) by n, where along is d.n.
 .macro  beyond_by along:req
@@ -70,194 +70,190 @@ function refract_r16
         .set    row_2,2
         .set    site_2,3
         .set    a_surfaces_2,6
-        .set    ny_2,7
-        .set    a_rays_2,8
+        .set    ny_2,8
+        .set    a_rays_2,7
         .set    nz_2,19
-        .set    ratio_2,18
-        .set    dx_2,9
+        .set    ratio_2,9
+        .set    dx_2,18
         .set    dy_2,21
-        .set    dz_2,22
-        .set    gz_2,31
+        .set    dz_2,31
+        .set    gy_2,22
+        .set    gz_2,33
         .set    a_rays_3,3
         .set    gx_2,23
         .set    nx_2,24
-        .set    dx_3,34
-        .set    a_rays_4,2
-        .set    nx_3,3
-        .set    gy_2,27
-        .set    dx_4,26
+        .set    dx_3,29
+        .set    nx_3,26
+        .set    gy_3,27
+        .set    dx_4,2
         .set    ny_3,32
-        .set    dy_3,35
-        .set    ny_4,33
+        .set    dy_3,34
+        .set    ny_4,35
         .set    dy_4,30
         .set    gz_3,36
         .set    nz_3,38
         .set    along_2,37
         .set    dz_3,39
-        .set    dz_4,40
-        .set    cosine_2,54
-        .set    nz_4,45
-        .set    ratio_3,41
-        .set    ux_2,9
+        .set    nz_4,40
+        .set    cosine_2,56
+        .set    dz_4,41
+        .set    ratio_3,42
+        .set    ux_2,18
         .set    gx_3,25
-        .set    uy_2,7
+        .set    uy_2,8
         .set    px_2,21
-        .set    gy_3,19
-        .set    along_3,22
-        .set    pz_2,37
-        .set    gx_4,42
-        .set    py_2,47
+        .set    uz_2,19
+        .set    gx_4,31
+        .set    leave_2,47
         .set    gz_4,43
-        .set    leave_2,44
-        .set    gy_4,18
-        .set    a_surfaces_3,22
-        .set    a_surfaces_4,46
-        .set    grazing_2,48
-        .set    k_2,49
-        .set    transmittance_2,6
-        .set    py_3,19
-        .set    weight_2,28
-        .set    gz_5,47
-        .set    uy_3,26
-        .set    gy_5,50
-        .set    uz_2,30
-        .set    py_4,40
-        .set    leave_3,52
-        .set    a_surfaces_5,29
-        .set    pz_3,57
-        .set    ux_3,7
-        .set    a_surfaces_6,60
-        .set    uy_4,46
-        .set    pixel_2,8
-        .set    uz_3,61
-        .set    away_2,9
-        .set    k_3,64
+        .set    pz_2,44
+        .set    gy_4,58
+        .set    grazing_2,62
+        .set    uz_3,9
+        .set    schlick_2,19
+        .set    transmittance_2,45
+        .set    weight_2,49
+        .set    py_2,31
+        .set    k_2,37
+        .set    gy_5,48
+        .set    gz_5,18
+        .set    pz_3,63
+        .set    px_3,28
+        .set    ux_3,43
+        .set    gx_5,51
+        .set    uy_3,44
+        .set    leave_3,50
+        .set    uz_4,41
+        .set    a_surfaces_3,46
+        .set    k_3,52
+        .set    away_2,2
+        .set    pixel_2,7
+        .set    ux_4,8
         .set    nx_4,30
-        .set    side_2,3
-        .set    a_surfaces_7,65
-        .set    schlick_2,37
-        .set    k_4,26
-        .set    grazing_3,41
-        .set    nz_5,42
-        .set    t_y_2,25
-        .set    py_5,51
-        .set    px_3,33
-        .set    transmittance_3,43
-        .set    k_5,6
-        .set    pz_4,56
-        .set    gx_5,26
-        .set    a_surfaces_8,44
-        .set    weight_3,46
-        .set    gx_6,18
-        .set    k_6,45
-        .set    gz_6,6
-        .set    py_6,48
+        .set    uy_4,22
+        .set    ny_5,37
+        .set    uz_5,26
+        .set    schlick_3,41
+        .set    k_4,19
+        .set    grazing_3,42
+        .set    side_2,9
+        .set    nz_5,43
+        .set    transmittance_3,44
+        .set    k_5,33
+        .set    a_surfaces_4,45
+        .set    py_3,48
+        .set    t_y_2,6
+        .set    px_4,54
+        .set    weight_3,47
+        .set    even_2,49
+        .set    k_6,8
+        .set    gz_6,28
+        .set    a_surfaces_5,51
+        .set    even_3,52
+        .set    pz_4,21
+        .set    gz_7,31
+        .set    gx_6,33
+        .set    k_7,25
+        .set    gy_6,8
         .set    t_s_2,22
-        .set    a_surfaces_9,49
-        .set    t_y_3,19
-        .set    even_2,50
-        .set    gy_6,31
-        .set    px_4,78
-        .set    gz_7,40
-        .set    pz_5,61
-        .set    t_y_4,52
-        .set    grazing_4,47
-        .set    beyond_2,29
-        .set    even_3,57
-        .set    pixel_3,74
-        .set    t_y_5,6
-        .set    a_surfaces_10,52
-        .set    beyond_3,8
-        .set    beyond_4,3
+        .set    pixel_3,59
+        .set    t_y_3,7
+        .set    beyond_2,18
+        .set    beyond_3,6
+        .set    t_s_3,28
+        .set    side_3,6
+        .set    beyond_4,9
+        .set    beyond_5,7
         .set    nx_5,6
-        .set    ny_5,8
-        .set    nx_6,32
-        .set    uz_4,19
-        .set    uz_5,25
-        .set    t_s_3,18
-        .set    dx_5,3
-        .set    dy_5,8
-        .set    dz_5,18
-        .set    a_surfaces_11,21
-        .set    ux_4,3
-        .set    uy_5,6
-        .set    a_surfaces_12,8
-        .set    px_5,22
-        .set    gy_7,23
-        .set    pz_6,24
+        .set    nx_6,21
+        .set    k_8,6
+        .set    beyond_6,32
+        .set    dx_5,6
+        .set    nx_7,7
+        .set    dy_5,9
+        .set    gy_7,18
+        .set    ux_5,6
+        .set    ratio_4,7
         .set    weight_4,19
-        .set    gx_7,38
-        .set    gz_8,18
-        .set    leave_4,3
-        .set    odd_2,28
-        .set    odd_3,19
-        .set    first3_2,8
-        .set    first2_2,6
-        .set    keep_2,28
-        .set    first1_2,29
-        .set    first_2,19
-        .set    step_2,23
-        .set    step_3,31
-        .set    step_4,47
-        .set    end_2,28
-        .set    odd_4,29
-        .set    end_3,23
-        .set    odd_5,35
-        .set    even_4,3
-        .set    end_4,6
-        .set    even_5,21
-        .set    second2_2,24
-        .set    second_2,34
-        .set    second1_2,21
-        .set    second3_2,3
-        .set    away_3,3
-        .set    grazing_5,4
-        .set    length_2,6
-        .set    even_6,8
-        .set    nx_7,9
-        .set    a_surfaces_13,14
-        .set    even_7,7
-        .set    schlick_3,16
-        .set    weight_5,6
-        .set    py_7,2
-        .set    transmittance_4,18
-        .set    pixel_4,19
-        .set    uz_6,9
-        .set    odd_6,9
-        .set    weight_6,20
-        .set    even_8,22
-        .set    end_5,9
-        .set    odd_7,24
-        .set    second3_3,26
-        .set    first_3,28
-        .set    first1_3,24
-        .set    end_6,30
-        .set    odd_8,20
-        .set    first3_3,22
-        .set    first2_3,20
-        .set    t_s_4,20
-        .set    beyond_5,9
-        .set    odd_9,3
-        .set    even_9,4
+        .set    k_9,22
+        .set    odd_2,6
+        .set    odd_3,23
+        .set    uz_6,7
+        .set    first1_2,9
+        .set    first3_2,24
+        .set    first2_2,8
+        .set    first_2,6
+        .set    keep_2,22
+        .set    light_2,6
+        .set    even_4,7
+        .set    t_y_4,19
         .set    keep_3,6
-        .set    odd_10,2
+        .set    even_5,22
+        .set    odd_4,28
+        .set    end_2,29
+        .set    step_2,18
+        .set    second_2,32
+        .set    second1_2,7
+        .set    second2_2,9
+        .set    second3_2,22
+        .set    step_3,23
+        .set    step_4,6
+        .set    end_3,7
+        .set    beyond_7,23
+        .set    end_4,18
+        .set    away_3,4
+        .set    grazing_4,6
+        .set    schlick_4,2
+        .set    transmittance_4,8
+        .set    weight_5,9
+        .set    even_6,3
+        .set    py_4,14
+        .set    a_surfaces_6,16
+        .set    even_7,18
+        .set    pixel_4,19
+        .set    weight_6,7
+        .set    light_3,20
+        .set    odd_5,7
+        .set    keep_4,20
+        .set    first_3,24
+        .set    even_8,25
+        .set    odd_6,30
+        .set    first1_3,23
+        .set    step_5,31
+        .set    second1_3,22
+        .set    step_6,24
+        .set    end_5,28
+        .set    second2_3,31
+        .set    first2_3,33
+        .set    end_6,24
+        .set    second3_3,23
+        .set    step_7,20
+        .set    first3_3,7
+        .set    weight_7,2
+        .set    keep_5,4
+        .set    odd_7,8
+        .set    odd_8,2
+        .set    first_4,4
         .set    first1_4,3
-        .set    second3_4,4
-        .set    end_7,7
-        .set    gz_9,2
+        .set    step_8,8
+        .set    step_9,12
+        .set    first2_4,4
+        .set    end_7,8
+        .set    end_8,3
+        .set    gx_7,2
+        .set    dx_6,3
         .set    gy_8,6
         .set    dy_6,7
-        .set    gx_8,8
-        .set    ratio_4,9
-        .set    gx_9,34
-        .set    pz_7,21
-        .set    even_10,19
-        .set    even_11,6
-        .set    odd_11,8
-        .set    step_5,18
-        .set    step_6,2
-        .set    end_8,2
-        .set    end_9,3
+        .set    gz_8,8
+        .set    dz_5,9
+        .set    ratio_5,18
+        .set    gx_8,19
+        .set    gy_9,34
+        .set    gz_9,35
+        .set    even_9,19
+        .set    even_10,6
+        .set    step_10,7
+        .set    end_9,2
         ori     $a_sites,$3,0                           # 0e
         lnop                                            # 0o pairing
 
@@ -267,816 +263,813 @@ function refract_r16
         shli    $count,$count,2                         # 2e
         lqa     $m_first,first_two                      # 2o
 
-        ai      $a_second,$a_queue,16                   # 3e
+        ila     $least,0x10203                          # 3e
         lqa     $m_last,last_two                        # 3o
 
-        il      $at,0                                   # 4e
-        il      $end,0                                  # 5e
+        ai      $a_second,$a_queue,16                   # 4e
+        lnop                                            # 4o pairing
+
+        il      $at,0                                   # 5e
+        shufb   $least,$given_least,$given_least,$least # 5o
 
         clgti   $count_2,$count,2                       # 6e at least as many passes as overlap
-        ilhu    $k_half,0x3f00                          # 7e
+        il      $end,0                                  # 7e
 
-        ilhu    $k_three_halves,0x3fc0                  # 8e
-        lnop                                            # 8o pairing
+        ilhu    $k_half,0x3f00                          # 8e
+        ilhu    $k_three_halves,0x3fc0                  # 9e
 
-        ilhu    $k_one,0x3f80                           # 9e
-        brz     $count_2,next_row_short                 # 9o too few passes
+        ilhu    $k_one,0x3f80                           # 10e
+        brz     $count_2,next_row_short                 # 10o too few passes
 
-        shli    $row,$at,2                              # 10e
-        lqx     $site,$a_sites,$at                      # 10o
+        shli    $row,$at,2                              # 11e
+        lqx     $site,$a_sites,$at                      # 11o
 
-        ai      $at,$at,4                               # 11e
-        ai      $count,$count,-1                        # 12e
+        ai      $at,$at,4                               # 12e
+        ai      $count,$count,-1                        # 13e
 
-        shli    $row_2,$at,2                            # 13e
-        lqx     $site_2,$a_sites,$at                    # 13o
+        shli    $row_2,$at,2                            # 14e
+        lqx     $site_2,$a_sites,$at                    # 14o
 
-        andi    $row,$row,48                            # 14e
-        ai      $at,$at,4                               # 15e
+        andi    $row,$row,48                            # 15e
+        ai      $at,$at,4                               # 16e
 
-        a       $a_surfaces_2,$site,$row                # 16e
-        rotqbyi $a_rays,$site,4                         # 16o
+        a       $a_surfaces_2,$site,$row                # 17e
+        rotqbyi $a_rays,$site,4                         # 17o
 
-        andi    $row_2,$row_2,48                        # 17e
-        lnop                                            # 17o pairing
+        andi    $row_2,$row_2,48                        # 18e
+        lnop                                            # 18o pairing
 
-        ai      $count,$count,-1                        # 18e
-        lqd     $nx,192($a_surfaces_2)                  # 18o
+        ai      $count,$count,-1                        # 19e
+        lqd     $nx,192($a_surfaces_2)                  # 19o
 
-        a       $a_surfaces,$site_2,$row_2              # 19e
-        lqd     $ny_2,256($a_surfaces_2)                # 19o
+        a       $a_surfaces,$site_2,$row_2              # 20e
+        lqd     $ny_2,256($a_surfaces_2)                # 20o
 
-        a       $a_rays_2,$a_rays,$row                  # 20e
-        lqd     $nz_2,320($a_surfaces_2)                # 20o
+        a       $a_rays_2,$a_rays,$row                  # 21e
+        lqd     $nz_2,320($a_surfaces_2)                # 21o
 
-        lqd     $ratio_2,0x480($a_surfaces_2)           # 21o
-        lqd     $dx_2,192($a_rays_2)                    # 22o
+        lqd     $ratio_2,0x480($a_surfaces_2)           # 22o
+        lqd     $dx_2,192($a_rays_2)                    # 23o
 
-        lqd     $dy_2,256($a_rays_2)                    # 23o
-        lqd     $dz_2,320($a_rays_2)                    # 24o
+        lqd     $dy_2,256($a_rays_2)                    # 24o
+        lqd     $dz_2,320($a_rays_2)                    # 25o
 
-        lqd     $gx,384($a_surfaces_2)                  # 25o
-        lqd     $gy,448($a_surfaces_2)                  # 26o
+        lqd     $gx,384($a_surfaces_2)                  # 26o
+        lqd     $gy_2,448($a_surfaces_2)                # 27o
 
-        nop     $127                                    # 27e pairing
-        lqd     $gz_2,512($a_surfaces_2)                # 27o
+        nop     $127                                    # 28e pairing
+        lqd     $gz_2,512($a_surfaces_2)                # 28o
 
-        fm      $along,$dx_2,$nx                        # 28e
-        rotqbyi $a_rays_3,$site_2,4                     # 28o
+        fm      $along,$dx_2,$nx                        # 29e
+        rotqbyi $a_rays_3,$site_2,4                     # 29o
 
-        lqd     $gx_2,384($a_surfaces_2)                # 29o
-        shlqbyi $nx_2,$nx,0                             # 30o copy
+        lqd     $gx_2,384($a_surfaces_2)                # 30o
+        shlqbyi $nx_2,$nx,0                             # 31o copy
 
-        fm      $cosine,$nx,$gx                         # 31e
-        lqd     $dx_3,192($a_rays_2)                    # 31o
+        fm      $cosine,$nx,$gx                         # 32e
+        lqd     $dx_3,192($a_rays_2)                    # 32o
 
-        a       $a_rays_4,$a_rays_3,$row_2              # 32e
-        lqd     $nx_3,192($a_surfaces)                  # 32o
+        a       $a_rays_3,$a_rays_3,$row_2              # 33e
+        lqd     $nx_3,192($a_surfaces)                  # 33o
 
-        nop     $127                                    # 33e pairing
-        lqd     $gy_2,448($a_surfaces_2)                # 33o
+        nop     $127                                    # 34e pairing
+        lqd     $gy_3,448($a_surfaces_2)                # 34o
 
-        fma     $along,$dy_2,$ny_2,$along               # 34e
-        lqd     $dx_4,192($a_rays_4)                    # 34o
+        fma     $along,$dy_2,$ny_2,$along               # 35e
+        lqd     $dx_4,192($a_rays_3)                    # 35o
 
-        shlqbyi $ny_3,$ny_2,0                           # 35o copy
-        lqd     $dy_3,256($a_rays_2)                    # 36o
+        shlqbyi $ny_3,$ny_2,0                           # 36o copy
+        lqd     $dy_3,256($a_rays_2)                    # 37o
 
-        fma     $cosine,$ny_2,$gy,$cosine               # 37e
-        lqd     $ny_4,256($a_surfaces)                  # 37o
+        fma     $cosine,$ny_2,$gy_2,$cosine             # 38e
+        lqd     $ny_4,256($a_surfaces)                  # 38o
 
-        lqd     $dy_4,256($a_rays_4)                    # 38o
-        lqd     $gz_3,512($a_surfaces_2)                # 39o
+        lqd     $dy_4,256($a_rays_3)                    # 39o
+        lqd     $gz_3,512($a_surfaces_2)                # 40o
 
-        fma     $along,$dz_2,$nz_2,$along               # 40e
-        shlqbyi $nz_3,$nz_2,0                           # 40o copy
+        fma     $along,$dz_2,$nz_2,$along               # 41e
+        shlqbyi $nz_3,$nz_2,0                           # 41o copy
 
-        fm      $along_2,$dx_4,$nx_3                    # 41e
-        lqd     $dz_3,320($a_rays_2)                    # 41o
+        fm      $along_2,$dx_4,$nx_3                    # 42e
+        lqd     $dz_3,320($a_rays_2)                    # 42o
 
-        nop     $127                                    # 42e pairing
-        lqd     $dz_4,320($a_rays_4)                    # 42o
-
-        fma     $cosine_2,$nz_2,$gz_2,$cosine           # 43e
+        nop     $127                                    # 43e pairing
         lqd     $nz_4,320($a_surfaces)                  # 43o
 
-        lqd     $ratio,0x480($a_surfaces_2)             # 44o
-        lqd     $ratio_3,0x480($a_surfaces)             # 45o
+        fma     $cosine_2,$nz_2,$gz_2,$cosine           # 44e
+        lqd     $dz_4,320($a_rays_3)                    # 44o
 
-        fnms    $ux_2,$along,$nx,$dx_2                  # 46e
-        lqd     $gx_3,384($a_surfaces)                  # 46o
+        lqd     $ratio,0x480($a_surfaces_2)             # 45o
+        lqd     $ratio_3,0x480($a_surfaces)             # 46o
 
-        fnms    $uy_2,$along,$ny_2,$dy_2                # 47e
-        lqd     $px_2,0($a_surfaces_2)                  # 47o
+        fnms    $ux_2,$along,$nx,$dx_2                  # 47e
+        lqd     $gx_3,384($a_surfaces)                  # 47o
 
-        fnms    $uz,$along,$nz_2,$dz_2                  # 48e
-        lqd     $gy_3,448($a_surfaces_2)                # 48o
+        fnms    $uy_2,$along,$ny_2,$dy_2                # 48e
+        lqd     $px_2,0($a_surfaces_2)                  # 48o
 
-        fma     $along_3,$dy_4,$ny_4,$along_2           # 49e
-        lqd     $pz_2,128($a_surfaces_2)                # 49o
+        fnms    $uz_2,$along,$nz_2,$dz_2                # 49e
+        lqd     $gx_4,384($a_surfaces_2)                # 49o
 
-        fa      $away,$k_one,$along                     # 50e
-        lqd     $gx_4,384($a_surfaces_2)                # 50o
+        fma     $along_2,$dy_4,$ny_4,$along_2           # 50e
+        lqd     $leave_2,576($a_surfaces_2)             # 50o
 
-        fcgt    $thicker,$ratio,$k_one                  # 51e
-        lqd     $py_2,64($a_surfaces_2)                 # 51o
+        fa      $away,$k_one,$along                     # 51e
+        lqd     $gz_4,512($a_surfaces_2)                # 51o
 
-        fm      $ux_2,$ux_2,$ratio_2                    # 52e
-        lqd     $gz_4,512($a_surfaces_2)                # 52o
+        fcgt    $thicker,$ratio,$k_one                  # 52e
+        lqd     $pz_2,128($a_surfaces_2)                # 52o
 
-        fm      $uy_2,$uy_2,$ratio_2                    # 53e
-        lqd     $leave_2,576($a_surfaces_2)             # 53o
+        fm      $ux_2,$ux_2,$ratio_2                    # 53e
+        lqd     $gy_4,448($a_surfaces)                  # 53o
 
-        fm      $uz,$uz,$ratio_2                        # 54e
-        lqd     $gy_4,448($a_surfaces)                  # 54o
+        fm      $uy_2,$uy_2,$ratio_2                    # 54e
+        lqd     $grazing_2,0x500($a_surfaces_2)         # 54o
 
-        fma     $along,$dz_4,$nz_4,$along_3             # 55e
-        shlqbyi $a_surfaces_3,$a_surfaces_2,0           # 55o copy
+        fm      $uz_3,$uz_2,$ratio_2                    # 55e
+        lqd     $schlick_2,0x4c0($a_surfaces_2)         # 55o
 
-        fm      $cosine,$nx_3,$gx_3                     # 56e
-        shlqbyi $a_surfaces_4,$a_surfaces_2,0           # 56o copy
+        fma     $along,$dz_4,$nz_4,$along_2             # 56e
+        lqd     $transmittance_2,0x440($a_surfaces_2)   # 56o
 
-        nop     $127                                    # 57e pairing
-        lqd     $grazing_2,0x500($a_surfaces_2)         # 57o
+        fm      $cosine,$nx_3,$gx_3                     # 57e
+        lqd     $weight_2,512($a_rays_2)                # 57o
 
-        fnms    $k_2,$ux_2,$ux_2,$k_one                 # 58e
-        lqd     $schlick,0x4c0($a_surfaces_2)           # 58o
+        fnms    $px_2,$leave_2,$gx_4,$px_2              # 58e
+        lqd     $py_2,64($a_surfaces_2)                 # 58o
 
-        fm      $side,$ux_2,$gx                         # 59e
-        lqd     $transmittance_2,0x440($a_surfaces_2)   # 59o
+        fnms    $k_2,$ux_2,$ux_2,$k_one                 # 59e
+        lqd     $gy_5,448($a_surfaces_2)                # 59o
 
-        fnms    $py_3,$leave_2,$gy_3,$py_2              # 60e
-        lqd     $weight_2,512($a_rays_2)                # 60o
+        fm      $side,$ux_2,$gx                         # 60e
+        lqd     $gz_5,512($a_surfaces)                  # 60o
 
-        fnms    $ux_2,$along,$nx_3,$dx_4                # 61e
-        lqd     $gz_5,512($a_surfaces)                  # 61o
+        fnms    $pz_3,$leave_2,$gz_4,$pz_2              # 61e
+        lqd     $px_3,0($a_surfaces)                    # 61o
 
-        fnms    $uy_3,$along,$ny_4,$dy_4                # 62e
-        lqd     $gy_5,448($a_surfaces)                  # 62o
+        fnms    $ux_3,$along,$nx_3,$dx_4                # 62e
+        lqd     $gx_5,384($a_surfaces)                  # 62o
 
-        fnms    $uz_2,$along,$nz_4,$dz_4                # 63e
-        lqd     $py_4,64($a_surfaces)                   # 63o
+        fnms    $uy_3,$along,$ny_4,$dy_4                # 63e
+        lqd     $leave_3,576($a_surfaces)               # 63o
 
-        fnms    $k_2,$uy_2,$uy_2,$k_2                   # 64e
-        lqd     $leave_3,576($a_surfaces)               # 64o
+        fnms    $uz_4,$along,$nz_4,$dz_4                # 64e
+        shlqbyi $a_surfaces_3,$a_surfaces_2,0           # 64o copy
 
-        fma     $side,$uy_2,$gy,$side                   # 65e
-        shlqbyi $a_surfaces_5,$a_surfaces_4,0           # 65o copy
+        fnms    $k_3,$uy_2,$uy_2,$k_2                   # 65e
+        shlqbyi $a_surfaces_2,$a_surfaces_2,0           # 65o copy
 
-        fnms    $pz_3,$leave_2,$gz_4,$pz_2              # 66e
-        shlqbyi $a_surfaces_3,$a_surfaces_3,0           # 66o copy
+        fma     $side,$uy_2,$gy_2,$side                 # 66e
+        shlqbyi $away_2,$away,0                         # 66o copy
 
-        fm      $ux_3,$ux_2,$ratio_3                    # 67e
-        shlqbyi $a_surfaces_6,$a_surfaces,0             # 67o copy
+        fma     $cosine,$ny_4,$gy_4,$cosine             # 67e
+        lqd     $pixel_2,576($a_rays_2)                 # 67o
 
-        fm      $uy_4,$uy_3,$ratio_3                    # 68e
-        lqd     $pixel_2,576($a_rays_2)                 # 68o
+        fm      $ux_4,$ux_3,$ratio_3                    # 68e
+        shlqbyi $nx_4,$nx_3,0                           # 68o copy
 
-        fm      $uz_3,$uz_2,$ratio_3                    # 69e
-        shlqbyi $away_2,$away,0                         # 69o copy
+        fm      $uy_4,$uy_3,$ratio_3                    # 69e
+        shlqbyi $ny_5,$ny_4,0                           # 69o copy
 
-        fnms    $k_3,$uz,$uz,$k_2                       # 70e
-        shlqbyi $nx_4,$nx_3,0                           # 70o copy
+        fm      $uz_5,$uz_4,$ratio_3                    # 70e
+        shlqbyi $schlick_3,$schlick_2,0                 # 70o copy
 
-        fma     $side_2,$uz,$gz_2,$side                 # 71e
-        shlqbyi $a_surfaces_7,$a_surfaces,0             # 71o copy
+        fnms    $k_4,$uz_3,$uz_3,$k_3                   # 71e
+        shlqbyi $grazing_3,$grazing_2,0                 # 71o copy
 
-        fnms    $px_2,$leave_2,$gx_4,$px_2              # 72e
-        shlqbyi $schlick_2,$schlick,0                   # 72o copy
+        fma     $side_2,$uz_3,$gz_2,$side               # 72e
+        shlqbyi $nz_5,$nz_4,0                           # 72o copy
 
-        fnms    $k_4,$ux_3,$ux_3,$k_one                 # 73e
-        shlqbyi $grazing_3,$grazing_2,0                 # 73o copy
+        fma     $cosine,$nz_4,$gz_5,$cosine             # 73e
+        shlqbyi $transmittance_3,$transmittance_2,0     # 73o copy
 
-        fm      $side,$ux_3,$gx_3                       # 74e
-        shlqbyi $ny_2,$ny_4,0                           # 74o copy
+        fnms    $k_5,$ux_4,$ux_4,$k_one                 # 74e
+        shlqbyi $a_surfaces_4,$a_surfaces_2,0           # 74o copy
 
-        fma     $cosine,$ny_4,$gy_4,$cosine             # 75e
-        shlqbyi $nz_5,$nz_4,0                           # 75o copy
+        fm      $side,$ux_4,$gx_3                       # 75e
+        lqd     $mirror,0x400($a_surfaces_3)            # 75o
 
         fa      $away,$k_one,$along                     # 76e
-        frsqest $t_y_2,$k_3                             # 76o
+        shlqbyi $a_surfaces_3,$a_surfaces,0             # 76o copy
 
-        fnms    $py_5,$leave_3,$gy_5,$py_4              # 77e
-        lqd     $px_3,0($a_surfaces)                    # 77o
+        fnms    $py_3,$leave_2,$gy_5,$py_2              # 77e
+        frsqest $t_y_2,$k_4                             # 77o
 
-        nop     $127                                    # 78e pairing
-        shlqbyi $transmittance_3,$transmittance_2,0     # 78o copy
+        fnms    $px_4,$leave_3,$gx_5,$px_3              # 78e
+        shlqbyi $weight_3,$weight_2,0                   # 78o copy
 
-        fnms    $k_5,$uy_4,$uy_4,$k_4                   # 79e
-        lqd     $pz_4,128($a_surfaces)                  # 79o
+        nop     $127                                    # 79e pairing
+        shufb   $even_2,$px_2,$pz_3,$m_first            # 79o
 
-        fi      $t_y_2,$k_3,$t_y_2                      # 80e
-        lqd     $gx_5,384($a_surfaces)                  # 80o
+        fnms    $k_6,$uy_4,$uy_4,$k_5                   # 80e
+        lqd     $gz_6,512($a_surfaces)                  # 80o
 
-        nop     $127                                    # 81e pairing
-        shlqbyi $a_surfaces_8,$a_surfaces_3,0           # 81o copy
+        fi      $t_y_2,$k_4,$t_y_2                      # 81e
+        shlqbyi $a_surfaces_5,$a_surfaces,0             # 81o copy
 
-        fma     $side,$uy_4,$gy_4,$side                 # 82e
-        lqd     $mirror,0x400($a_surfaces_5)            # 82o
+        nop     $127                                    # 82e pairing
+        shufb   $even_3,$px_2,$pz_3,$m_last             # 82o
 
-        fma     $cosine,$nz_4,$gz_5,$cosine             # 83e
-        shlqbyi $weight_3,$weight_2,0                   # 83o copy
+        fma     $side,$uy_4,$gy_4,$side                 # 83e
+        lqd     $pz_4,128($a_surfaces)                  # 83o
 
-        nop     $127                                    # 84e pairing
-        lqd     $gx_6,384($a_surfaces)                  # 84o
+        lqd     $gz_7,512($a_surfaces)                  # 84o
+        lqd     $gx_6,384($a_surfaces)                  # 85o
 
-        fnms    $k_6,$uz_3,$uz_3,$k_5                   # 85e
-        lqd     $gz_6,512($a_surfaces)                  # 85o
+        fnms    $k_7,$uz_5,$uz_5,$k_6                   # 86e
+        lqd     $grazing_2,0x500($a_surfaces)           # 86o
 
-        nop     $127                                    # 86e pairing
-        shlqbyi $py_6,$py_3,0                           # 86o copy
+        nop     $127                                    # 87e pairing
+        lqd     $gy_6,448($a_surfaces)                  # 87o
 
-        fm      $t_s_2,$k_3,$t_y_2                      # 87e
-        shlqbyi $a_surfaces_9,$a_surfaces_6,0           # 87o copy
+        fm      $t_s_2,$k_4,$t_y_2                      # 88e
+        shlqbyi $pixel_3,$pixel_2,0                     # 88o copy
 
-        fm      $t_y_3,$t_y_2,$k_half                   # 88e
-        shufb   $even_2,$px_2,$pz_3,$m_first            # 88o
+        fm      $t_y_2,$t_y_2,$k_half                   # 89e
+        fma     $side,$uz_5,$gz_5,$side                 # 90e
 
-        fma     $side,$uz_3,$gz_5,$side                 # 89e
-        lqd     $gy_6,448($a_surfaces)                  # 89o
+        fnms    $pz_3,$leave_3,$gz_6,$pz_4              # 91e
+        frsqest $t_y_3,$k_7                             # 92o
 
-        fnms    $px_4,$leave_3,$gx_6,$px_3              # 90e
-        lqd     $gz_7,512($a_surfaces)                  # 90o
+        fnms    $beyond_2,$t_s_2,$t_s_2,$k_4            # 94e
+        fi      $t_y_3,$k_7,$t_y_3                      # 96e
 
-        fnms    $pz_5,$leave_3,$gz_6,$pz_4              # 91e
-        frsqest $t_y_4,$k_6                             # 91o
+        fma     $beyond_3,$beyond_2,$t_y_2,$t_s_2       # 100e
+        fm      $t_s_3,$k_7,$t_y_3                      # 103e
 
-        nop     $127                                    # 92e pairing
-        lqd     $grazing_4,0x500($a_surfaces)           # 92o
+        fm      $t_y_3,$t_y_3,$k_half                   # 104e
+        fnms    $side_3,$beyond_3,$cosine_2,$side_2     # 106e
 
-        fnms    $beyond_2,$t_s_2,$t_s_2,$k_3            # 93e
-        shufb   $even_3,$px_2,$pz_3,$m_last             # 93o
+        fnms    $beyond_4,$t_s_3,$t_s_3,$k_7            # 109e
+        or      $side_3,$side_3,$k_4                    # 112e
 
-        nop     $127                                    # 94e pairing
-        shlqbyi $pixel_3,$pixel_2,0                     # 94o copy
+        cgti    $wrong,$side_3,-1                       # 114e neither is below 0
+        fma     $beyond_5,$beyond_4,$t_y_3,$t_s_3       # 115e
 
-        fi      $t_y_5,$k_6,$t_y_4                      # 95e
-        shlqbyi $a_surfaces_10,$a_surfaces_7,0          # 95o copy
+        selb    $nx_5,$nx_2,$gx_2,$wrong                # 116e
+        selb    $ny,$ny_3,$gy_3,$wrong                  # 117e
 
-        fma     $beyond_3,$beyond_2,$t_y_3,$t_s_2       # 99e
-        fm      $t_s_2,$k_6,$t_y_5                      # 102e
+        fm      $taken,$dx_3,$nx_5                      # 118e
+        shlqbyi $nx_6,$nx_5,0                           # 118o copy
 
-        fm      $t_y_3,$t_y_5,$k_half                   # 103e
-        fnms    $side_2,$beyond_3,$cosine_2,$side_2     # 105e
+        selb    $nz,$nz_3,$gz_3,$wrong                  # 119e
+        fma     $taken,$dy_3,$ny,$taken                 # 124e
 
-        fnms    $beyond_2,$t_s_2,$t_s_2,$k_6            # 108e
-        or      $side_2,$side_2,$k_3                    # 111e
+        fma     $taken,$dz_3,$nz,$taken                 # 130e
+        fnms    $ux,$taken,$nx_5,$dx_3                  # 136e
 
-        cgti    $wrong,$side_2,-1                       # 113e neither is below 0
-        fma     $beyond_4,$beyond_2,$t_y_3,$t_s_2       # 114e
+        fnms    $uy,$taken,$ny,$dy_3                    # 137e
+        fnms    $uz,$taken,$nz,$dz_3                    # 138e
 
-        selb    $nx_5,$nx_2,$gx_2,$wrong                # 115e
-        selb    $ny_5,$ny_3,$gy_2,$wrong                # 116e
+        fm      $ux,$ux,$ratio                          # 142e
+        fm      $uy,$uy,$ratio                          # 143e
 
-        fm      $taken,$dx_3,$nx_5                      # 117e
-        shlqbyi $nx_6,$nx_5,0                           # 117o copy
+        fm      $uz,$uz,$ratio                          # 144e
+        fnms    $k_8,$ux,$ux,$k_one                     # 148e
 
-        selb    $nz,$nz_3,$gz_3,$wrong                  # 118e
-        shlqbyi $ny_4,$ny_5,0                           # 118o copy
+        fnms    $k_8,$uy,$uy,$k_8                       # 154e
+        lnop                                            # 154o pairing
 
-        fma     $taken,$dy_3,$ny_5,$taken               # 123e
-        fma     $taken,$dz_3,$nz,$taken                 # 129e
+        fnms    $k_8,$uz,$uz,$k_8                       # 160e
+        hbrr    next_row_back,next_row                  # 160o hint
 
-        fnms    $ux,$taken,$nx_5,$dx_3                  # 135e
-        fnms    $uy,$taken,$ny_5,$dy_3                  # 136e
+        rotmai  $total,$k_8,-31                         # 166e
+        frsqest $t_y,$k_8                               # 166o
 
-        fnms    $uz_4,$taken,$nz,$dz_3                  # 137e
-        fm      $ux,$ux,$ratio                          # 141e
+        fi      $t_y,$k_8,$t_y                          # 170e
+        fm      $t_s,$k_8,$t_y                          # 177e
 
-        fm      $uy,$uy,$ratio                          # 142e
-        fm      $uz_5,$uz_4,$ratio                      # 143e
+        fm      $t_y,$t_y,$k_half                       # 178e
+        fnms    $beyond_6,$t_s,$t_s,$k_8                # 183e
 
-        fnms    $k,$ux,$ux,$k_one                       # 147e
-        fnms    $k,$uy,$uy,$k                           # 153e
-
-        fnms    $k,$uz_5,$uz_5,$k                       # 159e
-        lnop                                            # 159o pairing
-
-        rotmai  $total,$k,-31                           # 165e
-        frsqest $t_y,$k                                 # 165o
-
-        fi      $t_y,$k,$t_y                            # 169e
-        hbrr    next_row_back,next_row                  # 169o hint
-
-        fm      $t_s_3,$k,$t_y                          # 176e
-        fm      $t_y,$t_y,$k_half                       # 177e
-
-        fnms    $beyond_3,$t_s_3,$t_s_3,$k              # 182e
-        fma     $beyond_3,$beyond_3,$t_y,$t_s_3         # 188e
+        fma     $beyond_3,$beyond_6,$t_y,$t_s           # 189e
+        lnop                                            # 189o pairing
 
 next_row:
         shli    $row,$at,2                              # 0e
         lqx     $site,$a_sites,$at                      # 0o
 
-            fnms    $rz,$beyond_3,$nz,$uz_5             # 1e
-            lqd     $dz,320($a_rays_4)                  # 1o
+        ai      $at,$at,4                               # 1e
+            lqd     $schlick,0x4c0($a_surfaces)         # 1o
 
-            fs      $off,$k_one,$beyond_3               # 2e
-            lqd     $schlick,0x4c0($a_surfaces)         # 2o
+        ai      $count,$count,-1                        # 2e
+            lqd     $dz,320($a_rays_3)                  # 2o
 
-        ai      $at,$at,4                               # 3e
-            lqd     $transmittance,0x440($a_surfaces)   # 3o
+            fs      $off,$k_one,$beyond_3               # 3e
+            lqd     $dx,192($a_rays_3)                  # 3o
 
             fnms    $rx,$beyond_3,$nx_6,$ux             # 4e
-            lqd     $dy,256($a_rays_4)                  # 4o
+            lqd     $ratio,0x480($a_surfaces)           # 4o
 
-            fnms    $side,$beyond_4,$cosine,$side       # 5e
-            lqd     $ratio,0x480($a_surfaces)           # 5o
+            fnms    $side,$beyond_5,$cosine,$side       # 5e
+            lqd     $transmittance,0x440($a_surfaces)   # 5o
 
-        andi    $row,$row,48                            # 6e
+            fnms    $ry,$beyond_3,$ny,$uy               # 6e
         rotqbyi $a_rays,$site,4                         # 6o
 
-            fnms    $ry,$beyond_3,$ny_4,$uy             # 7e
-            lqd     $dx,192($a_rays_4)                  # 7o
+        andi    $row,$row,48                            # 7e
+            lqd     $py,64($a_surfaces)                 # 7o
 
-        a       $a_surfaces,$site,$row                  # 8e
-            lqd     $weight,512($a_rays_4)              # 8o
+            fnms    $rz,$beyond_3,$nz,$uz               # 8e
+            lqd     $gy,448($a_surfaces)                # 8o
 
-            selb    $off,$away_2,$off,$thicker          # 9e
-            lqd     $pixel,576($a_rays_4)               # 9o
+        a       $a_surfaces,$site,$row                  # 9e
+            lqd     $dy,256($a_rays_3)                  # 9o
 
-        a       $a_rays_4,$a_rays,$row                  # 10e
-            or      $side,$side,$k_6                    # 11e
+            selb    $off,$away_2,$off,$thicker          # 10e
+            shlqbyi $away_2,$away,0                     # 10o copy
 
-            fcgt    $thicker,$ratio,$k_one              # 12e
-        lqd     $nx,192($a_surfaces)                    # 12o
+            or      $side,$side,$k_7                    # 11e
+            lqd     $weight,512($a_rays_3)              # 11o
 
-            cgti    $wrong,$side,-1                     # 13e neither is below 0
-        lqd     $dx_5,192($a_rays_4)                    # 13o
+            fm      $fifth,$off,$off                    # 12e
+            lqd     $pixel,576($a_rays_3)               # 12o
 
-            fm      $fifth,$off,$off                    # 14e
-            lnop                                        # 14o pairing
+        a       $a_rays_3,$a_rays,$row                  # 13e
+        lnop                                            # 13o pairing
 
-            selb    $nx_5,$nx_4,$gx_5,$wrong            # 15e
-        lqd     $gx,384($a_surfaces)                    # 15o
+            cgti    $wrong,$side,-1                     # 14e neither is below 0
+        lqd     $nx,192($a_surfaces)                    # 14o
 
-            selb    $ny,$ny_2,$gy_6,$wrong              # 16e
-            fm      $taken,$dx,$nx_5                    # 17e
+            fcgt    $thicker,$ratio,$k_one              # 15e
+        lqd     $dx_5,192($a_rays_3)                    # 15o
 
-            selb    $nz,$nz_5,$gz_7,$wrong              # 18e
-        lqd     $ny_2,256($a_surfaces)                  # 18o
+            selb    $nx_7,$nx_4,$gx_6,$wrong            # 16e
+            lnop                                        # 16o pairing
 
-        fm      $along,$dx_5,$nx                        # 19e
-        lqd     $dy_5,256($a_rays_4)                    # 19o
+            selb    $ny,$ny_5,$gy_6,$wrong              # 17e
+        lqd     $gx,384($a_surfaces)                    # 17o
+
+            fm      $taken,$dx,$nx_7                    # 18e
+            fm      $fifth,$fifth,$fifth                # 19e
 
             fm      $length,$rx,$rx                     # 20e
-        lqd     $gy,448($a_surfaces)                    # 20o
+        lqd     $ny_2,256($a_surfaces)                  # 20o
 
-        fm      $cosine,$nx,$gx                         # 21e
-            shlqbyi $away_2,$away,0                     # 21o copy
+        fm      $along,$dx_5,$nx                        # 21e
+        lqd     $dy_5,256($a_rays_3)                    # 21o
 
-            fm      $fifth,$fifth,$fifth                # 22e
-            lnop                                        # 22o pairing
+            selb    $nz,$nz_5,$gz_7,$wrong              # 22e
+        lqd     $gy_7,448($a_surfaces)                  # 22o
 
-            fma     $taken,$dy,$ny,$taken               # 23e
-        shlqbyi $nx_4,$nx,0                             # 23o copy
+        fm      $cosine,$nx,$gx                         # 23e
+            shlqbyi $nx_6,$nx_7,0                       # 23o copy
 
-        ai      $count,$count,-1                        # 24e
-        lqd     $dz_5,320($a_rays_4)                    # 24o
+            fma     $taken,$dy,$ny,$taken               # 24e
+        shlqbyi $nx_4,$nx,0                             # 24o copy
 
-        fma     $along,$dy_5,$ny_2,$along               # 25e
-        lqd     $nz_2,320($a_surfaces)                  # 25o
+            fm      $fifth,$fifth,$off                  # 25e
+            lnop                                        # 25o pairing
 
             fma     $length,$ry,$ry,$length             # 26e
-        shlqbyi $a_surfaces_11,$a_surfaces,0            # 26o copy
+        lqd     $nz_2,320($a_surfaces)                  # 26o
 
-        fma     $cosine,$ny_2,$gy,$cosine               # 27e
-        lqd     $gz_2,512($a_surfaces)                  # 27o
+        fma     $along,$dy_5,$ny_2,$along               # 27e
+        lqd     $dz_2,320($a_rays_3)                    # 27o
 
-            fm      $fifth,$fifth,$off                  # 28e
-            shlqbyi $nx_6,$nx_5,0                       # 28o copy
+        fma     $cosine,$ny_2,$gy_7,$cosine             # 29e
+        lqd     $gz_2,512($a_surfaces)                  # 29o
 
-            fma     $taken,$dz,$nz,$taken               # 29e
-            shlqbyi $ny_4,$ny,0                         # 29o copy
+            fma     $taken,$dz,$nz,$taken               # 30e
+        shlqbyi $ny_5,$ny_2,0                           # 30o copy
 
-        fma     $along,$dz_5,$nz_2,$along               # 31e
+            fma     $share,$fifth,$grazing_3,$schlick_3 # 31e
+            shlqbyi $schlick_3,$schlick,0               # 31o copy
+
             fma     $length,$rz,$rz,$length             # 32e
+            shlqbyi $grazing_3,$grazing_2,0             # 32o copy
 
-        fma     $cosine,$nz_2,$gz_2,$cosine             # 33e
-            fma     $share,$fifth,$grazing_3,$schlick_2 # 34e
+        fma     $along,$dz_2,$nz_2,$along               # 33e
+        fma     $cosine,$nz_2,$gz_2,$cosine             # 35e
 
-            fnms    $ux,$taken,$nx_5,$dx                # 35e
-            shlqbyi $schlick_2,$schlick,0               # 35o copy
+            fnms    $uz,$taken,$nz,$dz                  # 36e
+        shlqbyi $nz_5,$nz_2,0                           # 36o copy
 
-            fnms    $uy,$taken,$ny,$dy                  # 36e
-            shlqbyi $grazing_3,$grazing_4,0             # 36o copy
+            fnms    $ux,$taken,$nx_7,$dx                # 37e
+            fnms    $uy,$taken,$ny,$dy                  # 38e
 
-        fnms    $ux_4,$along,$nx,$dx_5                  # 37e
-        lnop                                            # 37o pairing
+            selb    $share,$share,$k_one,$total         # 39e
+            lnop                                        # 39o pairing
 
-        fnms    $uy_5,$along,$ny_2,$dy_5                # 38e
-        shlqbyi $a_surfaces_12,$a_surfaces,0            # 38o copy
+        fnms    $ux_5,$along,$nx,$dx_5                  # 40e
+        lqd     $ratio_4,0x480($a_surfaces)             # 40o
 
-        fnms    $uz,$along,$nz_2,$dz_5                  # 39e
-        lqd     $ratio_2,0x480($a_surfaces)             # 39o
+            fma     $mirror,$transmittance_3,$share,$mirror # 41e
+            lnop                                        # 41o pairing
 
-            selb    $share,$share,$k_one,$total         # 40e
-        shlqbyi $ny_2,$ny_2,0                           # 40o copy
+            fnms    $through,$transmittance_3,$share,$transmittance_3 # 42e
+            shlqbyi $transmittance_3,$transmittance,0   # 42o copy
 
-            fm      $ux,$ux,$ratio                      # 41e
-        shlqbyi $nz_5,$nz_2,0                           # 41o copy
+        fnms    $uy_2,$along,$ny_2,$dy_5                # 43e
+            fm      $ux,$ux,$ratio                      # 44e
 
-            fma     $mirror,$transmittance_3,$share,$mirror # 42e
-            lnop                                        # 42o pairing
+        fnms    $uz_3,$along,$nz_2,$dz_2                # 45e
+        fm      $ux_5,$ux_5,$ratio_4                    # 46e
 
-            fnms    $uz_4,$taken,$nz,$dz                # 43e
-        lqd     $px_5,0($a_surfaces)                    # 43o
+            fm      $uy,$uy,$ratio                      # 47e
+            stqd    $mirror,0x400($a_surfaces_4)        # 47o
 
-            fnms    $through,$transmittance_3,$share,$transmittance_3 # 44e
-            shlqbyi $transmittance_3,$transmittance,0   # 44o copy
+            fm      $weight_4,$weight_3,$through        # 48e
+            shlqbyi $a_surfaces_4,$a_surfaces_5,0       # 48o copy
 
-        fm      $ux_4,$ux_4,$ratio_2                    # 45e
-        lqd     $gy_7,448($a_surfaces)                  # 45o
+            fm      $uz,$uz,$ratio                      # 49e
+            lqd     $mirror,0x400($a_surfaces_3)        # 49o
 
-            fm      $uy,$uy,$ratio                      # 46e
-        lqd     $pz_6,128($a_surfaces)                  # 46o
+        fm      $uy_2,$uy_2,$ratio_4                    # 50e
+        shlqbyi $a_surfaces_3,$a_surfaces,0             # 50o copy
 
-            fnms    $k,$ux,$ux,$k_one                   # 47e
-        lqd     $gx_5,384($a_surfaces)                  # 47o
+            fnms    $k,$ux,$ux,$k_one                   # 51e
+            lnop                                        # 51o pairing
 
-        fm      $uy_5,$uy_5,$ratio_2                    # 48e
-            stqd    $mirror,0x400($a_surfaces_8)        # 48o
+        fnms    $k_9,$ux_5,$ux_5,$k_one                 # 52e
+            shlqbyi $weight_3,$weight,0                 # 52o copy
 
-            fm      $uz_5,$uz_4,$ratio                  # 49e
-            shlqbyi $a_surfaces_8,$a_surfaces_10,0      # 49o copy
+            fnms    $length,$length,$k_half,$k_three_halves # 53e
+            lnop                                        # 53o pairing
 
-            fm      $weight_4,$weight_3,$through        # 50e
-            lqd     $mirror,0x400($a_surfaces_9)        # 50o
+        fm      $side,$ux_5,$gx                         # 54e
+            shufb   $odd_2,$py_3,$weight_4,$m_first     # 54o
 
-        fnms    $k_6,$ux_4,$ux_4,$k_one                 # 51e
-            shlqbyi $weight_3,$weight,0                 # 51o copy
+        fa      $away,$k_one,$along                     # 55e
+            shufb   $odd_3,$py_3,$weight_4,$m_last      # 55o
 
-        nop     $127                                    # 52e pairing
-        lqd     $gx_7,384($a_surfaces)                  # 52o
+            fnms    $py_3,$leave_3,$gy,$py              # 56e
+        lqd     $px,0($a_surfaces)                      # 56o
 
-            fnms    $k,$uy,$uy,$k                       # 53e
-        lqd     $py_2,64($a_surfaces)                   # 53o
+            fnms    $k,$uy,$uy,$k                       # 57e
+        lqd     $gx,384($a_surfaces)                    # 57o
 
-        fm      $uz,$uz,$ratio_2                        # 54e
-        lqd     $gz_8,512($a_surfaces)                  # 54o
+        fm      $uz_6,$uz_3,$ratio_4                    # 58e
+            shufb   $first1_2,$even_2,$odd_2,$m_last    # 58o
 
-        fm      $side,$ux_4,$gx                         # 55e
-        lqd     $leave_4,576($a_surfaces)               # 55o
+        fnms    $k_9,$uy_2,$uy_2,$k_9                   # 59e
+            shufb   $first3_2,$even_3,$odd_3,$m_last    # 59o
 
-        fa      $away,$k_one,$along                     # 56e
-            shufb   $odd_2,$py_6,$weight_4,$m_last      # 56o
+        fma     $side,$uy_2,$gy_7,$side                 # 60e
+            shufb   $first2_2,$even_3,$odd_3,$m_first   # 60o
 
-        fnms    $k_6,$uy_5,$uy_5,$k_6                   # 57e
-            shufb   $odd_3,$py_6,$weight_4,$m_first     # 57o
+            fm      $rz,$rz,$length                     # 61e
+            shufb   $first_2,$even_2,$odd_2,$m_first    # 61o
 
-            nop     $127                                # 58e pairing
-            shlqbyi $py_6,$py_5,0                       # 58o copy
+            nop     $127                                # 62e pairing
+            shufb   $even_2,$px_4,$pz_3,$m_first        # 62o
 
-            fnms    $k,$uz_5,$uz_5,$k                   # 59e
-        shlqbyi $a_surfaces_9,$a_surfaces_12,0          # 59o copy
+            fnms    $k,$uz,$uz,$k                       # 63e
+        lqd     $leave_3,576($a_surfaces)               # 63o
 
-            fnms    $length,$length,$k_half,$k_three_halves # 60e
-            shufb   $first3_2,$even_3,$odd_2,$m_last    # 60o
+            fm      $rx,$rx,$length                     # 64e
+        lqd     $gz_5,512($a_surfaces)                  # 64o
 
-        fma     $side,$uy_5,$gy,$side                   # 61e
-            shufb   $first2_2,$even_3,$odd_2,$m_first   # 61o
+        fnms    $k_7,$uz_6,$uz_6,$k_9                   # 65e
+        shlqbyi $a_surfaces_5,$a_surfaces,0             # 65o copy
 
-            cgti    $keep_2,$through,0                  # 62e
-            shufb   $first1_2,$even_2,$odd_3,$m_last    # 62o
+            cgti    $keep_2,$through,0                  # 66e
+            shufb   $even_3,$px_4,$pz_3,$m_last         # 66o
 
-        fnms    $k_6,$uz,$uz,$k_6                       # 63e
-            shufb   $first_2,$even_2,$odd_3,$m_first    # 63o
+            fm      $ry,$ry,$length                     # 67e
+            stqx    $first_2,$a_queue,$end              # 67o
 
-            andi    $keep_2,$keep_2,32                  # 64e
-            shufb   $even_2,$px_4,$pz_5,$m_first        # 64o
+        fma     $side,$uz_6,$gz_2,$side                 # 68e
+        lqd     $pz,128($a_surfaces)                    # 68o
 
-        fnms    $py_5,$leave_4,$gy_7,$py_2              # 65e
-            frsqest $t_y,$k                             # 65o
+        fnms    $px_4,$leave_3,$gx,$px                  # 69e
+            frsqest $t_y,$k                             # 69o
 
-            fm      $ry,$ry,$length                     # 66e
-            rotqbyi $step_2,$keep_2,4                   # 66o
+            fcgt    $light_2,$least,$weight_4           # 70e
+            shufb   $even_4,$rx,$rz,$m_first            # 70o
 
-        fma     $side,$uz,$gz_2,$side                   # 67e
-            rotqbyi $step_3,$keep_2,8                   # 67o
+            rotmai  $total,$k,-31                       # 71e
+        frsqest $t_y_4,$k_7                             # 71o
 
-            rotmai  $total,$k,-31                       # 68e
-            rotqbyi $step_4,$keep_2,12                  # 68o
+            andc    $keep_3,$keep_2,$light_2            # 72e
+            shufb   $even_5,$rx,$rz,$m_last             # 72o
 
-            fi      $t_y,$k,$t_y                        # 69e
-        frsqest $t_y_4,$k_6                             # 69o
+            fi      $t_y,$k,$t_y                        # 73e
+            shufb   $odd_3,$ry,$pixel_3,$m_last         # 73o
 
-            a       $end_2,$end,$keep_2                 # 70e
-            stqx    $first_2,$a_queue,$end              # 70o
+            andi    $keep_3,$keep_3,32                  # 74e
+            shufb   $odd_4,$ry,$pixel_3,$m_first        # 74o
 
-            fm      $rz,$rz,$length                     # 71e
-            shufb   $even_3,$px_4,$pz_5,$m_last         # 71o
-
-            fm      $rx,$rx,$length                     # 72e
-            stqx    $first1_2,$a_queue,$end_2           # 72o
-
-        fi      $t_y_3,$k_6,$t_y_4                      # 73e
-            shufb   $odd_4,$ry,$pixel_3,$m_last         # 73o
-
-            a       $end_3,$end_2,$step_2               # 74e
-            shufb   $odd_5,$ry,$pixel_3,$m_first        # 74o
-
-        fnms    $pz_5,$leave_4,$gz_8,$pz_6              # 75e
+        fi      $t_y_4,$k_7,$t_y_4                      # 75e
             shlqbyi $pixel_3,$pixel,0                   # 75o copy
 
-            fm      $t_s_3,$k,$t_y                      # 76e
-            stqx    $first2_2,$a_queue,$end_3           # 76o
+            a       $end_2,$end,$keep_3                 # 76e
+        lqd     $gz_7,512($a_surfaces)                  # 76o
 
-            fm      $t_y,$t_y,$k_half                   # 77e
-        shlqbyi $a_surfaces_10,$a_surfaces_11,0         # 77o copy
+        fnms    $pz_3,$leave_3,$gz_5,$pz                # 77e
+            rotqbyi $step_2,$keep_3,8                   # 77o
 
-        fnms    $px_4,$leave_4,$gx_7,$px_5              # 78e
-            shufb   $even_4,$rx,$rz,$m_last             # 78o
+            shufb   $second_2,$even_4,$odd_4,$m_first   # 78o
+            shufb   $second1_2,$even_4,$odd_4,$m_last   # 79o
 
-            a       $end_4,$end_3,$step_3               # 79e
-            shufb   $even_5,$rx,$rz,$m_first            # 79o
+            fm      $t_s,$k,$t_y                        # 80e
+            stqx    $first1_2,$a_queue,$end_2           # 80o
 
-        fm      $t_s_2,$k_6,$t_y_3                      # 80e
-        lqd     $gy_6,448($a_surfaces)                  # 80o
+            fm      $t_y,$t_y,$k_half                   # 81e
+            shufb   $second2_2,$even_5,$odd_3,$m_first  # 81o
 
-        fm      $t_y_3,$t_y_3,$k_half                   # 81e
-            stqx    $first3_2,$a_queue,$end_4           # 81o
+        fm      $t_s_3,$k_7,$t_y_4                      # 82e
+            shufb   $second3_2,$even_5,$odd_3,$m_last   # 82o
 
-            fnms    $beyond_3,$t_s_3,$t_s_3,$k          # 82e
-            shufb   $second2_2,$even_4,$odd_4,$m_first  # 82o
+        fm      $t_y_4,$t_y_4,$k_half                   # 83e
+            rotqbyi $step_3,$keep_3,4                   # 83o
 
-            shufb   $second_2,$even_5,$odd_5,$m_first   # 83o
-            shufb   $second1_2,$even_5,$odd_5,$m_last   # 84o
+            rotqbyi $step_4,$keep_3,12                  # 84o
+            stqx    $second_2,$a_second,$end            # 85o
 
-            nop     $127                                # 85e pairing
-            shufb   $second3_2,$even_4,$odd_4,$m_last   # 85o
+            fnms    $beyond_6,$t_s,$t_s,$k              # 86e
+            stqx    $second1_2,$a_second,$end_2         # 86o
 
-        fnms    $beyond_2,$t_s_2,$t_s_2,$k_6            # 86e
-        lqd     $gz_7,512($a_surfaces)                  # 86o
+            a       $end_3,$end_2,$step_3               # 87e
+        lqd     $gx_6,384($a_surfaces)                  # 87o
 
-            nop     $127                                # 87e pairing
-            stqx    $second_2,$a_second,$end            # 87o
+        fnms    $beyond_7,$t_s_3,$t_s_3,$k_7            # 88e
+        lqd     $grazing_2,0x500($a_surfaces)           # 88o
 
-            fma     $beyond_3,$beyond_3,$t_y,$t_s_3     # 88e
-            stqx    $second1_2,$a_second,$end_2         # 88o
-
-            a       $end,$end_4,$step_4                 # 89e
+            a       $end_4,$end_3,$step_2               # 89e
             stqx    $second2_2,$a_second,$end_3         # 89o
 
-            stqx    $second3_2,$a_second,$end_4         # 90o
-        lqd     $grazing_4,0x500($a_surfaces)           # 91o
+            nop     $127                                # 90e pairing
+            stqx    $first2_2,$a_queue,$end_3           # 90o
 
-        fma     $beyond_4,$beyond_2,$t_y_3,$t_s_2       # 92e
+            a       $end,$end_4,$step_4                 # 91e
+            stqx    $second3_2,$a_second,$end_4         # 91o
+
+            fma     $beyond_3,$beyond_6,$t_y,$t_s       # 92e
+            stqx    $first3_2,$a_queue,$end_4           # 92o
+
+        nop     $127                                    # 93e pairing
+        lqd     $gy_6,448($a_surfaces)                  # 93o
+
+        fma     $beyond_5,$beyond_7,$t_y_4,$t_s_3       # 94e
 next_row_back:
-        brnz    $count,next_row                         # 92o
+        brnz    $count,next_row                         # 94o
 
 next_row_drain:
-        fnms    $side,$beyond_4,$cosine,$side           # 0e
-        lqd     $dx,192($a_rays_4)                      # 0o
+        fnms    $side,$beyond_5,$cosine,$side           # 0e
+        lqd     $dx,192($a_rays_3)                      # 0o
 
-        fnms    $rx,$beyond_3,$nx_6,$ux                 # 1e
-        lqd     $dz,320($a_rays_4)                      # 1o
+        fs      $off,$k_one,$beyond_3                   # 1e
+        lqd     $dy,256($a_rays_3)                      # 1o
 
-        fs      $off,$k_one,$beyond_3                   # 2e
-        lqd     $ratio,0x480($a_surfaces)               # 2o
+        fnms    $rx,$beyond_3,$nx_6,$ux                 # 2e
+        lqd     $dz,320($a_rays_3)                      # 2o
 
-        fnms    $ry,$beyond_3,$ny_4,$uy                 # 3e
-        lqd     $dy,256($a_rays_4)                      # 3o
+        fnms    $ry,$beyond_3,$ny,$uy                   # 3e
+        lqd     $ratio,0x480($a_surfaces)               # 3o
 
-        fnms    $rz,$beyond_3,$nz,$uz_5                 # 4e
-        lqd     $schlick,0x4c0($a_surfaces)             # 4o
+        fnms    $rz,$beyond_3,$nz,$uz                   # 4e
+        shlqbyi $away_3,$away,0                         # 4o copy
 
         nop     $127                                    # 5e pairing
-        shlqbyi $away_3,$away,0                         # 5o copy
+        lqd     $schlick,0x4c0($a_surfaces)             # 5o
 
-        or      $side,$side,$k_6                        # 6e
-        shlqbyi $grazing_5,$grazing_4,0                 # 6o copy
+        or      $side,$side,$k_7                        # 6e
+        shlqbyi $grazing_4,$grazing_2,0                 # 6o copy
 
-        fm      $length_2,$rx,$rx                       # 7e
-        lqd     $weight,512($a_rays_4)                  # 7o
+        selb    $off,$away_2,$off,$thicker              # 7e
+        lqd     $transmittance,0x440($a_surfaces)       # 7o
 
         cgti    $wrong,$side,-1                         # 8e neither is below 0
-        hbr     refract_r16_return,$lr                  # 8o hint
+        lqd     $weight,512($a_rays_3)                  # 8o
 
-        selb    $off,$away_2,$off,$thicker              # 9e
-        shufb   $even_6,$px_4,$pz_5,$m_last             # 9o
+        fm      $fifth,$off,$off                        # 9e
+        lqd     $py,64($a_surfaces)                     # 9o
 
-        selb    $nx_7,$nx_4,$gx_5,$wrong                # 10e
-        shlqbyi $a_surfaces_13,$a_surfaces_10,0         # 10o copy
+        selb    $nx_7,$nx_4,$gx_6,$wrong                # 10e
+        lqd     $gy,448($a_surfaces)                    # 10o
 
-        selb    $ny,$ny_2,$gy_6,$wrong                  # 11e
-        shufb   $even_7,$px_4,$pz_5,$m_first            # 11o
+        selb    $ny,$ny_5,$gy_6,$wrong                  # 11e
+        shlqbyi $schlick_4,$schlick,0                   # 11o copy
 
         fm      $taken,$dx,$nx_7                        # 12e
         shlqbyi $nx_6,$nx_7,0                           # 12o copy
 
         selb    $nz,$nz_5,$gz_7,$wrong                  # 13e
-        shlqbyi $ny_4,$ny,0                             # 13o copy
+        shlqbyi $transmittance_4,$transmittance,0       # 13o copy
 
-        fm      $fifth,$off,$off                        # 14e
-        shlqbyi $schlick_3,$schlick,0                   # 14o copy
+        fcgt    $thicker,$ratio,$k_one                  # 14e
+        shlqbyi $weight_5,$weight,0                     # 14o copy
 
-        fcgt    $thicker,$ratio,$k_one                  # 15e
-        lqd     $transmittance,0x440($a_surfaces)       # 15o
+        fm      $fifth,$fifth,$fifth                    # 15e
+        lqd     $pixel,576($a_rays_3)                   # 15o
 
-        fma     $length,$ry,$ry,$length_2               # 16e
-        shlqbyi $weight_5,$weight,0                     # 16o copy
+        fm      $length,$rx,$rx                         # 16e
+        shufb   $even_6,$px_4,$pz_3,$m_first            # 16o
 
-        nop     $127                                    # 17e pairing
-        lqd     $pixel,576($a_rays_4)                   # 17o
+        fnms    $py_4,$leave_3,$gy,$py                  # 17e
+        hbr     refract_r16_return,$lr                  # 17o hint
 
         fma     $taken,$dy,$ny,$taken                   # 18e
-        shlqbyi $py_7,$py_5,0                           # 18o copy
+        shlqbyi $a_surfaces_6,$a_surfaces_5,0           # 18o copy
 
-        fm      $fifth,$fifth,$fifth                    # 20e
-        shlqbyi $transmittance_4,$transmittance,0       # 21o copy
+        nop     $127                                    # 19e pairing
+        shufb   $even_7,$px_4,$pz_3,$m_last             # 19o
 
-        fma     $length,$rz,$rz,$length                 # 22e
-        shlqbyi $pixel_4,$pixel,0                       # 23o copy
+        fm      $fifth,$fifth,$off                      # 21e
+        shlqbyi $pixel_4,$pixel,0                       # 21o copy
 
+        fma     $length,$ry,$ry,$length                 # 22e
         fma     $taken,$dz,$nz,$taken                   # 24e
-        fm      $fifth,$fifth,$off                      # 26e
 
-        fnms    $length,$length,$k_half,$k_three_halves # 28e
+        fma     $share,$fifth,$grazing_3,$schlick_3     # 27e
+        fma     $length,$rz,$rz,$length                 # 28e
+
         fnms    $ux,$taken,$nx_7,$dx                    # 30e
-
         fnms    $uy,$taken,$ny,$dy                      # 31e
-        fnms    $uz_6,$taken,$nz,$dz                    # 32e
 
-        fma     $share,$fifth,$grazing_3,$schlick_2     # 33e
-        fm      $ry,$ry,$length                         # 34e
+        fnms    $uz,$taken,$nz,$dz                      # 32e
+        selb    $share,$share,$k_one,$total             # 33e
 
-        fm      $rx,$rx,$length                         # 35e
+        fnms    $length,$length,$k_half,$k_three_halves # 34e
+        fnms    $through,$transmittance_3,$share,$transmittance_3 # 35e
+
         fm      $ux,$ux,$ratio                          # 36e
-
         fm      $uy,$uy,$ratio                          # 37e
-        fm      $uz_5,$uz_6,$ratio                      # 38e
 
-        selb    $share,$share,$k_one,$total             # 39e
-        lnop                                            # 39o pairing
+        fm      $uz,$uz,$ratio                          # 38e
+        fma     $mirror,$transmittance_3,$share,$mirror # 39e
 
         fm      $rz,$rz,$length                         # 40e
-        shufb   $odd_6,$ry,$pixel_3,$m_first            # 40o
-
-        fnms    $through,$transmittance_3,$share,$transmittance_3 # 41e
-        shufb   $odd_4,$ry,$pixel_3,$m_last             # 41o
+        fm      $weight_6,$weight_3,$through            # 41e
 
         fnms    $k,$ux,$ux,$k_one                       # 42e
-        fma     $mirror,$transmittance_3,$share,$mirror # 43e
+        fm      $rx,$rx,$length                         # 43e
 
-        nop     $127                                    # 44e pairing
-        shufb   $even_5,$rx,$rz,$m_first                # 46o
+        fm      $ry,$ry,$length                         # 44e
+        lnop                                            # 44o pairing
 
-        fm      $weight_6,$weight_3,$through            # 47e
-        shufb   $even_8,$rx,$rz,$m_last                 # 47o
+        cgti    $keep_2,$through,0                      # 45e
+        stqd    $mirror,0x400($a_surfaces_4)            # 45o
+
+        nop     $127                                    # 46e pairing
+        lqd     $mirror,0x400($a_surfaces_3)            # 46o
+
+        fcgt    $light_3,$least,$weight_6               # 47e
+        shufb   $odd_3,$py_3,$weight_6,$m_first         # 47o
 
         fnms    $k,$uy,$uy,$k                           # 48e
-        lnop                                            # 48o pairing
+        shufb   $odd_5,$py_3,$weight_6,$m_last          # 48o
 
-        cgti    $keep_2,$through,0                      # 49e
-        stqd    $mirror,0x400($a_surfaces_8)            # 49o
+        andc    $keep_4,$keep_2,$light_3                # 49e
+        shufb   $even_5,$rx,$rz,$m_first                # 49o
 
         nop     $127                                    # 50e pairing
-        shufb   $second_2,$even_5,$odd_6,$m_first       # 50o
+        shufb   $odd_4,$ry,$pixel_3,$m_first            # 50o
 
-        andi    $keep_2,$keep_2,32                      # 51e
-        shufb   $second1_2,$even_5,$odd_6,$m_last       # 51o
+        andi    $keep_4,$keep_4,32                      # 51e
+        shufb   $first_3,$even_2,$odd_3,$m_first        # 51o
 
         nop     $127                                    # 52e pairing
-        lqd     $mirror,0x400($a_surfaces_9)            # 52o
+        shufb   $even_8,$rx,$rz,$m_last                 # 52o
 
-        a       $end_5,$end,$keep_2                     # 53e
-        rotqbyi $step_2,$keep_2,4                       # 53o
+        a       $end_2,$end,$keep_4                     # 53e
+        shufb   $odd_6,$ry,$pixel_3,$m_last             # 53o
 
-        fnms    $k,$uz_5,$uz_5,$k                       # 54e
-        shufb   $odd_7,$py_6,$weight_6,$m_first         # 54o
+        fnms    $k,$uz,$uz,$k                           # 54e
+        shufb   $first1_3,$even_2,$odd_3,$m_last        # 54o
 
-        rotqbyi $step_4,$keep_2,12                      # 55o
-        shufb   $second3_3,$even_8,$odd_4,$m_last       # 56o
+        shufb   $second_2,$even_5,$odd_4,$m_first       # 55o
+        rotqbyi $step_5,$keep_4,4                       # 56o
 
-        a       $end_3,$end_5,$step_2                   # 57e
-        rotqbyi $step_3,$keep_2,8                       # 57o
+        shufb   $second1_3,$even_5,$odd_4,$m_last       # 57o
+        stqx    $first_3,$a_queue,$end                  # 58o
 
-        shufb   $first_3,$even_2,$odd_7,$m_first        # 58o
-        shufb   $first1_3,$even_2,$odd_7,$m_last        # 59o
+        nop     $127                                    # 59e pairing
+        rotqbyi $step_6,$keep_4,8                       # 59o
 
         rotmai  $total,$k,-31                           # 60e
         frsqest $t_y,$k                                 # 60o
 
-        a       $end_6,$end_3,$step_3                   # 61e
-        shufb   $odd_8,$py_6,$weight_6,$m_last          # 61o
+        a       $end_5,$end_2,$step_5                   # 61e
+        shufb   $second2_3,$even_8,$odd_6,$m_first      # 61o
 
         nop     $127                                    # 62e pairing
-        stqx    $first_3,$a_queue,$end                  # 62o
+        shufb   $first2_3,$even_3,$odd_5,$m_first       # 62o
 
-        a       $end_2,$end_6,$step_4                   # 63e
-        stqx    $first1_3,$a_queue,$end_5               # 63o
+        a       $end_6,$end_5,$step_6                   # 63e
+        stqx    $first1_3,$a_queue,$end_2               # 63o
 
         fi      $t_y,$k,$t_y                            # 64e
-        shufb   $second2_2,$even_8,$odd_4,$m_first      # 64o
+        shufb   $second3_3,$even_8,$odd_6,$m_last       # 64o
 
-        shufb   $first3_3,$even_3,$odd_8,$m_last        # 65o
-        shufb   $first2_3,$even_3,$odd_8,$m_first       # 66o
+        rotqbyi $step_7,$keep_4,12                      # 65o
+        stqx    $second_2,$a_second,$end                # 66o
 
-        nop     $127                                    # 67e pairing
-        stqx    $first2_3,$a_queue,$end_3               # 70o
+        shufb   $first3_3,$even_3,$odd_5,$m_last        # 67o
+        stqx    $second1_3,$a_second,$end_2             # 68o
 
-        fm      $t_s_4,$k,$t_y                          # 71e
-        stqx    $first3_3,$a_queue,$end_6               # 71o
+        a       $end,$end_6,$step_7                     # 69e
+        stqx    $second2_3,$a_second,$end_5             # 69o
+
+        nop     $127                                    # 70e pairing
+        stqx    $first2_3,$a_queue,$end_5               # 70o
+
+        fm      $t_s,$k,$t_y                            # 71e
+        stqx    $second3_3,$a_second,$end_6             # 71o
 
         fm      $t_y,$t_y,$k_half                       # 72e
-        stqx    $second_2,$a_second,$end                # 72o
+        stqx    $first3_3,$a_queue,$end_6               # 72o
 
-        stqx    $second1_2,$a_second,$end_5             # 73o
-        stqx    $second2_2,$a_second,$end_3             # 74o
+        fnms    $beyond_6,$t_s,$t_s,$k                  # 77e
+        fma     $beyond_5,$beyond_6,$t_y,$t_s           # 83e
 
-        stqx    $second3_3,$a_second,$end_6             # 75o
-        fnms    $beyond_5,$t_s_4,$t_s_4,$k              # 77e
+        fs      $off,$k_one,$beyond_5                   # 89e
+        fnms    $rx,$beyond_5,$nx_6,$ux                 # 90e
 
-        fma     $beyond_5,$beyond_5,$t_y,$t_s_4         # 83e
-        fnms    $rx,$beyond_5,$nx_6,$ux                 # 89e
+        fnms    $ry,$beyond_5,$ny,$uy                   # 91e
+        fnms    $rz,$beyond_5,$nz,$uz                   # 92e
 
-        fs      $off,$k_one,$beyond_5                   # 90e
-        fnms    $ry,$beyond_5,$ny_4,$uy                 # 91e
+        selb    $off,$away_3,$off,$thicker              # 95e
+        fm      $length,$rx,$rx                         # 96e
 
-        fnms    $rz,$beyond_5,$nz,$uz_5                 # 92e
-        fm      $length,$rx,$rx                         # 95e
+        fm      $fifth,$off,$off                        # 97e
+        fma     $length,$ry,$ry,$length                 # 102e
 
-        selb    $off,$away_3,$off,$thicker              # 96e
-        fm      $fifth,$off,$off                        # 98e
+        fm      $fifth,$fifth,$fifth                    # 103e
+        fma     $length,$rz,$rz,$length                 # 108e
 
-        fma     $length,$ry,$ry,$length                 # 101e
-        fm      $fifth,$fifth,$fifth                    # 104e
+        fm      $fifth,$fifth,$off                      # 109e
+        fnms    $length,$length,$k_half,$k_three_halves # 114e
 
-        fma     $length,$rz,$rz,$length                 # 107e
-        fm      $fifth,$fifth,$off                      # 110e
+        fma     $share,$fifth,$grazing_4,$schlick_4     # 115e
+        fm      $rz,$rz,$length                         # 120e
 
-        fnms    $length,$length,$k_half,$k_three_halves # 113e
-        fma     $share,$fifth,$grazing_5,$schlick_3     # 116e
+        selb    $share,$share,$k_one,$total             # 121e
+        fm      $rx,$rx,$length                         # 122e
 
-        fm      $rz,$rz,$length                         # 119e
-        fm      $ry,$ry,$length                         # 120e
+        fnms    $through,$transmittance_4,$share,$transmittance_4 # 123e
+        fm      $ry,$ry,$length                         # 124e
 
-        fm      $rx,$rx,$length                         # 121e
-        selb    $share,$share,$k_one,$total             # 122e
-
-        fnms    $through,$transmittance_4,$share,$transmittance_4 # 124e
         fma     $mirror,$transmittance_4,$share,$mirror # 125e
+        shufb   $even_4,$rx,$rz,$m_first                # 128o
 
-        shufb   $odd_9,$ry,$pixel_4,$m_first            # 126o
-        shufb   $even_9,$rx,$rz,$m_last                 # 127o
+        fm      $weight_7,$weight_5,$through            # 129e
+        shufb   $even_5,$rx,$rz,$m_last                 # 129o
 
-        shufb   $even_5,$rx,$rz,$m_first                # 128o
-        shufb   $odd_4,$ry,$pixel_4,$m_last             # 129o
+        cgti    $keep_5,$through,0                      # 130e
+        shufb   $odd_4,$ry,$pixel_4,$m_first            # 130o
 
-        fm      $weight_4,$weight_5,$through            # 130e
-        lnop                                            # 130o pairing
+        shufb   $odd_3,$ry,$pixel_4,$m_last             # 131o
+        stqd    $mirror,0x400($a_surfaces_6)            # 132o
 
-        cgti    $keep_3,$through,0                      # 131e
-        stqd    $mirror,0x400($a_surfaces_13)           # 131o
+        nop     $127                                    # 133e pairing
+        shufb   $second_2,$even_4,$odd_4,$m_first       # 134o
 
-        nop     $127                                    # 132e pairing
-        shufb   $second_2,$even_5,$odd_9,$m_first       # 132o
+        fcgt    $light_2,$least,$weight_7               # 135e
+        shufb   $odd_7,$py_4,$weight_7,$m_first         # 135o
 
-        andi    $keep_3,$keep_3,32                      # 133e
-        shufb   $second2_2,$even_9,$odd_4,$m_first      # 133o
+        nop     $127                                    # 136e pairing
+        shufb   $odd_8,$py_4,$weight_7,$m_last          # 136o
 
-        nop     $127                                    # 134e pairing
-        shufb   $second1_2,$even_5,$odd_9,$m_last       # 134o
+        andc    $keep_3,$keep_5,$light_2                # 137e
+        shufb   $second1_2,$even_4,$odd_4,$m_last       # 137o
 
-        a       $end_5,$end_2,$keep_3                   # 135e
-        rotqbyi $step_3,$keep_3,8                       # 135o
+        nop     $127                                    # 138e pairing
+        shufb   $second2_2,$even_5,$odd_3,$m_first      # 138o
 
-        shufb   $odd_9,$py_7,$weight_4,$m_first         # 136o
-        shufb   $odd_10,$py_7,$weight_4,$m_last         # 137o
+        andi    $keep_3,$keep_3,32                      # 139e
+        shufb   $first_4,$even_6,$odd_7,$m_first        # 139o
 
-        rotqbyi $step_2,$keep_3,4                       # 138o
-        rotqbyi $step_4,$keep_3,12                      # 139o
+        nop     $127                                    # 140e pairing
+        shufb   $first1_4,$even_6,$odd_7,$m_last        # 140o
 
-        shufb   $first_2,$even_7,$odd_9,$m_first        # 140o
-        shufb   $first2_2,$even_6,$odd_10,$m_first      # 141o
+        a       $end_2,$end,$keep_3                     # 141e
+        rotqbyi $step_8,$keep_3,4                       # 141o
 
-        a       $end_3,$end_5,$step_2                   # 142e
-        shufb   $first1_4,$even_7,$odd_9,$m_last        # 142o
+        rotqbyi $step_9,$keep_3,8                       # 142o
+        stqx    $first_4,$a_queue,$end                  # 143o
 
-        nop     $127                                    # 143e pairing
-        shufb   $second3_4,$even_9,$odd_4,$m_last       # 143o
+        nop     $127                                    # 144e pairing
+        shufb   $first2_4,$even_7,$odd_8,$m_first       # 144o
 
-        a       $end_7,$end_3,$step_3                   # 144e
-        stqx    $first_2,$a_queue,$end_2                # 144o
+        a       $end_7,$end_2,$step_8                   # 145e
+        stqx    $first1_4,$a_queue,$end_2               # 145o
 
-        nop     $127                                    # 145e pairing
-        shufb   $first3_2,$even_6,$odd_10,$m_last       # 145o
+        nop     $127                                    # 146e pairing
+        shufb   $second3_2,$even_5,$odd_3,$m_last       # 146o
 
-        a       $end,$end_7,$step_4                     # 146e
-        stqx    $first1_4,$a_queue,$end_5               # 146o
+        a       $end_8,$end_7,$step_9                   # 147e
+        stqx    $second_2,$a_second,$end                # 147o
 
-        stqx    $first2_2,$a_queue,$end_3               # 147o
-        a       $3,$a_queue,$end                        # 148e
+        shufb   $first3_2,$even_7,$odd_8,$m_last        # 148o
+        rotqbyi $step_4,$keep_3,12                      # 149o
 
-        stqx    $first3_2,$a_queue,$end_7               # 149o
-        stqx    $second_2,$a_second,$end_2              # 150o
+        stqx    $second1_2,$a_second,$end_2             # 150o
+        stqx    $second2_2,$a_second,$end_7             # 151o
 
-        stqx    $second1_2,$a_second,$end_5             # 151o
-        stqx    $second2_2,$a_second,$end_3             # 152o
+        nop     $127                                    # 152e pairing
+        stqx    $first2_4,$a_queue,$end_7               # 152o
 
-        stqx    $second3_4,$a_second,$end_7             # 153o
+        a       $end,$end_8,$step_4                     # 153e
+        stqx    $second3_2,$a_second,$end_8             # 153o
+
+        nop     $127                                    # 154e pairing
+        stqx    $first3_2,$a_queue,$end_8               # 154o
+
+        a       $3,$a_queue,$end                        # 155e
 refract_r16_return:
-        bi      $lr                                     # 154o
+        bi      $lr                                     # 155o
 
 next_row_short:
         shli    $row,$at,2                              # 0e
@@ -1100,77 +1093,77 @@ next_row_short:
         lqd     $ratio,0x480($a_surfaces)               # 11o
         lqd     $dx,192($a_rays)                        # 12o
 
-        lqd     $dz,320($a_rays)                        # 13o
-        lqd     $dy,256($a_rays)                        # 14o
+        lqd     $dy,256($a_rays)                        # 13o
+        lqd     $dz,320($a_rays)                        # 14o
 
         lqd     $gx,384($a_surfaces)                    # 15o
-        lqd     $gz,512($a_surfaces)                    # 16o
+        lqd     $gy,448($a_surfaces)                    # 16o
 
         nop     $127                                    # 17e pairing
-        lqd     $gy,448($a_surfaces)                    # 17o
+        lqd     $gz,512($a_surfaces)                    # 17o
 
         fm      $along,$dx,$nx                          # 18e
-        lqd     $gz_9,512($a_surfaces)                  # 18o
+        lqd     $gx_7,384($a_surfaces)                  # 18o
 
-        lqd     $dx_5,192($a_rays)                      # 19o
+        lqd     $dx_6,192($a_rays)                      # 19o
         lqd     $gy_8,448($a_surfaces)                  # 20o
 
         fm      $cosine,$nx,$gx                         # 21e
         lqd     $dy_6,256($a_rays)                      # 21o
 
-        lqd     $gx_8,384($a_surfaces)                  # 22o
-        lqd     $ratio_4,0x480($a_surfaces)             # 23o
+        lqd     $gz_8,512($a_surfaces)                  # 22o
+        lqd     $dz_5,320($a_rays)                      # 23o
 
         fma     $along,$dy,$ny,$along                   # 24e
-        lqd     $dz_5,320($a_rays)                      # 24o
+        lqd     $ratio_5,0x480($a_surfaces)             # 24o
 
-        lqd     $grazing,0x500($a_surfaces)             # 25o
-        lqd     $py,64($a_surfaces)                     # 26o
+        lqd     $schlick,0x4c0($a_surfaces)             # 25o
+        lqd     $grazing,0x500($a_surfaces)             # 26o
 
         fma     $cosine,$ny,$gy,$cosine                 # 27e
-        lqd     $schlick,0x4c0($a_surfaces)             # 27o
+        lqd     $transmittance,0x440($a_surfaces)       # 27o
 
-        nop     $127                                    # 28e pairing
-        lqd     $gy_3,448($a_surfaces)                  # 28o
-
-        fcgt    $thicker,$ratio_4,$k_one                # 29e
-        lqd     $gz_2,512($a_surfaces)                  # 29o
+        lqd     $weight,512($a_rays)                    # 28o
+        lqd     $px,0($a_surfaces)                      # 29o
 
         fma     $along,$dz,$nz,$along                   # 30e
-        lqd     $px_3,0($a_surfaces)                    # 30o
+        lqd     $py,64($a_surfaces)                     # 30o
 
-        lqd     $leave,576($a_surfaces)                 # 31o
-        lqd     $gx_9,384($a_surfaces)                  # 32o
+        fcgt    $thicker,$ratio_5,$k_one                # 31e
+        lqd     $pz,128($a_surfaces)                    # 31o
+
+        nop     $127                                    # 32e pairing
+        lqd     $leave,576($a_surfaces)                 # 32o
 
         fma     $cosine,$nz,$gz,$cosine                 # 33e
-        lqd     $transmittance,0x440($a_surfaces)       # 33o
+        lqd     $gx_8,384($a_surfaces)                  # 33o
 
-        lqd     $pixel,576($a_rays)                     # 34o
-        lqd     $weight,512($a_rays)                    # 35o
+        lqd     $gy_9,448($a_surfaces)                  # 34o
+        lqd     $gz_9,512($a_surfaces)                  # 35o
 
         fnms    $ux,$along,$nx,$dx                      # 36e
-        lqd     $pz_7,128($a_surfaces)                  # 36o
+        lqd     $pixel,576($a_rays)                     # 36o
 
-        fnms    $uz,$along,$nz,$dz                      # 37e
+        fnms    $uy,$along,$ny,$dy                      # 37e
         lqd     $mirror,0x400($a_surfaces)              # 37o
 
-        fnms    $uy,$along,$ny,$dy                      # 38e
+        fnms    $uz,$along,$nz,$dz                      # 38e
         fa      $away,$k_one,$along                     # 39e
 
-        fnms    $px_5,$leave,$gx_9,$px_3                # 40e
-        fnms    $py,$leave,$gy_3,$py                    # 41e
+        fnms    $px,$leave,$gx_8,$px                    # 40e
+        fnms    $py,$leave,$gy_9,$py                    # 41e
 
         fm      $ux,$ux,$ratio                          # 42e
-        fm      $uz,$uz,$ratio                          # 43e
+        fm      $uy,$uy,$ratio                          # 43e
 
-        fm      $uy,$uy,$ratio                          # 44e
-        fnms    $pz,$leave,$gz_2,$pz_7                  # 45e
+        fm      $uz,$uz,$ratio                          # 44e
+        fnms    $pz,$leave,$gz_9,$pz                    # 45e
 
         fnms    $k,$ux,$ux,$k_one                       # 48e
         fm      $side,$ux,$gx                           # 49e
 
-        shufb   $even,$px_5,$pz,$m_first                # 51o
-        shufb   $even_10,$px_5,$pz,$m_last              # 52o
+        shufb   $even,$px,$pz,$m_first                  # 51o
+        shufb   $even_9,$px,$pz,$m_last                 # 52o
 
         fnms    $k,$uy,$uy,$k                           # 54e
         fma     $side,$uy,$gy,$side                     # 55e
@@ -1191,24 +1184,24 @@ next_row_short:
         or      $side,$side,$k                          # 101e
 
         cgti    $wrong,$side,-1                         # 103e neither is below 0
-        selb    $nx,$nx,$gx_8,$wrong                    # 105e
+        selb    $nx,$nx,$gx_7,$wrong                    # 105e
 
         selb    $ny,$ny,$gy_8,$wrong                    # 106e
-        fm      $taken,$dx_5,$nx                        # 107e
+        fm      $taken,$dx_6,$nx                        # 107e
 
-        selb    $nz,$nz,$gz_9,$wrong                    # 108e
+        selb    $nz,$nz,$gz_8,$wrong                    # 108e
         fma     $taken,$dy_6,$ny,$taken                 # 113e
 
         fma     $taken,$dz_5,$nz,$taken                 # 119e
-        fnms    $ux,$taken,$nx,$dx_5                    # 125e
+        fnms    $ux,$taken,$nx,$dx_6                    # 125e
 
         fnms    $uy,$taken,$ny,$dy_6                    # 126e
         fnms    $uz,$taken,$nz,$dz_5                    # 127e
 
-        fm      $ux,$ux,$ratio_4                        # 131e
-        fm      $uy,$uy,$ratio_4                        # 132e
+        fm      $ux,$ux,$ratio_5                        # 131e
+        fm      $uy,$uy,$ratio_5                        # 132e
 
-        fm      $uz,$uz,$ratio_4                        # 133e
+        fm      $uz,$uz,$ratio_5                        # 133e
         fnms    $k,$ux,$ux,$k_one                       # 137e
 
         fnms    $k,$uy,$uy,$k                           # 143e
@@ -1244,72 +1237,81 @@ next_row_short:
         fnms    $length,$length,$k_half,$k_three_halves # 209e
         fma     $share,$fifth,$grazing,$schlick         # 210e
 
-        fm      $rz,$rz,$length                         # 215e
+        fm      $rx,$rx,$length                         # 215e
         selb    $share,$share,$k_one,$total             # 216e
 
         fm      $ry,$ry,$length                         # 217e
         fnms    $through,$transmittance,$share,$transmittance # 218e
 
-        fm      $rx,$rx,$length                         # 219e
+        fm      $rz,$rz,$length                         # 219e
         fma     $mirror,$transmittance,$share,$mirror   # 220e
 
         nop     $127                                    # 221e pairing
-        shufb   $odd,$ry,$pixel,$m_last                 # 223o
+        shufb   $odd,$ry,$pixel,$m_first                # 223o
 
-        cgti    $keep,$through,0                        # 224e
-        shufb   $odd_10,$ry,$pixel,$m_first             # 224o
+        fm      $weight,$weight,$through                # 224e
+        shufb   $odd_8,$ry,$pixel,$m_last               # 224o
 
-        fm      $weight,$weight,$through                # 225e
-        shufb   $even_4,$rx,$rz,$m_first                # 225o
+        cgti    $keep,$through,0                        # 225e
+        shufb   $even_6,$rx,$rz,$m_first                # 225o
 
-        andi    $keep,$keep,32                          # 226e
-        shufb   $even_11,$rx,$rz,$m_last                # 226o
-
-        nop     $127                                    # 227e pairing
+        shufb   $even_10,$rx,$rz,$m_last                # 226o
         stqd    $mirror,0x400($a_surfaces)              # 227o
 
-        a       $end_7,$end,$keep                       # 228e
-        rotqbyi $step,$keep,12                          # 228o
+        nop     $127                                    # 228e pairing
+        shufb   $second,$even_6,$odd,$m_first           # 229o
 
-        shufb   $second+1,$even_4,$odd_10,$m_last       # 229o
-        shufb   $second+3,$even_11,$odd,$m_last         # 230o
+        fcgt    $light,$least,$weight                   # 230e
+        shufb   $odd_5,$py,$weight,$m_first             # 230o
 
-        shufb   $odd_11,$py,$weight,$m_last             # 231o
-        shufb   $odd_6,$py,$weight,$m_first             # 232o
+        nop     $127                                    # 231e pairing
+        shufb   $odd_7,$py,$weight,$m_last              # 231o
 
-        rotqbyi $step_5,$keep,8                         # 233o
-        shufb   $second,$even_4,$odd_10,$m_first        # 234o
+        andc    $keep,$keep,$light                      # 232e
+        shufb   $second+1,$even_6,$odd,$m_last          # 232o
 
-        rotqbyi $step_6,$keep,4                         # 235o
-        shufb   $first,$even,$odd_6,$m_first            # 236o
+        nop     $127                                    # 233e pairing
+        shufb   $second+2,$even_10,$odd_8,$m_first      # 233o
 
-        shufb   $first+1,$even,$odd_6,$m_last           # 237o
-        stqx    $second,$a_second,$end                  # 238o
+        andi    $keep,$keep,32                          # 234e
+        shufb   $first,$even,$odd_5,$m_first            # 234o
 
-        a       $end_8,$end_7,$step_6                   # 239e
-        shufb   $first+3,$even_10,$odd_11,$m_last       # 239o
+        nop     $127                                    # 235e pairing
+        shufb   $first+1,$even,$odd_5,$m_last           # 235o
 
-        nop     $127                                    # 240e pairing
-        shufb   $first+2,$even_10,$odd_11,$m_first      # 240o
+        a       $end_8,$end,$keep                       # 236e
+        rotqbyi $step,$keep,4                           # 236o
 
-        a       $end_9,$end_8,$step_5                   # 241e
-        shufb   $second+2,$even_11,$odd,$m_first        # 241o
+        rotqbyi $step_10,$keep,8                        # 237o
+        shufb   $first+2,$even_9,$odd_7,$m_first        # 238o
 
-        stqx    $second+1,$a_second,$end_7              # 242o
-        stqx    $first,$a_queue,$end                    # 243o
+        nop     $127                                    # 239e pairing
+        shufb   $first+3,$even_9,$odd_7,$m_last         # 239o
 
-        a       $end,$end_9,$step                       # 244e
-        stqx    $first+1,$a_queue,$end_7                # 244o
+        a       $end_7,$end_8,$step                     # 240e
+        shufb   $second+3,$even_10,$odd_8,$m_last       # 240o
 
-        stqx    $first+2,$a_queue,$end_8                # 245o
-        stqx    $first+3,$a_queue,$end_9                # 246o
+        nop     $127                                    # 241e pairing
+        stqx    $first,$a_queue,$end                    # 241o
 
-        stqx    $second+2,$a_second,$end_8              # 247o
-        stqx    $second+3,$a_second,$end_9              # 248o
+        a       $end_9,$end_7,$step_10                  # 242e
+        stqx    $second,$a_second,$end                  # 242o
 
-        nop     $127                                    # 249e pairing
-        brnz    $count,next_row_short                   # 249o
+        stqx    $first+1,$a_queue,$end_8                # 243o
+        stqx    $second+1,$a_second,$end_8              # 244o
 
-        a       $3,$a_queue,$end                        # 250e
-        bi      $lr                                     # 250o
+        rotqbyi $step,$keep,12                          # 245o
+        stqx    $first+2,$a_queue,$end_7                # 246o
+
+        stqx    $second+2,$a_second,$end_7              # 247o
+        stqx    $first+3,$a_queue,$end_9                # 248o
+
+        a       $end,$end_9,$step                       # 249e
+        stqx    $second+3,$a_second,$end_9              # 249o
+
+        nop     $127                                    # 250e pairing
+        brnz    $count,next_row_short                   # 250o
+
+        a       $3,$a_queue,$end                        # 251e
+        bi      $lr                                     # 251o
 endfunction refract_r16

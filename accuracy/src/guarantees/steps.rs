@@ -156,7 +156,7 @@ pub fn leave(
     let queue = put(bench, &[QueuedRay::new_zeroed(); 17]);
     for (number, (surfaces, shadow)) in found.iter().zip(&shadows).enumerate() {
         let mut queued = |kernel| {
-            let arguments = [address::<Site>(sites, number), 1, queue.address];
+            let arguments = [address::<Site>(sites, number), 1, queue.address, 0];
             let end = bench.call(kernel, &arguments).value;
             let count = (end - queue.address) as usize / size_of::<QueuedRay>();
             let mut lanes = [None; 16];

@@ -278,7 +278,7 @@ impl Bounces {
         bench.reset();
         let sites = Sites::put(bench, &[packet], &mut Generator::seed_from_u64(0));
         let queue = |kernel: &str, bench: &mut Bench| -> [Option<Queued>; 16] {
-            let end = bench.call(kernel, &sites.arguments()).value;
+            let end = bench.call(kernel, &sites.arguments(0)).value;
             let queued = sites.queued(bench, end);
             std::array::from_fn(|lane| queued.iter().find(|ray| ray.pixel == lane as u32).copied())
         };
@@ -286,7 +286,7 @@ impl Bounces {
         let through = queue("refract_r16", bench);
         let mirrors = sites.surfaces(bench)[0].mirror.map(bits);
         for lane in 0..16 {
-            let expected = (reflect(&packet[lane]), refract(&packet[lane]));
+            let expected = (reflect(&packet[lane], 0), refract(&packet[lane], 0));
             let same = expected == (back[lane], (through[lane], mirrors[lane]));
             tally.verdict(same, || hits[lane].to_vec());
         }

@@ -138,7 +138,7 @@ impl Critical {
         // What fills the records where the kernel does not read.
         let mut junk = Generator::seed_from_u64(0);
         let sites = Sites::put(bench, &[packet], &mut junk);
-        let end = bench.call(KERNEL, &sites.arguments()).value;
+        let end = bench.call(KERNEL, &sites.arguments(0)).value;
         let queued = sites.queued(bench, end);
         let mirrors = sites.surfaces(bench)[0]
             .mirror

@@ -1,6 +1,6 @@
 //! Twin of `spu/include/bounce.inc`: what rays thrown back and let through have in common.
 
-use spu_emulator::float::single::{fm, fma, fnms};
+use spu_emulator::float::single::{fcgt, fm, fma, fnms};
 
 use super::{HALF, Single};
 
@@ -50,16 +50,20 @@ pub struct Queued {
 }
 
 impl Bounce {
-    /// The ray of this share, if that is above 0: as signed integers, singles above 0 are.
+    /// The ray of this share, if that is above 0 and its weight is not below `least`: as signed integers,
+    /// singles above 0 are.
     pub(super) fn queued(
         &self,
         share: Single,
+        least: Single,
         origin: [Single; 3],
         direction: [Single; 3],
     ) -> Option<Queued> {
-        (share as i32 > 0).then(|| Queued {
+        let weight = fm(self.weight, share);
+        let is_sent = share as i32 > 0 && fcgt(least, weight) == 0;
+        is_sent.then(|| Queued {
             origin,
-            weight: fm(self.weight, share),
+            weight,
             direction: unit(direction),
             pixel: self.pixel,
         })

@@ -16,9 +16,10 @@ struct Beyond {
     cosine: Single,
 }
 
-/// What the hit lets through, if anything, and the share `mirror` with what it reflects.
+/// What the hit lets through, if anything of a weight not below `least`, and the share `mirror` with what it
+/// reflects.
 #[must_use]
-pub fn refract(hit: &Bounce) -> (Option<Queued>, Single) {
+pub fn refract(hit: &Bounce, least: Single) -> (Option<Queued>, Single) {
     let along = dot(hit.direction, hit.normal);
     let first = beyond(hit, hit.normal, along);
     let side = fnms(
@@ -46,7 +47,7 @@ pub fn refract(hit: &Bounce) -> (Option<Queued>, Single) {
     let through = fnms(hit.transmittance, share, hit.transmittance);
     let direction = less(taken.sine, taken.cosine, normal);
     let origin = less(hit.point, hit.leave, hit.plane);
-    (hit.queued(through, origin, direction), mirror)
+    (hit.queued(through, least, origin, direction), mirror)
 }
 
 fn beyond(hit: &Bounce, normal: [Single; 3], along: Single) -> Beyond {

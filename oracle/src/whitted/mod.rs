@@ -8,6 +8,7 @@ mod light;
 mod path;
 mod probe;
 mod stage;
+mod weight;
 
 use glam::DVec3;
 use nff::{Scene, depth};

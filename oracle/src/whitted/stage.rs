@@ -1,7 +1,7 @@
 //! A scene made ready for rays, and the colour that a ray sees.
 //!
 //! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest depth;
-//! a ray that can't matter, of weight 0, is not started and not counted.
+//! a ray that can't matter by its weight is not started and not counted.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader, Shape};
@@ -9,7 +9,7 @@ use nff::{LightKind, Material, Scene, Shader, Shape};
 use super::finish::Finish;
 use super::light;
 use super::path::Path;
-use super::{MAX_DEPTH, Options};
+use super::{MAX_DEPTH, Options, weight};
 use crate::Error;
 use crate::ray::Ray;
 use crate::shapes::{MAX_PATCH_VERTICES, Surface};
@@ -24,6 +24,8 @@ pub(super) struct Stage<'a> {
     ambient: DVec3,
     background: DVec3,
     options: Options,
+    /// Least weight of a ray that is started.
+    least_weight: f64,
 }
 
 /// What a ray meets.
@@ -76,30 +78,32 @@ impl<'a> Stage<'a> {
                 materials.push(material);
             }
         }
-        let brightness = |light| scene.brightness(light);
+        let lights: Vec<(LightKind, DVec3)> = scene
+            .lights
+            .iter()
+            .map(|light| (light.kind, scene.brightness(light)))
+            .collect();
+        let least_weight = weight::least(scene, &materials, &lights, options.depth);
         Ok(Self {
             tree: Tree::new(surfaces),
             materials,
-            lights: scene
-                .lights
-                .iter()
-                .map(|light| (light.kind, brightness(light)))
-                .collect(),
+            lights,
             ambient: scene.ambient,
             background: scene.background,
             options: *options,
+            least_weight,
         })
     }
 
     /// The colour of an eye ray; the direction need not have length 1.
     pub(super) fn eye(&self, eye: DVec3, direction: DVec3, path: &mut Path) -> DVec3 {
-        let colour = self.look(&Ray::new(eye, direction.normalize()), 1, path);
+        let colour = self.look(&Ray::new(eye, direction.normalize()), 1, 1.0, path);
         path.counts.eye += 1;
         colour
     }
 
-    /// The colour that a ray sees, which is the `depth`th of its chain.
-    fn look(&self, ray: &Ray, depth: u32, path: &mut Path) -> DVec3 {
+    /// The colour that a ray sees, which is the `depth`th of its chain and has this weight in its pixel.
+    fn look(&self, ray: &Ray, depth: u32, weight: f64, path: &mut Path) -> DVec3 {
         let Some(hit) = self.meet(ray, path) else {
             path.counts.background += 1;
             return self.background;
@@ -108,7 +112,7 @@ impl<'a> Stage<'a> {
         path.counts.eye_hit += u64::from(depth == 1);
         let lit = self.lit(&hit, ray.direction, path);
         if depth < self.options.depth {
-            lit + self.bounced(&hit, ray.direction, depth + 1, path)
+            lit + self.bounced(&hit, ray.direction, depth + 1, weight, path)
         } else {
             lit
         }
@@ -173,8 +177,17 @@ impl<'a> Stage<'a> {
         sum
     }
 
-    /// What a hit reflects and lets through; the rays for that are the `depth`th of their chains.
-    fn bounced(&self, hit: &Hit, direction: DVec3, depth: u32, path: &mut Path) -> DVec3 {
+    /// What a hit reflects and lets through of a ray of this weight; the rays for that are the `depth`th of their
+    /// chains.
+    fn bounced(
+        &self,
+        hit: &Hit,
+        direction: DVec3,
+        depth: u32,
+        weight: f64,
+        path: &mut Path,
+    ) -> DVec3 {
+        let is_sent = |share: f64| share > 0.0 && weight * share >= self.least_weight;
         let finish = &hit.finish;
         let (mut mirror, mut through) = (finish.mirror, None);
         if finish.transmittance > 0.0 {
@@ -197,12 +210,12 @@ impl<'a> Stage<'a> {
                 Some(_) => 0.0,
             };
             mirror += finish.transmittance * share;
-            let weight = finish.transmittance * (1.0 - share);
-            through = refracted.map(|(found, _)| (found, weight));
+            let rest = finish.transmittance * (1.0 - share);
+            through = refracted.map(|(found, _)| (found, rest));
         }
 
         let mut sum = DVec3::ZERO;
-        if mirror > 0.0 {
+        if is_sent(mirror) {
             let reflected = light::reflected(direction, hit.smooth);
             let reflected = if reflected.dot(hit.normal) > 0.0 {
                 reflected
@@ -210,11 +223,13 @@ impl<'a> Stage<'a> {
                 light::reflected(direction, hit.normal)
             };
             path.counts.reflected += 1;
-            sum += mirror * self.look(&Ray::new(hit.point, reflected), depth, path);
+            let ray = Ray::new(hit.point, reflected);
+            sum += mirror * self.look(&ray, depth, weight * mirror, path);
         }
-        if let Some((refracted, weight)) = through.filter(|&(_, weight)| weight > 0.0) {
+        if let Some((refracted, share)) = through.filter(|&(_, share)| is_sent(share)) {
             path.counts.refracted += 1;
-            sum += weight * self.look(&Ray::new(hit.point, refracted), depth, path);
+            let ray = Ray::new(hit.point, refracted);
+            sum += share * self.look(&ray, depth, weight * share, path);
         }
         sum
     }

@@ -284,6 +284,6 @@ impl World {
                 return Ok(false);
             }
         }
-        Ok(true)
+        Ok(block.bound_chains())
     }
 }

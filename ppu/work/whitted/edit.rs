@@ -2,13 +2,14 @@
 //!
 //! Invariant: what is asked for has been done, or does not fit where the block has its things: then the answer
 //! is `false`, and the scene has to be laid out anew. After an error it has to be as well. What was changed is
-//! written by the next [`SceneBlock::look`], and takes no memory.
+//! written by the next [`SceneBlock::look`], and takes no memory; [`SceneBlock::bound_chains`] comes before it.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shape};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
+use super::chains::Sends;
 use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::range::Place;
@@ -48,6 +49,8 @@ impl SceneBlock {
     ) -> Result<Self, BlockError> {
         let shader = |name: &str| shaders.entry(name);
         let tight = Self::new(scene, options, &shader)?;
+        // What is added may reflect, even if nothing does as yet.
+        let deepest = options.ray_depth;
         for part in PARTS {
             let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
             let spare = Spare {
@@ -58,7 +61,9 @@ impl SceneBlock {
                     .map(|planted| more(planted.count())),
             };
             match Self::with_spare(scene, options, &shader, spare) {
-                Ok(roomy) if roomy.batch() == tight.batch() => return Ok(roomy),
+                Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
+                    return Ok(roomy);
+                }
                 Ok(_) | Err(BlockError::TooLarge { .. }) => {}
                 Err(error) => return Err(error),
             }
@@ -73,6 +78,7 @@ impl SceneBlock {
         let address = SCENE_ADDRESS + size_of::<layout::Object>() as u32;
         let bytes = self.block.at(address, size_of::<layout::Material>());
         bytes.copy_from_slice(record.as_bytes());
+        self.background = colour.max_element();
         Ok(())
     }
 
@@ -134,7 +140,7 @@ impl SceneBlock {
         bytes.copy_from_slice(record.as_bytes());
         self.materials[number] = Some(Surface {
             address,
-            sees_others: materials::sees_others(&record, material),
+            sends: Sends::of(&record, material),
         });
         Ok(())
     }

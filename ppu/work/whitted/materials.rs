@@ -7,6 +7,7 @@ use nff::{LightKind, Material, Shader, unit};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::BlockError;
+use super::chains::greatest;
 use super::objects::{single, taxicab};
 use super::range::Place;
 use crate::scene::singles;
@@ -77,12 +78,6 @@ pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, 
         emission: singles(colour),
         ..layout::Material::new_zeroed()
     })
-}
-
-/// Whether rays may go on from a material, or a game's own shader do what nobody else knows.
-pub(super) fn sees_others(record: &layout::Material, material: &Material) -> bool {
-    let goes_on = MATERIAL_MIRRORS | MATERIAL_TRANSMITS;
-    record.flags.get() & goes_on != 0 || matches!(material.shader, Shader::Own { .. })
 }
 
 /// The record of a material; `entry` knows the SPUs' shaders by name.
@@ -205,6 +200,11 @@ impl Light {
             kind,
             record: self.record,
         })
+    }
+
+    /// Its greatest channel.
+    pub fn brightness(&self) -> f64 {
+        greatest(&self.record.brightness)
     }
 
     pub fn kind(&self) -> LightKind {

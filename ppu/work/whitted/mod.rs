@@ -13,6 +13,7 @@
 
 mod ball;
 mod block;
+mod chains;
 mod edit;
 mod error;
 mod materials;
@@ -31,6 +32,7 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use self::block::Block;
+use self::chains::{Chains, Sends, greatest};
 use self::materials::Light;
 use self::objects::{Kind, Object};
 use self::planted::Planted;
@@ -72,6 +74,8 @@ impl Default for BlockOptions {
 pub struct SceneBlock {
     file: String,
     options: BlockOptions,
+    /// The greatest channel of the background's colour.
+    background: f64,
     ambient: [F32; 4],
     lights: Vec<Light>,
     light_address: u32,
@@ -83,6 +87,7 @@ pub struct SceneBlock {
     /// What the scene's objects have become: for each by its number the range of its pieces, and these.
     objects: Vec<Range<usize>>,
     pieces: Vec<Piece>,
+    chains: Chains,
     block: Block,
     /// The eye that it is written for.
     eye: Option<DVec3>,
@@ -92,8 +97,7 @@ pub struct SceneBlock {
 #[derive(Clone, Copy, Debug)]
 struct Surface {
     address: u32,
-    /// Whether what other objects look like may be seen in it.
-    sees_others: bool,
+    sends: Sends,
 }
 
 /// An object, or a part of one, as the SPUs know it.
@@ -154,7 +158,7 @@ impl SceneBlock {
                 let record = materials::record(&scene.name, material, options.fresnel, shader)?;
                 materials[index] = Some(Surface {
                     address: block.append(record.as_bytes()),
-                    sees_others: materials::sees_others(&record, material),
+                    sends: Sends::of(&record, material),
                 });
             }
         }
@@ -180,6 +184,7 @@ impl SceneBlock {
         let mut scene_block = Self {
             file: scene.name.clone(),
             options,
+            background: scene.background.max_element(),
             ambient,
             lights,
             light_address,
@@ -188,9 +193,11 @@ impl SceneBlock {
             planted,
             objects,
             pieces,
+            chains: Chains::UNBOUNDED,
             block,
             eye: None,
         };
+        scene_block.bound_chains();
         scene_block.check_room()?;
         scene_block.look(scene.view.from)?;
         Ok(scene_block)
@@ -253,17 +260,40 @@ impl SceneBlock {
         self.lights.len() as u32
     }
 
-    /// Most rays in a chain.
+    /// Most rays in a chain: at most as many as were asked for, fewer where the scene has nothing that
+    /// would be worth sending one on.
     #[must_use]
     pub fn ray_depth(&self) -> u32 {
-        self.options.ray_depth
+        self.chains.ray_depth
+    }
+
+    /// Least weight of a ray that is sent on.
+    #[must_use]
+    pub fn least_weight(&self) -> f32 {
+        self.chains.least_weight
     }
 
     /// Packets that are traced together: as many as there is room for.
     #[must_use]
     pub fn batch(&self) -> u32 {
-        let fits = |batch: &u32| self.bytes().len() <= room(*batch, self.ray_depth());
-        (1..=MAX_BATCH).rev().find(fits).unwrap_or(1)
+        self.batch_at(self.ray_depth()).unwrap_or(1)
+    }
+
+    /// Packets for which there is room if chains have so many rays.
+    fn batch_at(&self, ray_depth: u32) -> Option<u32> {
+        let fits = |batch: &u32| self.bytes().len() <= room(*batch, ray_depth);
+        (1..=MAX_BATCH).rev().find(fits)
+    }
+
+    /// Works out how long chains may get by what the scene is made of now: to be called when that has
+    /// changed. Tells whether there is room for their rays.
+    pub(crate) fn bound_chains(&mut self) -> bool {
+        let lights = self.lights.iter().map(Light::brightness).sum();
+        let bright = [self.background, greatest(&self.ambient), lights];
+        let materials = self.materials.iter().flatten();
+        let sends = materials.map(|surface| surface.sends);
+        self.chains = Chains::of(self.options.ray_depth, sends, bright);
+        self.batch_at(self.ray_depth()).is_some()
     }
 
     fn check_room(&self) -> Result<(), BlockError> {

@@ -12,6 +12,7 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
 use super::ball::{Ball, Hull};
+use super::chains::Chains;
 use super::materials::Light;
 use super::shadow::Shadow;
 use super::tree::widened;
@@ -46,6 +47,7 @@ struct Seen {
 #[derive(Default)]
 pub(crate) struct Shown {
     options: Option<BlockOptions>,
+    chains: Option<Chains>,
     ambient: [F32; 4],
     lights: Vec<Light>,
     /// The objects by their plots, kind after kind.
@@ -80,6 +82,7 @@ impl Shown {
     /// Takes down what a block that was written for this eye shows; nothing without one.
     pub fn take(&mut self, block: Option<&SceneBlock>, eye: DVec3) {
         self.options = block.map(|block| block.options);
+        self.chains = block.map(|block| block.chains);
         self.ambient = Default::default();
         self.lights.clear();
         self.objects.clear();
@@ -104,7 +107,7 @@ impl Shown {
                         material: material.get(),
                         sees_others: surface
                             .and_then(|surface| *surface)
-                            .is_none_or(|surface| surface.sees_others),
+                            .is_none_or(|surface| surface.sends.goes_on()),
                     }
                 }));
             }
@@ -123,7 +126,8 @@ impl Shown {
             return changed.add_all();
         }
         let mut pairs = 0;
-        let mut any = false;
+        // Where chains end otherwise, what goes on looks otherwise.
+        let mut any = self.chains != before.chains;
         for (new, old) in self.objects.iter().zip(&before.objects) {
             let change = self.change(new.as_ref(), before, old.as_ref());
             if change == Change::None {

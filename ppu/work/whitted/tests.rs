@@ -1,5 +1,6 @@
 //! Blocks as they lie in local store, read back.
 
+mod chains;
 mod records;
 mod refusals;
 mod traced;

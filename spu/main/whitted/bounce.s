@@ -33,6 +33,8 @@ bounce_from:                            # where the rays of the next depth begin
         rotmi   $4,$4,-SITE_SIZE_LOG2
         ori     $3,$5,0
         lqa     $5,bounce_from
+        ila     $6,frame
+        load_word $6,FRAME_least_weight,$6
         brsl    $lr,\kernel
         lqa     $5,bounce_from
         sf      $amount,$5,$3

@@ -1,9 +1,10 @@
 # reflect_r16   rays that mirrors throw back, appended to a queue
-#   C       struct queued *reflect_r16(const struct site *, int count, struct queued *);
+#   C       struct queued *reflect_r16(const struct site *, int count, struct queued *, float least);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
-#           there may be; pointers 16-aligned
-#   Out     a ray for each lane whose share `mirror` is above 0, in order; $3 their end
-#   Uses    $3-$4, $10-$58   Saves  -   Stack  0   Calls  -
+#           there may be, $6 least weight of a ray that is sent on; pointers 16-aligned
+#   Out     a ray for each lane whose share `mirror` is above 0 and whose weight is not below the
+#           least, in order; $3 their end
+#   Uses    $3-$4, $10-$60   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side
 #   Error   5 ulp of 1, each component of a direction; where r.G is within 1e-5 of 0, either normal
 #           may be taken; its length within 2
@@ -16,12 +17,12 @@
         .include "macros.inc"
         .include "bounce.inc"
 
-        .set    mirror,53
-        .set    along,54                                # d.N
-        .set    along_plane,55                          # d.G
-        .set    cosine,56                               # N.G
-        .set    off,57                                  # r.G
-        .set    twice,58
+        .set    mirror,55
+        .set    along,56                                # d.N
+        .set    along_plane,57                          # d.G
+        .set    cosine,58                               # N.G
+        .set    off,59                                  # r.G
+        .set    twice,60
 
 bounce_shuffles
 

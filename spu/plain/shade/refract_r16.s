@@ -1,10 +1,10 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
-#   C       struct queued *refract_r16(const struct site *, int count, struct queued *);
+#   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float least);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
-#           there may be; pointers 16-aligned
-#   Out     a ray for each lane that lets something through, in order; surfaces' mirror: T F more;
-#           $3 the rays' end
-#   Uses    $3-$4, $10-$77   Saves  -   Stack  0   Calls  -
+#           there may be, $6 least weight of a ray that is sent on; pointers 16-aligned
+#   Out     a ray for each lane that lets something through, of a weight not below the least, in
+#           order; surfaces' mirror: T F more; $3 the rays' end
+#   Uses    $3-$4, $10-$79   Saves  -   Stack  0   Calls  -
 #   Domain  directions and normals of length 1 within 4 ulp, normals on the ray's side; ratio from
 #           1/4 to 4
 #   Error   20 ulp of 1, each component of a direction, where the cosine beyond is above 0.1; below
@@ -24,31 +24,31 @@
         .include "math.inc"
         .include "bounce.inc"
 
-        .set    k_one,53
-        .set    transmittance,54
-        .set    ratio,55
-        .set    schlick,56
-        .set    grazing,57
-        .set    mirror,58
-        .set    along,59                                # d.N
-        .set    k,60
-        .set    beyond,61
-        .set    side,62                                 # r.G
-        .set    cosine,63                               # N.G
-        .set    wrong,64
-        .set    taken,65                                # d.N of the normal taken
-        .set    away,66                                 # 1 - c on this side
-        .set    off,67                                  # 1 - c
-        .set    fifth,68
-        .set    share,69                                # F
-        .set    through,70
-        .set    total,71
-        .set    thicker,72
-        .set    t_y,73
-        .set    t_s,74
-        .set    ux,75                                   # s
-        .set    uy,76
-        .set    uz,77
+        .set    k_one,55
+        .set    transmittance,56
+        .set    ratio,57
+        .set    schlick,58
+        .set    grazing,59
+        .set    mirror,60
+        .set    along,61                                # d.N
+        .set    k,62
+        .set    beyond,63
+        .set    side,64                                 # r.G
+        .set    cosine,65                               # N.G
+        .set    wrong,66
+        .set    taken,67                                # d.N of the normal taken
+        .set    away,68                                 # 1 - c on this side
+        .set    off,69                                  # 1 - c
+        .set    fifth,70
+        .set    share,71                                # F
+        .set    through,72
+        .set    total,73
+        .set    thicker,74
+        .set    t_y,75
+        .set    t_s,76
+        .set    ux,77                                   # s
+        .set    uy,78
+        .set    uz,79
 
 # s, k and sqrt(k) by n, where along is d.n.
 .macro  beyond_by along:req

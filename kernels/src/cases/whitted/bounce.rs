@@ -71,7 +71,7 @@ fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
         })
     };
     let packets: Vec<[Bounce; 16]> = (0..count).map(packet).collect();
-    Sites::put(bench, &packets, &mut random).arguments()
+    Sites::put(bench, &packets, &mut random).arguments(0)
 }
 
 /// Sites placed for a call, and the queue for their rays.
@@ -110,11 +110,11 @@ impl Sites {
         }
     }
 
-    /// What a kernel is given.
+    /// What a kernel is given, with the least weight of a ray that is sent on.
     #[must_use]
-    pub fn arguments(&self) -> Vec<u32> {
+    pub fn arguments(&self, least: u32) -> Vec<u32> {
         let count = self.surfaces.len() as u32;
-        vec![self.sites.address, count, self.queue.address]
+        vec![self.sites.address, count, self.queue.address, least]
     }
 
     /// The rays that a kernel has appended, by the end that it returned.
@@ -306,7 +306,7 @@ fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth)
         });
         bench.reset();
         let sites = Sites::put(bench, &[packet], random);
-        let end = bench.call(kernel, &sites.arguments()).value;
+        let end = bench.call(kernel, &sites.arguments(0)).value;
         let queued = sites.queued(bench, end);
         for (pixel, hit) in (0..).zip(&packet) {
             let Some((exact, _)) = truth(hit) else {
