@@ -1,0 +1,116 @@
+//! Simulated speeds in the documents are those that `ci/measure --write` has put there: a sentence may repeat
+//! one, but says no other.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+const WRITTEN: &str = ": written by ci/measure --write -->";
+const END: &str = "<!-- end of what is written -->";
+
+/// Numbers before "frames/s" that are not of those tables, and why.
+const OTHERS: &[(&str, &str, &str)] = &[
+    ("README.md", "59", "a window on the host's clock"),
+    ("docs/frame.md", "52", "the paper's, on a console"),
+    ("docs/frame.md", "1615", "a step of this project's history"),
+];
+
+fn documents() -> Vec<PathBuf> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let docs = fs::read_dir(root.join("docs")).unwrap();
+    let docs = docs.map(|entry| entry.unwrap().path());
+    let mut documents: Vec<PathBuf> = docs
+        .filter(|path| path.extension().is_some_and(|ending| ending == "md"))
+        .collect();
+    documents.push(root.join("README.md"));
+    documents
+}
+
+/// What `ci/measure` has written in a text, and the rest.
+fn parted(text: &str) -> (String, String) {
+    let (mut written, mut rest, mut inside) = (String::new(), String::new(), false);
+    for line in text.lines() {
+        inside = (inside || line.ends_with(WRITTEN)) && line != END;
+        let part = if inside { &mut written } else { &mut rest };
+        part.push_str(line);
+        part.push('\n');
+    }
+    (written, rest)
+}
+
+/// The numbers in front of "frames/s" or "frames a second", as they are written.
+fn speeds(text: &str) -> Vec<String> {
+    let words: Vec<&str> = text.split_whitespace().collect();
+    let number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit());
+    let mut found = Vec::new();
+    for (place, word) in words.iter().enumerate() {
+        let unit = word.starts_with("frames/s")
+            || *word == "frames"
+                && words.get(place + 1) == Some(&"a")
+                && words
+                    .get(place + 2)
+                    .is_some_and(|word| word.starts_with("second"));
+        if unit && let Some(before) = place.checked_sub(1).map(|at| words[at]).filter(number) {
+            found.push(before.to_owned());
+        }
+    }
+    found
+}
+
+/// Whether `number` is one of these cells, rounded to as many decimals.
+fn is_among(number: &str, cells: &[f64]) -> bool {
+    let decimals = number.split_once('.').map_or(0, |(_, behind)| behind.len());
+    cells
+        .iter()
+        .any(|cell| format!("{cell:.decimals$}") == number)
+}
+
+#[test]
+fn every_speed_is_a_measured_one() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (mut cells, mut said) = (Vec::new(), Vec::new());
+    let mut blocks = 0;
+    for path in documents() {
+        let name = path.strip_prefix(root).unwrap().display().to_string();
+        let (written, rest) = parted(&fs::read_to_string(&path).unwrap());
+        blocks += written.matches(WRITTEN).count();
+        let numbers = written
+            .split('|')
+            .filter_map(|cell| cell.trim().parse::<f64>().ok());
+        cells.extend(numbers);
+        said.extend(
+            speeds(&rest)
+                .into_iter()
+                .map(|number| (name.clone(), number)),
+        );
+    }
+    assert_eq!(blocks, 5, "the tables of ci/measure");
+    for (name, number, why) in OTHERS {
+        let is_said = said
+            .iter()
+            .any(|(file, said)| file == name && said == number);
+        assert!(
+            is_said,
+            "{name} no longer says {number} frames/s ({why}): take it off the list"
+        );
+    }
+    let strange: Vec<_> = said
+        .iter()
+        .filter(|(name, number)| {
+            let other = |(file, known, _): &(&str, &str, &str)| file == name && known == number;
+            !OTHERS.iter().any(other) && !is_among(number, &cells)
+        })
+        .collect();
+    assert!(
+        strange.is_empty(),
+        "not measured by ci/measure: {strange:?}"
+    );
+}
+
+#[test]
+fn a_number_that_nobody_measured_is_found() {
+    let text = "It makes 61 frames/s, and\n99.5 frames a second.\n";
+    assert_eq!(speeds(text), ["61", "99.5"]);
+    assert!(is_among("61", &[60.6]) && !is_among("60.5", &[60.6]));
+    let (written, rest) = parted(&format!("a\n<!-- x{WRITTEN}\n| 1 |\n{END}\nb\n"));
+    assert!(written.contains("| 1 |") && !rest.contains('1') && rest.ends_with("b\n"));
+}
