@@ -383,10 +383,10 @@ fn every_entry_estimates_to_twelve_bits() {
                     let reciprocal =
                         single::to_f64(estimate::fi(x | sign, estimate::frest(x | sign)));
                     let error = (reciprocal * single::to_f64(x | sign) - 1.0).abs();
-                    assert!(error < 2f64.powf(-12.0), "frest {x:08x}: {error:e}");
+                    assert!(error < 2f64.powi(-12), "frest {x:08x}: {error:e}");
                     let root = single::to_f64(estimate::fi(x, estimate::frsqest(x | sign)));
                     let error = (root * single::to_f64(x).sqrt() - 1.0).abs();
-                    assert!(error < 2f64.powf(-12.0), "frsqest {x:08x}: {error:e}");
+                    assert!(error < 2f64.powi(-12), "frsqest {x:08x}: {error:e}");
                 }
             }
         }

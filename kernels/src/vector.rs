@@ -37,7 +37,7 @@ pub fn in_cube(half: f64, random: &mut impl Rng) -> Vector {
 
 /// A number of this range, evenly spread over orders of magnitude.
 pub fn magnitude(range: std::ops::Range<f64>, random: &mut impl Rng) -> f64 {
-    random.random_range(range.start.ln()..range.end.ln()).exp()
+    libm::exp(random.random_range(libm::log(range.start)..libm::log(range.end)))
 }
 
 /// Ulps of a single at `exact` by which `found` is off.

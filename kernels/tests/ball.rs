@@ -293,7 +293,7 @@ fn a_ray_that_leaves_a_surface_does_not_meet_it_again() {
         let radius = random.random_range(0.1..1000.0);
         let centre: [f64; 3] = std::array::from_fn(|_| random.random_range(-0.5..0.5) * radius);
         let ball = ball(centre, radius);
-        let ulp = (to_f64(ball.radius_squared).sqrt().log2().floor() - 23.0).exp2();
+        let ulp = libm::exp2(libm::log2(to_f64(ball.radius_squared).sqrt()).floor() - 23.0);
         let rays = std::array::from_fn(|lane| {
             let normal = any_direction(&mut random);
             let height = radius + random.random_range(0.0..12.0) * ulp;

@@ -191,10 +191,14 @@ fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u
 /// and the two on the equator next to it.
 fn children() -> [DVec3; 9] {
     // The face around the pole is an equilateral triangle of chords of length 1.
-    let near_pole = (1.0 / 3.0f64.sqrt()).asin();
+    let near_pole = libm::asin(1.0 / 3.0f64.sqrt());
     let direction = |from_pole: f64, azimuth: f64| {
-        let (across, along) = from_pole.sin_cos();
-        DVec3::new(across * azimuth.cos(), across * azimuth.sin(), along)
+        let (across, along) = libm::sincos(from_pole);
+        DVec3::new(
+            across * libm::cos(azimuth),
+            across * libm::sin(azimuth),
+            along,
+        )
     };
     std::array::from_fn(|index| {
         let azimuth = FRAC_PI_4 + (index / 3) as f64 * 2.0 * FRAC_PI_3;

@@ -82,7 +82,7 @@ impl View {
         } else {
             width.max(2) - 1
         };
-        let spacing = 2.0 * (self.angle.to_radians() / 2.0).tan() / f64::from(gaps);
+        let spacing = 2.0 * libm::tan(self.angle.to_radians() / 2.0) / f64::from(gaps);
         let (right, down) = (right * spacing, down * spacing);
         let to_left = f64::from(width - 1) / 2.0;
         let to_top = f64::from(height - 1) / 2.0;

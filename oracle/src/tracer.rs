@@ -189,7 +189,7 @@ mod tests {
         // 2 tan 20° high between the outer centres, and one gap more.
         let reference = trace(&scene("s 0 0 0 2\n"), 601, 601).expect("a picture");
         let radius = 2.0 / (100.0f64 - 4.0).sqrt();
-        let side = 2.0 * 20f64.to_radians().tan() * 601.0 / 600.0;
+        let side = 2.0 * libm::tan(20f64.to_radians()) * 601.0 / 600.0;
         let expected = std::f64::consts::PI * radius * radius / (side * side);
         assert!(
             (reference.covered - expected).abs() < 1e-4,

@@ -197,7 +197,7 @@ mod tests {
         for count in [0, 1, 4, 5, 60, 700] {
             let mut surfaces = Vec::new();
             while surfaces.len() < count {
-                let shape = random_shape(&mut random, 2.0 / (count as f64).cbrt());
+                let shape = random_shape(&mut random, 2.0 / libm::cbrt(count as f64));
                 let transmits = random.next().is_multiple_of(3);
                 let surface = Surface::new(&shape, transmits).expect("a surface");
                 // Some twice, so that the first in order is to be found.

@@ -100,7 +100,7 @@ pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64
 
 /// A number between 2^`from` and 2^`to`, as likely in each octave.
 pub fn magnitude(random: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
-    random.random_range(from..to).exp2()
+    libm::exp2(random.random_range(from..to))
 }
 
 /// A random unit vector.

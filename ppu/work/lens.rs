@@ -117,10 +117,10 @@ impl Lens {
         // The packet's middle is a pixel and a half from its outer rays both ways. A ray that ends
         // within `away` of where the middle one ends is inside a cone about the middle one whose sine
         // is `away` over the middle one's length, and that is no less than the plane's distance.
-        let away = 1.5 * axes.step[0].hypot(axes.step[1]) + 2.0 * axes.error;
+        let away = 1.5 * libm::hypot(axes.step[0], axes.step[1]) + 2.0 * axes.error;
         let sine = away / (axes.distance - axes.error);
         if (0.0..1.0).contains(&sine) {
-            sine.asin()
+            libm::asin(sine)
         } else {
             f64::INFINITY
         }

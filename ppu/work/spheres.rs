@@ -104,20 +104,17 @@ fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
     } else {
         always
     };
-    let angle = (seen / distance).min(1.0).asin() + lens.packet_spread();
+    let angle = libm::asin((seen / distance).min(1.0)) + lens.packet_spread();
     let packet_limit = if seen < distance && angle < PI {
-        part * (distance * angle.cos() - rounding)
+        part * (distance * libm::cos(angle) - rounding)
     } else {
         always
     };
     let plane_rounding = ROUNDING + 2.0 * lens.direction_error();
+    let size = (radius * part).clamp(scene::SMALLEST, scene::LARGEST);
     Sphere {
         centre: singles(to_centre * part),
-        radius_squared: F32::new(
-            (radius * part)
-                .clamp(scene::SMALLEST, scene::LARGEST)
-                .powi(2) as f32,
-        ),
+        radius_squared: F32::new((size * size) as f32),
         near: down(near(sphere, lens)),
         ray_limit: down(ray_limit),
         packet_limit: down(packet_limit),

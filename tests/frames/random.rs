@@ -17,7 +17,7 @@ pub fn sphere(random: &mut ChaCha8Rng, materials: usize) -> Object {
         material: random.random_range(0..materials) as u32,
         shape: Shape::Sphere {
             centre: vector(random, 4.0),
-            radius: random.random_range(-6.0..0.5f64).exp2(),
+            radius: libm::exp2(random.random_range(-6.0..0.5f64)),
         },
     }
 }

@@ -209,7 +209,7 @@ fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
     match random.random_range(0..24) {
         0 => {}
         1 => *material = random.random_range(0..scene.materials.len() as u32),
-        2 => *radius = random.random_range(-6.0..0.5f64).exp2(),
+        2 => *radius = libm::exp2(random.random_range(-6.0..0.5f64)),
         3 => {
             scene.objects.remove(any);
             let new = sphere(random, scene.materials.len());

@@ -58,7 +58,7 @@ pub fn shape(random: &mut ChaCha8Rng) -> Shape {
 pub fn sphere(random: &mut ChaCha8Rng) -> Shape {
     Shape::Sphere {
         centre: vector(random, 3.0),
-        radius: random.random_range(-5.0..0.0f64).exp2(),
+        radius: libm::exp2(random.random_range(-5.0..0.0f64)),
     }
 }
 

@@ -23,7 +23,7 @@ pub struct Drawn {
 /// A small scene: a few objects of all shapes, some without area, some around the eye; at any scale from
 /// 1e-4 to 1e6, and some far from the origin.
 pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
-    let scale = 10f64.powf(random.random_range(-4.0..6.0));
+    let scale = libm::pow(10f64, random.random_range(-4.0..6.0));
     let middle = if random.random_bool(0.2) {
         vector(random, 1000.0)
     } else {
@@ -103,7 +103,7 @@ fn material(random: &mut ChaCha8Rng) -> Material {
         }
     };
     let (diffuse, specular, transmittance) = (share(0.9, 1.0), share(0.6, 0.9), share(0.4, 0.95));
-    let shine = 10f64.powf(share(0.9, 2.5));
+    let shine = libm::pow(10f64, share(0.9, 2.5));
     Material {
         line: 0,
         colour: vector(random, 1.0).abs(),
@@ -139,7 +139,7 @@ fn shape(random: &mut ChaCha8Rng) -> Shape {
     let hollow = if random.random_bool(0.2) { -1.0 } else { 1.0 };
     match random.random_range(0..20) {
         0 => {
-            let radius = VAST * random.random_range(0.0..6.0f64).exp2();
+            let radius = VAST * libm::exp2(random.random_range(0.0..6.0f64));
             let to_centre = DQuat::from_scaled_axis(vector(random, 3.0)) * DVec3::X;
             Shape::Sphere {
                 centre: (radius + random.random_range(0.0..3.0)) * to_centre,
@@ -148,14 +148,14 @@ fn shape(random: &mut ChaCha8Rng) -> Shape {
         }
         1..8 => Shape::Sphere {
             centre: vector(random, 2.0),
-            radius: hollow * random.random_range(-4.0..1.2f64).exp2(),
+            radius: hollow * libm::exp2(random.random_range(-4.0..1.2f64)),
         },
         8..12 => {
-            let radius = random.random_range(-8.0..0.3f64).exp2();
+            let radius = libm::exp2(random.random_range(-8.0..0.3f64));
             let apex_radius = match random.random_range(0..3) {
                 0 => 0.0,
                 1 => radius,
-                _ => random.random_range(-8.0..0.3f64).exp2(),
+                _ => libm::exp2(random.random_range(-8.0..0.3f64)),
             };
             Shape::Cone {
                 base: vector(random, 2.0),
@@ -186,7 +186,7 @@ fn polygon(random: &mut ChaCha8Rng) -> Vec<DVec3> {
     let ring = |radius: &mut dyn FnMut(u32) -> f64| {
         let corner = |number: u32| {
             let angle = TAU * f64::from(number) / f64::from(corners);
-            middle + radius(number) * (angle.cos() * right + angle.sin() * up)
+            middle + radius(number) * (libm::cos(angle) * right + libm::sin(angle) * up)
         };
         (0..corners).map(corner).collect()
     };

@@ -37,7 +37,7 @@ impl Scale {
                 (low - margin, high + margin)
             }
             Kind::Log => {
-                let margin = (high / low).powf(0.08).max(1.25);
+                let margin = libm::pow(high / low, 0.08).max(1.25);
                 (low / margin, high * margin)
             }
         };
@@ -56,7 +56,7 @@ impl Scale {
             Kind::Log if value == 0.0 => ZERO / 3.0,
             Kind::Log => {
                 let start = if self.zero { ZERO } else { 0.0 };
-                let part = (value / self.low).ln() / (self.high / self.low).ln();
+                let part = libm::log(value / self.low) / libm::log(self.high / self.low);
                 start + part * (1.0 - start)
             }
         }
@@ -76,7 +76,7 @@ impl Scale {
 
     fn linear_ticks(&self) -> Vec<f64> {
         let rough = (self.high - self.low) / 6.0;
-        let decade = 10_f64.powf(rough.log10().floor());
+        let decade = libm::pow(10_f64, libm::log10(rough).floor());
         let steps = [1.0, 2.0, 5.0, 10.0].map(|step| step * decade);
         let step = steps
             .into_iter()
@@ -88,9 +88,9 @@ impl Scale {
     }
 
     fn log_ticks(&self) -> Vec<f64> {
-        let decades = (self.high / self.low).log10();
-        let first = self.low.log10().floor() as i32;
-        let last = self.high.log10().ceil() as i32;
+        let decades = libm::log10(self.high / self.low);
+        let first = libm::log10(self.low).floor() as i32;
+        let last = libm::log10(self.high).ceil() as i32;
         // About as many as there is room for.
         let (every, within): (i32, &[f64]) = if decades > 8.0 {
             ((decades / 6.0).ceil() as i32, &[1.0])

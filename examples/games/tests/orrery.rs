@@ -69,7 +69,7 @@ impl Played {
         let ahead = (view.at - view.from).normalize();
         let right = ahead.cross(view.up).normalize();
         let up = right.cross(ahead);
-        let high = (view.angle / 2.0).to_radians().tan();
+        let high = libm::tan((view.angle / 2.0).to_radians());
         let wide = high * f64::from(SIZE.0) / f64::from(SIZE.1);
         let to = centre - view.from;
         // The four planes that bound what is seen go through the eye.

@@ -243,7 +243,7 @@ pub fn around_a_ball(random: &mut ChaCha8Rng) -> ([Ray; 16], Ball) {
 /// The distance of a single to the next, at the larger of t and r.
 #[must_use]
 pub fn ulp(t: f64, radius: f64) -> f64 {
-    (t.max(radius).log2().floor() - 23.0).exp2()
+    libm::exp2(libm::log2(t.max(radius)).floor() - 23.0)
 }
 
 /// Object number that the measured calls give.

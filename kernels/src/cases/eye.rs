@@ -180,7 +180,10 @@ fn packets(bench: &mut Bench, hits: &Hits, count: u32) -> Vec<bench::Place> {
 
 fn frustum_spheres(bench: &mut Bench, ball: &Ball, count: u32) -> Vec<u32> {
     // The sides of a pyramid about -z, half as wide as it is long.
-    let (along, across) = (0.5_f64.atan().sin(), 0.5_f64.atan().cos());
+    let (along, across) = (
+        libm::sin(libm::atan(0.5_f64)),
+        libm::cos(libm::atan(0.5_f64)),
+    );
     let frustum = Frustum {
         normal_x: [across, -across, 0.0, 0.0].map(|x| single(from_f64(x))),
         normal_y: [0.0, 0.0, across, -across].map(|y| single(from_f64(y))),

@@ -45,7 +45,7 @@ fn across(random: &mut ChaCha8Rng, along: DVec3) -> DVec3 {
 
 /// A camera that looks anywhere from anywhere, with a narrow or a wide picture.
 fn camera(random: &mut ChaCha8Rng) -> Camera {
-    let from = unit(random) * random.random_range(-6.0..6.0_f64).exp2();
+    let from = unit(random) * libm::exp2(random.random_range(-6.0..6.0_f64));
     let sight = unit(random);
     let view = View {
         from,
@@ -60,22 +60,22 @@ fn camera(random: &mut ChaCha8Rng) -> Camera {
 
 /// A sphere, far or near, small or large, whose edge is at a ray, or a hair or some pixels beside it.
 fn sphere_at(random: &mut ChaCha8Rng, eye: DVec3, ray: DVec3) -> scene::Sphere {
-    let distance = random.random_range(-6.0..12.0_f64).exp2();
+    let distance = libm::exp2(random.random_range(-6.0..12.0_f64));
     let share = match random.random_range(0..3) {
-        0 => random.random_range(-16.0..-1.0_f64).exp2(),
+        0 => libm::exp2(random.random_range(-16.0..-1.0_f64)),
         1 => random.random_range(0.01..0.99),
-        _ => 1.0 - random.random_range(-16.0..-1.0_f64).exp2(),
+        _ => 1.0 - libm::exp2(random.random_range(-16.0..-1.0_f64)),
     };
-    let edge: f64 = share.asin();
+    let edge: f64 = libm::asin(share);
     let angle = match random.random_range(0..4) {
         0 => edge * random.random_range(0.0..1.0),
         1 => edge + random.random_range(0.0..0.05),
         _ => {
             edge * (1.0
-                + random.random_range(-1.0..1.0) * random.random_range(-24.0..-8.0_f64).exp2())
+                + random.random_range(-1.0..1.0) * libm::exp2(random.random_range(-24.0..-8.0_f64)))
         }
     };
-    let towards = ray * angle.cos() + across(random, ray) * angle.sin();
+    let towards = ray * libm::cos(angle) + across(random, ray) * libm::sin(angle);
     scene::Sphere {
         centre: eye + towards * distance,
         radius: distance * share,

@@ -34,7 +34,7 @@ fn vertices() -> [[f64; 3]; 12] {
     let radius = 2.0 * height;
     let around = |k: f64, height: f64| {
         let angle = k * std::f64::consts::TAU / 5.0;
-        [radius * angle.cos(), radius * angle.sin(), height]
+        [radius * libm::cos(angle), radius * libm::sin(angle), height]
     };
     std::array::from_fn(|number| match number {
         0 => [0.0, 0.0, 1.0],
@@ -105,7 +105,7 @@ impl Mesh {
             if volume == 0.0 && corner <= 1e-9 * la * lb * lc {
                 return 0.0;
             }
-            turns += volume.atan2(corner) / std::f64::consts::TAU;
+            turns += libm::atan2(volume, corner) / std::f64::consts::TAU;
         }
         turns
     }

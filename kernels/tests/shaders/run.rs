@@ -235,7 +235,7 @@ fn the_examples_rings_are_round() {
     let found = machine.found();
     for lane in 0..16 {
         let value = |row: &[F32; 16]| to_f64(bits(row[lane]));
-        let turns = 3.0 * (value(&before.point_x) + 5.0).hypot(value(&before.point_z) + 2.0);
+        let turns = 3.0 * libm::hypot(value(&before.point_x) + 5.0, value(&before.point_z) + 2.0);
         let part = (2.0 * turns.fract() - 1.0).powi(2);
         let red = value(&before.red) + part * (0.25 - value(&before.red));
         assert!((value(&found.red) - red).abs() < 1e-4, "{lane}: {red}");

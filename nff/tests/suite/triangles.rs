@@ -40,7 +40,7 @@ fn a_concave_polygon_is_covered_once() {
         .map(|point| {
             let angle = f64::from(point) * std::f64::consts::PI / 7.0;
             let radius = if point % 2 == 0 { 3.0 } else { 1.0 };
-            (radius * angle.cos(), radius * angle.sin())
+            (radius * libm::cos(angle), radius * libm::sin(angle))
         })
         .collect();
     for corners in [comb, star] {

@@ -59,7 +59,7 @@ impl Cone {
     /// this distance from the axis.
     fn above(&self, height: f64, from_axis: f64) -> f64 {
         let radius = self.radii[0] + self.slope * height;
-        (from_axis - radius) / self.slope.hypot(1.0)
+        (from_axis - radius) / libm::hypot(self.slope, 1.0)
     }
 
     pub(super) fn hit(&self, ray: &Ray, limit: f64) -> Option<f64> {

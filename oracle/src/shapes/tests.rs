@@ -39,7 +39,7 @@ pub(crate) fn random_shape(random: &mut Random, size: f64) -> Shape {
                 .map(|corner| {
                     let angle = std::f64::consts::TAU * corner as f64 / corners as f64;
                     let radius = size * (0.15 + random.real().abs());
-                    centre + radius * (angle.cos() * right + angle.sin() * up)
+                    centre + radius * (libm::cos(angle) * right + libm::sin(angle) * up)
                 })
                 .collect();
             if kind == 2 {

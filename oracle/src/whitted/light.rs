@@ -47,5 +47,5 @@ pub(super) fn shine(finish: &Finish, normal: DVec3, direction: DVec3, to_light: 
     }
     let halfway = nff::unit(to_light - direction).unwrap_or(normal);
     let cosine = normal.dot(halfway).clamp(0.0, 1.0);
-    lambert + finish.highlight * cosine.powf(BLINN * finish.shine)
+    lambert + finish.highlight * libm::pow(cosine, BLINN * finish.shine)
 }

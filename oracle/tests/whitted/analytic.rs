@@ -41,7 +41,7 @@ fn a_slab_shifts_what_is_behind_it_by_snells_law() {
     // A ray at 40 degrees to a slab 2 thick leaves it parallel, shifted by
     // t sin(a) (1 - cos(a) / sqrt(n² - sin²(a))).
     let (angle, thickness, index) = (40f64.to_radians(), 2.0, 1.5f64);
-    let (sine, cosine) = angle.sin_cos();
+    let (sine, cosine) = libm::sincos(angle);
     let shift = thickness * sine * (1.0 - cosine / (index * index - sine * sine).sqrt());
     let slab = "f 1 1 1 0 0 1 1 1.5\n\
         p 4\n-50 0 -50\n50 0 -50\n50 0 50\n-50 0 50\np 4\n-50 2 50\n50 2 50\n50 2 -50\n-50 2 -50\n";
@@ -62,10 +62,10 @@ fn a_slab_shifts_what_is_behind_it_by_snells_law() {
 
 #[test]
 fn all_is_reflected_beyond_the_critical_angle() {
-    let critical = (1.0 / 1.5f64).asin();
+    let critical = libm::asin(1.0 / 1.5f64);
     let surface = "b 1 1 1\nf 1 1 1 0 0 1 1 1.5\np 4\n9 9 0\n-9 9 0\n-9 -9 0\n9 -9 0\n";
     let from_below = |angle: f64| {
-        let eye = [-angle.tan(), 0.0, -1.0];
+        let eye = [-libm::tan(angle), 0.0, -1.0];
         look(&scene(eye, [0.0; 3], surface), &Options::default()).1
     };
     let (through, back) = (from_below(critical - 1e-9), from_below(critical + 1e-9));
@@ -82,18 +82,18 @@ fn all_is_reflected_beyond_the_critical_angle() {
 #[test]
 fn a_shadow_ends_where_the_tangent_cone_does() {
     // The light is 8 above the ground, the sphere of radius 1 is 3 above it.
-    let tangent = (1.0f64 / 5.0).asin().tan();
+    let tangent = libm::tan(libm::asin(1.0f64 / 5.0));
     let edge = 8.0 * tangent;
     let rest = "l 0 0 8 1 1 1\nf 1 1 1 1 0 1 0 1\n\
         p 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\nf 1 0 0 1 0 1 0 1\ns 0 0 3 1\n";
     for turn in 0..12 {
-        let (y, x) = (f64::from(turn) * 0.5 + 0.1).sin_cos();
+        let (y, x) = libm::sincos(f64::from(turn) * 0.5 + 0.1);
         let at = |radius: f64| [radius * x, radius * y, 0.0];
         let eye = [20.0 * x, 20.0 * y, 1.0];
         assert_eq!(colour(&scene(eye, at(edge * (1.0 - 1e-9)), rest)), [0; 3]);
         let lit = colour(&scene(eye, at(edge * (1.0 + 1e-9)), rest));
         // N.L at the edge.
-        let expected = (255.0 / tangent.hypot(1.0) + 0.5).floor() as u8;
+        let expected = (255.0 / libm::hypot(tangent, 1.0) + 0.5).floor() as u8;
         assert_eq!(lit, [expected; 3]);
     }
 }

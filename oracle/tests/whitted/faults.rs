@@ -27,7 +27,7 @@ fn errors_name_the_line() {
     let mut patch = "f 1 1 1 1 0 1 0 1\npp 513\n".to_owned();
     for vertex in 0..513 {
         let angle = f64::from(vertex) * 0.01;
-        patch += &format!("{} {} 0 0 0 1\n", angle.cos(), angle.sin());
+        patch += &format!("{} {} 0 0 0 1\n", libm::cos(angle), libm::sin(angle));
     }
     assert_eq!(
         error(&patch, &options).to_string(),

@@ -39,7 +39,7 @@ fn lambert_and_blinn_by_hand() {
     // The light at 60 degrees: N.L is 1/2, and the halfway vector is at 30 degrees.
     let light = format!("l {} 0 5 1 0.5 1\n", 5.0 * 3f64.sqrt());
     let found = colour(&ground(&light, "1 1 0 0.6 0.3 2 0 1"));
-    let highlight = 0.3 * 30f64.to_radians().cos().powf(8.0);
+    let highlight = 0.3 * libm::pow(libm::cos(30f64.to_radians()), 8.0);
     assert_eq!(
         found,
         [
@@ -60,8 +60,12 @@ fn lambert_and_blinn_by_hand() {
 fn highlights_are_as_wide_as_phongs() {
     // Where Phong's highlight has fallen to a half, so has Blinn's with four times the exponent, to 4 %.
     for shine in [5.0f64, 20.0, 100.0] {
-        let phong = 0.5f64.powf(1.0 / shine).acos();
-        let light = format!("l {} 0 {} 1 1 1\n", 9.0 * phong.sin(), 9.0 * phong.cos());
+        let phong = libm::acos(libm::pow(0.5f64, 1.0 / shine));
+        let light = format!(
+            "l {} 0 {} 1 1 1\n",
+            9.0 * libm::sin(phong),
+            9.0 * libm::cos(phong)
+        );
         let found = colour(&ground(&light, &format!("1 1 1 0 1 {shine} 0 1")));
         let share = f64::from(found[0]) / 255.0;
         assert!((share - 0.5).abs() < 0.02, "{shine}: {share}");
@@ -110,26 +114,26 @@ fn schlicks_share_at_a_surface_seen_straight_and_flat() {
     let rest = "b 1 1 1\nf 1 1 1 0 0 1 1 1.5\np 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\n\
         f 0 0 0 0 0 1 0 1\np 4\n900 -900 -1\n900 900 -1\n-900 900 -1\n-900 -900 -1\n";
     let reflected = |angle: f64| {
-        let (x, z) = (10.0 * angle.sin(), 10.0 * angle.cos());
+        let (x, z) = (10.0 * libm::sin(angle), 10.0 * libm::cos(angle));
         look(&scene([x, 0.0, z], [0.0; 3], rest), &by_schlick).0
     };
     for degrees in [0.0f64, 45.0, 60.0, 80.0, 89.0] {
         let angle = degrees.to_radians();
-        let share = 0.04 + 0.96 * (1.0 - angle.cos()).powi(5);
+        let share = 0.04 + 0.96 * (1.0 - libm::cos(angle)).powi(5);
         assert_eq!(reflected(angle), [byte(share); 3], "{degrees} degrees");
     }
     // From within: the cosine in air counts, so that it joins total reflection without a step.
     let under = "b 1 1 1\nf 1 1 1 0 0 1 1 1.5\np 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\n\
         f 0 0 0 0 0 1 0 1\np 4\n900 -900 1\n-900 -900 1\n-900 900 1\n900 900 1\n";
     let from_below = |angle: f64| {
-        let (x, z) = (angle.sin(), -angle.cos());
+        let (x, z) = (libm::sin(angle), -libm::cos(angle));
         look(&scene([x, 0.0, z], [0.0; 3], under), &by_schlick).0
     };
     let inner = 30f64.to_radians();
-    let outer = (1.5 * inner.sin()).asin();
-    let share = 0.04 + 0.96 * (1.0 - outer.cos()).powi(5);
+    let outer = libm::asin(1.5 * libm::sin(inner));
+    let share = 0.04 + 0.96 * (1.0 - libm::cos(outer)).powi(5);
     assert_eq!(from_below(inner), [byte(share); 3]);
-    let critical = (1.0 / 1.5f64).asin();
+    let critical = libm::asin(1.0 / 1.5f64);
     assert!(from_below(critical - 1e-7)[0] >= 254);
     assert_eq!(from_below(critical + 1e-7), [255; 3]);
 }
@@ -154,7 +158,7 @@ fn patches_shade_by_interpolated_normals() {
     assert_eq!(leaning(0.0, 0.0), [255; 3]);
     // Normals of length 1 at the corners: (x, y, 1) / sqrt 3, interpolated linearly and brought to 1.
     for (x, y) in [(0.5, 0.0), (0.25, -0.5), (-0.7, 0.6)] {
-        let expected = 1.0 / f64::hypot(f64::hypot(x, y), 1.0);
+        let expected = 1.0 / libm::hypot(libm::hypot(x, y), 1.0);
         let found = f64::from(leaning(x, y)[0]) / 255.0;
         assert!((found - expected).abs() < 0.003, "{found}, not {expected}");
     }

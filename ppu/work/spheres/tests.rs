@@ -19,14 +19,14 @@ const SIZE: Geometry = Geometry {
 fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) -> Singles {
     let to_centre = sphere.centre - eye;
     let along = to_centre.normalize();
-    let edge = (sphere.radius / to_centre.length()).min(1.0).asin();
+    let edge = libm::asin((sphere.radius / to_centre.length()).min(1.0));
     let angle = edge
         * match random.random_range(0..3) {
             0 => 1.0 + random.random_range(-1.0..1.0) * magnitude(random, -24.0, 0.0),
             1 => 1.0 + random.random_range(-1.0..1.0) * magnitude(random, -30.0, -20.0),
             _ => random.random_range(0.0..1.0),
         };
-    let exact = along * angle.cos() + across(random, along) * angle.sin();
+    let exact = along * libm::cos(angle) + across(random, along) * libm::sin(angle);
     // Off its length by as much as the kernels' domain allows.
     let exact = exact * (1.0 + random.random_range(-4.0..4.0) * f64::from(f32::EPSILON) / 2.0);
     exact.to_array().map(|value| (value as f32).to_bits())
@@ -95,8 +95,8 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
         };
         let form = form(&mut random);
         let record = record(&sphere, &lens, form);
-        let angle = share.asin() + 0.001;
-        let passing = along * angle.cos() + across(&mut random, along) * angle.sin();
+        let angle = libm::asin(share) + 0.001;
+        let passing = along * libm::cos(angle) + across(&mut random, along) * libm::sin(angle);
         let passing = passing.to_array().map(|value| (value as f32).to_bits());
         assert!(
             !is_above(record.ray_limit, record.centre, passing),
@@ -128,7 +128,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
             let anywhere = unit(&mut random);
             let mut sphere = sphere(&mut random, camera.eye, anywhere);
             let distance = (sphere.centre - camera.eye).length();
-            let edge = (sphere.radius / distance).asin();
+            let edge = libm::asin(sphere.radius / distance);
             let beside = lens.packet_spread().min(0.1) * random.random_range(0.0..3.0);
             let angle = match random.random_range(0..3) {
                 0 => edge + beside,
@@ -138,7 +138,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
                         + random.random_range(-1.0..1.0) * magnitude(&mut random, -24.0, -10.0))
                 }
             };
-            let towards = ray * angle.cos() + across(&mut random, ray) * angle.sin();
+            let towards = ray * libm::cos(angle) + across(&mut random, ray) * libm::sin(angle);
             sphere.centre = camera.eye + towards * distance;
             let form = form(&mut random);
             let record = record(&sphere, &lens, form);

@@ -139,7 +139,8 @@ pub(super) fn record(
     let (diffuse, mirror, transmittance) = (share(diffuse), share(specular), share(transmittance));
     let highlight = if shading.shines { mirror } else { 0.0 };
     let (schlick, grazing) = if fresnel && transmittance > 0.0 {
-        let head_on = ((1.0 - index) / (1.0 + index)).powi(2);
+        let head_on = (1.0 - index) / (1.0 + index);
+        let head_on = head_on * head_on;
         (head_on, 1.0 - head_on)
     } else {
         (0.0, 0.0)

@@ -315,7 +315,7 @@ impl Form {
                 let middle = equal.clamp(0.0, height);
                 Hull::of([Ball {
                     centre: base + middle * axis,
-                    radius: middle.hypot(low).max((height - middle).hypot(high)),
+                    radius: libm::hypot(middle, low).max(libm::hypot(height - middle, high)),
                 }])
             }
         }
@@ -382,7 +382,7 @@ impl Form {
                 hollow,
             } => {
                 let growth = self.growth();
-                let gain = growth.hypot(1.0).recip() * if hollow { -1.0 } else { 1.0 };
+                let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
                 Head {
                     centre: base,
                     gain,

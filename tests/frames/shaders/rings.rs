@@ -56,7 +56,7 @@ fn rings_are_where_the_formula_has_them() {
     for (x, y, pixel) in picture.enumerate_pixels() {
         let direction = camera.corner + f64::from(x) * camera.right + f64::from(y) * camera.down;
         let point = camera.eye - direction * (camera.eye.y / direction.y);
-        let part = (2.0 * (point.x.hypot(point.z) * 0.8).fract() - 1.0).powi(2);
+        let part = (2.0 * (libm::hypot(point.x, point.z) * 0.8).fract() - 1.0).powi(2);
         dark += u32::from(part > 0.9);
         bright += u32::from(part < 0.1);
         let colour = own + part * (other - own);

@@ -34,7 +34,7 @@ pub fn camera(random: &mut ChaCha8Rng) -> Basis {
     let field = random.random_range(0.01..2.0);
     let step = field / 1280.0;
     let [left, top] = [(); 2].map(|()| random.random_range(-0.5..0.5) * field);
-    let (sin, cos) = random.random_range(0.0..std::f64::consts::TAU).sin_cos();
+    let (sin, cos) = libm::sincos(random.random_range(0.0..std::f64::consts::TAU));
     let turned = |[x, y, z]: Vector| [x * cos - z * sin, y, x * sin + z * cos].map(from_f64);
     Basis {
         corner: turned([left, top, -1.0]),

@@ -100,7 +100,7 @@ fn more_than_there_is_room_for() {
     let fan = |count: usize| {
         let corner = |index: usize| {
             let angle = index as f64 / count as f64 * std::f64::consts::TAU;
-            format!("{} {} 0\n", angle.cos(), angle.sin())
+            format!("{} {} 0\n", libm::cos(angle), libm::sin(angle))
         };
         let corners: String = (0..count).map(corner).collect();
         format!("p {count}\n{corners}")

@@ -106,7 +106,7 @@ impl Shape for ConeObject {
         let distance = dot(from_base, from_base).sqrt();
         let widest = radius.max(radius + exact.growth * height);
         let by = LARGER[0] * widest + LARGER[1] * (distance + height);
-        let slant = exact.growth.hypot(1.0);
+        let slant = libm::hypot(exact.growth, 1.0);
         let t = exact.hit(origin, direction);
         let (mut counts, mut sure) = (true, true);
         for [wider, longer] in [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]] {
@@ -124,7 +124,7 @@ impl Shape for ConeObject {
         let size = distance + height + widest;
         Truth {
             t,
-            unit: (size.log2().floor() - 23.0).exp2(),
+            unit: libm::exp2(libm::log2(size).floor() - 23.0),
             counts,
             // Where t is that of another crossing of a cone a little larger.
             sure: sure && counts,

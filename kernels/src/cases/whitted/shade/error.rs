@@ -187,7 +187,7 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
     let half = unit(less(to, site.directions[lane].map(to_f64)));
     let cosine = dot(normal, half).clamp(0.0, 1.0);
     let shine = if shines {
-        to_f64(surface.highlight) * cosine.powf(to_f64(surface.exponent))
+        to_f64(surface.highlight) * libm::pow(cosine, to_f64(surface.exponent))
     } else {
         0.0
     };

@@ -47,7 +47,7 @@ impl Shape {
     /// A cone, or a cylinder without growth.
     #[must_use]
     pub fn cone(base: Vector, axis: Vector, radius: f64, growth: f64) -> Self {
-        let gain = 1.0 / growth.hypot(1.0);
+        let gain = 1.0 / libm::hypot(growth, 1.0);
         Self {
             centre: base,
             gain,
@@ -136,7 +136,7 @@ impl Shape {
         };
         let across = unit(cross(self.axis, any_direction(random)));
         let other = cross(self.axis, across);
-        let (sin, cos) = random.random_range(0.0..TAU).sin_cos();
+        let (sin, cos) = libm::sincos(random.random_range(0.0..TAU));
         let off = std::array::from_fn(|k| {
             height * self.axis[k] + radius * (cos * across[k] + sin * other[k])
         });
