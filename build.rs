@@ -1,5 +1,5 @@
-//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's target, also a
-//! library of libspe2's names to link against. Every switch is listed in `docs/build-options.md`.
+//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's target, also
+//! libraries of nothing but names to link against: libspe2's and the C library's. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
 use std::fmt::Write as _;
@@ -31,7 +31,7 @@ fn build() -> Outcome<()> {
     fs::write(out.join("images.rs"), table(&images)?)?;
 
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
-        libspe2_stub(&root, &out)?;
+        stubs(&root, &out)?;
     }
     Ok(())
 }
@@ -91,21 +91,22 @@ fn table(images: &Images) -> Outcome<String> {
     Ok(text)
 }
 
-/// Links the console's program against the names of libspe2 alone, so that no PS3 sysroot is needed.
-fn libspe2_stub(root: &Path, out: &Path) -> Outcome<()> {
+/// Links the console's program, and whatever depends on this crate, against the names of libspe2 alone, so that
+/// no PS3 sysroot is needed, and against those of an old C library, so that an old system runs it.
+fn stubs(root: &Path, out: &Path) -> Outcome<()> {
     let list = root.join("linker/libspe2.symbols");
     println!("cargo:rerun-if-changed={}", list.display());
-    println!("cargo:rerun-if-env-changed=RUSTC_LINKER");
-    let compiler = env::var_os("RUSTC_LINKER").unwrap_or_else(|| "cc".into());
+    let compiler = stub::compiler();
     let folder = out.join("stub");
     fs::create_dir_all(&folder)?;
     let text = fs::read_to_string(&list).map_err(|error| format!("{}: {error}", list.display()))?;
     stub::build(
-        Path::new(&compiler),
+        &compiler,
         "libspe2.so.2",
         &stub::names(&text),
         &folder.join("libspe2.so"),
     )?;
+    stub::glibc::build(&compiler, &folder)?;
     println!("cargo:rustc-link-search=native={}", folder.display());
     println!("cargo:rustc-link-lib=dylib=spe2");
     Ok(())

@@ -5,7 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use crate::formulation::Formulations;
-use crate::{Error, Tools, assembler, run};
+use crate::{Error, Tools, assembler, file_error, run, write};
 
 /// Which version of each kernel an image has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -192,17 +192,6 @@ fn note(formulations: &Formulations) -> String {
         "        .section .formulation,\"\",@progbits\n{}",
         lines.concat()
     )
-}
-
-fn write(path: &Path, text: &str) -> Result<(), Error> {
-    fs::write(path, text).map_err(|source| file_error(path, source))
-}
-
-fn file_error(path: &Path, source: std::io::Error) -> Error {
-    Error::File {
-        path: path.to_path_buf(),
-        source,
-    }
 }
 
 /// All files below `folder` that end in `extension`, sorted, so that an image never depends on the

@@ -15,7 +15,8 @@ pub mod stub;
 mod tools;
 mod tracer;
 
-use std::path::PathBuf;
+use std::fs;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 pub use image::{Image, Version};
@@ -67,10 +68,18 @@ pub enum Error {
     /// No source files.
     #[error("{0}: no .s files in it")]
     NoSources(PathBuf),
+    /// The C library to link against can't be read.
+    #[error("{0}")]
+    Library(String),
 }
 
 /// Runs a command to its end; its output is part of the error.
 fn run(command: &mut Command) -> Result<(), Error> {
+    output(command).map(|_| ())
+}
+
+/// The same, for what it writes to its standard output.
+fn output(command: &mut Command) -> Result<String, Error> {
     let line = || {
         let words = std::iter::once(command.get_program()).chain(command.get_args());
         words
@@ -83,14 +92,25 @@ fn run(command: &mut Command) -> Result<(), Error> {
         command: line.clone(),
         source,
     })?;
-    if output.status.success() {
-        return Ok(());
-    }
     let mut text = String::from_utf8_lossy(&output.stdout).into_owned();
+    if output.status.success() {
+        return Ok(text);
+    }
     text.push_str(&String::from_utf8_lossy(&output.stderr));
     Err(Error::Failed {
         command: line,
         status: output.status,
         output: text,
     })
+}
+
+fn write(path: &Path, text: &str) -> Result<(), Error> {
+    fs::write(path, text).map_err(|source| file_error(path, source))
+}
+
+fn file_error(path: &Path, source: std::io::Error) -> Error {
+    Error::File {
+        path: path.to_path_buf(),
+        source,
+    }
 }

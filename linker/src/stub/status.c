@@ -1,0 +1,24 @@
+/* Since 2.33 the library has functions of these names; before, programs had these. The layout of what they
+   write is that of a 64-bit program in every version. */
+enum { LAYOUT = 1 };
+
+int __xstat(int layout, const char *path, void *status);
+int __lxstat(int layout, const char *path, void *status);
+int __fxstat(int layout, int file, void *status);
+int __fxstatat(int layout, int folder, const char *path, void *status, int flags);
+
+int stat(const char *path, void *status) { return __xstat(LAYOUT, path, status); }
+int lstat(const char *path, void *status) { return __lxstat(LAYOUT, path, status); }
+int fstat(int file, void *status) { return __fxstat(LAYOUT, file, status); }
+int fstatat(int folder, const char *path, void *status, int flags)
+{
+    return __fxstatat(LAYOUT, folder, path, status, flags);
+}
+
+int stat64(const char *path, void *status) { return __xstat(LAYOUT, path, status); }
+int lstat64(const char *path, void *status) { return __lxstat(LAYOUT, path, status); }
+int fstat64(int file, void *status) { return __fxstat(LAYOUT, file, status); }
+int fstatat64(int folder, const char *path, void *status, int flags)
+{
+    return __fxstatat(LAYOUT, folder, path, status, flags);
+}
