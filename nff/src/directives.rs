@@ -3,9 +3,12 @@
 //! Invariant: what is read is as the scene's own rules have it: a direction is not 0, a size is above
 //! 0, a range has a width.
 
+use std::io::BufRead;
+
 use glam::DVec3;
 
 use crate::error::Excerpt;
+use crate::lines::LineError;
 use crate::words::Words;
 use crate::{Fault, Shader};
 
@@ -23,7 +26,7 @@ pub(crate) enum Directive {
 }
 
 /// The directive of a line, of which the first word is read.
-pub(crate) fn read(words: &mut Words<'_>) -> Result<Directive, Fault> {
+pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineError> {
     match words.word("directive")? {
         "ambient" => {
             let colour = words.colour(["ambient red", "ambient green", "ambient blue"])?;
@@ -35,7 +38,7 @@ pub(crate) fn read(words: &mut Words<'_>) -> Result<Directive, Fault> {
             let colour = words.light_colour()?;
             words.end("sun")?;
             if to_light == DVec3::ZERO {
-                return Err(Fault::NoDirection("the direction to the sun"));
+                return Err(Fault::NoDirection("the direction to the sun").into());
             }
             Ok(Directive::Sun { to_light, colour })
         }
@@ -44,11 +47,11 @@ pub(crate) fn read(words: &mut Words<'_>) -> Result<Directive, Fault> {
             words.end("shader")?;
             Ok(Directive::Shader(shader))
         }
-        other => Err(Fault::UnknownDirective(Excerpt::of(other))),
+        other => Err(Fault::UnknownDirective(Excerpt::of(other)).into()),
     }
 }
 
-fn shader(words: &mut Words<'_>) -> Result<Shader, Fault> {
+fn shader(words: &mut Words<impl BufRead>) -> Result<Shader, LineError> {
     match words.word("name of the shader")? {
         "flat" => Ok(Shader::Flat),
         "lambert" => Ok(Shader::Lambert),
@@ -57,7 +60,7 @@ fn shader(words: &mut Words<'_>) -> Result<Shader, Fault> {
             let other = words.colour(["checker red", "checker green", "checker blue"])?;
             let (field, size) = ("checker size", words.real("checker size")?);
             if size <= 0.0 {
-                return Err(Fault::NotPositive { field, value: size });
+                return Err(Fault::NotPositive { field, value: size }.into());
             }
             Ok(Shader::Checker { other, size })
         }
@@ -65,7 +68,7 @@ fn shader(words: &mut Words<'_>) -> Result<Shader, Fault> {
             let far = words.not_negative("depth far")?;
             let near = words.not_negative("depth near")?;
             if far <= near {
-                return Err(Fault::DepthRange { far, near });
+                return Err(Fault::DepthRange { far, near }.into());
             }
             Ok(Shader::Depth { far, near })
         }
@@ -73,18 +76,16 @@ fn shader(words: &mut Words<'_>) -> Result<Shader, Fault> {
             let mut rest = name.chars();
             let begins = rest.next().is_some_and(|c| c.is_ascii_alphabetic());
             if !begins || !rest.all(|c| c.is_ascii_alphanumeric() || c == '_') {
-                return Err(Fault::ShaderName(Excerpt::of(name)));
+                return Err(Fault::ShaderName(Excerpt::of(name)).into());
             }
+            let name = name.to_owned();
             let mut parameters = [0.0; 4];
             for parameter in &mut parameters {
-                if words.more() {
+                if words.more()? {
                     *parameter = words.real("parameter of the shader")?;
                 }
             }
-            Ok(Shader::Own {
-                name: name.to_owned(),
-                parameters,
-            })
+            Ok(Shader::Own { name, parameters })
         }
     }
 }

@@ -108,18 +108,42 @@ pub enum Fault {
         /// What is there.
         value: Excerpt,
     },
-    /// The line ends before all is given.
+    /// A whole number that is too large.
+    #[error("{field} {value} is more than {limit}")]
+    LargeCount {
+        /// What was to be given.
+        field: &'static str,
+        /// What is there.
+        value: Excerpt,
+        /// The most that it may be.
+        limit: usize,
+    },
+    /// A directive's line ends before all is given.
     #[error("{0} is missing")]
     Missing(&'static str),
-    /// The line goes on after all is given.
+    /// Another entity begins before all is given.
+    #[error(
+        "{field} of the {entity} that starts on line {start} is missing: {value} is in its place"
+    )]
+    Incomplete {
+        /// What was to be given.
+        field: &'static str,
+        /// The entity.
+        entity: &'static str,
+        /// Where it starts.
+        start: u32,
+        /// The keyword that is there.
+        value: Excerpt,
+    },
+    /// More words after all is given.
     #[error("{entity} is followed by {value}, which does not belong there")]
     Extra {
-        /// What the line gives.
+        /// What they follow.
         entity: &'static str,
         /// The first word too many.
         value: Excerpt,
     },
-    /// Another line of a view was expected.
+    /// Another part of a view was expected.
     #[error("the view's `{expected}` is expected here, not {value}")]
     ViewLine {
         /// The keyword that comes next.
@@ -147,12 +171,14 @@ pub enum Fault {
         needed: &'static str,
     },
     /// The file ends inside an entity.
-    #[error("the file ends inside the {entity} that starts on line {start}")]
+    #[error("the file ends inside the {entity} that starts on line {start}: {field} is missing")]
     Truncated {
         /// The entity.
         entity: &'static str,
         /// Where it starts.
         start: u32,
+        /// What was to be given next.
+        field: &'static str,
     },
     /// The file ends without a view.
     #[error("the file has no view (v)")]
@@ -177,7 +203,7 @@ pub enum Fault {
         /// `polygon` or `patch`.
         entity: &'static str,
         /// How many it says it has.
-        count: u64,
+        count: usize,
     },
     /// More of something than [`Limits`](crate::Limits) allow.
     #[error("more than {limit} {what}")]

@@ -1,4 +1,5 @@
 //! The lines of a file that have words, read within limits. A comment that is a directive has words.
+//! A line ends with a line feed, a carriage return or both; a byte-order mark is passed over.
 //!
 //! Invariant: never more than one line and one buffer of the reader in memory.
 
@@ -8,6 +9,9 @@ use crate::Fault;
 
 /// The first word of a directive: to other programs it begins a comment.
 pub(crate) const DIRECTIVE: &str = "#cellray";
+
+/// What some programs begin UTF-8 text with.
+const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
 /// How much a scene may hold, so that no file can take all memory or time.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,7 +31,7 @@ impl Default for Limits {
         Self {
             objects: 4_000_000,
             vertices: 16_000_000,
-            line_bytes: 64 * 1024,
+            line_bytes: 1024 * 1024,
             lines: 64_000_000,
         }
     }
@@ -36,10 +40,12 @@ impl Default for Limits {
 /// A reader's lines, one at a time.
 pub(crate) struct Lines<R> {
     reader: R,
-    /// The line at hand.
+    /// The line at hand, without its comment.
     bytes: Vec<u8>,
     /// Its number, from 1; 0 before the first.
     number: u32,
+    /// Whether a line feed that comes next belongs to the line at hand.
+    after_return: bool,
     max_bytes: usize,
     max_lines: u32,
 }
@@ -56,6 +62,7 @@ impl<R: BufRead> Lines<R> {
             reader,
             bytes: Vec::new(),
             number: 0,
+            after_return: false,
             max_bytes: limits.line_bytes,
             max_lines: limits.lines,
         }
@@ -66,31 +73,19 @@ impl<R: BufRead> Lines<R> {
         self.number
     }
 
-    /// The next line that has words, without its comment; nothing at the end of the file.
-    pub(crate) fn advance(&mut self) -> Result<Option<&str>, LineError> {
-        let start = loop {
-            if !self.read()? {
-                return Ok(None);
+    /// Brings the next line that has words; false at the end of the file.
+    pub(crate) fn advance(&mut self) -> Result<bool, LineError> {
+        while self.read()? {
+            if self.bytes.iter().any(|byte| !byte.is_ascii_whitespace()) {
+                return Ok(true);
             }
-            let text = self.text()?;
-            if let Some(start) = text.find(|c: char| !c.is_ascii_whitespace()) {
-                break start;
-            }
-        };
-        Ok(Some(&self.text()?[start..]))
+        }
+        Ok(false)
     }
 
-    /// The line at hand, without its comment.
-    fn text(&self) -> Result<&str, LineError> {
-        let text = str::from_utf8(&self.bytes)
-            .map_err(|error| LineError::Fault(Fault::NotText(error.valid_up_to() + 1)))?;
-        let start = text.len() - text.trim_ascii_start().len();
-        let directive = text[start..]
-            .strip_prefix(DIRECTIVE)
-            .is_some_and(|rest| !rest.starts_with(|c: char| !c.is_ascii_whitespace()));
-        let from = if directive { start + 1 } else { 0 };
-        let end = text[from..].find('#').map_or(text.len(), |at| from + at);
-        Ok(&text[..end])
+    /// The line at hand, without its comment. What is in a comment need not be text.
+    pub(crate) fn bytes(&self) -> &[u8] {
+        &self.bytes
     }
 
     /// Brings the next line into `bytes`; false at the end of the file.
@@ -102,6 +97,10 @@ impl<R: BufRead> Lines<R> {
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => continue,
                 Err(error) => return Err(LineError::Io(error)),
             };
+            if std::mem::take(&mut self.after_return) && buffer.first() == Some(&b'\n') {
+                self.reader.consume(1);
+                continue;
+            }
             if self.bytes.is_empty() && !buffer.is_empty() && self.number == self.max_lines {
                 let limit = self.max_lines as usize;
                 return Err(LineError::Fault(Fault::TooMany {
@@ -109,20 +108,40 @@ impl<R: BufRead> Lines<R> {
                     limit,
                 }));
             }
-            let end = buffer.iter().position(|&byte| byte == b'\n');
+            let is_end = |&byte: &u8| byte == b'\n' || byte == b'\r';
+            let end = buffer.iter().position(is_end);
             let part = &buffer[..end.unwrap_or(buffer.len())];
             if part.len() > self.max_bytes - self.bytes.len() {
                 self.number += 1;
                 return Err(LineError::Fault(Fault::LongLine(self.max_bytes)));
             }
             self.bytes.extend_from_slice(part);
+            self.after_return = end.is_some_and(|end| buffer[end] == b'\r');
             let (at_end, used) = (buffer.is_empty(), part.len() + usize::from(end.is_some()));
             self.reader.consume(used);
             if end.is_some() || at_end {
                 let any = end.is_some() || !self.bytes.is_empty();
                 self.number += u32::from(any);
+                self.trim();
                 return Ok(any);
             }
+        }
+    }
+
+    /// Takes off what is not the scene's: a byte-order mark and the comment.
+    fn trim(&mut self) {
+        if self.number == 1 && self.bytes.starts_with(BYTE_ORDER_MARK) {
+            self.bytes.drain(..BYTE_ORDER_MARK.len());
+        }
+        let text = self.bytes.trim_ascii_start();
+        let start = self.bytes.len() - text.len();
+        let is_directive = text
+            .strip_prefix(DIRECTIVE.as_bytes())
+            .is_some_and(|rest| rest.first().is_none_or(u8::is_ascii_whitespace));
+        let from = if is_directive { start + 1 } else { 0 };
+        let comment = self.bytes[from..].iter().position(|&byte| byte == b'#');
+        if let Some(at) = comment {
+            self.bytes.truncate(from + at);
         }
     }
 }

@@ -1,4 +1,4 @@
-//! The grammar: from lines to a scene.
+//! The grammar: from words to a scene.
 //!
 //! Invariant: what is allocated grows with what was read, never with what the file announces.
 
@@ -9,11 +9,36 @@ use std::path::Path;
 use glam::DVec3;
 
 use crate::directives::{self, Directive};
-use crate::error::Excerpt;
-use crate::lines::{DIRECTIVE, LineError, Lines};
+use crate::lines::{DIRECTIVE, LineError};
 use crate::view;
 use crate::words::Words;
 use crate::{Error, Fault, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
+
+/// What entities are called in messages.
+const VIEW: &str = "view";
+const BACKGROUND: &str = "background";
+const LIGHT: &str = "light";
+const MATERIAL: &str = "material";
+const SPHERE: &str = "sphere";
+const CONE: &str = "cone";
+const POLYGON: &str = "polygon";
+const PATCH: &str = "patch";
+
+/// The name of the entity that a keyword begins.
+fn name(keyword: &str) -> Option<&'static str> {
+    Some(match keyword {
+        "v" => VIEW,
+        "b" => BACKGROUND,
+        "l" => LIGHT,
+        "f" => MATERIAL,
+        "s" => SPHERE,
+        "c" => CONE,
+        "p" => POLYGON,
+        "pp" => PATCH,
+        DIRECTIVE => DIRECTIVE,
+        _ => return None,
+    })
+}
 
 /// Reads a scene file within the default [`Limits`].
 ///
@@ -47,7 +72,7 @@ pub fn parse(reader: impl BufRead, name: &str, limits: &Limits) -> Result<Scene,
             // An empty file has no line, but a message needs one.
             LineError::Fault(fault) => Error::Text {
                 file: name.to_owned(),
-                line: parser.lines.number().max(1),
+                line: parser.words.line().max(1),
                 fault,
             },
         })
@@ -59,15 +84,8 @@ impl<T: Into<Fault>> From<T> for LineError {
     }
 }
 
-/// An entity that takes more than its first line.
-#[derive(Clone, Copy)]
-struct Entity {
-    name: &'static str,
-    start: u32,
-}
-
 struct Parser<'a, R> {
-    lines: Lines<R>,
+    words: Words<R>,
     limits: &'a Limits,
     view: Option<(u32, View)>,
     background: Option<(u32, DVec3)>,
@@ -83,7 +101,7 @@ struct Parser<'a, R> {
 impl<'a, R: BufRead> Parser<'a, R> {
     fn new(reader: R, limits: &'a Limits) -> Self {
         Self {
-            lines: Lines::new(reader, limits),
+            words: Words::new(reader, limits),
             limits,
             view: None,
             background: None,
@@ -97,50 +115,21 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn run(&mut self) -> Result<(), LineError> {
-        while let Some(text) = self.lines.advance()? {
-            let mut words = Words::of(text);
-            match words.keyword() {
-                "v" => {
-                    words.end("view")?;
-                    self.view()?;
+        while let Some(entity) = self.words.entity(name)? {
+            match entity {
+                VIEW => self.view()?,
+                BACKGROUND => self.background()?,
+                LIGHT => {
+                    self.room_for_light()?;
+                    let light = self.words.light()?;
+                    self.light(light);
                 }
-                "b" => {
-                    let colour =
-                        words.colour(["background red", "background green", "background blue"])?;
-                    words.end("background")?;
-                    self.background(colour)?;
-                }
-                "l" => {
-                    let light = words.light()?;
-                    self.light(light)?;
-                }
-                "f" => {
-                    let material = words.material()?;
-                    self.material(material)?;
-                }
-                "s" => {
-                    let sphere = words.sphere()?;
-                    self.object("sphere", self.lines.number(), |_| Ok(sphere))?;
-                }
-                "c" => {
-                    words.end("cone")?;
-                    self.object("cone", self.lines.number(), Self::cone)?;
-                }
-                "p" => {
-                    let count = words.count("polygon")?;
-                    self.object("polygon", self.lines.number(), |parser| {
-                        parser.polygon(count)
-                    })?;
-                }
-                "pp" => {
-                    let count = words.count("patch")?;
-                    self.object("patch", self.lines.number(), |parser| parser.patch(count))?;
-                }
-                DIRECTIVE => {
-                    let directive = directives::read(&mut words)?;
-                    self.directive(directive)?;
-                }
-                other => return Err(Fault::UnknownEntity(Excerpt::of(other)).into()),
+                MATERIAL => self.material()?,
+                SPHERE => self.object(entity, |parser| parser.words.sphere())?,
+                CONE => self.object(entity, Self::cone)?,
+                POLYGON => self.object(entity, Self::polygon)?,
+                PATCH => self.object(entity, Self::patch)?,
+                _ => self.directive()?,
             }
         }
         Ok(())
@@ -161,40 +150,29 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn view(&mut self) -> Result<(), LineError> {
-        let start = self.lines.number();
+        let start = self.words.start();
         once("view (v)", self.view.as_ref().map(|(line, _)| *line))?;
-        let entity = Entity {
-            name: "view",
-            start,
-        };
-        let from = self.view_line(entity, "from", |words| {
-            words.point(["from x", "from y", "from z"])
-        })?;
-        let (at, sight) = self.view_line(entity, "at", |words| {
-            let at = words.point(["at x", "at y", "at z"])?;
-            Ok((at, view::sight(from, at)?))
-        })?;
-        let up = self.view_line(entity, "up", |words| {
-            let up = words.point(["up x", "up y", "up z"])?;
-            view::right(sight, up)?;
-            Ok(up)
-        })?;
-        let angle = self.view_line(entity, "angle", |words| {
-            let angle = words.real("angle")?;
-            view::check_angle(angle)?;
-            Ok(angle)
-        })?;
-        let hither = self.view_line(entity, "hither", |words| {
-            let hither = words.real("hither")?;
-            view::check_hither(hither)?;
-            Ok(hither)
-        })?;
-        let resolution = self.view_line(entity, "resolution", |words| {
-            let width = words.side("resolution width")?;
-            let height = words.side("resolution height")?;
-            view::check_size(width, height)?;
-            Ok((width, height))
-        })?;
+        let words = &mut self.words;
+        words.expect("from")?;
+        let from = words.point(["from x", "from y", "from z"])?;
+        words.expect("at")?;
+        let at = words.point(["at x", "at y", "at z"])?;
+        let sight = view::sight(from, at)?;
+        words.expect("up")?;
+        let up = words.point(["up x", "up y", "up z"])?;
+        view::right(sight, up)?;
+        words.expect("angle")?;
+        let angle = words.real("angle")?;
+        view::check_angle(angle)?;
+        words.expect("hither")?;
+        let hither = words.real("hither")?;
+        view::check_hither(hither)?;
+        words.expect("resolution")?;
+        let resolution = (
+            words.side("resolution width")?,
+            words.side("resolution height")?,
+        );
+        view::check_size(resolution.0, resolution.1)?;
         let view = View {
             from,
             at,
@@ -207,51 +185,25 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(())
     }
 
-    /// One of the view's lines.
-    fn view_line<T>(
-        &mut self,
-        view: Entity,
-        keyword: &'static str,
-        read: impl FnOnce(&mut Words<'_>) -> Result<T, Fault>,
-    ) -> Result<T, LineError> {
-        let mut words = self.continuation(view)?;
-        let found = words.keyword();
-        if found != keyword {
-            return Err(Fault::ViewLine {
-                expected: keyword,
-                value: Excerpt::of(found),
-            }
-            .into());
-        }
-        let value = read(&mut words)?;
-        words.end(keyword)?;
-        Ok(value)
-    }
-
-    /// The next line of an entity that is not at its end.
-    fn continuation(&mut self, entity: Entity) -> Result<Words<'_>, LineError> {
-        let fault = Fault::Truncated {
-            entity: entity.name,
-            start: entity.start,
-        };
-        Ok(Words::of(self.lines.advance()?.ok_or(fault)?))
-    }
-
-    fn background(&mut self, colour: DVec3) -> Result<(), LineError> {
+    fn background(&mut self) -> Result<(), LineError> {
+        let start = self.words.start();
         once("background (b)", self.background.map(|(line, _)| line))?;
-        self.background = Some((self.lines.number(), colour));
+        let fields = ["background red", "background green", "background blue"];
+        self.background = Some((start, self.words.colour(fields)?));
         Ok(())
     }
 
-    fn directive(&mut self, directive: Directive) -> Result<(), LineError> {
-        match directive {
+    fn directive(&mut self) -> Result<(), LineError> {
+        match directives::read(&mut self.words)? {
             Directive::Ambient(colour) => {
                 once("ambient light", self.ambient.map(|(line, _)| line))?;
-                self.ambient = Some((self.lines.number(), colour));
+                self.ambient = Some((self.words.start(), colour));
                 Ok(())
             }
             Directive::Sun { to_light, colour } => {
-                self.light((LightKind::Directional { to_light }, colour))
+                self.room_for_light()?;
+                self.light((LightKind::Directional { to_light }, colour));
+                Ok(())
             }
             Directive::Shader(shader) => self.shader(shader),
         }
@@ -263,22 +215,24 @@ impl<'a, R: BufRead> Parser<'a, R> {
             needed: "first material (f)",
         })?;
         once("shader of this material", self.shader)?;
-        self.shader = Some(self.lines.number());
+        self.shader = Some(self.words.start());
         material.shader = shader;
         Ok(())
     }
 
-    fn light(&mut self, (kind, colour): (LightKind, Option<DVec3>)) -> Result<(), LineError> {
-        room(self.lights.len(), "lights", self.limits.objects)?;
+    fn room_for_light(&self) -> Result<(), Fault> {
+        room(self.lights.len(), "lights", self.limits.objects)
+    }
+
+    fn light(&mut self, (kind, colour): (LightKind, Option<DVec3>)) {
         self.lights.push(Light {
-            line: self.lines.number(),
+            line: self.words.start(),
             kind,
             colour,
         });
-        Ok(())
     }
 
-    fn material(&mut self, material: Material) -> Result<(), LineError> {
+    fn material(&mut self) -> Result<(), LineError> {
         room(
             self.materials.len(),
             "materials",
@@ -286,17 +240,16 @@ impl<'a, R: BufRead> Parser<'a, R> {
         )?;
         self.shader = None;
         self.materials.push(Material {
-            line: self.lines.number(),
-            ..material
+            line: self.words.start(),
+            ..self.words.material()?
         });
         Ok(())
     }
 
-    /// Adds the object that starts on `line`; `shape` reads what is left of it.
+    /// Adds an object, whose keyword is read; `shape` reads what is left of it.
     fn object(
         &mut self,
         entity: &'static str,
-        line: u32,
         shape: impl FnOnce(&mut Self) -> Result<Shape, LineError>,
     ) -> Result<(), LineError> {
         if self.view.is_none() {
@@ -314,6 +267,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
             .into());
         };
         room(self.objects.len(), "objects", self.limits.objects)?;
+        let line = self.words.start();
         let shape = shape(self)?;
         // `material` keeps the number of materials within a u32.
         self.objects.push(Object {
@@ -325,18 +279,11 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 
     fn cone(&mut self) -> Result<Shape, LineError> {
-        let cone = Entity {
-            name: "cone",
-            start: self.lines.number(),
-        };
-        let mut words = self.continuation(cone)?;
+        let words = &mut self.words;
         let base = words.point(["base x", "base y", "base z"])?;
         let base_radius = words.real("base radius")?;
-        words.end("cone's base")?;
-        let mut words = self.continuation(cone)?;
         let apex = words.point(["apex x", "apex y", "apex z"])?;
         let apex_radius = words.real("apex radius")?;
-        words.end("cone's apex")?;
         if base_radius == 0.0 && apex_radius == 0.0 {
             return Err(Fault::ZeroRadius("each of base radius and apex radius").into());
         }
@@ -358,61 +305,43 @@ impl<'a, R: BufRead> Parser<'a, R> {
         })
     }
 
-    fn polygon(&mut self, count: u64) -> Result<Shape, LineError> {
+    fn polygon(&mut self) -> Result<Shape, LineError> {
         let mut vertices = Vec::new();
-        self.vertices("polygon", count, |words| {
-            vertices.push(words.vertex()?);
-            Ok(())
-        })?;
+        for _ in 0..self.vertices(POLYGON)? {
+            vertices.push(self.words.vertex()?);
+        }
         vertices.shrink_to_fit();
         Ok(Shape::Polygon { vertices })
     }
 
-    fn patch(&mut self, count: u64) -> Result<Shape, LineError> {
+    fn patch(&mut self) -> Result<Shape, LineError> {
         let (mut vertices, mut normals) = (Vec::new(), Vec::new());
-        self.vertices("patch", count, |words| {
-            vertices.push(words.vertex()?);
-            normals.push(words.point(["normal x", "normal y", "normal z"])?);
-            Ok(())
-        })?;
+        for _ in 0..self.vertices(PATCH)? {
+            vertices.push(self.words.vertex()?);
+            normals.push(self.words.point(["normal x", "normal y", "normal z"])?);
+        }
         vertices.shrink_to_fit();
         normals.shrink_to_fit();
         Ok(Shape::Patch { vertices, normals })
     }
 
-    /// The `count` lines of a polygon or a patch, each read by `read`.
-    fn vertices(
-        &mut self,
-        name: &'static str,
-        count: u64,
-        mut read: impl FnMut(&mut Words<'_>) -> Result<(), Fault>,
-    ) -> Result<(), LineError> {
+    /// Reads how many vertices there are to come. Refused before the first one is read: it may be far beyond
+    /// any memory.
+    fn vertices(&mut self, entity: &'static str) -> Result<usize, LineError> {
+        let limit = self.limits.vertices;
+        let count = self.words.count(limit)?;
         if count < 3 {
-            return Err(Fault::FewVertices {
-                entity: name,
-                count,
+            return Err(Fault::FewVertices { entity, count }.into());
+        }
+        if count > limit - self.vertices {
+            return Err(Fault::TooMany {
+                what: "vertices",
+                limit,
             }
             .into());
         }
-        let limit = self.limits.vertices;
-        let left = limit.saturating_sub(self.vertices);
-        // Refused before the first vertex is read; `count` may be far beyond any memory.
-        let count = usize::try_from(count).ok().filter(|&count| count <= left);
-        let count = count.ok_or(Fault::TooMany {
-            what: "vertices",
-            limit,
-        })?;
-        let entity = Entity {
-            name,
-            start: self.lines.number(),
-        };
-        for _ in 0..count {
-            let mut words = self.continuation(entity)?;
-            read(&mut words)?;
-            words.end("vertex")?;
-        }
         self.vertices += count;
-        Ok(())
+        Ok(count)
     }
 }
 

@@ -1,62 +1,184 @@
-//! The words of a line and what each may be.
+//! The words of a file, whichever lines they stand on, and what each may be.
+//!
+//! NFF is read word by word: a line's end is a blank. Only a directive, a comment to other programs, ends
+//! with its line.
 //!
 //! Invariant: a number that comes from here is finite and at most [`MAX_MAGNITUDE`] in size.
 
-use std::str::SplitAsciiWhitespace;
+use std::io::BufRead;
+use std::str::FromStr;
 
 use glam::DVec3;
 
 use crate::error::Excerpt;
-use crate::{Fault, LightKind, Material, Shader, Shape};
+use crate::lines::{DIRECTIVE, LineError, Lines};
+use crate::{Fault, LightKind, Limits, MAX_SIDE, Material, Shader, Shape};
 
 /// Largest magnitude of a number in a scene: the squares of differences of such numbers, and sums
 /// of those, stay finite in an `f64`.
 pub const MAX_MAGNITUDE: f64 = 1e150;
 
-/// The words of a line: its keyword, if it has one, and what follows.
-pub(crate) struct Words<'a> {
-    rest: SplitAsciiWhitespace<'a>,
+/// The words that begin an entity or a part of the view: none of them stands for a number.
+const KEYWORDS: [&str; 15] = [
+    "v",
+    "b",
+    "l",
+    "f",
+    "s",
+    "c",
+    "p",
+    "pp",
+    DIRECTIVE,
+    "from",
+    "at",
+    "up",
+    "angle",
+    "hither",
+    "resolution",
+];
+
+/// What words belong to.
+#[derive(Clone, Copy)]
+struct Entity {
+    name: &'static str,
+    /// Line of its first word.
+    start: u32,
+    /// Line of its last word so far.
+    last: u32,
 }
 
-impl<'a> Words<'a> {
-    pub(crate) fn of(text: &'a str) -> Self {
+/// A reader's words, one at a time.
+pub(crate) struct Words<R> {
+    lines: Lines<R>,
+    /// Where in the line at hand the next word may begin.
+    at: usize,
+    entity: Entity,
+}
+
+impl<R: BufRead> Words<R> {
+    pub(crate) fn new(reader: R, limits: &Limits) -> Self {
         Self {
-            rest: text.split_ascii_whitespace(),
+            lines: Lines::new(reader, limits),
+            at: 0,
+            entity: Entity {
+                name: "",
+                start: 0,
+                last: 0,
+            },
         }
     }
 
-    /// The first word.
-    pub(crate) fn keyword(&mut self) -> &'a str {
-        self.rest.next().unwrap_or_default()
+    /// Number of the line that the last word, or one that was looked for after it, is on, from 1.
+    pub(crate) fn line(&self) -> u32 {
+        self.lines.number()
     }
 
-    pub(crate) fn word(&mut self, field: &'static str) -> Result<&'a str, Fault> {
-        self.rest.next().ok_or(Fault::Missing(field))
+    /// Line of the entity's first word.
+    pub(crate) fn start(&self) -> u32 {
+        self.entity.start
     }
 
-    pub(crate) fn real(&mut self, field: &'static str) -> Result<f64, Fault> {
-        real(field, self.word(field)?)
+    /// The next entity's name for messages, by its keyword, of which `known` knows the names; nothing at the
+    /// end of the file.
+    pub(crate) fn entity(
+        &mut self,
+        known: impl FnOnce(&str) -> Option<&'static str>,
+    ) -> Result<Option<&'static str>, LineError> {
+        if !self.seek()? {
+            return Ok(None);
+        }
+        let before = self.entity;
+        let line = self.line();
+        let word = self.take()?;
+        let Some(name) = known(word) else {
+            let value = Excerpt::of(word);
+            let goes_on = before.last == line || is_like_a_number(word);
+            return Err(if goes_on && before.last > 0 {
+                Fault::Extra {
+                    entity: before.name,
+                    value,
+                }
+                .into()
+            } else {
+                Fault::UnknownEntity(value).into()
+            });
+        };
+        self.entity = Entity {
+            name,
+            start: line,
+            last: line,
+        };
+        Ok(Some(name))
     }
 
-    pub(crate) fn not_negative(&mut self, field: &'static str) -> Result<f64, Fault> {
+    /// The next word, which gives a field of the entity.
+    pub(crate) fn word(&mut self, field: &'static str) -> Result<&str, LineError> {
+        let Entity { name, start, .. } = self.entity;
+        if name == DIRECTIVE {
+            if !self.seek_in_line() {
+                return Err(Fault::Missing(field).into());
+            }
+        } else if !self.seek()? {
+            return Err(Fault::Truncated {
+                entity: name,
+                start,
+                field,
+            }
+            .into());
+        }
+        self.entity.last = self.line();
+        self.take()
+    }
+
+    /// As [`Self::word`], where a keyword is one of the next entity.
+    fn number(&mut self, field: &'static str) -> Result<&str, LineError> {
+        let Entity { name, start, .. } = self.entity;
+        let word = self.word(field)?;
+        if KEYWORDS.contains(&word) && name != DIRECTIVE {
+            return Err(Fault::Incomplete {
+                field,
+                entity: name,
+                start,
+                value: Excerpt::of(word),
+            }
+            .into());
+        }
+        Ok(word)
+    }
+
+    /// The next word has to be a certain one of the view's.
+    pub(crate) fn expect(&mut self, expected: &'static str) -> Result<(), LineError> {
+        let found = self.word(expected)?;
+        if found == expected {
+            return Ok(());
+        }
+        let value = Excerpt::of(found);
+        Err(Fault::ViewLine { expected, value }.into())
+    }
+
+    pub(crate) fn real(&mut self, field: &'static str) -> Result<f64, LineError> {
+        Ok(real(field, self.number(field)?)?)
+    }
+
+    pub(crate) fn not_negative(&mut self, field: &'static str) -> Result<f64, LineError> {
         let value = self.real(field)?;
         if value < 0.0 {
-            Err(Fault::Negative { field, value })
+            Err(Fault::Negative { field, value }.into())
         } else {
             Ok(value)
         }
     }
 
-    pub(crate) fn point(&mut self, fields: [&'static str; 3]) -> Result<DVec3, Fault> {
+    pub(crate) fn point(&mut self, fields: [&'static str; 3]) -> Result<DVec3, LineError> {
         let [x, y, z] = fields;
         Ok(DVec3::new(self.real(x)?, self.real(y)?, self.real(z)?))
     }
 
-    pub(crate) fn vertex(&mut self) -> Result<DVec3, Fault> {
+    pub(crate) fn vertex(&mut self) -> Result<DVec3, LineError> {
         self.point(["vertex x", "vertex y", "vertex z"])
     }
 
-    pub(crate) fn colour(&mut self, fields: [&'static str; 3]) -> Result<DVec3, Fault> {
+    pub(crate) fn colour(&mut self, fields: [&'static str; 3]) -> Result<DVec3, LineError> {
         let [red, green, blue] = fields;
         Ok(DVec3::new(
             self.not_negative(red)?,
@@ -65,21 +187,42 @@ impl<'a> Words<'a> {
         ))
     }
 
-    /// A side of the resolution; one beyond a u32 is as absurd as the largest u32.
-    pub(crate) fn side(&mut self, field: &'static str) -> Result<u32, Fault> {
-        Ok(u32::try_from(whole(field, self.word(field)?)?).unwrap_or(u32::MAX))
+    /// A side of the resolution, which is still to be checked.
+    pub(crate) fn side(&mut self, field: &'static str) -> Result<u32, LineError> {
+        self.whole(field, MAX_SIDE as usize)
     }
 
-    pub(crate) fn light(&mut self) -> Result<(LightKind, Option<DVec3>), Fault> {
+    /// A number of vertices, at most `limit`.
+    pub(crate) fn count(&mut self, limit: usize) -> Result<usize, LineError> {
+        let field = "number of vertices";
+        let count: usize = self.whole(field, limit)?;
+        if count > limit {
+            let value = count.to_string();
+            return Err(large(field, &value, limit).into());
+        }
+        Ok(count)
+    }
+
+    /// A whole number, not negative; one that is none of its type is above the limit as well.
+    fn whole<T: FromStr>(&mut self, field: &'static str, limit: usize) -> Result<T, LineError> {
+        let word = self.number(field)?;
+        let digits = word.strip_prefix('+').unwrap_or(word);
+        if digits.is_empty() || !digits.bytes().all(|byte| byte.is_ascii_digit()) {
+            let value = Excerpt::of(word);
+            return Err(Fault::NotACount { field, value }.into());
+        }
+        Ok(digits.parse().map_err(|_| large(field, word, limit))?)
+    }
+
+    pub(crate) fn light(&mut self) -> Result<(LightKind, Option<DVec3>), LineError> {
         let position = self.point(["light x", "light y", "light z"])?;
         let colour = self.light_colour()?;
-        self.end("light")?;
         Ok((LightKind::Point { position }, colour))
     }
 
     /// A light's colour, if there is one.
-    pub(crate) fn light_colour(&mut self) -> Result<Option<DVec3>, Fault> {
-        if self.more() {
+    pub(crate) fn light_colour(&mut self) -> Result<Option<DVec3>, LineError> {
+        if self.more()? {
             let colour = self.colour(["light red", "light green", "light blue"])?;
             Ok(Some(colour))
         } else {
@@ -87,14 +230,18 @@ impl<'a> Words<'a> {
         }
     }
 
-    /// Whether the line goes on.
-    pub(crate) fn more(&self) -> bool {
-        self.rest.clone().next().is_some()
+    /// Whether the entity goes on, where it need not: with anything but a keyword on its line, with a number
+    /// on a later one.
+    pub(crate) fn more(&mut self) -> Result<bool, LineError> {
+        if self.seek_in_line() {
+            return Ok(!KEYWORDS.contains(&self.peek()?));
+        }
+        Ok(self.entity.name != DIRECTIVE && self.seek()? && is_like_a_number(self.peek()?))
     }
 
     /// A material, for who knows its line to fill that in.
-    pub(crate) fn material(&mut self) -> Result<Material, Fault> {
-        let material = Material {
+    pub(crate) fn material(&mut self) -> Result<Material, LineError> {
+        Ok(Material {
             line: 0,
             colour: self.colour(["material red", "material green", "material blue"])?,
             diffuse: self.not_negative("Kd")?,
@@ -103,37 +250,84 @@ impl<'a> Words<'a> {
             transmittance: self.not_negative("T")?,
             refraction_index: self.not_negative("index of refraction")?,
             shader: Shader::Phong,
-        };
-        self.end("material")?;
-        Ok(material)
+        })
     }
 
-    pub(crate) fn sphere(&mut self) -> Result<Shape, Fault> {
+    pub(crate) fn sphere(&mut self) -> Result<Shape, LineError> {
         let centre = self.point(["centre x", "centre y", "centre z"])?;
         let radius = self.real("radius")?;
-        self.end("sphere")?;
         if radius == 0.0 {
-            Err(Fault::ZeroRadius("radius"))
+            Err(Fault::ZeroRadius("radius").into())
         } else {
             Ok(Shape::Sphere { centre, radius })
         }
     }
 
-    pub(crate) fn count(&mut self, entity: &'static str) -> Result<u64, Fault> {
-        let count = whole("number of vertices", self.word("number of vertices")?)?;
-        self.end(entity)?;
-        Ok(count)
+    /// Refuses a directive that goes on.
+    pub(crate) fn end(&mut self, directive: &'static str) -> Result<(), LineError> {
+        if !self.seek_in_line() {
+            return Ok(());
+        }
+        let value = Excerpt::of(self.take()?);
+        Err(Fault::Extra {
+            entity: directive,
+            value,
+        }
+        .into())
     }
 
-    pub(crate) fn end(&mut self, entity: &'static str) -> Result<(), Fault> {
-        match self.rest.next() {
-            Some(word) => Err(Fault::Extra {
-                entity,
-                value: Excerpt::of(word),
-            }),
-            None => Ok(()),
+    /// Goes to the next word, on whichever line; false at the end of the file.
+    fn seek(&mut self) -> Result<bool, LineError> {
+        while !self.seek_in_line() {
+            self.at = 0;
+            if !self.lines.advance()? {
+                return Ok(false);
+            }
         }
+        Ok(true)
     }
+
+    /// Goes to the next word of the line at hand; false at its end.
+    fn seek_in_line(&mut self) -> bool {
+        let rest = &self.lines.bytes()[self.at..];
+        self.at += rest.len() - rest.trim_ascii_start().len();
+        self.at < self.lines.bytes().len()
+    }
+
+    /// The word that was gone to.
+    fn peek(&self) -> Result<&str, Fault> {
+        word_at(self.lines.bytes(), self.at)
+    }
+
+    /// The word that was gone to, and goes behind it.
+    fn take(&mut self) -> Result<&str, LineError> {
+        let word = word_at(self.lines.bytes(), self.at)?;
+        self.at += word.len();
+        Ok(word)
+    }
+}
+
+/// The word that begins at a byte of a line.
+fn word_at(line: &[u8], at: usize) -> Result<&str, Fault> {
+    let rest = &line[at..];
+    let end = rest.iter().position(u8::is_ascii_whitespace);
+    let word = &rest[..end.unwrap_or(rest.len())];
+    str::from_utf8(word).map_err(|error| Fault::NotText(at + error.valid_up_to() + 1))
+}
+
+/// That a whole number is above a limit.
+fn large(field: &'static str, value: &str, limit: usize) -> Fault {
+    let value = Excerpt::of(value);
+    Fault::LargeCount {
+        field,
+        value,
+        limit,
+    }
+}
+
+/// Whether a word can only be meant as a number.
+fn is_like_a_number(word: &str) -> bool {
+    word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
 /// The real number that `token` is.
@@ -152,12 +346,4 @@ fn real(field: &'static str, token: &str) -> Result<f64, Fault> {
         return Err(Fault::TooLarge { field, value });
     }
     Ok(value)
-}
-
-/// The whole number, not negative, that `token` is.
-fn whole(field: &'static str, token: &str) -> Result<u64, Fault> {
-    token.parse().map_err(|_| Fault::NotACount {
-        field,
-        value: Excerpt::of(token),
-    })
 }

@@ -17,10 +17,25 @@ fn refusal(bytes: &[u8]) -> String {
 fn lines_after_the_view_and_a_material() {
     let cases = [
         ("x 1 2", "9: unknown entity `x` (known: v b l f s c p pp)"),
-        ("s 0 0 0", "9: radius is missing"),
+        (
+            "s 0 0 0",
+            "9: the file ends inside the sphere that starts on line 9: radius is missing",
+        ),
+        (
+            "s 0 0 0\ns 0 0 0 1",
+            "10: radius of the sphere that starts on line 9 is missing: `s` is in its place",
+        ),
         (
             "s 0 0 0 1 2",
             "9: sphere is followed by `2`, which does not belong there",
+        ),
+        (
+            "s 0 0 0 1 x",
+            "9: sphere is followed by `x`, which does not belong there",
+        ),
+        (
+            "s 0 0 0 1\n-2",
+            "10: sphere is followed by `-2`, which does not belong there",
         ),
         ("s 0 zero 0 1", "9: centre y `zero` is not a number"),
         ("s 0 0 0 0x10", "9: radius `0x10` is not a number"),
@@ -31,7 +46,10 @@ fn lines_after_the_view_and_a_material() {
         ("s 0 0 0 0", "9: radius is 0"),
         ("s 0 0 0 -0", "9: radius is 0"),
         ("s 0 0 0 1e-999", "9: radius is 0"),
-        ("b 1 1", "9: background blue is missing"),
+        (
+            "b 1 1",
+            "9: the file ends inside the background that starts on line 9: background blue is missing",
+        ),
         (
             "b 1 1 1 1",
             "9: background is followed by `1`, which does not belong there",
@@ -41,26 +59,43 @@ fn lines_after_the_view_and_a_material() {
             "b 0 0 0\nb 1 1 1",
             "10: a second background (b); the first is on line 9",
         ),
-        ("l 1 2", "9: light z is missing"),
-        ("l 1 2 3 1", "9: light green is missing"),
+        (
+            "l 1 2\nf 1 1 1 1 0 0 0 1",
+            "10: light z of the light that starts on line 9 is missing: `f` is in its place",
+        ),
+        (
+            "l 1 2 3 1 l 1 2 3",
+            "9: light green of the light that starts on line 9 is missing: `l` is in its place",
+        ),
+        (
+            "l 1 2 3\n1",
+            "10: the file ends inside the light that starts on line 9: light green is missing",
+        ),
+        ("l 1 2 3 x", "9: light red `x` is not a number"),
         (
             "l 1 2 3 1 1 1 1",
             "9: light is followed by `1`, which does not belong there",
         ),
-        ("f 1 1 1 1 0 0 0", "9: index of refraction is missing"),
+        (
+            "f 1 1 1 1 0 0 0",
+            "9: the file ends inside the material that starts on line 9: index of refraction is missing",
+        ),
         ("f 1 1 1 -1 0 0 0 1", "9: Kd -1 is negative"),
         (
             "f 1 1 1 1 0 0 0 1 9",
             "9: material is followed by `9`, which does not belong there",
         ),
         (
-            "c 1\n0 0 0 1\n0 0 1 1",
-            "9: cone is followed by `1`, which does not belong there",
+            "c 1\n0 0 0 1\n0 1 1 1",
+            "11: cone is followed by `1`, which does not belong there",
         ),
-        ("c\n0 0 0\n0 0 1 1", "10: base radius is missing"),
+        (
+            "c\n0 0 0\n0 0 1 1\ns 0 0 0 1",
+            "12: apex radius of the cone that starts on line 9 is missing: `s` is in its place",
+        ),
         (
             "c\n0 0 0 1\n0 0 1 1 1",
-            "11: cone's apex is followed by `1`, which does not belong there",
+            "11: cone is followed by `1`, which does not belong there",
         ),
         (
             "c\n0 0 0 0\n0 0 1 0",
@@ -71,14 +106,17 @@ fn lines_after_the_view_and_a_material() {
             "11: base radius 1 and apex radius -1 have different signs",
         ),
         (
-            "c\n0 0 0 1\n0 0 0 1",
-            "11: the cone's base and apex are the same point",
+            "c 0 0 0 1 0 0 0 1",
+            "9: the cone's base and apex are the same point",
         ),
         (
             "c\n0 0 0 1\n",
-            "10: the file ends inside the cone that starts on line 9",
+            "10: the file ends inside the cone that starts on line 9: apex x is missing",
         ),
-        ("p", "9: number of vertices is missing"),
+        (
+            "p",
+            "9: the file ends inside the polygon that starts on line 9: number of vertices is missing",
+        ),
         (
             "p 2\n0 0 0\n1 0 0",
             "9: polygon with 2 vertices, fewer than 3",
@@ -92,29 +130,38 @@ fn lines_after_the_view_and_a_material() {
             "p 3.5",
             "9: number of vertices `3.5` is not a whole number from 0",
         ),
-        ("p 4000000000", "9: more than 16000000 vertices"),
+        (
+            "p 4000000000",
+            "9: number of vertices `4000000000` is more than 16000000",
+        ),
         (
             "p 99999999999999999999",
-            "9: number of vertices `99999999999999999999` is not a whole number from 0",
+            "9: number of vertices `99999999999999999999` is more than 16000000",
         ),
         (
             "p 3 3",
-            "9: polygon is followed by `3`, which does not belong there",
+            "9: the file ends inside the polygon that starts on line 9: vertex y is missing",
         ),
         (
             "p 3\n0 0 0\n1 0 0\n",
-            "11: the file ends inside the polygon that starts on line 9",
+            "11: the file ends inside the polygon that starts on line 9: vertex x is missing",
         ),
-        ("p 3\n0 0 0\n1 0\n0 1 0", "11: vertex z is missing"),
+        (
+            "p 3\n0 0 0\n1 0\n0 1 0\nf 1 1 1 1 0 0 0 1",
+            "13: vertex z of the polygon that starts on line 9 is missing: `f` is in its place",
+        ),
         (
             "p 3\n0 0 0\n1 0 0 5\n0 1 0",
-            "11: vertex is followed by `5`, which does not belong there",
+            "12: polygon is followed by `0`, which does not belong there",
         ),
         (
             "p 3\n0 0 0\n1 0 0\ns 0 0 0 1",
-            "12: vertex x `s` is not a number",
+            "12: vertex x of the polygon that starts on line 9 is missing: `s` is in its place",
         ),
-        ("pp 3\n0 0 0 0 0\n", "10: normal z is missing"),
+        (
+            "pp 3\n0 0 0 0 0\n",
+            "10: the file ends inside the patch that starts on line 9: normal z is missing",
+        ),
         (
             "v\nfrom 1 1 1",
             "9: a second view (v); the first is on line 1",
@@ -133,12 +180,12 @@ fn lines_after_the_view_and_a_material() {
 fn views() {
     let cases = [
         ("", "", "1: the file has no view (v)"),
+        ("v", "v 1", "1: the view's `from` is expected here, not `1`"),
         (
-            "v",
-            "v 1",
-            "1: view is followed by `1`, which does not belong there",
+            "from 0 -10 0",
+            "from 0 -10",
+            "3: from z of the view that starts on line 1 is missing: `at` is in its place",
         ),
-        ("from 0 -10 0", "from 0 -10", "2: from z is missing"),
         (
             "from 0 -10 0",
             "at 0 -10 0",
@@ -178,7 +225,7 @@ fn views() {
         (
             "resolution 64 48",
             "resolution 64",
-            "7: resolution height is missing",
+            "8: resolution height of the view that starts on line 1 is missing: `f` is in its place",
         ),
         (
             "resolution 64 48",
@@ -198,7 +245,12 @@ fn views() {
         (
             "resolution 64 48",
             "resolution 64 48 2",
-            "7: resolution is followed by `2`, which does not belong there",
+            "7: view is followed by `2`, which does not belong there",
+        ),
+        (
+            "resolution 64 48",
+            "resolution 64 99999999999",
+            "7: resolution height `99999999999` is more than 16384",
         ),
     ];
     for (right, wrong, message) in cases {
@@ -214,9 +266,12 @@ fn views() {
         );
     }
     let whole = scene_text("");
-    for lines in 1..7 {
+    let next = ["from", "at", "up", "angle", "hither", "resolution"];
+    for (lines, next) in (1..7).zip(next) {
         let cut: String = whole.split_inclusive('\n').take(lines).collect();
-        let message = format!("t.nff:{lines}: the file ends inside the view that starts on line 1");
+        let message = format!(
+            "t.nff:{lines}: the file ends inside the view that starts on line 1: {next} is missing"
+        );
         assert_eq!(refusal(cut.as_bytes()), message);
     }
 }
@@ -240,6 +295,10 @@ fn bytes_that_are_no_text() {
     assert_eq!(
         refusal(b"# ok\nv \xff"),
         "t.nff:2: byte 3 of the line is not UTF-8 text"
+    );
+    assert_eq!(
+        refusal(b"b 0 0 0\n \tb\xc3(\n"),
+        "t.nff:2: byte 4 of the line is not UTF-8 text"
     );
     assert_eq!(
         refusal(b"\x1b[31m"),
@@ -304,7 +363,7 @@ fn endless_files_stop_at_the_limits() {
         (
             "p 20\n",
             b"0 0 0\n",
-            "30: unknown entity `0` (known: v b l f s c p pp)",
+            "30: polygon is followed by `0`, which does not belong there",
         ),
     ];
     for (start, pattern, message) in cases {
@@ -374,7 +433,7 @@ fn a_sparse_file_of_17_gigabytes_is_refused_at_its_first_line() {
     file.as_file().set_len(17 << 30).expect("a sparse file");
     let error = nff::read(file.path()).expect_err("one endless line");
     let message = format!(
-        "{}:1: the line is longer than 65536 bytes",
+        "{}:1: the line is longer than 1048576 bytes",
         file.path().display()
     );
     assert_eq!(error.to_string(), message);

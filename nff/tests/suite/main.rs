@@ -5,6 +5,7 @@ mod depth;
 mod directives;
 mod entities;
 mod faults;
+mod forms;
 mod properties;
 mod sphereflake;
 mod tetra;

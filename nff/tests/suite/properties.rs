@@ -169,6 +169,7 @@ fn nearly_a_scene() -> impl Strategy<Value = String> {
         "depth",
         "own",
         "\r\n",
+        "\r",
     ]);
     vec(word, 0..80).prop_map(|words| words.join(" "))
 }
