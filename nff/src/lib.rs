@@ -25,7 +25,7 @@ pub use lines::Limits;
 pub use parse::{parse, read};
 pub use scene::{Light, LightKind, Material, Object, Scene, Shader, Shape};
 pub use triangles::{area_vector, triangles};
-pub use view::{Camera, MAX_SIDE, View, ViewError, unit};
+pub use view::{Camera, MAX_SIDE, View, ViewError, check_size, unit};
 pub use words::MAX_MAGNITUDE;
 
 use std::path::Path;

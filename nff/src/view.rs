@@ -6,8 +6,8 @@
 use glam::DVec3;
 use thiserror::Error;
 
-/// Most pixels on a side of a picture.
-pub const MAX_SIDE: u32 = 16_384;
+/// Most pixels on a side of a picture, whoever makes it.
+pub const MAX_SIDE: u32 = 8192;
 
 /// Sine of the smallest angle between the line of sight and `up` that still tells where up is:
 /// far above what rounding does to two parallel vectors (some 1e-16).
@@ -60,8 +60,8 @@ pub enum ViewError {
     #[error("hither {0} is negative")]
     Hither(f64),
     /// A picture with no pixels or with too many.
-    #[error("size {0}x{1} is not from 1x1 to {MAX_SIDE}x{MAX_SIDE} pixels")]
-    Size(u32, u32),
+    #[error("a picture of {0} pixels: each side must be 1 to {MAX_SIDE}")]
+    Size(String),
 }
 
 impl View {
@@ -137,13 +137,16 @@ pub(crate) fn check_hither(hither: f64) -> Result<(), ViewError> {
 }
 
 /// Whether a picture can have this size.
-pub(crate) fn check_size(width: u32, height: u32) -> Result<(), ViewError> {
+///
+/// # Errors
+/// A side of no pixels or of more than [`MAX_SIDE`].
+pub fn check_size(width: u32, height: u32) -> Result<(), ViewError> {
     let sides = 1..=MAX_SIDE;
     let fits = sides.contains(&width) && sides.contains(&height);
     if fits {
         Ok(())
     } else {
-        Err(ViewError::Size(width, height))
+        Err(ViewError::Size(format!("{width}x{height}")))
     }
 }
 

@@ -20,7 +20,7 @@ pub mod twin;
 pub mod whitted;
 
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};
-pub use picture::{MAX_PIXELS, Picture};
+pub use picture::Picture;
 pub use tracer::{Reference, render, trace};
 
 use std::path::PathBuf;
@@ -38,14 +38,9 @@ pub enum Error {
         /// What is wrong with its view.
         source: nff::ViewError,
     },
-    /// More pixels than [`MAX_PIXELS`], or none.
-    #[error("a picture of {width}x{height} has not from 1 to {MAX_PIXELS} pixels")]
-    Size {
-        /// Pixels in a row.
-        width: u32,
-        /// Rows.
-        height: u32,
-    },
+    /// A size that no picture can have.
+    #[error(transparent)]
+    Size(#[from] nff::ViewError),
     /// A ray depth of 0 or above [`whitted::MAX_DEPTH`].
     #[error("a ray depth of {0} is not from 1 to {max}", max = whitted::MAX_DEPTH)]
     Depth(u32),

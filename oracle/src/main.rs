@@ -3,14 +3,13 @@
 //! Data goes to stdout, talk to stderr.
 
 use std::io::{self, Write};
-use std::num::NonZero;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use clap::error::ErrorKind;
 use clap::{Args, CommandFactory, Parser, Subcommand, ValueEnum};
-use nff::Scene;
 use nff::depth::not_drawn;
+use nff::{Scene, ViewError, check_size};
 use oracle::whitted::{self, Counts};
 use oracle::{Comparison, DIFFERENCE_SCALE, Picture, Reference};
 
@@ -60,7 +59,7 @@ enum Verb {
         /// The scene
         scene: PathBuf,
         /// Size of the picture in pixels; the scene's own if not given
-        #[arg(long, value_name = "WxH", value_parser = size)]
+        #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
         size: Option<(u32, u32)>,
         /// Where to write the picture
         #[arg(long, value_name = "PNG")]
@@ -80,7 +79,7 @@ struct Model {
     #[arg(long = "model", value_enum, default_value_t = Name::Depth)]
     name: Name,
     /// Most rays in a chain, the eye ray counted; 5 if not given (whitted)
-    #[arg(long, value_name = "N", value_parser = ray_depth())]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = ray_depth())]
     ray_depth: Option<u32>,
     /// Lets glass reflect more the flatter it is looked at, by Schlick (whitted)
     #[arg(long)]
@@ -260,8 +259,17 @@ fn ray_depth() -> clap::builder::RangedI64ValueParser<u32> {
 
 /// A size such as 1280x720.
 fn size(text: &str) -> Result<(u32, u32), String> {
-    let side = |side: &str| side.parse::<NonZero<u32>>().ok().map(NonZero::get);
-    text.split_once('x')
-        .and_then(|(width, height)| Some((side(width)?, side(height)?)))
-        .ok_or_else(|| "a size is written as WIDTHxHEIGHT, such as 1280x720".to_owned())
+    let is_number =
+        |side: &&str| !side.is_empty() && side.bytes().all(|byte| byte.is_ascii_digit());
+    let (width, height) = text
+        .split_once('x')
+        .filter(|(width, height)| is_number(width) && is_number(height))
+        .ok_or("a size is written as WIDTHxHEIGHT, such as 1280x720")?;
+    let too_large = |_| ViewError::Size(text.to_owned()).to_string();
+    let size = (
+        width.parse().map_err(too_large)?,
+        height.parse().map_err(too_large)?,
+    );
+    check_size(size.0, size.1).map_err(|error| error.to_string())?;
+    Ok(size)
 }

@@ -1,18 +1,16 @@
 //! Pictures of 8-bit red, green and blue, and their PNG files.
 //!
-//! Invariant: as many bytes as width, height and three channels say; from 1 to [`MAX_PIXELS`]
-//! pixels.
+//! Invariant: as many bytes as width, height and three channels say; each side as
+//! [`nff::check_size`] has it.
 
 use std::fs::File;
 use std::io::BufReader;
 use std::path::Path;
 
 use image::{ImageFormat, ImageReader, RgbImage};
+use nff::check_size;
 
 use crate::Error;
-
-/// Most pixels of a picture: 8192 x 8192.
-pub const MAX_PIXELS: u32 = 1 << 26;
 
 /// A picture, row after row from the top, red, green and blue a pixel.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -24,9 +22,9 @@ impl Picture {
     /// A black picture.
     ///
     /// # Errors
-    /// A size of no pixels or of more than [`MAX_PIXELS`].
+    /// A size that no picture can have.
     pub fn black(width: u32, height: u32) -> Result<Self, Error> {
-        check(width, height)?;
+        check_size(width, height)?;
         Ok(Self {
             image: RgbImage::new(width, height),
         })
@@ -45,7 +43,7 @@ impl Picture {
         let reader = ImageReader::with_format(BufReader::new(file), ImageFormat::Png);
         match reader.decode().map_err(failed)? {
             image::DynamicImage::ImageRgb8(image) => {
-                check(image.width(), image.height())?;
+                check_size(image.width(), image.height())?;
                 Ok(Self { image })
             }
             other => Err(Error::Kind {
@@ -89,15 +87,5 @@ impl Picture {
     /// The pixels, to be changed.
     pub fn pixels_mut(&mut self) -> &mut [[u8; 3]] {
         self.image.as_chunks_mut().0
-    }
-}
-
-fn check(width: u32, height: u32) -> Result<(), Error> {
-    let pixels = u64::from(width) * u64::from(height);
-    let fits = (1..=u64::from(MAX_PIXELS)).contains(&pixels);
-    if fits {
-        Ok(())
-    } else {
-        Err(Error::Size { width, height })
     }
 }

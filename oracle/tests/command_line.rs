@@ -159,14 +159,25 @@ fn errors_name_their_file_and_exit_1() {
 #[test]
 fn sizes_that_are_none_are_a_wrong_use() {
     let folder = tempfile::tempdir().expect("a folder");
-    for size in ["64", "64x", "0x48", "64x-1", "64x48x3", "99999999999x1"] {
+    let form = "a size is written as WIDTHxHEIGHT";
+    let limit = "each side must be 1 to 8192";
+    for (size, message) in [
+        ("64", form),
+        ("64x", form),
+        ("64x-1", form),
+        ("-5x10", form),
+        ("64x48x3", form),
+        ("0x48", limit),
+        ("8193x1", limit),
+        ("99999999999x1", limit),
+    ] {
         let arguments = ["render", "sphereflake:1", "--size", size, "--out", "b.png"];
         let done = oracle(folder.path(), &arguments);
         assert_eq!(done.status.code(), Some(2), "{size}");
+        let said = text(&done.stderr);
         assert!(
-            text(&done.stderr).contains("WIDTHxHEIGHT"),
-            "{}",
-            text(&done.stderr)
+            said.contains("--size <WxH>") && said.contains(message),
+            "{said}"
         );
     }
 }
@@ -227,5 +238,6 @@ fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
         let option = ["--model", "whitted", "--ray-depth", depth];
         let done = oracle(folder.path(), &[&base[..], &option].concat());
         assert_eq!(done.status.code(), Some(2), "{depth}");
+        assert!(text(&done.stderr).contains("--ray-depth <N>"), "{depth}");
     }
 }

@@ -8,14 +8,8 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, thiserror::Error)]
 pub enum FramebufferError {
     /// A side is zero or too long.
-    #[error(
-        "a picture of {geometry} pixels: each side must be 1 to {}",
-        Geometry::MAX_SIDE
-    )]
-    BadSize {
-        /// What was asked for, or what the driver said.
-        geometry: Geometry,
-    },
+    #[error(transparent)]
+    BadSize(nff::ViewError),
     /// A size is not written `WIDTHxHEIGHT`.
     #[error("{text:?} is no size: expected WIDTHxHEIGHT, as in 1280x720")]
     MalformedSize {

@@ -230,12 +230,12 @@ fn views() {
         (
             "resolution 64 48",
             "resolution 0 48",
-            "7: size 0x48 is not from 1x1 to 16384x16384 pixels",
+            "7: a picture of 0x48 pixels: each side must be 1 to 8192",
         ),
         (
             "resolution 64 48",
             "resolution 64 20000",
-            "7: size 64x20000 is not from 1x1 to 16384x16384 pixels",
+            "7: a picture of 64x20000 pixels: each side must be 1 to 8192",
         ),
         (
             "resolution 64 48",
@@ -250,7 +250,7 @@ fn views() {
         (
             "resolution 64 48",
             "resolution 64 99999999999",
-            "7: resolution height `99999999999` is more than 16384",
+            "7: resolution height `99999999999` is more than 8192",
         ),
     ];
     for (right, wrong, message) in cases {

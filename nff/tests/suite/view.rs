@@ -69,7 +69,7 @@ fn sizes_without_a_picture() {
     for (width, height) in [(0, 1), (1, 0), (nff::MAX_SIDE + 1, 1), (1, u32::MAX)] {
         assert_eq!(
             view(45.0).camera(width, height),
-            Err(ViewError::Size(width, height))
+            Err(ViewError::Size(format!("{width}x{height}")))
         );
     }
     assert!(view(f64::NAN).camera(1, 1).is_err());

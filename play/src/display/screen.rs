@@ -43,7 +43,7 @@ impl Display for Screen {
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
         self.framebuffer
             .take()
-            .ok_or(FramebufferError::BadSize { geometry: size })
+            .ok_or_else(|| FramebufferError::BadSize(nff::ViewError::Size(size.to_string())))
     }
 
     fn poll(&mut self, _happenings: &mut Vec<Happening>) -> io::Result<()> {
