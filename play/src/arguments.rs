@@ -69,7 +69,7 @@ pub struct OneGame {
 #[derive(Debug, Args)]
 pub struct GameOptions {
     /// All of the game's chance comes from this number [default: another one each time, but 0 for pictures]
-    #[arg(long, value_name = "N")]
+    #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Options of the session.
     #[command(flatten)]
@@ -85,7 +85,7 @@ pub struct ViewArguments {
     #[arg(long, value_enum, default_value_t)]
     model: Model,
     /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=16))]
     ray_depth: u32,
     /// Glass reflects as Schlick's approximation has it, beyond its Ks
     #[arg(long)]
@@ -134,19 +134,19 @@ pub struct Options {
     #[arg(long, value_enum)]
     pub display: Option<DisplayKind>,
     /// Pixels across and down [default: in a window and a terminal as many as are fluid]
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Geometry>,
     /// Framebuffer device, or a regular file that is written like one
     #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
     pub device: PathBuf,
     /// Frames: A..B, from A up to B, which is not among them; or N, the first N
-    #[arg(long, value_name = "A..B")]
+    #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<FrameRange>,
     /// Numbered pictures, such as f-%05d.png; those that are there already are kept
     #[arg(long, value_name = "F-%05d.png", value_parser = numbered)]
     pub out: Option<NumberedPath>,
     /// Frames a second of game time, for pictures
-    #[arg(long, default_value_t = 25, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=1000))]
+    #[arg(long, default_value_t = 25, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=1000))]
     pub fps: u32,
     /// Record the session to a new file
     #[arg(long, value_name = "F")]
@@ -161,13 +161,18 @@ pub struct Options {
     #[arg(long)]
     pub no_overlay: bool,
     /// SPUs to use
-    #[arg(long, default_value_t = 6, value_name = "N")]
+    #[arg(
+        long,
+        default_value_t = 6,
+        value_name = "N",
+        allow_negative_numbers = true
+    )]
     spus: u32,
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
     #[arg(long, value_name = "F.elf")]
     program: Option<PathBuf>,
     /// Seconds that a frame may take before its SPUs count as lost
-    #[arg(long, default_value_t = 600, value_name = "S", value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     timeout: u64,
 }
 

@@ -18,14 +18,14 @@ pub struct Arguments {
     #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
     device: PathBuf,
     /// Pixels across and down: needed for a file, the device's own otherwise
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
     /// Set ps3fb's video mode until the end: within borders, or of the whole screen [default: as it is]
     #[arg(long, value_enum, value_name = "MODE")]
     mode: Option<VideoMode>,
     /// Frames that the device's memory is to hold, where it has room: with 2, one is shown while the
     /// next is made
-    #[arg(long, default_value_t = 2, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=2))]
+    #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=2))]
     buffers: u32,
     /// Show a frame without waiting for the vertical blank
     #[arg(long)]
@@ -35,7 +35,7 @@ pub struct Arguments {
     #[arg(long, value_enum, value_name = "WHERE")]
     made: Option<Made>,
     /// Frames to show [default: 1 into a file; on a device, until Ctrl-C]
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     frames: Option<u32>,
 }
 

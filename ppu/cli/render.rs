@@ -17,7 +17,7 @@ pub struct Arguments {
     #[command(flatten)]
     options: run::Options,
     /// Pixels across and down [default: the scene's own]
-    #[arg(long, value_name = "WxH")]
+    #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
     /// Picture to write; without it the frames are traced and only measured. With the frames' number in it, as in
     /// f-%05d.png, every frame is a picture; those that are there already are kept
@@ -25,10 +25,15 @@ pub struct Arguments {
     out: Option<PathBuf>,
     /// Frames: N, the first N, of which a frame that stands still is traced once unless --retrace asks for more; or
     /// A..B, from A up to B, which is not among them, as numbered pictures
-    #[arg(long, default_value = "1", value_name = "A..B")]
+    #[arg(
+        long,
+        default_value = "1",
+        value_name = "A..B",
+        allow_hyphen_values = true
+    )]
     frames: FrameRange,
     /// Frames in which the eye of numbered pictures goes once around what it looks at
-    #[arg(long, default_value_t = 250, value_name = "N", value_parser = clap::value_parser!(u32).range(1..))]
+    #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     turn: u32,
     /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard Procedural
     /// Databases have it

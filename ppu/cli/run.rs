@@ -23,7 +23,12 @@ pub struct Options {
     /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
     pub scene: PathBuf,
     /// SPUs to use
-    #[arg(long, default_value_t = 6, value_name = "N")]
+    #[arg(
+        long,
+        default_value_t = 6,
+        value_name = "N",
+        allow_negative_numbers = true
+    )]
     pub spus: u32,
     /// How the picture is split among the SPUs
     #[arg(long, value_enum, default_value_t)]
@@ -35,7 +40,7 @@ pub struct Options {
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
     /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
-    #[arg(long, default_value_t = 5, value_name = "N", value_parser = clap::value_parser!(u32).range(1..=16))]
+    #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=16))]
     pub ray_depth: u32,
     /// Glass reflects as Schlick's approximation has it, beyond its Ks
     #[arg(long)]
@@ -65,7 +70,7 @@ pub struct Options {
     #[arg(long, value_name = "S.json")]
     pub stats: Option<PathBuf>,
     /// Seconds that a frame may take before its SPUs count as lost
-    #[arg(long, default_value_t = 600, value_name = "S", value_parser = clap::value_parser!(u64).range(1..=86_400))]
+    #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
 }
 

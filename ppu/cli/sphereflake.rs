@@ -10,6 +10,7 @@ use super::Outcome;
 #[derive(Args)]
 pub struct Arguments {
     /// Levels below the first sphere: 0 is one sphere, 4 the Standard Procedural Databases' 7381
+    #[arg(allow_negative_numbers = true)]
     level: u32,
 }
 

@@ -335,9 +335,40 @@ fn seventeen_gigabytes() {
 #[test]
 fn bad_arguments() {
     let scene = "scenes/paper16.nff";
-    bad(&["render", scene, "--size", "0x10"], &["0x10"]);
-    bad(&["render", scene, "--size", "9000x10"], &["9000x10"]);
+    for size in ["0x10", "9000x10", "99999999999x10"] {
+        let message = format!("a picture of {size} pixels: each side must be 1 to 8192");
+        bad(
+            &["render", scene, "--size", size],
+            &["--size <WxH>", &message],
+        );
+    }
     bad(&["render", scene, "--size", "big"], &["big"]);
+    for verb in ["render", "fb"] {
+        for (option, value) in [
+            ("--size <WxH>", "-5x10"),
+            ("--spus <N>", "-1"),
+            ("--ray-depth <N>", "-2"),
+            ("--timeout <S>", "-3"),
+            ("--frames <", "-4"),
+        ] {
+            let name = option.split(' ').next().unwrap();
+            let parts = [&format!("'{value}' for '{option}")[..]];
+            bad(&[verb, scene, name, value], &parts);
+        }
+    }
+    bad(
+        &["render", scene, "--frames", "-4..2"],
+        &["'-4..2' for '--frames <A..B>'"],
+    );
+    bad(
+        &["render", scene, "--turn", "-1"],
+        &["'-1' for '--turn <N>'"],
+    );
+    bad(
+        &["fb", scene, "--buffers", "-1"],
+        &["'-1' for '--buffers <N>'"],
+    );
+    bad(&["sphereflake", "-1"], &["'-1' for '<LEVEL>'"]);
     bad(
         &["render", scene, "--size", "8x8", "--spus", "0"],
         &["0 SPUs", "1 to 16"],

@@ -28,7 +28,7 @@ pub struct Arguments {
     #[arg(long, value_name = "F.md")]
     write: Option<PathBuf>,
     /// Seed of the random rays
-    #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N")]
+    #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
     /// Some thousand rays, without pictures and roots: some seconds
     #[arg(long, conflicts_with = "full")]

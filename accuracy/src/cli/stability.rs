@@ -14,7 +14,7 @@ use super::Outcome;
 #[derive(Args)]
 pub struct Arguments {
     /// Seed of the random inputs
-    #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N")]
+    #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
     /// Ten times as many cases
     #[arg(long)]
