@@ -10,6 +10,7 @@
 pub mod depth;
 mod directives;
 mod error;
+mod even_odd;
 mod lines;
 mod parse;
 mod scene;
@@ -21,6 +22,7 @@ mod words;
 mod write;
 
 pub use error::{Error, Excerpt, Fault};
+pub use even_odd::even_odd;
 pub use lines::Limits;
 pub use parse::{parse, read};
 pub use scene::{Light, LightKind, Material, Object, Scene, Shader, Shape};

@@ -1,8 +1,7 @@
-//! The triangles of a polygon, by cutting ears.
+//! The triangles of a polygon whose edges do not cross, by cutting ears.
 //!
-//! Invariant: a polygon of n vertices gives n - 2 triangles of its vertices, each counter-clockwise
-//! as the polygon is where that is simple; and the same ones on every machine. A convex polygon
-//! gives the fan around its first vertex.
+//! Invariant: the triangles are of the polygon's own vertices, counter-clockwise as it is, overlap nowhere,
+//! and are the same ones on every machine. A convex polygon gives the fan around its first vertex.
 
 use glam::{DVec2, DVec3};
 
@@ -25,24 +24,89 @@ pub fn area_vector(vertices: &[DVec3]) -> DVec3 {
 /// The triangles of a polygon, as indices of its vertices: of the corners left, beginning with the
 /// second, the first that is an ear is cut, until three are left. Takes time with the square of the
 /// number of vertices.
+///
+/// Nothing where that does not fill what is inside by the even-odd rule, because edges cross:
+/// [`even_odd`](crate::even_odd) has the triangles then.
 #[must_use]
-pub fn triangles(vertices: &[DVec3]) -> Vec<[u32; 3]> {
+pub fn triangles(vertices: &[DVec3]) -> Option<Vec<[u32; 3]>> {
     let flat = flat(vertices);
-    let mut left: Vec<u32> = (0..vertices.len() as u32).collect();
-    let mut found = Vec::with_capacity(vertices.len().saturating_sub(2));
-    while left.len() > 3 {
-        let ear = first_ear(&flat, &left);
-        found.push(corner(&left, ear));
-        left.remove(ear);
+    let found = cut((0..vertices.len() as u32).collect(), &flat, 0.0);
+    is_cover(&found, &flat).then_some(found)
+}
+
+/// Cuts the ears of a ring of points, given by their indices. What is no more than `slack` beside an edge is
+/// taken to be on it.
+pub(crate) fn cut(mut ring: Vec<u32>, flat: &[DVec2], slack: f64) -> Vec<[u32; 3]> {
+    let mut found = Vec::with_capacity(ring.len().saturating_sub(2));
+    while ring.len() > 3 {
+        let ear = first_ear(flat, &ring, slack);
+        found.push(corner(&ring, ear));
+        ring.remove(ear);
     }
-    if let [a, b, c] = left[..] {
+    if let [a, b, c] = ring[..] {
         found.push([a, b, c]);
     }
     found
 }
 
+/// Whether triangles that a ring was cut into are all counter-clockwise and overlap nowhere. How often
+/// the ring winds around a point is in how many of them it lies: then that is nowhere more than once.
+fn is_cover(triangles: &[[u32; 3]], flat: &[DVec2]) -> bool {
+    let rounding = rounding(flat);
+    let mut sound: Vec<([DVec2; 3], DVec2, DVec2)> = Vec::with_capacity(triangles.len());
+    for triangle in triangles {
+        let corners = triangle.map(|index| flat[index as usize]);
+        let [a, b, c] = corners;
+        match height(corners) {
+            height if height > rounding => {}
+            height if height < -rounding => return false,
+            _ => continue,
+        }
+        let (low, high) = (a.min(b).min(c), a.max(b).max(c));
+        let mut others = sound.iter();
+        let overlaps = |(other, other_low, other_high): &([DVec2; 3], DVec2, DVec2)| {
+            other_low.cmplt(high).all()
+                && low.cmplt(*other_high).all()
+                && !lies_beside(other, &corners, rounding)
+                && !lies_beside(&corners, other, rounding)
+        };
+        if others.any(overlaps) {
+            return false;
+        }
+        sound.push((corners, low, high));
+    }
+    true
+}
+
+/// Whether a triangle lies on the outer side of an edge of another.
+fn lies_beside(corners: &[DVec2; 3], other: &[DVec2; 3], rounding: f64) -> bool {
+    let [a, b, c] = *other;
+    [(a, b), (b, c), (c, a)].iter().any(|&(from, to)| {
+        let within = rounding * from.distance(to);
+        corners
+            .iter()
+            .all(|&corner| turn(from, to, corner) <= within)
+    })
+}
+
+/// A distance that counts for nothing: what rounding may move points, and far less than a picture shows.
+pub(crate) fn rounding(flat: &[DVec2]) -> f64 {
+    let reach = flat.iter().map(|point| point.abs().max_element());
+    reach.fold(0.0, f64::max) / (1_u64 << 40) as f64
+}
+
+/// Height of a triangle over its longest edge, negative if it is clockwise.
+pub(crate) fn height([a, b, c]: [DVec2; 3]) -> f64 {
+    let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
+    if longest > 0.0 {
+        turn(a, b, c) / longest
+    } else {
+        0.0
+    }
+}
+
 /// The polygon's vertices in its own plane, counter-clockwise.
-fn flat(vertices: &[DVec3]) -> Vec<DVec2> {
+pub(crate) fn flat(vertices: &[DVec3]) -> Vec<DVec2> {
     let normal = unit(area_vector(vertices)).unwrap_or(DVec3::Z);
     let (right, up) = normal.any_orthonormal_pair();
     let project = |&vertex: &DVec3| {
@@ -63,24 +127,27 @@ fn corner(ring: &[u32], place: usize) -> [u32; 3] {
 }
 
 /// Place of the first corner, from the second on, whose triangle lies in the polygon; without one,
-/// as where edges cross, that of the second.
-fn first_ear(flat: &[DVec2], ring: &[u32]) -> usize {
-    let turn = |[a, b, c]: [u32; 3]| turn(flat[a as usize], flat[b as usize], flat[c as usize]);
+/// as may be where edges cross, that of the second.
+fn first_ear(flat: &[DVec2], ring: &[u32], slack: f64) -> usize {
+    let at = |vertex: u32| flat[vertex as usize];
+    let turn = |a: u32, b: u32, c: u32| turn(at(a), at(b), at(c));
+    let least = |from: u32, to: u32| slack * at(from).distance(at(to));
+    let is_convex = |[a, b, c]: [u32; 3]| turn(a, b, c) > least(a, c);
+    let is_right = |from: u32, to: u32, vertex: u32| turn(from, to, vertex) < -least(from, to);
     // Only a vertex at which the polygon is not convex can be the deepest within an ear.
     let hollow: Vec<u32> = (0..ring.len())
-        .filter(|&place| turn(corner(ring, place)) <= 0.0)
+        .filter(|&place| !is_convex(corner(ring, place)))
         .map(|place| ring[place])
         .collect();
     let is_ear = |place: usize| {
         let [a, b, c] = corner(ring, place);
-        turn([a, b, c]) > 0.0
+        is_convex([a, b, c])
             && hollow.iter().all(|&vertex| {
-                let at = flat[vertex as usize];
-                let own = [a, b, c].map(|index| flat[index as usize] == at);
+                let own = [a, b, c].map(|own| at(own) == at(vertex));
                 own.contains(&true)
-                    || turn([a, b, vertex]) < 0.0
-                    || turn([b, c, vertex]) < 0.0
-                    || turn([c, a, vertex]) < 0.0
+                    || is_right(a, b, vertex)
+                    || is_right(b, c, vertex)
+                    || is_right(c, a, vertex)
             })
     };
     let len = ring.len();
@@ -91,6 +158,6 @@ fn first_ear(flat: &[DVec2], ring: &[u32]) -> usize {
 }
 
 /// Twice the area of a triangle, negative if it is clockwise.
-fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
+pub(crate) fn turn(a: DVec2, b: DVec2, c: DVec2) -> f64 {
     (b - a).perp_dot(c - a)
 }

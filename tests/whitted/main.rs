@@ -5,6 +5,7 @@ mod frame;
 mod invariance;
 mod pictures;
 mod placed;
+mod polygons;
 mod random;
 #[path = "../frames/recorder.rs"]
 mod recorder;

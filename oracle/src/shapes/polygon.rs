@@ -4,6 +4,7 @@
 //! vertices are sheared so that the ray is the third axis, in the same way for all polygons, and an
 //! edge is taken from its lower end whichever polygon it belongs to (as in Woop, Benthin and Wald,
 //! JCGT 2(1) 2013). So two polygons that share an edge decide alike, and nothing leaks between them.
+//! Vertices that are off the polygon's plane are put onto it first.
 
 use glam::DVec3;
 use nff::{area_vector, triangles, unit};
@@ -14,6 +15,10 @@ use crate::tree::Bounds;
 
 /// Most vertices of a patch: its triangles take time with the square of them.
 pub(crate) const MAX_PATCH_VERTICES: usize = 512;
+
+/// How far off the plane a vertex is left, in parts of the farthest one's distance from the middle: that much
+/// comes of rounded numbers, and what is moved no longer meets its neighbours.
+const OFF_PLANE: f64 = 1.0 / 262_144.0;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Polygon {
@@ -43,17 +48,30 @@ impl Polygon {
         // From a vertex: the sum of far ones would lose digits.
         let first = *vertices.first()?;
         let sum: DVec3 = vertices.iter().map(|&vertex| vertex - first).sum();
+        let middle = first + sum / vertices.len() as f64;
+        let height = |vertex: &DVec3| normal.dot(*vertex - middle);
+        let highest = vertices.iter().map(|vertex| height(vertex).abs());
+        let farthest = vertices.iter().map(|vertex| vertex.distance(middle));
+        let is_bent = highest.fold(0.0, f64::max) > OFF_PLANE * farthest.fold(0.0, f64::max);
+        let lowered = |vertex: &DVec3| *vertex - height(vertex) * normal;
+        let vertices: Vec<DVec3> = if is_bent && vertices.len() > 3 {
+            vertices.iter().map(lowered).collect()
+        } else {
+            vertices.to_vec()
+        };
         let smooth = normals.map_or(Vec::new(), |normals| {
             let unit_normal = |index: u32| unit(normals[index as usize]).unwrap_or(DVec3::ZERO);
             let facet = |triangle: [u32; 3]| Facet {
                 corners: triangle.map(|index| vertices[index as usize]),
                 normals: triangle.map(unit_normal),
             };
-            triangles(vertices).into_iter().map(facet).collect()
+            // Where edges cross there are none: such a patch is flat.
+            let corners = triangles(&vertices).unwrap_or_default();
+            corners.into_iter().map(facet).collect()
         });
         Some(Self {
-            middle: first + sum / vertices.len() as f64,
-            vertices: vertices.to_vec(),
+            middle,
+            vertices,
             normal,
             smooth,
             sides,

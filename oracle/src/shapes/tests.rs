@@ -215,6 +215,66 @@ fn concave_polygons_have_their_hollows() {
     assert!(hit(&surface(&shape, true), [0.5, 0.5, -4.0], [0.0, 0.0, 1.0]).is_some());
 }
 
+#[test]
+fn polygons_are_filled_by_the_even_odd_rule() {
+    let corners = [
+        (0.0, 9.0),
+        (-5.0, -7.0),
+        (9.0, 2.0),
+        (-9.0, 2.0),
+        (5.0, -7.0),
+    ];
+    let vertices: Vec<DVec3> = corners.map(|(x, y)| DVec3::new(x, y, 1.0)).to_vec();
+    let normals = vec![DVec3::new(1.0, 1.0, 1.0); 5];
+    let polygon = Shape::Polygon {
+        vertices: vertices.clone(),
+    };
+    let patch = Shape::Patch { vertices, normals };
+    for shape in [polygon, patch] {
+        let star = surface(&shape, false);
+        let falls = |x: f64, y: f64| hit(&star, [x, y, 4.0], [0.0, 0.0, -1.0]).is_some();
+        for (x, y) in [
+            (0.0, 6.0),
+            (-6.0, 1.5),
+            (6.0, 1.5),
+            (-4.0, -5.5),
+            (4.0, -5.5),
+        ] {
+            assert!(falls(x, y), "{x} {y}");
+        }
+        for (x, y) in [
+            (0.0, 0.0),
+            (0.0, -6.0),
+            (5.0, 5.0),
+            (-5.0, 5.0),
+            (7.0, -3.0),
+        ] {
+            assert!(!falls(x, y), "{x} {y}");
+        }
+        let ray = Ray::new(DVec3::new(0.0, 6.0, 4.0), DVec3::NEG_Z);
+        let place = star.place(&ray, 3.0);
+        assert_eq!(place.smooth, DVec3::Z, "also that of a patch");
+    }
+}
+
+#[test]
+fn a_bent_polygon_is_put_into_a_plane() {
+    let corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 2.0), (0.0, 2.0)];
+    let bent = |off: f64| {
+        let lift = |(x, y): (f64, f64)| DVec3::new(x, y, if x == y { off } else { -off });
+        let vertices = corners.map(lift).to_vec();
+        surface(&Shape::Polygon { vertices }, false)
+    };
+    // From a flat angle: the edges are seen where they lie in the plane.
+    let slanting = |surface: &Surface, x: f64| hit(surface, [x - 9.0, 0.5, 1.0], [9.0, 0.0, -1.0]);
+    for (x, falls) in [(-0.01, false), (0.01, true), (1.99, true), (2.01, false)] {
+        assert_eq!(slanting(&bent(0.5), x).is_some(), falls, "{x}");
+    }
+    // Rounded numbers are left as they are.
+    assert!(bent(1e-6).bounds().high.z > 0.0);
+    assert_eq!(bent(0.5).bounds().high.z, 0.0);
+}
+
 /// The faces of a cube around 0, each of two triangles, turned and scaled.
 fn cube(turn: glam::DQuat, size: f64) -> Vec<Surface> {
     let mut faces = Vec::new();

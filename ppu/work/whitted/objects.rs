@@ -3,6 +3,8 @@
 //! Invariant: an object's numbers are in range; its record is rounded once, from numbers that are
 //! relative to the eye.
 
+use std::borrow::Cow;
+
 use glam::DVec3;
 use nff::{Material, Shape, area_vector, unit};
 use zerocopy::IntoBytes as _;
@@ -61,8 +63,8 @@ impl Kind {
     }
 }
 
-/// What a triangle's vertices may be off its polygon's plane, in parts of its edges: no more than numbers of a scene
-/// are rounded by.
+/// What vertices may be off their polygon's plane, in parts of its size: no more than numbers of a scene are rounded
+/// by. They stay where they are, so that polygons that share them leave no gap.
 const FLAT: f64 = 1.0 / (1 << 18) as f64;
 
 /// An object where the scene has it.
@@ -174,8 +176,16 @@ pub(super) fn of_shape(
         }
         Shape::Patch { vertices, normals } => {
             check_vertices(vertices, place)?;
-            let sides = both | SIDES_SMOOTH;
-            triangles(vertices, Some(normals), place, |form| found(form, sides))
+            triangles(vertices, Some(normals), place, |form| {
+                let is_smooth = matches!(
+                    form,
+                    Form::Triangle {
+                        smooth: Some(_),
+                        ..
+                    }
+                );
+                found(form, if is_smooth { both | SIDES_SMOOTH } else { both })
+            })
         }
     }
 }
@@ -213,7 +223,29 @@ fn rectangle(vertices: &[DVec3]) -> Option<Form> {
     })
 }
 
-/// The triangles of a polygon that have an area.
+/// The vertices of a polygon with a normal, put onto its plane, which goes through their mean.
+fn in_plane(vertices: &[DVec3], normal: DVec3) -> Cow<'_, [DVec3]> {
+    // Three are in a plane.
+    let [first, _, _, _, ..] = *vertices else {
+        return Cow::Borrowed(vertices);
+    };
+    // From a vertex of its own: the sum of far ones would lose digits.
+    let sum: DVec3 = vertices.iter().map(|&vertex| vertex - first).sum();
+    let middle = first + sum / vertices.len() as f64;
+    let above = |vertex: DVec3| (vertex - middle).dot(normal);
+    let largest = |size: &dyn Fn(DVec3) -> f64| {
+        let sizes = vertices.iter().map(|&vertex| size(vertex));
+        sizes.fold(0.0, f64::max)
+    };
+    let size = largest(&|vertex| vertex.distance(middle));
+    if largest(&|vertex| above(vertex).abs()) <= FLAT * size {
+        return Cow::Borrowed(vertices);
+    }
+    let put = |&vertex: &DVec3| vertex - above(vertex) * normal;
+    Cow::Owned(vertices.iter().map(put).collect())
+}
+
+/// The triangles of a polygon that have an area. Those of a patch whose edges cross interpolate nothing.
 fn triangles(
     vertices: &[DVec3],
     normals: Option<&Vec<DVec3>>,
@@ -227,39 +259,43 @@ fn triangles(
     let Some(normal) = unit(area_vector(vertices)) else {
         return Ok(());
     };
+    let vertices = &*in_plane(vertices, normal);
+    let mut found = |vertices: [DVec3; 3], smooth: Option<[DVec3; 3]>| {
+        let [a, b, c] = vertices;
+        let area = area_vector(&vertices).length();
+        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
+        if longest < SMALLEST || area / longest <= SLIVER * longest {
+            return Ok(());
+        }
+        found(Form::Triangle {
+            vertices,
+            normal,
+            smooth,
+        })
+    };
     let cut;
-    let found_corners = match vertices {
+    let corners = match vertices {
         // Without memory being taken: what moves may be one.
-        [_, _, _] => &[[0, 1, 2]][..],
+        [_, _, _] => Some(&[[0, 1, 2]][..]),
         _ => {
             cut = nff::triangles(vertices);
-            &cut
+            cut.as_deref()
         }
     };
-    for &corners in found_corners {
-        let [a, b, c] = corners;
-        // Where edges of the polygon cross, a triangle may lie the other way round.
-        let area = area_vector(&corners.map(|index| vertices[index as usize]));
-        let corners = if area.dot(normal) < 0.0 {
-            [a, c, b]
-        } else {
-            [a, b, c]
+    let Some(corners) = corners else {
+        let crossing = nff::even_odd(vertices, MAX_OBJECTS as usize);
+        let crossing = crossing.ok_or_else(|| place.too_many(Kind::Triangle.name()))?;
+        return crossing
+            .into_iter()
+            .try_for_each(|triangle| found(triangle, None));
+    };
+    let of = |values: &[DVec3], corners: [u32; 3]| corners.map(|index| values[index as usize]);
+    corners.iter().try_for_each(|&corners| {
+        let unit_normals = |normals: &Vec<DVec3>| {
+            of(normals, corners).map(|normal| unit(normal).unwrap_or(DVec3::ZERO))
         };
-        let [a, b, c] = corners.map(|index| vertices[index as usize]);
-        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
-        if longest < SMALLEST || area.length() / longest <= SLIVER * longest {
-            continue;
-        }
-        let unit_normal = |normals: &Vec<DVec3>| {
-            corners.map(|index| unit(normals[index as usize]).unwrap_or(DVec3::ZERO))
-        };
-        found(Form::Triangle {
-            vertices: [a, b, c],
-            normal,
-            smooth: normals.map(unit_normal),
-        })?;
-    }
-    Ok(())
+        found(of(vertices, corners), normals.map(unit_normals))
+    })
 }
 
 impl Form {
@@ -335,7 +371,7 @@ impl Form {
     }
 
     /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through its first vertex that
-    /// has the whole polygon's normal, where that polygon's vertices are in no plane.
+    /// has the whole polygon's normal, and a small triangle may be off that by what is nothing to a large polygon.
     pub fn is_bent(&self) -> bool {
         let Self::Triangle {
             vertices: [a, b, c],

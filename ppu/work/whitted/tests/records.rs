@@ -111,12 +111,47 @@ fn polygons_are_triangles() {
     // What has no area is not there, alone or as a part.
     let flat = block("p 3\n0 0 0\n1 1 1\n2 2 2\np 4\n0 0 -5\n2 0 -5\n0 2 -5\n0 2 -5\n");
     assert_eq!(flat.leaves(Kind::Triangle).len(), 1);
-    // Edges that cross: both parts face the polygon's own way.
-    let crossed = block("p 5\n0 0 -5\n9 0 -5\n9 9 -5\n4 4 -5\n8 2 -5\n");
-    for leaf in crossed.leaves(Kind::Triangle) {
-        let record: &Triangle = crossed.at(leaf);
-        let [a, b, c] = [record.a, record.b, record.c].map(point);
-        assert!((b - a).cross(c - a).z > 0.0);
+}
+
+#[test]
+fn where_edges_cross_what_is_inside_is_cut() {
+    let star = "0 9 -5 9 9 1\n-5 -7 -5 9 9 1\n9 2 -5 9 9 1\n-9 2 -5 9 9 1\n5 -7 -5 9 9 1\n";
+    let corners = star.replace(" 9 9 1\n", "\n");
+    for shape in [format!("p 5\n{corners}"), format!("pp 5\n{star}")] {
+        let block = block(&shape);
+        let leaves = block.leaves(Kind::Triangle);
+        assert_eq!(leaves.len(), 5, "its tips");
+        for leaf in leaves {
+            let record: &Triangle = block.at(leaf);
+            let [a, b, c] = [record.a, record.b, record.c].map(point);
+            assert!((b - a).cross(c - a).z > 0.0);
+            // A patch, too, has the polygon's own normal there.
+            assert_eq!(surface(block.at(leaf)).1, 0);
+        }
+    }
+}
+
+#[test]
+fn vertices_that_are_in_no_plane_are_put_onto_that_through_their_mean() {
+    let bent = block("p 4\n0 0 -5\n2 0 -6\n2 2 -5\n0 2 -6\n");
+    for leaf in bent.leaves(Kind::Triangle) {
+        let record: &Triangle = bent.at(leaf);
+        for vertex in [record.a, record.b, record.c].map(point) {
+            assert_eq!(vertex.z, -5.5);
+        }
+    }
+    // What comes of rounded numbers stays where it is, as in the polygons around.
+    let rounded = block("p 4\n0 0 -5\n2 0 -5.000001\n2 2 -5\n0 3 -5.000001\n");
+    for leaf in rounded.leaves(Kind::Triangle) {
+        let record: &Triangle = rounded.at(leaf);
+        for vertex in [record.a, record.b, record.c].map(point) {
+            let z = if vertex.x == vertex.y {
+                -5.0f32
+            } else {
+                -5.000_001
+            };
+            assert_eq!(vertex.z, f64::from(z));
+        }
     }
 }
 
