@@ -84,6 +84,9 @@ struct Model {
     /// Lets glass reflect more the flatter it is looked at, by Schlick (whitted)
     #[arg(long)]
     fresnel: bool,
+    /// Sends rays that add nothing to the picture where SPD counts them (whitted)
+    #[arg(long)]
+    spd_rays: bool,
     /// Sends eye rays through the corners of pixels and averages four, as SPD asks for (whitted)
     #[arg(long)]
     corners: bool,
@@ -103,6 +106,7 @@ impl Model {
         let given = [
             (self.ray_depth.is_some(), "--ray-depth"),
             (self.fresnel, "--fresnel"),
+            (self.spd_rays, "--spd-rays"),
             (self.corners, "--corners"),
             (stats, "--stats"),
         ];
@@ -132,6 +136,7 @@ impl Model {
                 let options = whitted::Options {
                     depth: self.ray_depth.unwrap_or(whitted::Options::default().depth),
                     fresnel: self.fresnel,
+                    spd_rays: self.spd_rays,
                     corners: self.corners,
                 };
                 let (reference, counts) = whitted::trace(scene, width, height, &options)?;

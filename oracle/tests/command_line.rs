@@ -227,6 +227,7 @@ fn what_depth_shading_has_no_use_for_is_a_wrong_use() {
         &["--stats"][..],
         &["--corners"],
         &["--fresnel"],
+        &["--spd-rays"],
         &["--ray-depth", "3"],
     ] {
         let done = oracle(folder.path(), &[&base, option].concat());

@@ -106,6 +106,7 @@ impl ViewArguments {
             model: self.model,
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
+            spd_rays: false,
             shadows: !self.no_shadows,
             corners: false,
         }

@@ -45,6 +45,10 @@ pub struct Options {
     /// Glass reflects as Schlick's approximation has it, beyond its Ks
     #[arg(long)]
     pub fresnel: bool,
+    /// Send rays that add nothing to the picture where the Standard Procedural Databases count them, as glass
+    /// of Ks 0 reflects nothing
+    #[arg(long)]
+    pub spd_rays: bool,
     /// Objects throw no shadows
     #[arg(long)]
     pub no_shadows: bool,
@@ -81,6 +85,7 @@ impl Options {
             model: self.model,
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
+            spd_rays: self.spd_rays,
             shadows: !self.no_shadows,
             corners: false,
         }

@@ -87,6 +87,11 @@ fn each_option_of_whitteds_model_changes_what_it_says() {
     assert_eq!(rays(&stats)[3], refracted);
     assert!(picture != plain);
 
+    // Its glass mirrors nothing: only rays that are not seen are more.
+    let (picture, stats) = traced(scene, &["--spd-rays"]);
+    assert!(rays(&stats)[2] > reflected && rays(&stats)[0] == eye);
+    assert!(picture == plain);
+
     let (picture, _) = traced(scene, &["--check-shaders"]);
     assert!(picture == plain);
 

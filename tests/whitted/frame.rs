@@ -15,6 +15,7 @@ pub const WHITTED: Look = Look {
     model: Model::Whitted,
     ray_depth: 5,
     fresnel: false,
+    spd_rays: false,
     shadows: true,
     corners: false,
 };
@@ -54,6 +55,7 @@ pub fn options(look: Look) -> Options {
     Options {
         depth: look.ray_depth,
         fresnel: look.fresnel,
+        spd_rays: look.spd_rays,
         corners: look.corners,
     }
 }

@@ -26,6 +26,8 @@ pub(super) struct Finish {
     pub refraction_index: f64,
     /// What it sends of itself.
     pub emission: DVec3,
+    /// Whether light that falls on it counts.
+    pub is_lit: bool,
     /// Whether it has the other of two colours.
     pub other: bool,
 }
@@ -43,6 +45,7 @@ impl Finish {
             transmittance: material.transmittance,
             refraction_index: material.refraction_index,
             emission: DVec3::ZERO,
+            is_lit: true,
             other: false,
         };
         match material.shader {
@@ -76,6 +79,7 @@ impl Finish {
             mirror: 0.0,
             transmittance: 0.0,
             emission,
+            is_lit: false,
             ..self
         }
     }

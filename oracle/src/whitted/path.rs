@@ -24,6 +24,15 @@ pub struct Counts {
     pub background: u64,
 }
 
+impl Counts {
+    /// Those of rays of which nothing is seen.
+    pub(super) fn unseen(count: impl FnOnce(&mut Path)) -> Self {
+        let mut path = Path::default();
+        count(&mut path);
+        path.counts
+    }
+}
+
 impl AddAssign for Counts {
     fn add_assign(&mut self, other: Self) {
         self.eye += other.eye;

@@ -1,14 +1,15 @@
 //! A scene made ready for rays, and the colour that a ray sees.
 //!
 //! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest depth;
-//! a ray that can't matter by its weight is not started and not counted.
+//! a ray that can't matter by its weight is not started and not counted, but by SPD's rule: then it changes
+//! nothing but the counts.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader, Shape};
 
 use super::finish::Finish;
 use super::light;
-use super::path::Path;
+use super::path::{Counts, Path};
 use super::{MAX_DEPTH, Options, weight};
 use crate::Error;
 use crate::ray::Ray;
@@ -83,7 +84,11 @@ impl<'a> Stage<'a> {
             .iter()
             .map(|light| (light.kind, scene.brightness(light)))
             .collect();
-        let least_weight = weight::least(scene, &materials, &lights, options.depth);
+        let least_weight = if options.spd_rays {
+            0.0
+        } else {
+            weight::least(scene, &materials, &lights, options.depth)
+        };
         Ok(Self {
             tree: Tree::new(surfaces),
             materials,
@@ -149,10 +154,21 @@ impl<'a> Stage<'a> {
     /// What a hit sends back of the lights, and of itself.
     fn lit(&self, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
         let finish = &hit.finish;
-        let mut sum = finish.emission + finish.diffuse * self.ambient * finish.colour;
+        let sum = finish.emission + finish.diffuse * self.ambient * finish.colour;
         if finish.diffuse == 0.0 && finish.highlight == 0.0 {
+            if self.options.spd_rays && finish.is_lit {
+                path.counts += Counts::unseen(|path| {
+                    self.shone_on(sum, hit, direction, path);
+                });
+            }
             return sum;
         }
+        self.shone_on(sum, hit, direction, path)
+    }
+
+    /// What a hit sends back of the lights, added to a sum.
+    fn shone_on(&self, mut sum: DVec3, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
+        let finish = &hit.finish;
         for &(kind, brightness) in &self.lights {
             let (way, distance) = match kind {
                 LightKind::Point { position } => {
@@ -215,16 +231,23 @@ impl<'a> Stage<'a> {
         }
 
         let mut sum = DVec3::ZERO;
-        if is_sent(mirror) {
+        let is_counted = self.options.spd_rays && finish.transmittance > 0.0;
+        if is_sent(mirror) || is_counted {
             let reflected = light::reflected(direction, hit.smooth);
             let reflected = if reflected.dot(hit.normal) > 0.0 {
                 reflected
             } else {
                 light::reflected(direction, hit.normal)
             };
-            path.counts.reflected += 1;
             let ray = Ray::new(hit.point, reflected);
-            sum += mirror * self.look(&ray, depth, weight * mirror, path);
+            path.counts.reflected += 1;
+            if mirror > 0.0 {
+                sum += mirror * self.look(&ray, depth, weight * mirror, path);
+            } else {
+                path.counts += Counts::unseen(|path| {
+                    self.look(&ray, depth, 0.0, path);
+                });
+            }
         }
         if let Some((refracted, share)) = through.filter(|&(_, share)| is_sent(share)) {
             path.counts.refracted += 1;

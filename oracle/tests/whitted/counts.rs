@@ -7,6 +7,7 @@ use oracle::whitted::{Counts, Options, trace};
 const SPD: Options = Options {
     depth: 5,
     fresnel: false,
+    spd_rays: true,
     corners: true,
 };
 
@@ -82,4 +83,35 @@ fn a_greater_depth_adds_rays_and_a_picture_is_the_same_again() {
         rays = sum;
     }
     assert_eq!(at(5), at(5));
+}
+
+#[test]
+fn by_spds_rule_glass_of_no_share_sends_rays_that_are_not_seen() {
+    // Of glass of Ks 0, of which one ball is lit and the other is not.
+    let text = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 60 40\nb 0.2 0.3 0.5\n\
+        l 5 -9 3\nf 1 1 1 0.2 0 0 0.8 1.1\ns -1.2 0 0 1\nf 1 1 1 0 0 0 1 1.3\ns 1.2 0 0 1\n\
+        f 1 0 0 1 0 0 0 1\n#cellray shader flat\ns 0 0 1.3 0.4\n";
+    let scene = nff::parse(text.as_bytes(), "glass", &nff::Limits::default()).expect("a scene");
+    let [seen, all] = [false, true].map(|spd_rays| {
+        let options = Options {
+            spd_rays,
+            depth: 2,
+            ..Options::default()
+        };
+        trace(&scene, 60, 40, &options).expect("a picture")
+    });
+    // Silhouettes too.
+    assert_eq!(seen.0, all.0);
+    let ((_, seen), (_, all)) = (seen, all);
+    assert_eq!(
+        (seen.eye, seen.eye_hit, seen.refracted),
+        (all.eye, all.eye_hit, all.refracted)
+    );
+    // Every eye ray that meets glass is refracted, and now reflected as well.
+    assert_eq!((seen.reflected, all.reflected), (0, seen.refracted));
+    assert!(seen.eye_hit > all.reflected && all.shadow > seen.shadow);
+    assert_eq!(
+        all.eye + all.reflected + all.refracted,
+        all.hit + all.background
+    );
 }

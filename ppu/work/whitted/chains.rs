@@ -6,11 +6,13 @@
 //! not sent on; and no ray is sent deeper than the shares of the scene's materials let such weights
 //! come. `docs/numerics.md` has the bound.
 //!
-//! A game's own shader may do what its material does not tell: with one in the scene nothing is bounded.
+//! A game's own shader may do what its material does not tell: with one in the scene nothing is bounded. Nor
+//! is it where rays are counted by SPD's rule, which knows no weights.
 
 use nff::{Material, Shader};
 use zerocopy::big_endian::F32;
 
+use super::BlockOptions;
 use crate::work::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray has to be able to add to its pixel, to be sent on.
@@ -83,7 +85,7 @@ impl Chains {
 
     /// Of a scene of these materials, whose background, ambient light and lights together are at most so bright.
     pub fn of(
-        asked: u32,
+        options: BlockOptions,
         materials: impl Iterator<Item = Sends> + Clone,
         [background, ambient, lights]: [f64; 3],
     ) -> Self {
@@ -92,15 +94,15 @@ impl Chains {
             share = share.max(sends.share);
             is_bounded &= !sends.is_own;
         }
-        if !is_bounded {
+        if options.spd_rays || !is_bounded {
             return Self {
-                ray_depth: asked,
+                ray_depth: options.ray_depth,
                 ..Self::UNBOUNDED
             };
         }
         // What a ray sees at most if so many follow it: a surface's own light, and what they see by its share.
         let mut seen = 0.0;
-        for _ in 0..asked {
+        for _ in 0..options.ray_depth {
             let surfaces = materials.clone().map(|sends| {
                 let lit = sends.diffuse * (ambient + lights) + sends.highlight * lights;
                 sends.emission + lit + sends.share * seen
@@ -109,7 +111,7 @@ impl Chains {
         }
         let least = LEAST_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
         let (mut ray_depth, mut weight) = (1, share * (1.0 + ROUNDING));
-        while ray_depth < asked && weight > 0.0 && weight >= least {
+        while ray_depth < options.ray_depth && weight > 0.0 && weight >= least {
             ray_depth += 1;
             weight *= share * (1.0 + ROUNDING);
         }
@@ -134,15 +136,22 @@ mod tests {
         }
     }
 
+    fn to(ray_depth: u32) -> BlockOptions {
+        BlockOptions {
+            ray_depth,
+            ..BlockOptions::default()
+        }
+    }
+
     #[test]
     fn a_scene_that_reflects_nothing_has_chains_of_one_ray() {
-        let chains = Chains::of(16, [sends(0.0, 1.0)].into_iter(), [0.5, 0.0, 1.0]);
+        let chains = Chains::of(to(16), [sends(0.0, 1.0)].into_iter(), [0.5, 0.0, 1.0]);
         assert_eq!(chains.ray_depth, 1);
     }
 
     #[test]
     fn weak_mirrors_end_chains_early() {
-        let chains = |share| Chains::of(16, [sends(share, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
+        let chains = |share| Chains::of(to(16), [sends(share, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
         let weak = chains(0.1);
         // 1 / (16 * 255 * 1.11...): 0.1^3 is above, 0.1^4 below.
         assert_eq!(weak.ray_depth, 4);
@@ -151,19 +160,30 @@ mod tests {
     }
 
     #[test]
+    fn counting_by_spds_rule_bounds_nothing() {
+        let options = BlockOptions {
+            spd_rays: true,
+            ..to(6)
+        };
+        let chains = Chains::of(options, [sends(0.1, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
+        assert_eq!((chains.ray_depth, chains.least_weight), (6, 0.0));
+    }
+
+    #[test]
     fn an_own_shader_bounds_nothing() {
         let own = Sends {
             is_own: true,
             ..sends(0.0, 1.0)
         };
-        let chains = Chains::of(7, [sends(0.0, 1.0), own].into_iter(), [0.0, 0.0, 1.0]);
+        let chains = Chains::of(to(7), [sends(0.0, 1.0), own].into_iter(), [0.0, 0.0, 1.0]);
         assert_eq!((chains.ray_depth, chains.least_weight), (7, 0.0));
     }
 
     #[test]
     fn the_brighter_a_scene_the_lighter_the_rays_that_are_sent() {
-        let least =
-            |lights| Chains::of(5, [sends(0.5, 1.0)].into_iter(), [0.0, 0.0, lights]).least_weight;
+        let least = |lights| {
+            Chains::of(to(5), [sends(0.5, 1.0)].into_iter(), [0.0, 0.0, lights]).least_weight
+        };
         assert!(least(2.0) < least(1.0));
         assert!(least(0.0) > 1e30);
     }

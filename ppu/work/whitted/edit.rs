@@ -135,7 +135,7 @@ impl SceneBlock {
         shaders: &ShaderEntries,
     ) -> Result<(), BlockError> {
         let shader = |name: &str| shaders.entry(name);
-        let record = materials::record(&self.file, material, self.options.fresnel, &shader)?;
+        let record = materials::record(&self.file, material, self.options, &shader)?;
         let bytes = self.block.at(address, record.as_bytes().len());
         bytes.copy_from_slice(record.as_bytes());
         self.materials[number] = Some(Surface {

@@ -6,10 +6,10 @@ use glam::DVec3;
 use nff::{LightKind, Material, Shader, unit};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-use super::BlockError;
 use super::chains::greatest;
 use super::objects::{single, taxicab};
 use super::range::Place;
+use super::{BlockError, BlockOptions};
 use crate::scene::singles;
 use crate::work::layout::{
     self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
@@ -20,6 +20,9 @@ const BLINN: f64 = 4.0;
 
 /// What `cull_nodes` takes of an apex's coordinates for its own rounding, and as much again.
 const SLACK: f64 = 2.0 / (1 << 18) as f64;
+
+/// The share of a ray that is sent only to be counted: above 0 to the SPUs, and nothing beside any other.
+const COUNTED: f64 = f32::MIN_POSITIVE as f64;
 
 /// Names of the shaders that are the SPUs' own.
 const CHECKER: &str = "checker";
@@ -84,7 +87,7 @@ pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, 
 pub(super) fn record(
     file: &str,
     material: &Material,
-    fresnel: bool,
+    options: BlockOptions,
     entry: &dyn Fn(&str) -> Option<u32>,
 ) -> Result<layout::Material, BlockError> {
     let &Material {
@@ -138,12 +141,30 @@ pub(super) fn record(
     let share = |share: f64| if shading.shares { share } else { 0.0 };
     let (diffuse, mirror, transmittance) = (share(diffuse), share(specular), share(transmittance));
     let highlight = if shading.shines { mirror } else { 0.0 };
-    let (schlick, grazing) = if fresnel && transmittance > 0.0 {
+    let (schlick, grazing) = if options.fresnel && transmittance > 0.0 {
         let head_on = (1.0 - index) / (1.0 + index);
         let head_on = head_on * head_on;
         (head_on, 1.0 - head_on)
     } else {
         (0.0, 0.0)
+    };
+    let is_counted = options.spd_rays && shading.shares;
+    let counted = |share: f64| {
+        if is_counted {
+            share.max(COUNTED)
+        } else {
+            share
+        }
+    };
+    let mirror = if transmittance > 0.0 {
+        counted(mirror)
+    } else {
+        mirror
+    };
+    let diffuse = if highlight > 0.0 {
+        diffuse
+    } else {
+        counted(diffuse)
     };
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)

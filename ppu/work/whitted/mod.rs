@@ -58,6 +58,8 @@ pub struct BlockOptions {
     pub ray_depth: u32,
     /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
     pub fresnel: bool,
+    /// Whether rays that add nothing to the picture are sent where the Standard Procedural Databases count them.
+    pub spd_rays: bool,
 }
 
 impl Default for BlockOptions {
@@ -65,6 +67,7 @@ impl Default for BlockOptions {
         Self {
             ray_depth: 5,
             fresnel: false,
+            spd_rays: false,
         }
     }
 }
@@ -155,7 +158,7 @@ impl SceneBlock {
             let index = object.material as usize;
             if materials[index].is_none() {
                 let material = &scene.materials[index];
-                let record = materials::record(&scene.name, material, options.fresnel, shader)?;
+                let record = materials::record(&scene.name, material, options, shader)?;
                 materials[index] = Some(Surface {
                     address: block.append(record.as_bytes()),
                     sends: Sends::of(&record, material),
@@ -292,7 +295,7 @@ impl SceneBlock {
         let bright = [self.background, greatest(&self.ambient), lights];
         let materials = self.materials.iter().flatten();
         let sends = materials.map(|surface| surface.sends);
-        self.chains = Chains::of(self.options.ray_depth, sends, bright);
+        self.chains = Chains::of(self.options, sends, bright);
         self.batch_at(self.ray_depth()).is_some()
     }
 
