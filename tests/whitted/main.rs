@@ -1,5 +1,6 @@
 //! Whitted's model on emulated SPUs, against the f64 reference.
 
+mod chains;
 mod counts;
 mod frame;
 mod invariance;
