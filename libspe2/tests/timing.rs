@@ -301,7 +301,7 @@ fn check_report(text: &str) {
         assert_eq!(number(spe, "dma_commands"), u64::from(FRAMES));
     }
     assert!(total("atomic_commands") > u64::from(FRAMES) * 200);
-    let seconds = number(&report, "cycles") as f64 / 3.2e9;
+    let seconds = number(&report, "cycles") as f64 / 3.192e9;
     assert!((report["seconds"].as_f64().unwrap() - seconds).abs() < 1e-12);
     assert!(sum(&report["constants"]) > 0);
 }

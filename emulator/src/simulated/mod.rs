@@ -49,24 +49,23 @@ pub(crate) use spe_side::SpeSide;
 pub(crate) use spu_clock::{SpuClock, Timed, Wait};
 pub(crate) use transfers::{Movement, Piece, Transfers};
 
-/// The SPU's clock. Source: the PlayStation 3's 3.2 GHz. Firm.
-pub const CYCLES_PER_SECOND: u64 = 3_200_000_000;
+/// Cycles of a decrementer tick. Source: cycle counts that programs print on a PlayStation 3 are
+/// multiples of it. Firm.
+pub const CYCLES_PER_TICK: u64 = 40;
 
-/// Decrementer ticks in `cycles`: one in about 40.1.
+/// The SPU's clock: 3.192 GHz.
+pub const CYCLES_PER_SECOND: u64 = CYCLES_PER_TICK * TICKS_PER_SECOND;
+
+/// Decrementer ticks in `cycles`.
 #[must_use]
 pub const fn ticks(cycles: u64) -> u64 {
-    (cycles as u128 * TICKS_PER_SECOND as u128 / CYCLES_PER_SECOND as u128) as u64
+    cycles / CYCLES_PER_TICK
 }
 
 /// The first cycle in which [`ticks`] has reached `ticks`.
 #[must_use]
 pub const fn cycle_of_tick(ticks: u64) -> u64 {
-    let cycles = (ticks as u128 * CYCLES_PER_SECOND as u128).div_ceil(TICKS_PER_SECOND as u128);
-    if cycles > u64::MAX as u128 {
-        u64::MAX
-    } else {
-        cycles as u64
-    }
+    ticks.saturating_mul(CYCLES_PER_TICK)
 }
 
 /// Cycles in `time`, to the microsecond; at least one.
@@ -175,8 +174,9 @@ mod tests {
 
     #[test]
     fn ticks_and_cycles_agree() {
+        assert_eq!(CYCLES_PER_SECOND, 3_192_000_000);
         assert_eq!(ticks(CYCLES_PER_SECOND), TICKS_PER_SECOND);
-        assert_eq!((ticks(40), ticks(41)), (0, 1));
+        assert_eq!((ticks(39), ticks(40), ticks(80)), (0, 1, 2));
         for tick in [1, 2, 399, 79_800_000, 1 << 40] {
             let cycle = cycle_of_tick(tick);
             assert_eq!((ticks(cycle - 1), ticks(cycle)), (tick - 1, tick));

@@ -1,10 +1,11 @@
 //! Six SPEs against one.
 
-use spu_emulator::simulated::CYCLES_PER_SECOND;
+use spu_emulator::memory::LINE;
+use spu_emulator::simulated::memory_system::LINE_CYCLES;
 
 use crate::support::Machine;
 
-const BYTES_PER_CYCLE: f64 = 25.6e9 / CYCLES_PER_SECOND as f64;
+const BYTES_PER_CYCLE: f64 = LINE as f64 / LINE_CYCLES as f64;
 
 /// Shares 256 pieces of work by an atomic counter.
 const COMPUTE: &str = "

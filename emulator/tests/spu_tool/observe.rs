@@ -98,7 +98,7 @@ fn timing_says_where_the_cycles_went() {
 fn timed_runs_repeat_and_count_simulated_time() {
     let bench = Bench::new();
     // A thousand unhinted taken branches between two looks at the decrementer: 20 cycles each, and
-    // the two of ai; some 40.1 cycles a tick. The count of ticks is the exit code.
+    // the two of ai; 40 cycles a tick. The count of ticks is the exit code.
     let program = bench.instructions(
         "        il $3,-1\n        wrch $ch7,$3\n        il $3,100\n        rdch $4,$ch8\n\
          again:  ai $3,$3,-1\n        brnz $3,again\n        rdch $5,$ch8\n        sf $5,$5,$4\n\
