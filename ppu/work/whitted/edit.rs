@@ -254,7 +254,10 @@ impl SceneBlock {
             let kind = form.kind();
             let planted = &mut planted[kind as usize];
             if planted.count() == MAX_OBJECTS as usize {
-                return Err(place.too_many(kind.name()));
+                return Err(BlockError::FullTree {
+                    place: place.to_string(),
+                    what: kind.name(),
+                });
             }
             match planted.take(form.size()) {
                 Some(plot) => pieces.push(Piece { kind, plot }),

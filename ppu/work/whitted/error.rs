@@ -5,13 +5,33 @@ use crate::work::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS};
 /// Why a scene is not brought into the SPUs' form. Messages begin with the file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BlockError {
-    /// A tree is full.
-    #[error("{place}: more than {MAX_OBJECTS} {what}")]
+    /// More objects of a shape than a tree holds.
+    #[error("{place}: more than {MAX_OBJECTS} {what}: the scene has about {count}; {fits}")]
     TooManyObjects {
         /// The scene and the line of the object that finds no place.
         place: String,
         /// The shape, plural.
         what: &'static str,
+        /// About how many there are.
+        count: usize,
+        /// About how much fits, in words.
+        fits: String,
+    },
+    /// A tree is full.
+    #[error("{place}: there are {MAX_OBJECTS} {what} already")]
+    FullTree {
+        /// The scene and the line of the object that finds no place.
+        place: String,
+        /// The shape, plural.
+        what: &'static str,
+    },
+    /// A polygon that no tree holds.
+    #[error("{place}: a polygon of {vertices} vertices takes more than {MAX_OBJECTS} triangles")]
+    LargePolygon {
+        /// The scene and the line of the polygon.
+        place: String,
+        /// How many vertices it has.
+        vertices: usize,
     },
     /// More lights than the SPUs have room for.
     #[error("{file}:{line}: more than {MAX_LIGHTS} lights")]
@@ -53,7 +73,7 @@ pub enum BlockError {
     },
     /// The local store is too small.
     #[error(
-        "{file}: the scene takes {needed} bytes of local store and there are {room} (with rays of depth {ray_depth} that wait): about {fit} of its {count} {what} fit"
+        "{file}: the scene takes {needed} bytes of local store and there are {room} (with rays of depth {ray_depth} that wait); of them take {takers}; {fits}"
     )]
     TooLarge {
         /// The scene.
@@ -64,12 +84,10 @@ pub enum BlockError {
         room: usize,
         /// Most rays in a chain, which is what the waiting rays' room depends on.
         ray_depth: u32,
-        /// About how many of the objects that take most would fit.
-        fit: usize,
-        /// How many of them there are.
-        count: usize,
-        /// Their shape, plural.
-        what: &'static str,
+        /// What takes how many of them, in words.
+        takers: String,
+        /// About how much fits, in words.
+        fits: String,
     },
     /// No such depth.
     #[error("ray depth {0}: must be 1 to {MAX_DEPTH}")]

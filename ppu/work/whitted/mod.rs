@@ -14,11 +14,13 @@
 mod ball;
 mod block;
 mod chains;
+mod demand;
 mod edit;
 mod error;
 mod materials;
 mod objects;
 mod planted;
+mod polygons;
 mod range;
 mod shadow;
 mod shown;
@@ -33,6 +35,7 @@ use zerocopy::big_endian::{F32, U32};
 
 use self::block::Block;
 use self::chains::{Chains, Sends, greatest};
+use self::demand::Demand;
 use self::materials::Light;
 use self::objects::{Kind, Object};
 use self::planted::Planted;
@@ -152,7 +155,7 @@ impl SceneBlock {
             found,
             objects,
             mut pieces,
-        } = Found::of(scene)?;
+        } = Found::of(scene, options.ray_depth)?;
         let mut materials = vec![None; scene.materials.len()];
         for object in found.iter().flatten() {
             let index = object.material as usize;
@@ -304,23 +307,17 @@ impl SceneBlock {
         if needed <= room {
             return Ok(());
         }
-        let (count, size, what) = self
-            .planted
-            .iter()
-            .map(|planted| (planted.count(), planted.size(), planted.kind().name()))
-            .max_by_key(|&(_, size, _)| size)
-            .unwrap_or_default();
-        // Nodes and materials get fewer with the objects.
-        let others = needed - size;
-        let fit = room.saturating_sub(others) * count / size.max(1);
+        let objects = self.planted.each_ref();
+        let objects = objects.map(|planted| (planted.count(), planted.size()));
+        let materials = self.materials.iter().flatten().count();
+        let demand = Demand::new(objects, materials, self.lights.len());
         Err(BlockError::TooLarge {
             file: self.file.clone(),
             needed,
             room,
             ray_depth: self.ray_depth(),
-            fit,
-            count,
-            what,
+            takers: demand.takers(),
+            fits: demand.fits(room),
         })
     }
 }
@@ -376,12 +373,16 @@ struct Found {
 }
 
 impl Found {
-    fn of(scene: &Scene) -> Result<Self, BlockError> {
+    fn of(scene: &Scene, ray_depth: u32) -> Result<Self, BlockError> {
         let Self {
             mut found,
             mut objects,
             mut pieces,
         } = Self::default();
+        let most = MAX_OBJECTS as usize;
+        let mut counts = [0; 4];
+        // The first object that is one too many, and its kind.
+        let mut too_many = None;
         for object in &scene.objects {
             let first = pieces.len();
             if let Some(material) = scene.materials.get(object.material as usize) {
@@ -389,11 +390,20 @@ impl Found {
                     file: &scene.name,
                     line: Some(object.line),
                 };
+                let (kind, about) = objects::about(&object.shape);
+                // What is too many is still counted, but no longer cut: that takes time.
+                if about > most || counts[kind as usize] > most {
+                    counts[kind as usize] += about;
+                    too_many.get_or_insert((place, kind));
+                    continue;
+                }
                 objects::of_shape(&object.shape, material, place, &mut |form, sides| {
                     let kind = form.kind();
                     let found = &mut found[kind as usize];
-                    if found.len() == MAX_OBJECTS as usize {
-                        return Err(place.too_many(kind.name()));
+                    counts[kind as usize] += 1;
+                    if found.len() == most {
+                        too_many.get_or_insert((place, kind));
+                        return Ok(());
                     }
                     pieces.push(Piece {
                         kind,
@@ -408,6 +418,14 @@ impl Found {
                 })?;
             }
             objects.push(first..pieces.len());
+        }
+        if let Some((place, kind)) = too_many {
+            return Err(BlockError::TooManyObjects {
+                place: place.to_string(),
+                what: kind.name(),
+                count: counts[kind as usize],
+                fits: Demand::of(scene, counts).fits(room(1, ray_depth)),
+            });
         }
         Ok(Self {
             found,

@@ -3,18 +3,17 @@
 //! Invariant: an object's numbers are in range; its record is rounded once, from numbers that are
 //! relative to the eye.
 
-use std::borrow::Cow;
-
 use glam::DVec3;
-use nff::{Material, Shape, area_vector, unit};
+use nff::{Material, Shape, unit};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use super::BlockError;
 use super::ball::{Ball, Hull};
+use super::polygons::{self, FLAT, check_vertices};
 use super::range::Place;
-use crate::scene::{LARGEST, SMALLEST, singles};
-use crate::work::layout::{self, MAX_OBJECTS, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
+use crate::scene::singles;
+use crate::work::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
 /// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
 /// their magnitudes.
@@ -22,13 +21,6 @@ use crate::work::layout::{self, MAX_OBJECTS, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOT
 /// A point's height over the surface is a sum of products of them, each of which is truncated by up to
 /// 2^-23: eight roundings of them all.
 pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
-
-/// By how much a corner of a parallelogram may be off, in parts of the longer edge: half a unit in the
-/// last place of what is sent.
-const OFF_CORNER: f64 = 1.0 / (1 << 24) as f64;
-
-/// Height of a triangle, in parts of its longest edge, below which no ray hits it.
-const SLIVER: f64 = 1.0 / (1 << 24) as f64;
 
 /// The shapes that SPUs know, in the order of the frame's trees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -63,9 +55,8 @@ impl Kind {
     }
 }
 
-/// What vertices may be off their polygon's plane, in parts of its size: no more than numbers of a scene are rounded
-/// by. They stay where they are, so that polygons that share them leave no gap.
-const FLAT: f64 = 1.0 / (1 << 18) as f64;
+/// Bytes of a triangle of a patch.
+pub(super) const PATCH_SIZE: usize = size_of::<layout::Patch>();
 
 /// An object where the scene has it.
 #[derive(Clone, Debug)]
@@ -115,6 +106,21 @@ struct Head {
     offset: f64,
     /// How far the surface reaches from its centre, where the offset does not say.
     extent: f64,
+}
+
+/// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons whose edges cross
+/// or that have parts without area.
+pub(super) fn about(shape: &Shape) -> (Kind, usize) {
+    match shape {
+        Shape::Sphere { .. } => (Kind::Sphere, 1),
+        Shape::Cone { .. } => (Kind::Cone, 1),
+        Shape::Polygon { vertices } if polygons::rectangle(vertices).is_some() => {
+            (Kind::Rectangle, 1)
+        }
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+            (Kind::Triangle, vertices.len().saturating_sub(2))
+        }
+    }
 }
 
 /// Hands `found` the objects of a shape, none if it has no surface.
@@ -169,14 +175,14 @@ pub(super) fn of_shape(
         }
         Shape::Polygon { vertices } => {
             check_vertices(vertices, place)?;
-            match rectangle(vertices) {
+            match polygons::rectangle(vertices) {
                 Some(rectangle) => found(rectangle, both),
-                None => triangles(vertices, None, place, |form| found(form, both)),
+                None => polygons::triangles(vertices, None, place, |form| found(form, both)),
             }
         }
         Shape::Patch { vertices, normals } => {
             check_vertices(vertices, place)?;
-            triangles(vertices, Some(normals), place, |form| {
+            polygons::triangles(vertices, Some(normals), place, |form| {
                 let is_smooth = matches!(
                     form,
                     Form::Triangle {
@@ -188,114 +194,6 @@ pub(super) fn of_shape(
             })
         }
     }
-}
-
-fn check_vertices(vertices: &[DVec3], place: Place<'_>) -> Result<(), BlockError> {
-    let mut vertices = vertices.iter();
-    vertices.try_for_each(|&vertex| place.vector("vertex", vertex))
-}
-
-/// The parallelogram that a polygon is.
-fn rectangle(vertices: &[DVec3]) -> Option<Form> {
-    let &[corner, second, opposite, last] = vertices else {
-        return None;
-    };
-    let edges = [second - corner, last - corner];
-    let longer = edges[0].length().max(edges[1].length());
-    let off = (opposite - second) - edges[1];
-    if off.length() > OFF_CORNER * longer {
-        return None;
-    }
-    let normal = unit(area_vector(vertices))?;
-    let [u, v] = edges;
-    let dual = |along: DVec3, other: DVec3| {
-        let across = other.cross(normal);
-        across / across.dot(along)
-    };
-    let duals = [dual(u, v), dual(v, u)];
-    // Of one that is too small for its duals to be singles, the triangles are taken.
-    let sound = |dual: &DVec3| dual.is_finite() && dual.abs().max_element() <= LARGEST;
-    duals.iter().all(sound).then_some(Form::Rectangle {
-        corner,
-        edges,
-        normal,
-        duals,
-    })
-}
-
-/// The vertices of a polygon with a normal, put onto its plane, which goes through their mean.
-fn in_plane(vertices: &[DVec3], normal: DVec3) -> Cow<'_, [DVec3]> {
-    // Three are in a plane.
-    let [first, _, _, _, ..] = *vertices else {
-        return Cow::Borrowed(vertices);
-    };
-    // From a vertex of its own: the sum of far ones would lose digits.
-    let sum: DVec3 = vertices.iter().map(|&vertex| vertex - first).sum();
-    let middle = first + sum / vertices.len() as f64;
-    let above = |vertex: DVec3| (vertex - middle).dot(normal);
-    let largest = |size: &dyn Fn(DVec3) -> f64| {
-        let sizes = vertices.iter().map(|&vertex| size(vertex));
-        sizes.fold(0.0, f64::max)
-    };
-    let size = largest(&|vertex| vertex.distance(middle));
-    if largest(&|vertex| above(vertex).abs()) <= FLAT * size {
-        return Cow::Borrowed(vertices);
-    }
-    let put = |&vertex: &DVec3| vertex - above(vertex) * normal;
-    Cow::Owned(vertices.iter().map(put).collect())
-}
-
-/// The triangles of a polygon that have an area. Those of a patch whose edges cross interpolate nothing.
-fn triangles(
-    vertices: &[DVec3],
-    normals: Option<&Vec<DVec3>>,
-    place: Place<'_>,
-    mut found: impl FnMut(Form) -> Result<(), BlockError>,
-) -> Result<(), BlockError> {
-    // Before they are looked for: that takes time with the square of their number.
-    if vertices.len() > MAX_OBJECTS as usize + 2 {
-        return Err(place.too_many(Kind::Triangle.name()));
-    }
-    let Some(normal) = unit(area_vector(vertices)) else {
-        return Ok(());
-    };
-    let vertices = &*in_plane(vertices, normal);
-    let mut found = |vertices: [DVec3; 3], smooth: Option<[DVec3; 3]>| {
-        let [a, b, c] = vertices;
-        let area = area_vector(&vertices).length();
-        let longest = (b - a).length().max((c - b).length()).max((a - c).length());
-        if longest < SMALLEST || area / longest <= SLIVER * longest {
-            return Ok(());
-        }
-        found(Form::Triangle {
-            vertices,
-            normal,
-            smooth,
-        })
-    };
-    let cut;
-    let corners = match vertices {
-        // Without memory being taken: what moves may be one.
-        [_, _, _] => Some(&[[0, 1, 2]][..]),
-        _ => {
-            cut = nff::triangles(vertices);
-            cut.as_deref()
-        }
-    };
-    let Some(corners) = corners else {
-        let crossing = nff::even_odd(vertices, MAX_OBJECTS as usize);
-        let crossing = crossing.ok_or_else(|| place.too_many(Kind::Triangle.name()))?;
-        return crossing
-            .into_iter()
-            .try_for_each(|triangle| found(triangle, None));
-    };
-    let of = |values: &[DVec3], corners: [u32; 3]| corners.map(|index| values[index as usize]);
-    corners.iter().try_for_each(|&corners| {
-        let unit_normals = |normals: &Vec<DVec3>| {
-            of(normals, corners).map(|normal| unit(normal).unwrap_or(DVec3::ZERO))
-        };
-        found(of(vertices, corners), normals.map(unit_normals))
-    })
 }
 
 impl Form {
@@ -313,7 +211,7 @@ impl Form {
         match self {
             Self::Triangle {
                 smooth: Some(_), ..
-            } => size_of::<layout::Patch>(),
+            } => PATCH_SIZE,
             _ => self.kind().least_size(),
         }
     }

@@ -198,10 +198,6 @@ impl Planted {
         }
     }
 
-    pub fn kind(&self) -> Kind {
-        self.kind
-    }
-
     pub fn count(&self) -> usize {
         self.plantings().count()
     }

@@ -32,14 +32,6 @@ impl Place<'_> {
         }
     }
 
-    /// That a tree is full.
-    pub fn too_many(&self, what: &'static str) -> BlockError {
-        BlockError::TooManyObjects {
-            place: self.to_string(),
-            what,
-        }
-    }
-
     /// Whether a number is in range.
     pub fn number(&self, what: &'static str, value: f64) -> Result<(), BlockError> {
         // NaN is not.

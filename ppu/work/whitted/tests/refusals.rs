@@ -93,10 +93,13 @@ fn numbers_out_of_range() {
 #[test]
 fn more_than_there_is_room_for() {
     let spheres = |count: usize| "s 0 0 0 1\n".repeat(count);
-    assert_eq!(
-        refusal(&spheres(1025)),
-        "t.nff:1033: more than 1024 spheres"
-    );
+    for (count, fit) in [(1025, 841), (3000, 845)] {
+        let message = format!(
+            "t.nff:1033: more than 1024 spheres: the scene has about {count}; about {fit} of its {count} \
+             spheres fit"
+        );
+        assert_eq!(refusal(&spheres(count)), message);
+    }
     let fan = |count: usize| {
         let corner = |index: usize| {
             let angle = index as f64 / count as f64 * std::f64::consts::TAU;
@@ -105,8 +108,32 @@ fn more_than_there_is_room_for() {
         let corners: String = (0..count).map(corner).collect();
         format!("p {count}\n{corners}")
     };
-    assert_eq!(refusal(&fan(1027)), "t.nff:9: more than 1024 triangles");
-    assert_eq!(refusal(&fan(100_000)), "t.nff:9: more than 1024 triangles");
+    for (text, line, count) in [
+        (fan(1027), 9, 1025),
+        (fan(100_000), 9, 99_998),
+        // The last is a parallelogram.
+        (format!("{}{}{}", fan(802), fan(502), fan(4)), 812, 1300),
+    ] {
+        let found = refusal(&text);
+        let message = format!(
+            "t.nff:{line}: more than 1024 triangles: the scene has about {count}; about 51"
+        );
+        assert!(found.starts_with(&message), "{found}");
+        assert!(
+            found.ends_with(&format!(" of its {count} triangles fit")),
+            "{found}"
+        );
+    }
+    let star: String = (0..101)
+        .map(|index| {
+            let angle = f64::from(index * 50 % 101) / 101.0 * std::f64::consts::TAU;
+            format!("{} {} 0\n", angle.cos(), angle.sin())
+        })
+        .collect();
+    assert_eq!(
+        refusal(&format!("p 101\n{star}")),
+        "t.nff:9: a polygon of 101 vertices takes more than 1024 triangles"
+    );
     assert_eq!(
         refusal(&"l 0 0 0\n".repeat(65)),
         "t.nff:73: more than 64 lights"
@@ -124,8 +151,15 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
         let each = |index: usize| format!("p 3\n{index} 0 0\n{index} 1 0\n{index} 0 1\n");
         MIRROR.to_owned() + &(0..count).map(each).collect::<String>()
     };
-    let [needed, room, fit] = numbers_of(&refusal(&triangles(1000)));
+    let message = refusal(&triangles(1000));
+    let [needed, room, fit] = numbers_of(&message);
     assert!(needed > room);
+    assert!(
+        message.contains(
+            "that wait); of them take 1000 triangles 122640, 1 material 96, 1 light 32; "
+        ),
+        "{message}"
+    );
     assert_eq!(room, SCENE_ROOM as usize - 3 * 16 * 32 * 4);
     // About: within some per cent.
     let fewer = fit - fit / 50;
@@ -134,11 +168,48 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
     assert!(more.contains(" triangles fit"), "{more}");
 }
 
+#[test]
+fn what_takes_the_room_is_named() {
+    let each_its_own = |count: usize, object: &str| {
+        let material = |index: usize| format!("f 0 0 {index} 1 0 0 0 1\n{object}");
+        (0..count).map(material).collect::<String>()
+    };
+    // The spheres alone would fit: it is their materials that do not.
+    let message = refusal(&each_its_own(700, "s 0 0 0 1\n"));
+    let (before, fit) = message.rsplit_once("; about ").expect("an estimate");
+    assert!(
+        before.contains("take 700 materials 67200, 700 spheres "),
+        "{message}"
+    );
+    let fit = fit
+        .strip_suffix(" of its 700 materials fit")
+        .expect("of what");
+    let fit: usize = fit.parse().expect("a number");
+    let with_materials = |count: usize| {
+        let shared = "s 0 0 0 1\n".repeat(700 - count);
+        format!("{}{shared}", each_its_own(count, "s 0 0 0 1\n"))
+    };
+    block(&with_materials(fit - fit / 50 - 1));
+    assert!(refusal(&with_materials(fit + fit / 50 + 2)).contains("spheres fit"));
+    // Neither would fit without the other.
+    let cone = "c\n0 0 0 1\n0 1 0 1\n";
+    let message = refusal(&each_its_own(900, cone));
+    let (before, part) = message.rsplit_once("; about ").expect("an estimate");
+    assert!(
+        before.contains("take 900 materials 86400, 900 cones "),
+        "{message}"
+    );
+    let part = part.strip_suffix(" % of all that fits").expect("of what");
+    let part: usize = part.parse().expect("a number");
+    block(&each_its_own(9 * (part - 1), cone));
+    refusal(&each_its_own(9 * (part + 2), cone));
+}
+
 /// Bytes needed, bytes there and objects that fit, of a message about 1000 of them.
 fn numbers_of(message: &str) -> [usize; 3] {
     let words = message.split(|c: char| !c.is_ascii_digit());
     let numbers: Vec<usize> = words.filter_map(|digits| digits.parse().ok()).collect();
-    let [needed, room, _, fit, 1000] = numbers[..] else {
+    let [needed, room, .., fit, 1000] = numbers[..] else {
         panic!("{message}");
     };
     [needed, room, fit]
