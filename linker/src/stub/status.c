@@ -1,11 +1,13 @@
-/* Since 2.33 the library has functions of these names; before, programs had these. The layout of what they
-   write is that of a 64-bit program in every version. */
+/* Since 2.33 the library has functions of these names; before, programs had these. The layout of what they read
+   and write is the first one in every version, of 64-bit PowerPC. */
 enum { LAYOUT = 1 };
 
 int __xstat(int layout, const char *path, void *status);
 int __lxstat(int layout, const char *path, void *status);
 int __fxstat(int layout, int file, void *status);
 int __fxstatat(int layout, int folder, const char *path, void *status, int flags);
+int __xmknod(int layout, const char *path, unsigned mode, unsigned long *device);
+int __xmknodat(int layout, int folder, const char *path, unsigned mode, unsigned long *device);
 
 int stat(const char *path, void *status) { return __xstat(LAYOUT, path, status); }
 int lstat(const char *path, void *status) { return __lxstat(LAYOUT, path, status); }
@@ -21,4 +23,13 @@ int fstat64(int file, void *status) { return __fxstat(LAYOUT, file, status); }
 int fstatat64(int folder, const char *path, void *status, int flags)
 {
     return __fxstatat(LAYOUT, folder, path, status, flags);
+}
+
+int mknod(const char *path, unsigned mode, unsigned long device)
+{
+    return __xmknod(LAYOUT, path, mode, &device);
+}
+int mknodat(int folder, const char *path, unsigned mode, unsigned long device)
+{
+    return __xmknodat(LAYOUT, folder, path, mode, &device);
 }
