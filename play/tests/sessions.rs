@@ -19,7 +19,9 @@ const GAME: &str = "screensaver";
 
 fn program() -> Command {
     let mut program = Command::new(env!("CARGO_BIN_EXE_cellray-play"));
-    program.env_remove("DISPLAY").env_remove("WAYLAND_DISPLAY");
+    for variable in ["DISPLAY", "WAYLAND_DISPLAY", "WAYLAND_SOCKET"] {
+        program.env_remove(variable);
+    }
     program
 }
 
@@ -236,6 +238,35 @@ fn bad_input_is_told_of() {
         assert!(!talk.contains("panicked"), "{talk}");
     }
     assert_eq!(fs::read(&file).expect("still there"), b"something");
+}
+
+#[test]
+fn a_display_server_that_is_not_there_is_named_and_nothing_of_the_sources_is_told() {
+    let folder = tempfile::tempdir().expect("a folder");
+    for (variable, value) in [
+        ("DISPLAY", ":4242"),
+        ("DISPLAY", "no such display"),
+        ("WAYLAND_DISPLAY", "wayland-4242"),
+        ("WAYLAND_SOCKET", "4242"),
+        ("WAYLAND_SOCKET", "no number"),
+    ] {
+        let output = program()
+            .env(variable, value)
+            .env("XDG_RUNTIME_DIR", folder.path())
+            .args(["view", SCENE])
+            .output()
+            .expect("the program");
+        let talk = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{talk}");
+        let begin = format!("cellray-play: error: no window: {variable}={value}: ");
+        assert!(
+            talk.starts_with(&begin) && talk.contains("--display terminal"),
+            "{talk}"
+        );
+        for word in [".rs:", "panicked", ".cargo"] {
+            assert!(!talk.contains(word), "{talk}");
+        }
+    }
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod keys;
 
 use std::io;
 use std::num::NonZeroU32;
+use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
 use std::time::Duration;
 
@@ -62,16 +63,27 @@ impl Window {
 
     /// Opens one.
     pub fn open(title: &str, size: Geometry) -> Result<Self, DisplayError> {
-        let none = |why: String| DisplayError::None {
+        let none = |why: &str| DisplayError::None {
             kind: "window",
-            why,
+            why: why.to_owned(),
+        };
+        let refused = |why: &str| {
+            let server = server(|variable| std::env::var(variable).ok());
+            none(&format!(
+                "{server}: {}; --display terminal needs no display server",
+                without_place(why)
+            ))
         };
         let has_xkb = || xkbcommon_dl::xkbcommon_option().is_some();
         let has_xkb_of_x11 = || xkbcommon_dl::x11::xkbcommon_x11_option().is_some();
         if let Some(library) = missing_library(!is_wayland(), has_xkb, has_xkb_of_x11) {
-            return Err(none(format!("{library} is not installed")));
+            return Err(none(&format!("{library} is not installed")));
         }
-        let mut events = EventLoop::new().map_err(|error| none(error.to_string()))?;
+        if std::env::var("WAYLAND_SOCKET").is_ok_and(|number| !is_open_file(&number)) {
+            return Err(refused("there is no open file of this number"));
+        }
+        let events = told_of_panics(|| EventLoop::new().map_err(|error| error.to_string()));
+        let mut events = events.map_err(|why| refused(&why))?;
         events.set_control_flow(ControlFlow::Poll);
         let wanted = PhysicalSize::new(size.width, size.height);
         let mut state = State {
@@ -85,12 +97,14 @@ impl Window {
             happenings: Vec::new(),
         };
         // The first events are those that make the window.
-        let status = events.pump_app_events(Some(Duration::from_secs(5)), &mut state);
+        let patience = Some(Duration::from_secs(5));
+        let status = told_of_panics(|| Ok(events.pump_app_events(patience, &mut state)));
+        let status = status.map_err(|why| refused(&why))?;
         if let Some(why) = state.failed.take() {
-            return Err(none(why));
+            return Err(refused(&why));
         }
         if state.open.is_none() || matches!(status, PumpStatus::Exit(_)) {
-            return Err(none("the display server has made none".to_owned()));
+            return Err(refused("the display server has made none"));
         }
         Ok(Self {
             events,
@@ -264,6 +278,48 @@ fn is_wayland() -> bool {
     is_set("WAYLAND_DISPLAY") || is_set("WAYLAND_SOCKET")
 }
 
+/// The display server that is asked, as the variable has it that names it.
+fn server(value: impl Fn(&str) -> Option<String>) -> String {
+    let named = ["WAYLAND_SOCKET", "WAYLAND_DISPLAY", "DISPLAY"]
+        .into_iter()
+        .find_map(|variable| {
+            let value = value(variable).filter(|value| !value.is_empty())?;
+            Some(format!("{variable}={value}"))
+        });
+    named.unwrap_or_else(|| "no display server is named by DISPLAY or WAYLAND_DISPLAY".to_owned())
+}
+
+/// Whether this is the number of a file that this program has open: whoever takes another one for a connection ends
+/// the program when it is closed.
+fn is_open_file(number: &str) -> bool {
+    // SAFETY: asks for the flags of whatever number, and changes nothing.
+    let is_open = |number| unsafe { libc::fcntl(number, libc::F_GETFD) } != -1;
+    number.is_empty() || number.parse().is_ok_and(is_open)
+}
+
+/// What winit says, without the place in its sources where it found out.
+fn without_place(words: &str) -> &str {
+    let place_and_words = words
+        .strip_prefix("os error at ")
+        .and_then(|rest| rest.split_once(".rs:"));
+    place_and_words
+        .and_then(|(_, rest)| rest.split_once(": "))
+        .map_or(words, |(_, words)| words)
+}
+
+/// Does what may panic: where a server lacks what winit needs, it does, and has no other way to tell of it.
+fn told_of_panics<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+    let tell = panic::take_hook();
+    panic::set_hook(Box::new(|_| ()));
+    let outcome = panic::catch_unwind(AssertUnwindSafe(work));
+    panic::set_hook(tell);
+    outcome.unwrap_or_else(|panic| {
+        let words = panic.downcast_ref::<String>().map(String::as_str);
+        let words = words.or_else(|| panic.downcast_ref::<&str>().copied());
+        Err(words.unwrap_or("it lacks something").to_owned())
+    })
+}
+
 /// A library that winit loads for the keyboard once it has a display server, and panics without.
 fn missing_library(
     is_x11: bool,
@@ -327,6 +383,50 @@ mod tests {
             let both = missing_library(is_x11, missing, missing);
             assert_eq!(both, Some("libxkbcommon.so.0"));
         }
+    }
+
+    #[test]
+    fn a_display_server_is_named_by_its_variable() {
+        let of = |pairs: &[(&str, &str)]| {
+            server(|variable| {
+                let mut found = pairs.iter().filter(|(name, _)| *name == variable);
+                found.next().map(|(_, value)| (*value).to_owned())
+            })
+        };
+        assert_eq!(of(&[("DISPLAY", ":7")]), "DISPLAY=:7");
+        let wayland = of(&[("DISPLAY", ":7"), ("WAYLAND_DISPLAY", "wayland-1")]);
+        assert_eq!(wayland, "WAYLAND_DISPLAY=wayland-1");
+        let socket = of(&[("WAYLAND_SOCKET", "4"), ("WAYLAND_DISPLAY", "wayland-1")]);
+        assert_eq!(socket, "WAYLAND_SOCKET=4");
+        assert!(of(&[("DISPLAY", "")]).starts_with("no display server"));
+    }
+
+    #[test]
+    fn a_connection_that_is_handed_on_is_an_open_file() {
+        assert!(is_open_file("0") || is_open_file("1"));
+        assert!(!is_open_file("4242") && !is_open_file("none") && !is_open_file("-1"));
+    }
+
+    #[test]
+    fn places_in_the_sources_of_others_are_not_told() {
+        let place =
+            "os error at /home/she/.cargo/registry/src/i-1/winit-0.30.13/src/a/mod.rs:765: ";
+        let words = "Could not find: a compositor";
+        assert_eq!(without_place(&format!("{place}{words}")), words);
+        assert_eq!(without_place(words), words);
+        assert_eq!(
+            without_place("os error at the server"),
+            "os error at the server"
+        );
+    }
+
+    #[test]
+    fn panics_of_others_are_errors() {
+        let lacks = told_of_panics::<()>(|| panic!("{} lacks it", "the server"));
+        assert_eq!(lacks, Err("the server lacks it".to_owned()));
+        let lacks = told_of_panics::<()>(|| panic!("it lacks that"));
+        assert_eq!(lacks, Err("it lacks that".to_owned()));
+        assert_eq!(told_of_panics(|| Ok(1)), Ok(1));
     }
 
     #[test]
