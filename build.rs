@@ -5,33 +5,31 @@ use std::env;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
 use spu_build::formulation::Formulations;
-use spu_build::{Tools, stub, tracer};
+use spu_build::{Script, Tools, script, stub, tracer};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
-fn main() {
-    if let Err(error) = build() {
-        eprintln!("{error}");
-        std::process::exit(1);
-    }
+fn main() -> ExitCode {
+    script(build)
 }
 
-fn build() -> Outcome<()> {
+fn build(script: &mut Script) -> Outcome<()> {
     let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let out = PathBuf::from(env::var("OUT_DIR")?);
-    println!("cargo:rerun-if-changed=build.rs");
+    script.watch(Path::new("build.rs"));
 
-    println!("cargo:rerun-if-env-changed=CELLRAY_SPU_IMAGES");
+    script.watch_variable("CELLRAY_SPU_IMAGES");
     let images = match env::var_os("CELLRAY_SPU_IMAGES") {
-        Some(ready) => ready_images(Path::new(&ready))?,
-        None => spu_programs(&out)?,
+        Some(ready) => ready_images(Path::new(&ready), script)?,
+        None => spu_programs(&out, script)?,
     };
     fs::write(out.join("images.rs"), table(&images)?)?;
 
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
-        stubs(&root, &out)?;
+        stubs(&root, &out, script)?;
     }
     Ok(())
 }
@@ -43,16 +41,11 @@ fn image_file(formulations: &Formulations) -> String {
     format!("cellray-spu-{}.elf", formulations.name())
 }
 
-fn spu_programs(out: &Path) -> Outcome<Images> {
-    // The folders themselves are watched too: a new file changes its folder, not a listed file.
-    println!("cargo:rerun-if-changed=spu");
-    for variable in Tools::VARIABLES {
-        println!("cargo:rerun-if-env-changed={variable}");
-    }
+fn spu_programs(out: &Path, script: &mut Script) -> Outcome<Images> {
+    // Also for a scheduled version that comes to a kernel.
+    script.watch(Path::new("spu"));
     let program = tracer()?;
-    for input in program.inputs()? {
-        println!("cargo:rerun-if-changed={}", input.display());
-    }
+    script.watch_image(&program)?;
     let tools = Tools::find()?;
     let work = out.join("objects");
     let objects = program.assemble(&tools, &work)?;
@@ -67,10 +60,10 @@ fn spu_programs(out: &Path) -> Outcome<Images> {
 }
 
 /// The programs that an earlier build has left in its folder of output.
-fn ready_images(folder: &Path) -> Outcome<Images> {
+fn ready_images(folder: &Path, script: &mut Script) -> Outcome<Images> {
     let ready = |formulations| {
         let image = folder.join(image_file(&formulations));
-        println!("cargo:rerun-if-changed={}", image.display());
+        script.watch(&image);
         fs::metadata(&image).map_err(|error| format!("{}: {error}", image.display()))?;
         Ok((formulations, image))
     };
@@ -93,10 +86,10 @@ fn table(images: &Images) -> Outcome<String> {
 
 /// Links the console's program, and whatever depends on this crate, against the names of libspe2 alone, so that
 /// no PS3 sysroot is needed, and against those of an old C library, so that an old system runs it.
-fn stubs(root: &Path, out: &Path) -> Outcome<()> {
+fn stubs(root: &Path, out: &Path, script: &mut Script) -> Outcome<()> {
     let list = root.join("linker/libspe2.symbols");
-    println!("cargo:rerun-if-changed={}", list.display());
-    let compiler = stub::compiler();
+    script.watch(&list);
+    let compiler = stub::compiler(script);
     let folder = out.join("stub");
     fs::create_dir_all(&folder)?;
     let text = fs::read_to_string(&list).map_err(|error| format!("{}: {error}", list.display()))?;
@@ -107,7 +100,10 @@ fn stubs(root: &Path, out: &Path) -> Outcome<()> {
         &folder.join("libspe2.so"),
     )?;
     stub::glibc::build(&compiler, &folder)?;
-    println!("cargo:rustc-link-search=native={}", folder.display());
-    println!("cargo:rustc-link-lib=dylib=spe2");
+    script.tell(format_args!(
+        "rustc-link-search=native={}",
+        folder.display()
+    ));
+    script.tell("rustc-link-lib=dylib=spe2");
     Ok(())
 }

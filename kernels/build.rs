@@ -5,8 +5,9 @@ use std::env;
 use std::fmt::Write as _;
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::ExitCode;
 
-use spu_build::{Image, Tools, Version, assembler};
+use spu_build::{Image, Script, Tools, Version, assembler, script};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -17,38 +18,30 @@ struct Kernel {
     scheduled: bool,
 }
 
-fn main() {
-    if let Err(error) = build() {
-        eprintln!("{error}");
-        std::process::exit(1);
-    }
+fn main() -> ExitCode {
+    script(build)
 }
 
-fn build() -> Outcome<()> {
+fn build(script: &mut Script) -> Outcome<()> {
     let here = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let out = PathBuf::from(env::var("OUT_DIR")?);
     let spu = here.join("../spu").canonicalize()?;
-    println!("cargo:rerun-if-changed=build.rs");
-    println!("cargo:rerun-if-changed=../spu");
-    for variable in Tools::VARIABLES {
-        println!("cargo:rerun-if-env-changed={variable}");
-    }
+    script.watch(Path::new("build.rs"));
+    script.watch(Path::new("../spu"));
 
     let generated = out.join("include");
     fs::create_dir_all(&generated)?;
     fs::write(generated.join(assembler::FILE), assembler::constants())?;
 
     let tools = Tools::find()?;
-    let script = here.join("../linker/spu.ld");
+    let layout = here.join("../linker/spu.ld");
     for (name, version) in [("plain", Version::Plain), ("scheduled", Version::Scheduled)] {
-        let image = Image::new(&script)
+        let image = Image::new(&layout)
             .folder(&here.join("image"))?
             .kernels(&spu, version)?
             .include(&spu.join("include"))
             .include(&generated);
-        for input in image.inputs()? {
-            println!("cargo:rerun-if-changed={}", input.display());
-        }
+        script.watch_image(&image)?;
         image.build(
             &tools,
             &out.join(format!("{name}-objects")),

@@ -5,31 +5,28 @@
 use std::env;
 use std::error::Error;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use spu_build::stub;
+use spu_build::{Script, script, stub};
 
 fn main() -> ExitCode {
-    match link() {
-        Ok(()) => ExitCode::SUCCESS,
-        Err(error) => {
-            eprintln!("{error}");
-            ExitCode::FAILURE
-        }
-    }
+    script(link)
 }
 
-fn link() -> Result<(), Box<dyn Error>> {
-    println!("cargo:rerun-if-changed=build.rs");
+fn link(script: &mut Script) -> Result<(), Box<dyn Error>> {
+    script.watch(Path::new("build.rs"));
     if env::var("CARGO_CFG_TARGET_OS")? == "linux" {
-        println!("cargo:rustc-cdylib-link-arg=-Wl,-soname,libspe2.so.2");
+        script.tell("rustc-cdylib-link-arg=-Wl,-soname,libspe2.so.2");
     }
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
         let folder = PathBuf::from(env::var("OUT_DIR")?).join("stub");
         fs::create_dir_all(&folder)?;
-        stub::glibc::build(&stub::compiler(), &folder)?;
-        println!("cargo:rustc-link-search=native={}", folder.display());
+        stub::glibc::build(&stub::compiler(script), &folder)?;
+        script.tell(format_args!(
+            "rustc-link-search=native={}",
+            folder.display()
+        ));
     }
     Ok(())
 }

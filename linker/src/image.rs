@@ -19,6 +19,7 @@ pub enum Version {
 /// An SPU program to be built.
 #[derive(Clone, Debug)]
 pub struct Image {
+    folders: Vec<PathBuf>,
     sources: Vec<PathBuf>,
     includes: Vec<PathBuf>,
     constants: bool,
@@ -37,6 +38,7 @@ impl Image {
     #[must_use]
     pub fn new(script: &Path) -> Self {
         Self {
+            folders: Vec::new(),
             sources: Vec::new(),
             includes: Vec::new(),
             constants: false,
@@ -60,6 +62,7 @@ impl Image {
         if self.sources.len() == before {
             return Err(Error::NoSources(folder.to_path_buf()));
         }
+        self.folders.push(folder.to_path_buf());
         Ok(self)
     }
 
@@ -119,9 +122,10 @@ impl Image {
         self
     }
 
-    /// Every file that the image is made of: a build script reruns when one changes.
+    /// Every file that the image is made of, and every folder, which another file may come to: a build script
+    /// reruns when one changes.
     pub fn inputs(&self) -> Result<Vec<PathBuf>, Error> {
-        let mut inputs = self.sources.clone();
+        let mut inputs = [&self.sources[..], &self.folders[..]].concat();
         inputs.push(self.script.clone());
         for folder in &self.includes {
             collect(folder, "inc", &mut inputs)?;

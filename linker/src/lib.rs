@@ -1,7 +1,7 @@
 //! Builds SPU programs from assembly, for use in a build script.
 //!
-//! [`Tools::find`] names the SPU assembler and linker, [`Image`] turns `.s` files into one SPU ELF
-//! image, [`stub`] makes a shared library of nothing but names, to link against where the real one
+//! [`embed`] is a whole build script. [`Tools::find`] names the SPU assembler and linker, [`Image`] turns `.s` files
+//! into one SPU ELF image, [`stub`] makes a shared library of nothing but names, to link against where the real one
 //! is not installed. [`tracer`] is the tracer's own program, to which another crate's build script may
 //! add shaders. Apart from that, nothing here knows what the programs do.
 
@@ -11,6 +11,7 @@ pub mod formulation;
 mod image;
 #[path = "../../ppu/work/layout/mod.rs"]
 mod layout;
+mod script;
 pub mod stub;
 mod tools;
 mod tracer;
@@ -20,6 +21,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 
 pub use image::{Image, Version};
+pub use script::{Script, embed, script};
 pub use tools::Tools;
 pub use tracer::tracer;
 
@@ -28,8 +30,12 @@ pub use tracer::tracer;
 pub enum Error {
     /// No assembler or no linker.
     #[error(
-        "no SPU {what}: looked for {looked}; run ci/setup, which builds the SPU binutils, or name one \
-         by the variable {variable}"
+        "no SPU {what}: looked for {looked}.\n\
+         It is part of the GNU binutils, built for the Cell's SPUs: configure their source with \
+         --target=spu-elf --disable-werror (on Debian and Ubuntu it comes in the package binutils-source; its \
+         build needs gcc, make, flex, bison and texinfo), and have spu-elf-as and spu-elf-ld on PATH, or name \
+         them by the variables SPU_AS and SPU_LD; {variable} names this one.\n\
+         In a clone of cellray's repository ci/setup does all of that once, for every crate of the user."
     )]
     NoTool {
         /// Assembler or linker.

@@ -12,12 +12,12 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-use crate::{Error, run, write};
+use crate::{Error, Script, run, write};
 
 /// The compiler of a build script's target: what cargo links with.
 #[must_use]
-pub fn compiler() -> PathBuf {
-    println!("cargo:rerun-if-env-changed=RUSTC_LINKER");
+pub fn compiler(script: &mut Script) -> PathBuf {
+    script.watch_variable("RUSTC_LINKER");
     env::var_os("RUSTC_LINKER").map_or_else(|| "cc".into(), PathBuf::from)
 }
 

@@ -8,19 +8,7 @@ use crate::{Error, Image, Version};
 /// The tracer's program: its driver, its kernels scheduled, and the shaders that it comes with. It
 /// intersects by the standard formulations, unless [`Image::formulations`] says otherwise.
 ///
-/// A build script adds a folder of shaders and builds it:
-///
-/// ```no_run
-/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
-/// let out = std::path::PathBuf::from(std::env::var("OUT_DIR")?);
-/// let program = spu_build::tracer()?.folder("shaders".as_ref())?;
-/// for input in program.inputs()? {
-///     println!("cargo:rerun-if-changed={}", input.display());
-/// }
-/// program.build(&spu_build::Tools::find()?, &out.join("spu"), &out.join("tracer.elf"))?;
-/// # Ok(())
-/// # }
-/// ```
+/// A build script adds a folder of shaders and builds it, as [`embed`](crate::embed) shows.
 pub fn tracer() -> Result<Image, Error> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let spu = root.join("spu");
