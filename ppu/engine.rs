@@ -1,11 +1,17 @@
 //! The SPUs: started once, mailed every frame.
 
+mod silence;
+mod unchecked;
+
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
+pub use self::silence::{Doing, Silence};
+use self::silence::{Pause, Watch, part};
+pub use self::unchecked::Unchecked;
 use crate::formulation::EyeRecord;
 use crate::framebuffer::{self, Framebuffer, FramebufferError};
 use crate::scene::{Scene, SceneError};
@@ -13,7 +19,8 @@ use crate::shared::SharedMemory;
 use crate::spe::{Context, Ended, Event, Events, Program, ProgramError, SpeError};
 use crate::statistics::FrameStatistics;
 use crate::work::layout::{
-    Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
+    FEATURE_WHITTED, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost,
+    UnitCounter, WorkUnit,
 };
 use crate::work::{self, Addresses, Order, Plan, Policy, Refusal, Size, Skip, Split};
 
@@ -24,36 +31,44 @@ pub enum EngineError {
     #[error("{0} SPUs: must be 1 to {MAX_SPUS}")]
     SpuCount(u32),
     /// An SPU program came to an end; no further frame can be traced.
-    #[error("SPU {spu} {ended}")]
+    #[error("SPU {spu} {ended}{unchecked}")]
     Ended {
         /// Number of the SPU.
         spu: u32,
         /// How.
         ended: Ended,
+        /// What may be behind it.
+        unchecked: Unchecked,
     },
     /// An SPU did not accept the frame.
-    #[error("SPU {spu} {refusal}")]
+    #[error("SPU {spu} {refusal}{unchecked}")]
     Refused {
         /// Number of the SPU.
         spu: u32,
         /// What was wrong.
         refusal: Refusal,
+        /// What may be behind it.
+        unchecked: Unchecked,
     },
-    /// An SPU did not answer.
-    #[error("SPU {spu} has not answered within {} s", timeout.as_secs_f64())]
+    /// An SPU did not answer, and none did anything.
+    #[error("SPU {spu} {silence}{unchecked}")]
     Silent {
         /// Number of the first such SPU.
         spu: u32,
-        /// How long it was waited for.
-        timeout: Duration,
+        /// What is known of it.
+        silence: Silence,
+        /// What may be behind it.
+        unchecked: Unchecked,
     },
     /// The SPUs' statistics do not add up to the whole picture.
-    #[error("the SPUs traced {traced} of {wanted} rays: the picture is not whole")]
+    #[error("the SPUs traced {traced} of {wanted} rays: the picture is not whole{unchecked}")]
     Incomplete {
         /// Rays in the statistics.
         traced: u64,
         /// Pixels of the tiles that were to be traced.
         wanted: u64,
+        /// What may be behind it.
+        unchecked: Unchecked,
     },
     /// An earlier error has left no SPUs to work with.
     #[error("the SPUs were lost by an earlier error")]
@@ -86,7 +101,7 @@ pub struct Settings {
     pub retain: bool,
     /// Whether the SPUs check, at each call of a shader, that it keeps what it must.
     pub check_shaders: bool,
-    /// How long a frame may take before its SPUs count as lost.
+    /// How long none of a frame's SPUs may take a work unit, finish one or answer, before they count as lost.
     pub timeout: Duration,
     /// What they run.
     pub program: Program,
@@ -114,9 +129,6 @@ fn eye_record(program: &Program) -> Result<EyeRecord, ProgramError> {
         Err(error) => Err(error),
     }
 }
-
-/// How often a caller hears of a frame's progress.
-const PROGRESS_EVERY: Duration = Duration::from_millis(250);
 
 struct Spu {
     context: Arc<Context>,
@@ -146,6 +158,7 @@ pub struct Engine {
     settings: Settings,
     record: EyeRecord,
     number: u32,
+    pause: Pause,
     plan: Plan,
     /// The SPUs' answers to the last frame, as they lay in memory and as they are given out.
     lines: Vec<Statistics>,
@@ -179,6 +192,7 @@ impl Engine {
             settings,
             record: eye_record(&settings.program)?,
             number: 0,
+            pause: Pause::new(),
             plan: Plan::default(),
             lines: vec![Statistics::new_zeroed(); settings.spus as usize],
             costs: Vec::new(),
@@ -272,6 +286,11 @@ impl Engine {
                 records.scene.write(0, block.bytes());
             }
             records.units.write(0, self.plan.units().bytes());
+            // What a unit took is not 0: it shows which ones are finished.
+            self.costs
+                .resize(self.plan.units().lines().len(), UnitCost::new_zeroed());
+            self.costs.fill(UnitCost::new_zeroed());
+            records.costs.write(0, self.costs.as_bytes());
             self.number = self.number.wrapping_add(1);
             let frame = work::describe(&Order {
                 scene,
@@ -303,6 +322,7 @@ impl Engine {
             return Err(EngineError::Incomplete {
                 traced,
                 wanted: size.pixels,
+                unchecked: Unchecked::of(&self.settings, scene.block().is_some()),
             });
         }
         let records = self.records.as_mut().ok_or(EngineError::Lost)?;
@@ -400,21 +420,34 @@ impl Engine {
         for spu in &self.spus {
             spu.context.mail([(address >> 32) as u32, address as u32])?;
         }
-        let started = Instant::now();
+        let settings = self.settings;
+        let is_whitted = frame.features.get() & FEATURE_WHITTED != 0;
+        let unchecked = || Unchecked::of(&settings, is_whitted);
+        let mut watch = Watch::start(self.settings.timeout);
         let mut waiting = [false; MAX_SPUS as usize];
         waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
         // All SPUs are waited for, also after an error: they write to the frame's memory until then.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
-            let left = self.settings.timeout.saturating_sub(started.elapsed());
+            let left = watch.left();
             if left.is_zero() {
-                let (spu, timeout) = (slowest as u32, self.settings.timeout);
-                return Err(EngineError::Silent { spu, timeout });
+                let silence = self.silence(slowest, frame);
+                let (spu, unchecked) = (slowest as u32, unchecked());
+                return Err(EngineError::Silent {
+                    spu,
+                    silence,
+                    unchecked,
+                });
             }
-            let Some((number, event)) = self.events.wait(left.min(PROGRESS_EVERY))? else {
-                progress(self.part_done(frame));
+            let began = Instant::now();
+            let Some((number, event)) = self.events.wait(self.pause.length(left))? else {
+                self.pause.slept(began.elapsed());
+                let (taken, finished) = self.units_done(frame);
+                watch.saw(u64::from(taken) + u64::from(finished));
+                progress(part(taken.max(finished), frame));
                 continue;
             };
+            watch.heard();
             let spu = &mut self.spus[number as usize];
             let error = match event {
                 Event::Answer => {
@@ -428,9 +461,14 @@ impl Engine {
                         _ => self.settings.program.shaders().unwrap_or_default(),
                     };
                     Refusal::of(answer, frame, address, &shaders).map(|refusal| {
+                        let unchecked = match refusal.names_shader() {
+                            true => Unchecked::default(),
+                            false => unchecked(),
+                        };
                         EngineError::Refused {
                             spu: number,
                             refusal,
+                            unchecked,
                         }
                     })
                 }
@@ -438,22 +476,17 @@ impl Engine {
                     spu.context.take_stop_record()?;
                     // The thread is on its way out: libspe2 wrote the record just before.
                     let ended = spu.thread.take().and_then(|thread| thread.join().ok());
-                    ended.map(|ended| EngineError::Ended { spu: number, ended })
+                    ended.map(|ended| EngineError::Ended {
+                        spu: number,
+                        ended,
+                        unchecked: unchecked(),
+                    })
                 }
             };
             waiting[number as usize] = false;
             first_error = first_error.or(error);
         }
         first_error.map_or(Ok(()), Err)
-    }
-
-    /// Part of a frame's units that SPUs have taken; 0 where they do not count them.
-    fn part_done(&self, frame: &Frame) -> f64 {
-        let taken = self
-            .records
-            .as_ref()
-            .map_or(0, |records| records.unit_counter.peek_word(0));
-        (f64::from(taken) / f64::from(frame.unit_count.get().max(1))).min(1.0)
     }
 
     /// Gives up the SPUs. libspe2 has no call that stops one: its thread, its context

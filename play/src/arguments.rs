@@ -172,7 +172,10 @@ pub struct Options {
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
     #[arg(long, value_name = "F.elf")]
     program: Option<PathBuf>,
-    /// Seconds that a frame may take before its SPUs count as lost
+    /// Check at every call of a shader that it keeps what it must
+    #[arg(long)]
+    check_shaders: bool,
+    /// Seconds in which no SPU takes work, finishes any or answers, before all count as lost
     #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     timeout: u64,
 }
@@ -188,6 +191,7 @@ impl Options {
     pub fn settings(&self) -> Result<Settings, ProgramError> {
         Ok(Settings {
             spus: self.spus,
+            check_shaders: self.check_shaders,
             timeout: Duration::from_secs(self.timeout),
             program: match &self.program {
                 Some(file) => Program::from_file(file)?,

@@ -73,7 +73,7 @@ pub struct Options {
     /// Write statistics as JSON to a file, or - for standard output
     #[arg(long, value_name = "S.json")]
     pub stats: Option<PathBuf>,
-    /// Seconds that a frame may take before its SPUs count as lost
+    /// Seconds in which no SPU takes work, finishes any or answers, before all count as lost
     #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
 }

@@ -63,7 +63,13 @@ impl fmt::Display for Ended {
     }
 }
 
+/// Words that the inbound mailbox holds.
+const MAILBOX_DEPTH: c_int = 4;
+
 impl Context {
+    /// The stop code of [`Context::halt`]. The instruction of a stop is its code.
+    pub const HALTED: u32 = 0x3ffe;
+
     /// A context whose faults come back as results, not as signals to the process.
     pub fn create() -> Result<Self, SpeError> {
         // SAFETY: takes no pointer but the gang, which may be null.
@@ -135,8 +141,8 @@ impl Context {
         }
     }
 
-    /// A word of local store; the address wraps. Meant for a context that is not running.
-    fn local_store_word(&self, address: u32) -> u32 {
+    /// A word of local store; the address wraps. `None` if libspe2 has no mapping of it.
+    fn local_store(&self, address: u32) -> Option<*mut u32> {
         // SAFETY: the context lives.
         let (base, size) = unsafe {
             (
@@ -145,12 +151,39 @@ impl Context {
             )
         };
         if base.is_null() || size <= 0 {
-            return 0;
+            return None;
         }
         let offset = address as usize & (size as usize - 1) & !3;
-        // SAFETY: the mapping is `size` bytes, a power of two, and offset is a word within it; other
-        // parties may write there, hence volatile.
-        u32::from_be(unsafe { base.cast::<u8>().add(offset).cast::<u32>().read_volatile() })
+        // SAFETY: the mapping is `size` bytes, a power of two, and offset is a word within it.
+        Some(unsafe { base.cast::<u8>().add(offset) }.cast::<u32>())
+    }
+
+    /// What stands there. Meant for a context that is not running.
+    fn local_store_word(&self, address: u32) -> u32 {
+        // SAFETY: a word of the mapping, which lives as long as the context; others may write there, hence
+        // volatile.
+        let read = |word: *mut u32| u32::from_be(unsafe { word.read_volatile() });
+        self.local_store(address).map_or(0, read)
+    }
+
+    /// Makes the program stop wherever it is, for good: all of its instructions become one that stops. It does so
+    /// as [`Outcome::Signal`] of [`Context::HALTED`] as soon as it comes to the next one, which it does not while
+    /// it waits for a channel.
+    pub fn halt(&self, program: &Program) {
+        for address in program.code().into_iter().flat_map(|code| code.step_by(4)) {
+            if let Some(word) = self.local_store(address) {
+                // SAFETY: a word of the mapping; others may read and write there, hence volatile.
+                unsafe { word.write_volatile(Self::HALTED.to_be()) };
+            }
+        }
+    }
+
+    /// Whether there are words in the inbound mailbox that the SPU has not read.
+    #[must_use]
+    pub fn has_unread_mail(&self) -> bool {
+        // SAFETY: the context lives.
+        let room = unsafe { sys::spe_in_mbox_status(self.as_ptr()) };
+        (0..MAILBOX_DEPTH).contains(&room)
     }
 
     /// Writes all words into the inbound mailbox; sleeps while it is full.

@@ -2,8 +2,10 @@
 //!
 //! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in it.
 
+use std::ops::Range;
+
 use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionHeader as _};
-use object::{BigEndian, Object as _, ObjectSection as _};
+use object::{BigEndian, Object as _, ObjectSection as _, ObjectSymbol as _, SectionKind};
 
 use super::program::ProgramError;
 use crate::formulation::Formulations;
@@ -66,6 +68,35 @@ pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
     let found = <[&str; 4]>::try_from(&names[..]).ok();
     let found = found.and_then(Formulations::named);
     found.ok_or_else(|| ProgramError::Formulations(names.join(", ")))
+}
+
+/// Where in local store its instructions lie.
+pub(super) fn code(image: &[u8]) -> Result<Vec<Range<u32>>, ProgramError> {
+    let file = parse(image)?;
+    let code = file
+        .sections()
+        .filter(|section| section.kind() == SectionKind::Text);
+    let range = |address: u64, size: u64| address as u32..address.saturating_add(size) as u32;
+    Ok(code
+        .map(|section| range(section.address(), section.size()))
+        .collect())
+}
+
+/// The nearest name at or before an address of its instructions, and how far that is behind it.
+pub(super) fn name_of(image: &[u8], address: u32) -> Option<(String, u32)> {
+    let file = parse(image).ok()?;
+    let is_code = |index| {
+        let section = file.section_by_index(index);
+        section.is_ok_and(|section| section.kind() == SectionKind::Text)
+    };
+    let names = file.symbols().filter_map(|symbol| {
+        let behind = u64::from(address).checked_sub(symbol.address())?;
+        let name = symbol.name().ok().filter(|name| !name.is_empty())?;
+        let is_code = symbol.section_index().is_some_and(is_code);
+        is_code.then(|| (behind as u32, name.to_owned()))
+    });
+    let (behind, name) = names.min()?;
+    Some((name, behind))
 }
 
 fn parse(image: &[u8]) -> Result<ElfFile32<'_, BigEndian>, ProgramError> {

@@ -1,6 +1,7 @@
 //! SPU programs: ELF images in this program's memory.
 
 use std::ffi::c_void;
+use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::{fs, ptr};
 
@@ -151,6 +152,21 @@ impl Program {
                 name: name.to_owned(),
                 known,
             })
+    }
+
+    /// Where in local store its instructions lie; nowhere if it has no sections.
+    pub(super) fn code(&self) -> Vec<Range<u32>> {
+        elf::code(self.image).unwrap_or_default()
+    }
+
+    /// The place of one of its instructions as `name+0x10`, if it has names.
+    #[must_use]
+    pub fn name_of(&self, address: u32) -> Option<String> {
+        let (name, behind) = elf::name_of(self.image, address)?;
+        Some(match behind {
+            0 => name,
+            _ => format!("{name}+{behind:#x}"),
+        })
     }
 
     /// The ELF file.

@@ -110,6 +110,7 @@ unsafe extern "C" {
         count: c_int,
         behavior: c_uint,
     ) -> c_int;
+    pub fn spe_in_mbox_status(spe: spe_context_ptr_t) -> c_int;
     pub fn spe_out_intr_mbox_read(
         spe: spe_context_ptr_t,
         data: *mut c_uint,

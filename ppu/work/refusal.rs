@@ -31,6 +31,12 @@ struct ShaderFault {
 }
 
 impl Refusal {
+    /// Whether it is about a shader, which it names.
+    #[must_use]
+    pub fn names_shader(&self) -> bool {
+        self.shader.is_some()
+    }
+
     /// Reads an answer; `None` is "done". `shaders` are the names of the program's.
     #[must_use]
     pub fn of(answer: u32, frame: &Frame, address: u64, shaders: &[String]) -> Option<Self> {

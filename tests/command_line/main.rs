@@ -3,6 +3,7 @@
 mod beside;
 mod formulations;
 mod sequence;
+mod silence;
 mod support;
 mod whitted;
 

@@ -83,6 +83,23 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
     }
 }
 
+/// The tracer's program refuses what is right, as a shader has changed what it goes by: the error says how to find
+/// that out, and needs not to once it is found.
+#[test]
+fn an_error_without_the_check_names_the_check() {
+    let bad = parsed("#cellray shader changes_93");
+    for (check_shaders, parts) in [
+        (false, ["refused the work units: tiles", "--check-shaders"]),
+        (true, ["the shader changes_93", "it changed $93"]),
+    ] {
+        let (mut engine, _) = engine(check_shaders);
+        let error = engine.render(&bad, &mut |_| ()).unwrap_err();
+        let text = error.to_string();
+        assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+        assert_eq!(text.contains("--check-shaders"), !check_shaders, "{text}");
+    }
+}
+
 /// What the lanes outside have is the background's own colour, which theirs does not change: without
 /// the check nobody would notice.
 #[test]
