@@ -71,6 +71,7 @@ fn constants(row_operands: &[Operand]) -> &'static [i32] {
             Operand::Absolute => &[0, 4, 0x1fffc, 0x20000, 0x3fffc],
             Operand::Relative => &[0, -4, -0x20000, 0x1fffc],
             Operand::Scale => &[0, 20, 127],
+            Operand::Code => &[0, 0x2001, 0x3fff],
             _ => continue,
         };
     }
@@ -129,11 +130,6 @@ fn instances() -> Vec<Instruction> {
                     all.push(Instruction { immediate, ..base });
                 }
             }
-            Format::Stop => {
-                for immediate in [0, 0x2001, 0x3fff] {
-                    all.push(Instruction { immediate, ..base });
-                }
-            }
             Format::HintAbsolute | Format::HintRelative => {
                 for &immediate in constants(row.operands) {
                     for branch_distance in [-1024, 4, 1020] {
@@ -180,10 +176,10 @@ fn source_line(i: Instruction) -> String {
     for (operand, separator) in operands.zip(std::iter::once(" ").chain(std::iter::repeat(","))) {
         line = line + separator + &operand;
     }
-    match row.format {
-        Format::Stop => line + &format!(" {}", i.immediate),
-        _ if i.op == Op::Nop => row.mnemonic.to_owned(),
-        _ => line,
+    if i.op == Op::Nop {
+        row.mnemonic.to_owned()
+    } else {
+        line
     }
 }
 

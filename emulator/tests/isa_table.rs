@@ -1,6 +1,6 @@
 //! The table itself: counts, encodings, round trips, register sets.
 
-use spu_emulator::isa::{Class, Format, Instruction, Machine, Op, Pipe, Target};
+use spu_emulator::isa::{Class, Format, Instruction, Machine, Op, Operand, Pipe, Target};
 
 /// Provenance: words made by the GNU assembler.
 #[test]
@@ -84,6 +84,32 @@ fn decoding_and_encoding_are_inverse() {
         assert_eq!(
             word >> 21 & !((1 << (11 - row.format.opcode_bits())) - 1),
             u32::from(row.opcode)
+        );
+    }
+}
+
+/// Who writes an instruction down from its operands loses nothing: what a format holds beside
+/// registers is an operand, or letters of the mnemonic.
+#[test]
+fn every_constant_is_an_operand() {
+    for row in Op::rows() {
+        let registers = [Operand::Rt, Operand::Ra, Operand::Rb, Operand::Rc];
+        let others = row
+            .operands
+            .iter()
+            .filter(|operand| !registers.contains(operand));
+        let constants = match row.format {
+            Format::Rr | Format::Rrr | Format::Flagged => 0,
+            Format::HintAbsolute | Format::HintRelative => 2,
+            _ => 1,
+        };
+        let numbered = matches!(row.operands, [Operand::Rt, other] | [other, Operand::Rt]
+            if [Operand::Channel, Operand::Special].contains(other));
+        assert_eq!(
+            others.count(),
+            constants + usize::from(numbered),
+            "{}",
+            row.mnemonic
         );
     }
 }

@@ -101,7 +101,14 @@ impl Workshop {
         let path = self.root.join(kernel.file);
         let text = read(&path)?;
         let object = self.assemble(kernel, &path)?;
-        scheduler::schedule(&object, &path.to_string_lossy(), &text)
+        let assemble = |text: &str| {
+            let path = self.work.path().join(format!("{}.s", kernel.name));
+            match fs::write(&path, text) {
+                Ok(()) => self.assemble(kernel, &path),
+                Err(source) => Err(ScheduleError::File { path, source }),
+            }
+        };
+        scheduler::schedule(&object, &path.to_string_lossy(), &text, assemble)
             .map_err(|source| ScheduleError::Scheduler { path, source })
     }
 

@@ -3,9 +3,8 @@
 //! objdump's habits are kept: a tab after the mnemonic, `lr` as `ori`, `stop` without its code,
 //! seven-bit constants as signed, and a comment with the last constant in hex if it is above 16.
 
-use super::format::Format;
-use super::instruction::{Instruction, feature};
-use super::op::{Op, Operand};
+use super::instruction::Instruction;
+use super::op::Operand;
 use crate::local_store::LIMIT_MASK;
 use std::fmt;
 
@@ -28,11 +27,13 @@ impl fmt::Display for Disassembly {
             return write!(f, ".long 0x{:x}", self.word);
         };
         let row = instruction.op.row();
-        f.write_str(row.mnemonic)?;
-        write_features(f, instruction)?;
+        write!(f, "{}", instruction.mnemonic())?;
         let mut separator = '\t';
         let mut comment = 0;
         for &operand in row.operands {
+            if operand == Operand::Code {
+                continue;
+            }
             write!(f, "{separator}")?;
             separator = ',';
             if let Some(constant) = write_operand(f, instruction, operand, self.pc)? {
@@ -44,24 +45,6 @@ impl fmt::Display for Disassembly {
         }
         Ok(())
     }
-}
-
-fn write_features(f: &mut fmt::Formatter<'_>, i: Instruction) -> fmt::Result {
-    if !matches!(i.op.row().format, Format::Flagged | Format::Hint) {
-        return Ok(());
-    }
-    let first = if i.op == Op::Sync { "c" } else { "p" };
-    let letters = [
-        (feature::CHANNEL_OR_PREFETCH, first),
-        (feature::DISABLE, "d"),
-        (feature::ENABLE, "e"),
-    ];
-    for (bit, letter) in letters {
-        if i.immediate & bit != 0 {
-            f.write_str(letter)?;
-        }
-    }
-    Ok(())
 }
 
 /// Writes one operand. Gives the constant that objdump repeats in hex, if it does so for this kind.
@@ -80,6 +63,7 @@ fn write_operand(
         Operand::Channel => write!(f, "$ch{}", i.ra)?,
         Operand::Special => write!(f, "$sp{}", i.ra)?,
         Operand::Scale => write!(f, "{immediate}")?,
+        Operand::Code => {}
         Operand::Immediate7 | Operand::Signed10 | Operand::Signed16 | Operand::Unsigned18 => {
             write!(f, "{immediate}")?;
             return Ok(Some(immediate));

@@ -1,6 +1,7 @@
 //! A decoded instruction.
 
-use super::op::{Field, Op, Target};
+use super::format::Format;
+use super::op::{Field, Op, Operand, Target};
 use super::registers::RegisterSet;
 
 /// Feature bits of formats [`Flagged`](super::Format::Flagged) and [`Hint`](super::Format::Hint),
@@ -50,6 +51,59 @@ impl Instruction {
         u32::from(row.opcode) << 21 | row.format.pack(self)
     }
 
+    /// Its name in assembly, with the letters of its feature bits.
+    #[must_use]
+    pub fn mnemonic(self) -> String {
+        let row = self.op.row();
+        let mut mnemonic = row.mnemonic.to_owned();
+        if matches!(row.format, Format::Flagged | Format::Hint) {
+            let first = if self.op == Op::Sync { 'c' } else { 'p' };
+            let letters = [
+                (feature::CHANNEL_OR_PREFETCH, first),
+                (feature::DISABLE, 'd'),
+                (feature::ENABLE, 'e'),
+            ];
+            let set = letters.iter().filter(|(bit, _)| self.immediate & bit != 0);
+            mnemonic.extend(set.map(|(_, letter)| letter));
+        }
+        mnemonic
+    }
+
+    /// The same with 0 in each register field that no operand names: what the assembler can be
+    /// told to make.
+    #[must_use]
+    pub(crate) fn without_reserved(self) -> Self {
+        let named = |field| {
+            self.op
+                .row()
+                .operands
+                .iter()
+                .any(|operand| operand.field() == Some(field))
+        };
+        let keep = |field, register| if named(field) { register } else { 0 };
+        Self {
+            rt: keep(Field::Rt, self.rt),
+            ra: keep(Field::Ra, self.ra),
+            rb: keep(Field::Rb, self.rb),
+            rc: keep(Field::Rc, self.rc),
+            ..self
+        }
+    }
+
+    /// The same with 0 in each field that names a general register.
+    #[must_use]
+    pub(crate) fn without_registers(self) -> Self {
+        let operands = self.op.row().operands.iter();
+        let registers =
+            operands.filter(|operand| !matches!(operand, Operand::Channel | Operand::Special));
+        registers
+            .filter_map(|operand| operand.field())
+            .fold(self, |mut i, field| {
+                *i.register_mut(field) = 0;
+                i
+            })
+    }
+
     /// The number in a register field.
     #[must_use]
     pub const fn register(self, field: Field) -> u8 {
@@ -58,6 +112,15 @@ impl Instruction {
             Field::Ra => self.ra,
             Field::Rb => self.rb,
             Field::Rc => self.rc,
+        }
+    }
+
+    pub(crate) const fn register_mut(&mut self, field: Field) -> &mut u8 {
+        match field {
+            Field::Rt => &mut self.rt,
+            Field::Ra => &mut self.ra,
+            Field::Rb => &mut self.rb,
+            Field::Rc => &mut self.rc,
         }
     }
 

@@ -74,6 +74,25 @@ pub enum Operand {
     Channel,
     /// Special-purpose register numbered by the ra field.
     Special,
+    /// Code of a stop.
+    Code,
+}
+
+impl Operand {
+    /// The field of seven bits whose number it shows, or a part of it does.
+    pub(crate) const fn field(self) -> Option<Field> {
+        match self {
+            Self::Rt => Some(Field::Rt),
+            Self::Ra
+            | Self::Displacement7
+            | Self::Displacement14
+            | Self::Channel
+            | Self::Special => Some(Field::Ra),
+            Self::Rb => Some(Field::Rb),
+            Self::Rc => Some(Field::Rc),
+            _ => None,
+        }
+    }
 }
 
 /// What the table says about one instruction.

@@ -200,7 +200,7 @@ macro_rules! for_each_instruction {
             Hlgti hlgti 0x2f8 Ri10 (Rt, Ra, Signed10) [Ra] False Fx2 branch Every "Halt if the unsigned preferred word is greater than a sign-extended constant";
 
             // Control
-            Stop stop 0x000 Stop () [] None Br control Every "Stop and signal";
+            Stop stop 0x000 Stop (Code) [] None Br control Every "Stop and signal";
             Stopd stopd 0x140 Rr (Rt, Ra, Rb) [Ra Rb Rt] None Br control Every "Stop and signal after three registers are ready";
             Lnop lnop 0x001 Rr () [] None Lnop inert Every "No operation of the load pipe";
             Nop nop 0x201 Rr (Rt) [] False Nop inert Every "No operation of the execute pipe";

@@ -19,6 +19,9 @@ pub enum ScheduleError {
     /// The object is not the source's.
     #[error("the object's line table does not name {0}")]
     NotInTable(String),
+    /// The assembler refuses the schedule.
+    #[error("the schedule does not assemble: {0}")]
+    Assembler(Box<dyn std::error::Error + Send + Sync>),
     /// No function of the object stands in the source.
     #[error("no function: the source has no `function NAME`, or the object no such symbol")]
     NoFunction,
@@ -40,6 +43,11 @@ pub enum Unschedulable {
     /// A word that is no instruction.
     #[error("the word {0:#010x} is no instruction: data can't stand inside a function")]
     Word(u32),
+    /// An instruction that the assembler has no notation for.
+    #[error(
+        "the word {0:#010x} can't be written as an instruction: it has reserved bits set, or a constant that none takes"
+    )]
+    Notation(u32),
     /// A hint in the plain source.
     #[error("a branch hint: the scheduler places them itself")]
     Hint,
@@ -61,4 +69,26 @@ pub enum Unschedulable {
     /// No register for a test that the schedule needs.
     #[error("no register of $2 to $79 is free here")]
     NoRegister,
+    /// A fault of the scheduler: the schedule does not have the plain code's instructions.
+    #[error("fault of the scheduler: of `{instruction}` the schedule has {found}, not {expected}")]
+    Miscounted {
+        /// The plain instruction.
+        instruction: String,
+        /// How many of it the schedule should have.
+        expected: usize,
+        /// How many it has.
+        found: usize,
+    },
+    /// A fault of the scheduler: an instruction that neither the plain code has nor a schedule
+    /// needs.
+    #[error("fault of the scheduler: `{0}` is not the plain code's")]
+    Foreign(String),
+    /// A fault of the scheduler: its text says something else than it means.
+    #[error("fault of the scheduler: its text assembles to `{found}`, where it means `{meant}`")]
+    Miswritten {
+        /// What it means.
+        meant: String,
+        /// What the assembler makes of it.
+        found: String,
+    },
 }

@@ -3,6 +3,8 @@
 //! Blocks stand in the order of the code; one without a branch at its end goes on in the next.
 //! Register numbers from 128 on are virtual: a pass that makes them also removes them.
 
+use std::collections::BTreeMap;
+
 use crate::isa::{Class, Field, Instruction, Op, Pipe, Target};
 
 /// Names a block, whatever its place.
@@ -37,12 +39,28 @@ pub(super) enum Reference {
 /// What the linker places.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Symbol {
-    /// As the assembler takes it.
-    pub text: String,
+    /// A name, bytes behind it, and which part of the address is meant.
+    pub name: String,
+    pub addend: i64,
+    pub part: &'static str,
     /// The section, or the symbol if it is another file's.
     pub place: String,
     /// Bytes behind the start of that.
     pub offset: i64,
+}
+
+impl Symbol {
+    /// As the assembler takes it.
+    pub fn text(&self) -> String {
+        let Self {
+            name, addend, part, ..
+        } = self;
+        match addend {
+            0 => format!("{name}{part}"),
+            1.. => format!("{name}+{addend}{part}"),
+            _ => format!("{name}{addend}{part}"),
+        }
+    }
 }
 
 /// An instruction of the function.
@@ -55,6 +73,8 @@ pub(super) struct Node {
     pub reference: Option<Reference>,
     /// Line of the source; 0 for what the scheduler added.
     pub line: u64,
+    /// Where it stands in the plain object; nowhere if the scheduler added it.
+    pub origin: Option<u32>,
     /// A store whose line says that it may overlap any other access.
     pub may_alias: bool,
     /// An access to memory that stays behind all those before it, and before all behind it: the
@@ -74,6 +94,7 @@ impl Node {
             plain: i,
             reference,
             line: 0,
+            origin: None,
             may_alias: false,
             in_order: false,
             stage: 0,
@@ -126,12 +147,7 @@ impl Node {
 
     /// Sets the register of a field that is read, or the target.
     pub fn set_register(&mut self, field: Field, register: u8) {
-        match field {
-            Field::Rt => self.i.rt = register,
-            Field::Ra => self.i.ra = register,
-            Field::Rb => self.i.rb = register,
-            Field::Rc => self.i.rc = register,
-        }
+        *self.i.register_mut(field) = register;
     }
 }
 
@@ -209,6 +225,9 @@ pub(super) struct Function {
     pub blocks: Vec<Block>,
     /// Registers whose values the caller looks at.
     pub results: Registers,
+    /// How often each instruction of the plain code stands in the schedule, by its place there:
+    /// all that are not here stand there once.
+    pub copies: BTreeMap<u32, usize>,
 }
 
 /// Registers that are live at the start and the end of each block, by position.
@@ -269,6 +288,13 @@ impl Function {
             if !changed {
                 return Liveness { start, end };
             }
+        }
+    }
+
+    /// Notes that an instruction stands in the schedule `times` as often as before.
+    pub fn copied(&mut self, node: &Node, times: usize) {
+        if let Some(origin) = node.origin {
+            *self.copies.entry(origin).or_insert(1) *= times;
         }
     }
 

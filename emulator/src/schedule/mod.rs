@@ -23,9 +23,11 @@ mod random;
 mod source;
 mod text;
 mod values;
+mod verify;
 mod words;
 
 use std::collections::BTreeMap;
+use std::error::Error;
 
 pub use error::{ScheduleError, Unschedulable};
 use names::Names;
@@ -44,7 +46,14 @@ pub struct Scheduled {
 
 /// Schedules all functions of a source. `object` is what the assembler makes of it with `-g` and
 /// without `--strip-local-absolute`; `path` names the source in messages and in the line table.
-pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, ScheduleError> {
+/// `assemble` gives the object of a text in the same way: the schedule's own is held to the plain
+/// one, so that an instruction or an operand that is lost is an error.
+pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
+    object: &[u8],
+    path: &str,
+    source: &str,
+    assemble: impl FnOnce(&str) -> Result<Vec<u8>, E>,
+) -> Result<Scheduled, ScheduleError> {
     let at = |(line, what): (u64, Unschedulable)| ScheduleError::At {
         file: path.to_owned(),
         line,
@@ -62,10 +71,12 @@ pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, Sc
     let mut loops = Vec::new();
     let mut bodies = Vec::new();
     let mut used = BTreeMap::new();
+    let mut written = Vec::new();
     for lines in &functions {
-        let Some(mut function) = plain.function(&lines.name, path).map_err(at)? else {
+        let Some(stretch) = plain.stretch(&lines.name, path).map_err(at)? else {
             continue;
         };
+        let mut function = plain.function(&stretch).map_err(at)?;
         source.check(lines).map_err(at)?;
         // Without a line on it every register may be a result.
         function.results = source.results(lines).unwrap_or(!0);
@@ -77,12 +88,14 @@ pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, Sc
         function.fuse();
         loops.extend(pipelined::pipeline(&mut function));
         function.fuse();
-        let (body, written) = words::lay_out(&mut function, &mut names, &source);
+        let (words, body) = words::lay_out(&mut function, &mut names, &source);
+        verify::instructions(&stretch, &function, &words).map_err(at)?;
         if let Some(line) = source.uses(lines) {
-            *used.entry(line).or_insert(0) |= written;
+            *used.entry(line).or_insert(0) |= words::written(&words);
         }
         let inside = (lines.first as u64 + 1, lines.end as u64 + 1);
         bodies.push((lines, names.take_made(inside), body));
+        written.push((lines, words));
     }
     if bodies.is_empty() {
         return Err(ScheduleError::NoFunction);
@@ -98,5 +111,11 @@ pub fn schedule(object: &[u8], path: &str, source: &str) -> Result<Scheduled, Sc
         copied = lines.end;
     }
     source.copy(copied..source.lines.len(), path, &used, &mut text);
+    let made = assemble(&text).map_err(|error| ScheduleError::Assembler(error.into()))?;
+    let made = Plain::parse(&made)?;
+    for (lines, words) in written {
+        let stretch = made.stretch(&lines.name, path).map_err(at)?;
+        verify::text(lines, &words, stretch.as_ref(), &made).map_err(at)?;
+    }
     Ok(Scheduled { text, loops })
 }

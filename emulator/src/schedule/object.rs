@@ -11,7 +11,7 @@ use object::{
 
 use super::error::{ScheduleError, Unschedulable};
 use super::function::{Block, Function, Node, Reference, Symbol};
-use crate::isa::{Class, Format, Instruction};
+use crate::isa::{Class, Format, Instruction, Op, Target, feature};
 use crate::timing::code::{Code, CodeError};
 
 /// The relocation types whose value the assembler takes as the bare symbol.
@@ -31,7 +31,25 @@ pub(super) struct Plain<'data> {
 }
 
 /// What is wrong at a line.
-type Fault = (u64, Unschedulable);
+pub(super) type Fault = (u64, Unschedulable);
+
+/// The code of a function.
+pub(super) struct Stretch {
+    pub name: String,
+    pub start: u32,
+    pub end: u32,
+    pub placed: Vec<Placed>,
+}
+
+/// An instruction of an object.
+pub(super) struct Placed {
+    pub address: u32,
+    pub word: u32,
+    pub i: Instruction,
+    /// What it names; blocks of its own function by their addresses.
+    pub reference: Option<Reference>,
+    pub line: u64,
+}
 
 impl<'data> Plain<'data> {
     pub fn parse(data: &'data [u8]) -> Result<Self, ScheduleError> {
@@ -81,8 +99,8 @@ impl<'data> Plain<'data> {
         sources.iter().any(|(_, at)| at.file.file_name() == name)
     }
 
-    /// The function of this name; `None` if there is none.
-    pub fn function(&self, name: &str, source: &str) -> Result<Option<Function>, Fault> {
+    /// The code of the function of this name; `None` if there is none.
+    pub fn stretch(&self, name: &str, source: &str) -> Result<Option<Stretch>, Fault> {
         let found = self
             .code
             .functions()
@@ -101,9 +119,6 @@ impl<'data> Plain<'data> {
             .collect();
         let line = |address: u32| lines.get(&address).copied().unwrap_or(0);
         let start = found.start;
-        if start % 8 != 0 {
-            return Err((line(start), Unschedulable::Alignment(name.to_owned())));
-        }
         let (Some(section), Ok(within)) = (symbol.section_index(), u32::try_from(symbol.address()))
         else {
             return Ok(None);
@@ -115,25 +130,64 @@ impl<'data> Plain<'data> {
             range: start..found.end,
         };
         let relocations = view.relocations();
-        let mut nodes = Vec::new();
-        let mut starts = BTreeSet::from([start]);
+        let mut placed = Vec::new();
         for (address, word) in self.code.words(found.start, found.end) {
             let fault = |what| (line(address), what);
             let i = Instruction::decode(word).ok_or_else(|| fault(Unschedulable::Word(word)))?;
-            if i.op.row().class == Class::Hb {
-                return Err(fault(Unschedulable::Hint));
-            }
             let reference = view
                 .reference(address, i, relocations.get(&address))
                 .map_err(fault)?;
-            if let Some(Reference::Block(target)) = reference {
-                starts.insert(target as u32);
-            }
-            let node = Node {
+            placed.push(Placed {
+                address,
+                word,
                 i,
-                plain: i,
                 reference,
                 line: line(address),
+            });
+        }
+        Ok(Some(Stretch {
+            name: name.to_owned(),
+            start,
+            end: found.end,
+            placed,
+        }))
+    }
+
+    /// A stretch of plain code as blocks.
+    pub fn function(&self, stretch: &Stretch) -> Result<Function, Fault> {
+        let Stretch {
+            name,
+            start,
+            end,
+            placed,
+        } = stretch;
+        if start % 8 != 0 {
+            let line = placed.first().map_or(0, |first| first.line);
+            return Err((line, Unschedulable::Alignment(name.clone())));
+        }
+        let mut nodes = Vec::new();
+        let mut starts = BTreeSet::from([*start]);
+        for Placed {
+            address,
+            word,
+            i,
+            reference,
+            line,
+        } in placed
+        {
+            let fault = |what| (*line, what);
+            if i.op.row().class == Class::Hb {
+                return Err(fault(Unschedulable::Hint));
+            }
+            if let Some(Reference::Block(target)) = reference {
+                starts.insert(*target as u32);
+            }
+            let node = Node {
+                i: *i,
+                plain: *i,
+                reference: reference.clone(),
+                line: *line,
+                origin: Some(*address),
                 may_alias: false,
                 in_order: false,
                 stage: 0,
@@ -142,19 +196,42 @@ impl<'data> Plain<'data> {
             if node.ends_block() {
                 starts.insert(address + 4);
             }
-            if self.code.label(address).is_some() {
-                starts.insert(address);
+            if self.code.label(*address).is_some() {
+                starts.insert(*address);
             }
-            if !matches!(node.class(), Class::Nop | Class::Lnop) {
-                nodes.push((address, node));
+            if is_no_operation(*i) {
+                continue;
             }
+            if !has_notation(*i, *word) {
+                return Err(fault(Unschedulable::Notation(*word)));
+            }
+            nodes.push((*address, node));
         }
-        starts.remove(&found.end);
-        Ok(Some(Function {
-            name: name.to_owned(),
-            blocks: self.blocks(start, &starts, nodes),
+        starts.remove(end);
+        Ok(Function {
+            name: name.clone(),
+            blocks: self.blocks(*start, &starts, nodes),
             results: 0,
-        }))
+            copies: BTreeMap::new(),
+        })
+    }
+
+    /// Where a name that another object has is in this one: its place and the bytes behind its
+    /// start, as in [`Symbol`].
+    pub fn place_of(&self, name: &str) -> Option<(String, i64)> {
+        let section_name = |index| {
+            let section = self.file.section_by_index(index).ok()?;
+            section.name().ok().map(str::to_owned)
+        };
+        let mut symbols = self.file.symbols();
+        if let Some(symbol) = symbols.find(|symbol| symbol.name() == Ok(name)) {
+            return match symbol.section_index() {
+                Some(index) => Some((section_name(index)?, symbol.address() as i64)),
+                None => Some((name.to_owned(), 0)),
+            };
+        }
+        self.file.section_by_name(name)?;
+        Some((name.to_owned(), 0))
     }
 
     /// Cuts the instructions at `starts`, each of which becomes the id of its block.
@@ -228,7 +305,10 @@ impl View<'_, '_> {
         i: Instruction,
         link: Option<&Link>,
     ) -> Result<Option<Reference>, Unschedulable> {
-        let relative = i.op.row().format == Format::Ri16Relative;
+        let relative = matches!(
+            i.op.row().format,
+            Format::Ri16Relative | Format::HintRelative
+        );
         let link = match link {
             Some(link) => link,
             None if relative => &Link {
@@ -239,7 +319,7 @@ impl View<'_, '_> {
             },
             None => return Ok(None),
         };
-        let suffix = match link.kind {
+        let part = match link.kind {
             HIGH => "@h",
             LOW => "@l",
             kind if PLAIN.contains(&kind) => "",
@@ -248,9 +328,10 @@ impl View<'_, '_> {
         if link.section == Some(self.section) {
             let target = (i64::from(self.base) + link.offset) as u32;
             if self.range.contains(&target) {
-                let branches =
-                    i.op.row().class == Class::Br && i.op.row().target != crate::isa::Target::Rt;
-                if !branches || !target.is_multiple_of(4) {
+                let row = i.op.row();
+                let branches = row.class == Class::Br && row.target != Target::Rt;
+                let named = branches || row.class == Class::Hb;
+                if !named || !target.is_multiple_of(4) {
                     return Err(Unschedulable::Address(target));
                 }
                 return Ok(Some(Reference::Block(target as usize)));
@@ -258,7 +339,9 @@ impl View<'_, '_> {
         }
         let Some(section) = link.section else {
             return Ok(Some(Reference::Symbol(Symbol {
-                text: sum(&link.name, link.offset, suffix),
+                name: link.name.clone(),
+                addend: link.offset,
+                part,
                 place: link.name.clone(),
                 offset: link.offset,
             })));
@@ -271,22 +354,35 @@ impl View<'_, '_> {
         let first = (section.0, 0);
         let last = (section.0, u64::try_from(link.offset).unwrap_or(0));
         let named = self.plain.places.range(first..=last).next_back();
-        let text = match named {
-            Some(((_, start), name)) => sum(name, link.offset - *start as i64, suffix),
-            None => sum(&place, link.offset, suffix),
+        let (name, start) = match named {
+            Some(((_, start), name)) => (name.clone(), *start as i64),
+            None => (place.clone(), 0),
         };
         Ok(Some(Reference::Symbol(Symbol {
-            text,
+            name,
+            addend: link.offset - start,
+            part,
             place,
             offset: link.offset,
         })))
     }
 }
 
-fn sum(name: &str, offset: i64, suffix: &str) -> String {
-    match offset {
-        0 => format!("{name}{suffix}"),
-        1.. => format!("{name}+{offset}{suffix}"),
-        _ => format!("{name}{offset}{suffix}"),
-    }
+pub(super) fn is_no_operation(i: Instruction) -> bool {
+    matches!(i.op.row().class, Class::Nop | Class::Lnop)
+}
+
+/// Whether the assembler can be told to make the word: nothing is in fields that are reserved, or
+/// that it does not take.
+fn has_notation(i: Instruction, word: u32) -> bool {
+    let row = i.op.row();
+    let constant = match row.format {
+        Format::Flagged if i.op == Op::Sync => {
+            [0, feature::CHANNEL_OR_PREFETCH].contains(&i.immediate)
+        }
+        Format::Flagged => [0, feature::DISABLE, feature::ENABLE].contains(&i.immediate),
+        Format::Ri8From155 | Format::Ri8From173 => (0..=127).contains(&i.immediate),
+        _ => true,
+    };
+    constant && i.without_reserved().encode() == word
 }

@@ -332,6 +332,18 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
     };
 
     let stages = figures.stages as u32;
+    if stages > 1 {
+        for node in &plain_loop.nodes {
+            // The branch closes the kernel and the short form. Of the rest, fill and drain
+            // together have each stage as often as passes overlap, but once.
+            let times = if node.ends_block() {
+                2
+            } else {
+                figures.stages as usize + 1
+            };
+            function.copied(node, times);
+        }
+    }
     let own_hint = nodes.iter().any(|node| node.class() == Class::Hb);
     let mut entry = Vec::new();
     if stages > 1 {
@@ -403,6 +415,9 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
             && next.nodes.len() <= MAX_COPY;
         if alone && stages > 1 {
             let next = function.blocks.remove(at + 1);
+            for node in &next.nodes {
+                function.copied(node, 2);
+            }
             drain.extend(next.nodes.iter().cloned());
             behind_short = next.nodes;
         } else if stages > 1 {

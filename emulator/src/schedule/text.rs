@@ -6,12 +6,13 @@ use std::fmt::Write as _;
 use super::function::{BlockId, Node, Reference};
 use super::names::Names;
 use super::source::Source;
-use crate::isa::{Field, Format, Op, Operand, feature};
+use crate::isa::{Field, Op, Operand};
 use crate::timing::check::Slot;
 
 /// Columns, counted from 0.
 const MNEMONIC: usize = 8;
-const OPERANDS: usize = 8;
+/// Of all but the longest.
+const MNEMONIC_WIDTH: usize = 7;
 const NOTES: usize = 56;
 const WIDTH: usize = 100;
 /// Further to the right is what belongs to an earlier pass.
@@ -49,8 +50,8 @@ pub(super) fn write(
         let indent = if word.node.stage > 0 { INDENT } else { 0 };
         let mut line = format!("{:1$}", "", MNEMONIC + indent);
         let operands = operands(&word.node, labels, branches, names);
-        let mnemonic = mnemonic(&word.node);
-        let _ = write!(line, "{mnemonic:<OPERANDS$}{operands}");
+        let mnemonic = word.node.i.mnemonic();
+        let _ = write!(line, "{mnemonic:<MNEMONIC_WIDTH$} {operands}");
         let line = line.trim_end();
         let own = match source.comment(word.node.line) {
             "" => word.node.reason,
@@ -73,24 +74,6 @@ pub(super) fn write(
     text
 }
 
-fn mnemonic(node: &Node) -> String {
-    let row = node.i.op.row();
-    let mut mnemonic = row.mnemonic.to_owned();
-    if row.format == Format::Flagged {
-        let bits = [
-            (feature::CHANNEL_OR_PREFETCH, "c"),
-            (feature::DISABLE, "d"),
-            (feature::ENABLE, "e"),
-        ];
-        for (bit, letter) in bits {
-            if node.i.immediate & bit != 0 {
-                mnemonic.push_str(letter);
-            }
-        }
-    }
-    mnemonic
-}
-
 fn operands(
     node: &Node,
     labels: &BTreeMap<BlockId, String>,
@@ -103,7 +86,7 @@ fn operands(
     let label = |id: &BlockId| labels.get(id).cloned().unwrap_or_default();
     let named = match &node.reference {
         Some(Reference::Block(id)) => Some(label(id)),
-        Some(Reference::Symbol(symbol)) => Some(symbol.text.clone()),
+        Some(Reference::Symbol(symbol)) => Some(symbol.text()),
         Some(Reference::Hint { target, .. }) => target.as_ref().map(label),
         None => None,
     };

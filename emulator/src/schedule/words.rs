@@ -17,12 +17,12 @@ const HINT_WORDS: usize = 255;
 /// Instructions between a hint and its branch that stay within that with what fills pairs.
 const HINT_REACH: usize = 150;
 
-/// The schedule of a function as text, and the registers that it writes.
+/// The schedule of a function: its words, and them as text.
 pub(super) fn lay_out(
     function: &mut Function,
     names: &mut Names<'_>,
     source: &Source<'_>,
-) -> (String, Registers) {
+) -> (Vec<Word>, String) {
     hint_returns(function);
     hint_loops(function);
     let mut blocks = scheduled(function);
@@ -54,10 +54,14 @@ pub(super) fn lay_out(
         labels.insert(block.id, label);
     }
     let words = words(function, blocks, &labels, &branches);
-    let written = words.iter().filter_map(|word| word.node.writes());
-    let written = written.fold(0, |set, register| set | bit(register));
     let text = text::write(&words, &labels, &branches, names, source);
-    (text, written)
+    (words, text)
+}
+
+/// The registers that words write.
+pub(super) fn written(words: &[Word]) -> Registers {
+    let written = words.iter().filter_map(|word| word.node.writes());
+    written.fold(0, |set, register| set | bit(register))
 }
 
 /// The words of each block.

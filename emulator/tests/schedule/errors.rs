@@ -11,7 +11,7 @@ const END: &str = "        bi $lr\nendfunction f\n";
 fn said(body: &str, status: i32) -> String {
     let shop = Workshop::new(&format!("{START}{body}{END}"));
     shop.assemble("plain.s", "plain.o", &["-g"]);
-    let output = shop.spu(&["schedule", "plain.o", "plain.s"]);
+    let output = shop.spu_schedule(&["plain.o", "plain.s"]);
     assert_eq!(output.status.code(), Some(status), "{}", talk(&output));
     assert_eq!(output.stdout.is_empty(), status != 0);
     talk(&output)
@@ -32,6 +32,7 @@ fn faults_of_the_code_name_file_and_line() {
             "        hbrr there,f\nthere:  brz $3,f\n",
             "plain.s:4: a branch hint",
         ),
+        ("        hbrp\n", "plain.s:4: a branch hint"),
         ("        lqr $3,f\n", "plain.s:4: it names 0x0"),
         ("        brz $3,f+12\n        il $3,1\n", ""),
     ] {
@@ -97,7 +98,7 @@ fn files_that_do_not_fit_are_refused() {
         ),
         (&empty, ["plain.o", "plain.s"], "plain.o: no function"),
     ] {
-        let output = shop.spu(&[&["schedule"], &arguments[..]].concat());
+        let output = shop.spu_schedule(&arguments);
         assert_eq!(output.status.code(), Some(127), "{arguments:?}");
         assert!(talk(&output).contains(expected), "{}", talk(&output));
         assert!(output.stdout.is_empty());

@@ -4,6 +4,7 @@
 mod random;
 
 mod errors;
+mod kept;
 mod kernels;
 mod programs;
 mod support;

@@ -55,10 +55,17 @@ impl Workshop {
             .unwrap()
     }
 
+    /// `spu schedule` with these arguments, and the folder of what sources include.
+    pub fn spu_schedule(&self, arguments: &[&str]) -> Output {
+        let kernels = kernels();
+        let include = kernels.to_str().unwrap();
+        self.spu(&[&["schedule", "-I", include], arguments].concat())
+    }
+
     /// Schedules the source; gives what was told of its loops. The notes are checked.
     pub fn schedule(&self) -> String {
         self.assemble("plain.s", "plain.o", &["-g"]);
-        let output = self.spu(&["schedule", "-v", "plain.o", "plain.s", "-o", "scheduled.s"]);
+        let output = self.spu_schedule(&["-v", "plain.o", "plain.s", "-o", "scheduled.s"]);
         let told = talk(&output);
         assert_eq!(output.status.code(), Some(0), "{told}");
         self.assemble("scheduled.s", "scheduled.o", &["-g"]);

@@ -6,14 +6,16 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use spu_build::Tools;
 use spu_emulator::schedule::{self, Figures, Outcome, ScheduleError};
 use thiserror::Error;
 
 /// Writes an assembly source again with its functions scheduled for both pipes
 ///
 /// Blocks are list-scheduled, loops that `ai $n,$n,-1` and `brnz $n` count down are software
-/// pipelined. Macros are expanded, each line has the note that `spu time --check` compares with the
-/// model, and returns and loops get their hints. What else is in the source stays as it is.
+/// pipelined. Macros are expanded, each line has the note that `spu time --check` compares with
+/// the model, and returns and loops get their hints. What else is in the source stays as it is.
+/// The schedule is assembled and its instructions are held to the source's before it is written.
 #[derive(Args, Debug)]
 #[command(
     after_help = "Memory: loads and stores through different base values do not overlap, unless the store's line says
@@ -25,15 +27,20 @@ access through their first register.
 Registers: $2 to $79 are used where they are not live. At a return $0, $1, $80 to $127 and those that
 `Out` in the source's header names are live; without such a line, all are.
 
+Assembler: the one that SPU_AS names, else spu-elf-as or spu-as.
+
 Example:
   spu-elf-as -g -I include -o kernel.o plain/kernel.s
-  spu schedule kernel.o plain/kernel.s -o kernel.s"
+  spu schedule -I include kernel.o plain/kernel.s -o kernel.s"
 )]
 pub struct Arguments {
     /// Object of the source, assembled with -g and without --strip-local-absolute
     object: PathBuf,
     /// The source
     source: PathBuf,
+    /// Folder with files that the source includes, as for the assembler
+    #[arg(short = 'I', long = "include", value_name = "DIR")]
+    includes: Vec<PathBuf>,
     /// Where the schedule goes; standard output unless named
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
@@ -69,9 +76,11 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let object = read(&arguments.object)?;
     let text = read(&arguments.source)?;
     let path = arguments.source.to_string_lossy();
-    let scheduled = schedule::schedule(&object, &path, &String::from_utf8_lossy(&text));
+    let scheduled = schedule::schedule(&object, &path, &String::from_utf8_lossy(&text), |text| {
+        assemble(arguments, text)
+    });
     let scheduled = scheduled.map_err(|source| match source {
-        at @ ScheduleError::At { .. } => Error::Line(at),
+        at @ (ScheduleError::At { .. } | ScheduleError::Assembler(_)) => Error::Line(at),
         source => Error::Object {
             path: arguments.object.clone(),
             source,
@@ -104,6 +113,19 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         },
     }
     Ok(ExitCode::SUCCESS)
+}
+
+/// The object of a schedule.
+fn assemble(
+    arguments: &Arguments,
+    text: &str,
+) -> Result<Vec<u8>, Box<dyn std::error::Error + Send + Sync>> {
+    let folder = tempfile::tempdir()?;
+    let source = folder.path().join("scheduled.s");
+    let object = folder.path().join("scheduled.o");
+    fs::write(&source, text)?;
+    Tools::find()?.assemble(&arguments.includes, &[], &object, &source)?;
+    Ok(fs::read(&object)?)
 }
 
 fn describe(figures: &Figures) -> String {
