@@ -98,7 +98,7 @@ fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
         .map(|corner| {
             let radius = if corner % 4 < 2 { 0.9 } else { 0.65 };
             let angle = f64::from(corner) / f64::from(4 * TEETH) * std::f64::consts::TAU;
-            [x + radius * angle.cos(), y + radius * angle.sin()]
+            [x + radius * libm::cos(angle), y + radius * libm::sin(angle)]
         })
         .collect();
     let polygon = |corners: &mut dyn Iterator<Item = ([f64; 2], f64)>| {

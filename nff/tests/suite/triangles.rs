@@ -86,7 +86,7 @@ fn degenerate_polygons_still_give_their_triangles() {
 fn star(points: u32, step: u32) -> Vec<(f64, f64)> {
     let point = |index: u32| {
         let angle = f64::from(index * step % points) / f64::from(points) * std::f64::consts::TAU;
-        (angle.cos(), angle.sin())
+        (libm::cos(angle), libm::sin(angle))
     };
     (0..points).map(point).collect()
 }
@@ -155,7 +155,7 @@ fn very_many_crossings_are_given_up_early() {
     let spokes: Vec<(f64, f64)> = (0..501)
         .flat_map(|index| {
             let angle = f64::from(index) / 501.0 * std::f64::consts::PI;
-            let (x, y) = (angle.cos(), angle.sin());
+            let (x, y) = (libm::cos(angle), libm::sin(angle));
             let ends = [(x, y), (-x, -y)];
             if index % 2 == 0 {
                 ends
@@ -236,7 +236,7 @@ proptest! {
             .zip(&radii)
             .map(|(index, radius)| {
                 let angle = f64::from(index) / radii.len() as f64 * std::f64::consts::TAU;
-                (radius * size * angle.cos(), radius * size * angle.sin())
+                (radius * size * libm::cos(angle), radius * size * libm::sin(angle))
             })
             .collect();
         let vertices: Vec<DVec3> = polygon(&corners).iter().map(|at| *at + away * size).collect();
