@@ -30,7 +30,7 @@ fn what_is_wrong_is_named() {
     let below = below.to_str().unwrap();
     for (arguments, named) in [
         (&["--seed", "minus one"][..], "minus one"),
-        (&["--seed", "-1"], "-1"),
+        (&["--seed", "-1"], "'-1' for '--seed <N>'"),
         (&["--only", "paper,slow", "--json", "-"], "slow"),
         (&["--out", below], below),
         (&["--out", file], file),

@@ -181,6 +181,28 @@ fn bad_input_is_told_of() {
         (&["play", GAME, "--frames", "3..3"], "3..3"),
         (&["play", GAME, "--frames", "x"], "A..B"),
         (
+            &["play", GAME, "--size", "-5x10"],
+            "'-5x10' for '--size <WxH>'",
+        ),
+        (
+            &["play", GAME, "--frames", "-1..2"],
+            "'-1..2' for '--frames <A..B>'",
+        ),
+        (&["play", GAME, "--seed", "-1"], "'-1' for '--seed <N>'"),
+        (&["play", GAME, "--fps", "-1"], "'-1' for '--fps <N>'"),
+        (
+            &["view", "none.nff", "--spus", "-1"],
+            "'-1' for '--spus <N>'",
+        ),
+        (
+            &["view", "none.nff", "--ray-depth", "-1"],
+            "'-1' for '--ray-depth <N>'",
+        ),
+        (
+            &["view", "none.nff", "--timeout", "-1"],
+            "'-1' for '--timeout <S>'",
+        ),
+        (
             &["play", GAME, "--frames", "0..2", "--out", "f.png"],
             "%05d",
         ),
