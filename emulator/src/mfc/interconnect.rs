@@ -10,10 +10,10 @@ use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, RwLock, Weak};
 
 use crate::decrementer::{Clock, HostClock};
-use crate::local_store::SIZE;
+use crate::local_store::{LocalStore, SIZE};
 use crate::memory::{LINE, MainMemory, MemoryFault};
 use crate::signal::SignalRegister;
-use crate::simulated::{Peer, Simulation};
+use crate::simulated::{Parcel, Peer, Simulation};
 use crate::spe::lock::{read_lock, write_lock};
 
 /// No line has this address: it is not a multiple of 128.
@@ -71,10 +71,20 @@ pub(crate) trait Unit: Send + Sync {
 struct Members {
     units: Vec<Weak<dyn Unit>>,
     signals: Vec<(u64, Weak<dyn Unit>, SignalRegister)>,
-    local_stores: Vec<(u64, Weak<dyn Unit>)>,
+    local_stores: Vec<(u64, Weak<LocalStore>)>,
 }
 
 impl Members {
+    /// The local store that all of `length` bytes at `ea` lie in, and where in it.
+    fn local_store(&self, ea: u64, length: usize) -> Option<(Arc<LocalStore>, u32)> {
+        self.local_stores.iter().find_map(|(start, store)| {
+            let at = ea.checked_sub(*start)?;
+            let end = at.checked_add(length as u64)?;
+            let within = end <= u64::from(SIZE);
+            within.then(|| Some((store.upgrade()?, at as u32)))?
+        })
+    }
+
     fn broken(&self, ea: u64, length: usize, except: Option<&Reservation>) {
         if length == 0 {
             return;
@@ -153,7 +163,7 @@ impl Interconnect {
             .retain(|(_, unit, _)| unit.strong_count() > 0);
         members
             .local_stores
-            .retain(|(_, unit)| unit.strong_count() > 0);
+            .retain(|(_, store)| store.strong_count() > 0);
         members.units.push(unit);
     }
 
@@ -163,8 +173,32 @@ impl Interconnect {
     }
 
     /// From now on transfers to and from the addresses at `ea` count as such between local stores.
-    pub(crate) fn map_local_store(&self, ea: u64, unit: Weak<dyn Unit>) {
-        write_lock(&self.members).local_stores.push((ea, unit));
+    pub(crate) fn map_local_store(&self, ea: u64, store: Weak<LocalStore>) {
+        write_lock(&self.members).local_stores.push((ea, store));
+    }
+
+    /// In simulated time: what an MFC sends to a local store, for delivery at its time; `None` if
+    /// there is none at `ea`. Reservations break as the command is given, as those on memory do.
+    pub(crate) fn send_to_local_store(&self, ea: u64, from: &[u8]) -> Option<Parcel> {
+        let members = read_lock(&self.members);
+        let (store, address) = members.local_store(ea, from.len())?;
+        members.broken(ea, from.len(), None);
+        let bytes = from.into();
+        Some(Parcel {
+            store,
+            address,
+            bytes,
+        })
+    }
+
+    /// In simulated time: what is under way to these addresses is there now.
+    fn await_parcels(&self, members: &Members, ea: u64, length: usize) {
+        if let Some(simulation) = &self.simulation
+            && simulation.has_parcels()
+            && let Some((store, address)) = members.local_store(ea, length)
+        {
+            simulation.deliver_early(|parcel| parcel.meets(&store, address, length));
+        }
     }
 
     /// In simulated time: when the signal that was just sent to `ea` is there.
@@ -192,7 +226,8 @@ impl Interconnect {
     }
 
     pub(crate) fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault> {
-        let _side_by_side = read_lock(&self.members);
+        let side_by_side = read_lock(&self.members);
+        self.await_parcels(&side_by_side, ea, into.len());
         self.memory.read(ea, into)
     }
 
@@ -213,8 +248,9 @@ impl Interconnect {
 
     /// `getllar`: the line, which `own` reserves from now on.
     pub(crate) fn get_line(&self, ea: u64, own: &Reservation) -> Result<[u8; LINE], MemoryFault> {
-        let _alone = write_lock(&self.members);
+        let alone = write_lock(&self.members);
         own.clear();
+        self.await_parcels(&alone, ea, LINE);
         let mut line = [0; LINE];
         self.memory.read(ea, &mut line)?;
         own.set(ea);
@@ -232,6 +268,7 @@ impl Interconnect {
         let members = write_lock(&self.members);
         let held = own.holds(ea);
         own.clear();
+        self.await_parcels(&members, ea, LINE);
         if !held || !self.memory.compare_exchange_line(ea, seen, new)? {
             return Ok(false);
         }
@@ -250,6 +287,7 @@ impl Interconnect {
         if own.holds(ea) {
             own.clear();
         }
+        self.await_parcels(&members, ea, LINE);
         let written = self.memory.write(ea, new);
         members.broken(ea, LINE, Some(own));
         written

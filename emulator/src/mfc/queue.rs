@@ -10,8 +10,8 @@ use super::command::{Command, ELEMENT, MAX_TRANSFER, Operation, Order};
 use super::interconnect::{Interconnect, Unit};
 use super::{DmaError, Policy};
 use crate::local_store::LocalStore;
-use crate::memory::LINE;
-use crate::simulated::{Movement, Piece};
+use crate::memory::{LINE, MemoryFault};
+use crate::simulated::{Movement, Parcel, Piece};
 use crate::spe::lock::lock;
 
 /// What commands move between.
@@ -32,12 +32,23 @@ impl Path<'_> {
         }
     }
 
-    fn piece(&self, command: &Command) -> Piece {
+    fn piece(&self, command: &Command, parcel: Option<Parcel>) -> Piece {
         Piece {
             ea: command.ea,
             size: command.size,
             peer: self.interconnect.peer(command.ea),
+            parcel,
         }
+    }
+
+    /// Moves bytes out, or gives them back as what is still to be delivered.
+    fn send(&self, ea: u64, bytes: &[u8]) -> Result<Option<Parcel>, MemoryFault> {
+        if self.moved.is_some()
+            && let Some(parcel) = self.interconnect.send_to_local_store(ea, bytes)
+        {
+            return Ok(Some(parcel));
+        }
+        self.interconnect.write(ea, bytes).map(|()| None)
     }
 }
 
@@ -163,10 +174,10 @@ impl Queue {
         let ran = if entry.command.operation.is_list() {
             run_list(entry, &mut self.buffer, path)
         } else {
-            run_simple(&entry.command, &mut self.buffer, path).map(|()| {
+            run_simple(&entry.command, &mut self.buffer, path).map(|parcel| {
                 path.note(|| Movement {
                     command: entry.command,
-                    pieces: pieces_of(&entry.command, path),
+                    pieces: pieces_of(&entry.command, parcel, path),
                     stalled: false,
                 });
                 Ran::Complete
@@ -186,9 +197,9 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<Ran,
         let address = (list.ea as u32).wrapping_add(entry.list_done);
         let words = [0, 4].map(|n| path.local_store.load_word(address.wrapping_add(n)));
         let (element, stall) = list.element(words, entry.list_lsa)?;
-        run_simple(&element, buffer, path)?;
+        let parcel = run_simple(&element, buffer, path)?;
         if path.moved.is_some() {
-            pieces.push(path.piece(&element));
+            pieces.push(path.piece(&element, parcel));
         }
         entry.list_done += ELEMENT;
         entry.list_lsa = entry
@@ -213,36 +224,42 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<Ran,
 }
 
 /// What a command that is no list moves over the bus.
-fn pieces_of(command: &Command, path: Path<'_>) -> Vec<Piece> {
+fn pieces_of(command: &Command, parcel: Option<Parcel>, path: Path<'_>) -> Vec<Piece> {
     match command.operation {
         Operation::QueueBarrier | Operation::Sync | Operation::CacheHint => Vec::new(),
-        _ => vec![path.piece(command)],
+        _ => vec![path.piece(command, parcel)],
     }
 }
 
-fn run_simple(command: &Command, buffer: &mut [u8], path: Path<'_>) -> Result<(), DmaError> {
+/// Runs a command that is no list; gives what of it is still to be delivered.
+fn run_simple(
+    command: &Command,
+    buffer: &mut [u8],
+    path: Path<'_>,
+) -> Result<Option<Parcel>, DmaError> {
     let Command { lsa, ea, size, .. } = *command;
     let bytes = &mut buffer[..size.min(MAX_TRANSFER) as usize];
     let moved = match command.operation {
         Operation::Put | Operation::SendSignal => {
             path.local_store.read(lsa, bytes);
-            path.interconnect.write(ea, bytes)
+            path.send(ea, bytes)
         }
-        Operation::Get => path
-            .interconnect
-            .read(ea, bytes)
-            .map(|()| path.local_store.write(lsa, bytes)),
+        Operation::Get => path.interconnect.read(ea, bytes).map(|()| {
+            path.local_store.write(lsa, bytes);
+            None
+        }),
         Operation::ZeroRange => {
             bytes.fill(0);
-            path.interconnect.write(ea, bytes)
+            path.send(ea, bytes)
         }
         Operation::PutLineQueued => {
             let mut line = [0; LINE];
             path.local_store.read(lsa, &mut line);
             path.interconnect
                 .put_line(ea, path.unit.reservation(), &line)
+                .map(|()| None)
         }
-        _ => Ok(()),
+        _ => Ok(None),
     };
     moved.map_err(|fault| command.storage(fault.ea))
 }

@@ -15,9 +15,10 @@ use std::collections::HashMap;
 use super::calendar::Calendar;
 use crate::memory::LINE;
 
-/// Cycles for which a line takes an SPU's port, or the memory: 128 bytes at 16 bytes per cycle of the
-/// bus, which has half the core's clock, or 25.5 GB/s. Source: 25.6 GB/s at 3.2 GHz in IBM's lecture at
-/// MIT for the memory, in measurements of Kistler, Perrone and Petrini (2006) for the port. Firm.
+/// Cycles for which a line takes an SPU's port, or the memory: 128 bytes at 16 bytes per cycle of
+/// the bus, which has half the core's clock, or 25.5 GB/s. Source: 25.6 GB/s at 3.2 GHz in IBM's
+/// lecture at MIT for the memory, in measurements of Kistler, Perrone and Petrini (2006) for the
+/// port. Firm.
 pub const LINE_CYCLES: u64 = 16;
 
 /// Cycles from the write of the command channel to the first request on the bus. Source: the same
@@ -26,12 +27,16 @@ pub const LINE_CYCLES: u64 = 16;
 pub const COMMAND_CYCLES: u64 = 13;
 
 /// Cycles from a line's time on the bus until it has arrived, to or from main memory. With
-/// [`COMMAND_CYCLES`] and [`LINE_CYCLES`], one line takes 309 cycles: under 100 ns, 319 cycles, were
-/// measured by Kistler, Perrone and Petrini (2006). Fair.
+/// [`COMMAND_CYCLES`] and [`LINE_CYCLES`], one line takes 309 cycles: under 100 ns, 319 cycles,
+/// were measured by Kistler, Perrone and Petrini (2006). Fair.
 pub const MEMORY_LATENCY: u64 = 280;
 
 /// The same between two local stores. Estimate: no figure was found apart from memory's.
 pub const LOCAL_STORE_LATENCY: u64 = 200;
+
+/// Cycles from a command until what it sends to another local store can be there: the shortest way
+/// on which one SPU reaches what another one loads.
+pub const LOCAL_STORE_DELAY: u64 = COMMAND_CYCLES + LINE_CYCLES + LOCAL_STORE_LATENCY;
 
 /// Lines that one SPU has under way at most. Source: IBM's lecture says over 100 outstanding requests
 /// for the interconnect, whose eight SPEs would have 16 each. Inferred.

@@ -7,8 +7,10 @@
 //! Invariant: acts happen one at a time, in the order of (clock, rank), so that the same program gives
 //! the same cycle counts however the host schedules its threads.
 //!
-//! Once local stores may be reached from outside ([`Simulation::serialise`]), SPEs run in short spells,
-//! one at a time, again the one with the smallest clock first.
+//! Once local stores may be reached from outside ([`Simulation::serialise`]), SPEs run in short
+//! spells, one at a time, again the one with the smallest clock first. A spell ends where the next
+//! data from another SPE could lie in the local store, so that the SPU's loads find it from that
+//! very cycle on.
 //!
 //! The PPE's own computing takes no simulated time; each call costs it [`PPE_CALL_CYCLES`], and being
 //! woken [`PPE_WAKE_CYCLES`]. While a PPE thread is between two calls, SPEs run up to its clock and
@@ -16,6 +18,7 @@
 //! what the PPE stores to memory while SPEs read it, are the places where two runs may differ.
 
 pub mod absence;
+mod arrivals;
 mod calendar;
 mod figures;
 pub mod memory_system;
@@ -44,6 +47,7 @@ pub use ppe::{PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES};
 pub use report::{Commands, Report, SpeReport, Waits};
 pub use turnstile::WaitKey;
 
+pub(crate) use arrivals::Parcel;
 pub(crate) use memory_system::Peer;
 pub(crate) use spe_side::SpeSide;
 pub(crate) use spu_clock::{SpuClock, Timed, Wait};
@@ -118,6 +122,16 @@ impl Simulation {
     /// Has those who wait on `key` look again. Called by whoever acts.
     pub fn wake(&self, key: WaitKey) {
         self.turnstile.wake(key);
+    }
+
+    /// Whether data is under way between local stores.
+    pub(crate) fn has_parcels(&self) -> bool {
+        self.turnstile.arrivals.next() != turnstile::NEVER
+    }
+
+    /// What was sent to the `wanted` places is there at once, whatever its time.
+    pub(crate) fn deliver_early(&self, wanted: impl Fn(&Parcel) -> bool) {
+        self.turnstile.arrivals.deliver_early(wanted);
     }
 
     /// Somebody knows where a local store lies, and may reach into it while its SPU runs: from now on

@@ -106,21 +106,21 @@ impl SpeSide {
         let moved = std::mem::take(&mut *lock(&self.moved));
         if !moved.is_empty() {
             let mut memory = self.simulation.memory();
+            let arrivals = &self.simulation.turnstile.arrivals;
             mfc.change_transfers(|transfers| {
-                for movement in &moved {
-                    let complete = transfers.add(movement, now, &mut memory);
+                for movement in moved {
                     let Command { operation, ea, .. } = movement.command;
+                    let mut peers = movement.pieces.iter().map(|piece| piece.peer);
+                    let only_memory = peers.all(|peer| peer == Peer::Memory);
+                    let complete = transfers.add(movement, now, &mut memory, arrivals);
                     if operation == Operation::SendSignal {
                         interconnect.signal_arrives(ea, complete);
-                    } else if movement
-                        .pieces
-                        .iter()
-                        .any(|piece| piece.peer != Peer::Memory)
-                    {
+                    } else if !only_memory {
                         self.simulation.serialise();
                     }
                 }
             });
+            self.actor.expect_arrivals();
         }
     }
 

@@ -110,27 +110,15 @@ impl SpuClock {
     }
 }
 
-/// Instructions between two looks at the others' clocks: often enough not to hold them up, seldom
-/// enough to cost nothing.
-const INSTRUCTIONS_A_LOOK: u32 = 1024;
-/// The same where SPUs run one at a time: the spell for which one may be ahead of the others.
-const INSTRUCTIONS_A_SPELL: u32 = 256;
-
 /// Feeds the clock while the SPU runs.
 pub(crate) struct Timed<'a> {
     clock: &'a RefCell<SpuClock>,
     actor: &'a Actor,
-    /// To the next look.
-    left: u32,
 }
 
 impl<'a> Timed<'a> {
     pub fn new(clock: &'a RefCell<SpuClock>, actor: &'a Actor) -> Self {
-        Self {
-            clock,
-            actor,
-            left: 0,
-        }
+        Self { clock, actor }
     }
 }
 
@@ -183,10 +171,6 @@ impl Timed<'_> {
     #[inline]
     fn count<const RECORDED: bool>(&mut self, spu: &Spu, instruction: Instruction) {
         let mut clock = self.clock.borrow_mut();
-        if self.left == 0 {
-            self.left = look(self.actor, clock.now());
-        }
-        self.left -= 1;
         let SpuClock {
             timer, recording, ..
         } = &mut *clock;
@@ -194,17 +178,7 @@ impl Timed<'_> {
             Some(recording) if RECORDED => timer.record(spu, instruction, recording),
             _ => timer.before_instruction(spu, instruction),
         }
-    }
-}
-
-/// Lets others go first who are behind; gives the instructions to the next look.
-#[cold]
-fn look(actor: &Actor, now: u64) -> u32 {
-    if actor.runs_serially() {
-        actor.turn(now);
-        INSTRUCTIONS_A_SPELL
-    } else {
-        actor.progress(now);
-        INSTRUCTIONS_A_LOOK
+        // It has issued and takes effect next: a load finds what has arrived by now.
+        self.actor.run_up_to(clock.now());
     }
 }

@@ -1,9 +1,11 @@
 //! The MFC commands of one SPU that are not complete yet in simulated time.
 //!
-//! Data moves when the command is given (its turn in the race); what a program is told of it, tags and
-//! room in the queue, comes at the simulated time. Ordering delays a command until those before it that
-//! it must follow are complete.
+//! Data moves when the command is given (its turn in the race), but to another local store when
+//! its transfer is complete; what a program is told of it, tags and room in the queue, comes at
+//! the simulated time. Ordering delays a command until those before it that it must follow are
+//! complete.
 
+use super::arrivals::{Arrivals, Parcel};
 use super::memory_system::{
     COMMAND_CYCLES, Direction, LIST_ELEMENT_CYCLES, MemorySystem, Peer, Port,
 };
@@ -11,15 +13,15 @@ use super::report::Commands;
 use crate::mfc::command::{Command, Operation, Order, TAGS};
 
 /// One contiguous piece of what a command moved.
-#[derive(Clone, Copy, Debug)]
 pub(crate) struct Piece {
     pub ea: u64,
     pub size: u32,
     pub peer: Peer,
+    /// The bytes, if they are still to be delivered.
+    pub parcel: Option<Parcel>,
 }
 
 /// What a command moved, or a list until it stalled.
-#[derive(Debug)]
 pub(crate) struct Movement {
     pub command: Command,
     pub pieces: Vec<Piece>,
@@ -103,8 +105,15 @@ impl Transfers {
             .unwrap_or(0)
     }
 
-    /// Times a movement that was made at `now`; says when it is complete.
-    pub fn add(&mut self, movement: &Movement, now: u64, memory: &mut MemorySystem) -> u64 {
+    /// Times a movement that was made at `now`, and sends off what is to be delivered; says when
+    /// it is complete.
+    pub fn add(
+        &mut self,
+        movement: Movement,
+        now: u64,
+        memory: &mut MemorySystem,
+        arrivals: &Arrivals,
+    ) -> u64 {
         let Command {
             operation,
             order,
@@ -134,7 +143,7 @@ impl Transfers {
             _ => Direction::Out,
         };
         let mut complete = start;
-        for piece in &movement.pieces {
+        for piece in movement.pieces {
             if operation.is_list() {
                 start += LIST_ELEMENT_CYCLES;
             }
@@ -142,6 +151,9 @@ impl Transfers {
             let port = &mut self.port;
             let arrived = memory.transfer(port, direction, piece.peer, what, (now, start));
             complete = complete.max(arrived).max(start);
+            if let Some(parcel) = piece.parcel {
+                arrivals.send(arrived, parcel);
+            }
             let bytes = u64::from(piece.size);
             match direction {
                 Direction::In => self.commands.bytes_in += bytes,
@@ -178,6 +190,7 @@ mod tests {
                 ea: 0,
                 size: 128,
                 peer: Peer::Memory,
+                parcel: None,
             }],
             stalled: false,
         }
@@ -186,7 +199,7 @@ mod tests {
     fn times(commands: &[(u32, u32)]) -> Vec<u64> {
         let (mut transfers, mut memory) = (Transfers::new(), MemorySystem::default());
         for &(word, tag) in commands {
-            transfers.add(&movement(word, tag), 3, &mut memory);
+            transfers.add(movement(word, tag), 3, &mut memory, &Arrivals::default());
         }
         let complete = |command: &Outstanding| command.complete;
         transfers.outstanding.iter().map(complete).collect()
@@ -207,8 +220,9 @@ mod tests {
     #[test]
     fn a_tag_is_busy_until_its_last_command_is_complete() {
         let (mut transfers, mut memory) = (Transfers::new(), MemorySystem::default());
-        transfers.add(&movement(0x40, 1), 0, &mut memory);
-        transfers.add(&movement(0x20, 5), 0, &mut memory);
+        let arrivals = Arrivals::default();
+        transfers.add(movement(0x40, 1), 0, &mut memory, &arrivals);
+        transfers.add(movement(0x20, 5), 0, &mut memory, &arrivals);
         assert_eq!((transfers.busy_tags(), transfers.len()), (0b10_0010, 2));
         let first = transfers.next().unwrap();
         transfers.advance(first - 1);

@@ -4,18 +4,26 @@
 //! lower bound of its next act, or it waits: for its turn at a time, and perhaps for somebody to wake it
 //! before. Invariant: an actor gets its turn only while no other free or waiting actor has a smaller
 //! (clock, rank), and it keeps the turn until it shows a larger clock, so acts never overlap; and
-//! nobody's clock runs back.
+//! nobody's clock runs back. Data that was sent to a local store lies there as soon as no clock is
+//! before its arrival.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::Ordering::{Relaxed, SeqCst};
+use std::sync::atomic::{AtomicBool, AtomicU64};
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use super::absence::{LOOK_EVERY, Patience};
+use super::arrivals::Arrivals;
+use super::memory_system::LOCAL_STORE_DELAY;
 use crate::spe::lock::lock;
 
 /// No time at all: of a sleeper that only somebody else can wake.
-const NEVER: u64 = u64::MAX;
+pub(super) const NEVER: u64 = u64::MAX;
+
+/// Cycles between two looks at the others' clocks: often enough not to hold them up, seldom enough
+/// to cost nothing.
+const CYCLES_A_LOOK: u64 = 1024;
 
 /// What a sleeper can be woken by.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -40,6 +48,8 @@ impl Rank {
 #[derive(Default)]
 struct Runner {
     clock: AtomicU64,
+    /// The clock from which on it may run no further without a look at the others.
+    limit: AtomicU64,
     called: Condvar,
 }
 
@@ -117,6 +127,8 @@ pub(crate) struct Turnstile {
     impatient: AtomicU64,
     /// Whether runners run one at a time too, not only act so.
     serial: AtomicBool,
+    /// What was sent to local stores.
+    pub arrivals: Arrivals,
 }
 
 impl Turnstile {
@@ -141,6 +153,7 @@ impl Turnstile {
     pub fn wake(&self, key: WaitKey) {
         let mut race = lock(&self.race);
         let now = race.now;
+        let mut woken = false;
         for entry in race.actors.values_mut() {
             if let Status::Waiting {
                 wanted,
@@ -151,6 +164,14 @@ impl Turnstile {
             {
                 *wanted = (now + 1).max(*since).min(*wanted);
                 *its = None;
+                woken = true;
+            }
+        }
+        if woken && self.serial.load(SeqCst) {
+            // The spell that goes on was given out without regard to who slept.
+            let soon = now + 1 + LOCAL_STORE_DELAY;
+            for entry in race.actors.values() {
+                entry.runner.limit.fetch_min(soon, SeqCst);
             }
         }
         self.hand_on(&race);
@@ -160,6 +181,9 @@ impl Turnstile {
     /// somebody is before it of whom nobody knows whether he comes back.
     /// In this order: a runner shows its clock before it looks, so that one of the two sees the other.
     fn hand_on(&self, race: &Race) {
+        let leader = race.leader();
+        self.arrivals
+            .deliver(leader.map_or(NEVER, |(clock, _)| clock));
         let waiting = |(&rank, entry): (&Rank, &Entry)| match entry.status {
             Status::Waiting { wanted, .. } if wanted != NEVER => Some((wanted, rank)),
             _ => None,
@@ -167,7 +191,7 @@ impl Turnstile {
         let first = race.actors.iter().filter_map(waiting).min();
         self.impatient
             .store(first.map_or(NEVER, |(wanted, _)| wanted), SeqCst);
-        let (Some(first), Some(leader)) = (first, race.leader()) else {
+        let (Some(first), Some(leader)) = (first, leader) else {
             return;
         };
         let status = |rank| race.actors.get(&rank).map(|entry| &entry.status);
@@ -177,6 +201,19 @@ impl Turnstile {
         {
             entry.runner.called.notify_one();
         }
+    }
+
+    /// How far `me`, who has the turn at `now`, may run before it asks again: where runners run
+    /// one at a time, up to where something could arrive in its local store.
+    fn limit(&self, race: &Race, me: Rank, now: u64) -> u64 {
+        let look = now + CYCLES_A_LOOK;
+        if !self.serial.load(SeqCst) {
+            return look;
+        }
+        let others = race.actors.iter().filter(|(rank, _)| **rank != me);
+        let sent = others.filter_map(|(_, entry)| entry.place()).min();
+        let sent = sent.map_or(NEVER, |place| place.saturating_add(LOCAL_STORE_DELAY));
+        look.min(sent).min(self.arrivals.next())
     }
 
     fn await_turn(
@@ -197,6 +234,8 @@ impl Turnstile {
                             race.now = clock;
                             race.set(rank, Status::Free(me.patience()));
                             self.hand_on(&race);
+                            let limit = self.limit(&race, rank, clock);
+                            me.runner.limit.store(limit, SeqCst);
                             return clock;
                         }
                     }
@@ -331,14 +370,33 @@ impl Actor {
         self.turnstile.await_turn(race, self, pause)
     }
 
-    /// Whether it has to ask for its turn to run on, not only to act.
-    pub fn runs_serially(&self) -> bool {
-        self.turnstile.serial.load(SeqCst)
+    /// Has run up to `clock`: lets others go first who are behind, once it is at its limit.
+    #[inline]
+    pub fn run_up_to(&self, clock: u64) {
+        if clock >= self.runner.limit.load(Relaxed) {
+            self.look(clock);
+        }
+    }
+
+    #[cold]
+    fn look(&self, clock: u64) {
+        if self.turnstile.serial.load(SeqCst) {
+            self.turn(clock);
+        } else {
+            self.progress(clock);
+        }
+    }
+
+    /// Something that was just sent may be for its own local store.
+    pub fn expect_arrivals(&self) {
+        let next = self.turnstile.arrivals.next();
+        self.runner.limit.fetch_min(next, SeqCst);
     }
 
     /// Shows how far it has run without acting.
     pub fn progress(&self, clock: u64) {
         self.runner.clock.store(clock, SeqCst);
+        self.runner.limit.store(clock + CYCLES_A_LOOK, SeqCst);
         if clock >= self.turnstile.impatient.load(SeqCst) {
             self.turnstile.hand_on(&lock(&self.turnstile.race));
         }

@@ -4,6 +4,7 @@
 //! all; so the instruction can be run again.
 
 use std::cell::RefCell;
+use std::sync::Arc;
 use std::time::Duration;
 
 use super::Spe;
@@ -16,7 +17,7 @@ use crate::mfc::interconnect::Unit;
 use crate::mfc::queue::Path;
 use crate::mfc::spu_side::SpuSide;
 use crate::mfc::{DmaError, Policy};
-use crate::simulated::{self, SpeSide, SpuClock, Transfers, Wait};
+use crate::simulated::{self, Parcel, SpeSide, SpuClock, Transfers, Wait};
 use crate::stop::{ChannelAccess, Stop};
 
 /// How long the adversary leaves commands of both sides undone while the SPU sleeps: long enough for the PPE to
@@ -424,9 +425,16 @@ impl Channels for RunningChannels<'_> {
                 let now = self.now();
                 self.own.decrementer.load(value, now);
             }
-            // Transfers of others into this local store are done when they are done: there is
-            // nothing to wait for.
-            WR_MS_SYNC_REQ => self.problem_state().raise(event::MULTISOURCE_SYNC),
+            // Data from others lies in this local store already, or is taken to.
+            WR_MS_SYNC_REQ => {
+                if let Some(side) = self.simulated() {
+                    self.turn();
+                    let own = &self.spe.local_store;
+                    let here = |parcel: &Parcel| Arc::ptr_eq(&parcel.store, own);
+                    side.simulation.deliver_early(here);
+                }
+                self.problem_state().raise(event::MULTISOURCE_SYNC);
+            }
             WR_SRR0 => self.set_srr0(value),
             LSA => self.own.mfc.parameters.lsa = value,
             EAH => {

@@ -216,10 +216,11 @@ impl Spe {
         }
     }
 
-    /// Gives the local store the effective address `ea` as far as simulated time is concerned.
+    /// Says that the local store lies at effective address `ea` of the machine's memory, so that
+    /// simulated time can tell transfers to it from those to memory.
     pub fn map_local_store(&self, ea: u64) {
-        let unit: Arc<dyn Unit> = self.problem_state.clone();
-        self.interconnect.map_local_store(ea, Arc::downgrade(&unit));
+        let store = Arc::downgrade(&self.local_store);
+        self.interconnect.map_local_store(ea, store);
     }
 
     /// A PPE thread looks at the problem state.

@@ -46,7 +46,8 @@ impl Recorder for () {}
 
 impl Timer {
     /// [`before_instruction`](Observer::before_instruction), written down by `recorder`.
-    #[inline]
+    // Of itself the compiler does not inline it into all loops that time SPUs.
+    #[inline(always)]
     pub(crate) fn record<R: Recorder>(
         &mut self,
         spu: &Spu,

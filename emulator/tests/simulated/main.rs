@@ -3,6 +3,7 @@
 
 mod accounts;
 mod deterministic;
+mod hops;
 mod ppe;
 mod profile;
 #[path = "../spu_program/mod.rs"]
