@@ -119,11 +119,22 @@ fn every_instruction_comes_out_with_its_operands() {
 
 #[test]
 fn a_loop_has_its_instructions_once_a_stage_and_in_its_short_form() {
-    let mut source = format!("{START}#   Out     $20\nfunction f\npass:\n        ai $8,$8,-1\n");
-    source.push_str(
-        "        lqd $9,0($3)\n        fm $9,$9,$9\n        fm $9,$9,$9\n        stqd $9,0($4)\n",
+    let source = format!(
+        "{START}#   Out     $20
+function f
+pass:
+        ai $8,$8,-1
+        lqd $9,0($3)
+        fm $9,$9,$9
+        fm $9,$9,$9
+        stqd $9,0($4)
+        ai $3,$3,16
+        ai $4,$4,32
+        brnz $8,pass
+        bi $lr
+endfunction f
+"
     );
-    source.push_str("        ai $3,$3,16\n        ai $4,$4,32\n        brnz $8,pass\n        bi $lr\nendfunction f\n");
     let shop = Workshop::new(&source);
     let told = shop.schedule();
     let stages = told
@@ -153,9 +164,15 @@ fn a_loop_has_its_instructions_once_a_stage_and_in_its_short_form() {
 
 #[test]
 fn the_longest_mnemonics_stand_apart_from_their_operands() {
-    let body = "        rotqbybi $3,$4,$5\n        shlqbybi $3,$3,$5\n        rotqmbybi $3,$3,$5\n        rotqmbyi $3,$3,-3\n";
     let shop = Workshop::new(&format!(
-        "{START}function f\n{body}        bi $lr\nendfunction f\n"
+        "{START}function f
+        rotqbybi $3,$4,$5
+        shlqbybi $3,$3,$5
+        rotqmbybi $3,$3,$5
+        rotqmbyi $3,$3,-3
+        bi $lr
+endfunction f
+"
     ));
     shop.schedule();
     let text = fs::read_to_string(shop.path("scheduled.s")).unwrap();
@@ -179,10 +196,18 @@ fn words_without_a_notation_are_refused() {
         0x7300_0289,     // fscrrd with a source
         0x0064_0000,     // dsync with a register
         0x0048_0000,     // sync that disables interrupts
-        0x7600_0203,     // csflt by 2^155
+        0x7600_0203,     // cflts by 2^173
     ] {
         let source = format!(
-            "{START}.macro odd\n        .long {word:#x}\n.endm\nfunction f\n        il $3,1\n        odd\n        bi $lr\nendfunction f\n"
+            "{START}.macro odd
+        .long {word:#x}
+.endm
+function f
+        il $3,1
+        odd
+        bi $lr
+endfunction f
+"
         );
         let shop = Workshop::new(&source);
         shop.assemble("plain.s", "plain.o", &["-g"]);
