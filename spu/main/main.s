@@ -16,13 +16,6 @@
         .set    either,12
         .set    before,13
         .set    after,14
-        .set    events,15
-        .set    wraps,16
-        .set    t_borrow,17
-
-        .set    EVENT_MAILBOX,0x10
-        .set    EVENT_DECREMENTER_LOG2,5
-        .set    EVENT_DECREMENTER,1<<EVENT_DECREMENTER_LOG2
 
         .section .bss
         .align  4
@@ -40,32 +33,13 @@ _start:
         rotqbyi $g_number,$4,4
         il      $before,-1
         wrch    $SPU_WrDec,$before
-        il      $events,EVENT_MAILBOX|EVENT_DECREMENTER
-        wrch    $SPU_WrEventMask,$events
 next_mail:
-        # The decrementer may pass 0 more than once before the mail comes: its events are counted.
-        il      $events,EVENT_DECREMENTER
-        wrch    $SPU_WrEventAck,$events
         rdch    $before,$SPU_RdDec
-        il      $wraps,0
-        br      look
-next_event:
-        rdch    $events,$SPU_RdEventStat
-        wrch    $SPU_WrEventAck,$events
-        andi    $events,$events,EVENT_DECREMENTER
-        rotmi   $events,$events,-EVENT_DECREMENTER_LOG2
-        a       $wraps,$wraps,$events
-look:   rchcnt  $events,$SPU_RdInMbox
-        brz     $events,next_event
         rdch    $high,$SPU_RdInMbox
         rdch    $low,$SPU_RdInMbox
         rdch    $after,$SPU_RdDec
+        sf      $g_idle,$after,$before
         ori     $g_mailed,$after,0
-        clgt    $t_borrow,$after,$before
-        a       $wraps,$wraps,$t_borrow
-        sf      $after,$after,$before                   # it counts down
-        cwd     $t_borrow,4($sp)
-        shufb   $g_idle,$after,$wraps,$t_borrow
         or      $either,$high,$low
         brz     $either,exit
 

@@ -119,7 +119,8 @@ function statistics_put
     .irp field, dma_wait,ticks_fetch,ticks_cull,ticks_rays,ticks_isect,ticks_shade
         put_count \field
     .endr
-        put_long idle,$g_idle
+        rotqmbyi $value,$g_idle,-4
+        put_long idle,$value
         lqa     $value,counters+COUNT_elapsed
         lqa     $more,counters+COUNT_dma_wait
         difference $value,$value,$more

@@ -162,7 +162,7 @@ record! {
         busy: U64,
         /// Decrementer ticks spent waiting for the MFC.
         dma_wait: U64,
-        /// Decrementer ticks spent waiting for the mail.
+        /// Decrementer ticks spent waiting for the mail, less 2^32 each time that the decrementer has come round in that.
         idle: U64,
         /// Tests of one packet with one object.
         tests_made: U64,
