@@ -22,11 +22,19 @@ unsafe impl Send for Scratch {}
 
 impl Scratch {
     fn new() -> io::Result<Self> {
+        // The kernel is called itself: glibc has a function for it from 2.27 on.
         // SAFETY: the name is a C string, the flag a known one.
-        let raw = unsafe { libc::memfd_create(c"libspe2".as_ptr(), libc::MFD_CLOEXEC) };
+        let raw = unsafe {
+            libc::syscall(
+                libc::SYS_memfd_create,
+                c"libspe2".as_ptr(),
+                libc::MFD_CLOEXEC,
+            )
+        };
         if raw < 0 {
             return Err(io::Error::last_os_error());
         }
+        let raw = raw as std::os::fd::RawFd;
         // SAFETY: the descriptor was just made and nobody else has it.
         let file = unsafe { OwnedFd::from_raw_fd(raw) };
         // SAFETY: the descriptor is open.
