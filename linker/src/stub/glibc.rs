@@ -83,28 +83,37 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     let copies = folder.join("libcopies.a");
     archive(compiler, &format!("{START}@{}", start.version), &copies)?;
     for (soname, names) in &stubs {
-        let library = folder.join(match *soname {
-            LIBC | LIBGCC | LOADER => (*soname).to_owned(),
-            _ => format!("{}.so", soname.split('.').next().unwrap_or_default()),
-        });
+        let library = match *soname {
+            LIBC | LIBGCC | LOADER => part(folder, soname),
+            _ => folder.join(format!(
+                "{}.so",
+                soname.split('.').next().unwrap_or_default()
+            )),
+        };
         make(compiler, soname, names, &library)?;
     }
     // As the installed libraries' own files of these names have it.
-    let mut parts = vec![copies, folder.join(LIBC)];
+    let mut parts = vec![copies, part(folder, LIBC)];
     parts.extend(installed(compiler, "libc_nonshared.a")?);
     let mut group: Vec<_> = parts.iter().map(|part| quoted(part)).collect();
     if stubs.contains_key(LOADER) {
-        group.push(format!("AS_NEEDED ( {} )", quoted(&folder.join(LOADER))));
+        group.push(format!("AS_NEEDED ( {} )", quoted(&part(folder, LOADER))));
     }
     write(
         &folder.join("libc.so"),
         &format!("GROUP ( {} )\n", group.join(" ")),
     )?;
     if stubs.contains_key(LIBGCC) {
-        let group = format!("GROUP ( {} -lgcc )\n", quoted(&folder.join(LIBGCC)));
+        let group = format!("GROUP ( {} -lgcc )\n", quoted(&part(folder, LIBGCC)));
         write(&folder.join("libgcc_s.so"), &group)?;
     }
     Ok(())
+}
+
+/// The stub that a linker script names. It is not called as the library itself: cargo has the loader look into the
+/// folder, too, when it runs tests.
+fn part(folder: &Path, soname: &str) -> PathBuf {
+    folder.join(format!("stub-{soname}"))
 }
 
 fn quoted(path: &Path) -> String {
