@@ -1,5 +1,6 @@
-//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's target, also
-//! libraries of nothing but names to link against: libspe2's and the C library's. Every switch is listed in `docs/build-options.md`.
+//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's
+//! target, also libraries of nothing but names to link against: libspe2's and the C library's.
+//! Every switch is listed in `docs/build-options.md`.
 
 use std::env;
 use std::fmt::Write as _;
@@ -84,8 +85,9 @@ fn table(images: &Images) -> Outcome<String> {
     Ok(text)
 }
 
-/// Links the console's program, and whatever depends on this crate, against the names of libspe2 alone, so that
-/// no PS3 sysroot is needed, and against those of an old C library, so that an old system runs it.
+/// Links the console's program, and whatever depends on this crate, against the names of libspe2
+/// alone, so that no PS3 sysroot is needed, and against those of an old C library, so that an old
+/// system runs it.
 fn stubs(root: &Path, out: &Path, script: &mut Script) -> Outcome<()> {
     let list = root.join("linker/libspe2.symbols");
     script.watch(&list);

@@ -1,6 +1,6 @@
 //! Gives the shared library the console's soname, so that a program linked against it, or against
-//! the import stub, runs with either library; and links it against an old C library's names, so that an old
-//! system runs it.
+//! the import stub, runs with either library; and links it against an old C library's names, so
+//! that an old system runs it.
 
 use std::env;
 use std::error::Error;

@@ -101,7 +101,8 @@ pub struct Settings {
     pub retain: bool,
     /// Whether the SPUs check, at each call of a shader, that it keeps what it must.
     pub check_shaders: bool,
-    /// How long none of a frame's SPUs may take a work unit, finish one or answer, before they count as lost.
+    /// How long none of a frame's SPUs may take a work unit, finish one or answer, before they
+    /// count as lost.
     pub timeout: Duration,
     /// What they run.
     pub program: Program,

@@ -37,10 +37,11 @@ pub struct Look {
     pub ray_depth: u32,
     /// Whitted's model: whether what lets light through reflects by Schlick's approximation.
     pub fresnel: bool,
-    /// Whitted's model: whether rays are sent as the Standard Procedural Databases count them, those that add nothing
-    /// to the picture too: by every surface that mirrors or lets light through a reflected ray, whatever its share
-    /// is, and by every surface that is lit, whatever it makes of that, a shadow ray for each light in front of it.
-    /// What leaves out rays of no or little weight hangs on this.
+    /// Whitted's model: whether rays are sent as the Standard Procedural Databases count them,
+    /// those that add nothing to the picture too: by every surface that mirrors or lets light
+    /// through a reflected ray, whatever its share is, and by every surface that is lit, whatever
+    /// it makes of that, a shadow ray for each light in front of it. What leaves out rays of no or
+    /// little weight hangs on this.
     pub spd_rays: bool,
     /// Whitted's model: whether objects throw shadows.
     pub shadows: bool,

@@ -1,5 +1,5 @@
-//! Simulated speeds in the documents are those that `ci/measure --write` has put there: a sentence may repeat
-//! one, but says no other.
+//! Simulated speeds in the documents are those that `ci/measure --write` has put there: a sentence
+//! may repeat one, but says no other.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! What frames cost in simulated time: six SPUs at 3.192 GHz, 1280x720. Deterministic, so that a change
-//! that makes a frame slower than promised fails here, whatever machine runs it.
+//! What frames cost in simulated time: six SPUs at 3.192 GHz, 1280x720. Deterministic, so that a
+//! change that makes a frame slower than promised fails here, whatever machine runs it.
 
 use std::collections::BTreeMap;
 use std::process::Command;

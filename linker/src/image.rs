@@ -122,8 +122,8 @@ impl Image {
         self
     }
 
-    /// Every file that the image is made of, and every folder, which another file may come to: a build script
-    /// reruns when one changes.
+    /// Every file that the image is made of, and every folder, which another file may come to: a
+    /// build script reruns when one changes.
     pub fn inputs(&self) -> Result<Vec<PathBuf>, Error> {
         let mut inputs = [&self.sources[..], &self.folders[..]].concat();
         inputs.push(self.script.clone());

@@ -8,8 +8,9 @@ use std::process::ExitCode;
 
 use crate::{Image, Tools};
 
-/// What a build script tells cargo. It is said when all went well: of a script that fails cargo shows whatever it
-/// has said, so that the error would stand behind a list of files; and it runs such a script again anyway.
+/// What a build script tells cargo. It is said when all went well: of a script that fails cargo
+/// shows whatever it has said, so that the error would stand behind a list of files; and it runs
+/// such a script again anyway.
 #[derive(Debug, Default)]
 pub struct Script(String);
 
@@ -57,7 +58,8 @@ pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> E
     }
 }
 
-/// The `main` of a build script that makes one SPU program, the file `name` in its folder of output, `OUT_DIR`.
+/// The `main` of a build script that makes one SPU program, the file `name` in its folder of
+/// output, `OUT_DIR`.
 ///
 /// ```no_run
 /// fn main() -> std::process::ExitCode {

@@ -1,5 +1,5 @@
-//! What is linked against the stubs of the C library asks for nothing that glibc 2.17 does not have, and finds
-//! what it asks for in the library of today.
+//! What is linked against the stubs of the C library asks for nothing that glibc 2.17 does not
+//! have, and finds what it asks for in the library of today.
 
 use std::fs;
 use std::path::Path;

@@ -325,8 +325,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(Shape::Patch { vertices, normals })
     }
 
-    /// Reads how many vertices there are to come. Refused before the first one is read: it may be far beyond
-    /// any memory.
+    /// Reads how many vertices there are to come. Refused before the first one is read: it may be
+    /// far beyond any memory.
     fn vertices(&mut self, entity: &'static str) -> Result<usize, LineError> {
         let limit = self.limits.vertices;
         let count = self.words.count(limit)?;

@@ -1,7 +1,8 @@
 //! The triangles of a polygon whose edges do not cross, by cutting ears.
 //!
-//! Invariant: the triangles are of the polygon's own vertices, counter-clockwise as it is, overlap nowhere,
-//! and are the same ones on every machine. A convex polygon gives the fan around its first vertex.
+//! Invariant: the triangles are of the polygon's own vertices, counter-clockwise as it is, overlap
+//! nowhere, and are the same ones on every machine. A convex polygon gives the fan around its first
+//! vertex.
 
 use glam::{DVec2, DVec3};
 
@@ -34,8 +35,8 @@ pub fn triangles(vertices: &[DVec3]) -> Option<Vec<[u32; 3]>> {
     is_cover(&found, &flat).then_some(found)
 }
 
-/// Cuts the ears of a ring of points, given by their indices. What is no more than `slack` beside an edge is
-/// taken to be on it.
+/// Cuts the ears of a ring of points, given by their indices. What is no more than `slack` beside
+/// an edge is taken to be on it.
 pub(crate) fn cut(mut ring: Vec<u32>, flat: &[DVec2], slack: f64) -> Vec<[u32; 3]> {
     let mut found = Vec::with_capacity(ring.len().saturating_sub(2));
     while ring.len() > 3 {
@@ -49,8 +50,9 @@ pub(crate) fn cut(mut ring: Vec<u32>, flat: &[DVec2], slack: f64) -> Vec<[u32; 3
     found
 }
 
-/// Whether triangles that a ring was cut into are all counter-clockwise and overlap nowhere. How often
-/// the ring winds around a point is in how many of them it lies: then that is nowhere more than once.
+/// Whether triangles that a ring was cut into are all counter-clockwise and overlap nowhere. How
+/// often the ring winds around a point is in how many of them it lies: then that is nowhere more
+/// than once.
 fn is_cover(triangles: &[[u32; 3]], flat: &[DVec2]) -> bool {
     let rounding = rounding(flat);
     let mut sound: Vec<([DVec2; 3], DVec2, DVec2)> = Vec::with_capacity(triangles.len());
@@ -89,7 +91,8 @@ fn lies_beside(corners: &[DVec2; 3], other: &[DVec2; 3], rounding: f64) -> bool 
     })
 }
 
-/// A distance that counts for nothing: what rounding may move points, and far less than a picture shows.
+/// A distance that counts for nothing: what rounding may move points, and far less than a picture
+/// shows.
 pub(crate) fn rounding(flat: &[DVec2]) -> f64 {
     let reach = flat.iter().map(|point| point.abs().max_element());
     reach.fold(0.0, f64::max) / (1_u64 << 40) as f64

@@ -1,7 +1,7 @@
 //! The words of a file, whichever lines they stand on, and what each may be.
 //!
-//! NFF is read word by word: a line's end is a blank. Only a directive, a comment to other programs, ends
-//! with its line.
+//! NFF is read word by word: a line's end is a blank. Only a directive, a comment to other
+//! programs, ends with its line.
 //!
 //! Invariant: a number that comes from here is finite and at most [`MAX_MAGNITUDE`] in size.
 
@@ -78,8 +78,8 @@ impl<R: BufRead> Words<R> {
         self.entity.start
     }
 
-    /// The next entity's name for messages, by its keyword, of which `known` knows the names; nothing at the
-    /// end of the file.
+    /// The next entity's name for messages, by its keyword, of which `known` knows the names;
+    /// nothing at the end of the file.
     pub(crate) fn entity(
         &mut self,
         known: impl FnOnce(&str) -> Option<&'static str>,
@@ -230,8 +230,8 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// Whether the entity goes on, where it need not: with anything but a keyword on its line, with a number
-    /// on a later one.
+    /// Whether the entity goes on, where it need not: with anything but a keyword on its line, with
+    /// a number on a later one.
     pub(crate) fn more(&mut self) -> Result<bool, LineError> {
         if self.seek_in_line() {
             return Ok(!KEYWORDS.contains(&self.peek()?));

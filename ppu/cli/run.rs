@@ -45,8 +45,8 @@ pub struct Options {
     /// Glass reflects as Schlick's approximation has it, beyond its Ks
     #[arg(long)]
     pub fresnel: bool,
-    /// Send rays that add nothing to the picture where the Standard Procedural Databases count them, as glass
-    /// of Ks 0 reflects nothing
+    /// Send rays that add nothing to the picture where the Standard Procedural Databases count
+    /// them, as glass of Ks 0 reflects nothing
     #[arg(long)]
     pub spd_rays: bool,
     /// Objects throw no shadows

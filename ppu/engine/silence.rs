@@ -1,7 +1,8 @@
 //! How long a frame is waited for, and what is said of an SPU that does not answer.
 //!
-//! Owns the question whether a frame still comes. It is not how long it takes, which on emulated SPUs may be
-//! hours, but whether any SPU still does something: takes a work unit, finishes one, or answers.
+//! Owns the question whether a frame still comes. It is not how long it takes, which on emulated
+//! SPUs may be hours, but whether any SPU still does something: takes a work unit, finishes one, or
+//! answers.
 
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -14,11 +15,13 @@ use crate::work::layout::{Frame, UnitCost};
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 /// The shortest sleep that libspe2 knows.
 const SHORTEST: Duration = Duration::from_millis(1);
-/// How long an SPU that is made to stop is waited for: it does so with its next instruction, if there is one.
+/// How long an SPU that is made to stop is waited for: it does so with its next instruction, if
+/// there is one.
 const UNTIL_HALTED: Duration = Duration::from_secs(1);
 
-/// How long to sleep at a time. libspe2 may count time by another clock than this program: 1 ms of an
-/// emulator's may take seconds. So sleeps begin short, and grow as long as they take no more than they should.
+/// How long to sleep at a time. libspe2 may count time by another clock than this program: 1 ms of
+/// an emulator's may take seconds. So sleeps begin short, and grow as long as they take no more
+/// than they should.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pause(Duration);
 
@@ -94,8 +97,8 @@ pub struct Silence {
 /// What an SPU was doing that has not answered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Doing {
-    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy with what was
-    /// before.
+    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy with
+    /// what was before.
     HasMail,
     /// It ran, and was made to stop.
     Ran {
@@ -137,8 +140,9 @@ impl fmt::Display for Silence {
 }
 
 impl Engine {
-    /// How often SPUs have taken a unit of the frame from the counter, which they do not by slices, and how many
-    /// units they have finished, which a frame of other records than the engine's does not tell.
+    /// How often SPUs have taken a unit of the frame from the counter, which they do not by slices,
+    /// and how many units they have finished, which a frame of other records than the engine's does
+    /// not tell.
     pub(super) fn units_done(&self, frame: &Frame) -> (u32, u32) {
         let Some(records) = &self.records else {
             return (0, 0);
@@ -153,7 +157,8 @@ impl Engine {
         (records.unit_counter.peek_word(0), finished)
     }
 
-    /// What can be told of an SPU that does not answer. It is stopped to learn where it is: it is lost anyway.
+    /// What can be told of an SPU that does not answer. It is stopped to learn where it is: it is
+    /// lost anyway.
     pub(super) fn silence(&mut self, number: usize, frame: &Frame) -> Silence {
         let (taken, finished) = self.units_done(frame);
         let program = self.settings.program;
@@ -180,7 +185,8 @@ impl Engine {
         }
     }
 
-    /// Waits a while for the end of an SPU's program; nobody waits for what the others say any more.
+    /// Waits a while for the end of an SPU's program; nobody waits for what the others say any
+    /// more.
     fn until_ended(&mut self, number: usize) -> Option<Ended> {
         let asked = Instant::now();
         while asked.elapsed() < UNTIL_HALTED {

@@ -5,8 +5,9 @@ use std::fmt;
 use super::Settings;
 use crate::spe::Program;
 
-/// Whether shaders that do not come with the tracer ran and were not checked. One that does not keep what it must
-/// spoils what the tracer's program goes by afterwards, so that any error may come of it.
+/// Whether shaders that do not come with the tracer ran and were not checked. One that does not
+/// keep what it must spoils what the tracer's program goes by afterwards, so that any error may
+/// come of it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unchecked(bool);
 

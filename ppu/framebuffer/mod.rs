@@ -71,8 +71,8 @@ pub struct Geometry {
 }
 
 impl Geometry {
-    /// Largest width and height, which SPUs take too: keeps every byte offset within 32 bits, with room for
-    /// padding.
+    /// Largest width and height, which SPUs take too: keeps every byte offset within 32 bits, with
+    /// room for padding.
     pub const MAX_SIDE: u32 = {
         assert!(nff::MAX_SIDE == crate::work::layout::MAX_SIDE);
         nff::MAX_SIDE

@@ -160,15 +160,15 @@ impl Context {
 
     /// What stands there. Meant for a context that is not running.
     fn local_store_word(&self, address: u32) -> u32 {
-        // SAFETY: a word of the mapping, which lives as long as the context; others may write there, hence
-        // volatile.
+        // SAFETY: a word of the mapping, which lives as long as the context; others may write
+        // there, hence volatile.
         let read = |word: *mut u32| u32::from_be(unsafe { word.read_volatile() });
         self.local_store(address).map_or(0, read)
     }
 
-    /// Makes the program stop wherever it is, for good: all of its instructions become one that stops. It does so
-    /// as [`Outcome::Signal`] of [`Context::HALTED`] as soon as it comes to the next one, which it does not while
-    /// it waits for a channel.
+    /// Makes the program stop wherever it is, for good: all of its instructions become one that
+    /// stops. It does so as [`Outcome::Signal`] of [`Context::HALTED`] as soon as it comes to the
+    /// next one, which it does not while it waits for a channel.
     pub fn halt(&self, program: &Program) {
         for address in program.code().into_iter().flat_map(|code| code.step_by(4)) {
             if let Some(word) = self.local_store(address) {

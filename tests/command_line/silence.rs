@@ -1,4 +1,5 @@
-//! SPUs that do not answer: said in time, also where libspe2 counts time by a clock that is slower than ours.
+//! SPUs that do not answer: said in time, also where libspe2 counts time by a clock that is slower
+//! than ours.
 
 use std::fs;
 use std::path::Path;

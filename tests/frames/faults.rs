@@ -192,8 +192,8 @@ fn a_program_that_does_not_look_at_its_mail() {
     assert!(text.contains("has not read its mailbox"), "{text}");
 }
 
-/// Takes six units, each after 0.4 s by the decrementer, and answers that all is done: longer than a second in
-/// all, but never a second without a unit taken.
+/// Takes six units, each after 0.4 s by the decrementer, and answers that all is done: longer than
+/// a second in all, but never a second without a unit taken.
 const SLOWLY: &str = "
         ila $10,0x1000
         wrch $MFC_LSA,$10

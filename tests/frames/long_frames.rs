@@ -1,7 +1,7 @@
 //! Frames that take longer than the 32 bits of the decrementer can tell: 53.8 s on a console.
 //!
-//! The SPU program runs on an emulated SPE whose clock leaps at every look, so that a small frame lasts
-//! minutes.
+//! The SPU program runs on an emulated SPE whose clock leaps at every look, so that a small frame
+//! lasts minutes.
 
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -33,8 +33,8 @@ const FRAMEBUFFER: u64 = 0x1700_0000;
 /// What a 32-bit decrementer has ticks for.
 const PERIOD: u64 = 1 << 32;
 
-/// By how much the clock is later at each look: 2.5 s. The driver looks some fifteen times a tile, and must not miss
-/// that 53.8 s have passed.
+/// By how much the clock is later at each look: 2.5 s. The driver looks some fifteen times a tile,
+/// and must not miss that 53.8 s have passed.
 const LEAP: u64 = 3 << 26;
 
 /// A clock that leaps at each look.

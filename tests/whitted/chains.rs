@@ -1,4 +1,5 @@
-//! Rays that can't change their pixel are not sent, and that changes no picture by more than a step.
+//! Rays that can't change their pixel are not sent, and that changes no picture by more than a
+//! step.
 
 use std::path::Path;
 

@@ -118,7 +118,8 @@ fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
     text
 }
 
-/// Glass that mirrors nothing, as that of the Standard Procedural Databases' gears, and glass that is not even lit.
+/// Glass that mirrors nothing, as that of the Standard Procedural Databases' gears, and glass that
+/// is not even lit.
 fn gears() -> nff::Scene {
     let text = format!(
         "b 0.078 0.361 0.753\nv\nfrom -1.1 -2.1 2.6\nat 0 0 0.4\nup 0 0 1\nangle 45\nhither 0\n\

@@ -27,7 +27,8 @@ fn shape(keyword: &str, corners: &[[f64; 3]]) -> String {
     text
 }
 
-/// Shapes above a mirror on which they throw shadows, lit from nearby; `f` has what they are made of.
+/// Shapes above a mirror on which they throw shadows, lit from nearby; `f` has what they are made
+/// of.
 fn is_as_the_reference_has_it(what: &str, material: &str, shapes: &str) {
     let text = format!(
         "v\nfrom 1 -3 3.5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 200 150\nb 0.2 0.3 0.5\n\

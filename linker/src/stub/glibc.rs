@@ -1,10 +1,11 @@
 //! The C library as it was at a version, to link against where a newer one is installed.
 //!
-//! A linker binds a function to its newest version in the library that it finds, and from then on the program
-//! asks for that version wherever it runs. The installed library still has the older ones, for programs that
-//! were linked long ago. The stubs made here have each function at the newest version that is old enough, in the
-//! library where it was at that time, and nothing that came later. What each program had a copy of at that time,
-//! and now finds in the library, is in `start.c` and `status.c`.
+//! A linker binds a function to its newest version in the library that it finds, and from then on
+//! the program asks for that version wherever it runs. The installed library still has the older
+//! ones, for programs that were linked long ago. The stubs made here have each function at the
+//! newest version that is old enough, in the library where it was at that time, and nothing that
+//! came later. What each program had a copy of at that time, and now finds in the library, is in
+//! `start.c` and `status.c`.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -20,13 +21,14 @@ use object::{Endianness, Object as _, ObjectSymbol, ObjectSymbolTable as _, Symb
 use super::share;
 use crate::{Error, file_error, output, run, write};
 
-/// The newest versions that a program may ask for: the oldest glibc that Rust's standard library runs with,
-/// and the GCC of that time.
+/// The newest versions that a program may ask for: the oldest glibc that Rust's standard library
+/// runs with, and the GCC of that time.
 const NEWEST: [(&str, &[u32]); 2] = [("GLIBC", &[2, 17]), ("GCC", &[4, 8])];
 
 /// The soname of the library itself.
 const LIBC: &str = "libc.so.6";
-/// Each library's soname, and how the names begin that were there before they moved to the library itself.
+/// Each library's soname, and how the names begin that were there before they moved to the library
+/// itself.
 const LIBRARIES: [(&str, &[&str]); 8] = [
     (LIBC, &[]),
     ("libm.so.6", &[]),
@@ -59,8 +61,8 @@ struct Name {
 
 type Names = BTreeMap<String, Name>;
 
-/// Makes the stubs in `folder` of the libraries that the target's `compiler` links to. A linker that looks
-/// there before it looks elsewhere takes them.
+/// Makes the stubs in `folder` of the libraries that the target's `compiler` links to. A linker
+/// that looks there before it looks elsewhere takes them.
 pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     let mut stubs = BTreeMap::<&str, Names>::new();
     for (soname, _) in LIBRARIES {
@@ -110,8 +112,8 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The stub that a linker script names. It is not called as the library itself: cargo has the loader look into the
-/// folder, too, when it runs tests.
+/// The stub that a linker script names. It is not called as the library itself: cargo has the
+/// loader look into the folder, too, when it runs tests.
 fn part(folder: &Path, soname: &str) -> PathBuf {
     folder.join(format!("stub-{soname}"))
 }

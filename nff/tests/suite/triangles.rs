@@ -135,7 +135,8 @@ fn what_is_gone_round_twice_is_outside() {
 #[test]
 fn a_hole_may_be_reached_by_an_edge_and_the_same_way_back() {
     let outer = [(0.0, 0.0), (4.0, 0.0), (4.0, 4.0), (0.0, 4.0), (0.0, 0.0)];
-    // A hole that goes round the other way is found by ears, one that goes round the same way is not.
+    // A hole that goes round the other way is found by ears, one that goes round the same way is
+    // not.
     let hole = [(1.0, 1.0), (1.0, 2.0), (2.0, 2.0), (2.0, 1.0), (1.0, 1.0)];
     let mut other_way = hole;
     other_way.reverse();
@@ -225,7 +226,8 @@ proptest! {
         }
     }
 
-    /// Seen from its middle each corner of a star is behind the last: no edges cross, wherever it is.
+    /// Seen from its middle each corner of a star is behind the last: no edges cross, wherever it
+    /// is.
     #[test]
     fn a_polygon_whose_edges_do_not_cross_is_cut_into_its_own_vertices(
         radii in vec(0.01..1.0f64, 3..40),

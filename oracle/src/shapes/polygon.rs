@@ -16,8 +16,8 @@ use crate::tree::Bounds;
 /// Most vertices of a patch: its triangles take time with the square of them.
 pub(crate) const MAX_PATCH_VERTICES: usize = 512;
 
-/// How far off the plane a vertex is left, in parts of the farthest one's distance from the middle: that much
-/// comes of rounded numbers, and what is moved no longer meets its neighbours.
+/// How far off the plane a vertex is left, in parts of the farthest one's distance from the middle:
+/// that much comes of rounded numbers, and what is moved no longer meets its neighbours.
 const OFF_PLANE: f64 = 1.0 / 262_144.0;
 
 #[derive(Debug, Clone)]

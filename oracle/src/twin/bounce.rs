@@ -50,8 +50,8 @@ pub struct Queued {
 }
 
 impl Bounce {
-    /// The ray of this share, if that is above 0 and its weight is not below `least`: as signed integers,
-    /// singles above 0 are.
+    /// The ray of this share, if that is above 0 and its weight is not below `least`: as signed
+    /// integers, singles above 0 are.
     pub(super) fn queued(
         &self,
         share: Single,

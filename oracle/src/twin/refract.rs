@@ -16,8 +16,8 @@ struct Beyond {
     cosine: Single,
 }
 
-/// What the hit lets through, if anything of a weight not below `least`, and the share `mirror` with what it
-/// reflects.
+/// What the hit lets through, if anything of a weight not below `least`, and the share `mirror`
+/// with what it reflects.
 #[must_use]
 pub fn refract(hit: &Bounce, least: Single) -> (Option<Queued>, Single) {
     let along = dot(hit.direction, hit.normal);

@@ -29,9 +29,10 @@ pub struct Options {
     pub depth: u32,
     /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
     pub fresnel: bool,
-    /// Whether rays are sent as the Standard Procedural Databases count them, those of weight 0 too: by every
-    /// surface that mirrors or lets light through a reflected ray, and by every surface that is lit a shadow
-    /// ray for each light in front of it. They change the counts and nothing else.
+    /// Whether rays are sent as the Standard Procedural Databases count them, those of weight 0
+    /// too: by every surface that mirrors or lets light through a reflected ray, and by every
+    /// surface that is lit a shadow ray for each light in front of it. They change the counts and
+    /// nothing else.
     pub spd_rays: bool,
     /// Whether eye rays go through the corners of the pixels, the four of each averaged, as the
     /// Standard Procedural Databases ask for; else through their centres.

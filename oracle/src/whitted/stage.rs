@@ -1,8 +1,8 @@
 //! A scene made ready for rays, and the colour that a ray sees.
 //!
 //! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest depth;
-//! a ray that can't matter by its weight is not started and not counted, but by SPD's rule: then it changes
-//! nothing but the counts.
+//! a ray that can't matter by its weight is not started and not counted, but by SPD's rule: then it
+//! changes nothing but the counts.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader, Shape};
@@ -107,7 +107,8 @@ impl<'a> Stage<'a> {
         colour
     }
 
-    /// The colour that a ray sees, which is the `depth`th of its chain and has this weight in its pixel.
+    /// The colour that a ray sees, which is the `depth`th of its chain and has this weight in its
+    /// pixel.
     fn look(&self, ray: &Ray, depth: u32, weight: f64, path: &mut Path) -> DVec3 {
         let Some(hit) = self.meet(ray, path) else {
             path.counts.background += 1;
@@ -193,8 +194,8 @@ impl<'a> Stage<'a> {
         sum
     }
 
-    /// What a hit reflects and lets through of a ray of this weight; the rays for that are the `depth`th of their
-    /// chains.
+    /// What a hit reflects and lets through of a ray of this weight; the rays for that are the
+    /// `depth`th of their chains.
     fn bounced(
         &self,
         hit: &Hit,

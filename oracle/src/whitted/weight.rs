@@ -1,7 +1,8 @@
 //! From which weight on a ray is worth starting.
 //!
-//! By `docs/numerics.md`: what a ray adds to its pixel is at most its weight times the greatest brightness
-//! that a ray can see, and one that can't add a sixteenth of a byte's step is not started.
+//! By `docs/numerics.md`: what a ray adds to its pixel is at most its weight times the greatest
+//! brightness that a ray can see, and one that can't add a sixteenth of a byte's step is not
+//! started.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader};

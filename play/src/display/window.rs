@@ -289,8 +289,8 @@ fn server(value: impl Fn(&str) -> Option<String>) -> String {
     named.unwrap_or_else(|| "no display server is named by DISPLAY or WAYLAND_DISPLAY".to_owned())
 }
 
-/// Whether this is the number of a file that this program has open: whoever takes another one for a connection ends
-/// the program when it is closed.
+/// Whether this is the number of a file that this program has open: whoever takes another one for a
+/// connection ends the program when it is closed.
 fn is_open_file(number: &str) -> bool {
     // SAFETY: asks for the flags of whatever number, and changes nothing.
     let is_open = |number| unsafe { libc::fcntl(number, libc::F_GETFD) } != -1;
@@ -307,7 +307,8 @@ fn without_place(words: &str) -> &str {
         .map_or(words, |(_, words)| words)
 }
 
-/// Does what may panic: where a server lacks what winit needs, it does, and has no other way to tell of it.
+/// Does what may panic: where a server lacks what winit needs, it does, and has no other way to
+/// tell of it.
 fn told_of_panics<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     let tell = panic::take_hook();
     panic::set_hook(Box::new(|_| ()));

@@ -1,13 +1,13 @@
 //! How long a chain of rays can get, and from which weight on a ray is worth sending.
 //!
-//! The weight of a ray is its share in its pixel's colour: the product of what the surfaces on its way
-//! reflect or let through. What it can add to the pixel is at most its weight times the greatest
-//! brightness that any ray sees. Where that is less than [`LEAST_CHANGE`] of a byte's step, the ray is
-//! not sent on; and no ray is sent deeper than the shares of the scene's materials let such weights
-//! come. `docs/numerics.md` has the bound.
+//! The weight of a ray is its share in its pixel's colour: the product of what the surfaces on its
+//! way reflect or let through. What it can add to the pixel is at most its weight times the
+//! greatest brightness that any ray sees. Where that is less than [`LEAST_CHANGE`] of a byte's
+//! step, the ray is not sent on; and no ray is sent deeper than the shares of the scene's materials
+//! let such weights come. `docs/numerics.md` has the bound.
 //!
-//! A game's own shader may do what its material does not tell: with one in the scene nothing is bounded. Nor
-//! is it where rays are counted by SPD's rule, which knows no weights.
+//! A game's own shader may do what its material does not tell: with one in the scene nothing is
+//! bounded. Nor is it where rays are counted by SPD's rule, which knows no weights.
 
 use nff::{Material, Shader};
 use zerocopy::big_endian::F32;
@@ -83,7 +83,8 @@ impl Chains {
         least_weight: 0.0,
     };
 
-    /// Of a scene of these materials, whose background, ambient light and lights together are at most so bright.
+    /// Of a scene of these materials, whose background, ambient light and lights together are at
+    /// most so bright.
     pub fn of(
         options: BlockOptions,
         materials: impl Iterator<Item = Sends> + Clone,
@@ -100,7 +101,8 @@ impl Chains {
                 ..Self::UNBOUNDED
             };
         }
-        // What a ray sees at most if so many follow it: a surface's own light, and what they see by its share.
+        // What a ray sees at most if so many follow it: a surface's own light, and what they see by
+        // its share.
         let mut seen = 0.0;
         for _ in 0..options.ray_depth {
             let surfaces = materials.clone().map(|sends| {

@@ -20,7 +20,8 @@ struct Taker {
 pub(super) struct Demand(Vec<Taker>);
 
 impl Demand {
-    /// Of objects of each kind with their trees, each with a count and bytes, and of materials and lights.
+    /// Of objects of each kind with their trees, each with a count and bytes, and of materials and
+    /// lights.
     pub fn new(objects: [(usize, usize); 4], materials: usize, lights: usize) -> Self {
         let objects = Kind::ALL.map(|kind| {
             let (count, bytes) = objects[kind as usize];
@@ -71,8 +72,8 @@ impl Demand {
         self.0.iter().map(taker).collect::<Vec<_>>().join(", ")
     }
 
-    /// About how much fits into so many bytes, in words: of what takes most, if the rest stays; if the rest
-    /// does not fit alone, of all.
+    /// About how much fits into so many bytes, in words: of what takes most, if the rest stays; if
+    /// the rest does not fit alone, of all.
     pub fn fits(&self, room: usize) -> String {
         let needed = FIXED + self.0.iter().map(|taker| taker.bytes).sum::<usize>();
         match self.0.first() {

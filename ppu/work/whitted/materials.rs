@@ -21,7 +21,8 @@ const BLINN: f64 = 4.0;
 /// What `cull_nodes` takes of an apex's coordinates for its own rounding, and as much again.
 const SLACK: f64 = 2.0 / (1 << 18) as f64;
 
-/// The share of a ray that is sent only to be counted: above 0 to the SPUs, and nothing beside any other.
+/// The share of a ray that is sent only to be counted: above 0 to the SPUs, and nothing beside any
+/// other.
 const COUNTED: f64 = f32::MIN_POSITIVE as f64;
 
 /// Names of the shaders that are the SPUs' own.

@@ -61,7 +61,8 @@ pub struct BlockOptions {
     pub ray_depth: u32,
     /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
     pub fresnel: bool,
-    /// Whether rays that add nothing to the picture are sent where the Standard Procedural Databases count them.
+    /// Whether rays that add nothing to the picture are sent where the Standard Procedural
+    /// Databases count them.
     pub spd_rays: bool,
 }
 
@@ -266,8 +267,8 @@ impl SceneBlock {
         self.lights.len() as u32
     }
 
-    /// Most rays in a chain: at most as many as were asked for, fewer where the scene has nothing that
-    /// would be worth sending one on.
+    /// Most rays in a chain: at most as many as were asked for, fewer where the scene has nothing
+    /// that would be worth sending one on.
     #[must_use]
     pub fn ray_depth(&self) -> u32 {
         self.chains.ray_depth
@@ -291,8 +292,8 @@ impl SceneBlock {
         (1..=MAX_BATCH).rev().find(fits)
     }
 
-    /// Works out how long chains may get by what the scene is made of now: to be called when that has
-    /// changed. Tells whether there is room for their rays.
+    /// Works out how long chains may get by what the scene is made of now: to be called when that
+    /// has changed. Tells whether there is room for their rays.
     pub(crate) fn bound_chains(&mut self) -> bool {
         let lights = self.lights.iter().map(Light::brightness).sum();
         let bright = [self.background, greatest(&self.ambient), lights];

@@ -108,8 +108,8 @@ struct Head {
     extent: f64,
 }
 
-/// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons whose edges cross
-/// or that have parts without area.
+/// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons
+/// whose edges cross or that have parts without area.
 pub(super) fn about(shape: &Shape) -> (Kind, usize) {
     match shape {
         Shape::Sphere { .. } => (Kind::Sphere, 1),
@@ -269,7 +269,8 @@ impl Form {
     }
 
     /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through its first vertex that
-    /// has the whole polygon's normal, and a small triangle may be off that by what is nothing to a large polygon.
+    /// has the whole polygon's normal, and a small triangle may be off that by what is nothing to a
+    /// large polygon.
     pub fn is_bent(&self) -> bool {
         let Self::Triangle {
             vertices: [a, b, c],

@@ -1,7 +1,7 @@
 //! Polygons: the parallelogram or the triangles that one is.
 //!
-//! Invariant: the triangles of a polygon lie in one plane, but for what rounded numbers make, and fill what is inside
-//! by the even-odd rule; what two of them share is the same to the bit.
+//! Invariant: the triangles of a polygon lie in one plane, but for what rounded numbers make, and
+//! fill what is inside by the even-odd rule; what two of them share is the same to the bit.
 
 use std::borrow::Cow;
 
@@ -14,15 +14,15 @@ use super::range::Place;
 use crate::scene::{LARGEST, SMALLEST};
 use crate::work::layout::MAX_OBJECTS;
 
-/// By how much a corner of a parallelogram may be off, in parts of the longer edge: half a unit in the
-/// last place of what is sent.
+/// By how much a corner of a parallelogram may be off, in parts of the longer edge: half a unit in
+/// the last place of what is sent.
 const OFF_CORNER: f64 = 1.0 / (1 << 24) as f64;
 
 /// Height of a triangle, in parts of its longest edge, below which no ray hits it.
 const SLIVER: f64 = 1.0 / (1 << 24) as f64;
 
-/// What vertices may be off their polygon's plane, in parts of its size: no more than numbers of a scene are rounded
-/// by. They stay where they are, so that polygons that share them leave no gap.
+/// What vertices may be off their polygon's plane, in parts of its size: no more than numbers of a
+/// scene are rounded by. They stay where they are, so that polygons that share them leave no gap.
 pub(super) const FLAT: f64 = 1.0 / (1 << 18) as f64;
 
 /// Whether all vertices are in range.
@@ -81,7 +81,8 @@ fn in_plane(vertices: &[DVec3], normal: DVec3) -> Cow<'_, [DVec3]> {
     Cow::Owned(vertices.iter().map(put).collect())
 }
 
-/// The triangles of a polygon that have an area. Those of a patch whose edges cross interpolate nothing.
+/// The triangles of a polygon that have an area. Those of a patch whose edges cross interpolate
+/// nothing.
 pub(super) fn triangles(
     vertices: &[DVec3],
     normals: Option<&Vec<DVec3>>,

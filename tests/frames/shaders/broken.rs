@@ -83,8 +83,8 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
     }
 }
 
-/// The tracer's program refuses what is right, as a shader has changed what it goes by: the error says how to find
-/// that out, and needs not to once it is found.
+/// The tracer's program refuses what is right, as a shader has changed what it goes by: the error
+/// says how to find that out, and needs not to once it is found.
 #[test]
 fn an_error_without_the_check_names_the_check() {
     let bad = parsed("#cellray shader changes_93");
