@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use spu_build::formulation::Formulations;
+use protocol::formulation::Formulations;
 use spu_build::{Script, Tools, script, stub, tracer};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;

@@ -7,7 +7,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use spu_build::{Image, Script, Tools, Version, assembler, script};
+use protocol::assembler;
+use spu_build::{Image, Script, Tools, Version, script};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 

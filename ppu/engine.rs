@@ -12,17 +12,17 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 pub use self::silence::{Doing, Silence};
 use self::silence::{Pause, Watch, part};
 pub use self::unchecked::Unchecked;
-use crate::formulation::EyeRecord;
 use crate::framebuffer::{self, Framebuffer, FramebufferError};
 use crate::scene::{Scene, SceneError};
 use crate::shared::SharedMemory;
 use crate::spe::{Context, Ended, Event, Events, Program, ProgramError, SpeError};
 use crate::statistics::FrameStatistics;
-use crate::work::layout::{
+use crate::work::{self, Addresses, Order, Plan, Policy, Refusal, Size, Skip, Split};
+use protocol::formulation::EyeRecord;
+use protocol::layout::{
     FEATURE_WHITTED, Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost,
     UnitCounter, WorkUnit,
 };
-use crate::work::{self, Addresses, Order, Plan, Policy, Refusal, Size, Skip, Split};
 
 /// Why no frame came.
 #[derive(Debug, thiserror::Error)]

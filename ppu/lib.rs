@@ -38,7 +38,6 @@
 //! ```
 
 pub mod engine;
-pub mod formulation;
 pub mod framebuffer;
 pub mod game;
 pub mod quality;

@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-use crate::formulation::{self, Formulations};
+use protocol::formulation::{self, Formulations};
 
 /// How much run time is given for how little error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]

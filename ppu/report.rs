@@ -7,9 +7,9 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::formulation::Formulations;
 use crate::scene::Scene;
 use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
+use protocol::formulation::Formulations;
 
 pub use loop_time::LoopTime;
 

@@ -6,10 +6,10 @@ use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
 use zerocopy::big_endian::F32;
 
-use crate::formulation::{Formulations, SphereFormulation};
 use crate::spe::Program;
-use crate::work::layout::MAX_SPHERES;
 use crate::work::{BlockError, BlockOptions, SceneBlock, ShaderEntries};
+use protocol::formulation::{Formulations, SphereFormulation};
+use protocol::layout::MAX_SPHERES;
 
 /// Largest magnitude of a coordinate or a radius: its square is still a single.
 pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;

@@ -3,7 +3,7 @@
 use std::cell::UnsafeCell;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use crate::work::layout::LINE;
+use protocol::layout::LINE;
 
 #[repr(C, align(128))]
 struct Line(UnsafeCell<[u8; LINE as usize]>);

@@ -4,7 +4,7 @@ use serde::Serialize;
 use zerocopy::big_endian::U64;
 
 use crate::work::Size;
-use crate::work::layout::Statistics;
+use protocol::layout::Statistics;
 
 /// Rays of a packet.
 const PACKET_RAYS: u64 = 16;

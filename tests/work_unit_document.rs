@@ -4,7 +4,7 @@ use std::fmt::Write as _;
 use std::fs;
 use std::path::Path;
 
-use cellray::work::layout::{CONSTANTS, Field, RECORDS, Status};
+use protocol::layout::{CONSTANTS, Field, RECORDS, Status};
 
 const START: &str = "<!-- tables: written by MAKE_REF=1 cargo test --test work_unit_document -->\n";
 

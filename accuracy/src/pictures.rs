@@ -5,13 +5,13 @@
 
 use std::sync::{Arc, Mutex, PoisonError};
 
-use cellray::formulation::{Formulations, SPHERES, SphereFormulation};
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
 use cellray::scene::{Look, Model};
 use cellray::spe::{Program, ProgramError};
 use cellray::{Engine, EngineError, Report, Scene, SceneError, Settings};
 use image::RgbImage;
 use oracle::{Picture, Reference, whitted};
+use protocol::formulation::{Formulations, SPHERES, SphereFormulation};
 use serde::{Deserialize, Serialize};
 
 use crate::families::Form;

@@ -1,8 +1,8 @@
 //! The benchmark as a whole: what is measured of what, and the results.
 
-use cellray::formulation::{SPHERES, SphereFormulation, TRIANGLES, TriangleFormulation};
 use kernels::Bench;
 use kernels::cases::spheres::cycles_a_ray;
+use protocol::formulation::{SPHERES, SphereFormulation, TRIANGLES, TriangleFormulation};
 use serde::{Deserialize, Serialize};
 
 use crate::pictures::{self, PictureError, PictureRow, Sizes};

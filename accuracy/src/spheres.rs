@@ -3,8 +3,8 @@
 //! Invariant: a row is of one kernel and one family; its errors are of the rays that the kernel and exact
 //! arithmetic both let hit, its verdicts of all rays.
 
-use cellray::formulation::EyeRecord;
 use kernels::Bench;
+use protocol::formulation::EyeRecord;
 use serde::{Deserialize, Serialize};
 use spu_emulator::float::single::to_f64;
 
@@ -261,7 +261,7 @@ impl Errors {
 
 #[cfg(test)]
 mod tests {
-    use cellray::formulation::{Formulations, SPHERES};
+    use protocol::formulation::{Formulations, SPHERES};
 
     use super::*;
     use crate::families::FAR;

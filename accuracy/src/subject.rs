@@ -1,11 +1,11 @@
 //! What is measured: a formulation of a form, its kernel, and how that is called.
 
-use cellray::formulation::{EyeRecord, SPHERES, SphereFormulation};
 use kernels::Bench;
 use kernels::cases::spheres::{self, EyeSphere};
 use kernels::cases::whitted::isect::ball::SphereObject;
 use kernels::eye_records::Vectors;
 use oracle::twin::pairs::Sides;
+use protocol::formulation::{EyeRecord, SPHERES, SphereFormulation};
 use spu_emulator::float::single::to_f64;
 
 use crate::families::space::{dot, nearest, point, unit};

@@ -2,12 +2,12 @@
 
 use std::cmp::Ordering;
 
-use cellray::formulation::TriangleFormulation;
 use kernels::Bench;
 use kernels::cases::whitted::isect::call;
-use kernels::layout::RayPacket;
 use oracle::twin::triangle::Triangle;
 use oracle::twin::triangle_pairs::TriangleObject;
+use protocol::formulation::TriangleFormulation;
+use protocol::layout::RayPacket;
 use serde::{Deserialize, Serialize};
 use spu_emulator::float::single::to_f64;
 
@@ -207,7 +207,7 @@ fn hits(bench: &mut Bench, kernel: &str, shot: &Shot) -> Vec<Option<f64>> {
 
 #[cfg(test)]
 mod tests {
-    use cellray::formulation::TRIANGLES;
+    use protocol::formulation::TRIANGLES;
 
     use super::*;
 

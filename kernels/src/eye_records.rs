@@ -7,8 +7,8 @@ use oracle::twin::{ray_setup, shade_depth};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
-use crate::layout::{Basis, Colours, Depth, Packet, Pair, PixelShuffle, Sphere};
 use crate::single::{bits, single};
+use protocol::layout::{Basis, Colours, Depth, Packet, Pair, PixelShuffle, Sphere};
 
 /// Unit directions, or colours, of a packet's rays.
 pub type Vectors = [[Single; 3]; 16];

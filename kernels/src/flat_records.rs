@@ -9,9 +9,9 @@ use spu_emulator::float::single::from_f64;
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Unaligned};
 
-pub use crate::layout::Shear as Shears;
 use crate::single::{bits, single};
 use crate::vector::Vector;
+pub use protocol::layout::Shear as Shears;
 
 /// A point or a direction in singles.
 pub type Point = [Single; 3];
@@ -165,25 +165,23 @@ impl OneRay {
     }
 }
 
-impl Shears {
-    /// The shear of a ray.
-    ///
-    /// # Panics
-    ///
-    /// If its axes are no components of a vertex.
-    #[must_use]
-    pub fn lane(&self, lane: usize) -> Shear {
-        // The shuffle of component k takes bytes 4k to 4k + 3.
-        let axes = [self.axis_x, self.axis_y, self.axis_z];
-        let axes = axes.map(|axis| axis.as_flattened()[lane].get());
-        for axis in axes {
-            assert_eq!(axis, 0x0001_0203 + 0x0101_0101 * (axis >> 24), "{axis:x}");
-        }
-        Shear {
-            axes: axes.map(|axis| (axis >> 24) as usize / 4),
-            origin: [self.origin_x, self.origin_y, self.origin_z].map(|axis| bits(axis[lane])),
-            slopes: [self.slope_x, self.slope_y].map(|axis| bits(axis[lane])),
-            minus_per_z: bits(self.minus_per_z[lane]),
-        }
+/// The shear of a lane's ray, of those in a record.
+///
+/// # Panics
+///
+/// If its axes are no components of a vertex.
+#[must_use]
+pub fn shear(record: &Shears, lane: usize) -> Shear {
+    // The shuffle of component k takes bytes 4k to 4k + 3.
+    let axes = [record.axis_x, record.axis_y, record.axis_z];
+    let axes = axes.map(|axis| axis.as_flattened()[lane].get());
+    for axis in axes {
+        assert_eq!(axis, 0x0001_0203 + 0x0101_0101 * (axis >> 24), "{axis:x}");
+    }
+    Shear {
+        axes: axes.map(|axis| (axis >> 24) as usize / 4),
+        origin: [record.origin_x, record.origin_y, record.origin_z].map(|axis| bits(axis[lane])),
+        slopes: [record.slope_x, record.slope_y].map(|axis| bits(axis[lane])),
+        minus_per_z: bits(record.minus_per_z[lane]),
     }
 }

@@ -11,8 +11,6 @@ pub mod catalogue;
 pub mod document;
 pub mod eye_records;
 pub mod flat_records;
-#[path = "../../ppu/work/layout/mod.rs"]
-pub mod layout;
 pub mod loops;
 pub mod measure;
 pub mod records;

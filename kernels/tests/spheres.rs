@@ -10,7 +10,7 @@ use kernels::cases::whitted::isect::ball::{FRONT, sphere};
 use kernels::catalogue;
 use oracle::twin::ball::Ball;
 use oracle::twin::sphere::Axis;
-use spu_build::formulation::{EyeRecord, SPHERES};
+use protocol::formulation::{EyeRecord, SPHERES};
 use spu_emulator::float::single::{from_f64, to_f64};
 
 /// A sphere whose nearest point is 4 ahead of the rays of the cases.

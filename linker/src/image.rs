@@ -4,8 +4,10 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::formulation::Formulations;
-use crate::{Error, Tools, assembler, file_error, run, write};
+use protocol::assembler;
+use protocol::formulation::Formulations;
+
+use crate::{Error, Tools, file_error, run, write};
 
 /// Which version of each kernel an image has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

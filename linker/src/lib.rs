@@ -6,12 +6,7 @@
 //! which another crate's build script may add shaders. Apart from that, nothing here knows what the
 //! programs do.
 
-pub mod assembler;
-#[path = "../../ppu/formulation.rs"]
-pub mod formulation;
 mod image;
-#[path = "../../ppu/work/layout/mod.rs"]
-mod layout;
 mod script;
 pub mod stub;
 mod tools;

@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use crate::formulation::Formulations;
 use crate::{Error, Image, Version};
+use protocol::formulation::Formulations;
 
 /// The tracer's program: its driver, its kernels scheduled, and the shaders that it comes with. It
 /// intersects by the standard formulations, unless [`Image::formulations`] says otherwise.

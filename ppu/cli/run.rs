@@ -5,7 +5,6 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use cellray::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::{Look, Model};
 use cellray::spe::{Program, ProgramError};
@@ -13,6 +12,7 @@ use cellray::work::{Skip, Split};
 use cellray::{Engine, LoopTime, Quality, Report, Scene, Settings};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
 use super::progress::Progress;

@@ -9,7 +9,7 @@ use std::time::{Duration, Instant};
 
 use super::Engine;
 use crate::spe::{Ended, Event};
-use crate::work::layout::{Frame, UnitCost};
+use protocol::layout::{Frame, UnitCost};
 
 /// How often the caller of a frame hears of its progress, at most.
 const LOOK_EVERY: Duration = Duration::from_millis(250);

@@ -74,7 +74,7 @@ impl Geometry {
     /// Largest width and height, which SPUs take too: keeps every byte offset within 32 bits, with
     /// room for padding.
     pub const MAX_SIDE: u32 = {
-        assert!(nff::MAX_SIDE == crate::work::layout::MAX_SIDE);
+        assert!(nff::MAX_SIDE == protocol::layout::MAX_SIDE);
         nff::MAX_SIDE
     };
 

@@ -8,7 +8,7 @@ use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionH
 use object::{BigEndian, Object as _, ObjectSection as _, ObjectSymbol as _, SectionKind};
 
 use super::program::ProgramError;
-use crate::formulation::Formulations;
+use protocol::formulation::Formulations;
 
 const LOCAL_STORE: u64 = 0x40000;
 /// An entry of the table of shaders, and where in it the name stands: `spu/include/shader.inc`.

@@ -9,7 +9,7 @@ use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout};
 
 use super::elf;
 use super::sys::spe_program_handle_t;
-use crate::formulation::Formulations;
+use protocol::formulation::Formulations;
 
 /// Bytes aligned as the MFC likes its transfers.
 #[repr(C, align(128))]

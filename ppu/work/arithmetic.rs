@@ -11,9 +11,9 @@ use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fnms, to_f64};
 use zerocopy::big_endian::F32;
 
-use super::layout::Sphere;
-use crate::formulation::EyeRecord;
 use crate::scene;
+use protocol::formulation::EyeRecord;
+use protocol::layout::Sphere;
 
 /// A vector of the SPU's singles.
 pub type Singles = [u32; 3];

@@ -5,12 +5,12 @@ use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
 use super::Units;
-use super::layout::{
+use crate::framebuffer::Target;
+use crate::scene::{Scene, singles};
+use protocol::layout::{
     FEATURE_CHECK_SHADERS, FEATURE_NO_SHADOWS, FEATURE_SPHERES, FEATURE_WHITTED, Frame, MAGIC,
     SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
-use crate::framebuffer::Target;
-use crate::scene::{Scene, singles};
 
 /// How a frame is split among SPUs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]

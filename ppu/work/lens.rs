@@ -9,9 +9,9 @@ use std::ops::Range;
 use glam::DVec3;
 use nff::Camera;
 
-use super::layout::{TILE_HEIGHT, TILE_WIDTH};
 use super::spheres::seen_radius;
 use crate::framebuffer::Geometry;
+use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
 /// Error of a ray's direction as the SPU makes it, in parts of the sum of lengths it is made of: two
 /// fused steps of 2^-23, the rounding of their operands, and the scaling to length 1.

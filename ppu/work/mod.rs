@@ -3,7 +3,6 @@
 #[cfg(test)]
 mod arithmetic;
 mod describe;
-pub mod layout;
 mod lens;
 mod pages;
 mod plan;

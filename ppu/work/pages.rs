@@ -7,12 +7,12 @@ use glam::DVec3;
 use nff::Camera;
 use nff::depth::DepthShading;
 
-use super::layout::{TILE_BLANK, UnitCost, WorkUnit};
 use super::lens::Lens;
 use super::tiles::TileSet;
 use super::{Shown, units};
 use crate::framebuffer::{Geometry, PixelFormat, Target};
 use crate::scene::{Look, Scene, Sphere};
+use protocol::layout::{TILE_BLANK, UnitCost, WorkUnit};
 
 /// Most pages that are remembered: no framebuffer has more.
 const MOST: usize = 4;

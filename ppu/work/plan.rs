@@ -10,10 +10,10 @@ use super::pages::Pages;
 use super::tiles::{TileSet, tile_count, tile_pixels};
 use super::units::TileCosts;
 use super::{EyeSpheres, Skip, Split, Units};
-use crate::formulation::EyeRecord;
 use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
-use crate::work::layout::UnitCost;
+use protocol::formulation::EyeRecord;
+use protocol::layout::UnitCost;
 
 /// How frames are planned.
 #[derive(Clone, Copy, Debug)]

@@ -4,7 +4,7 @@ use std::fmt;
 
 use zerocopy::IntoBytes as _;
 
-use super::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
+use protocol::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
 
 /// An SPU's answer other than "done".
 #[derive(Clone, Debug, PartialEq, Eq)]

@@ -11,10 +11,10 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
 use super::Skip;
-use super::layout::Sphere;
 use super::lens::Lens;
-use crate::formulation::EyeRecord;
 use crate::scene::{self, singles};
+use protocol::formulation::EyeRecord;
+use protocol::layout::Sphere;
 
 /// Rounding of the SPU's tests, in parts of the distance of a sphere's centre.
 ///

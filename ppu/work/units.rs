@@ -8,10 +8,10 @@ use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::Split;
-use super::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
 use super::tiles::TileSet;
 use crate::framebuffer::Geometry;
 use crate::work::tile_count;
+use protocol::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
 
 /// Units an SPU where nothing is known of the tiles' costs, not counting the small ones at the end: few
 /// enough that taking one costs nothing.

@@ -1,7 +1,7 @@
 //! The choice of formulations: all of them draw, and what was chosen is what is said.
 
-use cellray::formulation::{Formulations, SPHERES, TRIANGLES};
 use image::RgbImage;
+use protocol::formulation::{Formulations, SPHERES, TRIANGLES};
 
 use crate::support::{bad, good};
 

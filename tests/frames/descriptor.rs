@@ -3,8 +3,8 @@
 use cellray::Scene;
 use cellray::Settings;
 use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
-use cellray::work::layout::Frame;
 use cellray::work::{self, Addresses, EyeSpheres, Lens, Order, Skip, Split, Units};
+use protocol::layout::Frame;
 
 /// Pixels across and down: two tiles.
 pub const SIZE: (u32, u32) = (64, 32);

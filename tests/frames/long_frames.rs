@@ -8,7 +8,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Duration;
 
 use cellray::Settings;
-use cellray::work::layout::{Statistics, TILE_BLANK, UnitCost};
+use protocol::layout::{Statistics, TILE_BLANK, UnitCost};
 use spu_emulator::decrementer::Clock;
 use spu_emulator::elf::Image;
 use spu_emulator::memory::{Access, MainMemory as _, RegisteredMemory};

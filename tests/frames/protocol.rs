@@ -5,8 +5,8 @@ use std::time::Duration;
 use crate::descriptor::Descriptor;
 use crate::recorder::{Recorder, nff_scene};
 use cellray::framebuffer::Memory;
-use cellray::work::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter, WorkUnit};
 use cellray::{Engine, EngineError, Settings, SharedMemory, work};
+use protocol::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter, WorkUnit};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 

@@ -6,7 +6,7 @@ use cellray::game::{
     View, World, WorldError,
 };
 use cellray::spe::Program;
-use cellray::work::layout::MAX_SPHERES;
+use protocol::layout::MAX_SPHERES;
 
 use crate::recorder::{nff_scene, render};
 

@@ -53,7 +53,7 @@ fn head(document: &Document) -> String {
     let mut text = "# Run time against error\n\n".to_owned();
     text.push_str(
         "Ways to intersect rays with spheres and triangles, each a kernel of its own: what they cost, and how\n\
-         far off they are. The tracer is linked with one of each (`ppu/formulation.rs`).\n\n",
+         far off they are. The tracer is linked with one of each (`protocol/src/formulation.rs`).\n\n",
     );
     let results = &document.results;
     if let Some(origin) = &document.origin {

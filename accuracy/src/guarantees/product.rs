@@ -2,10 +2,10 @@
 
 use cellray::work::{BlockOptions, SceneBlock};
 use glam::DVec3;
-use kernels::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
 use kernels::vector::{Vector, cross, dot};
 use nff::{LightKind, Shape};
 use oracle::twin::Single;
+use protocol::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
 use zerocopy::FromBytes as _;
 
 use kernels::single::bits;

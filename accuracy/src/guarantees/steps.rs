@@ -6,12 +6,12 @@
 use kernels::bench::Bench;
 use kernels::cases::eye::call::{address, put};
 use kernels::cases::whitted::isect::call;
-use kernels::layout::{
-    Candidate, Light, Material, Object, QueuedRay, RayPacket, Shear, Site, Surfaces,
-};
 use kernels::single::{bits, single};
 use oracle::twin::Single;
 use oracle::twin::ball::Ray;
+use protocol::layout::{
+    Candidate, Light, Material, Object, QueuedRay, RayPacket, Shear, Site, Surfaces,
+};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 

@@ -10,9 +10,9 @@ mod scale;
 use std::fs;
 use std::path::Path;
 
-use cellray::formulation::SPHERES;
 use image::RgbImage;
 use plotters::prelude::{BitMapBackend, IntoDrawingArea as _, SVGBackend};
+use protocol::formulation::SPHERES;
 
 use crate::families::{FAMILIES, FAR, Form};
 use crate::output::OutputError;

@@ -15,9 +15,9 @@ use crate::bench::{self, Bench};
 use crate::cases::ball::{ball, unit};
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::eye_records::{self, Hits, Vectors};
-use crate::layout::{Colours, Frustum, Packet, Pair, Place, Sphere};
 use crate::single::single;
 use call::{address, list_room, put, put_packets, put_places};
+use protocol::layout::{Colours, Frustum, Packet, Pair, Place, Sphere};
 
 /// The sixteen packets of a group, and of four groups.
 const PACKETS: Objects = Objects::List(16, 64);

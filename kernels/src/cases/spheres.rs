@@ -11,9 +11,9 @@ use super::whitted::isect::call::{self, packet};
 use crate::bench::{Bench, Version};
 use crate::catalogue;
 use crate::eye_records::{self, Vectors};
-use crate::layout::{RayPacket, Sphere};
 use crate::measure::cost;
 use crate::single::single;
+use protocol::layout::{RayPacket, Sphere};
 
 /// What a sphere's record holds for the eye's rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -57,7 +57,7 @@ fn check_above(
 fn assert_surfaces(
     sites: &Sites,
     bench: &Bench,
-    before: &[kernels::layout::Surfaces],
+    before: &[protocol::layout::Surfaces],
     mirror: impl Fn(usize, usize) -> u32,
 ) {
     for (packet, (mut after, before)) in sites.surfaces(bench).into_iter().zip(before).enumerate() {

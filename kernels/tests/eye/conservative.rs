@@ -1,7 +1,6 @@
 //! With the records that the PPU makes, no kernel leaves out what some ray enters: by f64, from the
 //! sphere of the scene, and by what the intersector would find.
 
-use cellray::formulation::EyeRecord;
 use cellray::framebuffer::Geometry;
 use cellray::scene;
 use cellray::work::{EyeSpheres, Lens, Skip};
@@ -10,13 +9,14 @@ use kernels::bench::{Bench, random};
 use kernels::cases::eye::call::{self, address, list, list_room, put, put_packets, put_places};
 use kernels::cases::eye::error::NO_HITS;
 use kernels::eye_records::{self, Vectors};
-use kernels::layout::{Frustum, Packet, Pair, Sphere, TILE_HEIGHT, TILE_WIDTH};
 use kernels::single::{bits, single};
 use nff::{Camera, View};
 use oracle::twin::Single;
 use oracle::twin::isect_pairs::isect_pair;
 use oracle::twin::ray_setup::Basis;
 use oracle::twin::sphere::{Axis, Constants, Perpendicular};
+use protocol::formulation::EyeRecord;
+use protocol::layout::{Frustum, Packet, Pair, Sphere, TILE_HEIGHT, TILE_WIDTH};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, from_f64, to_f64};

@@ -8,13 +8,13 @@ use kernels::cases::eye::formulation::{Seen, around_a_sphere};
 use kernels::cases::eye::{call, error};
 use kernels::cases::formulation::ForTheEye;
 use kernels::eye_records::{self, Hits, Vectors};
-use kernels::layout::{Packet, Sphere};
 use oracle::twin::FARTHEST;
 use oracle::twin::isect_pairs::{Hit, isect_pair};
 use oracle::twin::sphere::{
     Constants, Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined,
     Stable, Unnormalised,
 };
+use protocol::layout::{Packet, Sphere};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};

@@ -3,8 +3,8 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::eye::call::put;
 use kernels::eye_records;
-use kernels::layout::{Packet, Pair, Place};
 use oracle::twin::lists::{list_pairs, list_places, mask_pairs};
+use protocol::layout::{Packet, Pair, Place};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use zerocopy::FromZeros as _;

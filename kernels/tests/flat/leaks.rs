@@ -4,10 +4,10 @@
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::triangle::{TriangleObject, pairs_by};
-use kernels::layout::RayPacket;
 use kernels::vector::{in_cube, magnitude};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball;
+use protocol::layout::RayPacket;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 

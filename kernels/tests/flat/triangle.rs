@@ -4,7 +4,7 @@
 use crate::rays::{code, keeps_stated_errors, sheared};
 use kernels::cases::flat::error::error_of_shear;
 use kernels::cases::flat::{aimed_at_triangle, on_triangle, put_triangles};
-use kernels::flat_records::{OneRay, Point, Ray, Rays, point};
+use kernels::flat_records::{self, OneRay, Point, Ray, Rays, point};
 use kernels::vector::{in_cube, ulps, unit};
 use kernels::{Bench, random};
 use oracle::twin::flat::FlatHit;
@@ -25,7 +25,12 @@ fn check(
     let sheared = sheared(bench, &[packed]).remove(0);
     let shears: [Shear; 16] = std::array::from_fn(|lane| {
         let expected = shear(rays[lane].origin, rays[lane].direction);
-        assert_eq!(sheared.lane(lane), expected, "{:x?}", rays[lane]);
+        assert_eq!(
+            flat_records::shear(&sheared, lane),
+            expected,
+            "{:x?}",
+            rays[lane]
+        );
         expected
     });
 

@@ -9,7 +9,7 @@ use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
-use kernels::flat_records::{Shears, point};
+use kernels::flat_records::{self, Shears, point};
 use kernels::vector::{cross, dot, in_cube, less, unit};
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
@@ -156,7 +156,7 @@ fn shears_of_packets_equal_the_twin() {
             for (shears, rays) in shears.iter().zip(packets) {
                 for (lane, ray) in rays.iter().enumerate() {
                     let expected = shear(ray.origin, ray.direction);
-                    assert_eq!(shears.lane(lane), expected, "{ray:x?}");
+                    assert_eq!(flat_records::shear(shears, lane), expected, "{ray:x?}");
                 }
             }
         }

@@ -18,13 +18,13 @@ use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
-use kernels::layout::RayPacket;
 use oracle::twin::FARTHEST;
 use oracle::twin::ball::Ray;
 use oracle::twin::sphere::{
     Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
     Unnormalised,
 };
+use protocol::layout::RayPacket;
 use rand::Rng as _;
 use spu_emulator::float::single::from_f64;
 use zerocopy::IntoBytes as _;

@@ -2,9 +2,9 @@
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shaders::Call;
-use kernels::layout::Surfaces;
 use kernels::single::{bits, single};
 use oracle::twin::shader;
+use protocol::layout::Surfaces;
 use rand::Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use zerocopy::IntoBytes as _;

@@ -4,12 +4,12 @@
 use std::fs;
 use std::path::Path;
 
-use kernels::layout::{
+use kernels::random;
+use kernels::single::{bits, single};
+use protocol::layout::{
     FEATURE_CHECK_SHADERS, Frame, MATERIAL_MIRRORS, MATERIAL_SHADED, Material, RULE_KNOWN,
     RULE_LANES, RULE_REGISTER, RULE_STACK, RayPacket, ShaderContext, Status, Surfaces,
 };
-use kernels::random;
-use kernels::single::{bits, single};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_build::{Image, Tools};

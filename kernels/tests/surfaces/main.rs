@@ -6,10 +6,10 @@ mod light;
 mod sums;
 mod surfaces;
 
-use kernels::layout::Surfaces;
 use kernels::vector::Vector;
 use oracle::twin::Single;
 use oracle::twin::surfaces::Surface;
+use protocol::layout::Surfaces;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;

@@ -9,7 +9,7 @@ use super::{LightId, MaterialId, Object, ObjectId, Stuff, World, WorldError};
 use crate::scene::{Scene, SceneError, Sphere};
 use crate::spe::Program;
 use crate::work::ShaderEntries;
-use crate::work::layout::MAX_SPHERES;
+use protocol::layout::MAX_SPHERES;
 
 /// What is known of the trace of something in the world.
 #[derive(Clone, Copy, Debug, Default)]

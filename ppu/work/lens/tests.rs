@@ -5,8 +5,8 @@ use super::super::Skip;
 use super::super::arithmetic::{camera, direction, entry, magnitude, sphere, unit, wide};
 use super::super::spheres::EyeSpheres;
 use super::*;
-use crate::formulation::EyeRecord;
 use crate::scene;
+use protocol::formulation::EyeRecord;
 
 const SIZE: Geometry = Geometry {
     width: 80,

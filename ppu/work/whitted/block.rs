@@ -1,6 +1,6 @@
 //! Bytes that lie at `SCENE_ADDRESS` of local store, addressed as they will be there.
 
-use crate::work::layout::{LINE, SCENE_ADDRESS};
+use protocol::layout::{LINE, SCENE_ADDRESS};
 
 /// The bytes of a block. All that is taken is a multiple of a quadword.
 #[derive(Clone, Debug, Default)]

@@ -13,7 +13,7 @@ use nff::{Material, Shader};
 use zerocopy::big_endian::F32;
 
 use super::BlockOptions;
-use crate::work::layout::{self, MAX_DEPTH};
+use protocol::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray has to be able to add to its pixel, to be sent on.
 const LEAST_CHANGE: f64 = 1.0 / 16.0;

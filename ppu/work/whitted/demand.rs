@@ -4,7 +4,7 @@ use nff::{Scene, Shape};
 
 use super::objects::{self, Kind};
 use super::tree;
-use crate::work::layout;
+use protocol::layout;
 
 /// Bytes of what every scene has.
 const FIXED: usize = size_of::<layout::Object>() + size_of::<layout::Material>();

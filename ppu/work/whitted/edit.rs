@@ -15,7 +15,7 @@ use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::range::Place;
 use super::{BlockError, BlockOptions, Piece, SceneBlock, Spare, Surface, ambient};
-use crate::work::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
+use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
 /// The entries of a program's shaders by their names, looked up without taking memory.
 pub(crate) struct ShaderEntries(Vec<String>);

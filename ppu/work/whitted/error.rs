@@ -1,6 +1,6 @@
 //! Why Whitted's model can't trace a scene.
 
-use crate::work::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS};
+use protocol::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS};
 
 /// Why a scene is not brought into the SPUs' form. Messages begin with the file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]

@@ -11,7 +11,7 @@ use super::objects::{single, taxicab};
 use super::range::Place;
 use super::{BlockError, BlockOptions};
 use crate::scene::singles;
-use crate::work::layout::{
+use protocol::layout::{
     self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
 };
 

@@ -40,10 +40,10 @@ use self::materials::Light;
 use self::objects::{Kind, Object};
 use self::planted::Planted;
 use self::range::Place;
-use super::layout::{
+use crate::scene::singles;
+use protocol::layout::{
     self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
 };
-use crate::scene::singles;
 
 pub(crate) use edit::ShaderEntries;
 pub use error::BlockError;

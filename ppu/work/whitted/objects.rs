@@ -13,7 +13,7 @@ use super::ball::{Ball, Hull};
 use super::polygons::{self, FLAT, check_vertices};
 use super::range::Place;
 use crate::scene::singles;
-use crate::work::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
+use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
 /// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
 /// their magnitudes.

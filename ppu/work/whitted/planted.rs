@@ -10,7 +10,7 @@ use super::ball::{Ball, Hull};
 use super::block::Block;
 use super::objects::{Kind, Object};
 use super::tree::{self, Topology};
-use crate::work::layout::Tree;
+use protocol::layout::Tree;
 
 /// Room for an object.
 #[derive(Clone, Debug)]

@@ -12,7 +12,7 @@ use super::BlockError;
 use super::objects::Form;
 use super::range::Place;
 use crate::scene::{LARGEST, SMALLEST};
-use crate::work::layout::MAX_OBJECTS;
+use protocol::layout::MAX_OBJECTS;
 
 /// By how much a corner of a parallelogram may be off, in parts of the longer edge: half a unit in
 /// the last place of what is sent.

@@ -17,9 +17,9 @@ use super::materials::Light;
 use super::shadow::Shadow;
 use super::tree::widened;
 use super::{BlockOptions, SceneBlock};
-use crate::work::layout::{self, SCENE_ADDRESS};
 use crate::work::lens::{Lens, Rectangle};
 use crate::work::tiles::TileSet;
+use protocol::layout::{self, SCENE_ADDRESS};
 
 /// Most pairs of an object that has changed and one that its shadow may fall on: the whole picture is traced in less
 /// time than more are looked at.

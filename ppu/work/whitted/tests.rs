@@ -9,7 +9,7 @@ mod trees;
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 use super::*;
-use crate::work::layout::Node;
+use protocol::layout::Node;
 
 const VIEW: &str =
     "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 1\n";

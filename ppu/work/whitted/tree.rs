@@ -15,8 +15,8 @@ use zerocopy::big_endian::{F32, U32};
 
 use super::ball::{Ball, Hull, enclose};
 use super::objects::single;
-use crate::work::layout::{MAX_ROOTS, Node, SCENE_ADDRESS, Tree};
 use crate::work::spheres::up;
+use protocol::layout::{MAX_ROOTS, Node, SCENE_ADDRESS, Tree};
 
 /// Rounding of the SPU's test of a sphere with a bound, in parts of the distance and the radius.
 ///

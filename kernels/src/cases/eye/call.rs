@@ -9,8 +9,8 @@ use zerocopy::{FromZeros as _, Immutable, IntoBytes};
 
 use crate::bench::{self, Bench};
 use crate::eye_records::{self, Hits, Vectors};
-use crate::layout::{Colours, Packet, Pair, Place, Sphere};
 use crate::single::single;
+use protocol::layout::{Colours, Packet, Pair, Place, Sphere};
 
 /// Bytes from row to row of the pixels that [`pack`] makes: more than a packet is wide.
 pub const PITCH: usize = 48;

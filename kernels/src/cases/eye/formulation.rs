@@ -20,8 +20,8 @@ use crate::cases::formulation::ForTheEye;
 use crate::cases::spheres::EyeSphere;
 use crate::catalogue::{Case, Kernel};
 use crate::eye_records::{self, Vectors};
-use crate::layout::Sphere;
 use crate::vector::{Vector, dot, magnitude, unit};
+use protocol::layout::Sphere;
 
 /// How near to its outline a sphere may be passed, as disc / r^2, for a hit or a miss that counts;
 /// nearer, the direction's own rounding decides.

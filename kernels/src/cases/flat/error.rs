@@ -11,7 +11,7 @@ use super::{
     aimed_at_triangle, around_rectangle, on_plane, on_triangle, put_rectangle, put_triangles,
 };
 use crate::bench::Bench;
-use crate::flat_records::{NO_HIT, Ray, Rays, Shears};
+use crate::flat_records::{self, NO_HIT, Ray, Rays, Shears};
 use crate::vector::ulps;
 
 /// Packets that an error is measured over.
@@ -37,7 +37,7 @@ pub fn shear(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
 /// The same of one ray.
 #[must_use]
 pub fn error_of_shear(ray: &Ray, shears: &Shears, lane: usize) -> f64 {
-    let shear = shears.lane(lane);
+    let shear = flat_records::shear(shears, lane);
     let [x, y, z] = shear.axes.map(|axis| to_f64(ray.direction[axis]));
     let slopes = shear.slopes.into_iter().zip([x / z, y / z]);
     let errors = slopes.map(|(slope, exact)| (to_f64(slope) - exact).abs() * 2_f64.powi(23));

@@ -9,9 +9,9 @@ use zerocopy::{FromZeros as _, IntoBytes};
 use crate::bench::{Bench, Place, SEED};
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::point;
-use crate::layout::{QueuedRay, RayPacket, Site, Surfaces};
 use crate::single::{bits, single};
 use crate::vector::{Vector, dot, in_cube, unit};
+use protocol::layout::{QueuedRay, RayPacket, Site, Surfaces};
 
 /// A short list of sites, and a long one.
 const SITES: Objects = Objects::List(2, 8);

@@ -13,9 +13,9 @@ use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::eye_records::pixel_shuffle;
-use crate::layout;
 use crate::single::single;
 use call::Site;
+use protocol::layout;
 use records::PacketRay;
 use shapes::Shape;
 

@@ -10,8 +10,8 @@ use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use crate::bench::{Bench, Place, SEED};
 use crate::catalogue::{Case, Kernel, Objects};
-use crate::layout::{Material, RayPacket, ShaderContext, Surfaces};
 use crate::single::{bits, single};
+use protocol::layout::{Material, RayPacket, ShaderContext, Surfaces};
 
 /// Packets that an error is measured over.
 const PACKETS: u32 = 500;

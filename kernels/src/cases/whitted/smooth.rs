@@ -17,9 +17,9 @@ use crate::cases::ball::any_direction;
 use crate::cases::eye::call::{address, put};
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::{Point, point, quad};
-use crate::layout::{self, SIDES_SMOOTH, Surfaces};
 use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use protocol::layout::{self, SIDES_SMOOTH, Surfaces};
 
 /// The kernels of this file.
 pub const KERNELS: &[Kernel] = &[Kernel {

@@ -1,7 +1,7 @@
 //! Each record against the scene that it was made from.
 
 use super::*;
-use crate::work::layout::{
+use protocol::layout::{
     Cone, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
     Material, Object as Head, Patch, Rectangle, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH, Triangle,
 };

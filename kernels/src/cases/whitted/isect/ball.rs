@@ -14,8 +14,8 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use super::shape::{Shape, Truth, any_sides, head};
 use crate::cases::ball::{any_direction, ray, ulp};
 use crate::cases::formulation::ForAnyRay;
-use crate::layout::Object;
 use crate::vector::{Vector, dot, magnitude, unit};
+use protocol::layout::Object;
 
 /// How near to its outline a sphere may be passed, as disc / r^2, for a hit or a miss that counts.
 const TANGENT: f64 = 1e-4;

@@ -7,8 +7,8 @@ use zerocopy::big_endian::U32;
 use super::shape::Shape;
 use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
-use crate::layout::{Candidate, RayPacket, Shear};
 use crate::single::{bits, single};
+use protocol::layout::{Candidate, RayPacket, Shear};
 
 /// The packet of these rays; `anything` fills what no intersector looks at.
 #[must_use]

@@ -15,9 +15,9 @@ use zerocopy::big_endian::F32;
 
 use super::shape::{Shape, Truth, any_sides, head_words};
 use crate::cases::ball::{any_direction, ray};
-use crate::layout;
 use crate::single::single;
 use crate::vector::{Vector, cross, dot, less, magnitude, unit};
+use protocol::layout;
 
 /// How much larger and smaller, in shares of the radius and of the distance.
 const LARGER: [f64; 2] = [1e-4, 2e-6];

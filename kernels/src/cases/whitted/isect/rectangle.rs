@@ -12,8 +12,8 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::cases::flat::{around_rectangle, on_plane, rectangle};
 use crate::flat_records::{self, quad};
-use crate::layout;
 use crate::vector::{dot, less};
+use protocol::layout;
 
 /// How near to an edge, in u and v, a point may be on either side.
 const EDGE: f64 = 5e-4;

@@ -10,8 +10,8 @@ use rand_chacha::ChaCha8Rng;
 use zerocopy::big_endian::U32;
 use zerocopy::{Immutable, IntoBytes};
 
-use crate::layout::{Object, SIDES_BOTH, SIDES_EXIT};
 use crate::single::single;
+use protocol::layout::{Object, SIDES_BOTH, SIDES_EXIT};
 
 /// A shape that has a kernel for candidates.
 pub trait Shape: Copy + Debug {

@@ -13,8 +13,8 @@ use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::bench::Bench;
 use crate::cases::flat::{aimed_at_triangle, on_triangle};
 use crate::flat_records::{self, point, quad};
-use crate::layout::{self, RayPacket};
 use crate::vector::{Vector, cross, dot, less, unit};
+use protocol::layout::{self, RayPacket};
 
 /// How near to an edge, in barycentric coordinates, a point may be on either side.
 const EDGE: f64 = 8e-5;

@@ -6,7 +6,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::shape::{Shape, Truth};
 use super::triangle::{TriangleObject, truth};
-use crate::layout;
+use protocol::layout;
 
 /// How near to an edge, in barycentric coordinates, a point may be on either side.
 const EDGE: f64 = 2e-4;

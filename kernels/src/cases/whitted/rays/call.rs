@@ -10,8 +10,8 @@ use zerocopy::big_endian::F32;
 use crate::bench::{Bench, Place};
 use crate::cases::eye::call::{address, put, put_places};
 use crate::eye_records;
-use crate::layout::{self, Candidate, Node, QueuedRay, RayPacket};
 use crate::single::{bits, single};
+use protocol::layout::{self, Candidate, Node, QueuedRay, RayPacket};
 
 /// Fills what has no meaning.
 const ANYTHING: u32 = 0x7fff_ffff;

@@ -9,8 +9,8 @@ use super::call::{Candidates, bound_record, words};
 use crate::bench::Bench;
 use crate::cases::eye::call::{address, put as put_records};
 use crate::cases::whitted::isect::shape;
-use crate::layout::{self, Candidate, Object};
 use crate::single::single;
+use protocol::layout::{self, Candidate, Object};
 
 /// The record of a face; `anything` fills what has no meaning.
 #[must_use]

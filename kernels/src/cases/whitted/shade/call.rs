@@ -10,8 +10,8 @@ use super::records::{self, PacketRay};
 use crate::bench::{self, Bench};
 use crate::cases::eye::call::{address, put};
 use crate::eye_records::pixel_shuffle;
-use crate::layout::{self, RayPacket, Surfaces, TILE_WIDTH};
 use crate::single::{bits, single};
+use protocol::layout::{self, RayPacket, Surfaces, TILE_WIDTH};
 
 /// What a lane's ray has hit: number of an object, of which the first is the background's.
 #[derive(Clone, Copy, Debug)]

@@ -13,9 +13,9 @@ use super::records;
 use super::shapes::Shape;
 use crate::bench::Bench;
 use crate::cases::ball::any_direction;
-use crate::layout::Surfaces;
 use crate::single::bits;
 use crate::vector::{dot, less, magnitude, ulps, unit};
+use protocol::layout::Surfaces;
 
 /// Packets that an error is measured over.
 const PACKETS: u32 = 1000;

@@ -5,8 +5,8 @@ use oracle::twin::surfaces::{Material, Object, Ray, Surface};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::{F32, U32};
 
-use crate::layout::{self, RayPacket, Surfaces};
 use crate::single::{bits, single};
+use protocol::layout::{self, RayPacket, Surfaces};
 
 /// A ray of a packet.
 #[derive(Clone, Copy, Debug)]

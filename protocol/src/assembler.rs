@@ -12,7 +12,7 @@ pub const FILE: &str = "work_unit.inc";
 /// Sizes, offsets and constants of the layout, as the assembler's symbols.
 #[must_use]
 pub fn constants() -> String {
-    let mut text = String::from("# Generated from ppu/work/layout.\n");
+    let mut text = String::from("# Generated from protocol/src/layout.\n");
     for (name, value, doc) in layout::CONSTANTS {
         let _ = writeln!(text, ".set {name},{value:#x} #{doc}");
     }
