@@ -2,7 +2,7 @@
 
 use clap::ValueEnum;
 
-use protocol::formulation::{self, Formulations};
+use protocol::formulation::Formulations;
 
 /// How much run time is given for how little error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
@@ -20,12 +20,10 @@ impl Quality {
     /// The formulations of that point.
     #[must_use]
     pub fn formulations(self) -> Formulations {
-        let sphere = match self {
-            Self::Fast => "interpolated",
-            Self::Default => return Formulations::standard(),
-            Self::Exact => "double",
-        };
-        let sphere = formulation::sphere(sphere).expect("it is in the table");
-        Formulations::of(sphere, Formulations::standard().triangle)
+        match self {
+            Self::Fast => Formulations::fast(),
+            Self::Default => Formulations::standard(),
+            Self::Exact => Formulations::exact(),
+        }
     }
 }

@@ -16,7 +16,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-pub use image::{Image, Version};
+pub use image::Image;
 pub use script::{Script, embed, script};
 pub use tools::Tools;
 pub use tracer::tracer;

@@ -49,11 +49,23 @@ pub enum ProgramError {
         "the SPU program does not name its formulations: it has to be built by spu-build's `tracer`"
     )]
     NoFormulations,
-    /// There is no program of these formulations together.
+    /// There is no program of these formulations in this one.
     #[error(
-        "no SPU program intersects by {0}: each sphere formulation is built with the standard ones of what it has no kernel for"
+        "no SPU program here intersects by {asked}, but by {}. The laboratory in cellray's repository builds it: \
+         `cargo run --release -p kernels -- image --sphere {sphere} --triangle {triangle} --out {sphere}.elf`; \
+         then name it by --program {sphere}.elf",
+        .shipped.join(", ")
     )]
-    NotBuilt(String),
+    NotShipped {
+        /// The names of all formulations that were asked for.
+        asked: String,
+        /// That of spheres.
+        sphere: &'static str,
+        /// That of triangles.
+        triangle: &'static str,
+        /// Those that there are programs of.
+        shipped: Vec<String>,
+    },
     /// It says so by names that are not known here.
     #[error(
         "the SPU program intersects by {0}, which this cellray does not know: one of them is too old"
@@ -92,12 +104,20 @@ impl Program {
         }
     }
 
-    /// The tracer's own program that intersects by these formulations: one of [`Formulations::all`].
+    /// The tracer's own program that intersects by these formulations: one of
+    /// [`Formulations::shipped`].
     pub fn of(formulations: &Formulations) -> Result<Self, ProgramError> {
         let names = formulations.names();
         let built = TRACERS.iter().find(|(built, _)| *built == names);
-        let (_, image) = built.ok_or_else(|| ProgramError::NotBuilt(formulations.name()))?;
-        Ok(Self { image: &image.0 })
+        match built {
+            Some((_, image)) => Ok(Self { image: &image.0 }),
+            None => Err(ProgramError::NotShipped {
+                asked: formulations.name(),
+                sphere: formulations.named_sphere().name,
+                triangle: formulations.triangle.name,
+                shipped: TRACERS.iter().map(|(names, _)| names.join("-")).collect(),
+            }),
+        }
     }
 
     /// The formulations by which it intersects.

@@ -3,12 +3,12 @@
 
 use glam::DVec3;
 use nff::{Camera, View};
-use oracle::twin::ball::Ball;
-use oracle::twin::sphere::{Axis, Constants, Eye as _, Perpendicular};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fnms, to_f64};
+use twins::ball::Ball;
+use twins::sphere::{Axis, Constants, Eye as _, Perpendicular};
 use zerocopy::big_endian::F32;
 
 use crate::scene;

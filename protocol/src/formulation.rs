@@ -196,19 +196,47 @@ impl Formulations {
         }
     }
 
-    /// All that programs are built with, the standard ones first.
+    /// The fastest whose pictures are right to a step of a colour.
     #[must_use]
-    pub fn all() -> Vec<Self> {
-        let mut all = vec![Self::standard()];
-        for triangle in TRIANGLES {
-            for sphere in SPHERES {
-                let formulations = Self::of(sphere, triangle);
-                if !all.contains(&formulations) {
-                    all.push(formulations);
-                }
-            }
+    pub fn fast() -> Self {
+        Self::by("interpolated")
+    }
+
+    /// Those of the least error, in double precision.
+    #[must_use]
+    pub fn exact() -> Self {
+        Self::by("double")
+    }
+
+    /// The paper's own.
+    #[must_use]
+    pub fn paper() -> Self {
+        Self::by("paper")
+    }
+
+    /// Those that `cellray` carries SPU programs of, the standard ones first. The laboratory builds
+    /// programs of all others.
+    #[must_use]
+    pub fn shipped() -> [Self; 4] {
+        [Self::standard(), Self::fast(), Self::exact(), Self::paper()]
+    }
+
+    /// One formulation of spheres, and the standard one of triangles.
+    fn by(name: &str) -> Self {
+        let sphere = sphere(name).expect("it is in the table");
+        Self::of(sphere, Self::standard().triangle)
+    }
+
+    /// The formulation of spheres that tells these from the standard ones: what [`Formulations::of`]
+    /// was given, if it has a kernel of any kind.
+    #[must_use]
+    pub fn named_sphere(&self) -> &'static SphereFormulation {
+        let standard = Self::standard();
+        if self.eye == standard.eye {
+            self.bounced
+        } else {
+            self.eye
         }
-        all
     }
 
     /// Their names, in the order of the fields.

@@ -30,8 +30,8 @@ Registers: $2 to $79 are used where they are not live. At a return $0, $1, $80 t
 Assembler: the one that SPU_AS names, else spu-elf-as or spu-as.
 
 Example:
-  spu-elf-as -g -I include -o kernel.o plain/kernel.s
-  spu schedule -I include kernel.o plain/kernel.s -o kernel.s"
+  spu-elf-as -g -I include -o kernel.o kernel.s
+  spu schedule -I include kernel.o kernel.s -o scheduled/kernel.s"
 )]
 pub struct Arguments {
     /// Object of the source, assembled with -g and without --strip-local-absolute

@@ -1,0 +1,454 @@
+//! Rays that leave a surface do not meet it where they leave: reflected, refracted and shadow rays, started as
+//! the tracer starts them.
+//!
+//! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On the outer
+//! side of a convex body, and on a plane, that is nothing. Within a body it is the wall across, which may
+//! neither be lost nor be the one that the ray has just left.
+//!
+//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence is below
+//! `leave` over the radius, rounding may take the outer side for the inner one. Such hits are tried, and
+//! nothing is asked of what leaves from there.
+
+use crate::generator::Generator;
+use glam::DVec3;
+use kernels::Bench;
+use kernels::single::bits;
+use kernels::vector::{Vector, cross, dot, in_cube, less, unit};
+use nff::Shape;
+use rand::Rng as _;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::ball::Ray;
+use twins::{FARTHEST, Single};
+
+use super::product::{Kind, Product, Stuff, next_hit};
+use super::steps::{HIT, Leaving, Line, leave, meet, no_ray};
+use crate::families::space::direction;
+use crate::stability::family::{Family, NoCaseError, Tally};
+use crate::stability::random::{across, magnitude, rounded};
+use crate::stability::statement::Bound;
+
+/// Packets of a call, each with an object of its own.
+const PACKETS: usize = 4;
+/// Calls of a round.
+const CALLS: usize = 8;
+/// Words of a ray and of the light.
+const LINES: usize = 9;
+/// How near to an end of a cone, in parts of its size, the wall across may be missed.
+const END: f64 = 1e-3;
+
+/// A body, and points of its surface that rays are sent to.
+struct Body {
+    product: Product,
+    targets: Vec<Target>,
+}
+
+/// A point of a surface and the normal there, outwards where there is an outside.
+struct Target {
+    point: Vector,
+    normal: Vector,
+}
+
+/// How bodies of a kind are made.
+struct Leave {
+    name: &'static str,
+    subject: &'static str,
+    kind: Kind,
+    body: fn(&mut Generator) -> Option<Body>,
+}
+
+/// A family for each kind of body.
+pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
+    let kinds = [
+        Leave {
+            name: "leave-spheres",
+            subject: "surfaces, bounces, spheres",
+            kind: Kind::Sphere,
+            body: sphere,
+        },
+        Leave {
+            name: "leave-triangles",
+            subject: "surfaces, bounces, triangles",
+            kind: Kind::Triangle,
+            body: triangle,
+        },
+        Leave {
+            name: "leave-rectangles",
+            subject: "surfaces, bounces, parallelograms",
+            kind: Kind::Rectangle,
+            body: rectangle,
+        },
+        Leave {
+            name: "leave-cones",
+            subject: "surfaces, bounces, cones",
+            kind: Kind::Cone,
+            body: stout_cone,
+        },
+        Leave {
+            name: "leave-thin-cones",
+            subject: "surfaces, bounces, cones",
+            kind: Kind::Cone,
+            body: thin_cone,
+        },
+    ];
+    kinds
+        .into_iter()
+        .map(|kind| Box::new(kind) as Box<dyn Family>)
+}
+
+fn vector(v: Vector) -> DVec3 {
+    DVec3::from_array(v)
+}
+
+/// Where a body may be: around the eye, near and far.
+fn place(random: &mut Generator) -> Vector {
+    let distance = magnitude(-3, 10, random);
+    rounded(direction(random).map(|x| distance * x))
+}
+
+/// Glass of any index with a mirror's shine; a quarter lets nothing through.
+fn stuff(random: &mut Generator) -> Stuff {
+    let index = random.random_range(1.01..2.5);
+    Stuff {
+        mirror: 0.5,
+        transmittance: if random.random_ratio(1, 4) { 0.0 } else { 0.5 },
+        index: if random.random() { index } else { 1.0 / index },
+    }
+}
+
+fn body(
+    kind: Kind,
+    shape: Shape,
+    random: &mut Generator,
+    mut target: impl FnMut(&mut Generator) -> Target,
+) -> Option<Body> {
+    let product = Product::of(kind, shape, stuff(random))?;
+    let targets = (0..16).map(|_| target(random)).collect();
+    Some(Body { product, targets })
+}
+
+fn sphere(random: &mut Generator) -> Option<Body> {
+    let centre = place(random);
+    let radius = magnitude(-7, 5, random);
+    let shape = Shape::Sphere {
+        centre: vector(centre),
+        radius,
+    };
+    body(Kind::Sphere, shape, random, |random| {
+        let normal = direction(random);
+        Target {
+            point: std::array::from_fn(|k| centre[k] + radius * normal[k]),
+            normal,
+        }
+    })
+}
+
+/// A flat body: its corners, and a point of it by two shares.
+fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Body> {
+    let (corner, first) = (vertices[0], less(vertices[1], vertices[0]));
+    let second = less(vertices[vertices.len() - 1], corner);
+    let across = cross(first, second);
+    let normal = (dot(across, across) > 0.0).then(|| unit(across))?;
+    let shape = Shape::Polygon {
+        vertices: vertices.into_iter().map(vector).collect(),
+    };
+    body(kind, shape, random, |random| {
+        let [mut u, mut v] = [(); 2].map(|()| random.random_range(0.01..0.99));
+        if kind == Kind::Triangle && u + v > 1.0 {
+            [u, v] = [1.0 - u, 1.0 - v];
+        }
+        Target {
+            point: std::array::from_fn(|k| corner[k] + u * first[k] + v * second[k]),
+            normal,
+        }
+    })
+}
+
+fn triangle(random: &mut Generator) -> Option<Body> {
+    let (corner, size) = (place(random), magnitude(-7, 5, random));
+    let vertices = (0..3).map(|_| {
+        let offset = in_cube(size, random);
+        std::array::from_fn(|k| corner[k] + offset[k])
+    });
+    let vertices = vertices.collect();
+    flat(Kind::Triangle, vertices, random)
+}
+
+fn rectangle(random: &mut Generator) -> Option<Body> {
+    let (corner, size) = (place(random), magnitude(-7, 5, random));
+    let [u, v] = [(); 2].map(|()| in_cube(size, random));
+    let sum = |edges: &[Vector]| -> Vector {
+        std::array::from_fn(|k| corner[k] + edges.iter().map(|edge| edge[k]).sum::<f64>())
+    };
+    let vertices = vec![corner, sum(&[u]), sum(&[u, v]), sum(&[v])];
+    flat(Kind::Rectangle, vertices, random)
+}
+
+/// A cone or cylinder not thinner than 1 to 64, nor tapering to less than a hundredth.
+fn stout_cone(random: &mut Generator) -> Option<Body> {
+    let height = magnitude(-5, 5, random);
+    let widest = height * magnitude(-6, 3, random);
+    let narrowest = widest
+        * match random.random_range(0..3) {
+            0 => 1.0,
+            _ => random.random_range(0.01..1.0),
+        };
+    cone(height, [widest, narrowest], random)
+}
+
+/// A cone as thin as 1 to 4096 that tapers to a thousandth or to nothing.
+fn thin_cone(random: &mut Generator) -> Option<Body> {
+    let height = magnitude(-5, 5, random);
+    let widest = height * magnitude(-12, -6, random);
+    let share = if random.random() { 0.0 } else { 1e-3 };
+    cone(height, [widest, share * widest], random)
+}
+
+/// A cone with these radii at its ends, whichever way round.
+fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body> {
+    let base = place(random);
+    let axis = direction(random);
+    if random.random() {
+        radii.reverse();
+    }
+    let shape = Shape::Cone {
+        base: vector(base),
+        base_radius: radii[0],
+        apex: vector(std::array::from_fn(|k| base[k] + height * axis[k])),
+        apex_radius: radii[1],
+    };
+    let growth = (radii[1] - radii[0]) / height;
+    body(Kind::Cone, shape, random, |random| {
+        let h = height * random.random_range(0.01..0.99);
+        let [out, _] = across(axis, random);
+        let radius = radii[0] + growth * h;
+        Target {
+            point: std::array::from_fn(|k| base[k] + h * axis[k] + radius * out[k]),
+            normal: unit(std::array::from_fn(|k| out[k] - growth * axis[k])),
+        }
+    })
+}
+
+/// A ray to a point of a surface, from the eye or from anywhere, half of them along the surface.
+fn towards(target: &Target, random: &mut Generator) -> Line {
+    let distance = magnitude(-6, 7, random);
+    let back = match random.random_range(0..4) {
+        0 => target.point.map(|x| -x),
+        1 => direction(random),
+        _ => {
+            let [along, _] = across(target.normal, random);
+            let rise = magnitude(-18, -3, random);
+            let rise = if random.random() { rise } else { -rise };
+            let back: Vector = std::array::from_fn(|k| along[k] + rise * target.normal[k]);
+            back.map(|x| distance * x)
+        }
+    };
+    let origin = rounded(std::array::from_fn(|k| target.point[k] + back[k]));
+    let way = less(target.point, origin);
+    let length = dot(way, way);
+    // Next to the eye the eye itself may be meant.
+    let way = if length > 0.0 {
+        unit(way)
+    } else {
+        [0.0, 0.0, -1.0]
+    };
+    [origin, way].map(|v| v.map(from_f64))
+}
+
+fn ray([origin, direction]: Line, t: Single) -> Ray {
+    Ray {
+        origin,
+        direction,
+        t,
+        object: 0,
+    }
+}
+
+/// What a ray that leaves has to do.
+enum Expected {
+    /// Meet nothing.
+    Nothing,
+    /// Meet the wall across, about there.
+    Wall(f64),
+    /// Either: the wall ends too near to where it would be met.
+    Anything,
+}
+
+/// What a ray has to do that leaves a body on this side of the surface.
+fn expected(product: &Product, inner: bool, start: &Ray) -> Expected {
+    if !inner || matches!(product.kind, Kind::Rectangle | Kind::Triangle) {
+        return Expected::Nothing;
+    }
+    let origin = start.origin.map(to_f64);
+    let way = unit(start.direction.map(to_f64));
+    let Some(t) = next_hit(product, origin, way) else {
+        return match product.kind {
+            // A ray that starts within leaves it somewhere: it can't have started within.
+            Kind::Sphere => Expected::Wall(f64::INFINITY),
+            _ => Expected::Anything,
+        };
+    };
+    if product.kind == Kind::Cone {
+        let head = product.head();
+        let height = to_f64(product.rest()[2]);
+        let [centre, axis] = [head.centre, head.axis].map(|v| v.map(|x| to_f64(bits(x))));
+        let reached: Vector = std::array::from_fn(|k| origin[k] + t * way[k] - centre[k]);
+        let share = dot(reached, axis) / height;
+        if !(END..=1.0 - END).contains(&share) {
+            return Expected::Anything;
+        }
+    }
+    Expected::Wall(t)
+}
+
+/// Tries packets, each of rays to its own body, by a light.
+fn try_packets(
+    bench: &mut Bench,
+    products: &[&Product],
+    lines: &[[Line; 16]],
+    light: [Single; 3],
+    tally: &mut Tally,
+) {
+    let rays: Vec<[Ray; 16]> = lines
+        .iter()
+        .map(|lines| lines.map(|line| ray(line, FARTHEST)))
+        .collect();
+    let hits = meet(bench, products, &rays);
+    let leaving = leave(bench, products, &hits, light);
+    let kinds: [fn(&Leaving, usize) -> Option<Ray>; 3] = [
+        |leaving, lane| leaving.reflected[lane].map(|line| ray(line, FARTHEST)),
+        |leaving, lane| leaving.refracted[lane].map(|line| ray(line, FARTHEST)),
+        |leaving, lane| Some(leaving.shadow[lane]).filter(|ray| ray.t as i32 > 0),
+    ];
+    for (kind, start) in kinds.into_iter().enumerate() {
+        let starts: Vec<[Option<Ray>; 16]> = leaving
+            .iter()
+            .zip(&hits)
+            .map(|(leaving, hits)| {
+                let hit = |lane: usize| hits[lane].object == HIT;
+                std::array::from_fn(|lane| start(leaving, lane).filter(|_| hit(lane)))
+            })
+            .collect();
+        let packets: Vec<[Ray; 16]> = starts
+            .iter()
+            .map(|starts| {
+                starts.map(|start| Ray {
+                    object: 0,
+                    ..start.unwrap_or_else(no_ray)
+                })
+            })
+            .collect();
+        let after = meet(bench, products, &packets);
+        for (number, lane) in (0..products.len()).flat_map(|p| (0..16).map(move |lane| (p, lane))) {
+            let Some(start) = starts[number][lane] else {
+                continue;
+            };
+            let product = products[number];
+            // What is let through goes on behind the surface that the ray has met.
+            let (before, edge) = side(product, &leaving[number], lane, &lines[number][lane]);
+            if edge {
+                tally.uncounted();
+                continue;
+            }
+            let inner = if kind == 1 { before } else { !before };
+            let after = &after[number][lane];
+            let met = (after.object == HIT).then(|| to_f64(after.t));
+            let input = || {
+                let line = lines[number][lane];
+                let rest = line.into_iter().chain([light]).flatten();
+                product.words().chain(rest).collect()
+            };
+            match (expected(product, inner, &start), met) {
+                (Expected::Anything, _) => tally.uncounted(),
+                (Expected::Nothing, met) => tally.verdict(met.is_none(), input),
+                // The light may be nearer than the wall.
+                (Expected::Wall(t), None) => {
+                    tally.verdict(kind == 2 && to_f64(start.t) < 2.0 * t, input);
+                }
+                (Expected::Wall(t), Some(met)) => tally.verdict((met - t).abs() < t / 2.0, input),
+            }
+        }
+    }
+}
+
+/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's edge that
+/// rounding decides that.
+fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool, bool) {
+    let found = &leaving.surfaces;
+    let [point, plane] = [
+        [&found.point_x, &found.point_y, &found.point_z],
+        [&found.plane_x, &found.plane_y, &found.plane_z],
+    ]
+    .map(|rows| rows.map(|row| to_f64(bits(row[lane]))));
+    let head = product.head();
+    let [centre, axis] = [head.centre, head.axis].map(|v| v.map(|x| to_f64(bits(x))));
+    let [gain, slope] = [head.gain, head.slope].map(|x| to_f64(bits(x)));
+    let from = less(point, centre);
+    let along = dot(from, axis);
+    let off: Vector = std::array::from_fn(|k| from[k] - along * axis[k]);
+    let distance = dot(off, off).sqrt();
+    let scale = if gain == 0.0 { 0.0 } else { gain / distance };
+    let normal: Vector = std::array::from_fn(|k| scale * off[k] + slope * axis[k]);
+    let cosine = dot(normal, line[1].map(to_f64)).abs();
+    let edge = gain != 0.0 && cosine * distance < to_f64(bits(found.leave[lane]));
+    (dot(normal, plane) > 0.0, edge)
+}
+
+impl Family for Leave {
+    fn name(&self) -> &'static str {
+        self.name
+    }
+
+    fn subject(&self) -> &str {
+        self.subject
+    }
+
+    fn unit(&self) -> &'static str {
+        "rays lost or stuck"
+    }
+
+    fn bound(&self) -> Bound {
+        Bound::none("rays start by SURFACES_leave off")
+    }
+
+    fn rounds(&self) -> u32 {
+        250
+    }
+
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
+        for _ in 0..CALLS {
+            let mut bodies = Vec::new();
+            while bodies.len() < PACKETS {
+                bodies.extend((self.body)(random));
+            }
+            let lines: Vec<[Line; 16]> = bodies
+                .iter()
+                .map(|body| std::array::from_fn(|lane| towards(&body.targets[lane], random)))
+                .collect();
+            let around = bodies[0].targets[0].point;
+            let far = magnitude(-2, 10, random);
+            let light = direction(random);
+            let light = std::array::from_fn(|k| from_f64(around[k] + far * light[k]));
+            let products: Vec<&Product> = bodies.iter().map(|body| &body.product).collect();
+            try_packets(bench, &products, &lines, light, tally);
+        }
+    }
+
+    fn replay(
+        &self,
+        bench: &mut Bench,
+        words: &[u32],
+        tally: &mut Tally,
+    ) -> Result<(), NoCaseError> {
+        let needed = Product::word_count(self.kind) + LINES;
+        if words.len() != needed {
+            let found = words.len();
+            return Err(NoCaseError { found, needed });
+        }
+        let (object, lines) = words.split_at(Product::word_count(self.kind));
+        let product = Product::from_words(self.kind, object);
+        let [origin, direction, light] = [0, 3, 6].map(|at| std::array::from_fn(|k| lines[at + k]));
+        let lines = [[[origin, direction]; 16]];
+        try_packets(bench, &[&product], &lines, light, tally);
+        Ok(())
+    }
+}

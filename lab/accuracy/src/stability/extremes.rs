@@ -1,0 +1,353 @@
+//! Words that the SPU's format is oddest at, as any operand: zeros of either sign, denormals, what saturates,
+//! the least and the largest exponents, directions without a component.
+//!
+//! Whatever is asked, a kernel gives its twin's bits, ends, and finds no hit nearer than 0 or beyond what was
+//! there.
+
+use std::marker::PhantomData;
+
+use crate::generator::Generator;
+use kernels::Bench;
+use kernels::cases::formulation::ForAnyRay;
+use kernels::cases::whitted::bounce::Sites;
+use kernels::cases::whitted::isect::ball::{By, SphereObject};
+use kernels::cases::whitted::isect::call;
+use kernels::cases::whitted::isect::cone::ConeObject;
+use kernels::cases::whitted::isect::rectangle::RectangleObject;
+use kernels::cases::whitted::isect::shape::Shape;
+use kernels::cases::whitted::isect::triangle::TriangleObject;
+use kernels::single::bits;
+use rand::{Rng as _, SeedableRng as _};
+use twins::Single;
+use twins::ball::Ray;
+use twins::bounce::{Bounce, Queued};
+use twins::pairs::Sides;
+use twins::rectangle::Rectangle;
+use twins::reflect::reflect;
+use twins::refract::refract;
+use twins::sphere::{
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
+    Unnormalised,
+};
+
+use super::family::{Family, NoCaseError, Tally};
+use super::statement::Bound;
+
+/// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and all that
+/// saturates or would be no number elsewhere.
+const MAGNITUDES: [Single; 20] = [
+    0,
+    1,
+    0x007f_ffff,
+    0x0080_0000,
+    0x0080_0001,
+    0x1f80_0000,
+    0x2000_0000,
+    0x3380_0000,
+    0x3f7f_ffff,
+    0x3f80_0000,
+    0x3f80_0001,
+    0x4b7f_ffff,
+    0x5f7f_ffff,
+    0x5f80_0000,
+    0x7e7f_ffff,
+    0x7e80_0000,
+    0x7f7f_ffff,
+    0x7f80_0000,
+    0x7fc0_0000,
+    0x7fff_ffff,
+];
+
+/// One of them, one near it, or any word.
+fn word(random: &mut Generator) -> Single {
+    let sign = u32::from(random.random::<bool>()) << 31;
+    let magnitude = MAGNITUDES[random.random_range(0..MAGNITUDES.len() as u32) as usize];
+    match random.random_range(0..8) {
+        0 => random.random(),
+        1 => sign | (magnitude ^ random.random_range(0..16)),
+        _ => sign | magnitude,
+    }
+}
+
+fn words<const N: usize>(random: &mut Generator) -> [Single; N] {
+    std::array::from_fn(|_| word(random))
+}
+
+/// Objects that words make.
+trait OfWords: Shape {
+    const WORDS: usize;
+    fn of_words(words: &[u32]) -> Self;
+}
+
+fn take<const N: usize>(words: &mut &[u32]) -> [u32; N] {
+    let (first, rest) = words
+        .split_first_chunk()
+        .expect("as many words as a shape has");
+    *words = rest;
+    *first
+}
+
+fn sides(words: &mut &[u32]) -> Sides {
+    let [word] = take(words);
+    Sides {
+        both: word & 1 != 0,
+        exit: word & 2 != 0,
+    }
+}
+
+impl<F: ForAnyRay> OfWords for By<F> {
+    const WORDS: usize = 5;
+
+    fn of_words(mut words: &[u32]) -> Self {
+        let sides = sides(&mut words);
+        let centre = take(&mut words);
+        let [offset] = take(&mut words);
+        let sphere = SphereObject {
+            centre,
+            offset,
+            sides,
+        };
+        sphere.into()
+    }
+}
+
+impl OfWords for RectangleObject {
+    const WORDS: usize = 13;
+
+    fn of_words(mut words: &[u32]) -> Self {
+        let both = sides(&mut words).both;
+        let rectangle = Rectangle {
+            point: take(&mut words),
+            normal: take(&mut words),
+            dual_u: take(&mut words),
+            dual_v: take(&mut words),
+        };
+        Self { rectangle, both }
+    }
+}
+
+impl OfWords for TriangleObject {
+    const WORDS: usize = 10;
+
+    fn of_words(mut words: &[u32]) -> Self {
+        let both = sides(&mut words).both;
+        let vertices = [(); 3].map(|()| take(&mut words));
+        Self { vertices, both }
+    }
+}
+
+impl OfWords for ConeObject {
+    const WORDS: usize = 10;
+
+    fn of_words(mut words: &[u32]) -> Self {
+        let sides = sides(&mut words);
+        let (base, axis) = (take(&mut words), take(&mut words));
+        let [radius, growth, height] = take(&mut words);
+        Self {
+            base,
+            axis,
+            radius,
+            growth,
+            height,
+            sides,
+        }
+    }
+}
+
+/// Words of a ray: origin, direction, t.
+const RAY: usize = 7;
+/// What a ray has hit before.
+const NOTHING: u32 = 0;
+
+fn ray(words: [u32; RAY]) -> Ray {
+    let [ox, oy, oz, dx, dy, dz, t] = words;
+    Ray {
+        origin: [ox, oy, oz],
+        direction: [dx, dy, dz],
+        t,
+        object: NOTHING,
+    }
+}
+
+/// Any ray with any object of a shape.
+struct Meeting<S>(PhantomData<fn() -> S>);
+
+impl<S: OfWords> Meeting<S> {
+    fn meet(bench: &mut Bench, object: &[u32], rays: &[[u32; RAY]; 16], tally: &mut Tally) {
+        let shape = S::of_words(object);
+        let before = rays.map(ray);
+        let (after, objects) =
+            call::pairs(bench, &[call::packet(&before, 0)], &[shape], &[[0, 0]], 0);
+        for ((before, after), words) in before.iter().zip(call::rays(&after[0])).zip(rays) {
+            let twin = shape.twin(*before, objects[0]);
+            // As signed numbers, singles above 0 are in order.
+            let within =
+                after == *before || (after.t as i32 > 0 && (after.t as i32) < before.t as i32);
+            tally.verdict(after == twin && within, || [object, words].concat());
+        }
+    }
+}
+
+impl<S: OfWords> Family for Meeting<S> {
+    fn name(&self) -> &'static str {
+        "extreme-words"
+    }
+
+    fn subject(&self) -> &str {
+        S::KERNEL
+    }
+
+    fn unit(&self) -> &'static str {
+        "other bits, or hits out of range"
+    }
+
+    fn bound(&self) -> Bound {
+        Bound::none("the twin")
+    }
+
+    fn rounds(&self) -> u32 {
+        2000
+    }
+
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
+        let mut object = Vec::from_iter((0..S::WORDS).map(|_| word(random)));
+        // Any sides.
+        object[0] = random.random();
+        let rays = [(); 16].map(|()| words(random));
+        Self::meet(bench, &object, &rays, tally);
+    }
+
+    fn replay(
+        &self,
+        bench: &mut Bench,
+        words: &[u32],
+        tally: &mut Tally,
+    ) -> Result<(), NoCaseError> {
+        let needed = S::WORDS + RAY;
+        match words.split_last_chunk() {
+            Some((object, ray)) if object.len() == S::WORDS => {
+                Self::meet(bench, object, &[*ray; 16], tally);
+                Ok(())
+            }
+            _ => Err(NoCaseError {
+                found: words.len(),
+                needed,
+            }),
+        }
+    }
+}
+
+/// Any hit, thrown back and let through.
+struct Bounces;
+
+/// Words of a hit.
+const BOUNCE: usize = 20;
+
+fn bounce(words: [u32; BOUNCE], pixel: u32) -> Bounce {
+    let mut words = &words[..];
+    let [direction, point, normal, plane] = [(); 4].map(|()| take(&mut words));
+    let [
+        weight,
+        leave,
+        mirror,
+        transmittance,
+        ratio,
+        schlick,
+        grazing,
+        _,
+    ] = take(&mut words);
+    Bounce {
+        direction,
+        weight,
+        pixel,
+        point,
+        normal,
+        plane,
+        leave,
+        mirror,
+        transmittance,
+        ratio,
+        schlick,
+        grazing,
+    }
+}
+
+impl Bounces {
+    fn leave(bench: &mut Bench, hits: &[[u32; BOUNCE]; 16], tally: &mut Tally) {
+        let packet: [Bounce; 16] = std::array::from_fn(|lane| bounce(hits[lane], lane as u32));
+        bench.reset();
+        let sites = Sites::put(bench, &[packet], &mut Generator::seed_from_u64(0));
+        let queue = |kernel: &str, bench: &mut Bench| -> [Option<Queued>; 16] {
+            let end = bench.call(kernel, &sites.arguments(0)).value;
+            let queued = sites.queued(bench, end);
+            std::array::from_fn(|lane| queued.iter().find(|ray| ray.pixel == lane as u32).copied())
+        };
+        let back = queue("reflect_r16", bench);
+        let through = queue("refract_r16", bench);
+        let mirrors = sites.surfaces(bench)[0].mirror.map(bits);
+        for lane in 0..16 {
+            let expected = (reflect(&packet[lane], 0), refract(&packet[lane], 0));
+            let same = expected == (back[lane], (through[lane], mirrors[lane]));
+            tally.verdict(same, || hits[lane].to_vec());
+        }
+    }
+}
+
+impl Family for Bounces {
+    fn name(&self) -> &'static str {
+        "extreme-words"
+    }
+
+    fn subject(&self) -> &str {
+        "reflect_r16, refract_r16"
+    }
+
+    fn unit(&self) -> &'static str {
+        "other bits"
+    }
+
+    fn bound(&self) -> Bound {
+        Bound::none("the twins")
+    }
+
+    fn rounds(&self) -> u32 {
+        1000
+    }
+
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
+        let hits = [(); 16].map(|()| words(random));
+        Self::leave(bench, &hits, tally);
+    }
+
+    fn replay(
+        &self,
+        bench: &mut Bench,
+        words: &[u32],
+        tally: &mut Tally,
+    ) -> Result<(), NoCaseError> {
+        let hit = super::family::words_of(words)?;
+        Self::leave(bench, &[hit; 16], tally);
+        Ok(())
+    }
+}
+
+/// All shapes, and the rays that leave.
+#[must_use]
+pub fn families() -> Vec<Box<dyn Family>> {
+    vec![
+        Box::new(Meeting::<By<Paper>>(PhantomData)),
+        Box::new(Meeting::<By<Perpendicular>>(PhantomData)),
+        Box::new(Meeting::<By<Estimate>>(PhantomData)),
+        Box::new(Meeting::<By<Interpolated>>(PhantomData)),
+        Box::new(Meeting::<By<Newton2>>(PhantomData)),
+        Box::new(Meeting::<By<Stable>>(PhantomData)),
+        Box::new(Meeting::<By<Factored>>(PhantomData)),
+        Box::new(Meeting::<By<Refined>>(PhantomData)),
+        Box::new(Meeting::<By<Unnormalised>>(PhantomData)),
+        Box::new(Meeting::<By<InDouble>>(PhantomData)),
+        Box::new(Meeting::<RectangleObject>(PhantomData)),
+        Box::new(Meeting::<TriangleObject>(PhantomData)),
+        Box::new(Meeting::<ConeObject>(PhantomData)),
+        Box::new(Bounces),
+    ]
+}

@@ -1,0 +1,245 @@
+//! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner medium: the
+//! direction beyond, whether there is one, and Schlick's share.
+
+use crate::generator::Generator;
+use kernels::Bench;
+use kernels::cases::whitted::bounce::{Sites, off};
+use kernels::single::bits;
+use kernels::vector::{Vector, dot, unit};
+use rand::{Rng as _, SeedableRng as _};
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::ONE;
+use twins::bounce::Bounce;
+
+use super::family::{Family, NoCaseError, Tally, words_of};
+use super::random::{across, magnitude};
+use super::statement::{Bound, StatementError, stated};
+use crate::families::space::direction;
+
+const KERNEL: &str = "refract_r16";
+/// An ulp of 1.
+const ULP: f64 = 1.0 / (1 << 23) as f64;
+/// How much Schlick's share changes with the cosine, at most: (1 - c)^5.
+const STEEPEST: f64 = 5.0;
+/// The cosine beyond up to which the header counts the error over the cosine.
+const STEEP: f64 = 0.1;
+/// Packets of a round.
+const PACKETS: u32 = 16;
+
+/// Whether the ray comes out of the denser medium or into it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Way {
+    /// Near the critical angle.
+    Out,
+    /// Along the surface.
+    Into,
+}
+
+struct Critical {
+    way: Way,
+    bound: Bound,
+    /// The square of the cosine, in ulps of 1, below which all may be reflected or not.
+    undecided: f64,
+}
+
+/// Both ways.
+///
+/// # Errors
+/// The header does not state the error near the critical angle.
+pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
+    let undecided = stated(KERNEL, "ulp, all may be reflected")?;
+    let mut families: Vec<Box<dyn Family>> = Vec::new();
+    for way in [Way::Out, Way::Into] {
+        let bound = match way {
+            Way::Out => Bound::before(KERNEL, "ulp over the cosine")?,
+            Way::Into => Bound::of(KERNEL)?,
+        };
+        families.push(Box::new(Critical {
+            way,
+            bound,
+            undecided,
+        }));
+    }
+    Ok(families)
+}
+
+/// A hit whose cosine is this on the thinner side, which is the ray's or the one beyond.
+fn hit(way: Way, random: &mut Generator) -> Bounce {
+    let dense: f64 = random.random_range(1.05..4.0);
+    let cosine = magnitude(-14, -3, random) * 0.75;
+    let beyond = random.random_ratio(1, 3);
+    let square = cosine * cosine * if beyond { -1.0 } else { 1.0 };
+    // The sine on the ray's side, and the ratio of the indices.
+    let (sine, ratio) = match way {
+        Way::Out => ((1.0 - square).sqrt() / dense, dense),
+        Way::Into => ((1.0 - cosine * cosine).sqrt(), 1.0 / dense),
+    };
+    let normal = direction(random);
+    let [along, _] = across(normal, random);
+    let incidence = (1.0 - sine * sine).sqrt();
+    let ray: Vector = std::array::from_fn(|k| sine * along[k] - incidence * normal[k]);
+    let head_on = ((1.0 - dense) / (1.0 + dense)) * ((1.0 - dense) / (1.0 + dense));
+    let normal = normal.map(from_f64);
+    Bounce {
+        direction: ray.map(from_f64),
+        weight: ONE,
+        pixel: 0,
+        point: [0; 3],
+        normal,
+        plane: normal,
+        leave: 0,
+        mirror: 0,
+        transmittance: ONE,
+        ratio: from_f64(ratio),
+        schlick: from_f64(head_on),
+        grazing: from_f64(1.0 - head_on),
+    }
+}
+
+/// What is so of a hit.
+struct Truth {
+    /// The square of the cosine beyond; below 0, all is reflected.
+    squared: f64,
+    direction: Vector,
+    /// Schlick's share, and the cosine that it is of.
+    share: f64,
+    thinner: f64,
+}
+
+fn truth(hit: &Bounce) -> Truth {
+    let [ray, normal] = [hit.direction, hit.normal].map(|v| unit(v.map(to_f64)));
+    let [ratio, schlick, grazing] = [hit.ratio, hit.schlick, hit.grazing].map(to_f64);
+    let along = dot(ray, normal);
+    let sine: Vector = std::array::from_fn(|k| ratio * (ray[k] - along * normal[k]));
+    let squared = 1.0 - dot(sine, sine);
+    let cosine = squared.max(0.0).sqrt();
+    let thinner = if ratio > 1.0 { cosine } else { -along };
+    let off = 1.0 - thinner;
+    let fifth = off * off * off * off * off;
+    Truth {
+        squared,
+        direction: std::array::from_fn(|k| sine[k] - cosine * normal[k]),
+        share: if squared < 0.0 {
+            1.0
+        } else {
+            schlick + grazing * fifth
+        },
+        thinner,
+    }
+}
+
+impl Critical {
+    fn try_hits(&self, bench: &mut Bench, hits: &[Bounce; 16], tally: &mut Tally) {
+        let packet: [Bounce; 16] = std::array::from_fn(|lane| Bounce {
+            pixel: lane as u32,
+            ..hits[lane]
+        });
+        bench.reset();
+        // What fills the records where the kernel does not read.
+        let mut junk = Generator::seed_from_u64(0);
+        let sites = Sites::put(bench, &[packet], &mut junk);
+        let end = bench.call(KERNEL, &sites.arguments(0)).value;
+        let queued = sites.queued(bench, end);
+        let mirrors = sites.surfaces(bench)[0]
+            .mirror
+            .map(|share| to_f64(bits(share)));
+        for (hit, mirror) in packet.iter().zip(mirrors) {
+            let truth = truth(hit);
+            let ray = queued.iter().find(|ray| ray.pixel == hit.pixel);
+            let input = || {
+                let words = [
+                    &hit.direction[..],
+                    &hit.normal,
+                    &[hit.ratio, hit.schlick, hit.grazing],
+                ];
+                words.concat()
+            };
+            let cosine = truth.squared.max(0.0).sqrt();
+            if truth.squared.abs() < self.undecided * ULP
+                || (self.way == Way::Out && cosine > STEEP)
+            {
+                tally.uncounted();
+                continue;
+            }
+            let scale = if self.way == Way::Out { cosine } else { 1.0 };
+            let share_error = (mirror - truth.share).abs() / ULP / STEEPEST;
+            match ray {
+                None => {
+                    let right = truth.squared < 0.0 && mirror == 1.0;
+                    tally.verdict(right, input);
+                }
+                Some(_) if truth.squared < 0.0 => tally.wrong(input),
+                Some(ray) => {
+                    let share_scale = if self.way == Way::Out {
+                        truth.thinner
+                    } else {
+                        1.0
+                    };
+                    let error = off(ray, truth.direction) * scale;
+                    tally.error(error.max(share_error * share_scale), input);
+                }
+            }
+        }
+    }
+}
+
+impl Family for Critical {
+    fn name(&self) -> &'static str {
+        match self.way {
+            Way::Out => "refract-critical",
+            Way::Into => "refract-grazing",
+        }
+    }
+
+    fn subject(&self) -> &str {
+        KERNEL
+    }
+
+    fn unit(&self) -> &'static str {
+        match self.way {
+            Way::Out => "ulp of 1 over the cosine; Schlick's share by its slope",
+            Way::Into => "ulp of 1; Schlick's share by its slope",
+        }
+    }
+
+    fn bound(&self) -> Bound {
+        self.bound.clone()
+    }
+
+    fn rounds(&self) -> u32 {
+        200
+    }
+
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
+        for _ in 0..PACKETS {
+            let hits = [(); 16].map(|()| hit(self.way, random));
+            self.try_hits(bench, &hits, tally);
+        }
+    }
+
+    fn replay(
+        &self,
+        bench: &mut Bench,
+        words: &[u32],
+        tally: &mut Tally,
+    ) -> Result<(), NoCaseError> {
+        let [dx, dy, dz, nx, ny, nz, ratio, schlick, grazing] = words_of(words)?;
+        let normal = [nx, ny, nz];
+        let hit = Bounce {
+            direction: [dx, dy, dz],
+            weight: ONE,
+            pixel: 0,
+            point: [0; 3],
+            normal,
+            plane: normal,
+            leave: 0,
+            mirror: 0,
+            transmittance: ONE,
+            ratio,
+            schlick,
+            grazing,
+        };
+        self.try_hits(bench, &[hit; 16], tally);
+        Ok(())
+    }
+}

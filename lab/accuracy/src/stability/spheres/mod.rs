@@ -1,0 +1,218 @@
+//! Spheres under stress, by all formulations: any scale and distance, rays within ulps of a tangent, eyes
+//! within ulps of a surface.
+//!
+//! A header states the error of a domain. Beyond it the error grows as the formulation's rounding does: by
+//! how steeply the distance changes with the sphere's place, which is one over the cosine of the ray's
+//! incidence; and for the square of the distance less that of the radius, by the distance in chords
+//! besides. Bounds are scaled by that, and only by that.
+
+mod look;
+mod make;
+mod nearest;
+
+use crate::generator::Generator;
+use kernels::Bench;
+use kernels::source::Source;
+use twins::FARTHEST;
+use twins::ball::Ray;
+
+use super::family::{Family, NoCaseError, Tally, words_of};
+use super::statement::{Bound, StatementError};
+use crate::families::{Form, Shot};
+use crate::subject::{self, Subject};
+use crate::truth::Line;
+use look::{Look, Stated};
+
+pub use look::TANGENT;
+
+/// Spheres of a round.
+const SPHERES: u32 = 16;
+/// A kind of cases.
+struct Kind {
+    name: &'static str,
+    unit: &'static str,
+    forms: &'static [Form],
+    make: fn(&mut Generator, Form) -> Shot,
+    judge: fn(&Look) -> Judgement,
+    bound: fn(&Subject, &Stated) -> Bound,
+}
+
+/// A kind of cases on a formulation.
+struct Spheres {
+    kind: &'static Kind,
+    subject: Subject,
+    stated: Stated,
+}
+
+enum Judgement {
+    Uncounted,
+    Wrong,
+    Error(f64),
+}
+
+const KINDS: &[Kind] = &[
+    Kind {
+        name: "sphere-scales",
+        unit: "ulp of t or r, by the condition",
+        forms: &[Form::Eye, Form::General],
+        make: make::scales,
+        judge: distance_error,
+        bound: |subject, stated| Bound {
+            value: stated.error,
+            source: format!("header of {}", subject.kernel),
+        },
+    },
+    Kind {
+        name: "sphere-grazing",
+        unit: "ulp of the distance, off the tangent",
+        forms: &[Form::Eye, Form::General],
+        make: make::grazing,
+        judge: |look| {
+            Judgement::Error(if look.agrees() {
+                0.0
+            } else {
+                look.off_tangent()
+            })
+        },
+        bound: |_, _| Bound {
+            value: TANGENT,
+            source: "roundings of the discriminant".to_owned(),
+        },
+    },
+    Kind {
+        name: "sphere-surface",
+        unit: "ulp of r, off surface or tangent",
+        forms: &[Form::General],
+        make: make::surface,
+        judge: side_error,
+        bound: |subject, stated| Bound {
+            value: stated.surface(),
+            source: format!("header of {}, and the side's rounding", subject.kernel),
+        },
+    },
+];
+
+/// All kinds on all formulations whose kernels there are.
+///
+/// # Errors
+/// A header does not state its error, or of what domain.
+pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
+    let mut families: Vec<Box<dyn Family>> = Vec::new();
+    for kind in KINDS {
+        for subject in subject::all() {
+            if kind.forms.contains(&subject.form) && Source::find(subject.kernel).is_some() {
+                families.push(Box::new(Spheres {
+                    kind,
+                    subject,
+                    stated: Stated::of(&subject)?,
+                }));
+            }
+        }
+    }
+    families.extend(nearest::families()?);
+    Ok(families)
+}
+
+/// Hits where they are and only there, and their distances.
+fn distance_error(look: &Look) -> Judgement {
+    match (look.found, look.exact) {
+        _ if !look.is_sure() => Judgement::Uncounted,
+        (None, None) => Judgement::Error(0.0),
+        (Some(found), Some(exact)) if look.has_root() => Judgement::Error(look.ulps(found, exact)),
+        (Some(_), Some(_)) => Judgement::Uncounted,
+        _ => Judgement::Wrong,
+    }
+}
+
+/// How far from where rounding may decide it the wrong wall is taken, or none.
+fn side_error(look: &Look) -> Judgement {
+    let right = match (look.found, look.exact) {
+        (Some(found), Some(exact)) => {
+            let chord = (-2.0 * look.passing.beyond).max(0.0).sqrt() * look.radius;
+            (found - exact).abs() < chord
+        }
+        (found, exact) => found.is_some() == exact.is_some(),
+    };
+    Judgement::Error(if right {
+        0.0
+    } else {
+        look.off_surface().min(look.off_tangent())
+    })
+}
+
+impl Spheres {
+    /// Tries a sphere's rays.
+    fn shoot(&self, bench: &mut Bench, shot: &Shot, tally: &mut Tally) {
+        let sphere = self.subject.given(shot).sphere();
+        let found = self.subject.hits(bench, shot);
+        for (ray, found) in shot.packets.iter().flatten().zip(found) {
+            let line = Line::new(ray.origin, ray.direction);
+            let look = Look::new(self.subject, self.stated, &sphere, &line, found);
+            let input = || {
+                let words = [
+                    &shot.centre[..],
+                    &[shot.radius],
+                    &ray.origin,
+                    &ray.direction,
+                ];
+                words.concat()
+            };
+            match (self.kind.judge)(&look) {
+                Judgement::Uncounted => tally.uncounted(),
+                Judgement::Wrong => tally.wrong(input),
+                Judgement::Error(error) => tally.error(error, input),
+            }
+        }
+    }
+}
+
+impl Family for Spheres {
+    fn name(&self) -> &'static str {
+        self.kind.name
+    }
+
+    fn subject(&self) -> &str {
+        self.subject.kernel
+    }
+
+    fn unit(&self) -> &'static str {
+        self.kind.unit
+    }
+
+    fn bound(&self) -> Bound {
+        (self.kind.bound)(&self.subject, &self.stated)
+    }
+
+    fn rounds(&self) -> u32 {
+        800
+    }
+
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
+        for _ in 0..SPHERES {
+            let shot = (self.kind.make)(random, self.subject.form);
+            self.shoot(bench, &shot, tally);
+        }
+    }
+
+    fn replay(
+        &self,
+        bench: &mut Bench,
+        words: &[u32],
+        tally: &mut Tally,
+    ) -> Result<(), NoCaseError> {
+        let [x, y, z, radius, ox, oy, oz, dx, dy, dz] = words_of(words)?;
+        let ray = Ray {
+            origin: [ox, oy, oz],
+            direction: [dx, dy, dz],
+            t: FARTHEST,
+            object: 0,
+        };
+        let shot = Shot {
+            centre: [x, y, z],
+            radius,
+            packets: vec![[ray; 16]],
+        };
+        self.shoot(bench, &shot, tally);
+        Ok(())
+    }
+}
