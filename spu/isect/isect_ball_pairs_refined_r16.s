@@ -11,65 +11,10 @@
 # The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT the
 # exit, and with SIDES_BOTH the exit of a ray from inside.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "pairs.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_general.inc"
         .include "sphere_refined.inc"
 
-        .set    a_candidate,3
-        .set    count,4
-        # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    k_one,13
-        .set    k_two,14
-        .set    k_half,15
-        .set    a_controls,16
-        .set    a_half,17
-        .set    a_whole,18
-        .set    a_by_side,19
-        # the candidate
-        .set    object,20
-        .set    a_packet,21
-        .set    quad,22
-        .set    cx,23
-        .set    cy,24
-        .set    cz,25
-        .set    radius2,26
-        .set    sides,27
-        .set    half,28                                 # 1, with the sign that the root gets
-        .set    whole,29                                # 2 likewise
-        .set    m_by_side,30                            # the sign's bit if a ray's side gives it
-        # a row
-        .set    ox,31
-        .set    oy,32
-        .set    oz,33
-        .set    dx,34
-        .set    dy,35
-        .set    dz,36
-        .set    t_best,37
-        .set    nearest,38
-        # temporaries
-        .set    fx,39
-        .set    fy,40
-        .set    fz,41
-        .set    lx,39                                   # f
-        .set    ly,40
-        .set    lz,41
-        .set    b,42
-        .set    outside,43                              # disc
-        .set    disc,43
-        .set    out,44
-        .set    y,45
-        .set    s,46
-        .set    e,47
-        .set    rest,48
-        .set    t,49
-        .set    ahead,50
-        .set    control,51
-
+        general_registers "k_one,k_two,k_half", "radius2", "out,y,s,e,rest"
         sign_controls_table
         sides_tables REFINED_STEP, REFINED_ROOT
 

@@ -11,52 +11,10 @@
 # behind the eye it is none. The centre's place in the record holds its unit direction, the radius
 # squared is in parts of the distance's square.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_constants.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    k_quarter,11
-        .set    half,12
-        .set    k_half,12                               # half
-        .set    whole,13
-        .set    m_x,14
-        .set    m_y,15
-        .set    m_z,16
-        .set    m_radius2,17
-        .set    a_merges,18
-        # the pair
-        .set    object,19
-        .set    a_packet,20
-        .set    quad,21
-        .set    cx,22                                   # the unit direction
-        .set    cy,23
-        .set    cz,24
-        .set    radius2,25                              # k
-        .set    distance,26
-        # a row
-        .set    dx,27
-        .set    dy,28
-        .set    dz,29
-        .set    t_best,30
-        .set    nearest,31
-        # temporaries
-        .set    lx,32                                   # d - u
-        .set    ly,33
-        .set    lz,34
-        .set    chord,35                                # q
-        .set    disc,36
-        .set    y,37
-        .set    s,38
-        .set    e,39
-        .set    t,40
-        .set    hit,41
-        .set    merge,42
-
+        eye_registers "k_one,k_quarter,half,whole", "radius2,distance", "lx,ly,lz,chord,disc,y,s,e"
         merges_table
 
 function isect_pairs_constants_r16

@@ -10,65 +10,10 @@
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
 # behind the eye it is none.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "math.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_double.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    k_half,11
-        .set    k_tiny,12
-        .set    m_high,13
-        .set    m_rows,14
-        .set    m_sign,15
-        .set    k_halve,16
-        .set    k_half_double,17
-        .set    m_x,18
-        .set    m_y,19
-        .set    m_z,20
-        .set    m_radius2,21
-        .set    a_merges,22
-        # the pair
-        .set    object,23
-        .set    a_packet,24
-        .set    quad,25
-        .set    cx,26
-        .set    cy,27
-        .set    cz,28
-        .set    radius2,29
-        # a row
-        .set    dx,30
-        .set    dy,31
-        .set    dz,32
-        .set    t_best,33
-        .set    nearest,34
-        # temporaries
-        .set    b,35
-        .set    lx,36
-        .set    ly,37
-        .set    lz,38
-        .set    disc,39
-        .set    y,40
-        .set    s,41
-        .set    e,42
-        .set    ex,43
-        .set    ey,44
-        .set    ez,45
-        .set    x,46
-        .set    near,47
-        .set    w,48
-        .set    cc,49
-        .set    q,50
-        .set    t_even,51
-        .set    disc_even,52
-        .set    t,53
-        .set    hit,54
-        .set    merge,55
-
+        eye_registers "k_one,k_half,k_tiny,m_high,m_rows,m_sign,k_halve,k_half_double", "radius2", "b,lx,ly,lz,disc,y,s,e,ex,ey,ez,x,near,w,cc,q,t_even,disc_even"
         merges_table
         double_table
 

@@ -11,50 +11,10 @@
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
 # behind the eye it is none.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_paper.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    half,11
-        .set    whole,12
-        .set    m_x,13
-        .set    m_y,14
-        .set    m_z,15
-        .set    m_radius2,16
-        .set    a_merges,17
-        # the pair
-        .set    object,18
-        .set    a_packet,19
-        .set    quad,20
-        .set    cx,21
-        .set    cy,22
-        .set    cz,23
-        .set    fx,21                                   # c
-        .set    fy,22
-        .set    fz,23
-        .set    radius2,24
-        # a row
-        .set    dx,25
-        .set    dy,26
-        .set    dz,27
-        .set    t_best,28
-        .set    nearest,29
-        # temporaries
-        .set    b,30
-        .set    cc,31
-        .set    disc,32
-        .set    y,33
-        .set    s,34
-        .set    e,35
-        .set    t,36
-        .set    hit,37
-        .set    merge,38
-
+        eye_registers "k_one,half,whole", "radius2", "b,cc,disc,y,s,e"
         merges_table
 
 function isect_pairs_paper_r16

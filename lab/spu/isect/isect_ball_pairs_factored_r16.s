@@ -11,63 +11,10 @@
 # The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT the
 # exit, and with SIDES_BOTH the exit of a ray from inside.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "pairs.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_general.inc"
         .include "sphere_factored.inc"
 
-        .set    a_candidate,3
-        .set    count,4
-        # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    k_one,13
-        .set    k_half,14
-        .set    a_controls,15
-        .set    a_half,16
-        .set    a_whole,17
-        .set    a_by_side,18
-        # the candidate
-        .set    object,19
-        .set    a_packet,20
-        .set    quad,21
-        .set    cx,22
-        .set    cy,23
-        .set    cz,24
-        .set    radius,25
-        .set    sides,26
-        .set    half,27                                 # 1/2, with the sign that the root gets
-        .set    whole,28                                # 1 likewise
-        .set    m_by_side,29                            # the sign's bit if a ray's side gives it
-        # a row
-        .set    ox,30
-        .set    oy,31
-        .set    oz,32
-        .set    dx,33
-        .set    dy,34
-        .set    dz,35
-        .set    t_best,36
-        .set    nearest,37
-        # temporaries
-        .set    fx,38
-        .set    fy,39
-        .set    fz,40
-        .set    lx,38                                   # f
-        .set    ly,39
-        .set    lz,40
-        .set    b,41
-        .set    outside,42                              # disc
-        .set    disc,42
-        .set    out,43
-        .set    y,44
-        .set    s,45
-        .set    e,46
-        .set    t,47
-        .set    ahead,48
-        .set    control,49
-
+        general_registers "k_one,k_half", "radius", "out,y,s,e"
         sign_controls_table
         sides_tables 0x3f000000, 0x3f800000
 

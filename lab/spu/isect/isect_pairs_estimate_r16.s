@@ -10,47 +10,10 @@
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
 # behind the eye it is none.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_estimate.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    m_radius2,13
-        .set    a_merges,14
-        # the pair
-        .set    object,15
-        .set    a_packet,16
-        .set    quad,17
-        .set    cx,18
-        .set    cy,19
-        .set    cz,20
-        .set    fx,18                                   # c
-        .set    fy,19
-        .set    fz,20
-        .set    radius2,21
-        # a row
-        .set    dx,22
-        .set    dy,23
-        .set    dz,24
-        .set    t_best,25
-        .set    nearest,26
-        # temporaries
-        .set    b,27
-        .set    lx,28
-        .set    ly,29
-        .set    lz,30
-        .set    disc,31
-        .set    y,32
-        .set    t,33
-        .set    hit,34
-        .set    merge,35
-
+        eye_registers "", "radius2", "b,lx,ly,lz,disc,y"
         merges_table
 
 function isect_pairs_estimate_r16

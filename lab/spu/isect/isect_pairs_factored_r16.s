@@ -10,55 +10,10 @@
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
 # behind the eye it is none.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "math.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_factored.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    k_half,11
-        .set    half,12
-        .set    whole,13
-        .set    m_x,14
-        .set    m_y,15
-        .set    m_z,16
-        .set    m_radius2,17
-        .set    a_merges,18
-        # the pair
-        .set    object,19
-        .set    a_packet,20
-        .set    quad,21
-        .set    cx,22
-        .set    cy,23
-        .set    cz,24
-        .set    fx,22                                   # c
-        .set    fy,23
-        .set    fz,24
-        .set    radius2,25
-        .set    radius,26
-        # a row
-        .set    dx,27
-        .set    dy,28
-        .set    dz,29
-        .set    t_best,30
-        .set    nearest,31
-        # temporaries
-        .set    b,32
-        .set    lx,33
-        .set    ly,34
-        .set    lz,35
-        .set    disc,36
-        .set    y,37
-        .set    s,38
-        .set    e,39
-        .set    t,40
-        .set    hit,41
-        .set    merge,42
-
+        eye_registers "k_one,k_half,half,whole", "radius2,radius", "b,lx,ly,lz,disc,y,s,e"
         merges_table
 
 function isect_pairs_factored_r16

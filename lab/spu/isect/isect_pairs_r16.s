@@ -10,52 +10,10 @@
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
 # behind the eye it is none.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_perpendicular.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    half,11
-        .set    whole,12
-        .set    m_x,13
-        .set    m_y,14
-        .set    m_z,15
-        .set    m_radius2,16
-        .set    a_merges,17
-        # the pair
-        .set    object,18
-        .set    a_packet,19
-        .set    quad,20
-        .set    cx,21
-        .set    cy,22
-        .set    cz,23
-        .set    fx,21                                   # c
-        .set    fy,22
-        .set    fz,23
-        .set    radius2,24
-        # a row
-        .set    dx,25
-        .set    dy,26
-        .set    dz,27
-        .set    t_best,28
-        .set    nearest,29
-        # temporaries
-        .set    b,30
-        .set    lx,31
-        .set    ly,32
-        .set    lz,33
-        .set    disc,34
-        .set    y,35
-        .set    s,36
-        .set    e,37
-        .set    t,38
-        .set    hit,39
-        .set    merge,40
-
+        eye_registers "k_one,half,whole", "radius2", "b,lx,ly,lz,disc,y,s,e"
         merges_table
 
 function isect_pairs_r16

@@ -11,55 +11,10 @@
 # The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
 # behind the eye it is none.
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_refined.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    k_two,11
-        .set    k_scales,12
-        .set    half,13
-        .set    whole,14
-        .set    m_x,15
-        .set    m_y,16
-        .set    m_z,17
-        .set    m_radius2,18
-        .set    a_merges,19
-        # the pair
-        .set    object,20
-        .set    a_packet,21
-        .set    quad,22
-        .set    cx,23
-        .set    cy,24
-        .set    cz,25
-        .set    fx,23                                   # c
-        .set    fy,24
-        .set    fz,25
-        .set    radius2,26
-        # a row
-        .set    dx,27
-        .set    dy,28
-        .set    dz,29
-        .set    t_best,30
-        .set    nearest,31
-        # temporaries
-        .set    b,32
-        .set    lx,33
-        .set    ly,34
-        .set    lz,35
-        .set    disc,36
-        .set    y,37
-        .set    s,38
-        .set    e,39
-        .set    rest,40
-        .set    t,41
-        .set    hit,42
-        .set    merge,43
-
+        eye_registers "k_one,k_two,k_scales,half,whole", "radius2", "b,lx,ly,lz,disc,y,s,e,rest"
         merges_table
 # Lengths halved, and the radius squared with them.
 scales:

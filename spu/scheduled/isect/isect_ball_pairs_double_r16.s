@@ -13,111 +13,45 @@
 # exit, and with SIDES_BOTH the exit of a ray from inside.
 # Scheduled by spu schedule from isect_ball_pairs_double_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "pairs.inc"
-        .include "math.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_general.inc"
         .include "sphere_double.inc"
 
-        .set    a_candidate,3
-        .set    count,4
-        # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    k_one,13
-        .set    k_half,14
-        .set    k_tiny,15
-        .set    m_high,16
-        .set    m_rows,17
-        .set    m_sign,18
-        .set    k_halve,19
-        .set    k_half_double,20
-        .set    a_controls,21
-        .set    a_half,22
-        .set    a_whole,23
-        .set    a_by_side,24
-        # the candidate
-        .set    object,25
-        .set    a_packet,26
-        .set    quad,27
-        .set    cx,28
-        .set    cy,29
-        .set    cz,30
-        .set    radius2,31
-        .set    sides,32
-        .set    half,33                                 # 1/2, with the sign that the root gets
-        .set    whole,34                                # 1 likewise
-        .set    m_by_side,35                            # the sign's bit if a ray's side gives it
-        # a row
-        .set    ox,36
-        .set    oy,37
-        .set    oz,38
-        .set    dx,39
-        .set    dy,40
-        .set    dz,41
-        .set    t_best,42
-        .set    nearest,43
-        # temporaries
-        .set    lx,44                                   # f, then l
-        .set    ly,45
-        .set    lz,46
-        .set    b,47
-        .set    outside,48                              # disc
-        .set    disc,48
-        .set    cc,49
-        .set    y,50
-        .set    s,51
-        .set    e,52
-        .set    ex,53
-        .set    ey,54
-        .set    ez,55
-        .set    x,56
-        .set    near,57
-        .set    w,58
-        .set    q,59
-        .set    t_even,60
-        .set    disc_even,61
-        .set    t,62
-        .set    ahead,63
-        .set    control,64
-
+        general_registers "k_one,k_half,k_tiny,m_high,m_rows,m_sign,k_halve,k_half_double", "radius2", "cc,y,s,e,ex,ey,ez,x,near,w,q,t_even,disc_even"
         sign_controls_table
         sides_tables 0x3f000000, 0x3f800000
         double_table
 
 function isect_ball_pairs_double_r16
-        .set    disc_2,2
-        .set    disc_3,5
-        .set    disc_4,6
-        .set    disc_5,7
-        .set    disc_6,8
-        .set    disc_7,9
-        .set    disc_8,27
-        .set    lx_2,31
-        .set    ly_2,32
-        .set    lz_2,33
+        .set    b1_2,2
+        .set    b1_3,5
+        .set    b1_4,6
+        .set    b1_5,7
+        .set    b1_6,8
+        .set    b1_7,9
+        .set    b1_8,27
+        .set    nearest1_2,31
+        .set    nearest2_2,32
+        .set    nearest3_2,33
         .set    ex_2,36
         .set    e_2,32
         .set    ox_2,33
         .set    e_3,36
         .set    b_2,36
         .set    s_2,48
-        .set    ly_3,56
-        .set    lz_3,50
+        .set    nearest2_3,56
+        .set    nearest3_3,50
         .set    x_2,47
         .set    x_3,31
         .set    y_2,45
         .set    cc_2,46
-        .set    ly_4,48
+        .set    nearest2_4,48
         .set    e_4,47
-        .set    lx_3,33
-        .set    ly_5,31
-        .set    ly_6,37
-        .set    lz_4,38
+        .set    nearest1_3,33
+        .set    nearest2_5,31
+        .set    nearest2_6,37
+        .set    nearest3_4,38
         .set    ex_3,39
-        .set    disc_9,56
+        .set    b1_9,56
         .set    ey_2,40
         .set    ez_2,41
         .set    y_3,58
@@ -141,9 +75,9 @@ function isect_ball_pairs_double_r16
         .set    dz_2,51
         .set    x_5,33
         .set    cc_3,37
-        .set    lx_4,53
-        .set    ly_7,54
-        .set    lz_5,55
+        .set    nearest1_4,53
+        .set    nearest2_7,54
+        .set    nearest3_5,55
         .set    near_2,33
         .set    ex_4,61
         .set    w_4,36
@@ -152,9 +86,9 @@ function isect_ball_pairs_double_r16
         .set    s_3,66
         .set    ez_3,67
         .set    disc_even_2,68
-        .set    lx_5,63
-        .set    ly_8,57
-        .set    lz_6,49
+        .set    nearest1_5,63
+        .set    nearest2_8,57
+        .set    nearest3_6,49
         .set    y_6,36
         .set    e_7,33
         .set    ex_5,32
@@ -177,7 +111,7 @@ function isect_ball_pairs_double_r16
         .set    b_4,69
         .set    dx_3,56
         .set    control_4,33
-        .set    lx_6,45
+        .set    nearest1_6,45
         .set    q_2,5
         .set    x_6,52
         .set    e_8,39
@@ -186,16 +120,16 @@ function isect_ball_pairs_double_r16
         .set    y_8,40
         .set    near_3,31
         .set    s_5,33
-        .set    disc_10,40
+        .set    b1_10,40
         .set    dy_3,41
         .set    dz_3,42
-        .set    lz_7,43
+        .set    nearest3_7,43
         .set    y_9,53
-        .set    lx_7,54
+        .set    nearest1_7,54
         .set    t_6,37
         .set    e_10,31
-        .set    ly_9,55
-        .set    lz_8,68
+        .set    nearest2_9,55
+        .set    nearest3_8,68
         .set    ez_5,31
         .set    t_7,5
         .set    ey_5,36
@@ -204,14 +138,14 @@ function isect_ball_pairs_double_r16
         .set    s_6,6
         .set    ez_6,58
         .set    b_5,64
-        .set    lx_8,37
-        .set    lx_9,38
+        .set    nearest1_8,37
+        .set    nearest1_9,38
         .set    q_3,6
-        .set    ly_10,59
+        .set    nearest2_10,59
         .set    e_11,61
         .set    y_11,43
         .set    cc_5,45
-        .set    lz_9,48
+        .set    nearest3_9,48
         .set    ex_6,56
         .set    ey_6,41
         .set    ez_7,42
@@ -234,22 +168,22 @@ function isect_ball_pairs_double_r16
         .set    x_7,38
         .set    x_8,2
         .set    y_14,6
-        .set    ly_11,7
+        .set    nearest2_11,7
         .set    t_best_5,5
-        .set    ly_12,2
+        .set    nearest2_12,2
         .set    w_9,6
         .set    e_12,5
         .set    y_15,7
-        .set    disc_11,31
-        .set    lz_10,32
+        .set    b1_11,31
+        .set    nearest3_10,32
         .set    w_10,39
         .set    b_6,8
-        .set    lx_10,7
+        .set    nearest1_10,7
         .set    cc_6,28
         .set    e_13,7
         .set    s_9,29
-        .set    lz_11,36
-        .set    lz_12,30
+        .set    nearest3_11,36
+        .set    nearest3_12,30
         .set    ahead_4,5
         .set    x_9,5
         .set    e_14,6
@@ -260,7 +194,7 @@ function isect_ball_pairs_double_r16
         biz     $count,$lr                              # 0o
 
         ilhu    $m_x,1                                  # 1e
-        lqa     $m_high,doubles                         # 1o
+        lqa     $k_tiny+1,doubles                       # 1o
 
         ilhu    $m_y,0x405                              # 2e
         lqa     $m_rows,doubles+16                      # 2o
@@ -321,90 +255,90 @@ next_ball:
         lqd     $dz,320($a_packet)                      # 48o
 
         rotmi   $sides,$sides,-26                       # 49e
-        rotqbyi $lx,$ox,0                               # 49o
+        rotqbyi $nearest+1,$ox,0                        # 49o
 
-        rotqbyi $ly,$oy,0                               # 50o
+        rotqbyi $nearest+2,$oy,0                        # 50o
         dfm     $radius2,$radius2,$radius2              # 51e
 
-        fesd    $lx,$lx                                 # 58e
-        fesd    $ly,$ly                                 # 65e
+        fesd    $nearest+1,$nearest+1                   # 58e
+        fesd    $nearest+2,$nearest+2                   # 65e
 
-        dfs     $lx,$cx,$lx                             # 72e
-        dfs     $ly,$cy,$ly                             # 79e
+        dfs     $nearest+1,$cx,$nearest+1               # 72e
+        dfs     $nearest+2,$cy,$nearest+2               # 79e
 
-        ori     $disc,$radius2,0                        # 86e
+        ori     $b+1,$radius2,0                         # 86e
         lqx     $half,$a_half,$sides                    # 86o
 
-        ori     $disc_2,$radius2,0                      # 87e
+        ori     $b1_2,$radius2,0                        # 87e
         lqx     $whole,$a_whole,$sides                  # 87o
 
-        ori     $disc_3,$radius2,0                      # 88e
+        ori     $b1_3,$radius2,0                        # 88e
         lqx     $m_by_side,$a_by_side,$sides            # 88o
 
-        ori     $disc_4,$radius2,0                      # 89e
-        rotqbyi $lz,$oz,0                               # 89o
+        ori     $b1_4,$radius2,0                        # 89e
+        rotqbyi $nearest+3,$oz,0                        # 89o
 
-        ori     $disc_5,$radius2,0                      # 90e
+        ori     $b1_5,$radius2,0                        # 90e
         rotqbyi $ex,$dx,0                               # 90o
 
-        ori     $disc_6,$radius2,0                      # 91e
+        ori     $b1_6,$radius2,0                        # 91e
         rotqbyi $ey,$dy,0                               # 91o
 
-        ori     $disc_7,$radius2,0                      # 92e
+        ori     $b1_7,$radius2,0                        # 92e
         rotqbyi $ez,$dz,0                               # 92o
 
-        fesd    $lz,$lz                                 # 93e
+        fesd    $nearest+3,$nearest+3                   # 93e
         fesd    $ex,$ex                                 # 100e
 
-        dfs     $lz,$cz,$lz                             # 107e
+        dfs     $nearest+3,$cz,$nearest+3               # 107e
         fesd    $ey,$ey                                 # 114e
 
         fesd    $ez,$ez                                 # 121e
-        dfm     $b,$lx,$ex                              # 128e
+        dfm     $b,$nearest+1,$ex                       # 128e
 
-        ori     $disc_8,$radius2,0                      # 135e
-        rotqbyi $lx_2,$ox,4                             # 135o
+        ori     $b1_8,$radius2,0                        # 135e
+        rotqbyi $nearest1_2,$ox,4                       # 135o
 
-        rotqbyi $ly_2,$oy,4                             # 136o
-        rotqbyi $lz_2,$oz,4                             # 137o
+        rotqbyi $nearest2_2,$oy,4                       # 136o
+        rotqbyi $nearest3_2,$oz,4                       # 137o
 
         rotqbyi $ex_2,$dx,4                             # 138o
-        fesd    $lx_2,$lx_2                             # 139e
+        fesd    $nearest1_2,$nearest1_2                 # 139e
 
-        dfma    $b,$ly,$ey                              # 146e
-        dfs     $lx_2,$cx,$lx_2                         # 153e
+        dfma    $b,$nearest+2,$ey                       # 146e
+        dfs     $nearest1_2,$cx,$nearest1_2             # 153e
 
-        dfma    $b,$lz,$ez                              # 160e
-        fesd    $ly_2,$ly_2                             # 167e
+        dfma    $b,$nearest+3,$ez                       # 160e
+        fesd    $nearest2_2,$nearest2_2                 # 167e
 
-        dfnms   $lx,$b,$ex                              # 174e
-        dfnms   $ly,$b,$ey                              # 181e
+        dfnms   $nearest+1,$b,$ex                       # 174e
+        dfnms   $nearest+2,$b,$ey                       # 181e
 
-        dfnms   $lz,$b,$ez                              # 188e
-        dfm     $e,$lx,$ex                              # 195e
+        dfnms   $nearest+3,$b,$ez                       # 188e
+        dfm     $e,$nearest+1,$ex                       # 195e
 
-        dfnms   $disc,$lx,$lx                           # 202e
-        dfma    $e,$ly,$ey                              # 209e
+        dfnms   $b+1,$nearest+1,$nearest+1              # 202e
+        dfma    $e,$nearest+2,$ey                       # 209e
 
-        dfnms   $disc,$ly,$ly                           # 216e
-        dfma    $e,$lz,$ez                              # 223e
+        dfnms   $b+1,$nearest+2,$nearest+2              # 216e
+        dfma    $e,$nearest+3,$ez                       # 223e
 
-        dfnms   $disc,$lz,$lz                           # 230e
+        dfnms   $b+1,$nearest+3,$nearest+3              # 230e
         dfma    $b,$e,$k_half_double                    # 237e
 
-        dfma    $disc,$e,$e                             # 244e
-        dfs     $ly,$cy,$ly_2                           # 251e
+        dfma    $b+1,$e,$e                              # 244e
+        dfs     $nearest+2,$cy,$nearest2_2              # 251e
 
-        frds    $x,$disc                                # 258e
+        frds    $x,$b+1                                 # 258e
         lnop                                            # 265o pairing
 
-        ori     $e,$disc,0                              # 266e
+        ori     $e,$b+1,0                               # 266e
         rotqbyi $ey,$dy,4                               # 266o
 
-        ori     $cc,$disc,0                             # 267e
+        ori     $cc,$b+1,0                              # 267e
         rotqbyi $ez,$dz,4                               # 267o
 
-        fesd    $lz,$lz_2                               # 268e
+        fesd    $nearest+3,$nearest3_2                  # 268e
         lnop                                            # 275o pairing
 
         fa      $near,$x,$k_tiny                        # 276e
@@ -416,7 +350,7 @@ next_ball:
         ori     $disc_even,$near,0                      # 285e
         frsqest $y,$near                                # 285o
 
-        dfs     $lz,$cz,$lz                             # 286e
+        dfs     $nearest+3,$cz,$nearest+3               # 286e
         lnop                                            # 293o pairing
 
         fi      $y,$near,$y                             # 294e
@@ -447,69 +381,69 @@ next_ball:
         lqd     $dz,336($a_packet)                      # 316o
 
         rotmai  $s,$s,-31                               # 317e
-        rotqbyi $lx,$ox_2,0                             # 317o
+        rotqbyi $nearest+1,$ox_2,0                      # 317o
 
         fesd    $ez,$ez                                 # 318e
         lnop                                            # 325o pairing
 
         fma     $w,$e_3,$w,$y                           # 326e
-        shufb   $s,$s,$s,$m_high                        # 326o
+        shufb   $s,$s,$s,$k_tiny+1                      # 326o
 
-        dfm     $b_2,$lx_2,$ex                          # 327e
+        dfm     $b_2,$nearest1_2,$ex                    # 327e
         fesd    $y,$w                                   # 334e
 
-        dfma    $b_2,$ly,$ey                            # 341e
-        dfm     $s_2,$disc,$y                           # 348e
+        dfma    $b_2,$nearest+2,$ey                     # 341e
+        dfm     $s_2,$b+1,$y                            # 348e
 
         a       $y,$y,$k_halve                          # 355e
-        rotqbyi $ly_3,$oy,0                             # 355o
+        rotqbyi $nearest2_3,$oy,0                       # 355o
 
-        dfma    $b_2,$lz,$ez                            # 356e
+        dfma    $b_2,$nearest+3,$ez                     # 356e
         dfnms   $e,$s_2,$s_2                            # 363e
 
-        dfnms   $lx_2,$b_2,$ex                          # 370e
+        dfnms   $nearest1_2,$b_2,$ex                    # 370e
         dfma    $s_2,$e,$y                              # 377e
 
-        dfnms   $ly,$b_2,$ey                            # 384e
+        dfnms   $nearest+2,$b_2,$ey                     # 384e
         lnop                                            # 391o pairing
 
         selb    $s_2,$s_2,$b,$m_sign                    # 392e
-        rotqbyi $lz_3,$oz,0                             # 392o
+        rotqbyi $nearest3_3,$oz,0                       # 392o
 
-        dfnms   $lz,$b_2,$ez                            # 393e
+        dfnms   $nearest+3,$b_2,$ez                     # 393e
         dfa     $q,$b,$s_2                              # 400e
 
-        dfm     $e,$lx_2,$ex                            # 407e
+        dfm     $e,$nearest1_2,$ex                      # 407e
         frds    $x_2,$q                                 # 414e
 
-        dfma    $e,$ly,$ey                              # 421e
+        dfma    $e,$nearest+2,$ey                       # 421e
         lnop                                            # 428o pairing
 
         fa      $x_2,$x_2,$k_tiny                       # 429e
         rotqbyi $ex,$dx,0                               # 429o
 
-        dfnms   $disc_2,$lx_2,$lx_2                     # 430e
-        dfma    $e,$lz,$ez                              # 437e
+        dfnms   $b1_2,$nearest1_2,$nearest1_2           # 430e
+        dfma    $e,$nearest+3,$ez                       # 437e
 
-        dfnms   $disc_2,$ly,$ly                         # 444e
+        dfnms   $b1_2,$nearest+2,$nearest+2             # 444e
         dfma    $b_2,$e,$k_half_double                  # 451e
 
-        dfnms   $disc_2,$lz,$lz                         # 458e
-        fesd    $lx,$lx                                 # 465e
+        dfnms   $b1_2,$nearest+3,$nearest+3             # 458e
+        fesd    $nearest+1,$nearest+1                   # 465e
 
-        dfma    $disc_2,$e,$e                           # 472e
-        dfs     $lx,$cx,$lx                             # 479e
+        dfma    $b1_2,$e,$e                             # 472e
+        dfs     $nearest+1,$cx,$nearest+1               # 479e
 
-        frds    $x_3,$disc_2                            # 486e
+        frds    $x_3,$b1_2                              # 486e
         lnop                                            # 493o pairing
 
-        ori     $e,$disc_2,0                            # 494e
+        ori     $e,$b1_2,0                              # 494e
         frest   $y_2,$x_2                               # 494o
 
-        ori     $cc_2,$disc_2,0                         # 495e
+        ori     $cc_2,$b1_2,0                           # 495e
         rotqbyi $ey,$dy,0                               # 495o
 
-        fesd    $ly_4,$ly_3                             # 496e
+        fesd    $nearest2_4,$nearest2_3                 # 496e
         lnop                                            # 503o pairing
 
         fi      $y_2,$x_2,$y_2                          # 504e
@@ -519,31 +453,31 @@ next_ball:
         lnop                                            # 512o pairing
 
         fnms    $e_4,$x_2,$y_2,$k_one                   # 513e
-        rotqbyi $lx_3,$ox_2,4                           # 513o
+        rotqbyi $nearest1_3,$ox_2,4                     # 513o
 
         fa      $near,$x_3,$k_tiny                      # 514e
-        rotqbyi $ly_5,$oy,4                             # 514o
+        rotqbyi $nearest2_5,$oy,4                       # 514o
 
-        dfs     $ly_6,$cy,$ly_4                         # 515e
+        dfs     $nearest2_6,$cy,$nearest2_4             # 515e
         lnop                                            # 522o pairing
 
         fma     $w,$e_4,$y_2,$y_2                       # 523e
         frsqest $y_2,$near                              # 523o
 
         ori     $e_4,$cc_2,0                            # 524e
-        rotqbyi $lz_4,$oz,4                             # 524o
+        rotqbyi $nearest3_4,$oz,4                       # 524o
 
         selb    $s_2,$whole,$cc_2,$m_by_side            # 525e
         rotqbyi $ex_3,$dx,4                             # 525o
 
-        ori     $disc_9,$near,0                         # 526e
+        ori     $b1_9,$near,0                           # 526e
         rotqbyi $ey_2,$dy,4                             # 526o
 
         fi      $y_2,$near,$y_2                         # 527e
         rotqbyi $ez_2,$dz,4                             # 527o
 
         xor     $s_2,$s_2,$b_2                          # 528e
-        shufb   $disc_9,$disc_even,$disc_9,$m_rows      # 528o
+        shufb   $b1_9,$disc_even,$b1_9,$m_rows          # 528o
 
         fesd    $y_3,$w                                 # 529e
         lnop                                            # 536o pairing
@@ -557,13 +491,13 @@ next_ball:
         rotmai  $s_2,$s_2,-31                           # 539e
         lqd     $ox_3,32($a_packet)                     # 539o
 
-        fesd    $lz_3,$lz_3                             # 540e
+        fesd    $nearest3_3,$nearest3_3                 # 540e
         dfm     $t_2,$cc,$y_3                           # 547e
 
         fnms    $e_5,$e_5,$y_2,$k_one                   # 554e
-        shufb   $s_2,$s_2,$s_2,$m_high                  # 554o
+        shufb   $s_2,$s_2,$s_2,$k_tiny+1                # 554o
 
-        dfs     $lz_3,$cz,$lz_3                         # 555e
+        dfs     $nearest3_3,$cz,$nearest3_3             # 555e
         dfnms   $e_2,$q,$t_2                            # 562e
 
         fma     $w_3,$e_5,$w_2,$y_2                     # 569e
@@ -581,7 +515,7 @@ next_ball:
         fesd    $ey,$ey                                 # 593e
         frds    $t_even_2,$t_3                          # 600e
 
-        dfm     $s,$disc_2,$y_4                         # 607e
+        dfm     $s,$b1_2,$y_4                           # 607e
         lnop                                            # 614o pairing
 
         a       $y_5,$y_4,$k_halve                      # 615e
@@ -590,67 +524,67 @@ next_ball:
         fesd    $ez,$ez                                 # 616e
         dfnms   $e,$s,$s                                # 623e
 
-        dfm     $b_3,$lx,$ex                            # 630e
+        dfm     $b_3,$nearest+1,$ex                     # 630e
         dfma    $s,$e,$y_5                              # 637e
 
-        dfma    $b_3,$ly_6,$ey                          # 644e
+        dfma    $b_3,$nearest2_6,$ey                    # 644e
         lnop                                            # 651o pairing
 
         selb    $s,$s,$b_2,$m_sign                      # 652e
         lqd     $dy_2,288($a_packet)                    # 652o
 
-        fesd    $lx_3,$lx_3                             # 653e
+        fesd    $nearest1_3,$nearest1_3                 # 653e
         dfa     $q,$b_2,$s                              # 660e
 
-        dfma    $b_3,$lz_3,$ez                          # 667e
+        dfma    $b_3,$nearest3_3,$ez                    # 667e
         frds    $x_4,$q                                 # 674e
 
-        dfnms   $lx,$b_3,$ex                            # 681e
+        dfnms   $nearest+1,$b_3,$ex                     # 681e
         lnop                                            # 688o pairing
 
         fa      $x_4,$x_4,$k_tiny                       # 689e
         lqd     $dz_2,352($a_packet)                    # 689o
 
-        dfnms   $ly_6,$b_3,$ey                          # 690e
-        dfnms   $lz_3,$b_3,$ez                          # 697e
+        dfnms   $nearest2_6,$b_3,$ey                    # 690e
+        dfnms   $nearest3_3,$b_3,$ez                    # 697e
 
-        dfm     $e,$lx,$ex                              # 704e
-        dfnms   $disc_3,$lx,$lx                         # 711e
+        dfm     $e,$nearest+1,$ex                       # 704e
+        dfnms   $b1_3,$nearest+1,$nearest+1             # 711e
 
-        dfma    $e,$ly_6,$ey                            # 718e
-        dfnms   $disc_3,$ly_6,$ly_6                     # 725e
+        dfma    $e,$nearest2_6,$ey                      # 718e
+        dfnms   $b1_3,$nearest2_6,$nearest2_6           # 725e
 
-        dfma    $e,$lz_3,$ez                            # 732e
-        dfnms   $disc_3,$lz_3,$lz_3                     # 739e
+        dfma    $e,$nearest3_3,$ez                      # 732e
+        dfnms   $b1_3,$nearest3_3,$nearest3_3           # 739e
 
         dfma    $b_3,$e,$k_half_double                  # 746e
-        dfma    $disc_3,$e,$e                           # 753e
+        dfma    $b1_3,$e,$e                             # 753e
 
-        dfs     $lx,$cx,$lx_3                           # 760e
-        frds    $x_5,$disc_3                            # 767e
+        dfs     $nearest+1,$cx,$nearest1_3              # 760e
+        frds    $x_5,$b1_3                              # 767e
 
-        ori     $e,$disc_3,0                            # 774e
+        ori     $e,$b1_3,0                              # 774e
         frest   $y,$x_4                                 # 774o
 
-        ori     $cc_3,$disc_3,0                         # 775e
-        rotqbyi $lx_4,$ox_3,0                           # 775o
+        ori     $cc_3,$b1_3,0                           # 775e
+        rotqbyi $nearest1_4,$ox_3,0                     # 775o
 
-        fesd    $ly_5,$ly_5                             # 776e
+        fesd    $nearest2_5,$nearest2_5                 # 776e
         lnop                                            # 783o pairing
 
         fi      $y,$x_4,$y                              # 784e
-        rotqbyi $ly_7,$oy_2,0                           # 784o
+        rotqbyi $nearest2_7,$oy_2,0                     # 784o
 
         dfms    $cc_3,$b_3,$b_3                         # 785e
         lnop                                            # 792o pairing
 
         fnms    $e_3,$x_4,$y,$k_one                     # 793e
-        rotqbyi $lz_5,$oz_2,0                           # 793o
+        rotqbyi $nearest3_5,$oz_2,0                     # 793o
 
         fa      $near_2,$x_5,$k_tiny                    # 794e
         rotqbyi $ex_4,$dx_2,0                           # 794o
 
-        dfs     $ly_5,$cy,$ly_5                         # 795e
+        dfs     $nearest2_5,$cy,$nearest2_5             # 795e
         lnop                                            # 802o pairing
 
         fma     $w_4,$e_3,$y,$y                         # 803e
@@ -663,13 +597,13 @@ next_ball:
         rotqbyi $ez_3,$dz_2,0                           # 805o
 
         ori     $disc_even_2,$near_2,0                  # 806e
-        rotqbyi $lx_5,$ox_3,4                           # 806o
+        rotqbyi $nearest1_5,$ox_3,4                     # 806o
 
         fi      $y,$near_2,$y                           # 807e
-        rotqbyi $ly_8,$oy_2,4                           # 807o
+        rotqbyi $nearest2_8,$oy_2,4                     # 807o
 
         xor     $s_3,$s_3,$b_3                          # 808e
-        rotqbyi $lz_6,$oz_2,4                           # 808o
+        rotqbyi $nearest3_6,$oz_2,4                     # 808o
 
         fesd    $y_6,$w_4                               # 809e
         lnop                                            # 816o pairing
@@ -683,13 +617,13 @@ next_ball:
         rotmai  $s_3,$s_3,-31                           # 819e
         rotqbyi $ez_4,$dz_2,4                           # 819o
 
-        fesd    $lz_4,$lz_4                             # 820e
+        fesd    $nearest3_4,$nearest3_4                 # 820e
         dfm     $t_4,$cc_2,$y_6                         # 827e
 
         fnms    $e_7,$e_7,$y,$k_one                     # 834e
-        shufb   $s_3,$s_3,$s_3,$m_high                  # 834o
+        shufb   $s_3,$s_3,$s_3,$k_tiny+1                # 834o
 
-        dfs     $lz_4,$cz,$lz_4                         # 835e
+        dfs     $nearest3_4,$cz,$nearest3_4             # 835e
         dfnms   $e_4,$q,$t_4                            # 842e
 
         fma     $w_6,$e_7,$w_5,$y                       # 849e
@@ -707,7 +641,7 @@ next_ball:
         fesd    $ey_2,$ey_2                             # 873e
         frds    $t_5,$t_5                               # 880e
 
-        dfm     $s_4,$disc_3,$y_7                       # 887e
+        dfm     $s_4,$b1_3,$y_7                         # 887e
         lnop                                            # 894o pairing
 
         a       $y_7,$y_7,$k_halve                      # 895e
@@ -728,55 +662,55 @@ next_ball:
         and     $control_3,$control_2,$ahead_2          # 914e
         lqd     $oz_3,176($a_packet)                    # 914o
 
-        dfm     $b_4,$lx,$ex_3                          # 915e
+        dfm     $b_4,$nearest+1,$ex_3                   # 915e
         lnop                                            # 922o pairing
 
-        andc    $control_3,$control_3,$disc_9           # 923e
+        andc    $control_3,$control_3,$b1_9             # 923e
         lqd     $dx_3,240($a_packet)                    # 923o
 
         dfma    $s_4,$e,$y_7                            # 924e
-        dfma    $b_4,$ly_5,$ey_2                        # 931e
+        dfma    $b_4,$nearest2_5,$ey_2                  # 931e
 
         selb    $s_4,$s_4,$b_3,$m_sign                  # 938e
         rotqbii $control_4,$control_3,1                 # 938o
 
-        fesd    $lx_6,$lx_4                             # 939e
+        fesd    $nearest1_6,$nearest1_4                 # 939e
         dfa     $q_2,$b_3,$s_4                          # 946e
 
-        dfma    $b_4,$lz_4,$ez_2                        # 953e
+        dfma    $b_4,$nearest3_4,$ez_2                  # 953e
         frds    $x_6,$q_2                               # 960e
 
-        dfnms   $lx,$b_4,$ex_3                          # 967e
+        dfnms   $nearest+1,$b_4,$ex_3                   # 967e
         lnop                                            # 974o pairing
 
         fa      $x_6,$x_6,$k_tiny                       # 975e
         gb      $control_4,$control_4                   # 975o
 
-        dfnms   $ly_5,$b_4,$ey_2                        # 976e
-        dfnms   $lz_4,$b_4,$ez_2                        # 983e
+        dfnms   $nearest2_5,$b_4,$ey_2                  # 976e
+        dfnms   $nearest3_4,$b_4,$ez_2                  # 983e
 
-        dfm     $e_8,$lx,$ex_3                          # 990e
-        dfnms   $disc_4,$lx,$lx                         # 997e
+        dfm     $e_8,$nearest+1,$ex_3                   # 990e
+        dfnms   $b1_4,$nearest+1,$nearest+1             # 997e
 
-        dfma    $e_8,$ly_5,$ey_2                        # 1004e
-        dfnms   $disc_4,$ly_5,$ly_5                     # 1011e
+        dfma    $e_8,$nearest2_5,$ey_2                  # 1004e
+        dfnms   $b1_4,$nearest2_5,$nearest2_5           # 1011e
 
-        dfma    $e_8,$lz_4,$ez_2                        # 1018e
-        dfnms   $disc_4,$lz_4,$lz_4                     # 1025e
+        dfma    $e_8,$nearest3_4,$ez_2                  # 1018e
+        dfnms   $b1_4,$nearest3_4,$nearest3_4           # 1025e
 
         dfma    $b_4,$e_8,$k_half_double                # 1032e
-        dfma    $disc_4,$e_8,$e_8                       # 1039e
+        dfma    $b1_4,$e_8,$e_8                         # 1039e
 
-        dfs     $lx,$cx,$lx_6                           # 1046e
-        frds    $x_3,$disc_4                            # 1053e
+        dfs     $nearest+1,$cx,$nearest1_6              # 1046e
+        frds    $x_3,$b1_4                              # 1053e
 
-        ori     $e_9,$disc_4,0                          # 1060e
+        ori     $e_9,$b1_4,0                            # 1060e
         shlqbii $control_4,$control_4,4                 # 1060o
 
-        ori     $cc_4,$disc_4,0                         # 1061e
+        ori     $cc_4,$b1_4,0                           # 1061e
         frest   $y_8,$x_6                               # 1061o
 
-        fesd    $ly,$ly_7                               # 1062e
+        fesd    $nearest+2,$nearest2_7                  # 1062e
         lnop                                            # 1069o pairing
 
         fi      $y_8,$x_6,$y_8                          # 1070e
@@ -791,7 +725,7 @@ next_ball:
         fa      $near_3,$x_3,$k_tiny                    # 1080e
         shufb   $nearest,$nearest,$object,$control_4    # 1080o
 
-        dfs     $ly,$cy,$ly                             # 1081e
+        dfs     $nearest+2,$cy,$nearest+2               # 1081e
         lnop                                            # 1088o pairing
 
         fma     $w,$e,$y_8,$y_8                         # 1089e
@@ -803,35 +737,35 @@ next_ball:
         selb    $s_5,$whole,$cc_4,$m_by_side            # 1091e
         frsqest $y_6,$near_3                            # 1091o
 
-        ori     $disc_10,$near_3,0                      # 1092e
+        ori     $b1_10,$near_3,0                        # 1092e
         lqd     $dy_3,304($a_packet)                    # 1092o
 
         xor     $s_5,$s_5,$b_4                          # 1093e
         lqd     $dz_3,368($a_packet)                    # 1093o
 
-        fesd    $lz_7,$lz_5                             # 1094e
+        fesd    $nearest3_7,$nearest3_5                 # 1094e
         fesd    $y_9,$w                                 # 1101e
 
         fi      $y_6,$near_3,$y_6                       # 1108e
-        shufb   $disc_10,$disc_even_2,$disc_10,$m_rows  # 1108o
+        shufb   $b1_10,$disc_even_2,$b1_10,$m_rows      # 1108o
 
         rotmai  $s_5,$s_5,-31                           # 1109e
-        rotqbyi $lx_7,$ox_4,0                           # 1109o
+        rotqbyi $nearest1_7,$ox_4,0                     # 1109o
 
-        dfs     $lz_7,$cz,$lz_7                         # 1110e
+        dfs     $nearest3_7,$cz,$nearest3_7             # 1110e
         dfm     $t_6,$cc_3,$y_9                         # 1117e
 
         fm      $e_10,$near_3,$y_6                      # 1124e
-        shufb   $s_5,$s_5,$s_5,$m_high                  # 1124o
+        shufb   $s_5,$s_5,$s_5,$k_tiny+1                # 1124o
 
         fm      $w,$y_6,$k_half                         # 1125e
-        rotqbyi $ly_9,$oy_3,0                           # 1125o
+        rotqbyi $nearest2_9,$oy_3,0                     # 1125o
 
         fesd    $ex_4,$ex_4                             # 1126e
         dfnms   $e_6,$q_2,$t_6                          # 1133e
 
         fnms    $e_10,$e_10,$y_6,$k_one                 # 1140e
-        rotqbyi $lz_8,$oz_3,0                           # 1140o
+        rotqbyi $nearest3_8,$oz_3,0                     # 1140o
 
         fesd    $ey_3,$ey_3                             # 1141e
         dfma    $t_6,$e_6,$y_9                          # 1148e
@@ -848,61 +782,61 @@ next_ball:
         fesd    $y_10,$w                                # 1165e
         frds    $t_even_3,$t_7                          # 1172e
 
-        dfm     $s_6,$disc_4,$y_10                      # 1179e
+        dfm     $s_6,$b1_4,$y_10                        # 1179e
         lnop                                            # 1186o pairing
 
         a       $y_10,$y_10,$k_halve                    # 1187e
         rotqbyi $ez_6,$dz_3,0                           # 1187o
 
-        dfm     $b_5,$lx,$ex_4                          # 1188e
+        dfm     $b_5,$nearest+1,$ex_4                   # 1188e
         dfnms   $e_9,$s_6,$s_6                          # 1195e
 
-        dfma    $b_5,$ly,$ey_3                          # 1202e
+        dfma    $b_5,$nearest+2,$ey_3                   # 1202e
         dfma    $s_6,$e_9,$y_10                         # 1209e
 
-        dfma    $b_5,$lz_7,$ez_5                        # 1216e
+        dfma    $b_5,$nearest3_7,$ez_5                  # 1216e
         lnop                                            # 1223o pairing
 
         selb    $s_6,$s_6,$b_4,$m_sign                  # 1224e
-        rotqbyi $lx_8,$ox_4,4                           # 1224o
+        rotqbyi $nearest1_8,$ox_4,4                     # 1224o
 
-        fesd    $lx_9,$lx_5                             # 1225e
+        fesd    $nearest1_9,$nearest1_5                 # 1225e
         dfa     $q_3,$b_4,$s_6                          # 1232e
 
-        dfnms   $lx,$b_5,$ex_4                          # 1239e
+        dfnms   $nearest+1,$b_5,$ex_4                   # 1239e
         frds    $x_2,$q_3                               # 1246e
 
-        dfnms   $ly,$b_5,$ey_3                          # 1253e
+        dfnms   $nearest+2,$b_5,$ey_3                   # 1253e
         lnop                                            # 1260o pairing
 
         fa      $x_2,$x_2,$k_tiny                       # 1261e
-        rotqbyi $ly_10,$oy_3,4                          # 1261o
+        rotqbyi $nearest2_10,$oy_3,4                    # 1261o
 
-        dfnms   $lz_7,$b_5,$ez_5                        # 1262e
-        dfm     $e_11,$lx,$ex_4                         # 1269e
+        dfnms   $nearest3_7,$b_5,$ez_5                  # 1262e
+        dfm     $e_11,$nearest+1,$ex_4                  # 1269e
 
-        dfnms   $disc_5,$lx,$lx                         # 1276e
-        dfma    $e_11,$ly,$ey_3                         # 1283e
+        dfnms   $b1_5,$nearest+1,$nearest+1             # 1276e
+        dfma    $e_11,$nearest+2,$ey_3                  # 1283e
 
-        dfnms   $disc_5,$ly,$ly                         # 1290e
-        dfma    $e_11,$lz_7,$ez_5                       # 1297e
+        dfnms   $b1_5,$nearest+2,$nearest+2             # 1290e
+        dfma    $e_11,$nearest3_7,$ez_5                 # 1297e
 
-        dfnms   $disc_5,$lz_7,$lz_7                     # 1304e
+        dfnms   $b1_5,$nearest3_7,$nearest3_7           # 1304e
         dfma    $b_5,$e_11,$k_half_double               # 1311e
 
-        dfma    $disc_5,$e_11,$e_11                     # 1318e
-        dfs     $lx,$cx,$lx_9                           # 1325e
+        dfma    $b1_5,$e_11,$e_11                       # 1318e
+        dfs     $nearest+1,$cx,$nearest1_9              # 1325e
 
-        frds    $x_3,$disc_5                            # 1332e
+        frds    $x_3,$b1_5                              # 1332e
         lnop                                            # 1339o pairing
 
-        ori     $e_9,$disc_5,0                          # 1340e
+        ori     $e_9,$b1_5,0                            # 1340e
         frest   $y_11,$x_2                              # 1340o
 
-        ori     $cc_5,$disc_5,0                         # 1341e
-        rotqbyi $lz_9,$oz_3,4                           # 1341o
+        ori     $cc_5,$b1_5,0                           # 1341e
+        rotqbyi $nearest3_9,$oz_3,4                     # 1341o
 
-        fesd    $ly_8,$ly_8                             # 1342e
+        fesd    $nearest2_8,$nearest2_8                 # 1342e
         lnop                                            # 1349o pairing
 
         fi      $y_11,$x_2,$y_11                        # 1350e
@@ -917,7 +851,7 @@ next_ball:
         fa      $near_3,$x_3,$k_tiny                    # 1360e
         rotqbyi $ez_7,$dz_3,4                           # 1360o
 
-        dfs     $ly_8,$cy,$ly_8                         # 1361e
+        dfs     $nearest2_8,$cy,$nearest2_8             # 1361e
         lnop                                            # 1368o pairing
 
         fma     $w_7,$e_4,$y_11,$y_11                   # 1369e
@@ -939,15 +873,15 @@ next_ball:
         fm      $w_5,$y_12,$k_half                      # 1383e
 
         rotmai  $s_7,$s_7,-31                           # 1384e
-        fesd    $lz_6,$lz_6                             # 1385e
+        fesd    $nearest3_6,$nearest3_6                 # 1385e
 
         dfm     $t_8,$cc_4,$y_11                        # 1392e
         lnop                                            # 1399o pairing
 
         fnms    $e_10,$e_10,$y_12,$k_one                # 1400e
-        shufb   $s_7,$s_7,$s_7,$m_high                  # 1400o
+        shufb   $s_7,$s_7,$s_7,$k_tiny+1                # 1400o
 
-        dfs     $lz_6,$cz,$lz_6                         # 1401e
+        dfs     $nearest3_6,$cz,$nearest3_6             # 1401e
         dfnms   $e,$q_3,$t_8                            # 1408e
 
         fma     $w_8,$e_10,$w_5,$y_12                   # 1415e
@@ -960,7 +894,7 @@ next_ball:
         fesd    $ey_4,$ey_4                             # 1438e
 
         frds    $t_9,$t_9                               # 1445e
-        dfm     $s_8,$disc_5,$y_13                      # 1452e
+        dfm     $s_8,$b1_5,$y_13                        # 1452e
 
         a       $y_13,$y_13,$k_halve                    # 1459e
         shufb   $t_7,$t_even_3,$t_9,$m_rows             # 1459o
@@ -972,54 +906,54 @@ next_ball:
         dfnms   $e_9,$s_8,$s_8                          # 1469e
 
         and     $control_4,$control_5,$ahead_3          # 1476e
-        dfm     $b,$lx,$ex_5                            # 1477e
+        dfm     $b,$nearest+1,$ex_5                     # 1477e
 
-        andc    $control_4,$control_4,$disc_10          # 1484e
+        andc    $control_4,$control_4,$b1_10            # 1484e
         dfma    $s_8,$e_9,$y_13                         # 1485e
 
-        dfma    $b,$ly_8,$ey_4                          # 1492e
+        dfma    $b,$nearest2_8,$ey_4                    # 1492e
         lnop                                            # 1499o pairing
 
         selb    $s,$s_8,$b_5,$m_sign                    # 1500e
         rotqbii $control_6,$control_4,1                 # 1500o
 
-        fesd    $lx_2,$lx_7                             # 1501e
+        fesd    $nearest1_2,$nearest1_7                 # 1501e
         dfa     $q_4,$b_5,$s                            # 1508e
 
-        dfma    $b,$lz_6,$ez_8                          # 1515e
+        dfma    $b,$nearest3_6,$ez_8                    # 1515e
         frds    $x_7,$q_4                               # 1522e
 
-        dfnms   $lx,$b,$ex_5                            # 1529e
+        dfnms   $nearest+1,$b,$ex_5                     # 1529e
         lnop                                            # 1536o pairing
 
         fa      $x_7,$x_7,$k_tiny                       # 1537e
         gb      $control,$control_6                     # 1537o
 
-        dfnms   $ly_8,$b,$ey_4                          # 1538e
-        dfnms   $lz_6,$b,$ez_8                          # 1545e
+        dfnms   $nearest2_8,$b,$ey_4                    # 1538e
+        dfnms   $nearest3_6,$b,$ez_8                    # 1545e
 
-        dfm     $e,$lx,$ex_5                            # 1552e
-        dfnms   $disc_6,$lx,$lx                         # 1559e
+        dfm     $e,$nearest+1,$ex_5                     # 1552e
+        dfnms   $b1_6,$nearest+1,$nearest+1             # 1559e
 
-        dfma    $e,$ly_8,$ey_4                          # 1566e
-        dfnms   $disc_6,$ly_8,$ly_8                     # 1573e
+        dfma    $e,$nearest2_8,$ey_4                    # 1566e
+        dfnms   $b1_6,$nearest2_8,$nearest2_8           # 1573e
 
-        dfma    $e,$lz_6,$ez_8                          # 1580e
-        dfnms   $disc_6,$lz_6,$lz_6                     # 1587e
+        dfma    $e,$nearest3_6,$ez_8                    # 1580e
+        dfnms   $b1_6,$nearest3_6,$nearest3_6           # 1587e
 
         dfma    $b,$e,$k_half_double                    # 1594e
-        dfma    $disc_6,$e,$e                           # 1601e
+        dfma    $b1_6,$e,$e                             # 1601e
 
-        dfs     $lx,$cx,$lx_2                           # 1608e
-        frds    $x_8,$disc_6                            # 1615e
+        dfs     $nearest+1,$cx,$nearest1_2              # 1608e
+        frds    $x_8,$b1_6                              # 1615e
 
-        ori     $e,$disc_6,0                            # 1622e
+        ori     $e,$b1_6,0                              # 1622e
         shlqbii $control,$control,4                     # 1622o
 
-        ori     $cc,$disc_6,0                           # 1623e
+        ori     $cc,$b1_6,0                             # 1623e
         frest   $y_14,$x_7                              # 1623o
 
-        fesd    $ly_11,$ly_9                            # 1624e
+        fesd    $nearest2_11,$nearest2_9                # 1624e
         lnop                                            # 1631o pairing
 
         fi      $y_14,$x_7,$y_14                        # 1632e
@@ -1034,7 +968,7 @@ next_ball:
         fa      $near,$x_8,$k_tiny                      # 1642e
         shufb   $nearest,$nearest_2,$object,$control    # 1642o
 
-        dfs     $ly_12,$cy,$ly_11                       # 1643e
+        dfs     $nearest2_12,$cy,$nearest2_11           # 1643e
         lnop                                            # 1650o pairing
 
         fma     $w_9,$e_10,$y_14,$y_14                  # 1651e
@@ -1046,23 +980,23 @@ next_ball:
         selb    $s,$whole,$cc,$m_by_side                # 1653e
         frsqest $y_15,$near                             # 1653o
 
-        ori     $disc_11,$near,0                        # 1654e
+        ori     $b1_11,$near,0                          # 1654e
         xor     $s,$s,$b                                # 1655e
 
-        fesd    $lz_10,$lz_8                            # 1656e
+        fesd    $nearest3_10,$nearest3_8                # 1656e
         fesd    $y_14,$w_9                              # 1663e
 
         fi      $y_15,$near,$y_15                       # 1670e
-        shufb   $disc_11,$disc_even_3,$disc_11,$m_rows  # 1670o
+        shufb   $b1_11,$disc_even_3,$b1_11,$m_rows      # 1670o
 
         rotmai  $s,$s,-31                               # 1671e
-        dfs     $lz_10,$cz,$lz_10                       # 1672e
+        dfs     $nearest3_10,$cz,$nearest3_10           # 1672e
 
         dfm     $t,$cc_5,$y_14                          # 1679e
         lnop                                            # 1686o pairing
 
         fm      $e_9,$near,$y_15                        # 1687e
-        shufb   $s,$s,$s,$m_high                        # 1687o
+        shufb   $s,$s,$s,$k_tiny+1                      # 1687o
 
         fm      $w_10,$y_15,$k_half                     # 1688e
         fesd    $ex,$ex                                 # 1689e
@@ -1080,49 +1014,49 @@ next_ball:
         fesd    $y_14,$w_9                              # 1727e
 
         frds    $t_even,$t                              # 1734e
-        dfm     $s_8,$disc_6,$y_14                      # 1741e
+        dfm     $s_8,$b1_6,$y_14                        # 1741e
 
         a       $y_14,$y_14,$k_halve                    # 1748e
-        dfm     $b_6,$lx,$ex                            # 1749e
+        dfm     $b_6,$nearest+1,$ex                     # 1749e
 
         dfnms   $e,$s_8,$s_8                            # 1756e
-        dfma    $b_6,$ly_12,$ey                         # 1763e
+        dfma    $b_6,$nearest2_12,$ey                   # 1763e
 
         dfma    $s_8,$e,$y_14                           # 1770e
-        dfma    $b_6,$lz_10,$ez                         # 1777e
+        dfma    $b_6,$nearest3_10,$ez                   # 1777e
 
         selb    $s_6,$s_8,$b,$m_sign                    # 1784e
-        fesd    $lx_10,$lx_8                            # 1785e
+        fesd    $nearest1_10,$nearest1_8                # 1785e
 
         dfa     $q_3,$b,$s_6                            # 1792e
-        dfnms   $lx,$b_6,$ex                            # 1799e
+        dfnms   $nearest+1,$b_6,$ex                     # 1799e
 
         frds    $x_5,$q_3                               # 1806e
-        dfnms   $ly_12,$b_6,$ey                         # 1813e
+        dfnms   $nearest2_12,$b_6,$ey                   # 1813e
 
         fa      $x_5,$x_5,$k_tiny                       # 1820e
-        dfnms   $lz_10,$b_6,$ez                         # 1821e
+        dfnms   $nearest3_10,$b_6,$ez                   # 1821e
 
-        dfm     $e,$lx,$ex                              # 1828e
-        dfnms   $disc_7,$lx,$lx                         # 1835e
+        dfm     $e,$nearest+1,$ex                       # 1828e
+        dfnms   $b1_7,$nearest+1,$nearest+1             # 1835e
 
-        dfma    $e,$ly_12,$ey                           # 1842e
-        dfnms   $disc_7,$ly_12,$ly_12                   # 1849e
+        dfma    $e,$nearest2_12,$ey                     # 1842e
+        dfnms   $b1_7,$nearest2_12,$nearest2_12         # 1849e
 
-        dfma    $e,$lz_10,$ez                           # 1856e
-        dfnms   $disc_7,$lz_10,$lz_10                   # 1863e
+        dfma    $e,$nearest3_10,$ez                     # 1856e
+        dfnms   $b1_7,$nearest3_10,$nearest3_10         # 1863e
 
         dfma    $b_6,$e,$k_half_double                  # 1870e
-        dfma    $disc_7,$e,$e                           # 1877e
+        dfma    $b1_7,$e,$e                             # 1877e
 
-        dfs     $lx,$cx,$lx_10                          # 1884e
-        frds    $x_8,$disc_7                            # 1891e
+        dfs     $nearest+1,$cx,$nearest1_10             # 1884e
+        frds    $x_8,$b1_7                              # 1891e
 
-        ori     $e,$disc_7,0                            # 1898e
+        ori     $e,$b1_7,0                              # 1898e
         frest   $y_15,$x_5                              # 1898o
 
-        ori     $cc_6,$disc_7,0                         # 1899e
-        fesd    $ly,$ly_10                              # 1900e
+        ori     $cc_6,$b1_7,0                           # 1899e
+        fesd    $nearest+2,$nearest2_10                 # 1900e
 
         fi      $y_15,$x_5,$y_15                        # 1907e
         dfms    $cc_6,$b_6,$b_6                         # 1908e
@@ -1130,7 +1064,7 @@ next_ball:
         fnms    $e_2,$x_5,$y_15,$k_one                  # 1915e
         fa      $near,$x_8,$k_tiny                      # 1916e
 
-        dfs     $ly,$cy,$ly                             # 1917e
+        dfs     $nearest+2,$cy,$nearest+2               # 1917e
         lnop                                            # 1924o pairing
 
         fma     $w,$e_2,$y_15,$y_15                     # 1925e
@@ -1149,15 +1083,15 @@ next_ball:
         fm      $w,$y_5,$k_half                         # 1939e
 
         rotmai  $s_9,$s_9,-31                           # 1940e
-        fesd    $lz_11,$lz_9                            # 1941e
+        fesd    $nearest3_11,$nearest3_9                # 1941e
 
         dfm     $t,$cc,$y_4                             # 1948e
         lnop                                            # 1955o pairing
 
         fnms    $e_7,$e_7,$y_5,$k_one                   # 1956e
-        shufb   $s_9,$s_9,$s_9,$m_high                  # 1956o
+        shufb   $s_9,$s_9,$s_9,$k_tiny+1                # 1956o
 
-        dfs     $lz_12,$cz,$lz_11                       # 1957e
+        dfs     $nearest3_12,$cz,$nearest3_11           # 1957e
         dfnms   $e_12,$q_3,$t                           # 1964e
 
         fma     $w,$e_7,$w,$y_5                         # 1971e
@@ -1170,7 +1104,7 @@ next_ball:
         fesd    $ey,$ey_6                               # 1994e
 
         frds    $t,$t                                   # 2001e
-        dfm     $s,$disc_7,$y_5                         # 2008e
+        dfm     $s,$b1_7,$y_5                           # 2008e
 
         a       $y_5,$y_5,$k_halve                      # 2015e
         shufb   $t,$t_even,$t,$m_rows                   # 2015o
@@ -1182,40 +1116,40 @@ next_ball:
         dfnms   $e,$s,$s                                # 2025e
 
         and     $control,$control,$ahead_4              # 2032e
-        dfm     $b,$lx,$ex                              # 2033e
+        dfm     $b,$nearest+1,$ex                       # 2033e
 
-        andc    $control,$control,$disc_11              # 2040e
+        andc    $control,$control,$b1_11                # 2040e
         dfma    $s,$e,$y_5                              # 2041e
 
-        dfma    $b,$ly,$ey                              # 2048e
+        dfma    $b,$nearest+2,$ey                       # 2048e
         lnop                                            # 2055o pairing
 
         selb    $s,$s,$b_6,$m_sign                      # 2056e
         rotqbii $control,$control,1                     # 2056o
 
         dfa     $q,$b_6,$s                              # 2058e
-        dfma    $b,$lz_12,$ez                           # 2065e
+        dfma    $b,$nearest3_12,$ez                     # 2065e
 
         frds    $x,$q                                   # 2072e
-        dfnms   $lx,$b,$ex                              # 2079e
+        dfnms   $nearest+1,$b,$ex                       # 2079e
 
         fa      $x,$x,$k_tiny                           # 2086e
         gb      $control,$control                       # 2086o
 
-        dfnms   $ly,$b,$ey                              # 2087e
-        dfnms   $lz_12,$b,$ez                           # 2094e
+        dfnms   $nearest+2,$b,$ey                       # 2087e
+        dfnms   $nearest3_12,$b,$ez                     # 2094e
 
-        dfm     $e,$lx,$ex                              # 2101e
-        dfnms   $disc_8,$lx,$lx                         # 2108e
+        dfm     $e,$nearest+1,$ex                       # 2101e
+        dfnms   $b1_8,$nearest+1,$nearest+1             # 2108e
 
-        dfma    $e,$ly,$ey                              # 2115e
-        dfnms   $disc_8,$ly,$ly                         # 2122e
+        dfma    $e,$nearest+2,$ey                       # 2115e
+        dfnms   $b1_8,$nearest+2,$nearest+2             # 2122e
 
-        dfma    $e,$lz_12,$ez                           # 2129e
-        dfnms   $disc_8,$lz_12,$lz_12                   # 2136e
+        dfma    $e,$nearest3_12,$ez                     # 2129e
+        dfnms   $b1_8,$nearest3_12,$nearest3_12         # 2136e
 
         dfma    $b,$e,$k_half_double                    # 2143e
-        dfma    $disc_8,$e,$e                           # 2150e
+        dfma    $b1_8,$e,$e                             # 2150e
 
         shlqbii $control,$control,4                     # 2157o
         frest   $y_5,$x                                 # 2158o
@@ -1223,16 +1157,16 @@ next_ball:
         lqx     $control,$control,$a_controls           # 2161o
         fi      $y_5,$x,$y_5                            # 2162e
 
-        frds    $x_9,$disc_8                            # 2163e
+        frds    $x_9,$b1_8                              # 2163e
         lnop                                            # 2170o pairing
 
         fnms    $e,$x,$y_5,$k_one                       # 2171e
         shufb   $t_best,$t_best_3,$t,$control           # 2171o
 
-        ori     $e_14,$disc_8,0                         # 2172e
+        ori     $e_14,$b1_8,0                           # 2172e
         shufb   $nearest,$nearest_3,$object,$control    # 2172o
 
-        ori     $cc,$disc_8,0                           # 2173e
+        ori     $cc,$b1_8,0                             # 2173e
         dfms    $cc,$b,$b                               # 2175e
 
         fma     $w,$e,$y_5,$y_5                         # 2182e
@@ -1248,19 +1182,19 @@ next_ball:
         frsqest $y_5,$near                              # 2196o
 
         selb    $s,$whole,$cc,$m_by_side                # 2197e
-        ori     $disc,$near,0                           # 2198e
+        ori     $b+1,$near,0                            # 2198e
 
         xor     $s,$s,$b                                # 2199e
         lnop                                            # 2199o pairing
 
         fi      $y_5,$near,$y_5                         # 2200e
-        shufb   $disc,$disc_even,$disc,$m_rows          # 2200o
+        shufb   $b+1,$disc_even,$b+1,$m_rows            # 2200o
 
         rotmai  $s,$s,-31                               # 2201e
         dfm     $t,$cc_6,$y                             # 2202e
 
         fm      $e_12,$near,$y_5                        # 2209e
-        shufb   $s,$s,$s,$m_high                        # 2209o
+        shufb   $s,$s,$s,$k_tiny+1                      # 2209o
 
         fm      $w,$y_5,$k_half                         # 2210e
         dfnms   $e_13,$q,$t                             # 2215e
@@ -1274,7 +1208,7 @@ next_ball:
         fesd    $y,$w                                   # 2242e
         frds    $t_even,$t                              # 2249e
 
-        dfm     $s_10,$disc_8,$y                        # 2256e
+        dfm     $s_10,$b1_8,$y                          # 2256e
         lnop                                            # 2263o pairing
 
         a       $y,$y,$k_halve                          # 2264e
@@ -1310,7 +1244,7 @@ next_ball:
         cgt     $control,$t_best_4,$t                   # 2424e
         and     $control,$control,$ahead_5              # 2426e
 
-        andc    $control,$control,$disc                 # 2428e
+        andc    $control,$control,$b+1                  # 2428e
         rotqbii $control,$control,1                     # 2430o
 
         gb      $control,$control                       # 2434o

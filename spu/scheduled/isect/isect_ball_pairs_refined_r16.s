@@ -12,65 +12,10 @@
 # exit, and with SIDES_BOTH the exit of a ray from inside.
 # Scheduled by spu schedule from isect_ball_pairs_refined_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "pairs.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_general.inc"
         .include "sphere_refined.inc"
 
-        .set    a_candidate,3
-        .set    count,4
-        # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    k_one,13
-        .set    k_two,14
-        .set    k_half,15
-        .set    a_controls,16
-        .set    a_half,17
-        .set    a_whole,18
-        .set    a_by_side,19
-        # the candidate
-        .set    object,20
-        .set    a_packet,21
-        .set    quad,22
-        .set    cx,23
-        .set    cy,24
-        .set    cz,25
-        .set    radius2,26
-        .set    sides,27
-        .set    half,28                                 # 1, with the sign that the root gets
-        .set    whole,29                                # 2 likewise
-        .set    m_by_side,30                            # the sign's bit if a ray's side gives it
-        # a row
-        .set    ox,31
-        .set    oy,32
-        .set    oz,33
-        .set    dx,34
-        .set    dy,35
-        .set    dz,36
-        .set    t_best,37
-        .set    nearest,38
-        # temporaries
-        .set    fx,39
-        .set    fy,40
-        .set    fz,41
-        .set    lx,39                                   # f
-        .set    ly,40
-        .set    lz,41
-        .set    b,42
-        .set    outside,43                              # disc
-        .set    disc,43
-        .set    out,44
-        .set    y,45
-        .set    s,46
-        .set    e,47
-        .set    rest,48
-        .set    t,49
-        .set    ahead,50
-        .set    control,51
-
+        general_registers "k_one,k_two,k_half", "radius2", "out,y,s,e,rest"
         sign_controls_table
         sides_tables REFINED_STEP, REFINED_ROOT
 
@@ -94,47 +39,47 @@ function isect_ball_pairs_refined_r16
         .set    cy_2,34
         .set    radius2_2,55
         .set    cz_2,22
-        .set    lx_2,43
+        .set    nearest1_2,43
         .set    oy_3,21
-        .set    ly_2,9
+        .set    nearest2_2,9
         .set    dx_3,44
         .set    dy_3,8
-        .set    lz_2,45
+        .set    nearest3_2,45
         .set    oz_3,50
         .set    ox_4,20
         .set    b_2,56
         .set    ox_5,23
-        .set    ly_3,21
+        .set    nearest2_3,21
         .set    dz_3,61
         .set    b_3,52
         .set    dx_4,46
-        .set    lz_3,50
+        .set    nearest3_3,50
         .set    dx_5,47
         .set    oy_4,35
-        .set    lx_3,20
+        .set    nearest1_3,20
         .set    oz_4,53
         .set    dy_4,57
-        .set    ly_4,32
+        .set    nearest2_4,32
         .set    oz_5,48
         .set    dy_5,60
-        .set    lx_4,23
+        .set    nearest1_4,23
         .set    dz_4,31
-        .set    ly_5,35
+        .set    nearest2_5,35
         .set    dz_5,62
         .set    b_4,59
-        .set    lz_4,27
+        .set    nearest3_4,27
         .set    ox_6,33
         .set    b_5,34
         .set    ox_7,36
         .set    b_6,54
         .set    dx_6,37
-        .set    lz_5,53
+        .set    nearest3_5,53
         .set    ox_8,22
         .set    oy_5,38
         .set    ox_9,40
         .set    oy_6,48
         .set    dx_7,49
-        .set    lz_6,24
+        .set    nearest3_6,24
         .set    dx_8,45
         .set    cy_3,51
         .set    oz_6,52
@@ -143,7 +88,7 @@ function isect_ball_pairs_refined_r16
         .set    dx_9,64
         .set    rest_3,28
         .set    oz_7,44
-        .set    disc_2,29
+        .set    b1_2,29
         .set    oz_8,39
         .set    b_7,65
         .set    dy_6,66
@@ -152,7 +97,7 @@ function isect_ball_pairs_refined_r16
         .set    dy_8,9
         .set    rest_4,8
         .set    dz_6,68
-        .set    disc_3,21
+        .set    b1_3,21
         .set    dz_7,69
         .set    dy_9,70
         .set    b_8,71
@@ -163,22 +108,22 @@ function isect_ball_pairs_refined_r16
         .set    dz_8,50
         .set    oz_9,72
         .set    radius2_3,73
-        .set    disc_4,74
+        .set    b1_4,74
         .set    t_best_3,75
         .set    nearest_2,76
         .set    rest_6,20
         .set    object_4,25
-        .set    disc_5,5
+        .set    b1_5,5
         .set    a_packet_4,29
         .set    nearest_3,21
-        .set    disc_6,46
+        .set    b1_6,46
         .set    nearest_4,24
         .set    rest_7,47
         .set    nearest_5,28
-        .set    lz_7,55
+        .set    nearest3_7,55
         .set    y_2,77
         .set    t_best_4,27
-        .set    disc_7,32
+        .set    b1_7,32
         .set    y_3,60
         .set    t_best_5,23
         .set    y_4,2
@@ -190,32 +135,32 @@ function isect_ball_pairs_refined_r16
         .set    s_2,54
         .set    m_by_side_2,6
         .set    out_2,57
-        .set    lx_5,36
-        .set    lx_6,33
-        .set    lx_7,22
+        .set    nearest1_5,36
+        .set    nearest1_6,33
+        .set    nearest1_7,22
         .set    e_2,2
         .set    s_3,55
-        .set    disc_8,53
+        .set    b1_8,53
         .set    e_3,31
         .set    s_4,38
-        .set    lx_8,40
-        .set    ly_6,41
+        .set    nearest1_8,40
+        .set    nearest2_6,41
         .set    y_6,48
         .set    b_9,57
         .set    rest_9,2
         .set    y_7,38
-        .set    ly_7,42
-        .set    ly_8,48
-        .set    lz_8,44
+        .set    nearest2_7,42
+        .set    nearest2_8,48
+        .set    nearest3_8,44
         .set    b_10,51
         .set    out_3,54
         .set    b_11,58
         .set    y_8,62
         .set    b_12,55
         .set    t_2,2
-        .set    lz_9,58
-        .set    lz_10,39
-        .set    lz_11,7
+        .set    nearest3_9,58
+        .set    nearest3_10,39
+        .set    nearest3_11,7
         .set    control_2,31
         .set    s_5,51
         .set    s_6,72
@@ -225,43 +170,43 @@ function isect_ball_pairs_refined_r16
         .set    e_4,38
         .set    out_4,43
         .set    ahead_3,55
-        .set    disc_9,57
+        .set    b1_9,57
         .set    rest_10,49
-        .set    disc_10,33
+        .set    b1_10,33
         .set    e_5,62
-        .set    disc_11,73
+        .set    b1_11,73
         .set    rest_11,37
         .set    out_5,22
         .set    s_7,43
         .set    rest_12,38
-        .set    ly_9,43
+        .set    nearest2_9,43
         .set    t_best_6,2
         .set    nearest_6,31
-        .set    disc_12,34
+        .set    b1_12,34
         .set    rest_13,45
-        .set    disc_13,2
+        .set    b1_13,2
         .set    whole_3,36
         .set    m_by_side_3,40
         .set    control_3,5
-        .set    disc_14,42
+        .set    b1_14,42
         .set    s_8,6
-        .set    lz_12,22
+        .set    nearest3_12,22
         .set    rest_14,9
         .set    t_4,31
         .set    rest_15,32
         .set    t_5,33
         .set    control_4,6
-        .set    lz_13,20
-        .set    disc_15,7
+        .set    nearest3_13,20
+        .set    b1_15,7
         .set    rest_16,34
-        .set    disc_16,9
+        .set    b1_16,9
         .set    ahead_4,22
         .set    control_5,64
         .set    rest_17,39
         .set    half_3,42
-        .set    disc_17,65
+        .set    b1_17,65
         .set    control_6,2
-        .set    disc_18,66
+        .set    b1_18,66
         .set    y_9,6
         .set    out_6,41
         .set    y_10,5
@@ -286,12 +231,12 @@ function isect_ball_pairs_refined_r16
         .set    control_8,36
         .set    ahead_6,40
         .set    ox_11,45
-        .set    lx_9,6
-        .set    lx_10,41
+        .set    nearest1_9,6
+        .set    nearest1_10,41
         .set    dy_10,34
         .set    dz_9,48
-        .set    disc_19,49
-        .set    disc_20,6
+        .set    b1_19,49
+        .set    b1_20,6
         .set    rest_19,41
         .set    control_9,7
         .set    t_best_8,3
@@ -302,14 +247,14 @@ function isect_ball_pairs_refined_r16
         .set    ox_13,5
         .set    oy_9,6
         .set    dx_10,7
-        .set    lx_11,2
-        .set    lx_12,5
+        .set    nearest1_11,2
+        .set    nearest1_12,5
         .set    oz_10,9
-        .set    ly_10,6
+        .set    nearest2_10,6
         .set    oy_10,22
         .set    b_13,28
         .set    dz_10,9
-        .set    lz_14,29
+        .set    nearest3_14,29
         .set    dx_11,30
         .set    dy_11,31
         .set    dx_12,33
@@ -318,30 +263,30 @@ function isect_ball_pairs_refined_r16
         .set    oz_12,43
         .set    b_14,44
         .set    dz_11,45
-        .set    ly_11,22
+        .set    nearest2_11,22
         .set    dz_12,24
         .set    b_15,46
         .set    t_best_9,47
         .set    t_best_10,48
         .set    t_best_11,49
-        .set    lz_15,38
+        .set    nearest3_15,38
         .set    t_best_12,50
         .set    nearest_9,51
         .set    nearest_10,52
         .set    nearest_11,53
         .set    nearest_12,54
-        .set    lz_16,25
-        .set    disc_21,55
+        .set    nearest3_16,25
+        .set    b1_21,55
         .set    rest_20,7
         .set    b_16,39
-        .set    disc_22,44
+        .set    b1_22,44
         .set    rest_21,6
-        .set    lx_13,8
+        .set    nearest1_13,8
         .set    rest_22,23
         .set    rest_23,29
-        .set    disc_23,8
+        .set    b1_23,8
         .set    rest_24,22
-        .set    lz_17,23
+        .set    nearest3_17,23
         .set    y_14,25
         .set    rest_25,26
         .set    y_15,24
@@ -382,7 +327,7 @@ function isect_ball_pairs_refined_r16
         iohl    $m_y,0x607                              # 8e
 
         iohl    $m_z,0xa0b                              # 9e
-        ila     $a_controls,sign_controls               # 10e
+        ila     $k_half+1,sign_controls                 # 10e
 
         ila     $a_half,half_by_sides                   # 11e
         ila     $a_whole,whole_by_sides                 # 12e
@@ -438,16 +383,16 @@ function isect_ball_pairs_refined_r16
         nop     $127                                    # 38e pairing
         shufb   $cz_2,$quad,$quad,$m_z                  # 38o
 
-        fnms    $lx_2,$ox_2,$k_half,$cx_2               # 39e
+        fnms    $nearest1_2,$ox_2,$k_half,$cx_2         # 39e
         lqd     $oy_3,112($a_packet_2)                  # 39o
 
-        fnms    $ly_2,$oy_2,$k_half,$cy_2               # 40e
+        fnms    $nearest2_2,$oy_2,$k_half,$cy_2         # 40e
         lqd     $dx_3,240($a_packet_2)                  # 40o
 
-        fnms    $lx,$ox_3,$k_half,$cx_2                 # 41e
+        fnms    $nearest+1,$ox_3,$k_half,$cx_2          # 41e
         lqd     $dy_3,304($a_packet_2)                  # 41o
 
-        fnms    $lz_2,$oz_2,$k_half,$cz_2               # 42e
+        fnms    $nearest3_2,$oz_2,$k_half,$cz_2         # 42e
         lqd     $oz_3,176($a_packet_2)                  # 42o
 
         fm      $radius2_2,$radius2_2,$k_half           # 43e
@@ -456,379 +401,379 @@ function isect_ball_pairs_refined_r16
         nop     $127                                    # 44e pairing
         lqd     $oy,64($a_packet_2)                     # 44o
 
-        fm      $b_2,$lx_2,$dx_2                        # 45e
+        fm      $b_2,$nearest1_2,$dx_2                  # 45e
         lqd     $ox_5,16($a_packet_2)                   # 45o
 
-        fnms    $ly_3,$oy_3,$k_half,$cy_2               # 46e
+        fnms    $nearest2_3,$oy_3,$k_half,$cy_2         # 46e
         lqd     $dz_3,368($a_packet_2)                  # 46o
 
-        fm      $b_3,$lx,$dx_3                          # 47e
+        fm      $b_3,$nearest+1,$dx_3                   # 47e
         lqd     $dx_4,192($a_packet_2)                  # 47o
 
-        fnms    $lz_3,$oz_3,$k_half,$cz_2               # 48e
+        fnms    $nearest3_3,$oz_3,$k_half,$cz_2         # 48e
         lqd     $dx_5,208($a_packet_2)                  # 48o
 
         fm      $radius2_2,$radius2_2,$radius2_2        # 49e
         lqd     $oy_4,80($a_packet_2)                   # 49o
 
-        fnms    $lx_3,$ox_4,$k_half,$cx_2               # 50e
+        fnms    $nearest1_3,$ox_4,$k_half,$cx_2         # 50e
         lqd     $oz_4,144($a_packet_2)                  # 50o
 
-        fma     $b_2,$ly_2,$dy_2,$b_2                   # 51e
+        fma     $b_2,$nearest2_2,$dy_2,$b_2             # 51e
         lqd     $dy_4,272($a_packet_2)                  # 51o
 
-        fnms    $ly_4,$oy,$k_half,$cy_2                 # 52e
+        fnms    $nearest2_4,$oy,$k_half,$cy_2           # 52e
         lqd     $oz_5,128($a_packet_2)                  # 52o
 
-        fma     $b_3,$ly_3,$dy_3,$b_3                   # 53e
+        fma     $b_3,$nearest2_3,$dy_3,$b_3             # 53e
         lqd     $dy_5,256($a_packet_2)                  # 53o
 
-        fnms    $lx_4,$ox_5,$k_half,$cx_2               # 54e
+        fnms    $nearest1_4,$ox_5,$k_half,$cx_2         # 54e
         lqd     $dz_4,320($a_packet_2)                  # 54o
 
-        fnms    $ly_5,$oy_4,$k_half,$cy_2               # 55e
+        fnms    $nearest2_5,$oy_4,$k_half,$cy_2         # 55e
         lqd     $dz_5,336($a_packet_2)                  # 55o
 
-        fm      $b_4,$lx_3,$dx_4                        # 56e
+        fm      $b_4,$nearest1_3,$dx_4                  # 56e
         rotqbyi $sides_2,$sides_2,12                    # 56o
 
-        fma     $b_2,$lz_2,$dz_2,$b_2                   # 57e
+        fma     $b_2,$nearest3_2,$dz_2,$b_2             # 57e
         shufb   $cx_2,$quad_2,$quad_2,$m_x              # 57o
 
-        fnms    $lz_4,$oz_5,$k_half,$cz_2               # 58e
+        fnms    $nearest3_4,$oz_5,$k_half,$cz_2         # 58e
         lqd     $ox_6,0($a_packet_3)                    # 58o
 
-        fma     $b_5,$lz_3,$dz_3,$b_3                   # 59e
+        fma     $b_5,$nearest3_3,$dz_3,$b_3             # 59e
         lqd     $ox_7,48($a_packet_3)                   # 59o
 
-        fm      $b_6,$lx_4,$dx_5                        # 60e
+        fm      $b_6,$nearest1_4,$dx_5                  # 60e
         lqd     $dx_6,224($a_packet_3)                  # 60o
 
-        fnms    $lz_5,$oz_4,$k_half,$cz_2               # 61e
+        fnms    $nearest3_5,$oz_4,$k_half,$cz_2         # 61e
         lqd     $ox_8,32($a_packet_3)                   # 61o
 
-        fma     $b_4,$ly_4,$dy_5,$b_4                   # 62e
+        fma     $b_4,$nearest2_4,$dy_5,$b_4             # 62e
         lqd     $oy_5,64($a_packet_3)                   # 62o
 
-        fnms    $lx_2,$b_2,$dx_2,$lx_2                  # 63e
+        fnms    $nearest1_2,$b_2,$dx_2,$nearest1_2      # 63e
         lqd     $ox_9,16($a_packet_3)                   # 63o
 
-        fnms    $ly_2,$b_2,$dy_2,$ly_2                  # 64e
+        fnms    $nearest2_2,$b_2,$dy_2,$nearest2_2      # 64e
         lqd     $oy_6,96($a_packet_3)                   # 64o
 
-        fnms    $lx,$b_5,$dx_3,$lx                      # 65e
+        fnms    $nearest+1,$b_5,$dx_3,$nearest+1        # 65e
         lqd     $dx_7,192($a_packet_3)                  # 65o
 
-        fnms    $lz_6,$b_2,$dz_2,$lz_2                  # 66e
+        fnms    $nearest3_6,$b_2,$dz_2,$nearest3_2      # 66e
         lqd     $dx_8,208($a_packet_3)                  # 66o
 
-        fnms    $ly_3,$b_5,$dy_3,$ly_3                  # 67e
+        fnms    $nearest2_3,$b_5,$dy_3,$nearest2_3      # 67e
         shufb   $cy_3,$quad_2,$quad_2,$m_y              # 67o
 
-        fma     $b_6,$ly_5,$dy_4,$b_6                   # 68e
+        fma     $b_6,$nearest2_5,$dy_4,$b_6             # 68e
         lqd     $oz_6,160($a_packet_3)                  # 68o
 
-        fm      $rest_2,$lx_2,$dx_2                     # 69e
+        fm      $rest_2,$nearest1_2,$dx_2               # 69e
         lqd     $oy_7,112($a_packet_3)                  # 69o
 
-        fnms    $disc,$lx_2,$lx_2,$radius2_2            # 70e
+        fnms    $b+1,$nearest1_2,$nearest1_2,$radius2_2 # 70e
         lqd     $dx_9,240($a_packet_3)                  # 70o
 
-        fm      $rest_3,$lx,$dx_3                       # 71e
+        fm      $rest_3,$nearest+1,$dx_3                # 71e
         lqd     $oz_7,128($a_packet_3)                  # 71o
 
-        fnms    $disc_2,$lx,$lx,$radius2_2              # 72e
+        fnms    $b1_2,$nearest+1,$nearest+1,$radius2_2  # 72e
         lqd     $oz_8,176($a_packet_3)                  # 72o
 
-        fma     $b_7,$lz_4,$dz_4,$b_4                   # 73e
+        fma     $b_7,$nearest3_4,$dz_4,$b_4             # 73e
         lqd     $dy_6,256($a_packet_3)                  # 73o
 
-        fnms    $lz_3,$b_5,$dz_3,$lz_3                  # 74e
+        fnms    $nearest3_3,$b_5,$dz_3,$nearest3_3      # 74e
         lqd     $dy_7,304($a_packet_3)                  # 74o
 
-        fma     $rest_2,$ly_2,$dy_2,$rest_2             # 75e
+        fma     $rest_2,$nearest2_2,$dy_2,$rest_2       # 75e
         lqd     $oy_8,80($a_packet_3)                   # 75o
 
-        fnms    $disc,$ly_2,$ly_2,$disc                 # 76e
+        fnms    $b+1,$nearest2_2,$nearest2_2,$b+1       # 76e
         lqd     $dy_8,288($a_packet_3)                  # 76o
 
-        fma     $rest_4,$ly_3,$dy_3,$rest_3             # 77e
+        fma     $rest_4,$nearest2_3,$dy_3,$rest_3       # 77e
         lqd     $dz_6,352($a_packet_3)                  # 77o
 
-        fnms    $disc_3,$ly_3,$ly_3,$disc_2             # 78e
+        fnms    $b1_3,$nearest2_3,$nearest2_3,$b1_2     # 78e
         lqd     $dz_7,368($a_packet_3)                  # 78o
 
-        fnms    $lx_3,$b_7,$dx_4,$lx_3                  # 79e
+        fnms    $nearest1_3,$b_7,$dx_4,$nearest1_3      # 79e
         lqd     $dy_9,272($a_packet_3)                  # 79o
 
-        fma     $b_8,$lz_5,$dz_5,$b_6                   # 80e
+        fma     $b_8,$nearest3_5,$dz_5,$b_6             # 80e
         lqd     $sides_3,32($object_3)                  # 80o
 
-        fma     $rest_5,$lz_6,$dz_2,$rest_2             # 81e
+        fma     $rest_5,$nearest3_6,$dz_2,$rest_2       # 81e
         shufb   $cz_3,$quad_2,$quad_2,$m_z              # 81o
 
-        fnms    $disc,$lz_6,$lz_6,$disc                 # 82e
+        fnms    $b+1,$nearest3_6,$nearest3_6,$b+1       # 82e
         lqd     $dz_2,320($a_packet_3)                  # 82o
 
-        fma     $rest_4,$lz_3,$dz_3,$rest_4             # 83e
+        fma     $rest_4,$nearest3_3,$dz_3,$rest_4       # 83e
         lqd     $t_best_2,416($a_packet_2)              # 83o
 
-        fnms    $disc_3,$lz_3,$lz_3,$disc_3             # 84e
+        fnms    $b1_3,$nearest3_3,$nearest3_3,$b1_3     # 84e
         lqd     $dz_8,336($a_packet_3)                  # 84o
 
-        fnms    $ly_4,$b_7,$dy_5,$ly_4                  # 85e
+        fnms    $nearest2_4,$b_7,$dy_5,$nearest2_4      # 85e
         lqd     $oz_9,144($a_packet_3)                  # 85o
 
-        fnms    $lx_4,$b_8,$dx_5,$lx_4                  # 86e
+        fnms    $nearest1_4,$b_8,$dx_5,$nearest1_4      # 86e
         shufb   $radius2_3,$sides_3,$sides_3,$m_x       # 86o
 
-        fnms    $disc_4,$lx_3,$lx_3,$radius2_2          # 87e
+        fnms    $b1_4,$nearest1_3,$nearest1_3,$radius2_2 # 87e
         lqd     $t_best_3,432($a_packet_2)              # 87o
 
-        fma     $disc,$rest_5,$rest_5,$disc             # 88e
+        fma     $b+1,$rest_5,$rest_5,$b+1               # 88e
         lqd     $nearest_2,480($a_packet_2)             # 88o
 
-        fm      $rest_6,$lx_3,$dx_4                     # 89e
+        fm      $rest_6,$nearest1_3,$dx_4               # 89e
         shufb   $object_4,$object_2,$object_2,$m_x      # 89o
 
-        fma     $disc_5,$rest_4,$rest_4,$disc_3         # 90e
+        fma     $b1_5,$rest_4,$rest_4,$b1_3             # 90e
         shlqbyi $a_packet_4,$a_packet_2,0               # 90o copy
 
-        fnms    $ly_5,$b_8,$dy_4,$ly_5                  # 91e
+        fnms    $nearest2_5,$b_8,$dy_4,$nearest2_5      # 91e
         lqd     $nearest_3,496($a_packet_2)             # 91o
 
-        fnms    $disc_6,$lx_4,$lx_4,$radius2_2          # 92e
+        fnms    $b1_6,$nearest1_4,$nearest1_4,$radius2_2 # 92e
         lqd     $nearest_4,448($a_packet_2)             # 92o
 
-        fm      $rest_7,$lx_4,$dx_5                     # 93e
+        fm      $rest_7,$nearest1_4,$dx_5               # 93e
         lqd     $nearest_5,464($a_packet_2)             # 93o
 
-        fnms    $lz_7,$b_7,$dz_4,$lz_4                  # 94e
-        frsqest $y_2,$disc                              # 94o
+        fnms    $nearest3_7,$b_7,$dz_4,$nearest3_4      # 94e
+        frsqest $y_2,$b+1                               # 94o
 
-        fma     $rest_6,$ly_4,$dy_5,$rest_6             # 95e
+        fma     $rest_6,$nearest2_4,$dy_5,$rest_6       # 95e
         lqd     $t_best_4,384($a_packet_2)              # 95o
 
-        fnms    $disc_7,$ly_4,$ly_4,$disc_4             # 96e
-        frsqest $y_3,$disc_5                            # 96o
+        fnms    $b1_7,$nearest2_4,$nearest2_4,$b1_4     # 96e
+        frsqest $y_3,$b1_5                              # 96o
 
-        fnms    $lz_5,$b_8,$dz_5,$lz_5                  # 97e
+        fnms    $nearest3_5,$b_8,$dz_5,$nearest3_5      # 97e
         lqd     $t_best_5,400($a_packet_2)              # 97o
 
-        fi      $y_4,$disc,$y_2                         # 98e
+        fi      $y_4,$b+1,$y_2                          # 98e
         rotqbyi $sides_3,$sides_3,12                    # 98o
 
         rotmi   $sides_2,$sides_2,-26                   # 99e
-        fnms    $disc_6,$ly_5,$ly_5,$disc_6             # 100e
+        fnms    $b1_6,$nearest2_5,$nearest2_5,$b1_6     # 100e
 
-        fma     $rest_6,$lz_7,$dz_4,$rest_6             # 101e
-        fi      $y_5,$disc_5,$y_3                       # 102e
+        fma     $rest_6,$nearest3_7,$dz_4,$rest_6       # 101e
+        fi      $y_5,$b1_5,$y_3                         # 102e
 
         rotmi   $sides_4,$sides_3,-26                   # 103e
         lqx     $half_2,$a_half,$sides_2                # 103o
 
-        fma     $rest_8,$ly_5,$dy_4,$rest_7             # 104e
+        fma     $rest_8,$nearest2_5,$dy_4,$rest_7       # 104e
         lqx     $whole_2,$a_whole,$sides_2              # 104o
 
-        fm      $s_2,$disc,$y_4                         # 105e
+        fm      $s_2,$b+1,$y_4                          # 105e
         lqx     $m_by_side_2,$a_by_side,$sides_2        # 105o
 
-        fms     $out_2,$b_2,$b_2,$disc                  # 106e
-        fnms    $lx_5,$ox_7,$k_half,$cx_2               # 107e
+        fms     $out_2,$b_2,$b_2,$b+1                   # 106e
+        fnms    $nearest1_5,$ox_7,$k_half,$cx_2         # 107e
 
-        fnms    $lx_6,$ox_6,$k_half,$cx_2               # 108e
-        fnms    $disc_7,$lz_7,$lz_7,$disc_7             # 109e
+        fnms    $nearest1_6,$ox_6,$k_half,$cx_2         # 108e
+        fnms    $b1_7,$nearest3_7,$nearest3_7,$b1_7     # 109e
 
-        fnms    $lx_7,$ox_8,$k_half,$cx_2               # 110e
+        fnms    $nearest1_7,$ox_8,$k_half,$cx_2         # 110e
         fnms    $e_2,$s_2,$y_4,$k_one                   # 111e
 
-        fm      $s_3,$disc_5,$y_5                       # 112e
-        fma     $rest_8,$lz_5,$dz_5,$rest_8             # 113e
+        fm      $s_3,$b1_5,$y_5                         # 112e
+        fma     $rest_8,$nearest3_5,$dz_5,$rest_8       # 113e
 
-        fnms    $disc_6,$lz_5,$lz_5,$disc_6             # 114e
-        fma     $disc_8,$rest_6,$rest_6,$disc_7         # 115e
+        fnms    $b1_6,$nearest3_5,$nearest3_5,$b1_6     # 114e
+        fma     $b1_8,$rest_6,$rest_6,$b1_7             # 115e
 
-        fnms    $ly_4,$oy_5,$k_half,$cy_3               # 116e
+        fnms    $nearest2_4,$oy_5,$k_half,$cy_3         # 116e
         fma     $e_2,$e_2,$half_2,$whole_2              # 117e
 
         fnms    $e_3,$s_3,$y_5,$k_one                   # 118e
         selb    $s_4,$s_2,$out_2,$m_by_side_2           # 119e
 
-        fnms    $lx_8,$ox_9,$k_half,$cx_2               # 120e
+        fnms    $nearest1_8,$ox_9,$k_half,$cx_2         # 120e
         lnop                                            # 120o pairing
 
-        fnms    $ly_6,$oy_6,$k_half,$cy_3               # 121e
-        frsqest $y_6,$disc_8                            # 121o
+        fnms    $nearest2_6,$oy_6,$k_half,$cy_3         # 121e
+        frsqest $y_6,$b1_8                              # 121o
 
-        fm      $b_6,$lx_7,$dx_6                        # 122e
-        fm      $b_9,$lx_5,$dx_9                        # 123e
+        fm      $b_6,$nearest1_7,$dx_6                  # 122e
+        fm      $b_9,$nearest1_5,$dx_9                  # 123e
 
         fnms    $rest_9,$s_4,$e_2,$rest_5               # 124e
-        fi      $y_7,$disc_8,$y_6                       # 125e
+        fi      $y_7,$b1_8,$y_6                         # 125e
 
-        fnms    $ly_7,$oy_7,$k_half,$cy_3               # 127e
-        fma     $disc_6,$rest_8,$rest_8,$disc_6         # 128e
+        fnms    $nearest2_7,$oy_7,$k_half,$cy_3         # 127e
+        fma     $b1_6,$rest_8,$rest_8,$b1_6             # 128e
 
-        fnms    $ly_8,$oy_8,$k_half,$cy_3               # 129e
-        fm      $b_4,$lx_6,$dx_7                        # 130e
+        fnms    $nearest2_8,$oy_8,$k_half,$cy_3         # 129e
+        fm      $b_4,$nearest1_6,$dx_7                  # 130e
 
-        fnms    $lz_8,$oz_7,$k_half,$cz_3               # 131e
-        fma     $b_10,$ly_6,$dy_8,$b_6                  # 132e
+        fnms    $nearest3_8,$oz_7,$k_half,$cz_3         # 131e
+        fma     $b_10,$nearest2_6,$dy_8,$b_6            # 132e
 
-        fms     $out_3,$b_5,$b_5,$disc_5                # 133e
+        fms     $out_3,$b_5,$b_5,$b1_5                  # 133e
         lnop                                            # 133o pairing
 
-        fm      $b_11,$lx_8,$dx_8                       # 134e
-        frsqest $y_8,$disc_6                            # 134o
+        fm      $b_11,$nearest1_8,$dx_8                 # 134e
+        frsqest $y_8,$b1_6                              # 134o
 
         fma     $e_3,$e_3,$half_2,$whole_2              # 135e
-        fma     $b_9,$ly_7,$dy_7,$b_9                   # 136e
+        fma     $b_9,$nearest2_7,$dy_7,$b_9             # 136e
 
-        fma     $b_4,$ly_4,$dy_6,$b_4                   # 137e
-        fi      $y_8,$disc_6,$y_8                       # 138e
+        fma     $b_4,$nearest2_4,$dy_6,$b_4             # 137e
+        fi      $y_8,$b1_6,$y_8                         # 138e
 
         selb    $s_2,$s_3,$out_3,$m_by_side_2           # 139e
-        fma     $b_12,$ly_8,$dy_9,$b_11                 # 140e
+        fma     $b_12,$nearest2_8,$dy_9,$b_11           # 140e
 
         fma     $t_2,$b_2,$k_two,$rest_9                # 141e
-        fnms    $lz_9,$oz_6,$k_half,$cz_3               # 142e
+        fnms    $nearest3_9,$oz_6,$k_half,$cz_3         # 142e
 
-        fnms    $lz_10,$oz_8,$k_half,$cz_3              # 143e
+        fnms    $nearest3_10,$oz_8,$k_half,$cz_3        # 143e
         fm      $radius2_3,$radius2_3,$k_half           # 144e
 
         fnms    $rest_4,$s_2,$e_3,$rest_4               # 145e
-        fnms    $lz_11,$oz_9,$k_half,$cz_3              # 146e
+        fnms    $nearest3_11,$oz_9,$k_half,$cz_3        # 146e
 
         cgt     $control_2,$t_best_2,$t_2               # 147e
-        fma     $b_2,$lz_9,$dz_6,$b_10                  # 148e
+        fma     $b_2,$nearest3_9,$dz_6,$b_10            # 148e
 
-        fm      $s_5,$disc_6,$y_8                       # 149e
-        fm      $s_6,$disc_8,$y_7                       # 150e
+        fm      $s_5,$b1_6,$y_8                         # 149e
+        fm      $s_6,$b1_8,$y_7                         # 150e
 
         cgti    $ahead_2,$t_2,0                         # 151e
-        fma     $b_3,$lz_10,$dz_7,$b_9                  # 152e
+        fma     $b_3,$nearest3_10,$dz_7,$b_9            # 152e
 
         and     $control_2,$control_2,$ahead_2          # 153e
         fma     $t_3,$b_5,$k_two,$rest_4                # 154e
 
-        fma     $b_4,$lz_8,$dz_2,$b_4                   # 155e
+        fma     $b_4,$nearest3_8,$dz_2,$b_4             # 155e
         fm      $radius2_4,$radius2_3,$radius2_3        # 156e
 
-        fnms    $lx_7,$b_2,$dx_6,$lx_7                  # 157e
+        fnms    $nearest1_7,$b_2,$dx_6,$nearest1_7      # 157e
         fnms    $e_4,$s_6,$y_7,$k_one                   # 158e
 
-        andc    $control_2,$control_2,$disc             # 159e
-        fnms    $lx_5,$b_3,$dx_9,$lx_5                  # 160e
+        andc    $control_2,$control_2,$b+1              # 159e
+        fnms    $nearest1_5,$b_3,$dx_9,$nearest1_5      # 160e
 
-        fnms    $lx_6,$b_4,$dx_7,$lx_6                  # 161e
+        fnms    $nearest1_6,$b_4,$dx_7,$nearest1_6      # 161e
         rotqbii $control_2,$control_2,1                 # 161o
 
-        fma     $b_6,$lz_11,$dz_8,$b_12                 # 162e
-        fms     $out_4,$b_7,$b_7,$disc_8                # 163e
+        fma     $b_6,$nearest3_11,$dz_8,$b_12           # 162e
+        fms     $out_4,$b_7,$b_7,$b1_8                  # 163e
 
         cgti    $ahead_3,$t_3,0                         # 164e
         lnop                                            # 164o pairing
 
-        fnms    $disc_9,$lx_7,$lx_7,$radius2_4          # 165e
+        fnms    $b1_9,$nearest1_7,$nearest1_7,$radius2_4 # 165e
         gb      $control_2,$control_2                   # 165o
 
         fma     $e_4,$e_4,$half_2,$whole_2              # 166e
-        fm      $rest_10,$lx_6,$dx_7                    # 167e
+        fm      $rest_10,$nearest1_6,$dx_7              # 167e
 
-        fnms    $disc_10,$lx_6,$lx_6,$radius2_4         # 168e
+        fnms    $b1_10,$nearest1_6,$nearest1_6,$radius2_4 # 168e
         lnop                                            # 168o pairing
 
-        fnms    $lx_8,$b_6,$dx_8,$lx_8                  # 169e
+        fnms    $nearest1_8,$b_6,$dx_8,$nearest1_8      # 169e
         shlqbii $control_2,$control_2,4                 # 169o
 
         fnms    $e_5,$s_5,$y_8,$k_one                   # 170e
-        fnms    $disc_11,$lx_5,$lx_5,$radius2_4         # 171e
+        fnms    $b1_11,$nearest1_5,$nearest1_5,$radius2_4 # 171e
 
-        fm      $rest_11,$lx_7,$dx_6                    # 172e
+        fm      $rest_11,$nearest1_7,$dx_6              # 172e
         lnop                                            # 172o pairing
 
-        fms     $out_5,$b_8,$b_8,$disc_6                # 173e
-        lqx     $control_2,$control_2,$a_controls       # 173o
+        fms     $out_5,$b_8,$b_8,$b1_6                  # 173e
+        lqx     $control_2,$control_2,$k_half+1         # 173o
 
         selb    $s_7,$s_6,$out_4,$m_by_side_2           # 174e
-        fnms    $ly_7,$b_3,$dy_7,$ly_7                  # 175e
+        fnms    $nearest2_7,$b_3,$dy_7,$nearest2_7      # 175e
 
         fma     $e,$e_5,$half_2,$whole_2                # 176e
         fnms    $rest_6,$s_7,$e_4,$rest_6               # 177e
 
-        fm      $rest_12,$lx_8,$dx_8                    # 178e
+        fm      $rest_12,$nearest1_8,$dx_8              # 178e
         lnop                                            # 178o pairing
 
-        fnms    $ly_9,$b_6,$dy_9,$ly_8                  # 179e
+        fnms    $nearest2_9,$b_6,$dy_9,$nearest2_8      # 179e
         shufb   $t_best_6,$t_best_2,$t_2,$control_2     # 179o
 
-        fnms    $ly_6,$b_2,$dy_8,$ly_6                  # 180e
+        fnms    $nearest2_6,$b_2,$dy_8,$nearest2_6      # 180e
         shufb   $nearest_6,$nearest_2,$object_4,$control_2 # 180o
 
-        fnms    $disc_12,$lx_8,$lx_8,$radius2_4         # 181e
-        fm      $rest_13,$lx_5,$dx_9                    # 182e
+        fnms    $b1_12,$nearest1_8,$nearest1_8,$radius2_4 # 181e
+        fm      $rest_13,$nearest1_5,$dx_9              # 182e
 
-        fnms    $lz_8,$b_4,$dz_2,$lz_8                  # 183e
+        fnms    $nearest3_8,$b_4,$dz_2,$nearest3_8      # 183e
         lnop                                            # 183o pairing
 
-        fnms    $lz_10,$b_3,$dz_7,$lz_10                # 184e
+        fnms    $nearest3_10,$b_3,$dz_7,$nearest3_10    # 184e
         stqd    $nearest_6,480($a_packet_4)             # 184o
 
         cgt     $control_2,$t_best_3,$t_3               # 185e
         stqd    $t_best_6,416($a_packet_4)              # 185o
 
-        fnms    $disc_13,$ly_6,$ly_6,$disc_9            # 186e
+        fnms    $b1_13,$nearest2_6,$nearest2_6,$b1_9    # 186e
         lqx     $whole_3,$a_whole,$sides_4              # 186o
 
         and     $control_2,$control_2,$ahead_3          # 187e
         lqx     $m_by_side_3,$a_by_side,$sides_4        # 187o
 
-        fma     $rest_13,$ly_7,$dy_7,$rest_13           # 188e
-        andc    $control_3,$control_2,$disc_5           # 189e
+        fma     $rest_13,$nearest2_7,$dy_7,$rest_13     # 188e
+        andc    $control_3,$control_2,$b1_5             # 189e
 
-        fnms    $ly_4,$b_4,$dy_6,$ly_4                  # 190e
+        fnms    $nearest2_4,$b_4,$dy_6,$nearest2_4      # 190e
         lnop                                            # 190o pairing
 
-        fnms    $disc_14,$ly_7,$ly_7,$disc_11           # 191e
+        fnms    $b1_14,$nearest2_7,$nearest2_7,$b1_11   # 191e
         rotqbii $control_3,$control_3,1                 # 191o
 
         selb    $s_8,$s_5,$out_5,$m_by_side_2           # 192e
-        fnms    $lz_12,$b_2,$dz_6,$lz_9                 # 193e
+        fnms    $nearest3_12,$b_2,$dz_6,$nearest3_9     # 193e
 
-        fma     $rest_14,$ly_6,$dy_8,$rest_11           # 194e
+        fma     $rest_14,$nearest2_6,$dy_8,$rest_11     # 194e
         lnop                                            # 194o pairing
 
         fma     $t_4,$b_7,$k_two,$rest_6                # 195e
         gb      $control,$control_3                     # 195o
 
-        fnms    $disc_5,$ly_4,$ly_4,$disc_10            # 196e
-        fma     $rest_15,$ly_4,$dy_6,$rest_10           # 197e
+        fnms    $b1_5,$nearest2_4,$nearest2_4,$b1_10    # 196e
+        fma     $rest_15,$nearest2_4,$dy_6,$rest_10     # 197e
 
         fnms    $rest,$s_8,$e,$rest_8                   # 198e
         lnop                                            # 198o pairing
 
-        fnms    $disc_13,$lz_12,$lz_12,$disc_13         # 199e
+        fnms    $b1_13,$nearest3_12,$nearest3_12,$b1_13 # 199e
         shlqbii $control,$control,4                     # 199o
 
-        fma     $rest_8,$lz_12,$dz_6,$rest_14           # 200e
-        fma     $rest_12,$ly_9,$dy_9,$rest_12           # 201e
+        fma     $rest_8,$nearest3_12,$dz_6,$rest_14     # 200e
+        fma     $rest_12,$nearest2_9,$dy_9,$rest_12     # 201e
 
-        fnms    $disc_5,$lz_8,$lz_8,$disc_5             # 202e
+        fnms    $b1_5,$nearest3_8,$nearest3_8,$b1_5     # 202e
         lnop                                            # 202o pairing
 
-        fma     $rest_15,$lz_8,$dz_2,$rest_15           # 203e
-        lqx     $control,$control,$a_controls           # 203o
+        fma     $rest_15,$nearest3_8,$dz_2,$rest_15     # 203e
+        lqx     $control,$control,$k_half+1             # 203o
 
         fma     $t_5,$b_8,$k_two,$rest                  # 204e
         cgt     $control_4,$t_best_4,$t_4               # 205e
 
-        fnms    $lz_13,$b_6,$dz_8,$lz_11                # 206e
-        fnms    $disc_15,$ly_9,$ly_9,$disc_12           # 207e
+        fnms    $nearest3_13,$b_6,$dz_8,$nearest3_11    # 206e
+        fnms    $b1_15,$nearest2_9,$nearest2_9,$b1_12   # 207e
 
-        fma     $rest_16,$lz_10,$dz_7,$rest_13          # 208e
+        fma     $rest_16,$nearest3_10,$dz_7,$rest_13    # 208e
         lnop                                            # 208o pairing
 
-        fnms    $disc_16,$lz_10,$lz_10,$disc_14         # 209e
+        fnms    $b1_16,$nearest3_10,$nearest3_10,$b1_14 # 209e
         shufb   $nearest_3,$nearest_3,$object_4,$control # 209o
 
         cgti    $ahead_4,$t_4,0                         # 210e
@@ -837,68 +782,68 @@ function isect_ball_pairs_refined_r16
         cgt     $control_5,$t_best_5,$t_5               # 211e
         and     $control_4,$control_4,$ahead_4          # 212e
 
-        fnms    $disc_15,$lz_13,$lz_13,$disc_15         # 213e
+        fnms    $b1_15,$nearest3_13,$nearest3_13,$b1_15 # 213e
         stqd    $nearest_3,496($a_packet_4)             # 213o
 
-        fma     $rest_17,$lz_13,$dz_8,$rest_12          # 214e
+        fma     $rest_17,$nearest3_13,$dz_8,$rest_12    # 214e
         lqx     $half_3,$a_half,$sides_4                # 214o
 
-        fma     $disc,$rest_16,$rest_16,$disc_16        # 215e
-        andc    $control_4,$control_4,$disc_8           # 216e
+        fma     $b+1,$rest_16,$rest_16,$b1_16           # 215e
+        andc    $control_4,$control_4,$b1_8             # 216e
 
-        fma     $disc_17,$rest_15,$rest_15,$disc_5      # 217e
+        fma     $b1_17,$rest_15,$rest_15,$b1_5          # 217e
         lnop                                            # 217o pairing
 
-        fma     $disc_8,$rest_8,$rest_8,$disc_13        # 218e
+        fma     $b1_8,$rest_8,$rest_8,$b1_13            # 218e
         rotqbii $control_6,$control_4,1                 # 218o
 
         cgti    $ahead,$t_5,0                           # 219e
-        fma     $disc_18,$rest_17,$rest_17,$disc_15     # 220e
+        fma     $b1_18,$rest_17,$rest_17,$b1_15         # 220e
 
         and     $control,$control_5,$ahead              # 221e
-        frsqest $y_9,$disc                              # 221o
+        frsqest $y_9,$b+1                               # 221o
 
-        fms     $out_6,$b_3,$b_3,$disc                  # 222e
+        fms     $out_6,$b_3,$b_3,$b+1                   # 222e
         gb      $control_6,$control_6                   # 222o
 
-        andc    $control,$control,$disc_6               # 223e
-        frsqest $y_10,$disc_17                          # 223o
+        andc    $control,$control,$b1_6                 # 223e
+        frsqest $y_10,$b1_17                            # 223o
 
-        fms     $out_7,$b_2,$b_2,$disc_8                # 224e
-        frsqest $y_11,$disc_8                           # 224o
+        fms     $out_7,$b_2,$b_2,$b1_8                  # 224e
+        frsqest $y_11,$b1_8                             # 224o
 
-        fi      $y_12,$disc,$y_9                        # 225e
+        fi      $y_12,$b+1,$y_9                         # 225e
         rotqbii $control,$control,1                     # 225o
 
         nop     $127                                    # 226e pairing
         shlqbii $control_6,$control_6,4                 # 226o
 
-        fms     $out_8,$b_6,$b_6,$disc_18               # 227e
-        frsqest $y,$disc_18                             # 227o
+        fms     $out_8,$b_6,$b_6,$b1_18                 # 227e
+        frsqest $y,$b1_18                               # 227o
 
-        fi      $y_13,$disc_17,$y_10                    # 228e
+        fi      $y_13,$b1_17,$y_10                      # 228e
         lnop                                            # 228o pairing
 
-        fi      $y_11,$disc_8,$y_11                     # 229e
+        fi      $y_11,$b1_8,$y_11                       # 229e
         gb      $control,$control                       # 229o
 
 next_ball:
-            fm      $s,$disc_8,$y_11                    # 0e
+            fm      $s,$b1_8,$y_11                      # 0e
             shlqbii $control,$control,4                 # 0o
 
-            fi      $y,$disc_18,$y                      # 1e
+            fi      $y,$b1_18,$y                        # 1e
             stqd    $t_best,432($a_packet_4)            # 1o
 
         ai      $count,$count,-1                        # 2e
-            lqx     $control_6,$control_6,$a_controls   # 2o
+            lqx     $control_6,$control_6,$k_half+1     # 2o
 
-            fm      $s_9,$disc,$y_12                    # 3e
+            fm      $s_9,$b+1,$y_12                     # 3e
             lqd     $t_best,416($a_packet_3)            # 3o
 
-            fm      $s_8,$disc_17,$y_13                 # 4e
-            lqx     $control,$control,$a_controls       # 4o
+            fm      $s_8,$b1_17,$y_13                   # 4e
+            lqx     $control,$control,$k_half+1         # 4o
 
-            fms     $out,$b_4,$b_4,$disc_17             # 5e
+            fms     $out,$b_4,$b_4,$b1_17               # 5e
             lqd     $nearest,480($a_packet_3)           # 5o
 
             fnms    $e,$s,$y_11,$k_one                  # 6e
@@ -907,7 +852,7 @@ next_ball:
             selb    $s,$s,$out_7,$m_by_side_3           # 7e
             lqd     $t_best_7,432($a_packet_3)          # 7o
 
-            fm      $s_10,$disc_18,$y                   # 8e
+            fm      $s_10,$b1_18,$y                     # 8e
             shufb   $nearest_8,$nearest_4,$object_4,$control_6 # 8o
 
             fnms    $e_6,$s_9,$y_12,$k_one              # 9e
@@ -994,238 +939,238 @@ next_ball:
             and     $control,$control,$ahead            # 38e
         lqd     $dx_2,224($a_packet_3)                  # 38o
 
-            andc    $control_7,$control_7,$disc         # 39e
+            andc    $control_7,$control_7,$b+1          # 39e
         lqd     $ox_2,32($a_packet_3)                   # 39o
 
-            andc    $control,$control,$disc_8           # 40e
+            andc    $control,$control,$b1_8             # 40e
         lqd     $dx_3,240($a_packet_3)                  # 40o
 
-        fnms    $ly_3,$oy_3,$k_half,$cy_2               # 41e
+        fnms    $nearest2_3,$oy_3,$k_half,$cy_2         # 41e
         lqd     $ox_11,0($a_packet_3)                   # 41o
 
-        fnms    $lx,$ox_3,$k_half,$cx_2                 # 42e
+        fnms    $nearest+1,$ox_3,$k_half,$cx_2          # 42e
         lqd     $dx_4,192($a_packet_3)                  # 42o
 
-        fnms    $ly_4,$oy,$k_half,$cy_2                 # 43e
+        fnms    $nearest2_4,$oy,$k_half,$cy_2           # 43e
         lqd     $dx_5,208($a_packet_3)                  # 43o
 
-        fnms    $lx_9,$ox_10,$k_half,$cx_2              # 44e
+        fnms    $nearest1_9,$ox_10,$k_half,$cx_2        # 44e
         lqd     $oz_5,128($a_packet_3)                  # 44o
 
-        fnms    $lx_2,$ox_2,$k_half,$cx_2               # 45e
+        fnms    $nearest1_2,$ox_2,$k_half,$cx_2         # 45e
         shufb   $cz_2,$quad,$quad,$m_z                  # 45o
 
-        fnms    $ly_5,$oy_4,$k_half,$cy_2               # 46e
+        fnms    $nearest2_5,$oy_4,$k_half,$cy_2         # 46e
         lqd     $oz_3,176($a_packet_3)                  # 46o
 
-        fnms    $lx_10,$ox_11,$k_half,$cx_2             # 47e
+        fnms    $nearest1_10,$ox_11,$k_half,$cx_2       # 47e
         lqd     $oz_2,160($a_packet_3)                  # 47o
 
-        fm      $b_3,$lx,$dx_3                          # 48e
+        fm      $b_3,$nearest+1,$dx_3                   # 48e
         lqd     $oz_4,144($a_packet_3)                  # 48o
 
-        fnms    $ly_2,$oy_2,$k_half,$cy_2               # 49e
+        fnms    $nearest2_2,$oy_2,$k_half,$cy_2         # 49e
         lqd     $dy_10,304($a_packet_3)                 # 49o
 
-        fm      $b_6,$lx_9,$dx_5                        # 50e
+        fm      $b_6,$nearest1_9,$dx_5                  # 50e
         shufb   $radius2_2,$sides_5,$sides_5,$m_x       # 50o
 
-        fm      $b_2,$lx_2,$dx_2                        # 51e
+        fm      $b_2,$nearest1_2,$dx_2                  # 51e
         lqd     $dy_4,272($a_packet_3)                  # 51o
 
-        fnms    $lz_3,$oz_3,$k_half,$cz_2               # 52e
+        fnms    $nearest3_3,$oz_3,$k_half,$cz_2         # 52e
         lqd     $dy_2,288($a_packet_3)                  # 52o
 
-        fnms    $lz_2,$oz_2,$k_half,$cz_2               # 53e
+        fnms    $nearest3_2,$oz_2,$k_half,$cz_2         # 53e
             rotqbii $control,$control,1                 # 53o
 
-        fnms    $lz_5,$oz_4,$k_half,$cz_2               # 54e
+        fnms    $nearest3_5,$oz_4,$k_half,$cz_2         # 54e
         rotqbyi $sides_5,$sides_5,12                    # 54o
 
-        fm      $b_4,$lx_10,$dx_4                       # 55e
+        fm      $b_4,$nearest1_10,$dx_4                 # 55e
         lqd     $dy_5,256($a_packet_3)                  # 55o
 
-        fma     $b_3,$ly_3,$dy_10,$b_3                  # 56e
+        fma     $b_3,$nearest2_3,$dy_10,$b_3            # 56e
         lqd     $dz_3,368($a_packet_3)                  # 56o
 
-        fma     $b_6,$ly_5,$dy_4,$b_6                   # 57e
+        fma     $b_6,$nearest2_5,$dy_4,$b_6             # 57e
             gb      $control,$control                   # 57o
 
-        fma     $b_2,$ly_2,$dy_2,$b_2                   # 58e
+        fma     $b_2,$nearest2_2,$dy_2,$b_2             # 58e
         lqd     $dz_5,336($a_packet_3)                  # 58o
 
         fm      $radius2_2,$radius2_2,$k_half           # 59e
         lqd     $dz_2,352($a_packet_3)                  # 59o
 
-        fnms    $lz_12,$oz_5,$k_half,$cz_2              # 60e
+        fnms    $nearest3_12,$oz_5,$k_half,$cz_2        # 60e
         lqd     $dz_9,320($a_packet_3)                  # 60o
 
-        fma     $b_4,$ly_4,$dy_5,$b_4                   # 61e
+        fma     $b_4,$nearest2_4,$dy_5,$b_4             # 61e
             shlqbii $control,$control,4                 # 61o
 
         rotmi   $sides_5,$sides_5,-26                   # 62e
-        fma     $b_3,$lz_3,$dz_3,$b_3                   # 63e
+        fma     $b_3,$nearest3_3,$dz_3,$b_3             # 63e
 
-        fma     $b_6,$lz_5,$dz_5,$b_6                   # 64e
+        fma     $b_6,$nearest3_5,$dz_5,$b_6             # 64e
         lnop                                            # 64o pairing
 
-        fma     $b_2,$lz_2,$dz_2,$b_2                   # 65e
-            lqx     $control,$control,$a_controls       # 65o
+        fma     $b_2,$nearest3_2,$dz_2,$b_2             # 65e
+            lqx     $control,$control,$k_half+1         # 65o
 
         fm      $radius2_2,$radius2_2,$radius2_2        # 66e
-        fma     $b_4,$lz_12,$dz_9,$b_4                  # 67e
+        fma     $b_4,$nearest3_12,$dz_9,$b_4            # 67e
 
             cgt     $control_5,$t_best_5,$t_5           # 68e
-        fnms    $lx,$b_3,$dx_3,$lx                      # 69e
+        fnms    $nearest+1,$b_3,$dx_3,$nearest+1        # 69e
 
-        fnms    $lx_9,$b_6,$dx_5,$lx_9                  # 70e
+        fnms    $nearest1_9,$b_6,$dx_5,$nearest1_9      # 70e
         lnop                                            # 70o pairing
 
-        fnms    $lx_2,$b_2,$dx_2,$lx_2                  # 71e
+        fnms    $nearest1_2,$b_2,$dx_2,$nearest1_2      # 71e
             shufb   $nearest,$nearest,$object_4,$control # 71o
 
-        fnms    $ly_5,$b_6,$dy_4,$ly_5                  # 72e
+        fnms    $nearest2_5,$b_6,$dy_4,$nearest2_5      # 72e
             shufb   $t_best,$t_best,$t,$control         # 72o
 
-        fnms    $ly_3,$b_3,$dy_10,$ly_3                 # 73e
-        fnms    $lx_10,$b_4,$dx_4,$lx_10                # 74e
+        fnms    $nearest2_3,$b_3,$dy_10,$nearest2_3     # 73e
+        fnms    $nearest1_10,$b_4,$dx_4,$nearest1_10    # 74e
 
-        fnms    $disc_19,$lx,$lx,$radius2_2             # 75e
+        fnms    $b1_19,$nearest+1,$nearest+1,$radius2_2 # 75e
             stqd    $nearest,480($a_packet_4)           # 75o
 
-        fm      $rest_12,$lx_9,$dx_5                    # 76e
+        fm      $rest_12,$nearest1_9,$dx_5              # 76e
             stqd    $t_best,416($a_packet_4)            # 76o
 
-        fm      $rest_11,$lx_2,$dx_2                    # 77e
-        fnms    $disc,$lx_2,$lx_2,$radius2_2            # 78e
+        fm      $rest_11,$nearest1_2,$dx_2              # 77e
+        fnms    $b+1,$nearest1_2,$nearest1_2,$radius2_2 # 78e
 
-        fnms    $ly_4,$b_4,$dy_5,$ly_4                  # 79e
-        fnms    $disc_14,$lx_10,$lx_10,$radius2_2       # 80e
+        fnms    $nearest2_4,$b_4,$dy_5,$nearest2_4      # 79e
+        fnms    $b1_14,$nearest1_10,$nearest1_10,$radius2_2 # 80e
 
-        fnms    $ly_2,$b_2,$dy_2,$ly_2                  # 81e
-        fnms    $disc_20,$lx_9,$lx_9,$radius2_2         # 82e
+        fnms    $nearest2_2,$b_2,$dy_2,$nearest2_2      # 81e
+        fnms    $b1_20,$nearest1_9,$nearest1_9,$radius2_2 # 82e
 
-        fm      $rest_17,$lx,$dx_3                      # 83e
-        fnms    $lz_12,$b_4,$dz_9,$lz_12                # 84e
+        fm      $rest_17,$nearest+1,$dx_3               # 83e
+        fnms    $nearest3_12,$b_4,$dz_9,$nearest3_12    # 84e
 
-        fm      $rest_19,$lx_10,$dx_4                   # 85e
-        fnms    $disc_14,$ly_4,$ly_4,$disc_14           # 86e
+        fm      $rest_19,$nearest1_10,$dx_4             # 85e
+        fnms    $b1_14,$nearest2_4,$nearest2_4,$b1_14   # 86e
 
-        fma     $rest_12,$ly_5,$dy_4,$rest_12           # 87e
-        fnms    $disc,$ly_2,$ly_2,$disc                 # 88e
+        fma     $rest_12,$nearest2_5,$dy_4,$rest_12     # 87e
+        fnms    $b+1,$nearest2_2,$nearest2_2,$b+1       # 88e
 
-        fnms    $lz_8,$b_2,$dz_2,$lz_2                  # 89e
+        fnms    $nearest3_8,$b_2,$dz_2,$nearest3_2      # 89e
         lnop                                            # 89o pairing
 
-        fnms    $disc_20,$ly_5,$ly_5,$disc_20           # 90e
+        fnms    $b1_20,$nearest2_5,$nearest2_5,$b1_20   # 90e
             rotqbii $control,$control_7,1               # 90o
 
-        fma     $rest_14,$ly_2,$dy_2,$rest_11           # 91e
-        fnms    $lz_13,$b_6,$dz_5,$lz_5                 # 92e
+        fma     $rest_14,$nearest2_2,$dy_2,$rest_11     # 91e
+        fnms    $nearest3_13,$b_6,$dz_5,$nearest3_5     # 92e
 
-        fma     $rest_15,$ly_4,$dy_5,$rest_19           # 93e
+        fma     $rest_15,$nearest2_4,$dy_5,$rest_19     # 93e
         lnop                                            # 93o pairing
 
-        fma     $rest_16,$ly_3,$dy_10,$rest_17          # 94e
+        fma     $rest_16,$nearest2_3,$dy_10,$rest_17    # 94e
             gb      $control,$control                   # 94o
 
-        fnms    $lz,$b_3,$dz_3,$lz_3                    # 95e
-        fnms    $disc_3,$ly_3,$ly_3,$disc_19            # 96e
+        fnms    $nearest+3,$b_3,$dz_3,$nearest3_3       # 95e
+        fnms    $b1_3,$nearest2_3,$nearest2_3,$b1_19    # 96e
 
-        fma     $rest_8,$lz_8,$dz_2,$rest_14            # 97e
+        fma     $rest_8,$nearest3_8,$dz_2,$rest_14      # 97e
         lnop                                            # 97o pairing
 
-        fma     $rest_17,$lz_13,$dz_5,$rest_12          # 98e
+        fma     $rest_17,$nearest3_13,$dz_5,$rest_12    # 98e
             shlqbii $control,$control,4                 # 98o
 
-        fma     $rest_15,$lz_12,$dz_9,$rest_15          # 99e
-        fnms    $disc,$lz_8,$lz_8,$disc                 # 100e
+        fma     $rest_15,$nearest3_12,$dz_9,$rest_15    # 99e
+        fnms    $b+1,$nearest3_8,$nearest3_8,$b+1       # 100e
 
-        fma     $rest_16,$lz,$dz_3,$rest_16             # 101e
+        fma     $rest_16,$nearest+3,$dz_3,$rest_16      # 101e
         lnop                                            # 101o pairing
 
-        fnms    $disc_16,$lz,$lz,$disc_3                # 102e
-            lqx     $control,$control,$a_controls       # 102o
+        fnms    $b1_16,$nearest+3,$nearest+3,$b1_3      # 102e
+            lqx     $control,$control,$k_half+1         # 102o
 
-        fnms    $disc_3,$lz_12,$lz_12,$disc_14          # 103e
+        fnms    $b1_3,$nearest3_12,$nearest3_12,$b1_14  # 103e
             cgti    $ahead,$t_5,0                       # 104e
 
-        fnms    $disc_20,$lz_13,$lz_13,$disc_20         # 105e
+        fnms    $b1_20,$nearest3_13,$nearest3_13,$b1_20 # 105e
         lnop                                            # 105o pairing
 
-        fma     $disc_8,$rest_8,$rest_8,$disc           # 106e
+        fma     $b1_8,$rest_8,$rest_8,$b+1              # 106e
         hbrr    next_ball_back,next_ball                # 106o hint
 
             and     $control_7,$control_8,$ahead_6      # 107e
         lqx     $whole_3,$a_whole,$sides_5              # 107o
 
-        fma     $disc,$rest_16,$rest_16,$disc_16        # 108e
+        fma     $b+1,$rest_16,$rest_16,$b1_16           # 108e
             shufb   $nearest,$nearest_7,$object_4,$control # 108o
 
-            andc    $control_9,$control_7,$disc_17      # 109e
+            andc    $control_9,$control_7,$b1_17        # 109e
             shufb   $t_best,$t_best_7,$t_2,$control     # 109o
 
-        fma     $disc_17,$rest_15,$rest_15,$disc_3      # 110e
+        fma     $b1_17,$rest_15,$rest_15,$b1_3          # 110e
         lqx     $m_by_side_3,$a_by_side,$sides_5        # 110o
 
             and     $control,$control_5,$ahead          # 111e
             rotqbii $control_6,$control_9,1             # 111o
 
-        fms     $out_7,$b_2,$b_2,$disc_8                # 112e
-        frsqest $y,$disc_8                              # 112o
+        fms     $out_7,$b_2,$b_2,$b1_8                  # 112e
+        frsqest $y,$b1_8                                # 112o
 
-            andc    $control,$control,$disc_18          # 113e
+            andc    $control,$control,$b1_18            # 113e
             stqd    $nearest,496($a_packet_4)           # 113o
 
-        fma     $disc_18,$rest_17,$rest_17,$disc_20     # 114e
-        frsqest $y_9,$disc                              # 114o
+        fma     $b1_18,$rest_17,$rest_17,$b1_20         # 114e
+        frsqest $y_9,$b+1                               # 114o
 
-        fms     $out_6,$b_3,$b_3,$disc                  # 115e
+        fms     $out_6,$b_3,$b_3,$b+1                   # 115e
             rotqbii $control,$control,1                 # 115o
 
-        fi      $y_11,$disc_8,$y                        # 116e
-        frsqest $y,$disc_17                             # 116o
+        fi      $y_11,$b1_8,$y                          # 116e
+        frsqest $y,$b1_17                               # 116o
 
             nop     $127                                # 117e pairing
             gb      $control_6,$control_6               # 117o
 
-        fi      $y_12,$disc,$y_9                        # 118e
+        fi      $y_12,$b+1,$y_9                         # 118e
         lqx     $half_3,$a_half,$sides_5                # 118o
 
             nop     $127                                # 119e pairing
             gb      $control,$control                   # 119o
 
-        fi      $y_13,$disc_17,$y                       # 120e
-        frsqest $y,$disc_18                             # 120o
+        fi      $y_13,$b1_17,$y                         # 120e
+        frsqest $y,$b1_18                               # 120o
 
             nop     $127                                # 121e pairing
             shlqbii $control_6,$control_6,4             # 121o
 
-        fms     $out_8,$b_6,$b_6,$disc_18               # 122e
+        fms     $out_8,$b_6,$b_6,$b1_18                 # 122e
 next_ball_back:
         brnz    $count,next_ball                        # 122o
 
 next_ball_drain:
-        fm      $s,$disc_8,$y_11                        # 0e
+        fm      $s,$b1_8,$y_11                          # 0e
         stqd    $t_best,432($a_packet_4)                # 0o
 
-        fm      $s_9,$disc,$y_12                        # 1e
+        fm      $s_9,$b+1,$y_12                         # 1e
         lqd     $t_best,416($a_packet_3)                # 1o
 
-        fi      $y,$disc_18,$y                          # 2e
+        fi      $y,$b1_18,$y                            # 2e
         shlqbii $control,$control,4                     # 2o
 
         nop     $127                                    # 3e pairing
-        lqx     $control_6,$control_6,$a_controls       # 3o
+        lqx     $control_6,$control_6,$k_half+1         # 3o
 
-        fm      $s_8,$disc_17,$y_13                     # 4e
+        fm      $s_8,$b1_17,$y_13                       # 4e
         lqd     $t_best_8,432($a_packet_3)              # 4o
 
-        fms     $out,$b_4,$b_4,$disc_17                 # 5e
+        fms     $out,$b_4,$b_4,$b1_17                   # 5e
         lqd     $nearest,480($a_packet_3)               # 5o
 
         fnms    $e,$s,$y_11,$k_one                      # 6e
-        lqx     $control,$control,$a_controls           # 6o
+        lqx     $control,$control,$k_half+1             # 6o
 
         selb    $s,$s,$out_7,$m_by_side_3               # 7e
         lqd     $nearest_7,496($a_packet_3)             # 7o
@@ -1233,7 +1178,7 @@ next_ball_drain:
         fnms    $e_6,$s_9,$y_12,$k_one                  # 8e
         shufb   $object_5,$object_3,$object_3,$m_x      # 8o
 
-        fm      $s_10,$disc_18,$y                       # 9e
+        fm      $s_10,$b1_18,$y                         # 9e
         shufb   $nearest_8,$nearest_4,$object_4,$control_6 # 9o
 
         selb    $s_9,$s_9,$out_6,$m_by_side_3           # 10e
@@ -1288,7 +1233,7 @@ next_ball_drain:
         and     $control,$control,$ahead                # 33e
 
         cgti    $ahead_5,$t_2,0                         # 34e
-        andc    $control,$control,$disc_8               # 35e
+        andc    $control,$control,$b1_8                 # 35e
 
         and     $control_7,$control_7,$ahead_5          # 36e
         lnop                                            # 36o pairing
@@ -1296,7 +1241,7 @@ next_ball_drain:
         fma     $t_5,$b_6,$k_two,$rest                  # 37e
         rotqbii $control,$control,1                     # 37o
 
-        andc    $control_7,$control_7,$disc             # 38e
+        andc    $control_7,$control_7,$b+1              # 38e
         cgt     $control_8,$t_best_4,$t_4               # 39e
 
         cgti    $ahead_6,$t_4,0                         # 40e
@@ -1311,16 +1256,16 @@ next_ball_drain:
         cgti    $ahead,$t_5,0                           # 44e
         gb      $control_3,$control_3                   # 44o
 
-        andc    $control_4,$control_7,$disc_17          # 45e
+        andc    $control_4,$control_7,$b1_17            # 45e
         shlqbii $control,$control,4                     # 45o
 
         and     $control_10,$control_5,$ahead           # 46e
         rotqbii $control_4,$control_4,1                 # 47o
 
-        andc    $control_10,$control_10,$disc_18        # 48e
+        andc    $control_10,$control_10,$b1_18          # 48e
         shlqbii $control_3,$control_3,4                 # 48o
 
-        lqx     $control,$control,$a_controls           # 49o
+        lqx     $control,$control,$k_half+1             # 49o
         rotqbii $control_10,$control_10,1               # 50o
 
         gb      $control_4,$control_4                   # 51o
@@ -1335,16 +1280,16 @@ next_ball_drain:
         stqd    $nearest,480($a_packet_5)               # 59o
         stqd    $t_best,416($a_packet_5)                # 60o
 
-        lqx     $control_3,$control_3,$a_controls       # 61o
+        lqx     $control_3,$control_3,$k_half+1         # 61o
         shufb   $nearest,$nearest_7,$object_5,$control_3 # 67o
 
         shufb   $t_best,$t_best_8,$t_2,$control_3       # 68o
         stqd    $nearest,496($a_packet_5)               # 71o
 
         stqd    $t_best,432($a_packet_5)                # 72o
-        lqx     $control_6,$control_4,$a_controls       # 73o
+        lqx     $control_6,$control_4,$k_half+1         # 73o
 
-        lqx     $control,$control,$a_controls           # 74o
+        lqx     $control,$control,$k_half+1             # 74o
         shufb   $nearest_8,$nearest_4,$object_5,$control_6 # 79o
 
         shufb   $t_best_5,$t_best_5,$t_5,$control       # 80o
@@ -1391,188 +1336,188 @@ next_ball_short:
         nop     $127                                    # 21e pairing
         shufb   $cy,$quad,$quad,$m_y                    # 21o
 
-        fnms    $lx,$ox,$k_half,$cx                     # 22e
+        fnms    $nearest+1,$ox,$k_half,$cx              # 22e
         lqd     $dy_3,256($a_packet)                    # 22o
 
-        fnms    $lx_11,$ox_12,$k_half,$cx               # 23e
+        fnms    $nearest1_11,$ox_12,$k_half,$cx         # 23e
         lqd     $ox,32($a_packet)                       # 23o
 
-        fnms    $lx_12,$ox_13,$k_half,$cx               # 24e
+        fnms    $nearest1_12,$ox_13,$k_half,$cx         # 24e
         lqd     $oz_10,144($a_packet)                   # 24o
 
-        fnms    $ly,$oy,$k_half,$cy                     # 25e
+        fnms    $nearest+2,$oy,$k_half,$cy              # 25e
         lqd     $oy,96($a_packet)                       # 25o
 
-        fnms    $ly_10,$oy_9,$k_half,$cy                # 26e
+        fnms    $nearest2_10,$oy_9,$k_half,$cy          # 26e
         shufb   $cz,$quad,$quad,$m_z                    # 26o
 
         nop     $127                                    # 27e pairing
         shufb   $radius2,$sides,$sides,$m_x             # 27o
 
-        fm      $b,$lx,$dx                              # 28e
+        fm      $b,$nearest+1,$dx                       # 28e
         lqd     $oy_10,112($a_packet)                   # 28o
 
-        fm      $b_13,$lx_11,$dx_10                     # 29e
+        fm      $b_13,$nearest1_11,$dx_10               # 29e
         lqd     $dz,320($a_packet)                      # 29o
 
-        fnms    $lz,$oz_10,$k_half,$cz                  # 30e
+        fnms    $nearest+3,$oz_10,$k_half,$cz           # 30e
         lqd     $dz_10,336($a_packet)                   # 30o
 
-        fnms    $lz_14,$oz,$k_half,$cz                  # 31e
+        fnms    $nearest3_14,$oz,$k_half,$cz            # 31e
         lqd     $dx_11,240($a_packet)                   # 31o
 
-        fnms    $lx_4,$ox,$k_half,$cx                   # 32e
+        fnms    $nearest1_4,$ox,$k_half,$cx             # 32e
         lqd     $dy_11,288($a_packet)                   # 32o
 
-        fnms    $ly_4,$oy,$k_half,$cy                   # 33e
+        fnms    $nearest2_4,$oy,$k_half,$cy             # 33e
         lqd     $dx_12,224($a_packet)                   # 33o
 
-        fma     $b,$ly,$dy_3,$b                         # 34e
+        fma     $b,$nearest+2,$dy_3,$b                  # 34e
         lqd     $dy_12,304($a_packet)                   # 34o
 
-        fma     $b_13,$ly_10,$dy,$b_13                  # 35e
+        fma     $b_13,$nearest2_10,$dy,$b_13            # 35e
         lqd     $oz_11,160($a_packet)                   # 35o
 
         fm      $radius2,$radius2,$k_half               # 36e
         lqd     $oz_12,176($a_packet)                   # 36o
 
-        fm      $b_14,$lx_12,$dx_11                     # 37e
+        fm      $b_14,$nearest1_12,$dx_11               # 37e
         lqd     $dz_11,368($a_packet)                   # 37o
 
-        fnms    $ly_11,$oy_10,$k_half,$cy               # 38e
+        fnms    $nearest2_11,$oy_10,$k_half,$cy         # 38e
         lqd     $dz_12,352($a_packet)                   # 38o
 
-        fm      $b_15,$lx_4,$dx_12                      # 39e
+        fm      $b_15,$nearest1_4,$dx_12                # 39e
         rotqbyi $sides,$sides,12                        # 39o
 
-        fma     $b,$lz_14,$dz,$b                        # 40e
+        fma     $b,$nearest3_14,$dz,$b                  # 40e
         lqd     $t_best_9,384($a_packet)                # 40o
 
-        fma     $b_13,$lz,$dz_10,$b_13                  # 41e
+        fma     $b_13,$nearest+3,$dz_10,$b_13           # 41e
         lqd     $t_best_10,400($a_packet)               # 41o
 
         fm      $radius2,$radius2,$radius2              # 42e
         lqd     $t_best_11,416($a_packet)               # 42o
 
-        fnms    $lz_15,$oz_11,$k_half,$cz               # 43e
+        fnms    $nearest3_15,$oz_11,$k_half,$cz         # 43e
         lqd     $t_best_12,432($a_packet)               # 43o
 
-        fma     $b_14,$ly_11,$dy_12,$b_14               # 44e
+        fma     $b_14,$nearest2_11,$dy_12,$b_14         # 44e
         lqd     $nearest_9,464($a_packet)               # 44o
 
-        fma     $b_15,$ly_4,$dy_11,$b_15                # 45e
+        fma     $b_15,$nearest2_4,$dy_11,$b_15          # 45e
         lqd     $nearest_10,448($a_packet)              # 45o
 
-        fnms    $lx,$b,$dx,$lx                          # 46e
+        fnms    $nearest+1,$b,$dx,$nearest+1            # 46e
         lqd     $nearest_11,480($a_packet)              # 46o
 
-        fnms    $lx_11,$b_13,$dx_10,$lx_11              # 47e
+        fnms    $nearest1_11,$b_13,$dx_10,$nearest1_11  # 47e
         lqd     $nearest_12,496($a_packet)              # 47o
 
-        fnms    $ly,$b,$dy_3,$ly                        # 48e
-        fnms    $ly_10,$b_13,$dy,$ly_10                 # 49e
+        fnms    $nearest+2,$b,$dy_3,$nearest+2          # 48e
+        fnms    $nearest2_10,$b_13,$dy,$nearest2_10     # 49e
 
-        fnms    $lz_16,$oz_12,$k_half,$cz               # 50e
-        fnms    $lz,$b_13,$dz_10,$lz                    # 51e
+        fnms    $nearest3_16,$oz_12,$k_half,$cz         # 50e
+        fnms    $nearest+3,$b_13,$dz_10,$nearest+3      # 51e
 
-        fnms    $disc,$lx,$lx,$radius2                  # 52e
-        fnms    $disc_21,$lx_11,$lx_11,$radius2         # 53e
+        fnms    $b+1,$nearest+1,$nearest+1,$radius2     # 52e
+        fnms    $b1_21,$nearest1_11,$nearest1_11,$radius2 # 53e
 
-        fm      $rest_9,$lx_11,$dx_10                   # 54e
-        fm      $rest_20,$lx,$dx                        # 55e
+        fm      $rest_9,$nearest1_11,$dx_10             # 54e
+        fm      $rest_20,$nearest+1,$dx                 # 55e
 
-        fma     $b_5,$lz_16,$dz_11,$b_14                # 56e
-        fma     $b_16,$lz_15,$dz_12,$b_15               # 57e
+        fma     $b_5,$nearest3_16,$dz_11,$b_14          # 56e
+        fma     $b_16,$nearest3_15,$dz_12,$b_15         # 57e
 
-        fnms    $disc,$ly,$ly,$disc                     # 58e
-        fnms    $disc_22,$ly_10,$ly_10,$disc_21         # 59e
+        fnms    $b+1,$nearest+2,$nearest+2,$b+1         # 58e
+        fnms    $b1_22,$nearest2_10,$nearest2_10,$b1_21 # 59e
 
-        fma     $rest_9,$ly_10,$dy,$rest_9              # 60e
-        fma     $rest_21,$ly,$dy_3,$rest_20             # 61e
+        fma     $rest_9,$nearest2_10,$dy,$rest_9        # 60e
+        fma     $rest_21,$nearest+2,$dy_3,$rest_20      # 61e
 
-        fnms    $lz_11,$b,$dz,$lz_14                    # 62e
-        fnms    $lx_13,$b_16,$dx_12,$lx_4               # 63e
+        fnms    $nearest3_11,$b,$dz,$nearest3_14        # 62e
+        fnms    $nearest1_13,$b_16,$dx_12,$nearest1_4   # 63e
 
-        fnms    $lx_12,$b_5,$dx_11,$lx_12               # 64e
-        fnms    $ly,$b_16,$dy_11,$ly_4                  # 65e
+        fnms    $nearest1_12,$b_5,$dx_11,$nearest1_12   # 64e
+        fnms    $nearest+2,$b_16,$dy_11,$nearest2_4     # 65e
 
-        fma     $rest_9,$lz,$dz_10,$rest_9              # 66e
-        fnms    $disc_16,$lz,$lz,$disc_22               # 67e
+        fma     $rest_9,$nearest+3,$dz_10,$rest_9       # 66e
+        fnms    $b1_16,$nearest+3,$nearest+3,$b1_22     # 67e
 
-        fnms    $disc,$lz_11,$lz_11,$disc               # 68e
-        fm      $rest_22,$lx_13,$dx_12                  # 69e
+        fnms    $b+1,$nearest3_11,$nearest3_11,$b+1     # 68e
+        fm      $rest_22,$nearest1_13,$dx_12            # 69e
 
-        fm      $rest_23,$lx_12,$dx_11                  # 70e
-        fnms    $disc_5,$lx_12,$lx_12,$radius2          # 71e
+        fm      $rest_23,$nearest1_12,$dx_11            # 70e
+        fnms    $b1_5,$nearest1_12,$nearest1_12,$radius2 # 71e
 
-        fma     $rest_21,$lz_11,$dz,$rest_21            # 72e
-        fma     $disc_15,$rest_9,$rest_9,$disc_16       # 73e
+        fma     $rest_21,$nearest3_11,$dz,$rest_21      # 72e
+        fma     $b1_15,$rest_9,$rest_9,$b1_16           # 73e
 
-        fnms    $ly_2,$b_5,$dy_12,$ly_11                # 74e
-        fnms    $disc_23,$lx_13,$lx_13,$radius2         # 75e
+        fnms    $nearest2_2,$b_5,$dy_12,$nearest2_11    # 74e
+        fnms    $b1_23,$nearest1_13,$nearest1_13,$radius2 # 75e
 
-        fnms    $lz,$b_16,$dz_12,$lz_15                 # 76e
-        fma     $rest_24,$ly,$dy_11,$rest_22            # 77e
+        fnms    $nearest+3,$b_16,$dz_12,$nearest3_15    # 76e
+        fma     $rest_24,$nearest+2,$dy_11,$rest_22     # 77e
 
-        fma     $disc,$rest_21,$rest_21,$disc           # 78e
+        fma     $b+1,$rest_21,$rest_21,$b+1             # 78e
         lnop                                            # 78o pairing
 
-        fnms    $lz_17,$b_5,$dz_11,$lz_16               # 79e
-        frsqest $y_14,$disc_15                          # 79o
+        fnms    $nearest3_17,$b_5,$dz_11,$nearest3_16   # 79e
+        frsqest $y_14,$b1_15                            # 79o
 
-        fma     $rest_25,$ly_2,$dy_12,$rest_23          # 80e
-        fnms    $disc_23,$ly,$ly,$disc_23               # 81e
+        fma     $rest_25,$nearest2_2,$dy_12,$rest_23    # 80e
+        fnms    $b1_23,$nearest+2,$nearest+2,$b1_23     # 81e
 
-        fnms    $disc_5,$ly_2,$ly_2,$disc_5             # 82e
-        fma     $rest_14,$lz,$dz_12,$rest_24            # 83e
+        fnms    $b1_5,$nearest2_2,$nearest2_2,$b1_5     # 82e
+        fma     $rest_14,$nearest+3,$dz_12,$rest_24     # 83e
 
-        fi      $y_13,$disc_15,$y_14                    # 84e
-        frsqest $y_15,$disc                             # 84o
+        fi      $y_13,$b1_15,$y_14                      # 84e
+        frsqest $y_15,$b+1                              # 84o
 
         rotmi   $sides,$sides,-26                       # 85e
-        fma     $rest_2,$lz_17,$dz_11,$rest_25          # 86e
+        fma     $rest_2,$nearest3_17,$dz_11,$rest_25    # 86e
 
-        fnms    $disc_23,$lz,$lz,$disc_23               # 87e
-        fi      $y,$disc,$y_15                          # 88e
+        fnms    $b1_23,$nearest+3,$nearest+3,$b1_23     # 87e
+        fi      $y,$b+1,$y_15                           # 88e
 
         nop     $127                                    # 89e pairing
         lqx     $half_4,$a_half,$sides                  # 89o
 
-        fnms    $disc_5,$lz_17,$lz_17,$disc_5           # 90e
+        fnms    $b1_5,$nearest3_17,$nearest3_17,$b1_5   # 90e
         lqx     $whole,$a_whole,$sides                  # 90o
 
-        fm      $s,$disc_15,$y_13                       # 91e
+        fm      $s,$b1_15,$y_13                         # 91e
         lqx     $m_by_side,$a_by_side,$sides            # 91o
 
-        fms     $out,$b,$b,$disc                        # 92e
-        fma     $disc_23,$rest_14,$rest_14,$disc_23     # 93e
+        fms     $out,$b,$b,$b+1                         # 92e
+        fma     $b1_23,$rest_14,$rest_14,$b1_23         # 93e
 
-        fms     $out_9,$b_13,$b_13,$disc_15             # 94e
-        fm      $s_11,$disc,$y                          # 95e
+        fms     $out_9,$b_13,$b_13,$b1_15               # 94e
+        fm      $s_11,$b+1,$y                           # 95e
 
-        fma     $disc_5,$rest_2,$rest_2,$disc_5         # 96e
+        fma     $b1_5,$rest_2,$rest_2,$b1_5             # 96e
         fnms    $e_7,$s,$y_13,$k_one                    # 97e
 
-        fms     $out_10,$b_16,$b_16,$disc_23            # 99e
-        frsqest $y_5,$disc_23                           # 99o
+        fms     $out_10,$b_16,$b_16,$b1_23              # 99e
+        frsqest $y_5,$b1_23                             # 99o
 
         selb    $s,$s,$out_9,$m_by_side                 # 100e
         fnms    $e_9,$s_11,$y,$k_one                    # 101e
 
         selb    $s_11,$s_11,$out,$m_by_side             # 102e
-        frsqest $y,$disc_5                              # 102o
+        frsqest $y,$b1_5                                # 102o
 
-        fi      $y_5,$disc_23,$y_5                      # 103e
+        fi      $y_5,$b1_23,$y_5                        # 103e
         fma     $e_7,$e_7,$half_4,$whole                # 105e
 
-        fi      $y,$disc_5,$y                           # 106e
+        fi      $y,$b1_5,$y                             # 106e
         fma     $e_9,$e_9,$half_4,$whole                # 108e
 
-        fms     $out,$b_5,$b_5,$disc_5                  # 109e
-        fm      $s_12,$disc_23,$y_5                     # 110e
+        fms     $out,$b_5,$b_5,$b1_5                    # 109e
+        fm      $s_12,$b1_23,$y_5                       # 110e
 
         fnms    $rest_9,$s,$e_7,$rest_9                 # 111e
-        fm      $s,$disc_5,$y                           # 113e
+        fm      $s,$b1_5,$y                             # 113e
 
         fnms    $rest_21,$s_11,$e_9,$rest_21            # 114e
         fnms    $e_7,$s_12,$y_5,$k_one                  # 116e
@@ -1596,7 +1541,7 @@ next_ball_short:
         fnms    $rest_14,$s_13,$e_7,$rest_14            # 128e
 
         cgt     $control_13,$t_best_9,$t_6              # 129e
-        andc    $control_9,$control_12,$disc_15         # 130e
+        andc    $control_9,$control_12,$b1_15           # 130e
 
         and     $control_13,$control_13,$ahead_7        # 131e
         lnop                                            # 131o pairing
@@ -1604,7 +1549,7 @@ next_ball_short:
         fnms    $rest_22,$s,$e_11,$rest_2               # 132e
         rotqbii $control_9,$control_9,1                 # 132o
 
-        andc    $control_13,$control_13,$disc           # 133e
+        andc    $control_13,$control_13,$b+1            # 133e
         fma     $t_7,$b_16,$k_two,$rest_14              # 134e
 
         rotqbii $control_13,$control_13,1               # 135o
@@ -1623,16 +1568,16 @@ next_ball_short:
         shlqbii $control_13,$control_13,4               # 143o
 
         cgti    $ahead_8,$t_8,0                         # 144e
-        lqx     $control_9,$control_9,$a_controls       # 144o
+        lqx     $control_9,$control_9,$k_half+1         # 144o
 
         cgt     $control_12,$t_best_12,$t_8             # 145e
-        andc    $control_15,$control_14,$disc_23        # 146e
+        andc    $control_15,$control_14,$b1_23          # 146e
 
         and     $control_14,$control_12,$ahead_8        # 147e
-        lqx     $control_13,$control_13,$a_controls     # 147o
+        lqx     $control_13,$control_13,$k_half+1       # 147o
 
         rotqbii $control_15,$control_15,1               # 148o
-        andc    $control_3,$control_14,$disc_5          # 149e
+        andc    $control_3,$control_14,$b1_5            # 149e
 
         shufb   $t_best,$t_best_10,$t_2,$control_9      # 150o
         rotqbii $control_6,$control_3,1                 # 151o
@@ -1655,8 +1600,8 @@ next_ball_short:
         stqd    $t_best,400($a_packet)                  # 162o
         hbrr    next_ball_short_back,next_ball_short    # 163o hint
 
-        lqx     $control,$control,$a_controls           # 164o
-        lqx     $control_6,$control_6,$a_controls       # 165o
+        lqx     $control,$control,$k_half+1             # 164o
+        lqx     $control_6,$control_6,$k_half+1         # 165o
 
         shufb   $nearest,$nearest_12,$object,$control   # 170o
         shufb   $nearest_13,$nearest_11,$object,$control_6 # 171o

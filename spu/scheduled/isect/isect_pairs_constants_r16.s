@@ -12,52 +12,10 @@
 # squared is in parts of the distance's square.
 # Scheduled by spu schedule from isect_pairs_constants_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_constants.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    k_quarter,11
-        .set    half,12
-        .set    k_half,12                               # half
-        .set    whole,13
-        .set    m_x,14
-        .set    m_y,15
-        .set    m_z,16
-        .set    m_radius2,17
-        .set    a_merges,18
-        # the pair
-        .set    object,19
-        .set    a_packet,20
-        .set    quad,21
-        .set    cx,22                                   # the unit direction
-        .set    cy,23
-        .set    cz,24
-        .set    radius2,25                              # k
-        .set    distance,26
-        # a row
-        .set    dx,27
-        .set    dy,28
-        .set    dz,29
-        .set    t_best,30
-        .set    nearest,31
-        # temporaries
-        .set    lx,32                                   # d - u
-        .set    ly,33
-        .set    lz,34
-        .set    chord,35                                # q
-        .set    disc,36
-        .set    y,37
-        .set    s,38
-        .set    e,39
-        .set    t,40
-        .set    hit,41
-        .set    merge,42
-
+        eye_registers "k_one,k_quarter,half,whole", "radius2,distance", "lx,ly,lz,chord,disc,y,s,e"
         merges_table
 
 function isect_pairs_constants_r16
@@ -71,9 +29,9 @@ function isect_pairs_constants_r16
         .set    a_packet_3,24
         .set    dy_2,33
         .set    dx_2,21
-        .set    cy_2,30
-        .set    cz_2,44
-        .set    cx_2,23
+        .set    quad2_2,30
+        .set    quad3_2,44
+        .set    quad1_2,23
         .set    dy_3,38
         .set    dx_3,34
         .set    dz_2,35
@@ -97,8 +55,8 @@ function isect_pairs_constants_r16
         .set    chord_4,34
         .set    dx_6,26
         .set    ly_3,28
-        .set    cz_3,39
-        .set    cy_3,41
+        .set    quad3_3,39
+        .set    quad2_3,41
         .set    dz_5,33
         .set    ly_4,19
         .set    dx_7,30
@@ -199,7 +157,7 @@ function isect_pairs_constants_r16
         .set    quad_5,20
         .set    chord_13,27
         .set    dx_9,29
-        .set    cx_3,30
+        .set    quad1_3,30
         .set    e_9,6
         .set    dy_10,29
         .set    merge_4,3
@@ -207,7 +165,7 @@ function isect_pairs_constants_r16
         .set    chord_14,23
         .set    dz_8,36
         .set    t_best_8,3
-        .set    cy_4,8
+        .set    quad2_4,8
         .set    merge_5,15
         .set    ly_8,22
         .set    ly_9,3
@@ -246,7 +204,7 @@ function isect_pairs_constants_r16
         .set    lx_12,5
         .set    dz_9,9
         .set    dz_10,24
-        .set    cz_4,25
+        .set    quad3_4,25
         .set    chord_18,5
         .set    dz_11,26
         .set    ly_11,7
@@ -292,22 +250,22 @@ function isect_pairs_constants_r16
         ilhu    $m_x,1                                  # 1e
         ilhu    $m_y,0x405                              # 2e
 
-        ilhu    $m_z,0x809                              # 3e
+        ilhu    $m_y+1,0x809                            # 3e
         ilhu    $m_radius2,0xc0d                        # 4e
 
-        ilhu    $k_half,0x3f00                          # 5e
+        ilhu    $half,0x3f00                            # 5e
         ilhu    $whole,0x3f80                           # 6e
 
         clgti   $count_2,$count,3                       # 7e at least as many passes as overlap
         iohl    $m_x,515                                # 8e
 
         iohl    $m_y,0x607                              # 9e
-        iohl    $m_z,0xa0b                              # 10e
+        iohl    $m_y+1,0xa0b                            # 10e
 
         iohl    $m_radius2,0xe0f                        # 11e
         ila     $a_merges,merges                        # 12e
 
-        iohl    $k_half,0                               # 13e
+        iohl    $half,0                                 # 13e
         iohl    $whole,0                                # 14e
 
         ilhu    $k_one,0x3f80                           # 15e
@@ -338,36 +296,36 @@ function isect_pairs_constants_r16
         lqd     $dx_2,32($a_packet_2)                   # 28o
 
         lqd     $dx,0($a_packet_2)                      # 29o
-        shufb   $cy_2,$quad_2,$quad_2,$m_y              # 30o
+        shufb   $quad2_2,$quad_2,$quad_2,$m_y           # 30o
 
-        shufb   $cz_2,$quad_2,$quad_2,$m_z              # 31o
-        shufb   $cx_2,$quad_2,$quad_2,$m_x              # 32o
+        shufb   $quad3_2,$quad_2,$quad_2,$m_y+1         # 31o
+        shufb   $quad1_2,$quad_2,$quad_2,$m_x           # 32o
 
         nop     $127                                    # 33e pairing
         lqd     $dy_3,64($a_packet_2)                   # 33o
 
-        fs      $ly,$dy_2,$cy_2                         # 34e
+        fs      $ly,$dy_2,$quad2_2                      # 34e
         lqd     $dx_3,16($a_packet_2)                   # 34o
 
         nop     $127                                    # 35e pairing
         lqd     $dz_2,160($a_packet_2)                  # 35o
 
-        fs      $lx_2,$dx_2,$cx_2                       # 36e
+        fs      $lx_2,$dx_2,$quad1_2                    # 36e
         lqd     $dz,128($a_packet_2)                    # 36o
 
-        fs      $lx_3,$dx,$cx_2                         # 37e
+        fs      $lx_3,$dx,$quad1_2                      # 37e
         shufb   $radius2_2,$quad_2,$quad_2,$m_radius2   # 37o
 
         nop     $127                                    # 38e pairing
         lqd     $dx_4,48($a_packet_2)                   # 38o
 
-        fs      $ly_2,$dy_3,$cy_2                       # 39e
+        fs      $ly_2,$dy_3,$quad2_2                    # 39e
         lqd     $dy_4,80($a_packet_2)                   # 39o
 
-        fs      $lx_4,$dx_3,$cx_2                       # 40e
+        fs      $lx_4,$dx_3,$quad1_2                    # 40e
         lqd     $dz_3,144($a_packet_2)                  # 40o
 
-        fs      $lz_2,$dz_2,$cz_2                       # 41e
+        fs      $lz_2,$dz_2,$quad3_2                    # 41e
         lqd     $dy_5,112($a_packet_2)                  # 41o
 
         fm      $chord_2,$lx_2,$lx_2                    # 42e
@@ -376,34 +334,34 @@ function isect_pairs_constants_r16
         fm      $chord_3,$lx_3,$lx_3                    # 43e
         lqd     $dx_5,32($a_packet_3)                   # 43o
 
-        fs      $lz_3,$dz,$cz_2                         # 44e
+        fs      $lz_3,$dz,$quad3_2                      # 44e
         lqd     $dy_6,96($a_packet_3)                   # 44o
 
-        fs      $lx_5,$dx_4,$cx_2                       # 45e
-        shufb   $cx_2,$quad_3,$quad_3,$m_x              # 45o
+        fs      $lx_5,$dx_4,$quad1_2                    # 45e
+        shufb   $quad1_2,$quad_3,$quad_3,$m_x           # 45o
 
         fm      $chord_4,$lx_4,$lx_4                    # 46e
         lqd     $dx_6,0($a_packet_3)                    # 46o
 
-        fs      $ly_3,$dy_5,$cy_2                       # 47e
-        shufb   $cz_3,$quad_3,$quad_3,$m_z              # 47o
+        fs      $ly_3,$dy_5,$quad2_2                    # 47e
+        shufb   $quad3_3,$quad_3,$quad_3,$m_y+1         # 47o
 
         fma     $chord_2,$ly,$ly,$chord_2               # 48e
-        shufb   $cy_3,$quad_3,$quad_3,$m_y              # 48o
+        shufb   $quad2_3,$quad_3,$quad_3,$m_y           # 48o
 
         fma     $chord_3,$ly_2,$ly_2,$chord_3           # 49e
         lqd     $dz_5,128($a_packet_3)                  # 49o
 
-        fs      $ly_4,$dy_4,$cy_2                       # 50e
+        fs      $ly_4,$dy_4,$quad2_2                    # 50e
         lqd     $dx_7,16($a_packet_3)                   # 50o
 
         fm      $chord_5,$lx_5,$lx_5                    # 51e
         lqd     $dz_6,160($a_packet_3)                  # 51o
 
-        fs      $lz_4,$dz_3,$cz_2                       # 52e
+        fs      $lz_4,$dz_3,$quad3_2                    # 52e
         lqd     $dy_3,64($a_packet_3)                   # 52o
 
-        fs      $lz_5,$dz_4,$cz_2                       # 53e
+        fs      $lz_5,$dz_4,$quad3_2                    # 53e
         shlqbyi $a_packet_4,$a_packet_2,0               # 53o copy
 
         fma     $chord,$lz_2,$lz_2,$chord_2             # 54e
@@ -418,10 +376,10 @@ function isect_pairs_constants_r16
         fma     $chord_5,$ly_3,$ly_3,$chord_5           # 57e
         lqd     $t_best_2,224($a_packet_4)              # 57o
 
-        fs      $lx_6,$dx_6,$cx_2                       # 58e
+        fs      $lx_6,$dx_6,$quad1_2                    # 58e
         lqd     $dy_7,80($a_packet_3)                   # 58o
 
-        fs      $lx_7,$dx_5,$cx_2                       # 59e
+        fs      $lx_7,$dx_5,$quad1_2                    # 59e
         lqd     $nearest_2,288($a_packet_4)             # 59o
 
         fms     $disc_2,$chord,$k_quarter,$k_one        # 60e
@@ -436,7 +394,7 @@ function isect_pairs_constants_r16
         fma     $chord_7,$lz_5,$lz_5,$chord_5           # 63e
         shufb   $object,$object_2,$object_2,$m_x        # 63o
 
-        fm      $chord_8,$chord,$k_half                 # 64e
+        fm      $chord_8,$chord,$half                   # 64e
         lqd     $dz_7,144($a_packet_3)                  # 64o
 
         fm      $chord_9,$lx_6,$lx_6                    # 65e
@@ -457,13 +415,13 @@ function isect_pairs_constants_r16
         fm      $chord_10,$lx_7,$lx_7                   # 70e
         shlqbyi $object_4,$object,0                     # 70o copy
 
-        fs      $ly_2,$dy_3,$cy_3                       # 71e
+        fs      $ly_2,$dy_3,$quad2_3                    # 71e
         lqd     $nearest_3,304($a_packet_4)             # 71o
 
-        fs      $ly_5,$dy_6,$cy_3                       # 72e
+        fs      $ly_5,$dy_6,$quad2_3                    # 72e
         frsqest $y_2,$disc_4                            # 72o
 
-        fs      $lz_6,$dz_6,$cz_3                       # 73e
+        fs      $lz_6,$dz_6,$quad3_3                    # 73e
         frsqest $y_3,$disc_5                            # 73o
 
         fma     $disc_6,$chord_6,$disc_6,$radius2_2     # 74e
@@ -481,13 +439,13 @@ function isect_pairs_constants_r16
         shlqbyi $a_packet_9,$a_packet_5,0               # 78o copy
         fma     $chord_2,$ly_5,$ly_5,$chord_10          # 79e
 
-        fm      $chord_3,$chord_3,$k_half               # 80e
+        fm      $chord_3,$chord_3,$half                 # 80e
         frsqest $y_5,$disc_6                            # 80o
 
-        fs      $lz_7,$dz_5,$cz_3                       # 81e
+        fs      $lz_7,$dz_5,$quad3_3                    # 81e
         frsqest $y_6,$disc_7                            # 81o
 
-        fm      $chord_6,$chord_6,$k_half               # 82e
+        fm      $chord_6,$chord_6,$half                 # 82e
         fm      $s_2,$disc_4,$y                         # 83e
 
         fm      $s_3,$disc_5,$y_4                       # 84e
@@ -499,16 +457,16 @@ function isect_pairs_constants_r16
         fnms    $e_2,$s_2,$y,$k_one                     # 89e
         fnms    $e_3,$s_3,$y_4,$k_one                   # 90e
 
-        fs      $lx_8,$dx_7,$cx_2                       # 91e
-        fs      $lz_5,$dz_4,$cz_3                       # 92e
+        fs      $lx_8,$dx_7,$quad1_2                    # 91e
+        fs      $lz_5,$dz_4,$quad3_3                    # 92e
 
         fms     $disc_2,$chord_2,$k_quarter,$k_one      # 93e
         fm      $s_4,$disc_7,$y_8                       # 94e
 
-        fma     $e_2,$e_2,$k_half,$whole                # 95e
-        fma     $e_3,$e_3,$k_half,$whole                # 96e
+        fma     $e_2,$e_2,$half,$whole                  # 95e
+        fma     $e_3,$e_3,$half,$whole                  # 96e
 
-        fs      $lx_9,$dx_8,$cx_2                       # 97e
+        fs      $lx_9,$dx_8,$quad1_2                    # 97e
         fm      $s_5,$disc_6,$y_7                       # 98e
 
         fma     $chord_9,$ly_2,$ly_2,$chord_9           # 99e
@@ -517,7 +475,7 @@ function isect_pairs_constants_r16
         fma     $e_2,$s_2,$e_2,$chord_8                 # 101e
         fma     $e_3,$s_3,$e_3,$chord_3                 # 102e
 
-        fm      $chord_11,$chord_7,$k_half              # 103e
+        fm      $chord_11,$chord_7,$half                # 103e
         fnms    $e_4,$s_5,$y_7,$k_one                   # 104e
 
         fma     $chord_3,$lz_7,$lz_7,$chord_9           # 105e
@@ -529,11 +487,11 @@ function isect_pairs_constants_r16
         fnms    $t_2,$distance,$e_2,$distance           # 107e
         fnms    $t,$distance,$e_3,$distance             # 108e
 
-        fs      $lz_8,$dz_7,$cz_3                       # 109e
-        fma     $e,$e_4,$k_half,$whole                  # 110e
+        fs      $lz_8,$dz_7,$quad3_3                    # 109e
+        fma     $e,$e_4,$half,$whole                    # 110e
 
         fms     $disc_9,$chord_3,$k_quarter,$k_one      # 111e
-        fs      $ly_5,$dy_7,$cy_3                       # 112e
+        fs      $ly_5,$dy_7,$quad2_3                    # 112e
 
         clgt    $hit_2,$t_best_2,$t_2                   # 113e
         lnop                                            # 113o pairing
@@ -548,16 +506,16 @@ function isect_pairs_constants_r16
         rotqbii $hit_3,$hit_3,1                         # 117o
 
         clgt    $hit_4,$t_best_3,$t                     # 118e
-        fs      $ly_6,$dy_8,$cy_3                       # 119e
+        fs      $ly_6,$dy_8,$quad2_3                    # 119e
 
         fma     $chord_4,$ly_5,$ly_5,$chord_4           # 120e
         lnop                                            # 120o pairing
 
-        fm      $chord_8,$chord_2,$k_half               # 121e
+        fm      $chord_8,$chord_2,$half                 # 121e
         gb      $hit,$hit_3                             # 121o
 
         andc    $hit_5,$hit_4,$disc_5                   # 122e
-        fma     $e_6,$e_5,$k_half,$whole                # 123e
+        fma     $e_6,$e_5,$half,$whole                  # 123e
 
         rotmai  $hit_6,$hit_5,-31                       # 124e
         lnop                                            # 124o pairing
@@ -602,7 +560,7 @@ next_pair:
             fms     $disc,$chord_12,$k_quarter,$k_one   # 11e
             lqd     $t_best_3,192($a_packet_3)          # 11o
 
-            fm      $chord_6,$chord_3,$k_half           # 12e
+            fm      $chord_6,$chord_3,$half             # 12e
             lqd     $quad_2,0($object_3)                # 12o
 
             fms     $disc_10,$chord,$k_quarter,$k_one   # 13e
@@ -627,34 +585,34 @@ next_pair:
             lqd     $dx_2,32($a_packet_3)               # 19o
 
             andc    $hit_7,$hit_7,$disc_7               # 20e
-            shufb   $cy_2,$quad_2,$quad_2,$m_y          # 20o
+            shufb   $quad2_2,$quad_2,$quad_2,$m_y       # 20o
 
             fma     $disc_7,$chord,$disc_10,$radius2_3  # 21e
-            shufb   $cx_2,$quad_2,$quad_2,$m_x          # 21o
+            shufb   $quad1_2,$quad_2,$quad_2,$m_x       # 21o
 
-            fm      $chord_12,$chord_12,$k_half         # 22e
+            fm      $chord_12,$chord_12,$half           # 22e
             lqd     $dy_2,96($a_packet_3)               # 22o
 
-            fma     $e,$e,$k_half,$whole                # 23e
+            fma     $e,$e,$half,$whole                  # 23e
             lqd     $dx_3,16($a_packet_3)               # 23o
 
-            fm      $chord_11,$chord,$k_half            # 24e
+            fm      $chord_11,$chord,$half              # 24e
             rotqbii $hit_7,$hit_7,1                     # 24o
 
-            fs      $lx_2,$dx_2,$cx_2                   # 25e
+            fs      $lx_2,$dx_2,$quad1_2                # 25e
             lqd     $dz_2,160($a_packet_3)              # 25o
 
-            fs      $lx_3,$dx,$cx_2                     # 26e
+            fs      $lx_3,$dx,$quad1_2                  # 26e
             rotqbii $hit,$hit,1                         # 26o
 
             fm      $s_6,$disc_5,$y                     # 27e
             lqd     $dz_4,176($a_packet_3)              # 27o
 
-            fs      $ly,$dy_2,$cy_2                     # 28e
+            fs      $ly,$dy_2,$quad2_2                  # 28e
             gb      $hit_7,$hit_7                       # 28o
 
-            fs      $lx_4,$dx_3,$cx_2                   # 29e
-            shufb   $cz_2,$quad_2,$quad_2,$m_z          # 29o
+            fs      $lx_4,$dx_3,$quad1_2                # 29e
+            shufb   $quad3_2,$quad_2,$quad_2,$m_y+1     # 29o
 
             fma     $e,$s,$e,$chord_8                   # 30e
             lqd     $dy_3,64($a_packet_3)               # 30o
@@ -668,10 +626,10 @@ next_pair:
             fnms    $e_7,$s_6,$y,$k_one                 # 33e
             frsqest $y,$disc_6                          # 33o
 
-            fs      $lz_2,$dz_2,$cz_2                   # 34e
+            fs      $lz_2,$dz_2,$quad3_2                # 34e
             frsqest $y_10,$disc_7                       # 34o
 
-            fs      $lz_5,$dz_4,$cz_2                   # 35e
+            fs      $lz_5,$dz_4,$quad3_2                # 35e
             gb      $hit,$hit                           # 35o
 
             fm      $chord_4,$lx_4,$lx_4                # 36e
@@ -687,9 +645,9 @@ next_pair:
             shlqbii $hit,$hit,4                         # 39o
 
         ai      $count,$count,-1                        # 40e
-            fs      $ly_2,$dy_3,$cy_2                   # 41e
+            fs      $ly_2,$dy_3,$quad2_2                # 41e
 
-            fs      $lz_3,$dz,$cz_2                     # 42e
+            fs      $lz_3,$dz,$quad3_2                  # 42e
             shufb   $nearest_3,$nearest_3,$object_4,$merge_2 # 42o
 
             fma     $chord,$lz_2,$lz_2,$chord_2         # 43e
@@ -698,7 +656,7 @@ next_pair:
             fnms    $t_2,$distance,$e,$distance         # 44e
             lqd     $dy_9,80($a_packet_3)               # 44o
 
-            fs      $lz_8,$dz_5,$cz_2                   # 45e
+            fs      $lz_8,$dz_5,$quad3_2                # 45e
             shufb   $t_best_6,$t_best_5,$t_3,$merge_2   # 45o
 
             fm      $s_7,$disc_6,$y                     # 46e
@@ -707,7 +665,7 @@ next_pair:
             fma     $chord_3,$ly_2,$ly_2,$chord_3       # 47e
             lqx     $merge_3,$a_merges,$hit             # 47o
 
-            fma     $e,$e_7,$k_half,$whole              # 48e
+            fma     $e,$e_7,$half,$whole                # 48e
             stqd    $nearest_5,288($a_packet_9)         # 48o
 
             fm      $s_4,$disc_7,$y_10                  # 49e
@@ -716,7 +674,7 @@ next_pair:
             fms     $disc_11,$chord,$k_quarter,$k_one   # 50e
             lqd     $dx,48($a_packet_3)                 # 50o
 
-            fs      $ly_7,$dy_9,$cy_2                   # 51e
+            fs      $ly_7,$dy_9,$quad2_2                # 51e
             lqd     $dy_5,112($a_packet_3)              # 51o
 
             fnms    $e_8,$s_7,$y,$k_one                 # 52e
@@ -740,10 +698,10 @@ next_pair:
             fma     $disc_8,$chord,$disc_11,$radius2_3  # 58e
             lqd     $t_best_5,240($a_packet_7)          # 58o
 
-            fs      $lx_10,$dx,$cx_2                    # 59e
+            fs      $lx_10,$dx,$quad1_2                 # 59e
             stqd    $t_best_7,208($a_packet_9)          # 59o
 
-            fs      $ly_6,$dy_5,$cy_2                   # 60e
+            fs      $ly_6,$dy_5,$quad2_2                # 60e
             shlqbyi $a_packet_9,$a_packet_8,0           # 60o copy
 
             fnms    $t,$distance,$e,$distance           # 61e
@@ -752,16 +710,16 @@ next_pair:
             fms     $disc_12,$chord_3,$k_quarter,$k_one # 62e
             rotqbii $hit,$hit_4,1                       # 62o
 
-            fma     $e,$e_8,$k_half,$whole              # 63e
+            fma     $e,$e_8,$half,$whole                # 63e
             lqd     $t_best_4,208($a_packet_7)          # 63o
 
-            fma     $e_6,$e_5,$k_half,$whole            # 64e
+            fma     $e_6,$e_5,$half,$whole              # 64e
             shlqbyi $a_packet_8,$a_packet_3,0           # 64o copy
 
             fm      $chord_9,$lx_10,$lx_10              # 65e
             shlqbyi $a_packet_7,$a_packet_3,0           # 65o copy
 
-            fm      $chord_8,$chord,$k_half             # 66e
+            fm      $chord_8,$chord,$half               # 66e
             gb      $hit,$hit                           # 66o
 
             clgt    $hit_9,$t_best_3,$t                 # 67e
@@ -835,17 +793,17 @@ next_pair_drain:
         fm      $s_6,$disc_5,$y_9                       # 17e
         lqd     $dx_2,32($a_packet_3)                   # 17o
 
-        fm      $chord_13,$chord,$k_half                # 18e
+        fm      $chord_13,$chord,$half                  # 18e
         rotqbii $hit,$hit,1                             # 18o
 
         fma     $disc_6,$chord_12,$disc,$radius2_3      # 19e
         lqd     $dx_9,0($a_packet_3)                    # 19o
 
-        fm      $chord_3,$chord_3,$k_half               # 20e
+        fm      $chord_3,$chord_3,$half                 # 20e
         gb      $hit_10,$hit_10                         # 20o
 
         fnms    $e,$s,$y,$k_one                         # 21e
-        shufb   $cx_3,$quad_5,$quad_5,$m_x              # 21o
+        shufb   $quad1_3,$quad_5,$quad_5,$m_x           # 21o
 
         fma     $disc_7,$chord,$disc_10,$radius2_3      # 22e
         gb      $hit,$hit                               # 22o
@@ -853,25 +811,25 @@ next_pair_drain:
         fnms    $e_9,$s_6,$y_9,$k_one                   # 23e
         lqd     $dx_3,16($a_packet_3)                   # 23o
 
-        fm      $chord_12,$chord_12,$k_half             # 24e
+        fm      $chord_12,$chord_12,$half               # 24e
         shlqbii $hit_10,$hit_10,4                       # 24o
 
-        fs      $lx_2,$dx_2,$cx_3                       # 25e
+        fs      $lx_2,$dx_2,$quad1_3                    # 25e
         lqd     $dz_5,144($a_packet_3)                  # 25o
 
-        fs      $lx_9,$dx_9,$cx_3                       # 26e
+        fs      $lx_9,$dx_9,$quad1_3                    # 26e
         lqd     $dz_4,176($a_packet_3)                  # 26o
 
-        fma     $e,$e,$k_half,$whole                    # 27e
+        fma     $e,$e,$half,$whole                      # 27e
         lqd     $dy_10,96($a_packet_3)                  # 27o
 
         ai      $a_pair,$a_pair,16                      # 28e
         lqx     $merge_4,$a_merges,$hit_10              # 28o
 
-        fs      $lx_4,$dx_3,$cx_3                       # 29e
+        fs      $lx_4,$dx_3,$quad1_3                    # 29e
         lqd     $dz_2,160($a_packet_3)                  # 29o
 
-        fma     $e_9,$e_9,$k_half,$whole                # 30e
+        fma     $e_9,$e_9,$half,$whole                  # 30e
         shlqbii $hit,$hit,4                             # 30o
 
         fm      $chord_2,$lx_2,$lx_2                    # 31e
@@ -892,7 +850,7 @@ next_pair_drain:
         fma     $e_9,$s_6,$e_9,$chord_3                 # 36e
         lqd     $dy_3,64($a_packet_3)                   # 36o
 
-        shufb   $cy_4,$quad_5,$quad_5,$m_y              # 37o
+        shufb   $quad2_4,$quad_5,$quad_5,$m_y           # 37o
         stqd    $nearest_3,304($a_packet_9)             # 38o
 
         fnms    $t_2,$distance,$e,$distance             # 39e
@@ -901,17 +859,17 @@ next_pair_drain:
         nop     $127                                    # 40e pairing
         stqd    $nearest_5,288($a_packet_9)             # 40o
 
-        fs      $ly_8,$dy_10,$cy_4                      # 41e
+        fs      $ly_8,$dy_10,$quad2_4                   # 41e
         frsqest $y_10,$disc_7                           # 41o
 
-        fs      $ly_2,$dy_3,$cy_4                       # 42e
+        fs      $ly_2,$dy_3,$quad2_4                    # 42e
         stqd    $t_best_8,240($a_packet_9)              # 42o
 
-        fs      $ly_9,$dy_11,$cy_4                      # 43e
+        fs      $ly_9,$dy_11,$quad2_4                   # 43e
         lqd     $dx_10,48($a_packet_3)                  # 43o
 
         fnms    $t_4,$distance,$e_9,$distance           # 44e
-        shufb   $cz_2,$quad_5,$quad_5,$m_z              # 44o
+        shufb   $quad3_2,$quad_5,$quad_5,$m_y+1         # 44o
 
         fi      $y_10,$disc_7,$y_10                     # 45e
         lqd     $dy_5,112($a_packet_3)                  # 45o
@@ -922,10 +880,10 @@ next_pair_drain:
         fma     $chord_2,$ly_8,$ly_8,$chord_2           # 47e
         shufb   $radius2_3,$quad_5,$quad_5,$m_radius2   # 47o
 
-        fs      $lz_2,$dz_2,$cz_2                       # 48e
+        fs      $lz_2,$dz_2,$quad3_2                    # 48e
         shufb   $nearest_6,$nearest_4,$object_4,$merge_5 # 48o
 
-        fs      $lx_11,$dx_10,$cx_3                     # 49e
+        fs      $lx_11,$dx_10,$quad1_3                  # 49e
         lqd     $nearest_7,304($a_packet_7)             # 49o
 
         fi      $y,$disc_6,$y                           # 50e
@@ -934,7 +892,7 @@ next_pair_drain:
         andc    $hit_11,$hit_8,$disc_8                  # 51e
         shufb   $t_best_7,$t_best_4,$t,$merge_5         # 51o
 
-        fs      $ly_10,$dy_5,$cy_4                      # 52e
+        fs      $ly_10,$dy_5,$quad2_4                   # 52e
         stqd    $nearest_6,272($a_packet_9)             # 52o
 
         fm      $s_4,$disc_7,$y_10                      # 53e
@@ -946,10 +904,10 @@ next_pair_drain:
         fm      $chord_15,$lx_11,$lx_11                 # 55e
         stqd    $t_best_7,208($a_packet_9)              # 55o
 
-        fs      $lz_3,$dz_8,$cz_2                       # 56e
+        fs      $lz_3,$dz_8,$quad3_2                    # 56e
         lqd     $t_best_4,208($a_packet_7)              # 56o
 
-        fs      $lz_5,$dz_4,$cz_2                       # 57e
+        fs      $lz_5,$dz_4,$quad3_2                    # 57e
         shlqbyi $a_packet_9,$a_packet_8,0               # 57o copy
 
         fma     $chord_3,$ly_2,$ly_2,$chord_14          # 58e
@@ -967,13 +925,13 @@ next_pair_drain:
         fm      $s_7,$disc_6,$y                         # 62e
         shlqbii $hit,$hit,4                             # 62o
 
-        fs      $lz_8,$dz_5,$cz_2                       # 63e
+        fs      $lz_8,$dz_5,$quad3_2                    # 63e
         shlqbyi $a_packet_7,$a_packet_3,0               # 63o copy
 
         fma     $chord_3,$lz_3,$lz_3,$chord_3           # 64e
         shlqbyi $a_packet_8,$a_packet_3,0               # 64o copy
 
-        fma     $e_10,$e_5,$k_half,$whole               # 65e
+        fma     $e_10,$e_5,$half,$whole                 # 65e
         shlqbyi $a_packet_11,$a_packet_3,0              # 65o copy
 
         fma     $disc_8,$chord,$disc_13,$radius2_3      # 66e
@@ -1000,7 +958,7 @@ next_pair_drain:
         fms     $disc_10,$chord_15,$k_quarter,$k_one    # 73e
         shufb   $t_best,$t_best_2,$t_2,$merge           # 73o
 
-        fma     $e_11,$e_8,$k_half,$whole               # 74e
+        fma     $e_11,$e_8,$half,$whole                 # 74e
         shufb   $nearest_8,$nearest_8,$object_4,$merge  # 74o
 
         fma     $chord_13,$lz_8,$lz_8,$chord_4          # 75e
@@ -1054,25 +1012,25 @@ next_pair_drain:
         fm      $s_4,$disc_10,$y_10                     # 96e
         lqd     $t_best_3,192($a_packet_3)              # 96o
 
-        fm      $chord_16,$chord,$k_half                # 97e
+        fm      $chord_16,$chord,$half                  # 97e
         rotqbii $hit,$hit,1                             # 97o
 
         fm      $s_6,$disc_5,$y_4                       # 98e
         shlqbii $hit_7,$hit_3,4                         # 98o
 
-        fm      $chord_11,$chord_15,$k_half             # 99e
+        fm      $chord_11,$chord_15,$half               # 99e
         stqd    $t_best,224($a_packet_9)                # 99o
 
-        fma     $e,$e,$k_half,$whole                    # 100e
+        fma     $e,$e,$half,$whole                      # 100e
         frsqest $y,$disc_14                             # 100o
 
-        fm      $chord_12,$chord_3,$k_half              # 101e
+        fm      $chord_12,$chord_3,$half                # 101e
         gb      $hit,$hit                               # 101o
 
         fnms    $e_12,$s_4,$y_10,$k_one                 # 102e
         lqx     $merge_2,$a_merges,$hit_7               # 102o
 
-        fm      $chord_17,$chord_13,$k_half             # 103e
+        fm      $chord_17,$chord_13,$half               # 103e
         lqd     $t_best_2,224($a_packet_7)              # 103o
 
         fi      $y,$disc_14,$y                          # 104e
@@ -1081,7 +1039,7 @@ next_pair_drain:
         fma     $e,$s,$e,$chord_16                      # 106e
         fnms    $e_7,$s_6,$y_4,$k_one                   # 107e
 
-        fma     $e_13,$e_12,$k_half,$whole              # 108e
+        fma     $e_13,$e_12,$half,$whole                # 108e
         shufb   $nearest_3,$nearest_7,$object_4,$merge_2 # 108o
 
         shufb   $t_best_6,$t_best_5,$t_5,$merge_2       # 109o
@@ -1090,7 +1048,7 @@ next_pair_drain:
         fnms    $t_2,$distance_2,$e,$distance_2         # 112e
         stqd    $nearest_3,304($a_packet_9)             # 112o
 
-        fma     $e,$e_7,$k_half,$whole                  # 113e
+        fma     $e,$e_7,$half,$whole                    # 113e
         lqx     $merge_3,$a_merges,$hit                 # 113o
 
         fma     $e_13,$s_4,$e_13,$chord_11              # 114e
@@ -1114,7 +1072,7 @@ next_pair_drain:
         fnms    $t_6,$distance_2,$e_13,$distance_2      # 121e
         rotqbii $hit,$hit_4,1                           # 122o
 
-        fma     $e_9,$e_8,$k_half,$whole                # 123e
+        fma     $e_9,$e_8,$half,$whole                  # 123e
         stqd    $nearest_6,272($a_packet_9)             # 123o
 
         nop     $127                                    # 124e pairing
@@ -1200,28 +1158,28 @@ next_pair_short:
         lqd     $dx_11,16($a_packet)                    # 11o
         lqd     $dx_12,48($a_packet)                    # 12o
 
-        shufb   $cx,$quad,$quad,$m_x                    # 13o
+        shufb   $quad+1,$quad,$quad,$m_x                # 13o
         lqd     $dy,80($a_packet)                       # 14o
 
         lqd     $dy_11,112($a_packet)                   # 15o
         lqd     $dy_12,96($a_packet)                    # 16o
 
-        fs      $lx,$dx_11,$cx                          # 17e
-        shufb   $cy,$quad,$quad,$m_y                    # 17o
+        fs      $lx,$dx_11,$quad+1                      # 17e
+        shufb   $quad+2,$quad,$quad,$m_y                # 17o
 
-        fs      $lx_12,$dx,$cx                          # 18e
+        fs      $lx_12,$dx,$quad+1                      # 18e
         lqd     $dz,160($a_packet)                      # 18o
 
-        fs      $lx_10,$dx_12,$cx                       # 19e
+        fs      $lx_10,$dx_12,$quad+1                   # 19e
         lqd     $dz_9,176($a_packet)                    # 19o
 
         nop     $127                                    # 20e pairing
         lqd     $dz_10,144($a_packet)                   # 20o
 
-        fs      $ly,$dy,$cy                             # 21e
-        shufb   $cz_4,$quad,$quad,$m_z                  # 21o
+        fs      $ly,$dy,$quad+2                         # 21e
+        shufb   $quad3_4,$quad,$quad,$m_y+1             # 21o
 
-        fs      $ly_10,$dy_12,$cy                       # 22e
+        fs      $ly_10,$dy_12,$quad+2                   # 22e
         lqd     $dx,0($a_packet)                        # 22o
 
         fm      $chord,$lx,$lx                          # 23e
@@ -1230,22 +1188,22 @@ next_pair_short:
         fm      $chord_18,$lx_12,$lx_12                 # 24e
         lqd     $dz_11,128($a_packet)                   # 24o
 
-        fs      $ly_11,$dy_11,$cy                       # 25e
+        fs      $ly_11,$dy_11,$quad+2                   # 25e
         shufb   $radius2_4,$quad,$quad,$m_radius2       # 25o
 
         fm      $chord_9,$lx_10,$lx_10                  # 26e
         shufb   $distance_3,$quad_6,$quad_6,$m_radius2  # 26o
 
-        fs      $lz,$dz,$cz_4                           # 27e
+        fs      $lz,$dz,$quad3_4                        # 27e
         lqd     $t_best,208($a_packet)                  # 27o
 
-        fs      $lz_9,$dz_9,$cz_4                       # 28e
+        fs      $lz_9,$dz_9,$quad3_4                    # 28e
         lqd     $t_best_7,240($a_packet)                # 28o
 
         fma     $chord,$ly,$ly,$chord                   # 29e
         lqd     $t_best_11,224($a_packet)               # 29o
 
-        fs      $lz_10,$dz_10,$cz_4                     # 30e
+        fs      $lz_10,$dz_10,$quad3_4                  # 30e
         lqd     $t_best_12,192($a_packet)               # 30o
 
         fma     $chord_18,$ly_10,$ly_10,$chord_18       # 31e
@@ -1254,13 +1212,13 @@ next_pair_short:
         fma     $chord_9,$ly_11,$ly_11,$chord_9         # 32e
         lqd     $nearest_10,288($a_packet)              # 32o
 
-        fs      $lx_13,$dx,$cx                          # 33e
+        fs      $lx_13,$dx,$quad+1                      # 33e
         lqd     $nearest_11,304($a_packet)              # 33o
 
-        fs      $ly,$dy,$cy                             # 34e
+        fs      $ly,$dy,$quad+2                         # 34e
         lqd     $nearest_12,256($a_packet)              # 34o
 
-        fs      $lz_11,$dz_11,$cz_4                     # 35e
+        fs      $lz_11,$dz_11,$quad3_4                  # 35e
         fma     $chord,$lz_10,$lz_10,$chord             # 36e
 
         fma     $chord_18,$lz,$lz,$chord_18             # 37e
@@ -1273,16 +1231,16 @@ next_pair_short:
         fms     $disc_16,$chord_9,$k_quarter,$k_one     # 44e
 
         fma     $chord_5,$ly,$ly,$chord_5               # 45e
-        fm      $chord_19,$chord_18,$k_half             # 46e
+        fm      $chord_19,$chord_18,$half               # 46e
 
-        fm      $chord_20,$chord_9,$k_half              # 47e
+        fm      $chord_20,$chord_9,$half                # 47e
         fma     $disc,$chord,$disc,$radius2_4           # 48e
 
         fma     $disc_17,$chord_18,$disc_15,$radius2_4  # 49e
         fma     $disc_11,$chord_9,$disc_16,$radius2_4   # 50e
 
         fma     $chord_5,$lz_11,$lz_11,$chord_5         # 51e
-        fm      $chord,$chord,$k_half                   # 52e
+        fm      $chord,$chord,$half                     # 52e
 
         frsqest $y,$disc                                # 54o
         frsqest $y_12,$disc_17                          # 55o
@@ -1294,7 +1252,7 @@ next_pair_short:
         fi      $y_12,$disc_17,$y_12                    # 59e
 
         fi      $y_13,$disc_11,$y_13                    # 60e
-        fm      $chord_21,$chord_5,$k_half              # 62e
+        fm      $chord_21,$chord_5,$half                # 62e
 
         fma     $disc_19,$chord_5,$disc_18,$radius2_4   # 63e
         fm      $s,$disc,$y                             # 65e
@@ -1309,10 +1267,10 @@ next_pair_short:
         fnms    $e_15,$s_4,$y_13,$k_one                 # 73e
 
         fi      $y,$disc_19,$y_14                       # 74e
-        fma     $e,$e,$k_half,$whole                    # 77e
+        fma     $e,$e,$half,$whole                      # 77e
 
-        fma     $e_14,$e_14,$k_half,$whole              # 78e
-        fma     $e_15,$e_15,$k_half,$whole              # 79e
+        fma     $e_14,$e_14,$half,$whole                # 78e
+        fma     $e_15,$e_15,$half,$whole                # 79e
 
         fm      $s_9,$disc_19,$y                        # 81e
         fma     $e,$s,$e,$chord                         # 83e
@@ -1326,7 +1284,7 @@ next_pair_short:
         fnms    $t_8,$distance_3,$e_16,$distance_3      # 90e
         fnms    $t_9,$distance_3,$e_14,$distance_3      # 91e
 
-        fma     $e,$e_15,$k_half,$whole                 # 93e
+        fma     $e,$e_15,$half,$whole                   # 93e
         clgt    $hit,$t_best,$t                         # 95e
 
         clgt    $hit_14,$t_best_11,$t_8                 # 96e

@@ -11,65 +11,10 @@
 # behind the eye it is none.
 # Scheduled by spu schedule from isect_pairs_double_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "math.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_double.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    k_half,11
-        .set    k_tiny,12
-        .set    m_high,13
-        .set    m_rows,14
-        .set    m_sign,15
-        .set    k_halve,16
-        .set    k_half_double,17
-        .set    m_x,18
-        .set    m_y,19
-        .set    m_z,20
-        .set    m_radius2,21
-        .set    a_merges,22
-        # the pair
-        .set    object,23
-        .set    a_packet,24
-        .set    quad,25
-        .set    cx,26
-        .set    cy,27
-        .set    cz,28
-        .set    radius2,29
-        # a row
-        .set    dx,30
-        .set    dy,31
-        .set    dz,32
-        .set    t_best,33
-        .set    nearest,34
-        # temporaries
-        .set    b,35
-        .set    lx,36
-        .set    ly,37
-        .set    lz,38
-        .set    disc,39
-        .set    y,40
-        .set    s,41
-        .set    e,42
-        .set    ex,43
-        .set    ey,44
-        .set    ez,45
-        .set    x,46
-        .set    near,47
-        .set    w,48
-        .set    cc,49
-        .set    q,50
-        .set    t_even,51
-        .set    disc_even,52
-        .set    t,53
-        .set    hit,54
-        .set    merge,55
-
+        eye_registers "k_one,k_half,k_tiny,m_high,m_rows,m_sign,k_halve,k_half_double", "radius2", "b,lx,ly,lz,disc,y,s,e,ex,ey,ez,x,near,w,cc,q,t_even,disc_even"
         merges_table
         double_table
 
@@ -83,7 +28,7 @@ function isect_pairs_double_r16
         .set    lx_2,13
         .set    ex_3,27
         .set    lx_3,28
-        .set    cz_2,29
+        .set    quad3_2,29
         .set    lx_4,32
         .set    ex_4,5
         .set    lx_5,33
@@ -91,7 +36,7 @@ function isect_pairs_double_r16
         .set    lx_6,34
         .set    ex_6,35
         .set    lx_7,37
-        .set    cy_2,38
+        .set    quad2_2,38
         .set    b_2,39
         .set    ly_2,40
         .set    ex_7,30
@@ -319,7 +264,7 @@ function isect_pairs_double_r16
         lqa     $m_sign,doubles+32                      # 3o
 
         ilhu    $m_radius2,0xc0d                        # 4e
-        lqa     $k_halve,doubles+48                     # 4o
+        lqa     $m_sign+1,doubles+48                    # 4o
 
         iohl    $m_x,515                                # 5e
         lqa     $k_half_double,doubles+64               # 5o
@@ -358,49 +303,49 @@ next_pair:
         rotqbyi $ex,$dx,0                               # 17o
         rotqbyi $ex_2,$dx_2,0                           # 18o
 
-        shufb   $cx,$quad,$quad,$m_x                    # 19o
+        shufb   $quad+1,$quad,$quad,$m_x                # 19o
         rotqbyi $ey,$dy,0                               # 20o
 
         fesd    $ex,$ex                                 # 21e
-        fesd    $cx,$cx                                 # 28e
+        fesd    $quad+1,$quad+1                         # 28e
 
         fesd    $ex_2,$ex_2                             # 35e
         lnop                                            # 42o pairing
 
-        ori     $lx,$cx,0                               # 43e
+        ori     $lx,$quad+1,0                           # 43e
         rotqbyi $ey_2,$dy_2,0                           # 43o
 
-        ori     $lx_2,$cx,0                             # 44e
+        ori     $lx_2,$quad+1,0                         # 44e
         rotqbyi $ex_3,$dx_3,0                           # 44o
 
-        ori     $lx_3,$cx,0                             # 45e
-        shufb   $cz_2,$quad,$quad,$m_z                  # 45o
+        ori     $lx_3,$quad+1,0                         # 45e
+        shufb   $quad3_2,$quad,$quad,$m_z               # 45o
 
         fesd    $ey,$ey                                 # 46e
         fesd    $ex_3,$ex_3                             # 53e
 
-        ori     $lx_4,$cx,0                             # 60e
+        ori     $lx_4,$quad+1,0                         # 60e
         rotqbyi $ex_4,$dx_3,4                           # 60o
 
-        ori     $lx_5,$cx,0                             # 61e
+        ori     $lx_5,$quad+1,0                         # 61e
         rotqbyi $ex_5,$dx_2,4                           # 61o
 
-        ori     $lx_6,$cx,0                             # 62e
+        ori     $lx_6,$quad+1,0                         # 62e
         rotqbyi $ex_6,$dx_4,4                           # 62o
 
-        ori     $lx_7,$cx,0                             # 63e
-        shufb   $cy_2,$quad,$quad,$m_y                  # 63o
+        ori     $lx_7,$quad+1,0                         # 63e
+        shufb   $quad2_2,$quad,$quad,$m_y               # 63o
 
         fesd    $ex_4,$ex_4                             # 64e
         fesd    $ex_5,$ex_5                             # 71e
 
-        fesd    $cy_2,$cy_2                             # 78e
+        fesd    $quad2_2,$quad2_2                       # 78e
         dfm     $b_2,$lx_7,$ex                          # 85e
 
-        ori     $ly_2,$cy_2,0                           # 92e
+        ori     $ly_2,$quad2_2,0                        # 92e
         rotqbyi $ex_7,$dx,4                             # 92o
 
-        ori     $ly_3,$cy_2,0                           # 93e
+        ori     $ly_3,$quad2_2,0                        # 93e
         rotqbyi $ey_3,$dy_2,4                           # 93o
 
         dfm     $b_3,$lx_4,$ex_3                        # 94e
@@ -409,10 +354,10 @@ next_pair:
         fesd    $ex_7,$ex_7                             # 108e
         lnop                                            # 115o pairing
 
-        ori     $ly_4,$cy_2,0                           # 116e
+        ori     $ly_4,$quad2_2,0                        # 116e
         lqd     $dz_2,176($a_packet)                    # 116o
 
-        ori     $ly_5,$cy_2,0                           # 117e
+        ori     $ly_5,$quad2_2,0                        # 117e
         lqd     $dy_3,64($a_packet)                     # 117o
 
         fesd    $ex_6,$ex_6                             # 118e
@@ -421,10 +366,10 @@ next_pair:
         fesd    $ey_2,$ey_2                             # 132e
         dfm     $b_5,$lx_6,$ex_5                        # 139e
 
-        ori     $ly_6,$cy_2,0                           # 146e
+        ori     $ly_6,$quad2_2,0                        # 146e
         rotqbyi $ey_4,$dy_3,0                           # 146o
 
-        ori     $ly_7,$cy_2,0                           # 147e
+        ori     $ly_7,$quad2_2,0                        # 147e
         rotqbyi $ey_5,$dy_3,4                           # 147o
 
         dfm     $b_6,$lx,$ex_4                          # 148e
@@ -439,13 +384,13 @@ next_pair:
         dfm     $b_7,$lx_3,$ex_2                        # 190e
         lnop                                            # 197o pairing
 
-        ori     $ly_8,$cy_2,0                           # 198e
+        ori     $ly_8,$quad2_2,0                        # 198e
         rotqbyi $ey_6,$dy,4                             # 198o
 
-        ori     $ly_9,$cy_2,0                           # 199e
+        ori     $ly_9,$quad2_2,0                        # 199e
         rotqbyi $ex_8,$dx_4,0                           # 199o
 
-        fesd    $cz_2,$cz_2                             # 200e
+        fesd    $quad3_2,$quad3_2                       # 200e
         fesd    $ex_8,$ex_8                             # 207e
 
         dfma    $b_7,$ly_9,$ey_2                        # 214e
@@ -454,22 +399,22 @@ next_pair:
         fesd    $ey_6,$ey_6                             # 228e
         lnop                                            # 235o pairing
 
-        ori     $lz_2,$cz_2,0                           # 236e
+        ori     $lz_2,$quad3_2,0                        # 236e
         lqd     $dz_3,144($a_packet)                    # 236o
 
-        ori     $lz_3,$cz_2,0                           # 237e
+        ori     $lz_3,$quad3_2,0                        # 237e
         lqd     $dz_4,160($a_packet)                    # 237o
 
-        ori     $lz_4,$cz_2,0                           # 238e
+        ori     $lz_4,$quad3_2,0                        # 238e
         lqd     $dy_4,112($a_packet)                    # 238o
 
-        ori     $lz_5,$cz_2,0                           # 239e
+        ori     $lz_5,$quad3_2,0                        # 239e
         lqd     $dz_5,128($a_packet)                    # 239o
 
-        ori     $lz_6,$cz_2,0                           # 240e
+        ori     $lz_6,$quad3_2,0                        # 240e
         rotqbyi $ez_2,$dz_2,0                           # 240o
 
-        ori     $lx_8,$cx,0                             # 241e
+        ori     $lx_8,$quad+1,0                         # 241e
         shufb   $radius2_2,$quad,$quad,$m_radius2       # 241o
 
         dfma    $b_4,$ly_2,$ey_6                        # 242e
@@ -478,13 +423,13 @@ next_pair:
         dfma    $b_2,$ly_8,$ey                          # 256e
         lnop                                            # 263o pairing
 
-        ori     $lz_7,$cz_2,0                           # 264e
+        ori     $lz_7,$quad3_2,0                        # 264e
         rotqbyi $ez_3,$dz_4,4                           # 264o
 
         fesd    $ez_2,$ez_2                             # 265e
         fesd    $ez_3,$ez_3                             # 272e
 
-        ori     $lz_8,$cz_2,0                           # 279e
+        ori     $lz_8,$quad3_2,0                        # 279e
         rotqbyi $ez_4,$dz_3,0                           # 279o
 
         fesd    $radius2_2,$radius2_2                   # 280e
@@ -514,7 +459,7 @@ next_pair:
         ori     $disc_4,$radius2_2,0                    # 360e
         rotqbyi $ey_8,$dy_4,4                           # 360o
 
-        ori     $lz_9,$cz_2,0                           # 361e
+        ori     $lz_9,$quad3_2,0                        # 361e
         rotqbyi $ez_6,$dz_5,0                           # 361o
 
         ori     $disc_5,$radius2_2,0                    # 362e
@@ -817,7 +762,7 @@ next_pair:
         ori     $e_15,$disc_2,0                         # 1235e
         dfnms   $e_3,$s_4,$s_4                          # 1236e
 
-        a       $y_3,$y_3,$k_halve                      # 1243e
+        a       $y_3,$y_3,$m_sign+1                     # 1243e
         dfma    $b_8,$e_9,$k_half_double                # 1244e
 
         ori     $e_9,$disc_6,0                          # 1251e
@@ -826,7 +771,7 @@ next_pair:
         dfnms   $e_9,$s_7,$s_7                          # 1259e
         ori     $e_16,$disc_9,0                         # 1266e
 
-        a       $y_10,$y_10,$k_halve                    # 1267e
+        a       $y_10,$y_10,$m_sign+1                   # 1267e
         dfnms   $e_16,$s_3,$s_3                         # 1268e
 
         dfma    $b_4,$e_6,$k_half_double                # 1275e
@@ -845,13 +790,13 @@ next_pair:
         dfma    $b_6,$e_8,$k_half_double                # 1332e
 
         selb    $s_10,$s_5,$b_3,$m_sign                 # 1339e
-        a       $y,$y,$k_halve                          # 1340e
+        a       $y,$y,$m_sign+1                         # 1340e
 
         dfa     $q_2,$b_3,$s_10                         # 1341e
         dfma    $s_6,$e_15,$y                           # 1348e
 
-        a       $y,$y_7,$k_halve                        # 1355e
-        a       $y_13,$y_2,$k_halve                     # 1356e
+        a       $y,$y_7,$m_sign+1                       # 1355e
+        a       $y_13,$y_2,$m_sign+1                    # 1356e
 
         dfma    $s_2,$e_13,$y                           # 1357e
         selb    $s_11,$s_6,$b_5,$m_sign                 # 1364e
@@ -862,8 +807,8 @@ next_pair:
         dfa     $q_3,$b_5,$s_11                         # 1373e
         selb    $s_13,$s_4,$b_2,$m_sign                 # 1380e
 
-        a       $y,$y_9,$k_halve                        # 1381e
-        a       $y_11,$y_11,$k_halve                    # 1382e
+        a       $y,$y_9,$m_sign+1                       # 1381e
+        a       $y_11,$y_11,$m_sign+1                   # 1382e
 
         dfma    $s_7,$e_9,$y                            # 1383e
         dfa     $q_4,$b_6,$s_12                         # 1390e
@@ -883,7 +828,7 @@ next_pair:
         frds    $x_10,$q_5                              # 1435e
         dfa     $q_7,$b_2,$s_13                         # 1442e
 
-        a       $y_12,$y_12,$k_halve                    # 1449e
+        a       $y_12,$y_12,$m_sign+1                   # 1449e
         fa      $x_8,$x_8,$k_tiny                       # 1450e
 
         dfma    $s_9,$e_2,$y_12                         # 1451e

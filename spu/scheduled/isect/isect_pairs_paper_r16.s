@@ -12,50 +12,10 @@
 # behind the eye it is none.
 # Scheduled by spu schedule from isect_pairs_paper_r16.s
 
-        .include "work_unit.inc"
-        .include "macros.inc"
-        .include "sphere_tmpl.inc"
+        .include "sphere_eye.inc"
         .include "sphere_paper.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        # constants
-        .set    k_one,10
-        .set    half,11
-        .set    whole,12
-        .set    m_x,13
-        .set    m_y,14
-        .set    m_z,15
-        .set    m_radius2,16
-        .set    a_merges,17
-        # the pair
-        .set    object,18
-        .set    a_packet,19
-        .set    quad,20
-        .set    cx,21
-        .set    cy,22
-        .set    cz,23
-        .set    fx,21                                   # c
-        .set    fy,22
-        .set    fz,23
-        .set    radius2,24
-        # a row
-        .set    dx,25
-        .set    dy,26
-        .set    dz,27
-        .set    t_best,28
-        .set    nearest,29
-        # temporaries
-        .set    b,30
-        .set    cc,31
-        .set    disc,32
-        .set    y,33
-        .set    s,34
-        .set    e,35
-        .set    t,36
-        .set    hit,37
-        .set    merge,38
-
+        eye_registers "k_one,half,whole", "radius2", "b,cc,disc,y,s,e"
         merges_table
 
 function isect_pairs_paper_r16
@@ -73,7 +33,7 @@ function isect_pairs_paper_r16
         .set    dz_2,28
         .set    dx_3,7
         .set    b_2,9
-        .set    fz_2,36
+        .set    quad3_2,36
         .set    cc_2,19
         .set    dy_3,18
         .set    dx_4,20
@@ -87,17 +47,17 @@ function isect_pairs_paper_r16
         .set    radius2_2,25
         .set    b_4,20
         .set    dx_5,21
-        .set    fx_2,18
+        .set    quad1_2,18
         .set    dx_6,28
         .set    dy_5,32
         .set    t_best_2,60
-        .set    fy_2,33
+        .set    quad2_2,33
         .set    dx_7,29
         .set    b_5,48
         .set    nearest_2,46
         .set    disc_2,51
         .set    dy_6,19
-        .set    fz_3,6
+        .set    quad3_3,6
         .set    cc_5,7
         .set    object_4,22
         .set    b_6,64
@@ -210,7 +170,7 @@ function isect_pairs_paper_r16
         .set    dz_9,9
         .set    b_14,2
         .set    cc_19,25
-        .set    fz_4,20
+        .set    quad3_4,20
         .set    dz_10,7
         .set    t_best_10,29
         .set    t_best_11,6
@@ -246,7 +206,7 @@ function isect_pairs_paper_r16
         ilhu    $m_y,0x405                              # 2e
 
         ilhu    $m_z,0x809                              # 3e
-        ilhu    $m_radius2,0xc0d                        # 4e
+        ilhu    $m_z+1,0xc0d                            # 4e
 
         ilhu    $half,0x3f00                            # 5e
         ilhu    $whole,0x3f80                           # 6e
@@ -257,7 +217,7 @@ function isect_pairs_paper_r16
         iohl    $m_y,0x607                              # 9e
         iohl    $m_z,0xa0b                              # 10e
 
-        iohl    $m_radius2,0xe0f                        # 11e
+        iohl    $m_z+1,0xe0f                            # 11e
         ila     $a_merges,merges                        # 12e
 
         iohl    $half,0                                 # 13e
@@ -290,94 +250,94 @@ function isect_pairs_paper_r16
         lqd     $dy_2,64($a_packet_2)                   # 27o
         lqd     $dz_2,128($a_packet_2)                  # 28o
 
-        shufb   $fx,$quad_2,$quad_2,$m_x                # 29o
-        shufb   $radius2,$quad_2,$quad_2,$m_radius2     # 30o
+        shufb   $quad+1,$quad_2,$quad_2,$m_x            # 29o
+        shufb   $radius2,$quad_2,$quad_2,$m_z+1         # 30o
 
-        shufb   $fy,$quad_2,$quad_2,$m_y                # 31o
+        shufb   $quad+2,$quad_2,$quad_2,$m_y            # 31o
         lqd     $dx_3,32($a_packet_2)                   # 32o
 
-        fm      $b_2,$fx,$dx_2                          # 33e
-        shufb   $fz_2,$quad_2,$quad_2,$m_z              # 33o
+        fm      $b_2,$quad+1,$dx_2                      # 33e
+        shufb   $quad3_2,$quad_2,$quad_2,$m_z           # 33o
 
-        fms     $cc_2,$fx,$fx,$radius2                  # 34e
+        fms     $cc_2,$quad+1,$quad+1,$radius2          # 34e
         lqd     $dy_3,96($a_packet_2)                   # 34o
 
-        fms     $cc,$fx,$fx,$radius2                    # 35e
+        fms     $cc,$quad+1,$quad+1,$radius2            # 35e
         lqd     $dx_4,48($a_packet_2)                   # 35o
 
-        fms     $cc_3,$fx,$fx,$radius2                  # 36e
+        fms     $cc_3,$quad+1,$quad+1,$radius2          # 36e
         lqd     $dx,16($a_packet_2)                     # 36o
 
-        fms     $cc_4,$fx,$fx,$radius2                  # 37e
+        fms     $cc_4,$quad+1,$quad+1,$radius2          # 37e
         lqd     $dz_3,160($a_packet_2)                  # 37o
 
-        fm      $b_3,$fx,$dx_3                          # 38e
+        fm      $b_3,$quad+1,$dx_3                      # 38e
         lqd     $dy_4,80($a_packet_2)                   # 38o
 
-        fma     $b_2,$fy,$dy_2,$b_2                     # 39e
+        fma     $b_2,$quad+2,$dy_2,$b_2                 # 39e
         lqd     $dy_2,112($a_packet_2)                  # 39o
 
-        fma     $cc_2,$fy,$fy,$cc_2                     # 40e
+        fma     $cc_2,$quad+2,$quad+2,$cc_2             # 40e
         lqd     $dz_4,176($a_packet_2)                  # 40o
 
-        fma     $cc,$fy,$fy,$cc                         # 41e
+        fma     $cc,$quad+2,$quad+2,$cc                 # 41e
         lqd     $dz_5,144($a_packet_2)                  # 41o
 
-        fm      $b,$fx,$dx                              # 42e
-        shufb   $radius2_2,$quad_3,$quad_3,$m_radius2   # 42o
+        fm      $b,$quad+1,$dx                          # 42e
+        shufb   $radius2_2,$quad_3,$quad_3,$m_z+1       # 42o
 
-        fm      $b_4,$fx,$dx_4                          # 43e
+        fm      $b_4,$quad+1,$dx_4                      # 43e
         lqd     $dx_5,0($a_packet_3)                    # 43o
 
-        fma     $b_3,$fy,$dy_3,$b_3                     # 44e
-        shufb   $fx_2,$quad_3,$quad_3,$m_x              # 44o
+        fma     $b_3,$quad+2,$dy_3,$b_3                 # 44e
+        shufb   $quad1_2,$quad_3,$quad_3,$m_x           # 44o
 
-        fma     $b_2,$fz_2,$dz_2,$b_2                   # 45e
+        fma     $b_2,$quad3_2,$dz_2,$b_2                # 45e
         lqd     $dx_6,32($a_packet_3)                   # 45o
 
-        fma     $cc_2,$fz_2,$fz_2,$cc_2                 # 46e
+        fma     $cc_2,$quad3_2,$quad3_2,$cc_2           # 46e
         lqd     $dy_5,64($a_packet_3)                   # 46o
 
-        fma     $cc,$fz_2,$fz_2,$cc                     # 47e
+        fma     $cc,$quad3_2,$quad3_2,$cc               # 47e
         lqd     $t_best_2,192($a_packet_2)              # 47o
 
-        fma     $cc_3,$fy,$fy,$cc_3                     # 48e
-        shufb   $fy_2,$quad_3,$quad_3,$m_y              # 48o
+        fma     $cc_3,$quad+2,$quad+2,$cc_3             # 48e
+        shufb   $quad2_2,$quad_3,$quad_3,$m_y           # 48o
 
-        fma     $b_4,$fy,$dy_2,$b_4                     # 49e
+        fma     $b_4,$quad+2,$dy_2,$b_4                 # 49e
         lqd     $dx_7,48($a_packet_3)                   # 49o
 
-        fma     $b_5,$fz_2,$dz_3,$b_3                   # 50e
+        fma     $b_5,$quad3_2,$dz_3,$b_3                # 50e
         lqd     $dz_3,128($a_packet_3)                  # 50o
 
-        fma     $cc_4,$fy,$fy,$cc_4                     # 51e
+        fma     $cc_4,$quad+2,$quad+2,$cc_4             # 51e
         lqd     $nearest_2,256($a_packet_2)             # 51o
 
         fms     $disc_2,$b_2,$b_2,$cc_2                 # 52e
         lqd     $dy_6,96($a_packet_3)                   # 52o
 
-        fma     $b,$fy,$dy_4,$b                         # 53e
-        shufb   $fz_3,$quad_3,$quad_3,$m_z              # 53o
+        fma     $b,$quad+2,$dy_4,$b                     # 53e
+        shufb   $quad3_3,$quad_3,$quad_3,$m_z           # 53o
 
-        fma     $cc_5,$fz_2,$fz_2,$cc_3                 # 54e
+        fma     $cc_5,$quad3_2,$quad3_2,$cc_3           # 54e
         shufb   $object_4,$object_2,$object_2,$m_x      # 54o
 
-        fma     $b_6,$fz_2,$dz_4,$b_4                   # 55e
+        fma     $b_6,$quad3_2,$dz_4,$b_4                # 55e
         shlqbyi $a_packet_4,$a_packet_2,0               # 55o copy
 
         fms     $disc_3,$b_5,$b_5,$cc                   # 56e
         lqd     $dz_6,160($a_packet_3)                  # 56o
 
-        fma     $cc_4,$fz_2,$fz_2,$cc_4                 # 57e
+        fma     $cc_4,$quad3_2,$quad3_2,$cc_4           # 57e
         shlqbyi $a_packet_5,$a_packet_2,0               # 57o copy
 
-        fm      $b_7,$fx_2,$dx_5                        # 58e
+        fm      $b_7,$quad1_2,$dx_5                     # 58e
         frsqest $y_2,$disc_2                            # 58o
 
-        fma     $b_8,$fz_2,$dz_5,$b                     # 59e
+        fma     $b_8,$quad3_2,$dz_5,$b                  # 59e
         lqd     $dx_8,16($a_packet_3)                   # 59o
 
-        fms     $cc_6,$fx_2,$fx_2,$radius2_2            # 60e
+        fms     $cc_6,$quad1_2,$quad1_2,$radius2_2      # 60e
         lqd     $dy_7,112($a_packet_3)                  # 60o
 
         fms     $disc_4,$b_6,$b_6,$cc_5                 # 61e
@@ -389,7 +349,7 @@ function isect_pairs_paper_r16
         nop     $127                                    # 63e pairing
         lqd     $t_best_3,224($a_packet_4)              # 63o
 
-        fms     $cc_7,$fx_2,$fx_2,$radius2_2            # 64e
+        fms     $cc_7,$quad1_2,$quad1_2,$radius2_2      # 64e
         lqd     $nearest_4,288($a_packet_4)             # 64o
 
         fms     $disc_5,$b_8,$b_8,$cc_4                 # 65e
@@ -401,13 +361,13 @@ function isect_pairs_paper_r16
         nop     $127                                    # 67e pairing
         frsqest $y_3,$disc_4                            # 67o
 
-        fma     $cc_6,$fy_2,$fy_2,$cc_6                 # 68e
+        fma     $cc_6,$quad2_2,$quad2_2,$cc_6           # 68e
         lqd     $t_best_4,208($a_packet_4)              # 68o
 
         fm      $s_2,$disc_2,$y_2                       # 69e
         lqd     $dy_8,80($a_packet_3)                   # 69o
 
-        fm      $b_9,$fx_2,$dx_6                        # 70e
+        fm      $b_9,$quad1_2,$dx_6                     # 70e
         lqd     $dz_7,176($a_packet_3)                  # 70o
 
         fi      $y_3,$disc_4,$y_3                       # 71e
@@ -419,7 +379,7 @@ function isect_pairs_paper_r16
         fm      $s_3,$disc_3,$y_4                       # 73e
         shlqbyi $object_5,$object_4,0                   # 73o copy
 
-        fma     $b_7,$fy_2,$dy_5,$b_7                   # 74e
+        fma     $b_7,$quad2_2,$dy_5,$b_7                # 74e
         shufb   $object_6,$object_3,$object_3,$m_x      # 74o
 
         fnms    $e_2,$s_2,$y_2,$k_one                   # 75e
@@ -431,37 +391,37 @@ function isect_pairs_paper_r16
         fm      $s_4,$disc_4,$y_3                       # 78e
         fnms    $e_3,$s_3,$y_4,$k_one                   # 79e
 
-        fma     $b_10,$fy_2,$dy_6,$b_9                  # 80e
+        fma     $b_10,$quad2_2,$dy_6,$b_9               # 80e
         fma     $e_2,$e_2,$half,$whole                  # 81e
 
-        fms     $cc_8,$fx_2,$fx_2,$radius2_2            # 82e
-        fma     $b_11,$fz_3,$dz_3,$b_7                  # 83e
+        fms     $cc_8,$quad1_2,$quad1_2,$radius2_2      # 82e
+        fma     $b_11,$quad3_3,$dz_3,$b_7               # 83e
 
-        fm      $b_7,$fx_2,$dx_7                        # 84e
-        fma     $cc_9,$fy_2,$fy_2,$cc_7                 # 85e
+        fm      $b_7,$quad1_2,$dx_7                     # 84e
+        fma     $cc_9,$quad2_2,$quad2_2,$cc_7           # 85e
 
-        fma     $cc_10,$fz_3,$fz_3,$cc_6                # 86e
+        fma     $cc_10,$quad3_3,$quad3_3,$cc_6          # 86e
         fnms    $t_2,$s_2,$e_2,$b_2                     # 87e
 
         fma     $e_2,$e_3,$half,$whole                  # 88e
         fm      $s_5,$disc_5,$y_2                       # 89e
 
         fnms    $e_3,$s_4,$y_3,$k_one                   # 90e
-        fm      $b,$fx_2,$dx_8                          # 91e
+        fm      $b,$quad1_2,$dx_8                       # 91e
 
-        fms     $cc_11,$fx_2,$fx_2,$radius2_2           # 92e
+        fms     $cc_11,$quad1_2,$quad1_2,$radius2_2     # 92e
         clgt    $hit_2,$t_best_2,$t_2                   # 93e
 
         fnms    $t_3,$s_3,$e_2,$b_5                     # 94e
         andc    $hit_2,$hit_2,$disc_2                   # 95e
 
-        fma     $b_5,$fz_3,$dz_6,$b_10                  # 96e
+        fma     $b_5,$quad3_3,$dz_6,$b_10               # 96e
         rotmai  $hit_2,$hit_2,-31                       # 97e
 
-        fma     $cc_12,$fy_2,$fy_2,$cc_11               # 98e
+        fma     $cc_12,$quad2_2,$quad2_2,$cc_11         # 98e
         fnms    $e_4,$s_5,$y_2,$k_one                   # 99e
 
-        fma     $b_7,$fy_2,$dy_7,$b_7                   # 100e
+        fma     $b_7,$quad2_2,$dy_7,$b_7                # 100e
         selb    $t_best_5,$t_best_2,$t_2,$hit_2         # 101e
 
         selb    $nearest_5,$nearest_2,$object_4,$hit_2  # 102e
@@ -473,10 +433,10 @@ function isect_pairs_paper_r16
         fms     $disc_2,$b_11,$b_11,$cc_10              # 104e
         stqd    $nearest_5,256($a_packet_5)             # 104o
 
-        fma     $cc_2,$fy_2,$fy_2,$cc_8                 # 105e
+        fma     $cc_2,$quad2_2,$quad2_2,$cc_8           # 105e
         lqd     $object_2,0($a_pair_3)                  # 105o
 
-        fma     $cc,$fz_3,$fz_3,$cc_9                   # 106e
+        fma     $cc,$quad3_3,$quad3_3,$cc_9             # 106e
         hbrr    next_pair_back,next_pair                # 106o hint
 
         clgt    $hit,$t_best_3,$t_3                     # 107e
@@ -485,7 +445,7 @@ function isect_pairs_paper_r16
         fma     $e_6,$e_4,$half,$whole                  # 108e
         lqd     $nearest_2,256($a_packet_3)             # 108o
 
-        fma     $b,$fy_2,$dy_8,$b                       # 109e
+        fma     $b,$quad2_2,$dy_8,$b                    # 109e
         lqd     $t_best_2,192($a_packet_3)              # 109o
 
         andc    $hit,$hit,$disc_3                       # 110e
@@ -497,13 +457,13 @@ function isect_pairs_paper_r16
         fms     $disc_3,$b_5,$b_5,$cc                   # 112e
         rotqbii $hit,$hit,1                             # 112o
 
-        fma     $cc,$fz_3,$fz_3,$cc_2                   # 113e
+        fma     $cc,$quad3_3,$quad3_3,$cc_2             # 113e
         rotqbyi $a_packet_2,$object_2,4                 # 113o
 
         fnms    $t_5,$s_5,$e_6,$b_8                     # 114e
         lqd     $quad_2,0($object_2)                    # 114o
 
-        fma     $b_8,$fz_3,$dz_5,$b                     # 115e
+        fma     $b_8,$quad3_3,$dz_5,$b                  # 115e
         lnop                                            # 115o pairing
 
         fi      $y_6,$disc_2,$y                         # 116e
@@ -512,10 +472,10 @@ function isect_pairs_paper_r16
         clgt    $hit_4,$t_best_6,$t_4                   # 117e
         lnop                                            # 117o pairing
 
-        fma     $b_6,$fz_3,$dz_7,$b_7                   # 118e
+        fma     $b_6,$quad3_3,$dz_7,$b_7                # 118e
         frsqest $y,$disc_3                              # 118o
 
-        fma     $cc_11,$fz_3,$fz_3,$cc_12               # 119e
+        fma     $cc_11,$quad3_3,$quad3_3,$cc_12         # 119e
         andc    $hit_5,$hit_4,$disc_4                   # 120e
 
 next_pair:
@@ -526,55 +486,55 @@ next_pair:
             rotqbii $hit_5,$hit_5,1                     # 1o
 
             andc    $hit,$hit,$disc_5                   # 2e
-            shufb   $fx,$quad_2,$quad_2,$m_x            # 2o
+            shufb   $quad+1,$quad_2,$quad_2,$m_x        # 2o
 
         ai      $count,$count,-1                        # 3e
             lqd     $dx_9,32($a_packet_2)               # 3o
 
             fms     $disc,$b_6,$b_6,$cc                 # 4e
-            shufb   $radius2,$quad_2,$quad_2,$m_radius2 # 4o
+            shufb   $radius2,$quad_2,$quad_2,$m_z+1     # 4o
 
             fm      $s,$disc_2,$y_6                     # 5e
             lqd     $dx_10,48($a_packet_2)              # 5o
 
             fms     $disc_5,$b_8,$b_8,$cc_11            # 6e
-            shufb   $fy,$quad_2,$quad_2,$m_y            # 6o
+            shufb   $quad+2,$quad_2,$quad_2,$m_y        # 6o
 
-            fm      $b,$fx,$dx                          # 7e
+            fm      $b,$quad+1,$dx                      # 7e
             rotqbii $hit,$hit,1                         # 7o
 
             fm      $s_6,$disc_3,$y                     # 8e
             lqd     $dy,80($a_packet_2)                 # 8o
 
-            fms     $cc,$fx,$fx,$radius2                # 9e
+            fms     $cc,$quad+1,$quad+1,$radius2        # 9e
             lqd     $dy_9,112($a_packet_2)              # 9o
 
-            fm      $b_12,$fx,$dx_9                     # 10e
+            fm      $b_12,$quad+1,$dx_9                 # 10e
             lqd     $dy_3,96($a_packet_2)               # 10o
 
             fnms    $e,$s,$y_6,$k_one                   # 11e
             gb      $hit,$hit                           # 11o
 
-            fms     $cc_2,$fx,$fx,$radius2              # 12e
+            fms     $cc_2,$quad+1,$quad+1,$radius2      # 12e
             frsqest $y_7,$disc_5                        # 12o
 
-            fms     $cc_3,$fx,$fx,$radius2              # 13e
+            fms     $cc_3,$quad+1,$quad+1,$radius2      # 13e
             frsqest $y_8,$disc                          # 13o
 
-            fm      $b_13,$fx,$dx_10                    # 14e
+            fm      $b_13,$quad+1,$dx_10                # 14e
             lqd     $dx_2,0($a_packet_2)                # 14o
 
-            fms     $cc_4,$fx,$fx,$radius2              # 15e
+            fms     $cc_4,$quad+1,$quad+1,$radius2      # 15e
             shlqbii $hit,$hit,4                         # 15o
 
-            fma     $cc,$fy,$fy,$cc                     # 16e
+            fma     $cc,$quad+2,$quad+2,$cc             # 16e
             lqd     $dz_2,128($a_packet_2)              # 16o
 
             fma     $e,$e,$half,$whole                  # 17e
             lqd     $dy_2,64($a_packet_2)               # 17o
 
             fi      $y_7,$disc_5,$y_7                   # 18e
-            shufb   $fz_2,$quad_2,$quad_2,$m_z          # 18o
+            shufb   $quad3_2,$quad_2,$quad_2,$m_z       # 18o
 
             fi      $y_8,$disc,$y_8                     # 19e
             lqx     $merge,$a_merges,$hit               # 19o
@@ -582,7 +542,7 @@ next_pair:
             nop     $127                                # 20e pairing
             shlqbii $hit,$hit_3,4                       # 20o
 
-            fma     $cc_2,$fy,$fy,$cc_2                 # 21e
+            fma     $cc_2,$quad+2,$quad+2,$cc_2         # 21e
             gb      $hit_5,$hit_5                       # 21o
 
             fnms    $e_7,$s_6,$y,$k_one                 # 22e
@@ -591,19 +551,19 @@ next_pair:
             fnms    $t_2,$s,$e,$b_11                    # 23e
             lqd     $dz_4,176($a_packet_2)              # 23o
 
-            fm      $b_7,$fx,$dx_2                      # 24e
+            fm      $b_7,$quad+1,$dx_2                  # 24e
             lqx     $merge_2,$a_merges,$hit             # 24o
 
-            fma     $b_13,$fy,$dy_9,$b_13               # 25e
+            fma     $b_13,$quad+2,$dy_9,$b_13           # 25e
             shufb   $t_best_7,$t_best_4,$t_5,$merge     # 25o
 
-            fma     $b_12,$fy,$dy_3,$b_12               # 26e
+            fma     $b_12,$quad+2,$dy_3,$b_12           # 26e
             shlqbii $hit,$hit_5,4                       # 26o
 
-            fma     $cc_12,$fz_2,$fz_2,$cc_2            # 27e
+            fma     $cc_12,$quad3_2,$quad3_2,$cc_2      # 27e
             lqd     $dz_8,160($a_packet_2)              # 27o
 
-            fma     $cc_2,$fy,$fy,$cc_3                 # 28e
+            fma     $cc_2,$quad+2,$quad+2,$cc_3         # 28e
             shufb   $nearest_7,$nearest_3,$object_5,$merge # 28o
 
             clgt    $hit_2,$t_best_2,$t_2               # 29e
@@ -621,13 +581,13 @@ next_pair:
             rotmai  $hit_2,$hit_2,-31                   # 33e
             stqd    $nearest_7,272($a_packet_7)         # 33o
 
-            fma     $b_7,$fy,$dy_2,$b_7                 # 34e
+            fma     $b_7,$quad+2,$dy_2,$b_7             # 34e
             stqd    $nearest_3,288($a_packet_7)         # 34o
 
             fm      $s_7,$disc_5,$y_7                   # 35e
             lqd     $nearest_3,272($a_packet_9)         # 35o
 
-            fma     $cc,$fz_2,$fz_2,$cc                 # 36e
+            fma     $cc,$quad3_2,$quad3_2,$cc           # 36e
             stqd    $t_best_8,224($a_packet_7)          # 36o
 
             selb    $t_best_8,$t_best_2,$t_2,$hit_2     # 37e
@@ -639,28 +599,28 @@ next_pair:
             fnms    $e_8,$s_5,$y_8,$k_one               # 39e
             lqd     $t_best_4,208($a_packet_9)          # 39o
 
-            fma     $cc_4,$fy,$fy,$cc_4                 # 40e
+            fma     $cc_4,$quad+2,$quad+2,$cc_4         # 40e
             stqd    $t_best_8,192($a_packet_8)          # 40o
 
             fnms    $t_3,$s_6,$e_7,$b_5                 # 41e
             stqd    $nearest,256($a_packet_8)           # 41o
 
-            fma     $b_11,$fz_2,$dz_2,$b_7              # 42e
+            fma     $b_11,$quad3_2,$dz_2,$b_7           # 42e
             lqd     $nearest_2,256($a_packet_2)         # 42o
 
             fnms    $e_9,$s_7,$y_7,$k_one               # 43e
             shlqbyi $a_packet_8,$a_packet_2,0           # 43o copy
 
-            fma     $b_5,$fz_2,$dz_8,$b_12              # 44e
+            fma     $b_5,$quad3_2,$dz_8,$b_12           # 44e
             shufb   $nearest,$nearest_6,$object_5,$merge_3 # 44o
 
             fma     $e_6,$e_8,$half,$whole              # 45e
             shufb   $t_best,$t_best_6,$t_4,$merge_3     # 45o
 
-            fma     $cc_11,$fz_2,$fz_2,$cc_4            # 46e
+            fma     $cc_11,$quad3_2,$quad3_2,$cc_4      # 46e
             shlqbyi $object_5,$object_6,0               # 46o copy
 
-            fma     $b,$fy,$dy,$b                       # 47e
+            fma     $b,$quad+2,$dy,$b                   # 47e
             shufb   $object_6,$object_2,$object_2,$m_x  # 47o
 
             fms     $disc_2,$b_11,$b_11,$cc_12          # 48e
@@ -684,13 +644,13 @@ next_pair:
             fnms    $t_4,$s_5,$e_6,$b_6                 # 54e
             rotqbii $hit,$hit,1                         # 54o
 
-            fma     $cc,$fz_2,$fz_2,$cc_2               # 55e
+            fma     $cc,$quad3_2,$quad3_2,$cc_2         # 55e
             frsqest $y,$disc_2                          # 55o
 
             fnms    $t_5,$s_7,$e_2,$b_8                 # 56e
             lqd     $t_best_2,192($a_packet_2)          # 56o
 
-            fma     $b_8,$fz_2,$dz_5,$b                 # 57e
+            fma     $b_8,$quad3_2,$dz_5,$b              # 57e
             shlqbyi $a_packet_9,$a_packet_2,0           # 57o copy
 
         ai      $a_pair,$a_pair,16                      # 58e
@@ -702,7 +662,7 @@ next_pair:
             clgt    $hit_5,$t_best_6,$t_4               # 60e
             frsqest $y,$disc_3                          # 60o
 
-            fma     $b_6,$fz_2,$dz_4,$b_13              # 61e
+            fma     $b_6,$quad3_2,$dz_4,$b_13           # 61e
             gb      $hit_3,$hit                         # 61o
 
             andc    $hit_5,$hit_5,$disc                 # 62e
@@ -714,16 +674,16 @@ next_pair_drain:
         lqd     $dx_2,0($a_packet_2)                    # 0o
 
         clgt    $hit,$t_best_4,$t_5                     # 1e
-        shufb   $fx,$quad_2,$quad_2,$m_x                # 1o
+        shufb   $quad+1,$quad_2,$quad_2,$m_x            # 1o
 
         fm      $s,$disc_2,$y_6                         # 2e
-        shufb   $radius2,$quad_2,$quad_2,$m_radius2     # 2o
+        shufb   $radius2,$quad_2,$quad_2,$m_z+1         # 2o
 
         andc    $hit,$hit,$disc_5                       # 3e
         lqd     $dy_2,64($a_packet_2)                   # 3o
 
         fms     $disc,$b_6,$b_6,$cc                     # 4e
-        shufb   $fy,$quad_2,$quad_2,$m_y                # 4o
+        shufb   $quad+2,$quad_2,$quad_2,$m_y            # 4o
 
         fi      $y,$disc_3,$y                           # 5e
         rotqbii $hit,$hit,1                             # 5o
@@ -731,10 +691,10 @@ next_pair_drain:
         ori     $a_packet_10,$a_packet_6,0              # 6e copy
         frsqest $y_7,$disc_6                            # 6o
 
-        fms     $cc_13,$fx,$fx,$radius2                 # 7e
+        fms     $cc_13,$quad+1,$quad+1,$radius2         # 7e
         lqd     $dx,16($a_packet_2)                     # 7o
 
-        fm      $b_13,$fx,$dx_2                         # 8e
+        fm      $b_13,$quad+1,$dx_2                     # 8e
         lqd     $dz_2,128($a_packet_2)                  # 8o
 
         fnms    $e,$s,$y_6,$k_one                       # 9e
@@ -747,24 +707,24 @@ next_pair_drain:
         rotqbii $hit_5,$hit_5,1                         # 11o
 
         fm      $s_6,$disc_3,$y                         # 12e
-        shufb   $fz_2,$quad_2,$quad_2,$m_z              # 12o
+        shufb   $quad3_2,$quad_2,$quad_2,$m_z           # 12o
 
-        fma     $cc_2,$fy,$fy,$cc_13                    # 13e
+        fma     $cc_2,$quad+2,$quad+2,$cc_13            # 13e
         shlqbii $hit,$hit,4                             # 13o
 
-        fma     $b_12,$fy,$dy_2,$b_13                   # 14e
+        fma     $b_12,$quad+2,$dy_2,$b_13               # 14e
         shlqbii $hit_6,$hit_3,4                         # 14o
 
         fma     $e,$e,$half,$whole                      # 15e
         lqd     $dy,80($a_packet_2)                     # 15o
 
-        fm      $b,$fx,$dx                              # 16e
+        fm      $b,$quad+1,$dx                          # 16e
         gb      $hit_5,$hit_5                           # 16o
 
         fm      $s_7,$disc_6,$y_7                       # 17e
         lqx     $merge,$a_merges,$hit                   # 17o
 
-        fms     $cc_14,$fx,$fx,$radius2                 # 18e
+        fms     $cc_14,$quad+1,$quad+1,$radius2         # 18e
         lqx     $merge_2,$a_merges,$hit_6               # 18o
 
         fi      $y_8,$disc,$y_9                         # 19e
@@ -773,10 +733,10 @@ next_pair_drain:
         nop     $127                                    # 20e pairing
         lqd     $dx_3,48($a_packet_2)                   # 20o
 
-        fma     $cc_15,$fz_2,$fz_2,$cc_2                # 21e
+        fma     $cc_15,$quad3_2,$quad3_2,$cc_2          # 21e
         lqd     $dz_5,144($a_packet_2)                  # 21o
 
-        fma     $b_12,$fz_2,$dz_2,$b_12                 # 22e
+        fma     $b_12,$quad3_2,$dz_2,$b_12              # 22e
         shlqbii $hit,$hit_5,4                           # 22o
 
         fnms    $e_2,$s_7,$y_7,$k_one                   # 23e
@@ -788,10 +748,10 @@ next_pair_drain:
         fnms    $e_7,$s_6,$y,$k_one                     # 25e
         lqd     $dy_3,112($a_packet_2)                  # 25o
 
-        fma     $cc_14,$fy,$fy,$cc_14                   # 26e
+        fma     $cc_14,$quad+2,$quad+2,$cc_14           # 26e
         lqd     $dy_6,96($a_packet_2)                   # 26o
 
-        fma     $b,$fy,$dy,$b                           # 27e
+        fma     $b,$quad+2,$dy,$b                       # 27e
         lqd     $dz_4,176($a_packet_2)                  # 27o
 
         fm      $s_8,$disc,$y_8                         # 28e
@@ -800,10 +760,10 @@ next_pair_drain:
         fms     $disc_7,$b_12,$b_12,$cc_15              # 29e
         shufb   $nearest_3,$nearest_4,$object_5,$merge_2 # 29o
 
-        fms     $cc,$fx,$fx,$radius2                    # 30e
+        fms     $cc,$quad+1,$quad+1,$radius2            # 30e
         stqd    $t_best_9,208($a_packet_7)              # 30o
 
-        fm      $b_13,$fx,$dx_10                        # 31e
+        fm      $b_13,$quad+1,$dx_10                    # 31e
         lqx     $merge_3,$a_merges,$hit                 # 31o
 
         fma     $e_2,$e_2,$half,$whole                  # 32e
@@ -812,10 +772,10 @@ next_pair_drain:
         clgt    $hit_2,$t_best_2,$t_2                   # 33e
         stqd    $nearest_8,272($a_packet_7)             # 33o
 
-        fms     $cc_16,$fx,$fx,$radius2                 # 34e
+        fms     $cc_16,$quad+1,$quad+1,$radius2         # 34e
         stqd    $nearest_3,288($a_packet_7)             # 34o
 
-        fm      $b_3,$fx,$dx_3                          # 35e
+        fm      $b_3,$quad+1,$dx_3                      # 35e
         lqd     $nearest_3,272($a_packet_9)             # 35o
 
         andc    $hit_2,$hit_2,$disc_2                   # 36e
@@ -824,10 +784,10 @@ next_pair_drain:
         fma     $e_7,$e_7,$half,$whole                  # 37e
         frsqest $y_10,$disc_7                           # 37o
 
-        fma     $cc_14,$fz_2,$fz_2,$cc_14               # 38e
+        fma     $cc_14,$quad3_2,$quad3_2,$cc_14         # 38e
         lqd     $t_best_4,208($a_packet_9)              # 38o
 
-        fma     $b_7,$fz_2,$dz_5,$b                     # 39e
+        fma     $b_7,$quad3_2,$dz_5,$b                  # 39e
         lqd     $t_best_3,224($a_packet_9)              # 39o
 
         rotmai  $hit_2,$hit_2,-31                       # 40e
@@ -836,19 +796,19 @@ next_pair_drain:
         fnms    $e_8,$s_8,$y_8,$k_one                   # 41e
         shufb   $nearest,$nearest_6,$object_5,$merge_3  # 41o
 
-        fma     $cc,$fy,$fy,$cc                         # 42e
+        fma     $cc,$quad+2,$quad+2,$cc                 # 42e
         shufb   $t_best,$t_best_6,$t_4,$merge_3         # 42o
 
-        fma     $b_13,$fy,$dy_6,$b_13                   # 43e
+        fma     $b_13,$quad+2,$dy_6,$b_13               # 43e
         shlqbyi $object_5,$object_6,0                   # 43o copy
 
         fnms    $t_5,$s_7,$e_2,$b_8                     # 44e
         shlqbyi $a_packet_11,$a_packet_2,0              # 44o copy
 
-        fma     $b_3,$fy,$dy_3,$b_3                     # 45e
+        fma     $b_3,$quad+2,$dy_3,$b_3                 # 45e
         shufb   $object_7,$object_2,$object_2,$m_x      # 45o
 
-        fma     $cc_2,$fy,$fy,$cc_16                    # 46e
+        fma     $cc_2,$quad+2,$quad+2,$cc_16            # 46e
         shlqbyi $a_packet_12,$a_packet_2,0              # 46o copy
 
         selb    $t_best_8,$t_best_2,$t_2,$hit_2         # 47e
@@ -869,19 +829,19 @@ next_pair_drain:
         fma     $e_10,$e_8,$half,$whole                 # 52e
         stqd    $nearest_8,256($a_packet_8)             # 52o
 
-        fma     $cc,$fz_2,$fz_2,$cc                     # 53e
+        fma     $cc,$quad3_2,$quad3_2,$cc               # 53e
         lqd     $nearest_2,256($a_packet_2)             # 53o
 
-        fma     $b_5,$fz_2,$dz_3,$b_13                  # 54e
+        fma     $b_5,$quad3_2,$dz_3,$b_13               # 54e
         stqd    $nearest,304($a_packet_7)               # 54o
 
         clgt    $hit,$t_best_4,$t_5                     # 55e
         lqd     $nearest_6,304($a_packet_9)             # 55o
 
-        fma     $cc_17,$fz_2,$fz_2,$cc_2                # 56e
+        fma     $cc_17,$quad3_2,$quad3_2,$cc_2          # 56e
         stqd    $t_best,240($a_packet_7)                # 56o
 
-        fma     $b_3,$fz_2,$dz_4,$b_3                   # 57e
+        fma     $b_3,$quad3_2,$dz_4,$b_3                # 57e
         frsqest $y_10,$disc_8                           # 57o
 
         andc    $hit,$hit,$disc_6                       # 58e
@@ -1064,76 +1024,76 @@ next_pair_short:
         lqd     $dx_11,48($a_packet)                    # 11o
 
         lqd     $dx_9,16($a_packet)                     # 12o
-        shufb   $fx,$quad,$quad,$m_x                    # 13o
+        shufb   $quad+1,$quad,$quad,$m_x                # 13o
 
-        shufb   $radius2,$quad,$quad,$m_radius2         # 14o
+        shufb   $radius2,$quad,$quad,$m_z+1             # 14o
         lqd     $dy,96($a_packet)                       # 15o
 
         nop     $127                                    # 16e pairing
         lqd     $dy_10,112($a_packet)                   # 16o
 
-        fm      $b,$fx,$dx                              # 17e
+        fm      $b,$quad+1,$dx                          # 17e
         lqd     $dy_11,80($a_packet)                    # 17o
 
-        fms     $cc,$fx,$fx,$radius2                    # 18e
-        shufb   $fy,$quad,$quad,$m_y                    # 18o
+        fms     $cc,$quad+1,$quad+1,$radius2            # 18e
+        shufb   $quad+2,$quad,$quad,$m_y                # 18o
 
-        fm      $b_12,$fx,$dx_9                         # 19e
+        fm      $b_12,$quad+1,$dx_9                     # 19e
         lqd     $dz,160($a_packet)                      # 19o
 
-        fms     $cc_18,$fx,$fx,$radius2                 # 20e
+        fms     $cc_18,$quad+1,$quad+1,$radius2         # 20e
         lqd     $dz_9,176($a_packet)                    # 20o
 
-        fm      $b_14,$fx,$dx_11                        # 21e
+        fm      $b_14,$quad+1,$dx_11                    # 21e
         lqd     $dz_6,144($a_packet)                    # 21o
 
-        fms     $cc_19,$fx,$fx,$radius2                 # 22e
+        fms     $cc_19,$quad+1,$quad+1,$radius2         # 22e
         lqd     $dx_6,0($a_packet)                      # 22o
 
-        fma     $b,$fy,$dy,$b                           # 23e
-        shufb   $fz_4,$quad,$quad,$m_z                  # 23o
+        fma     $b,$quad+2,$dy,$b                       # 23e
+        shufb   $quad3_4,$quad,$quad,$m_z               # 23o
 
-        fma     $cc,$fy,$fy,$cc                         # 24e
+        fma     $cc,$quad+2,$quad+2,$cc                 # 24e
         lqd     $dy,64($a_packet)                       # 24o
 
-        fma     $b_12,$fy,$dy_11,$b_12                  # 25e
+        fma     $b_12,$quad+2,$dy_11,$b_12              # 25e
         lqd     $dz_10,128($a_packet)                   # 25o
 
-        fma     $cc_18,$fy,$fy,$cc_18                   # 26e
+        fma     $cc_18,$quad+2,$quad+2,$cc_18           # 26e
         lqd     $t_best_10,224($a_packet)               # 26o
 
-        fma     $b_14,$fy,$dy_10,$b_14                  # 27e
+        fma     $b_14,$quad+2,$dy_10,$b_14              # 27e
         lqd     $t_best_11,208($a_packet)               # 27o
 
-        fma     $cc_19,$fy,$fy,$cc_19                   # 28e
+        fma     $cc_19,$quad+2,$quad+2,$cc_19           # 28e
         lqd     $t_best_12,240($a_packet)               # 28o
 
-        fma     $b,$fz_4,$dz,$b                         # 29e
+        fma     $b,$quad3_4,$dz,$b                      # 29e
         lqd     $t_best_8,192($a_packet)                # 29o
 
-        fma     $cc,$fz_4,$fz_4,$cc                     # 30e
+        fma     $cc,$quad3_4,$quad3_4,$cc               # 30e
         lqd     $nearest_10,288($a_packet)              # 30o
 
-        fma     $b_12,$fz_4,$dz_6,$b_12                 # 31e
+        fma     $b_12,$quad3_4,$dz_6,$b_12              # 31e
         lqd     $nearest_7,272($a_packet)               # 31o
 
-        fma     $cc_18,$fz_4,$fz_4,$cc_18               # 32e
+        fma     $cc_18,$quad3_4,$quad3_4,$cc_18         # 32e
         lqd     $nearest_11,304($a_packet)              # 32o
 
-        fma     $b_14,$fz_4,$dz_9,$b_14                 # 33e
+        fma     $b_14,$quad3_4,$dz_9,$b_14              # 33e
         lqd     $nearest_12,256($a_packet)              # 33o
 
-        fma     $cc_19,$fz_4,$fz_4,$cc_19               # 34e
-        fms     $cc_4,$fx,$fx,$radius2                  # 35e
+        fma     $cc_19,$quad3_4,$quad3_4,$cc_19         # 34e
+        fms     $cc_4,$quad+1,$quad+1,$radius2          # 35e
 
-        fm      $b_7,$fx,$dx_6                          # 36e
+        fm      $b_7,$quad+1,$dx_6                      # 36e
         fms     $disc_10,$b_12,$b_12,$cc                # 37e
 
         fms     $disc_11,$b,$b,$cc_18                   # 38e
         fms     $disc_12,$b_14,$b_14,$cc_19             # 40e
 
-        fma     $cc,$fy,$fy,$cc_4                       # 41e
-        fma     $b_7,$fy,$dy,$b_7                       # 42e
+        fma     $cc,$quad+2,$quad+2,$cc_4               # 41e
+        fma     $b_7,$quad+2,$dy,$b_7                   # 42e
 
         frsqest $y_12,$disc_10                          # 43o
         frsqest $y_4,$disc_11                           # 44o
@@ -1142,10 +1102,10 @@ next_pair_short:
         fi      $y_12,$disc_10,$y_12                    # 47e
 
         fi      $y_4,$disc_11,$y_4                      # 48e
-        fma     $cc,$fz_4,$fz_4,$cc                     # 50e
+        fma     $cc,$quad3_4,$quad3_4,$cc               # 50e
 
         fi      $y_13,$disc_12,$y_13                    # 51e
-        fma     $b_3,$fz_4,$dz_10,$b_7                  # 53e
+        fma     $b_3,$quad3_4,$dz_10,$b_7               # 53e
 
         fm      $s_8,$disc_10,$y_12                     # 54e
         fm      $s_11,$disc_11,$y_4                     # 55e
