@@ -1,6 +1,5 @@
 //! The user layer: worlds that change, input, sessions.
 
-mod allocations;
 mod content;
 mod fresh;
 mod handles;

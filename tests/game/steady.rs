@@ -9,8 +9,6 @@ use cellray::game::{
     Session, Shader, Shape, Start, World, WorldError,
 };
 
-use crate::allocations;
-
 /// Everything moves and changes its colour; some things come and go.
 struct Swarm {
     look: Look,

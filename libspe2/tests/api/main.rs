@@ -8,6 +8,7 @@
 
 mod basic;
 mod event;
+mod exports;
 mod images;
 mod mfc;
 mod run;

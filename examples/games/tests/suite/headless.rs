@@ -15,9 +15,6 @@ use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-#[path = "../../../tests/game/allocations.rs"]
-mod allocations;
-
 const FRAMES: u64 = 300;
 
 /// Who presses anything, turns to other windows, and has a pad that comes loose.

@@ -2,7 +2,7 @@
 
 use oracle::whitted::Options;
 
-use crate::{colour, look, scene};
+use super::{colour, look, scene};
 
 const EYE: [f64; 3] = [0.0, 0.0, 10.0];
 

@@ -2,7 +2,7 @@
 
 use oracle::whitted::{Options, trace};
 
-use crate::{colour, look, scene};
+use super::{colour, look, scene};
 
 const EYE: [f64; 3] = [0.0, 0.0, 10.0];
 
@@ -122,7 +122,7 @@ fn checkers_change_colour_at_the_faces_of_cubes() {
             "{sun}f 1 0 0 1 0 1 0 1\n#cellray shader {shader}\n\
              p 4\n50 -50 0\n50 50 0\n-50 50 0\n-50 -50 0\n"
         );
-        let scene = crate::wide([0.5, 0.5, 10.0], [0.5, 0.5, 0.0], 20.0, &rest);
+        let scene = super::wide([0.5, 0.5, 10.0], [0.5, 0.5, 0.0], 20.0, &rest);
         let (reference, _) = trace(&scene, 32, 32, &Options::default()).expect("a picture");
         reference.silhouette.iter().filter(|edge| **edge).count()
     };

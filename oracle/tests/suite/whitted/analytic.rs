@@ -2,7 +2,7 @@
 
 use oracle::whitted::{Options, trace};
 
-use crate::{colour, look, scene, wide};
+use super::{colour, look, scene, wide};
 
 #[test]
 fn a_mirror_shows_what_a_mirrored_scene_shows() {

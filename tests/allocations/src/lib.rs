@@ -1,4 +1,5 @@
-//! A memory allocator that knows who asked for memory.
+//! A memory allocator for tests that knows who asked for memory. A program that depends on this
+//! crate has it as its allocator.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::backtrace::Backtrace;

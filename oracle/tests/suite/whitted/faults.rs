@@ -3,7 +3,7 @@
 use oracle::Error;
 use oracle::whitted::{MAX_DEPTH, Options, trace};
 
-use crate::{colour, scene};
+use super::{colour, scene};
 
 const FROM: [f64; 3] = [0.0, 0.0, 10.0];
 
