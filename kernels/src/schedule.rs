@@ -8,10 +8,10 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use spu_build::Tools;
-use spu_emulator::schedule::{self as scheduler, Scheduled};
-use spu_emulator::timing::Rules;
-use spu_emulator::timing::check::{self, CheckError};
-use spu_emulator::timing::code::{Code, CodeError};
+use spu_isa::timing::Rules;
+use spu_scheduler::Scheduled;
+use spu_scheduler::check::{self, CheckError};
+use spu_scheduler::code::{Code, CodeError};
 use tempfile::TempDir;
 use thiserror::Error;
 
@@ -40,7 +40,7 @@ pub enum ScheduleError {
         /// The source.
         path: PathBuf,
         /// Why.
-        source: scheduler::ScheduleError,
+        source: spu_scheduler::ScheduleError,
     },
     /// An object has no code.
     #[error("{}: {source}", path.display())]
@@ -108,7 +108,7 @@ impl Workshop {
                 Err(source) => Err(ScheduleError::File { path, source }),
             }
         };
-        scheduler::schedule(&object, &path.to_string_lossy(), &text, assemble)
+        spu_scheduler::schedule(&object, &path.to_string_lossy(), &text, assemble)
             .map_err(|source| ScheduleError::Scheduler { path, source })
     }
 

@@ -8,8 +8,8 @@ use std::path::Path;
 use kernels::bench::KERNELS;
 use kernels::schedule::{ScheduleError, Workshop};
 use kernels::source::{SOURCES, Source};
-use spu_emulator::isa::{Instruction, Target};
-use spu_emulator::timing::code::Code;
+use spu_isa::{Instruction, Target};
+use spu_scheduler::code::Code;
 
 #[test]
 fn every_kernel_has_a_scheduled_version() {
