@@ -7,10 +7,10 @@
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
+use spu_isa::LOCAL_STORE_SIZE;
+
 /// Bytes of local store.
-pub const SIZE: u32 = 256 * 1024;
-/// The local-store limit register's value: every address is ANDed with it.
-pub const LIMIT_MASK: u32 = SIZE - 1;
+pub const SIZE: u32 = LOCAL_STORE_SIZE;
 
 const DOUBLEWORDS: usize = SIZE as usize / 8;
 const DOUBLEWORD_MASK: usize = DOUBLEWORDS - 1;

@@ -9,7 +9,7 @@ use std::sync::{Arc, RwLock};
 use thiserror::Error;
 
 use crate::local_store::{LocalStore, SIZE};
-use crate::spe::lock::{read_lock, write_lock};
+use crate::lock::{read_lock, write_lock};
 
 /// Bytes of a line: what a reservation covers and an atomic command moves.
 pub const LINE: usize = 128;
@@ -189,7 +189,7 @@ impl MainMemory for RegisteredMemory {
         expected: &[u8; LINE],
         new: &[u8; LINE],
     ) -> Result<bool, MemoryFault> {
-        let _one_at_a_time = crate::spe::lock::lock(&self.exchange);
+        let _one_at_a_time = crate::lock::lock(&self.exchange);
         let mut current = [0; LINE];
         self.read(ea, &mut current)?;
         if current != *expected {

@@ -92,7 +92,7 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
         signal_modes: [mode(SPE_CFG_SIGNOTIFY1_OR), mode(SPE_CFG_SIGNOTIFY2_OR)],
         policy: policy()?,
     };
-    let spe = Spe::new(&machine()?.interconnect, config);
+    let spe = Spe::new(&machine()?.emulated, config);
     let area = spe.local_store().as_ptr();
     spe.map_local_store(area.expose_provenance() as u64);
     let context = Arc::new(Context {

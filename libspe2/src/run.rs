@@ -4,10 +4,11 @@ use std::sync::atomic::Ordering::SeqCst;
 
 use libc::{c_int, c_uint, c_void};
 use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::{LIMIT_MASK, SIZE};
+use spu_emulator::local_store::SIZE;
 use spu_emulator::memory::MainMemory;
 use spu_emulator::mfc::DmaError;
 use spu_emulator::stop::{Stop, Stopped};
+use spu_isa::LIMIT_MASK;
 
 use crate::callback;
 use crate::context::{Context, context};

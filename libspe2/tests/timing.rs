@@ -21,8 +21,9 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
-use spu_emulator::timing::code::Code;
-use spu_emulator::timing::profile::{ProfileFile, View};
+use spu_reports::ProfileFile;
+use spu_scheduler::code::Code;
+use spu_tool::profile::View;
 
 const SPES: usize = 6;
 const FRAMES: u32 = 3;
@@ -335,7 +336,7 @@ fn assemble(folder: &Path) -> std::path::PathBuf {
     let image = folder.join("program");
     let built = spu_build::Tools::find().and_then(|tools| {
         spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("../emulator/tests/machine"))
+            .include(&root.join("../emulator/tests/emulator/machine"))
             .build(&tools, &folder.join("objects"), &image)
     });
     if let Err(error) = built {

@@ -11,8 +11,8 @@ use cellray::Settings;
 use protocol::layout::{Statistics, TILE_BLANK, UnitCost};
 use spu_emulator::decrementer::Clock;
 use spu_emulator::elf::Image;
+use spu_emulator::machine::Machine;
 use spu_emulator::memory::{Access, MainMemory as _, RegisteredMemory};
-use spu_emulator::mfc::Interconnect;
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::Stop;
 use zerocopy::{FromBytes as _, IntoBytes as _};
@@ -88,7 +88,7 @@ fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
     let clock = Arc::new(Leaping {
         now: AtomicU64::new(0),
     });
-    let interconnect = Interconnect::with_clock(memory.clone(), clock.clone());
+    let interconnect = Machine::with_clock(memory.clone(), clock.clone());
     let spe = Spe::new(&interconnect, Config::default());
     let image = Image::parse(Settings::default().program.image()).unwrap();
     image.load(spe.local_store(), 0);

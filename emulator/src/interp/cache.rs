@@ -3,8 +3,8 @@
 //! Invariant: an entry's instruction is what its word decodes to. The word is compared with local
 //! store on every fetch, so code that was rewritten or brought by DMA is never run stale.
 
-use crate::isa::{Instruction, Machine};
 use crate::local_store::SIZE;
+use spu_isa::{Instruction, Machine};
 
 const ENTRIES: usize = SIZE as usize / 4;
 

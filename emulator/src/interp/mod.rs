@@ -18,11 +18,13 @@ mod integer;
 mod lanes;
 mod load_store;
 mod quad;
+mod run;
 mod shift_rotate;
 mod spu;
 
 pub use quad::Quad;
-pub use spu::{Observer, Spu};
+pub use run::Observer;
+pub use spu::Spu;
 
 #[cfg(doc)]
 use crate::channel::Channels;

@@ -5,7 +5,7 @@
 //! count is too large for the host.
 
 use super::spu::Spu;
-use crate::isa::Instruction;
+use spu_isa::Instruction;
 
 #[inline]
 const fn left(a: u32, count: u32) -> u32 {

@@ -3,7 +3,7 @@
 //! What breaks a rule becomes a [`DmaError`] here and nowhere else. The result hint of the `putr` forms
 //! has no effect that a program could see.
 
-use super::DmaError;
+use super::error::DmaError;
 use crate::memory::LINE;
 
 /// Most bytes of one transfer, and of one list.

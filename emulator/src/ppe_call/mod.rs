@@ -13,6 +13,9 @@
 //! | 0x2100 | `c99`, over `stream`, `print` and `scan` |
 //! | 0x2101 | `posix` |
 //! | 0x2105 | `libea` |
+//!
+//! [`Library`] and the classes know each other: it finds the function that serves a call in a
+//! class's table, and the function works on what the library holds.
 
 mod arena;
 mod c99;
@@ -36,8 +39,8 @@ pub use errno::Errno;
 pub use guest::GuestMemory;
 pub use outside::{Heap, Outside, Process};
 
-use crate::local_store::LIMIT_MASK;
 use guest::{Block, Guest, Reply};
+use spu_isa::LIMIT_MASK;
 
 /// Bytes from the address that a call gets (that after the stop) to where the SPU goes on.
 pub const CALL_WORD: u32 = 4;

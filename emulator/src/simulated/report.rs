@@ -1,19 +1,8 @@
 //! Figures of SPEs in simulated time, as they can be read from outside.
 
-use crate::timing::Account;
+use spu_isa::timing::Account;
 
-/// MFC commands that an SPU gave, and bytes that they moved.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Commands {
-    /// Commands through the queue.
-    pub queued: u64,
-    /// Atomic commands, which bypass it.
-    pub atomic: u64,
-    /// Bytes into local store by queued commands.
-    pub bytes_in: u64,
-    /// Bytes out of local store by queued commands.
-    pub bytes_out: u64,
-}
+use crate::mfc::Commands;
 
 /// Cycles that an SPU slept in its channels, by what it slept for. The pipeline's account has the same
 /// cycles, as those of channels and of DMA.

@@ -6,11 +6,12 @@ use super::report::Waits;
 use super::turnstile::Actor;
 use crate::channel::Channels;
 use crate::interp::{Observer, Spu};
-use crate::isa::Instruction;
 use crate::local_store::LocalStore;
+use crate::profile::{Profile, Recording};
 use crate::stop::Stopped;
-use crate::timing::profile::{Profile, Recording};
-use crate::timing::{Cause, Timer};
+use crate::timer::Timer;
+use spu_isa::Instruction;
+use spu_isa::timing::{Cause, Pipeline, Rules};
 
 /// What an SPU sleeps for in a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,8 +57,9 @@ pub(crate) struct SpuClock {
 }
 
 impl SpuClock {
-    pub fn new(profiled: bool) -> Self {
+    pub fn new(rules: Rules, profiled: bool) -> Self {
         Self {
+            timer: Timer::new(Pipeline::new(rules)),
             recording: profiled.then(Recording::default),
             ..Self::default()
         }

@@ -7,135 +7,49 @@
 //! nobody's clock runs back. Data that was sent to a local store lies there as soon as no clock is
 //! before its arrival.
 
-use std::collections::BTreeMap;
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::atomic::{AtomicBool, AtomicU64};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use super::absence::{LOOK_EVERY, Patience};
 use super::arrivals::Arrivals;
-use super::memory_system::LOCAL_STORE_DELAY;
-use crate::spe::lock::lock;
-
-/// No time at all: of a sleeper that only somebody else can wake.
-pub(super) const NEVER: u64 = u64::MAX;
+use super::race::{Entry, Race, Rank, Runner, Status, WaitKey};
+use super::time::NEVER;
+use crate::lock::lock;
 
 /// Cycles between two looks at the others' clocks: often enough not to hold them up, seldom enough
 /// to cost nothing.
 const CYCLES_A_LOOK: u64 = 1024;
 
-/// What a sleeper can be woken by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct WaitKey(u64);
-
-/// Decides between equal clocks: SPEs by number, then PPE threads in the order of their first calls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Rank(u64);
-
-const FIRST_PPE: u64 = 1 << 32;
-
-impl Rank {
-    pub fn spe(number: u64) -> Self {
-        Self(number)
-    }
-
-    fn ppe(number: u64) -> Self {
-        Self(FIRST_PPE + number)
-    }
-}
-
-#[derive(Default)]
-struct Runner {
-    clock: AtomicU64,
-    /// The clock from which on it may run no further without a look at the others.
-    limit: AtomicU64,
-    called: Condvar,
-}
-
-enum Status {
-    Outside,
-    /// Runs, or has the turn. With patience: may never come back.
-    Free(Option<Patience>),
-    Waiting {
-        /// When it acts, unless it is woken before.
-        wanted: u64,
-        /// Since when it sleeps; it can't be woken to an earlier time.
-        since: u64,
-        /// What may wake it; nothing may once it is awake.
-        key: Option<WaitKey>,
-    },
-}
-
-struct Entry {
-    runner: Arc<Runner>,
-    status: Status,
-}
-
-impl Entry {
-    /// Its place in the race, if it is in it.
-    fn place(&self) -> Option<u64> {
-        match self.status {
-            Status::Outside => None,
-            Status::Free(_) => Some(self.runner.clock.load(SeqCst)),
-            Status::Waiting { wanted, .. } => (wanted != NEVER).then_some(wanted),
-        }
-    }
-}
-
-#[derive(Default)]
-struct Race {
-    actors: BTreeMap<Rank, Entry>,
-    /// When the act that goes on, or was last, happens.
-    now: u64,
-    ppe_threads: u64,
-    keys: u64,
-    absences: u64,
-}
-
-impl Race {
-    fn leader(&self) -> Option<(u64, Rank)> {
-        self.actors
-            .iter()
-            .filter_map(|(&rank, entry)| Some((entry.place()?, rank)))
-            .min()
-    }
-
-    /// Whether `me` sleeps, and nobody else is in the race who could wake it.
-    fn sleeps_alone(&self, me: Rank) -> bool {
-        self.actors.iter().all(|(&rank, entry)| {
-            if rank == me {
-                matches!(entry.status, Status::Waiting { key: Some(_), .. })
-            } else {
-                entry.place().is_none()
-            }
-        })
-    }
-
-    fn set(&mut self, rank: Rank, status: Status) {
-        if let Some(entry) = self.actors.get_mut(&rank) {
-            entry.status = status;
-        }
-    }
-}
-
 /// The race of one machine.
-#[derive(Default)]
 pub(crate) struct Turnstile {
     race: Mutex<Race>,
     /// The smallest time at which somebody waits: whoever runs past it has to let go.
     impatient: AtomicU64,
     /// Whether runners run one at a time too, not only act so.
     serial: AtomicBool,
+    /// Cycles in which one SPU reaches another's local store at the earliest.
+    local_store_delay: u64,
     /// What was sent to local stores.
     pub arrivals: Arrivals,
 }
 
 impl Turnstile {
+    pub fn new(local_store_delay: u64) -> Self {
+        Self {
+            race: Mutex::default(),
+            impatient: AtomicU64::default(),
+            serial: AtomicBool::default(),
+            local_store_delay,
+            arrivals: Arrivals::default(),
+        }
+    }
+
     pub fn new_key(&self) -> WaitKey {
         let mut race = lock(&self.race);
         race.keys += 1;
-        WaitKey(race.keys)
+        WaitKey::new(race.keys)
     }
 
     /// How often the race went on without a PPE thread or an SPE that was expected.
@@ -169,7 +83,7 @@ impl Turnstile {
         }
         if woken && self.serial.load(SeqCst) {
             // The spell that goes on was given out without regard to who slept.
-            let soon = now + 1 + LOCAL_STORE_DELAY;
+            let soon = now + 1 + self.local_store_delay;
             for entry in race.actors.values() {
                 entry.runner.limit.fetch_min(soon, SeqCst);
             }
@@ -212,7 +126,7 @@ impl Turnstile {
         }
         let others = race.actors.iter().filter(|(rank, _)| **rank != me);
         let sent = others.filter_map(|(_, entry)| entry.place()).min();
-        let sent = sent.map_or(NEVER, |place| place.saturating_add(LOCAL_STORE_DELAY));
+        let sent = sent.map_or(NEVER, |place| place.saturating_add(self.local_store_delay));
         look.min(sent).min(self.arrivals.next())
     }
 
@@ -442,6 +356,7 @@ impl Drop for Actor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulated::MemoryFigures;
     use std::sync::atomic::AtomicUsize;
     use std::thread;
 
@@ -457,7 +372,7 @@ mod tests {
     fn acts_come_one_at_a_time_in_the_order_of_clock_and_rank() {
         const ACTORS: u64 = 5;
         const ACTS: u64 = 200;
-        let turnstile = Arc::<Turnstile>::default();
+        let turnstile = Arc::new(Turnstile::new(MemoryFigures::CONSOLE.local_store_delay()));
         let acts = Mutex::new(Vec::new());
         let acting = AtomicUsize::new(0);
         let actors: Vec<_> = (0..ACTORS).map(|n| free(&turnstile, n, 0)).collect();
@@ -483,7 +398,7 @@ mod tests {
 
     #[test]
     fn a_sleeper_wakes_after_the_act_that_wakes_it_and_not_before_it_slept() {
-        let turnstile = Arc::<Turnstile>::default();
+        let turnstile = Arc::new(Turnstile::new(MemoryFigures::CONSOLE.local_store_delay()));
         let key = turnstile.new_key();
         let (early, late) = (free(&turnstile, 0, 0), free(&turnstile, 1, 0));
         let other = free(&turnstile, 2, 0);

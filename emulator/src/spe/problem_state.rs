@@ -7,14 +7,20 @@ use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::Watcher;
-use super::lock::lock;
 use crate::event::{self, Events};
+use crate::lock::lock;
 use crate::mailbox::{INBOUND_DEPTH, Mailbox, OUTBOUND_DEPTH};
 use crate::mfc::DmaError;
 use crate::mfc::interconnect::{Reservation, Unit};
 use crate::signal::{Signal, SignalMode, SignalRegister};
 use crate::simulated::{Simulation, WaitKey};
+
+/// Is told that something that the PPE can see of an SPE may have changed: a mailbox, a signal
+/// register, a proxy tag, a run that ended. It must return soon and must not call the SPE.
+pub trait Watcher: Send + Sync {
+    /// Look again.
+    fn changed(&self);
+}
 
 pub(crate) struct State {
     pub inbound: Mailbox,

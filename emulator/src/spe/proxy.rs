@@ -6,7 +6,7 @@
 //! the call that gives it.
 
 use super::Spe;
-use super::lock::lock;
+use crate::lock::lock;
 use crate::mfc::command::{Command, Parameters, Side};
 use crate::mfc::queue::{Path, Queue};
 use crate::mfc::{DmaError, PROXY_QUEUE_DEPTH, Policy};
@@ -54,7 +54,7 @@ impl Spe {
     fn proxy_step(&self, proxy: &mut Proxy, tags: u32) -> bool {
         let path = Path {
             local_store: &self.local_store,
-            interconnect: &self.interconnect,
+            interconnect: self.machine.interconnect(),
             unit: &*self.problem_state,
             moved: None,
         };

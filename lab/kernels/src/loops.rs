@@ -1,8 +1,9 @@
 //! The loops of a kernel: how near their schedules come to what the pipes allow.
 
 use serde::{Deserialize, Serialize};
-use spu_emulator::schedule::Figures;
-use spu_emulator::timing::{self, Rules, code::Code, find_loops};
+use spu_isa::timing::{self, Rules, find_loops};
+use spu_scheduler::Figures;
+use spu_scheduler::code::Code;
 
 use crate::set::Kernels;
 use crate::workshop::Schedule;

@@ -6,8 +6,8 @@
 
 use serde::Serialize;
 use spu_emulator::interp::{Observer, Spu};
-use spu_emulator::isa::{Class, Instruction, Pipe};
-use spu_emulator::timing::Timer;
+use spu_emulator::timer::Timer;
+use spu_isa::{Class, Instruction, Pipe};
 
 use crate::bench::RETURN_ADDRESS;
 

@@ -16,10 +16,10 @@ use protocol::assembler;
 use protocol::formulation::Formulations;
 use serde::{Deserialize, Serialize};
 use spu_build::{Image, Tools};
-use spu_emulator::schedule::{self as scheduler, Outcome};
-use spu_emulator::timing::Rules;
-use spu_emulator::timing::check::{self, CheckError};
-use spu_emulator::timing::code::{Code, CodeError};
+use spu_isa::timing::Rules;
+use spu_scheduler::check::{self, CheckError};
+use spu_scheduler::code::{Code, CodeError};
+use spu_scheduler::{self as scheduler, Outcome};
 use thiserror::Error;
 
 use crate::loops::Cycles;
@@ -91,11 +91,7 @@ pub struct Workshop {
 }
 
 /// Folders of the repository that hold the scheduler's code.
-const SCHEDULER: [&str; 3] = [
-    "emulator/src/isa",
-    "emulator/src/schedule",
-    "emulator/src/timing",
-];
+const SCHEDULER: [&str; 2] = ["isa/src", "scheduler/src"];
 
 impl Workshop {
     /// For the sources of the repository in this folder; what is made of them goes to the folder `made`.

@@ -9,7 +9,8 @@ use kernels::loops::Form;
 use kernels::measure::{Measured, Timed, measure_all};
 use kernels::set::Kernels;
 use kernels::table::markdown;
-use spu_emulator::timing::{Rules, code::Code, find_loops};
+use spu_isa::timing::{Rules, find_loops};
+use spu_scheduler::code::Code;
 
 fn measured() -> &'static [Measured] {
     static MEASURED: OnceLock<Vec<Measured>> = OnceLock::new();

@@ -8,8 +8,8 @@ use std::path::Path;
 use kernels::set::Kernels;
 use kernels::source::Source;
 use kernels::workshop::{Workshop, WorkshopError};
-use spu_emulator::isa::{Instruction, Target};
-use spu_emulator::timing::code::Code;
+use spu_isa::{Instruction, Target};
+use spu_scheduler::code::Code;
 
 #[test]
 fn scheduled_versions_are_up_to_date() {
