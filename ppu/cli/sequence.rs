@@ -4,6 +4,7 @@ use std::time::Duration;
 
 use cellray::framebuffer::{Geometry, Interrupted};
 use cellray::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
+use cellray::spe::Program;
 use signal_hook::low_level::emulate_default_handler;
 
 use super::{Outcome, run};
@@ -11,13 +12,14 @@ use super::{Outcome, run};
 /// Makes those of a range of frames that are not there.
 pub fn run(
     options: &run::Options,
+    program: Program,
     turntable: Turntable,
     pictures: &Pictures,
     frames: FrameRange,
     size: Geometry,
 ) -> Outcome {
     let interrupted = Interrupted::install()?;
-    let settings = options.settings(options.program()?);
+    let settings = options.settings(program);
     // A frame is told by its number alone.
     let mut session = Session::start(turntable, settings, pictures.framebuffer(size)?)?
         .with_clock(Box::new(FixedSteps(Duration::ZERO)))

@@ -20,7 +20,7 @@ use nff::{Shape, View};
 use slotmap::{SecondaryMap, SlotMap, new_key_type};
 
 use self::checksum::Checksum;
-use self::traced::{Changes, Traced, Tracing};
+use self::traced::{Edits, Traced, Tracing};
 use crate::scene::Look;
 
 new_key_type! {
@@ -102,8 +102,8 @@ pub struct World {
     objects: SlotMap<ObjectId, Object>,
     /// What was traced last.
     traced: Option<Traced>,
-    /// How the world differs from that.
-    changes: Changes,
+    /// What of the world has been touched since.
+    edits: Edits,
 }
 
 impl Default for World {
@@ -134,7 +134,7 @@ impl World {
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
             traced: None,
-            changes: Changes::default(),
+            edits: Edits::default(),
         }
     }
 
@@ -224,7 +224,7 @@ impl World {
     /// Calls it so.
     pub fn set_name(&mut self, name: &str) {
         name.clone_into(&mut self.name);
-        self.changes.anew = true;
+        self.edits.anew = true;
     }
 
     /// The eye. Its resolution is not looked at: the picture is as large as the framebuffer.
@@ -244,10 +244,7 @@ impl World {
         }
         // Of any size: the camera's other conditions are the view's own.
         view.camera(2, 2)?;
-        if self.view != view {
-            self.view = view;
-            self.changes.view = true;
-        }
+        self.view = view;
         Ok(())
     }
 
@@ -269,10 +266,7 @@ impl World {
     /// Changes that colour.
     pub fn set_background(&mut self, colour: DVec3) -> Result<(), WorldError> {
         check::vector("background", colour)?;
-        if self.background != colour {
-            self.background = colour;
-            self.changes.background = true;
-        }
+        self.background = colour;
         Ok(())
     }
 
@@ -285,10 +279,7 @@ impl World {
     /// Changes that brightness.
     pub fn set_ambient(&mut self, brightness: DVec3) -> Result<(), WorldError> {
         check::vector("ambient light", brightness)?;
-        if self.ambient != brightness {
-            self.ambient = brightness;
-            self.changes.ambient = true;
-        }
+        self.ambient = brightness;
         Ok(())
     }
 
@@ -302,7 +293,7 @@ impl World {
     pub fn set_look(&mut self, look: Look) {
         if self.look != look {
             self.look = look;
-            self.changes.anew = true;
+            self.edits.anew = true;
         }
     }
 
@@ -318,10 +309,7 @@ impl World {
         if let Some(DepthShading { near, far }) = fade {
             check::fade(near, far)?;
         }
-        if self.fade != fade {
-            self.fade = fade;
-            self.changes.spheres = true;
-        }
+        self.fade = fade;
         Ok(())
     }
 

@@ -201,7 +201,7 @@ impl World {
         if other_sides {
             for (object, known) in &mut self.objects {
                 if known.material == id {
-                    self.changes.object(object, &mut known.traced);
+                    self.edits.object(object, &mut known.traced);
                 }
             }
         }
@@ -241,7 +241,7 @@ impl World {
     pub fn add_light(&mut self, light: Light) -> Result<LightId, WorldError> {
         check::light(&light)?;
         // The others' brightness may depend on how many there are.
-        self.changes.anew = true;
+        self.edits.anew = true;
         Ok(self.lights.insert(Lamp {
             line: None,
             light,
@@ -260,9 +260,9 @@ impl World {
         check::light(&light)?;
         let lamp = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
         if lamp.light != light {
-            self.changes.anew |= lamp.light.colour.is_some() && light.colour.is_none();
+            self.edits.anew |= lamp.light.colour.is_some() && light.colour.is_none();
             lamp.light = light;
-            self.changes.light(id, &mut lamp.traced);
+            self.edits.light(id, &mut lamp.traced);
         }
         Ok(())
     }
@@ -270,7 +270,7 @@ impl World {
     /// Removes a light.
     pub fn remove_light(&mut self, id: LightId) -> Result<(), WorldError> {
         self.lights.remove(id).ok_or(WorldError::NoLight)?;
-        self.changes.anew = true;
+        self.edits.anew = true;
         Ok(())
     }
 
@@ -281,7 +281,7 @@ impl World {
 
     fn touch_material(&mut self, id: MaterialId) {
         if let Some(stuff) = self.materials.get_mut(id) {
-            self.changes.material(id, &mut stuff.traced);
+            self.edits.material(id, &mut stuff.traced);
         }
     }
 }

@@ -48,7 +48,7 @@ impl World {
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
         let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
         self.unuse(object.material);
-        self.changes.removed(&object.traced);
+        self.edits.removed(&object.traced);
         Ok(())
     }
 
@@ -179,7 +179,7 @@ impl World {
 
     fn touch(&mut self, id: ObjectId) {
         if let Some(object) = self.objects.get_mut(id) {
-            self.changes.object(id, &mut object.traced);
+            self.edits.object(id, &mut object.traced);
         }
     }
 
