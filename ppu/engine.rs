@@ -7,6 +7,7 @@ use std::sync::Arc;
 use std::thread::{self, JoinHandle};
 use std::time::{Duration, Instant};
 
+use image::RgbImage;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 pub use self::silence::{Doing, Silence};
@@ -224,6 +225,12 @@ impl Engine {
         // Who asks may draw there.
         self.plan.forget_pages();
         Some(self.records.as_mut()?.framebuffer.as_mut())
+    }
+
+    /// The frame that the framebuffer shows, where it can be read back.
+    #[must_use]
+    pub fn picture(&self) -> Option<RgbImage> {
+        self.records.as_ref()?.framebuffer.picture()
     }
 
     /// Shows frames elsewhere from now on; gives the framebuffer that they were shown on.

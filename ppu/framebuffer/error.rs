@@ -22,6 +22,9 @@ pub enum FramebufferError {
         /// The pattern as given.
         pattern: String,
     },
+    /// Pictures were asked of a framebuffer whose frames can't be read back.
+    #[error("what is shown there can't be read back as a picture")]
+    NoPicture,
     /// A file has no geometry of its own and none was given.
     #[error("{}: no framebuffer device, and a file in the place of one needs a size", path.display())]
     SizeNeeded {

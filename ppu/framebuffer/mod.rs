@@ -52,6 +52,8 @@ use std::path::Path;
 use std::ptr::NonNull;
 use std::str::FromStr;
 
+use image::RgbImage;
+
 /// Bytes a pixel: only 32-bit formats exist here, as the PS3's driver has no other.
 pub const PIXEL_BYTES: u32 = 4;
 
@@ -165,6 +167,11 @@ pub trait Framebuffer: Send {
     /// the next is still there then.
     fn keeps_contents(&self) -> bool {
         false
+    }
+
+    /// The frame that was shown last, where it can be read back.
+    fn picture(&self) -> Option<RgbImage> {
+        None
     }
 
     /// One line for people: what this is, its size, stride and how frames are shown.
