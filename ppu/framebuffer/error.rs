@@ -1,6 +1,7 @@
 //! What can go wrong with a framebuffer, in words that name the file and the values found.
 
-use super::{Geometry, Raster};
+use super::Geometry;
+use super::raster::Raster;
 use std::io;
 use std::path::{Path, PathBuf};
 

@@ -7,6 +7,7 @@
 //! Invariant: every [`Target`] satisfies the DMA rules stated at [`Target`], whatever the driver
 //! below offers; where a driver's own memory does not, the frame is made in private memory and copied.
 
+mod arming;
 mod buffer;
 mod console;
 mod corners;
@@ -26,6 +27,7 @@ mod numbered;
 mod pattern;
 mod pixel;
 mod png;
+mod raster;
 mod surface;
 mod switching;
 mod video_mode;
@@ -42,7 +44,7 @@ pub use memory::Memory;
 pub use numbered::NumberedPath;
 pub use pixel::PixelFormat;
 pub use png::{Png, write_png};
-pub use video_mode::Raster;
+pub use raster::Raster;
 
 use std::fmt;
 use std::fs;

@@ -6,59 +6,28 @@
 
 mod check;
 mod checksum;
+mod content;
+mod edits;
 mod error;
+mod ids;
 mod material;
+mod materials;
 mod objects;
 mod traced;
 
 pub use error::WorldError;
+pub use ids::{LightId, MaterialId, ObjectId};
 pub use material::{Light, Material};
 
 use glam::DVec3;
+use nff::View;
 use nff::depth::DepthShading;
-use nff::{Shape, View};
-use slotmap::{SecondaryMap, SlotMap, new_key_type};
+use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
-use self::traced::{Edits, Traced, Tracing};
+use self::content::{Lamp, Object, Stuff};
+use self::edits::{Edits, Traced};
 use crate::scene::Look;
-
-new_key_type! {
-    /// Handle of an object in a [`World`]; the default one is none's.
-    pub struct ObjectId;
-
-    /// Handle of a material in a [`World`]; the default one is none's.
-    pub struct MaterialId;
-
-    /// Handle of a light in a [`World`]; the default one is none's.
-    pub struct LightId;
-}
-
-struct Object {
-    /// In the file that it is from.
-    line: Option<u32>,
-    shape: Shape,
-    material: MaterialId,
-    visible: bool,
-    fixed: bool,
-    traced: Tracing,
-}
-
-struct Stuff {
-    /// In the file that it is from.
-    line: Option<u32>,
-    material: nff::Material,
-    /// Objects that are made of it.
-    users: u32,
-    traced: Tracing,
-}
-
-struct Lamp {
-    /// In the file that it is from.
-    line: Option<u32>,
-    light: Light,
-    traced: Tracing,
-}
 
 /// A scene that a game changes.
 ///

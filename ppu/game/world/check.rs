@@ -6,7 +6,8 @@
 use glam::DVec3;
 use nff::{LightKind, Shader, Shape};
 
-use super::{Light, Material, WorldError};
+use super::error::WorldError;
+use super::material::{Light, Material};
 use crate::scene::single::{LARGEST, SMALLEST};
 
 fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldError {

@@ -3,8 +3,9 @@
 use glam::DVec3;
 use nff::Shape;
 
-use super::traced::Tracing;
-use super::{MaterialId, Object, ObjectId, World, WorldError, check};
+use super::content::Object;
+use super::edits::Tracing;
+use super::{MaterialId, ObjectId, World, WorldError, check};
 
 impl World {
     /// Adds an object of any shape, visible.

@@ -5,66 +5,13 @@
 
 use nff::Shape;
 
-use super::{LightId, MaterialId, Object, ObjectId, Stuff, World, WorldError};
+use super::content::{Object, Stuff};
+use super::edits::Traced;
+use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
 use crate::scene::{Scene, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
-
-/// What is known of the trace of something in the world.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Tracing {
-    /// Its number in the scene; nothing if it is not in there.
-    number: Option<usize>,
-    /// Whether it is among the edits.
-    is_touched: bool,
-}
-
-/// What has been touched of a world since its scene was made or changed, and so has to be brought into it. Where the
-/// picture then differs is not found here.
-#[derive(Default)]
-pub(super) struct Edits {
-    /// Whether the scene has to be laid out anew.
-    pub anew: bool,
-    objects: Vec<ObjectId>,
-    materials: Vec<MaterialId>,
-    lights: Vec<LightId>,
-    /// Numbers of objects that there are no more.
-    removed: Vec<usize>,
-}
-
-impl Edits {
-    pub fn object(&mut self, id: ObjectId, traced: &mut Tracing) {
-        if !std::mem::replace(&mut traced.is_touched, true) {
-            self.objects.push(id);
-        }
-    }
-
-    pub fn material(&mut self, id: MaterialId, traced: &mut Tracing) {
-        if !std::mem::replace(&mut traced.is_touched, true) {
-            self.materials.push(id);
-        }
-    }
-
-    pub fn light(&mut self, id: LightId, traced: &mut Tracing) {
-        if !std::mem::replace(&mut traced.is_touched, true) {
-            self.lights.push(id);
-        }
-    }
-
-    pub fn removed(&mut self, traced: &Tracing) {
-        self.removed.extend(traced.number);
-    }
-
-    /// Forgets all, and keeps the memory.
-    fn clear(&mut self) {
-        self.anew = false;
-        self.objects.clear();
-        self.materials.clear();
-        self.lights.clear();
-        self.removed.clear();
-    }
-}
 
 impl Stuff {
     /// Gives it its number in the scene, by which messages call it.
@@ -72,14 +19,6 @@ impl Stuff {
         self.traced.number = Some(number);
         self.material.line = self.line.unwrap_or(number as u32 + 1);
     }
-}
-
-/// A scene that was traced.
-pub(super) struct Traced {
-    scene: Scene,
-    shaders: ShaderEntries,
-    /// Of which the shaders are.
-    program: Program,
 }
 
 impl World {
