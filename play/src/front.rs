@@ -213,10 +213,10 @@ fn is_of_presence(event: &InputEvent) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::canvas::Picture;
     use crate::overlay::Overlay;
     use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
     use cellray::game::PadId;
+    use image::RgbImage;
 
     /// Tells of one list of happenings at each call.
     struct Script(Vec<Vec<Happening>>);
@@ -248,12 +248,12 @@ mod tests {
             Ok(())
         }
 
-        fn show(&mut self, _: Option<&Overlay>) -> io::Result<()> {
-            Ok(())
+        fn draws(&self) -> bool {
+            false
         }
 
-        fn picture(&self) -> Option<Picture> {
-            None
+        fn show(&mut self, _: &RgbImage, _: Option<&Overlay>) -> io::Result<()> {
+            Ok(())
         }
     }
 

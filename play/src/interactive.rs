@@ -7,6 +7,7 @@ use std::time::Instant;
 use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted};
 use cellray::game::{Clock, Game, InputEvent, Session, SessionError};
+use image::RgbImage;
 
 use crate::arguments::Options;
 use crate::display::Display;
@@ -78,8 +79,9 @@ struct Show<'a> {
     front: Front,
     options: &'a Options,
     may_talk: bool,
-    /// Pixels across and down that are traced, and what they follow, if not what is asked for.
-    picture: Geometry,
+    /// Pixels across and down that are traced.
+    size: Geometry,
+    /// What that follows, where no size is asked for.
     pace: Option<Pace>,
     meter: Meter,
     has_overlay: bool,
@@ -87,6 +89,8 @@ struct Show<'a> {
     kept: Vec<String>,
     /// What the session takes with the next step.
     events: Vec<InputEvent>,
+    /// The frame that is seen, of a display that is drawn to.
+    picture: Option<RgbImage>,
     /// What the names of pictures begin with.
     stem: String,
 }
@@ -101,8 +105,8 @@ impl<'a> Show<'a> {
         let interrupted = Interrupted::install().map_err(PlayError::Signals)?;
         let mut display = player.display;
         let pace = (display.scales() && options.size.is_none()).then(Pace::new);
-        let picture = wanted_size(display.area(), pace.as_ref(), options.size);
-        let framebuffer = display.framebuffer(picture)?;
+        let size = wanted_size(display.area(), pace.as_ref(), options.size);
+        let framebuffer = display.framebuffer(size)?;
         let stem = file_stem(game.name());
         let front = Front::new(display, player.devices, player.keys, interrupted)
             .map_err(PlayError::Signals)?;
@@ -113,12 +117,13 @@ impl<'a> Show<'a> {
             front,
             options,
             may_talk: player.may_talk,
-            picture,
+            size,
             pace,
             meter: Meter::new(Instant::now()),
             has_overlay: !options.no_overlay,
             kept: Vec::new(),
             events: Vec::new(),
+            picture: None,
             stem,
         })
     }
@@ -155,20 +160,28 @@ impl<'a> Show<'a> {
     /// Brings the frame before the player's eyes.
     fn show(&mut self) -> Result<(), PlayError> {
         let Geometry { width, height } = self.front.display.area();
-        let sizes = ((self.picture.width, self.picture.height), (width, height));
+        let sizes = ((self.size.width, self.size.height), (width, height));
         let report = self.session.report().clone();
         let last = self.session.engine().statistics();
         let overlay = self.meter.frame(Instant::now(), &report, last, sizes);
         let overlay = self.has_overlay.then_some(overlay);
-        self.front.display.show(overlay).map_err(PlayError::Show)
+        let display = &mut self.front.display;
+        if !display.draws() {
+            return Ok(());
+        }
+        self.picture = self.session.picture();
+        match &self.picture {
+            Some(picture) => display.show(picture, overlay).map_err(PlayError::Show),
+            None => Ok(()),
+        }
     }
 
     /// Says what the devices have to say, and what has become of a picture that was asked for.
     fn tell(&mut self, takes_picture: bool) {
         let mut messages = self.front.take_messages();
         if takes_picture {
-            let display = self.front.display.as_ref();
-            messages.push(take_picture(display, self.options, &self.stem));
+            let picture = self.picture.as_ref();
+            messages.push(take_picture(picture, self.options, &self.stem));
         }
         for message in messages {
             self.meter.say(message.clone(), Instant::now());
@@ -190,8 +203,8 @@ impl<'a> Show<'a> {
         }
         let display = &mut self.front.display;
         let size = wanted_size(display.area(), self.pace.as_ref(), self.options.size);
-        if display.scales() && size != self.picture {
-            self.picture = size;
+        if display.scales() && size != self.size {
+            self.size = size;
             self.session.show_on(display.framebuffer(size)?)?;
         }
         Ok(())
@@ -210,11 +223,11 @@ fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> 
     }
 }
 
-fn take_picture(display: &dyn Display, options: &Options, stem: &str) -> String {
-    let Some(picture) = display.picture() else {
+fn take_picture(picture: Option<&RgbImage>, options: &Options, stem: &str) -> String {
+    let Some(picture) = picture else {
         return "no picture can be taken of this display".to_owned();
     };
-    match screenshot::write(&options.screenshots, stem, &picture.to_image()) {
+    match screenshot::write(&options.screenshots, stem, picture) {
         Ok(path) => format!("picture {}", path.display()),
         Err(error) => format!("no picture: {error}"),
     }

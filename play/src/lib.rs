@@ -8,7 +8,6 @@
 //! ```
 
 mod arguments;
-mod canvas;
 mod display;
 mod error;
 mod front;

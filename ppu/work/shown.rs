@@ -142,7 +142,6 @@ impl Shown {
             || self.addresses != before.addresses
             || self.ambient.as_bytes() != before.ambient.as_bytes()
             || !self.lights_as(before)
-            || !self.same_background_record(before)
         {
             return changed.add_all();
         }
@@ -181,11 +180,6 @@ impl Shown {
     fn lights_as(&self, other: &Self) -> bool {
         let mut pairs = self.lights.iter().zip(&other.lights);
         self.lights.len() == other.lights.len() && pairs.all(|(a, b)| a.lights_as(b))
-    }
-
-    fn same_background_record(&self, other: &Self) -> bool {
-        let size = size_of::<layout::Object>() + size_of::<layout::Material>();
-        self.record(SCENE_ADDRESS, size) == other.record(SCENE_ADDRESS, size)
     }
 
     fn record(&self, address: u32, size: usize) -> &[u8] {
