@@ -245,8 +245,8 @@ impl Engine {
         outcome
     }
 
-    /// Gives up the SPUs, and all memory that they may still write to. The screen is given back now: whoever would do
-    /// it is left, too.
+    /// Gives up the SPUs, and all memory that they may still write to. The screen is given back
+    /// now: whoever would do it is left, too.
     fn abandon(&mut self) {
         framebuffer::put_back();
         std::mem::forget(self.records.take());

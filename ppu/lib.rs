@@ -12,8 +12,8 @@
 //!
 //! use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 //! use cellray::game::{
-//!     DVec3, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId, Pictures, Session, Start, World,
-//!     WorldError,
+//!     DVec3, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId, Pictures, Session,
+//!     Start, World, WorldError,
 //! };
 //!
 //! struct Ball(ObjectId);

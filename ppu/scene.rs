@@ -256,7 +256,8 @@ impl Scene {
         self.view.clone_from(view);
     }
 
-    /// Writes what SPUs are sent of it by Whitted's model as its eye sees it: the last step of a change.
+    /// Writes what SPUs are sent of it by Whitted's model as its eye sees it: the last step of a
+    /// change.
     ///
     /// # Errors
     /// An eye out of range.

@@ -85,7 +85,8 @@ impl Front {
         })
     }
 
-    /// Appends what the player has done since the last call; with [`ControlFlow::Break`] the session is to end.
+    /// Appends what the player has done since the last call; with [`ControlFlow::Break`] the
+    /// session is to end.
     pub fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
         if let Some(error) = self.failed.take() {
             return Err(error);

@@ -128,8 +128,8 @@ impl<'a> Show<'a> {
         })
     }
 
-    /// One frame: its time, what the player does, the session's step, what is said over the picture and done beside
-    /// the game.
+    /// One frame: its time, what the player does, the session's step, what is said over the
+    /// picture and done beside the game.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
         let step = self.session.wait(clock)?;
         let heard = self.front.poll(&mut self.events);

@@ -1,4 +1,5 @@
-//! The library's choices as words of the command line. Their help is written here: it speaks to those who type.
+//! The library's choices as words of the command line. Their help is written here: it speaks to
+//! those who type.
 
 use cellray::scene;
 use cellray::work;

@@ -57,8 +57,8 @@ impl Records {
         }
     }
 
-    /// Writes what a planned frame of the scene is made of, and that no unit has cost anything as yet: what one takes
-    /// is not 0, which shows that it is finished. `costs` is room for that.
+    /// Writes what a planned frame of the scene is made of, and that no unit has cost anything as
+    /// yet: what one takes is not 0, which shows that it is finished. `costs` is room for that.
     pub fn write(&mut self, scene: &Scene, plan: &Plan, costs: &mut Vec<UnitCost>) {
         self.spheres.write(0, plan.spheres().bytes());
         if let Some(block) = scene.block() {
@@ -70,7 +70,8 @@ impl Records {
         self.costs.write(0, costs.as_bytes());
     }
 
-    /// Writes a descriptor, the counter and these lines for the statistics; gives the descriptor's address.
+    /// Writes a descriptor, the counter and these lines for the statistics; gives the descriptor's
+    /// address.
     pub fn write_frame(&mut self, frame: &Frame, lines: &[Statistics]) -> u64 {
         self.frame.write(0, frame.as_bytes());
         let counter = UnitCounter::new_zeroed();
@@ -89,8 +90,9 @@ impl Records {
         self.costs.read(0, costs.as_mut_bytes());
     }
 
-    /// How often SPUs have taken a unit of the frame from the counter, which they do not by slices,
-    /// and how many units they have finished, which a frame of other records than these does not tell.
+    /// How often SPUs have taken a unit of the frame from the counter, which they do not by
+    /// slices, and how many units they have finished, which a frame of other records than these
+    /// does not tell.
     pub fn units_done(&self, frame: &Frame) -> (u32, u32) {
         let units = frame.unit_count.get();
         let mut finished = 0;

@@ -14,8 +14,8 @@ pub struct Settings {
     pub split: Split,
     /// What the SPUs need not test.
     pub skip: Skip,
-    /// Whether what the framebuffer already shows is kept and only what has changed is traced. With
-    /// [`Skip::Nothing`] every frame is traced as a whole.
+    /// Whether what the framebuffer already shows is kept and only what has changed is traced.
+    /// With [`Skip::Nothing`] every frame is traced as a whole.
     pub retain: bool,
     /// Whether the SPUs check, at each call of a shader, that it keeps what it must.
     pub check_shaders: bool,

@@ -79,7 +79,8 @@ impl Spus {
         let mut waiting = [false; MAX_SPUS as usize];
         waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
-        // All SPUs are waited for, also after an error: they write to the frame's memory until then.
+        // All SPUs are waited for, also after an error: they write to the frame's memory until
+        // then.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
             let left = watch.left();
             if left.is_zero() {
@@ -106,8 +107,8 @@ impl Spus {
                     let Some(answer) = spu.context.answer()? else {
                         continue;
                     };
-                    // Looked up for what was refused alone: it takes memory. An image without the table
-                    // has no names either.
+                    // Looked up for what was refused alone: it takes memory. An image without the
+                    // table has no names either.
                     let shaders = match answer {
                         0 => Vec::new(),
                         _ => settings.program.shaders().unwrap_or_default(),
@@ -198,8 +199,8 @@ impl Spus {
         None
     }
 
-    /// Gives the SPUs up. libspe2 has no call that stops one: its thread and its context are left to the end of the
-    /// process.
+    /// Gives the SPUs up. libspe2 has no call that stops one: its thread and its context are left
+    /// to the end of the process.
     pub fn abandon(&mut self) {
         for spu in self.spus.drain(..) {
             std::mem::forget(spu);

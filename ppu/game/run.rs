@@ -1,9 +1,9 @@
 //! The frame loop: input, game, world, SPUs, picture; again.
 //!
-//! Owns the [`Session`] of a game, which is stepped: events and time in, a frame out. Who steps it has the display,
-//! the devices and the clock; it has none of them. Invariant: the game is called in the thread that steps the
-//! session, once a frame, and sleeps there while SPUs trace; what it is told comes from that step, or from a
-//! recording, and from nothing else.
+//! Owns the [`Session`] of a game, which is stepped: events and time in, a frame out. Who steps it
+//! has the display, the devices and the clock; it has none of them. Invariant: the game is called
+//! in the thread that steps the session, once a frame, and sleeps there while SPUs trace; what it
+//! is told comes from that step, or from a recording, and from nothing else.
 
 mod clock;
 mod error;
@@ -41,7 +41,8 @@ use crate::spe::{Program, ProgramError};
 /// use cellray::Settings;
 /// use cellray::framebuffer::{Geometry, Memory};
 /// use cellray::game::{
-///     DVec3, Game, InputEvent, Key, Material, Moment, ObjectId, Session, Start, World, WorldError,
+///     DVec3, Game, InputEvent, Key, Material, Moment, ObjectId, Session, Start, World,
+///     WorldError,
 /// };
 ///
 /// /// A ball that lies until somebody presses the space bar.
@@ -103,7 +104,8 @@ pub struct Session<G> {
 }
 
 impl<G: Game> Session<G> {
-    /// Starts the SPUs, with the game's own program if it has one. The game is set up at the first frame.
+    /// Starts the SPUs, with the game's own program if it has one. The game is set up at the first
+    /// frame.
     pub fn start(
         game: G,
         mut settings: Settings,
@@ -153,9 +155,9 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// Plays a recording back: the game is told of the same seed, sizes, times and events, whatever it is stepped by,
-    /// and after the last of them the session ends. The framebuffer may be of another size; the game is told the
-    /// recorded one.
+    /// Plays a recording back: the game is told of the same seed, sizes, times and events,
+    /// whatever it is stepped by, and after the last of them the session ends. The framebuffer may
+    /// be of another size; the game is told the recorded one.
     ///
     /// # Errors
     /// One of another game.
@@ -173,8 +175,8 @@ impl<G: Game> Session<G> {
         })
     }
 
-    /// Runs by a clock and a source of input until the game is over, the input ends, the recording does or so many
-    /// frames are shown, and [finishes](Session::finish).
+    /// Runs by a clock and a source of input until the game is over, the input ends, the recording
+    /// does or so many frames are shown, and [finishes](Session::finish).
     pub fn run(
         &mut self,
         frames: Option<u64>,
@@ -201,8 +203,8 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// One frame by a clock and a source of input; with [`ControlFlow::Break`], that the session is over. After the
-    /// last one comes [`Session::finish`].
+    /// One frame by a clock and a source of input; with [`ControlFlow::Break`], that the session
+    /// is over. After the last one comes [`Session::finish`].
     pub fn frame(
         &mut self,
         clock: &mut dyn Clock,
@@ -223,8 +225,8 @@ impl<G: Game> Session<G> {
         flow
     }
 
-    /// Waits until it is time for the next frame; gives the time since the last one. A recording that is played back
-    /// has that time written down: after its last frame there is nothing.
+    /// Waits until it is time for the next frame; gives the time since the last one. A recording
+    /// that is played back has that time written down: after its last frame there is nothing.
     pub fn wait(&mut self, clock: &mut dyn Clock) -> Result<Option<Duration>, SessionError> {
         self.began = Some(LoopTime::now());
         self.set_up()?;
@@ -238,10 +240,10 @@ impl<G: Game> Session<G> {
         Ok(Some(self.record.step()))
     }
 
-    /// One frame: so much time after the last one the game hears of `events`, which are taken, and what it makes of
-    /// the world is traced and shown. `tracing` is told meanwhile, from time to time, which part of that is done,
-    /// 0 to 1. With [`ControlFlow::Break`] the session is over, and if a recording that is played back is, there was
-    /// no such frame.
+    /// One frame: so much time after the last one the game hears of `events`, which are taken, and
+    /// what it makes of the world is traced and shown. `tracing` is told meanwhile, from time to
+    /// time, which part of that is done, 0 to 1. With [`ControlFlow::Break`] the session is over,
+    /// and if a recording that is played back is, there was no such frame.
     pub fn step(
         &mut self,
         step: Duration,
@@ -254,8 +256,8 @@ impl<G: Game> Session<G> {
         flow
     }
 
-    /// [`Session::step`] without a picture: the game is called, nothing is traced or shown. So a sequence of pictures
-    /// may begin in the middle of a game.
+    /// [`Session::step`] without a picture: the game is called, nothing is traced or shown. So a
+    /// sequence of pictures may begin in the middle of a game.
     pub fn pass_over(
         &mut self,
         step: Duration,

@@ -29,7 +29,8 @@ pub struct Look {
     pub spd_rays: bool,
     /// Whitted's model: whether objects throw shadows.
     pub shadows: bool,
-    /// Whether rays go through the corners of the pixels of a picture that is one smaller each way.
+    /// Whether rays go through the corners of the pixels of a picture that is one smaller each
+    /// way.
     pub corners: bool,
 }
 

@@ -1,11 +1,12 @@
-//! What a picture was made of, and where another differs from it. It is here alone that differences are looked for:
-//! a world that has changed says nothing of where, and a scene that was made anew is compared as well as one that
-//! was changed in place.
+//! What a picture was made of, and where another differs from it. It is here alone that
+//! differences are looked for: a world that has changed says nothing of where, and a scene that
+//! was made anew is compared as well as one that was changed in place.
 //!
-//! By depth shading a sphere that has changed is in the picture where it is seen or was. By Whitted's model an eye ray
-//! sees what it hits, and whether that is in the shadow of anything: so if an object has changed, the picture has
-//! where the object is seen or was, and where its shadow falls or fell. What is seen in mirrors, in glass and by a
-//! game's own shaders may be anywhere: where one is, everything that changes shows.
+//! By depth shading a sphere that has changed is in the picture where it is seen or was. By
+//! Whitted's model an eye ray sees what it hits, and whether that is in the shadow of anything: so
+//! if an object has changed, the picture has where the object is seen or was, and where its shadow
+//! falls or fell. What is seen in mirrors, in glass and by a game's own shaders may be anywhere:
+//! where one is, everything that changes shows.
 //!
 //! Invariant: pixels that are not among the answer are the same in both pictures, unless two surfaces
 //! are equally far from the eye to the bit: then either may be hit in either picture.
@@ -109,8 +110,8 @@ impl Shown {
         background(self) == background(other)
     }
 
-    /// Adds the tiles in which `self` differs from `before`; all of them where the two are seen otherwise, or are made
-    /// of different things altogether.
+    /// Adds the tiles in which `self` differs from `before`; all of them where the two are seen
+    /// otherwise, or are made of different things altogether.
     pub fn changes(&self, before: &Self, lens: &Lens, changed: &mut TileSet) {
         match self.everywhere {
             Some(all) if before.everywhere == Some(all) => {

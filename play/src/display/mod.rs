@@ -55,7 +55,8 @@ pub trait Display {
     /// Appends what has happened since the last call; does not wait.
     fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()>;
 
-    /// Whether frames are to be brought there by [`Display::show`]. Elsewhere the SPUs write to what is seen.
+    /// Whether frames are to be brought there by [`Display::show`]. Elsewhere the SPUs write to
+    /// what is seen.
     fn draws(&self) -> bool;
 
     /// Brings a frame before the player's eyes.

@@ -4,8 +4,8 @@ use serde::{Deserialize, Serialize};
 
 use super::names::{Axis, Button, Name as _, Switches};
 
-/// Number of a pad, the player's: 0 for the first. Who makes the events gives the lowest that is free, so a pad
-/// that is plugged in again is its player's again.
+/// Number of a pad, the player's: 0 for the first. Who makes the events gives the lowest that is
+/// free, so a pad that is plugged in again is its player's again.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
 )]

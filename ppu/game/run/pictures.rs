@@ -69,7 +69,8 @@ impl Pictures {
     /// ends earlier where the session does, or the input.
     ///
     /// # Errors
-    /// A session on a framebuffer that can't be read back, unlike [`Memory`](crate::framebuffer::Memory), too.
+    /// A session on a framebuffer that can't be read back, unlike
+    /// [`Memory`](crate::framebuffer::Memory), too.
     pub fn write<G: Game>(
         &self,
         session: &mut Session<G>,

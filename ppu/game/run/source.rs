@@ -7,12 +7,12 @@ use crate::game::InputEvent;
 
 /// Where input comes from.
 pub trait InputSource {
-    /// Appends what has happened since the last call; with [`ControlFlow::Break`] the session ends before the
-    /// frame at hand.
+    /// Appends what has happened since the last call; with [`ControlFlow::Break`] the session ends
+    /// before the frame at hand.
     fn poll(&mut self, events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>>;
 
-    /// Told from time to time, while a frame is traced, which part of it is done, 0 to 1. A window answers its
-    /// system then.
+    /// Told from time to time, while a frame is traced, which part of it is done, 0 to 1. A window
+    /// answers its system then.
     fn tracing(&mut self, _part: f64) {}
 }
 

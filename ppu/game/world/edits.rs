@@ -22,8 +22,8 @@ pub(super) struct Tracing {
     pub is_touched: bool,
 }
 
-/// What has been touched of a world since its scene was made or changed, and so has to be brought into it. Where the
-/// picture then differs is not found here.
+/// What has been touched of a world since its scene was made or changed, and so has to be brought
+/// into it. Where the picture then differs is not found here.
 #[derive(Default)]
 pub(super) struct Edits {
     /// Whether the scene has to be laid out anew.

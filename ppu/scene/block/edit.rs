@@ -1,9 +1,9 @@
 //! Changing a block in place.
 //!
-//! Invariant: what is asked for has been done, or does not fit where the block has its things: then the answer
-//! is `false`, and the scene has to be laid out anew. After an error it has to be as well. What was changed is
-//! written by the next [`SceneBlock::write_for`], and takes no memory; [`SceneBlock::bound_chains`]
-//! comes before it.
+//! Invariant: what is asked for has been done, or does not fit where the block has its things:
+//! then the answer is `false`, and the scene has to be laid out anew. After an error it has to be
+//! as well. What was changed is written by the next [`SceneBlock::write_for`], and takes no
+//! memory; [`SceneBlock::bound_chains`] comes before it.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shape};

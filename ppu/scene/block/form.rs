@@ -122,7 +122,8 @@ impl Form {
                 radii: [low, high],
                 ..
             } => {
-                // As far from one disc's rim as from the other's, unless one disc is the widest of all.
+                // As far from one disc's rim as from the other's, unless one disc is the widest of
+                // all.
                 let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
                 let middle = equal.clamp(0.0, height);
                 Hull::of([Ball {
@@ -146,9 +147,9 @@ impl Form {
         }
     }
 
-    /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through its first vertex that
-    /// has the whole polygon's normal, and a small triangle may be off that by what is nothing to a
-    /// large polygon.
+    /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through
+    /// its first vertex that has the whole polygon's normal, and a small triangle may be off that
+    /// by what is nothing to a large polygon.
     pub fn is_bent(&self) -> bool {
         let Self::Triangle {
             vertices: [a, b, c],

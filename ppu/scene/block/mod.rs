@@ -194,8 +194,8 @@ impl SceneBlock {
         Ok(scene_block)
     }
 
-    /// Writes the block as an eye sees it: what has changed since it was written last, and all of it for another
-    /// eye.
+    /// Writes the block as an eye sees it: what has changed since it was written last, and all of
+    /// it for another eye.
     ///
     /// # Errors
     /// An eye out of range; the block is then the last one's.

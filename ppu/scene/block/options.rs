@@ -3,7 +3,8 @@
 /// How a scene is traced.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockOptions {
-    /// Most rays in a chain, the eye's counted, from 1 to [`MAX_DEPTH`](protocol::layout::MAX_DEPTH).
+    /// Most rays in a chain, the eye's counted, from 1 to
+    /// [`MAX_DEPTH`](protocol::layout::MAX_DEPTH).
     pub ray_depth: u32,
     /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
     pub fresnel: bool,

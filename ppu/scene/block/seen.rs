@@ -43,7 +43,8 @@ impl SceneBlock {
         &self.lights
     }
 
-    /// The addresses at which objects have room, kind after kind, each with what is seen of the object there.
+    /// The addresses at which objects have room, kind after kind, each with what is seen of the
+    /// object there.
     pub(crate) fn plots(&self, eye: DVec3) -> impl Iterator<Item = (u32, Option<Seen>)> {
         let planted = self.planted.iter();
         let plots = planted
