@@ -1,18 +1,16 @@
 //! Three points on the front of run time against error that `docs/accuracy.md` measures.
 
-use clap::ValueEnum;
-
 use protocol::formulation::Formulations;
 
 /// How much run time is given for how little error.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quality {
-    /// The fastest whose pictures are right to a step of a colour
+    /// The fastest whose pictures are right to a step of a colour.
     Fast,
-    /// The fastest that keeps distances to 2 units in the last place
+    /// The fastest that keeps distances to 2 units in the last place.
     #[default]
     Default,
-    /// The least error, in double precision
+    /// The least error, in double precision.
     Exact,
 }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{Look, Model};
+use cellray::scene::{self, Look};
 use cellray::spe::{Program, ProgramError};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -98,12 +98,34 @@ pub struct ViewArguments {
     pub options: Options,
 }
 
+/// How a scene looks, as a word of the command line.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Model {
+    /// Whitted's if the scene has lights, else depth shading.
+    #[default]
+    Scene,
+    /// The paper's: spheres that fade to black with their distance.
+    Depth,
+    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
+    Whitted,
+}
+
+impl From<Model> for scene::Model {
+    fn from(model: Model) -> Self {
+        match model {
+            Model::Scene => Self::Scene,
+            Model::Depth => Self::Depth,
+            Model::Whitted => Self::Whitted,
+        }
+    }
+}
+
 impl ViewArguments {
     /// How the scene is to look.
     #[must_use]
     pub fn look(&self) -> Look {
         Look {
-            model: self.model,
+            model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             spd_rays: false,

@@ -11,7 +11,9 @@ use std::time::{Duration, Instant};
 
 use cellray::Settings;
 use cellray::framebuffer::{Framebuffer, Geometry, Memory, NumberedPath};
-use cellray::game::{FixedSteps, Game, Moment, Pictures, Session, Start, World, WorldError};
+use cellray::game::{
+    FixedSteps, Game, Moment, NoInput, Pictures, RealTime, Session, Start, World, WorldError,
+};
 use pty::Pty;
 
 const SCENE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../scenes/paper16.nff");
@@ -498,9 +500,7 @@ impl Game for Still {
 /// A session that is recorded to room for so many bytes.
 fn recorded(room: usize, framebuffer: Box<dyn Framebuffer>) -> Session<Still> {
     let session = Session::start(Still, Settings::default(), framebuffer).expect("a session");
-    session
-        .with_clock(Box::new(FixedSteps(Duration::from_millis(40))))
-        .record_to(Box::new(io::BufWriter::new(Room(room))))
+    session.record_to(Box::new(io::BufWriter::new(Room(room))))
 }
 
 #[test]
@@ -510,13 +510,15 @@ fn what_a_recording_lacks_at_the_end_is_an_error() {
     let folder = tempfile::tempdir().expect("a folder");
     let paths = NumberedPath::new(folder.path().join("f-%d.png").to_str().expect("text"));
     let pictures = Pictures::new(paths.expect("a path"));
+    let mut clock = FixedSteps(Duration::from_millis(40));
     for (room, fits) in [(0, false), (1000, true)] {
-        let is_over = recorded(room, memory()).run(Some(3)).is_ok();
+        let mut session = recorded(room, memory());
+        let is_over = session.run(Some(3), &mut clock, &mut NoInput).is_ok();
         assert_eq!(is_over, fits, "{room}");
-        let framebuffer = pictures.framebuffer(size).expect("pictures");
-        let mut session = recorded(room, framebuffer);
+        let mut session = recorded(room, memory());
         let frames = "0..3".parse().expect("frames");
-        assert_eq!(pictures.write(&mut session, frames).is_ok(), fits, "{room}");
+        let made = pictures.write(&mut session, frames, &mut clock, &mut NoInput);
+        assert_eq!(made.is_ok(), fits, "{room}");
     }
 }
 
@@ -528,7 +530,9 @@ fn a_timeout_may_be_longer_than_time() {
         ..Settings::default()
     };
     let mut session = Session::start(Still, settings, Box::new(memory)).expect("a session");
-    assert_eq!(session.run(Some(2)).expect("frames").frames, 2);
+    let mut clock = RealTime::default();
+    let report = session.run(Some(2), &mut clock, &mut NoInput);
+    assert_eq!(report.expect("frames").frames, 2);
 }
 
 #[test]

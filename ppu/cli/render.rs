@@ -57,20 +57,24 @@ impl Arguments {
         pattern.map(NumberedPath::new).transpose()
     }
 
+    /// Every frame a picture, as the eye goes around.
     fn sequence(&self, paths: NumberedPath) -> Outcome {
         if self.corners {
             return Err("--corners has no numbered pictures".into());
         }
         let look = self.options.look();
-        // What can't be drawn is said before the first frame.
-        run::scene(&self.options, look, &self.options.program()?)?;
+        let program = self.options.program()?;
         let scene = nff::load(&self.options.scene)?;
+        // What can't be drawn is said before the first frame.
+        run::scene(&self.options, &scene, look, &program)?;
         let size = self.geometry(&scene.view)?;
         let turntable = Turntable::new(scene, look, self.turn);
+        let pictures = Pictures::new(paths);
         sequence::run(
             &self.options,
+            program,
             turntable,
-            &Pictures::new(paths),
+            &pictures,
             self.frames,
             size,
         )
@@ -91,7 +95,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         ..arguments.options.look()
     };
     let program = arguments.options.program()?;
-    let scene = run::scene(&arguments.options, look, &program)?;
+    let scene = nff::load(&arguments.options.scene)?;
+    let scene = run::scene(&arguments.options, &scene, look, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),

@@ -6,15 +6,16 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::{Look, Model};
+use cellray::scene::Look;
 use cellray::spe::{Program, ProgramError};
-use cellray::work::{Skip, Split};
-use cellray::{Engine, LoopTime, Quality, Report, Scene, Settings};
+use cellray::work::Skip;
+use cellray::{Engine, LoopTime, Report, Scene, Settings};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
+use super::choices::{Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options of the SPUs and their report.
@@ -82,7 +83,7 @@ impl Options {
     /// How the scene is to look.
     pub fn look(&self) -> Look {
         Look {
-            model: self.model,
+            model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             spd_rays: self.spd_rays,
@@ -95,7 +96,7 @@ impl Options {
     pub fn settings(&self, program: Program) -> Settings {
         Settings {
             spus: self.spus,
-            split: self.split,
+            split: self.split.into(),
             skip: if self.no_skip {
                 Skip::Nothing
             } else {
@@ -113,7 +114,7 @@ impl Options {
         if let Some(file) = &self.program {
             return Program::from_file(file);
         }
-        let mut formulations = self.quality.formulations();
+        let mut formulations = cellray::Quality::from(self.quality).formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
             formulations = Formulations::of(sphere, formulations.triangle);
         }
@@ -124,13 +125,14 @@ impl Options {
     }
 }
 
-/// Reads a scene and says what of it will not be drawn, or not as asked for.
+/// Makes a scene ready, and says what of it will not be drawn, or not as asked for.
 pub fn scene(
     options: &Options,
+    scene: &nff::Scene,
     look: Look,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(&nff::load(&options.scene)?, look, program)?;
+    let scene = Scene::new(scene, look, program)?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
     }

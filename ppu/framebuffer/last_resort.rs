@@ -6,8 +6,6 @@
 //! Invariant: whoever takes a promise out of its place makes its call or frees it, and no other does.
 
 use super::ioctl::FbVarScreeninfo;
-use super::{interrupted, switching};
-use std::io;
 use std::mem::{self, MaybeUninit};
 use std::os::fd::{AsRawFd, BorrowedFd, RawFd};
 use std::ptr::{self, NonNull};
@@ -107,22 +105,19 @@ pub struct LastResort {
 static ARMED: AtomicPtr<LastResort> = AtomicPtr::new(ptr::null_mut());
 
 impl LastResort {
-    /// Has it called from now on, in the place of one that was armed before.
+    /// Has it called by what ends the program, in the place of one that was armed before.
     ///
     /// # Safety
     ///
-    /// Both functions are called in signal handlers, on any thread, at any moment: they may use atomics and the
-    /// system calls that POSIX lets handlers make, and neither allocate, nor take a lock, nor panic.
-    pub unsafe fn arm(&'static self) -> io::Result<()> {
+    /// As [`LastResort::arm`].
+    pub(super) unsafe fn take_place(&'static self) {
         ARMED.store(ptr::from_ref(self).cast_mut(), Ordering::SeqCst);
         catch_ends();
-        interrupted::watch()?;
-        switching::watch()
     }
 
     /// The one that is armed, if one is.
     pub(super) fn armed() -> Option<&'static LastResort> {
-        // SAFETY: only `arm` sets it, to what lives for good.
+        // SAFETY: only `take_place` sets it, to what lives for good.
         unsafe { ARMED.load(Ordering::SeqCst).as_ref() }
     }
 }
@@ -324,7 +319,7 @@ mod tests {
         ];
         let _sharing = SHARING.lock().unwrap();
         for (scenario, signal, restored) in cases {
-            let (pipe, _writer) = io::pipe().unwrap();
+            let (pipe, _writer) = std::io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let status = in_child(scenario);
             assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
@@ -391,7 +386,7 @@ mod tests {
             (second, libc::SIGTERM, true),
             (first, libc::SIGKILL, false),
         ] {
-            let (pipe, _writer) = io::pipe().unwrap();
+            let (pipe, _writer) = std::io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let status = in_child(scenario);
             assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
@@ -410,7 +405,7 @@ mod tests {
             let handler: extern "C" fn(i32) = seven;
             // SAFETY: this process is the test's own.
             unsafe { libc::signal(libc::SIGUSR2, handler as libc::sighandler_t) };
-            let (pipe, _writer) = io::pipe().unwrap();
+            let (pipe, _writer) = std::io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let _promise = promise();
             // SAFETY: as above.

@@ -7,8 +7,8 @@ use super::FramebufferError;
 use super::driver::Driver;
 use super::ioctl::Encoding;
 use super::last_resort::{Argument, Place, PutBack};
+use super::raster::Raster;
 use super::surface::PS3FB;
-use std::fmt;
 use std::ops::{Deref, DerefMut};
 use std::path::Path;
 
@@ -18,24 +18,6 @@ const BASE: u32 = 0x0F;
 const LAST_TELEVISION: u32 = 10;
 /// Bit of a mode that fills the whole screen.
 const FULL: u32 = 0x80;
-
-/// How much of a television's picture ps3fb uses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Raster {
-    /// What every television shows, within black borders that the driver makes: 1124x644 of 720p.
-    Bordered,
-    /// All of it: 1280x720 of 720p.
-    Full,
-}
-
-impl fmt::Display for Raster {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Raster::Bordered => "a mode with borders",
-            Raster::Full => "a full-screen mode",
-        })
-    }
-}
 
 /// A driver whose video mode may have been changed.
 pub(super) struct Moded {

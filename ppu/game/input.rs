@@ -7,9 +7,9 @@ mod event;
 mod names;
 mod pad;
 
-pub use event::{InputEvent, PadId};
+pub use event::InputEvent;
 pub use names::{Axis, Button, Key, MouseButton};
-pub use pad::{Pad, Sensors};
+pub use pad::{Pad, PadId, Sensors};
 
 use names::Switches;
 

@@ -6,59 +6,28 @@
 
 mod check;
 mod checksum;
+mod content;
+mod edits;
 mod error;
+mod ids;
 mod material;
+mod materials;
 mod objects;
 mod traced;
 
 pub use error::WorldError;
+pub use ids::{LightId, MaterialId, ObjectId};
 pub use material::{Light, Material};
 
 use glam::DVec3;
+use nff::View;
 use nff::depth::DepthShading;
-use nff::{Shape, View};
-use slotmap::{SecondaryMap, SlotMap, new_key_type};
+use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
-use self::traced::{Changes, Traced, Tracing};
+use self::content::{Lamp, Object, Stuff};
+use self::edits::{Edits, Traced};
 use crate::scene::Look;
-
-new_key_type! {
-    /// Handle of an object in a [`World`]; the default one is none's.
-    pub struct ObjectId;
-
-    /// Handle of a material in a [`World`]; the default one is none's.
-    pub struct MaterialId;
-
-    /// Handle of a light in a [`World`]; the default one is none's.
-    pub struct LightId;
-}
-
-struct Object {
-    /// In the file that it is from.
-    line: Option<u32>,
-    shape: Shape,
-    material: MaterialId,
-    visible: bool,
-    fixed: bool,
-    traced: Tracing,
-}
-
-struct Stuff {
-    /// In the file that it is from.
-    line: Option<u32>,
-    material: nff::Material,
-    /// Objects that are made of it.
-    users: u32,
-    traced: Tracing,
-}
-
-struct Lamp {
-    /// In the file that it is from.
-    line: Option<u32>,
-    light: Light,
-    traced: Tracing,
-}
 
 /// A scene that a game changes.
 ///
@@ -102,8 +71,8 @@ pub struct World {
     objects: SlotMap<ObjectId, Object>,
     /// What was traced last.
     traced: Option<Traced>,
-    /// How the world differs from that.
-    changes: Changes,
+    /// What of the world has been touched since.
+    edits: Edits,
 }
 
 impl Default for World {
@@ -134,7 +103,7 @@ impl World {
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
             traced: None,
-            changes: Changes::default(),
+            edits: Edits::default(),
         }
     }
 
@@ -224,7 +193,7 @@ impl World {
     /// Calls it so.
     pub fn set_name(&mut self, name: &str) {
         name.clone_into(&mut self.name);
-        self.changes.anew = true;
+        self.edits.anew = true;
     }
 
     /// The eye. Its resolution is not looked at: the picture is as large as the framebuffer.
@@ -244,10 +213,7 @@ impl World {
         }
         // Of any size: the camera's other conditions are the view's own.
         view.camera(2, 2)?;
-        if self.view != view {
-            self.view = view;
-            self.changes.view = true;
-        }
+        self.view = view;
         Ok(())
     }
 
@@ -269,10 +235,7 @@ impl World {
     /// Changes that colour.
     pub fn set_background(&mut self, colour: DVec3) -> Result<(), WorldError> {
         check::vector("background", colour)?;
-        if self.background != colour {
-            self.background = colour;
-            self.changes.background = true;
-        }
+        self.background = colour;
         Ok(())
     }
 
@@ -285,10 +248,7 @@ impl World {
     /// Changes that brightness.
     pub fn set_ambient(&mut self, brightness: DVec3) -> Result<(), WorldError> {
         check::vector("ambient light", brightness)?;
-        if self.ambient != brightness {
-            self.ambient = brightness;
-            self.changes.ambient = true;
-        }
+        self.ambient = brightness;
         Ok(())
     }
 
@@ -302,7 +262,7 @@ impl World {
     pub fn set_look(&mut self, look: Look) {
         if self.look != look {
             self.look = look;
-            self.changes.anew = true;
+            self.edits.anew = true;
         }
     }
 
@@ -318,10 +278,7 @@ impl World {
         if let Some(DepthShading { near, far }) = fade {
             check::fade(near, far)?;
         }
-        if self.fade != fade {
-            self.fade = fade;
-            self.changes.spheres = true;
-        }
+        self.fade = fade;
         Ok(())
     }
 

@@ -7,7 +7,7 @@ use std::ops::Range;
 use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionHeader as _};
 use object::{BigEndian, Object as _, ObjectSection as _, ObjectSymbol as _, SectionKind};
 
-use super::program::ProgramError;
+use super::error::ProgramError;
 use protocol::formulation::Formulations;
 
 const LOCAL_STORE: u64 = 0x40000;
@@ -109,7 +109,8 @@ fn malformed(error: object::Error) -> ProgramError {
 
 #[cfg(test)]
 mod tests {
-    use super::super::program::{Program, ProgramError};
+    use super::super::error::ProgramError;
+    use super::super::program::Program;
 
     /// The tracer's image with the first `from` in it replaced.
     fn changed(from: &[u8], to: &[u8]) -> Vec<u8> {

@@ -9,7 +9,6 @@ use std::ops::Range;
 use glam::DVec3;
 use nff::Camera;
 
-use super::spheres::seen_radius;
 use crate::framebuffer::Geometry;
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
@@ -19,6 +18,15 @@ const DIRECTION_ERROR: f64 = 1.0 / (1 << 21) as f64;
 
 /// Pixels by which a sphere's bounds are widened: they are compared with pixel centres.
 const EDGE: f64 = 1.0;
+
+/// Radius, in parts of the distance, by which a sphere can seem larger to the kernels: that of the
+/// perpendicular from the centre to a ray.
+const PERPENDICULAR_ROUNDING: f64 = 1.0 / (1 << 20) as f64;
+
+/// Largest radius that a sphere can seem to have for the SPU's arithmetic.
+pub(super) fn seen_radius(distance: f64, radius: f64) -> f64 {
+    radius + PERPENDICULAR_ROUNDING * (distance + radius)
+}
 
 /// Pixels that a sphere may touch; empty if none.
 #[derive(Clone, Debug, PartialEq, Eq)]

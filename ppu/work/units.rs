@@ -7,10 +7,9 @@ use std::cmp::Reverse;
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-use super::Split;
-use super::tiles::TileSet;
+use super::policy::Split;
+use super::tiles::{TileSet, tile_count};
 use crate::framebuffer::Geometry;
-use crate::work::tile_count;
 use protocol::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
 
 /// Units an SPU where nothing is known of the tiles' costs, not counting the small ones at the end: few

@@ -10,7 +10,8 @@ use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{
     Axis, Clock, DVec3, FixedSteps, Game, InputEvent, InputSource, Key, Light, Material, Moment,
-    ObjectId, PadId, Recording, RecordingError, Session, SessionError, Start, World, WorldError,
+    NoInput, ObjectId, PadId, RealTime, Recording, RecordingError, Session, SessionError, Start,
+    World, WorldError,
 };
 use image::RgbImage;
 use rand::{Rng as _, SeedableRng as _};
@@ -146,12 +147,25 @@ fn start(game: Driven, size: (u32, u32)) -> (Session<Driven>, Shown) {
     (Session::start(game, settings, framebuffer).unwrap(), shown)
 }
 
-fn pictures(session: &mut Session<Driven>, shown: &Shown) -> Vec<RgbImage> {
+/// A clock for those who are told the time otherwise.
+const NO_TIME: FixedSteps = FixedSteps(Duration::ZERO);
+
+fn pictures(
+    session: &mut Session<Driven>,
+    shown: &Shown,
+    clock: &mut dyn Clock,
+    input: &mut dyn InputSource,
+) -> Vec<RgbImage> {
     let mut pictures = Vec::new();
-    while pictures.len() < FRAMES as usize && session.frame().unwrap().is_continue() {
+    while pictures.len() < FRAMES as usize && session.frame(clock, input).unwrap().is_continue() {
         pictures.extend(shown.lock().unwrap().take());
     }
     pictures
+}
+
+/// Those of a session that a recording tells of all.
+fn replayed(session: &mut Session<Driven>, shown: &Shown) -> Vec<RgbImage> {
+    pictures(session, shown, &mut { NO_TIME }, &mut NoInput)
 }
 
 /// A session of random input, and the recording of it.
@@ -159,12 +173,9 @@ fn recorded() -> (Vec<RgbImage>, Vec<u8>) {
     let random = ChaCha8Rng::seed_from_u64;
     let bytes = Shared::default();
     let (session, shown) = start(Driven::new(), (64, 32));
-    let mut session = session
-        .with_input(Box::new(Player(random(1))))
-        .with_clock(Box::new(Unsteady(random(2))))
-        .with_seed(77)
-        .record_to(Box::new(bytes.clone()));
-    let pictures = pictures(&mut session, &shown);
+    let mut session = session.with_seed(77).record_to(Box::new(bytes.clone()));
+    let (mut clock, mut input) = (Unsteady(random(2)), Player(random(1)));
+    let pictures = pictures(&mut session, &shown, &mut clock, &mut input);
     assert_eq!(pictures.len(), FRAMES as usize);
     drop(session);
     (pictures, bytes.0.take())
@@ -176,7 +187,6 @@ fn open(bytes: &[u8]) -> Result<Recording, RecordingError> {
 
 fn replay(game: Driven, bytes: &[u8]) -> (Session<Driven>, Shown) {
     let (session, shown) = start(game, (64, 32));
-    let session = session.with_clock(Box::new(FixedSteps(Duration::ZERO)));
     (session.replaying(open(bytes).unwrap()).unwrap(), shown)
 }
 
@@ -187,9 +197,10 @@ fn a_recorded_session_is_played_back_bit_for_bit() {
     let again = Shared::default();
     let (session, shown) = replay(Driven::new(), &bytes);
     let mut session = session.record_to(Box::new(again.clone()));
-    assert!(pictures(&mut session, &shown) == expected);
+    assert!(replayed(&mut session, &shown) == expected);
     // After the last frame it is over.
-    assert!(session.frame().unwrap().is_break());
+    let after = session.frame(&mut { NO_TIME }, &mut NoInput);
+    assert!(after.unwrap().is_break());
     drop(session);
     assert_eq!(String::from_utf8(again.0.take()), String::from_utf8(bytes));
 }
@@ -198,10 +209,9 @@ fn a_recorded_session_is_played_back_bit_for_bit() {
 fn a_recording_is_played_back_in_another_size() {
     let (_, bytes) = recorded();
     let (session, shown) = start(Driven::new(), (96, 64));
-    let session = session.with_clock(Box::new(FixedSteps(Duration::ZERO)));
     let mut session = session.replaying(open(&bytes).unwrap()).unwrap();
     // The world is the recorded one: its checksums are compared.
-    let pictures = pictures(&mut session, &shown);
+    let pictures = replayed(&mut session, &shown);
     assert_eq!(pictures.len(), FRAMES as usize);
     assert_eq!(pictures[0].dimensions(), (96, 64));
 }
@@ -214,7 +224,9 @@ fn a_game_that_plays_otherwise_is_found_out() {
         ..Driven::new()
     };
     let (mut session, _) = replay(odd, &bytes);
-    let error = session.run(None).unwrap_err();
+    let error = session
+        .run(None, &mut { NO_TIME }, &mut NoInput)
+        .unwrap_err();
     // The world is compared every 16 frames.
     assert!(
         matches!(error, SessionError::Diverged { frame: 32 }),
@@ -268,7 +280,8 @@ fn what_is_no_recording_is_refused() {
         (&endless, "no end"),
     ] {
         let (mut session, _) = replay(Driven::new(), (header("1") + line).as_bytes());
-        let error = session.run(None).unwrap_err().to_string();
+        let error = session.run(None, &mut { NO_TIME }, &mut NoInput);
+        let error = error.unwrap_err().to_string();
         assert!(error.contains(expected), "{error}");
     }
 }
@@ -288,10 +301,10 @@ fn a_game_that_is_over_ends_the_session() {
             Ok(ControlFlow::Continue(()))
         }
     }
-    let (session, _) = start(Driven::new(), (64, 32));
-    let clock = Box::new(FixedSteps(Duration::from_millis(10)));
-    let mut session = session.with_input(Box::new(Quitter(0))).with_clock(clock);
-    assert_eq!(session.run(None).unwrap().frames, 3);
+    let (mut session, _) = start(Driven::new(), (64, 32));
+    let mut clock = FixedSteps(Duration::from_millis(10));
+    let report = session.run(None, &mut clock, &mut Quitter(0)).unwrap();
+    assert_eq!(report.frames, 3);
 }
 
 #[test]
@@ -305,11 +318,11 @@ fn input_that_ends_or_fails_ends_the_session() {
             Ok(ControlFlow::Break(()))
         }
     }
-    let (session, _) = start(Driven::new(), (64, 32));
-    let mut session = session.with_input(Box::new(Ends(false)));
-    assert_eq!(session.run(None).unwrap().frames, 0);
-    let mut session = session.with_input(Box::new(Ends(true)));
-    let error = session.run(None).unwrap_err();
+    let (mut session, _) = start(Driven::new(), (64, 32));
+    let mut clock = RealTime::default();
+    let report = session.run(None, &mut clock, &mut Ends(false)).unwrap();
+    assert_eq!(report.frames, 0);
+    let error = session.run(None, &mut clock, &mut Ends(true)).unwrap_err();
     assert!(error.to_string().contains("unplugged"), "{error}");
 }
 
@@ -318,16 +331,19 @@ fn input_that_ends_or_fails_ends_the_session() {
 fn a_session_moves_to_another_framebuffer() {
     let bytes = Shared::default();
     let (session, _) = start(Driven::new(), (64, 32));
-    let clock = Box::new(FixedSteps(Duration::from_millis(10)));
-    let mut session = session.with_clock(clock).record_to(Box::new(bytes.clone()));
-    session.run(Some(2)).unwrap();
+    let mut clock = FixedSteps(Duration::from_millis(10));
+    let mut session = session.record_to(Box::new(bytes.clone()));
+    let mut run = |session: &mut Session<Driven>, frames| {
+        session.run(Some(frames), &mut clock, &mut NoInput).unwrap();
+    };
+    run(&mut session, 2);
     let larger = Memory::new(Geometry::new(320, 200).unwrap()).unwrap();
     let before = session.show_on(Box::new(larger)).unwrap();
     assert_eq!(before.geometry(), Geometry::new(64, 32).unwrap());
     // All of the first one is traced there.
-    session.run(Some(1)).unwrap();
+    run(&mut session, 1);
     assert_eq!(session.engine().statistics().eye_rays(), 320 * 200);
-    session.run(Some(1)).unwrap();
+    run(&mut session, 1);
     assert!(session.engine().statistics().eye_rays() < 320 * 200);
     drop(session);
     let text = String::from_utf8(bytes.0.take()).unwrap();

@@ -5,8 +5,8 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{
-    DVec3, FixedSteps, Game, Light, LightId, Look, Material, MaterialId, Model, Moment, ObjectId,
-    Session, Shader, Shape, Start, World, WorldError,
+    DVec3, FixedSteps, Game, Light, LightId, Look, Material, MaterialId, Model, Moment, NoInput,
+    ObjectId, Session, Shader, Shape, Start, World, WorldError,
 };
 
 /// Everything moves and changes its colour; some things come and go.
@@ -118,19 +118,20 @@ impl Game for Swarm {
 
 fn session(model: Model) -> Session<Swarm> {
     let picture = Memory::new(Geometry::new(64, 48).unwrap()).unwrap();
-    Session::start(Swarm::new(model), Settings::default(), Box::new(picture))
-        .unwrap()
-        .with_clock(Box::new(FixedSteps(Duration::from_millis(25))))
+    Session::start(Swarm::new(model), Settings::default(), Box::new(picture)).unwrap()
+}
+
+fn run(session: &mut Session<Swarm>, frames: u64) {
+    let mut clock = FixedSteps(Duration::from_millis(25));
+    session.run(Some(frames), &mut clock, &mut NoInput).unwrap();
 }
 
 fn steady_frames_take_no_memory(model: Model) {
     let mut session = session(model);
     // Once around: all has been as large as it gets.
-    session.run(Some(130)).unwrap();
+    run(&mut session, 130);
     for frame in 0..40 {
-        let asked = allocations::during(|| {
-            session.run(Some(1)).unwrap();
-        });
+        let asked = allocations::during(|| run(&mut session, 1));
         assert!(asked.is_empty(), "frame {frame}: {}", asked[0]);
     }
     let report = session.report();
@@ -152,7 +153,8 @@ fn by_depth_shading() {
 #[test]
 fn the_frame_loop_sleeps() {
     let mut session = session(Model::Whitted);
-    let report = session.run(Some(30)).unwrap();
+    run(&mut session, 30);
+    let report = session.report();
     assert!(report.loop_seconds > 0.0);
     assert!(report.loop_seconds < 0.5 * report.host_seconds, "{report}");
     let text = report.to_string();

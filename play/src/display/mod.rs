@@ -22,8 +22,8 @@ use std::io;
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry};
 use cellray::game::InputEvent;
+use image::RgbImage;
 
-use crate::canvas::Picture;
 use crate::overlay::Overlay;
 
 /// Something that came from a display.
@@ -55,11 +55,12 @@ pub trait Display {
     /// Appends what has happened since the last call; does not wait.
     fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()>;
 
-    /// Brings the last frame before the player's eyes.
-    fn show(&mut self, overlay: Option<&Overlay>) -> io::Result<()>;
+    /// Whether frames are to be brought there by [`Display::show`]. Elsewhere the SPUs write to
+    /// what is seen.
+    fn draws(&self) -> bool;
 
-    /// The last frame, where it can be had.
-    fn picture(&self) -> Option<Picture>;
+    /// Brings a frame before the player's eyes.
+    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()>;
 }
 
 /// Why a display can't be had.

@@ -6,8 +6,9 @@
 use glam::DVec3;
 use nff::{LightKind, Shader, Shape};
 
-use super::{Light, Material, WorldError};
-use crate::scene::{LARGEST, SMALLEST};
+use super::error::WorldError;
+use super::material::{Light, Material};
+use crate::scene::single::{LARGEST, SMALLEST};
 
 fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldError {
     WorldError::OutOfRange { what, value, also }

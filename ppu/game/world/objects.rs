@@ -3,8 +3,9 @@
 use glam::DVec3;
 use nff::Shape;
 
-use super::traced::Tracing;
-use super::{MaterialId, Object, ObjectId, World, WorldError, check};
+use super::content::Object;
+use super::edits::Tracing;
+use super::{MaterialId, ObjectId, World, WorldError, check};
 
 impl World {
     /// Adds an object of any shape, visible.
@@ -48,7 +49,7 @@ impl World {
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
         let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
         self.unuse(object.material);
-        self.changes.removed(&object.traced);
+        self.edits.removed(&object.traced);
         Ok(())
     }
 
@@ -179,7 +180,7 @@ impl World {
 
     fn touch(&mut self, id: ObjectId) {
         if let Some(object) = self.objects.get_mut(id) {
-            self.changes.object(id, &mut object.traced);
+            self.edits.object(id, &mut object.traced);
         }
     }
 

@@ -7,8 +7,8 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{
-    Axis, Button, Clock, FixedSteps, Game, InputEvent, InputSource, Key, MouseButton, PadId,
-    Sensors, Session,
+    Axis, Button, Clock, FixedSteps, Game, InputEvent, InputSource, Key, MouseButton, NoInput,
+    PadId, Sensors, Session,
 };
 use games::{GAMES, find};
 use rand::seq::IndexedRandom as _;
@@ -119,29 +119,32 @@ fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
     Session::start((find(name).unwrap().new)(), settings, Box::new(picture))
         .unwrap()
         .with_seed(seed)
-        .with_clock(Box::new(FixedSteps(Duration::from_millis(40))))
+}
+
+/// Frames in which nobody does anything.
+fn run(session: &mut Session<Box<dyn Game>>, frames: u64) {
+    let mut clock = FixedSteps(Duration::from_millis(40));
+    session.run(Some(frames), &mut clock, &mut NoInput).unwrap();
 }
 
 /// Where nobody plays nothing moves, and nothing is traced again, however long the frames take.
 #[test]
 fn a_table_at_rest_is_traced_once() {
-    let clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(5));
-    let mut session = session("billiards", 7, (32, 18)).with_clock(Box::new(clock));
-    let report = session.run(Some(200)).unwrap();
+    let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(5));
+    let mut session = session("billiards", 7, (32, 18));
+    let report = session.run(Some(200), &mut clock, &mut NoInput).unwrap();
     assert_eq!((report.frames, report.frames_traced), (200, 1));
 }
 
 /// The world after some frames with that player.
 fn played(name: &str, seed: u64, player: u64) -> u64 {
-    let clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
-    let player = Anyone {
+    let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
+    let mut player = Anyone {
         rng: Xoshiro256PlusPlus::seed_from_u64(player),
         begun: false,
     };
-    let mut session = session(name, seed, (32, 18))
-        .with_input(Box::new(player))
-        .with_clock(Box::new(clock));
-    let report = session.run(Some(FRAMES)).unwrap();
+    let mut session = session(name, seed, (32, 18));
+    let report = session.run(Some(FRAMES), &mut clock, &mut player).unwrap();
     assert_eq!(u64::from(report.frames), FRAMES);
     session.world().checksum()
 }
@@ -160,7 +163,7 @@ fn seeds_give_other_worlds() {
     for game in GAMES {
         let world = |seed| {
             let mut session = session(game.name, seed, (32, 18));
-            session.run(Some(2)).unwrap();
+            run(&mut session, 2);
             session.world().checksum()
         };
         assert_ne!(world(1), world(2), "{}", game.name);
@@ -171,11 +174,9 @@ fn seeds_give_other_worlds() {
 fn frames_take_no_memory() {
     for game in GAMES {
         let mut session = session(game.name, 1, (48, 27));
-        session.run(Some(10)).unwrap();
+        run(&mut session, 10);
         for frame in 0..40 {
-            let asked = allocations::during(|| {
-                session.run(Some(1)).unwrap();
-            });
+            let asked = allocations::during(|| run(&mut session, 1));
             assert!(
                 asked.is_empty(),
                 "{}, frame {frame}: {}",

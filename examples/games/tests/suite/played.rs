@@ -10,13 +10,15 @@ use std::time::Duration;
 
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
-use cellray::game::{FixedSteps, Recording, Session};
+use cellray::game::{FixedSteps, NoInput, Recording, Session};
 use games::billiards::Billiards;
 
 use player::Player;
 
 /// Longest game, in frames.
 const LONGEST: u64 = 20_000;
+/// Time from one frame of a game that is played to the next.
+const STEP: Duration = Duration::from_millis(250);
 
 fn kept(name: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -48,15 +50,14 @@ fn end(game: &Billiards) -> String {
 fn make(recording: &Path, ended: &Path) {
     fs::create_dir_all(kept("")).unwrap();
     let file = BufWriter::new(File::create(recording).unwrap());
-    let player = Player::default();
+    let mut player = Player::default();
     let mut session = session()
-        .with_clock(Box::new(FixedSteps(Duration::from_millis(250))))
-        .with_input(Box::new(player.clone()))
         // Both groups' balls are pocketed; one is left when the eight falls.
         .with_seed(6)
         .record_to(Box::new(file));
     for _ in 0..LONGEST {
-        assert!(session.frame().unwrap().is_continue());
+        let flow = session.step(STEP, &mut player.next(), &mut |_| ());
+        assert!(flow.unwrap().is_continue());
         if session.game().rules().winner().is_some() {
             break;
         }
@@ -73,9 +74,11 @@ fn a_recorded_game_ends_as_it_did() {
     }
     let mut session = session()
         .replaying(Recording::open(&recording).unwrap())
-        .unwrap()
-        .with_clock(Box::new(FixedSteps(Duration::ZERO)));
-    session.run(Some(LONGEST)).unwrap();
+        .unwrap();
+    let mut clock = FixedSteps(Duration::ZERO);
+    session
+        .run(Some(LONGEST), &mut clock, &mut NoInput)
+        .unwrap();
     let game = session.game();
     assert_eq!(end(game), fs::read_to_string(&ended).unwrap());
     assert!(game.rules().winner().is_some(), "nobody has won");

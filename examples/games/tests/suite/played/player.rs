@@ -1,11 +1,6 @@
 //! A player of eight-ball who sees the table and has a mouse.
 
-use std::cell::RefCell;
-use std::io;
-use std::ops::ControlFlow;
-use std::rc::Rc;
-
-use cellray::game::{DVec3, InputEvent, InputSource, MouseButton};
+use cellray::game::{DVec3, InputEvent, MouseButton};
 use games::billiards::Billiards;
 use games::billiards::table::{POCKETS, RADIUS};
 
@@ -14,27 +9,21 @@ const TURN: f64 = 0.002;
 const POWER: f64 = 0.004;
 
 /// Sees the game after every frame, and does in the next what came to mind.
-#[derive(Clone, Default)]
-pub struct Player(Rc<RefCell<Mind>>);
-
 #[derive(Default)]
-struct Mind {
+pub struct Player {
     /// Events of frames to come, the next one last.
     to_do: Vec<Vec<InputEvent>>,
 }
 
-impl InputSource for Player {
-    fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
-        events.extend(self.0.borrow_mut().to_do.pop().into_iter().flatten());
-        Ok(ControlFlow::Continue(()))
-    }
-}
-
 impl Player {
+    /// What it does in the next frame.
+    pub fn next(&mut self) -> Vec<InputEvent> {
+        self.to_do.pop().unwrap_or_default()
+    }
+
     /// Looks at the table, and thinks of a shot where it is time for one.
-    pub fn look(&self, game: &Billiards) {
-        let mut mind = self.0.borrow_mut();
-        if !game.waits() || !mind.to_do.is_empty() {
+    pub fn look(&mut self, game: &Billiards) {
+        if !game.waits() || !self.to_do.is_empty() {
             return;
         }
         let (to, power) = best(game);
@@ -49,7 +38,7 @@ impl Player {
         let motion = |across: f64, back: f64| InputEvent::MouseMotion {
             by: [across as f32, back as f32],
         };
-        mind.to_do = vec![
+        self.to_do = vec![
             vec![InputEvent::MouseButton {
                 button,
                 down: false,

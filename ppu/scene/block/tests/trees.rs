@@ -4,8 +4,8 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use super::*;
-use crate::work::arithmetic::{across, magnitude, unit};
-use crate::work::whitted::objects::Form;
+use crate::scene::block::form::Form;
+use crate::scene::random::{across, magnitude, unit};
 
 /// Points of an object that are farthest out.
 fn points(form: &Form, random: &mut ChaCha8Rng) -> Vec<DVec3> {
@@ -78,7 +78,7 @@ fn every_object_is_inside_all_spheres_above_it() {
             },
         );
         let eye = around + unit(&mut random) * magnitude(&mut random, -3.0, 8.0);
-        block.look(eye).expect("an eye in range");
+        block.write_for(eye).expect("an eye in range");
 
         let mut met = 0;
         for kind in Kind::ALL {
@@ -177,7 +177,7 @@ fn trees_that_change_hold_their_objects() {
         } else {
             block.eye.unwrap_or_default()
         };
-        block.look(eye).expect("an eye in range");
+        block.write_for(eye).expect("an eye in range");
         let mut met = 0;
         for kind in Kind::ALL {
             let planted = &block.planted[kind as usize];

@@ -81,7 +81,7 @@ fn numbers_out_of_range() {
     let mut block = block("s 0 0 0 1\n");
     let before = block.bytes().to_vec();
     for eye in [DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e30)] {
-        let error = block.look(eye).expect_err("no eye").to_string();
+        let error = block.write_for(eye).expect_err("no eye").to_string();
         assert!(error.starts_with("t.nff: eye "), "{error}");
     }
     assert_eq!(block.bytes(), before);

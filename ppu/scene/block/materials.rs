@@ -7,10 +7,11 @@ use nff::{LightKind, Material, Shader, unit};
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
 use super::chains::greatest;
-use super::objects::{single, taxicab};
+use super::error::BlockError;
+use super::objects::taxicab;
+use super::options::BlockOptions;
 use super::range::Place;
-use super::{BlockError, BlockOptions};
-use crate::scene::singles;
+use crate::scene::single::{single, singles};
 use protocol::layout::{
     self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
 };
@@ -195,14 +196,18 @@ pub(super) fn record(
 
 /// A light as it stands in the scene, with its record but for the place.
 #[derive(Clone, Debug)]
-pub(super) struct Light {
+pub(crate) struct Light {
     kind: LightKind,
     record: layout::Light,
 }
 
 impl Light {
     /// A light of a scene.
-    pub fn of(kind: LightKind, brightness: DVec3, place: Place<'_>) -> Result<Self, BlockError> {
+    pub(super) fn of(
+        kind: LightKind,
+        brightness: DVec3,
+        place: Place<'_>,
+    ) -> Result<Self, BlockError> {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
         }
@@ -215,7 +220,7 @@ impl Light {
     }
 
     /// The same light elsewhere.
-    pub fn moved(&self, kind: LightKind, place: Place<'_>) -> Result<Self, BlockError> {
+    pub(super) fn moved(&self, kind: LightKind, place: Place<'_>) -> Result<Self, BlockError> {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
         }

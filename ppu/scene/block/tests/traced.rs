@@ -10,7 +10,7 @@ use rand_chacha::ChaCha8Rng;
 
 use super::trees::any_object;
 use super::*;
-use crate::work::arithmetic::unit;
+use crate::scene::random::unit;
 use protocol::layout::{
     Cone, Material, Object as Head, Rectangle, SIDES_BOTH, SIDES_EXIT, Triangle,
 };

@@ -14,8 +14,7 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use super::ball::{Ball, Hull, enclose};
-use super::objects::single;
-use crate::work::spheres::up;
+use crate::scene::single::{single, up};
 use protocol::layout::{MAX_ROOTS, Node, SCENE_ADDRESS, Tree};
 
 /// Rounding of the SPU's test of a sphere with a bound, in parts of the distance and the radius.
@@ -32,7 +31,7 @@ const MOST_GROWTH: f64 = 1.5;
 
 /// A ball around another, such that the SPU finds no ray to miss it that meets an object in the other, as seen
 /// from `eye`.
-pub(super) fn widened(eye: DVec3, ball: Ball) -> Ball {
+pub(crate) fn widened(eye: DVec3, ball: Ball) -> Ball {
     let distance = ball.centre.distance(eye);
     Ball {
         radius: ball.radius + SLACK * (distance + ball.radius),

@@ -8,11 +8,11 @@ use nff::{Material, Shape, unit};
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
-use super::BlockError;
-use super::ball::{Ball, Hull};
-use super::polygons::{self, FLAT, check_vertices};
+use super::error::BlockError;
+use super::form::{Form, Kind};
+use super::polygons::{self, check_vertices};
 use super::range::Place;
-use crate::scene::singles;
+use crate::scene::single::{single, singles};
 use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
 /// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
@@ -22,42 +22,6 @@ use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 /// 2^-23: eight roundings of them all.
 pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 
-/// The shapes that SPUs know, in the order of the frame's trees.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Kind {
-    Sphere,
-    Rectangle,
-    Triangle,
-    Cone,
-}
-
-impl Kind {
-    pub const ALL: [Self; 4] = [Self::Sphere, Self::Rectangle, Self::Triangle, Self::Cone];
-
-    /// Bytes that an object of this kind takes at least.
-    pub fn least_size(self) -> usize {
-        match self {
-            Self::Sphere => size_of::<layout::Object>(),
-            Self::Rectangle => size_of::<layout::Rectangle>(),
-            Self::Triangle => size_of::<layout::Triangle>(),
-            Self::Cone => size_of::<layout::Cone>(),
-        }
-    }
-
-    /// Its name in messages, plural.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Sphere => "spheres",
-            Self::Rectangle => "parallelograms",
-            Self::Triangle => "triangles",
-            Self::Cone => "cones",
-        }
-    }
-}
-
-/// Bytes of a triangle of a patch.
-pub(super) const PATCH_SIZE: usize = size_of::<layout::Patch>();
-
 /// An object where the scene has it.
 #[derive(Clone, Debug)]
 pub(super) struct Object {
@@ -66,35 +30,6 @@ pub(super) struct Object {
     pub sides: u32,
     /// Index of the material in the scene.
     pub material: u32,
-}
-
-#[derive(Clone, Debug)]
-pub(super) enum Form {
-    /// With a radius below 0 the normal points inwards.
-    Sphere { centre: DVec3, radius: f64 },
-    Rectangle {
-        corner: DVec3,
-        edges: [DVec3; 2],
-        normal: DVec3,
-        /// Products with the edges are 1 and 0, and 0 and 1.
-        duals: [DVec3; 2],
-    },
-    Triangle {
-        vertices: [DVec3; 3],
-        /// That of the whole polygon.
-        normal: DVec3,
-        /// Those that a patch interpolates, of length 1 or 0.
-        smooth: Option<[DVec3; 3]>,
-    },
-    Cone {
-        base: DVec3,
-        axis: DVec3,
-        height: f64,
-        /// At base and apex, not negative.
-        radii: [f64; 2],
-        /// Whether the normal points inwards.
-        hollow: bool,
-    },
 }
 
 /// What [`layout::Object`] says of a surface.
@@ -196,98 +131,10 @@ pub(super) fn of_shape(
     }
 }
 
-impl Form {
-    pub fn kind(&self) -> Kind {
-        match self {
-            Self::Sphere { .. } => Kind::Sphere,
-            Self::Rectangle { .. } => Kind::Rectangle,
-            Self::Triangle { .. } => Kind::Triangle,
-            Self::Cone { .. } => Kind::Cone,
-        }
-    }
-
-    /// Bytes of its record.
-    pub fn size(&self) -> usize {
-        match self {
-            Self::Triangle {
-                smooth: Some(_), ..
-            } => PATCH_SIZE,
-            _ => self.kind().least_size(),
-        }
-    }
-
-    /// Growth of a cone's radius with the height; 0 of all else.
-    fn growth(&self) -> f64 {
-        match self {
-            Self::Cone { radii, height, .. } => (radii[1] - radii[0]) / height,
-            _ => 0.0,
-        }
-    }
-
-    /// Balls such that a ball around them is one around the object.
-    pub fn hull(&self) -> Hull {
-        match *self {
-            Self::Sphere { centre, radius } => Hull::of([Ball {
-                centre,
-                radius: radius.abs(),
-            }]),
-            Self::Rectangle {
-                corner,
-                edges: [u, v],
-                ..
-            } => Hull::of([corner, corner + u, corner + v, corner + u + v].map(Ball::point)),
-            Self::Triangle { vertices, .. } => Hull::of(vertices.map(Ball::point)),
-            Self::Cone {
-                base,
-                axis,
-                height,
-                radii: [low, high],
-                ..
-            } => {
-                // As far from one disc's rim as from the other's, unless one disc is the widest of all.
-                let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
-                let middle = equal.clamp(0.0, height);
-                Hull::of([Ball {
-                    centre: base + middle * axis,
-                    radius: libm::hypot(middle, low).max(libm::hypot(height - middle, high)),
-                }])
-            }
-        }
-    }
-
-    /// A point of the plane that it lies in, and the plane's normal; nothing for what is round.
-    pub fn plane(&self) -> Option<(DVec3, DVec3)> {
-        match *self {
-            Self::Rectangle { corner, normal, .. } => Some((corner, normal)),
-            Self::Triangle {
-                vertices: [corner, ..],
-                normal,
-                ..
-            } => Some((corner, normal)),
-            Self::Sphere { .. } | Self::Cone { .. } => None,
-        }
-    }
-
-    /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through its first vertex that
-    /// has the whole polygon's normal, and a small triangle may be off that by what is nothing to a
-    /// large polygon.
-    pub fn is_bent(&self) -> bool {
-        let Self::Triangle {
-            vertices: [a, b, c],
-            normal,
-            ..
-        } = *self
-        else {
-            return false;
-        };
-        let (ab, ac) = (b - a, c - a);
-        let off = ab.dot(normal).abs().max(ac.dot(normal).abs());
-        off > FLAT * ab.length().max(ac.length())
-    }
-
-    fn head(&self) -> Head {
-        match *self {
-            Self::Sphere { centre, radius } => Head {
+impl Head {
+    fn of(form: &Form) -> Self {
+        match *form {
+            Form::Sphere { centre, radius } => Self {
                 centre,
                 gain: radius.signum(),
                 axis: DVec3::ZERO,
@@ -295,30 +142,30 @@ impl Form {
                 offset: radius,
                 extent: 0.0,
             },
-            Self::Rectangle {
+            Form::Rectangle {
                 corner,
                 edges: [u, v],
                 normal,
                 ..
             } => {
                 let reach = [u, v, u + v].map(taxicab);
-                Head::of_plane(corner, normal, reach.into_iter().fold(0.0, f64::max))
+                Self::of_plane(corner, normal, reach.into_iter().fold(0.0, f64::max))
             }
-            Self::Triangle {
+            Form::Triangle {
                 vertices: [a, b, c],
                 normal,
                 ..
-            } => Head::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a))),
-            Self::Cone {
+            } => Self::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a))),
+            Form::Cone {
                 base,
                 axis,
                 height,
                 radii,
                 hollow,
             } => {
-                let growth = self.growth();
+                let growth = form.growth();
                 let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
-                Head {
+                Self {
                     centre: base,
                     gain,
                     axis,
@@ -329,9 +176,7 @@ impl Form {
             }
         }
     }
-}
 
-impl Head {
     fn of_plane(corner: DVec3, normal: DVec3, extent: f64) -> Self {
         Self {
             centre: corner,
@@ -353,7 +198,7 @@ impl Object {
             offset,
             extent,
             ..
-        } = self.form.head();
+        } = Head::of(&self.form);
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
@@ -366,7 +211,7 @@ impl Object {
             slope,
             offset,
             ..
-        } = self.form.head();
+        } = Head::of(&self.form);
         let centre = centre - eye;
         let head = layout::Object {
             centre: singles(centre),
@@ -425,10 +270,6 @@ fn put(bytes: &mut [u8], quadwords: &[[F32; 4]]) {
 fn quadword(vector: DVec3) -> [F32; 4] {
     let [x, y, z] = singles(vector);
     [x, y, z, F32::ZERO]
-}
-
-pub(super) fn single(value: f64) -> F32 {
-    F32::new(value as f32)
 }
 
 /// The sum of a vector's magnitudes.

@@ -1,51 +1,41 @@
-//! What a picture by Whitted's model was made of, and where another differs from it.
+//! What a picture was made of, and where another differs from it. It is here alone that
+//! differences are looked for: a world that has changed says nothing of where, and a scene that
+//! was made anew is compared as well as one that was changed in place.
 //!
-//! An eye ray sees what it hits, and whether that is in the shadow of anything. So if an object has changed, the
-//! picture has where the object is seen or was, and where its shadow falls or fell. What is seen in mirrors, in
-//! glass and by a game's own shaders may be anywhere: where one is, everything that changes shows.
+//! By depth shading a sphere that has changed is in the picture where it is seen or was. By
+//! Whitted's model an eye ray sees what it hits, and whether that is in the shadow of anything: so
+//! if an object has changed, the picture has where the object is seen or was, and where its shadow
+//! falls or fell. What is seen in mirrors, in glass and by a game's own shaders may be anywhere:
+//! where one is, everything that changes shows.
 //!
 //! Invariant: pixels that are not among the answer are the same in both pictures, unless two surfaces
 //! are equally far from the eye to the bit: then either may be hit in either picture.
 
 use glam::DVec3;
+use nff::Camera;
+use nff::depth::DepthShading;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use super::ball::{Ball, Hull};
-use super::chains::Chains;
-use super::materials::Light;
+use super::lens::{Lens, Rectangle};
 use super::shadow::Shadow;
-use super::tree::widened;
-use super::{BlockOptions, SceneBlock};
-use crate::work::lens::{Lens, Rectangle};
-use crate::work::tiles::TileSet;
+use super::tiles::TileSet;
+use crate::scene::block::{Ball, BlockOptions, Chains, Light, Seen, widened};
+use crate::scene::{Look, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
 
 /// Most pairs of an object that has changed and one that its shadow may fall on: the whole picture is traced in less
 /// time than more are looked at.
 const MOST_SHADOWS: usize = 4096;
 
-/// An object of a picture.
-#[derive(Clone, Copy, Debug)]
-struct Seen {
-    /// What it is within, widened for the SPU's rounding.
-    ball: Ball,
-    /// The same closer: it is straight between these.
-    hull: Hull,
-    /// A point of the plane that it lies in, and the plane's normal.
-    plane: Option<(DVec3, DVec3)>,
-    /// Address and size of its record, address of its material's.
-    record: (u32, usize),
-    material: u32,
-    /// Whether others may be seen in it.
-    sees_others: bool,
-    /// Whether it is shaded beside where it is seen.
-    is_bent: bool,
-}
-
 /// What a picture was made of; its buffers serve for the next.
 #[derive(Default)]
-pub(crate) struct Shown {
+pub struct Shown {
+    /// Nothing before the first picture.
+    everywhere: Option<Everywhere>,
+    /// By depth shading.
+    spheres: Vec<Sphere>,
+    /// By Whitted's model.
     options: Option<BlockOptions>,
     chains: Option<Chains>,
     ambient: [F32; 4],
@@ -55,6 +45,15 @@ pub(crate) struct Shown {
     /// Where the plots are.
     addresses: Vec<u32>,
     bytes: Vec<u8>,
+}
+
+/// What every pixel depends on.
+#[derive(Clone, Copy, PartialEq)]
+struct Everywhere {
+    camera: Camera,
+    background: DVec3,
+    depth: DepthShading,
+    look: Look,
 }
 
 /// In which way an object of two pictures differs.
@@ -67,61 +66,83 @@ enum Change {
     Place,
 }
 
-impl Seen {
-    /// Pixels on which it may be seen.
-    fn bounds(&self, lens: &Lens) -> Rectangle {
-        let balls = self.hull.balls().iter();
-        lens.hull(balls.map(|&ball| {
-            let Ball { centre, radius } = widened(lens.eye(), ball);
-            (centre, radius)
-        }))
-    }
+/// Pixels on which an object may be seen.
+fn place(seen: &Seen, lens: &Lens) -> Rectangle {
+    let balls = seen.hull.balls().iter();
+    lens.hull(balls.map(|&ball| {
+        let Ball { centre, radius } = widened(lens.eye(), ball);
+        (centre, radius)
+    }))
 }
 
 impl Shown {
-    /// Takes down what a block that was written for this eye shows; nothing without one.
-    pub fn take(&mut self, block: Option<&SceneBlock>, eye: DVec3) {
-        self.options = block.map(|block| block.options);
-        self.chains = block.map(|block| block.chains);
+    /// Takes down what a scene shows to a camera, for whose eye its block was written.
+    pub fn take(&mut self, scene: &Scene, camera: &Camera) {
+        self.everywhere = Some(Everywhere {
+            camera: *camera,
+            background: scene.background(),
+            depth: scene.depth(),
+            look: scene.look(),
+        });
+        self.spheres.clear();
+        self.spheres.extend_from_slice(scene.spheres());
+        let block = scene.block();
+        self.options = block.map(|block| block.options());
+        self.chains = block.map(|block| block.chains());
         self.ambient = Default::default();
         self.lights.clear();
         self.objects.clear();
         self.addresses.clear();
         self.bytes.clear();
         let Some(block) = block else { return };
-        self.ambient = block.ambient;
-        self.lights.extend_from_slice(&block.lights);
+        self.ambient = block.ambient();
+        self.lights.extend_from_slice(block.lights());
         self.bytes.extend_from_slice(block.bytes());
-        for planted in &block.planted {
-            for plot in 0..planted.plot_count() {
-                let (address, object) = planted.plot(plot);
-                self.addresses.push(address);
-                self.objects.push(object.map(|(object, material, ball)| {
-                    let surface = block.materials.get(object.material as usize);
-                    Seen {
-                        ball: widened(eye, ball),
-                        hull: object.form.hull(),
-                        plane: object.form.plane(),
-                        is_bent: object.form.is_bent(),
-                        record: (address, object.form.size()),
-                        material: material.get(),
-                        sees_others: surface
-                            .and_then(|surface| *surface)
-                            .is_none_or(|surface| surface.sends.goes_on()),
-                    }
-                }));
-            }
+        for (address, object) in block.plots(camera.eye) {
+            self.addresses.push(address);
+            self.objects.push(object);
         }
     }
 
-    /// Adds the tiles in which `self` differs from `before`, both of them seen through `lens`; all of them where the
-    /// two are made of different things altogether.
-    pub fn changes(&self, before: &Self, shadows: bool, lens: &Lens, changed: &mut TileSet) {
+    /// Whether both have the same background.
+    pub fn has_background_of(&self, other: &Self) -> bool {
+        let background = |shown: &Self| shown.everywhere.map(|all| all.background);
+        background(self) == background(other)
+    }
+
+    /// Adds the tiles in which `self` differs from `before`; all of them where the two are seen
+    /// otherwise, or are made of different things altogether.
+    pub fn changes(&self, before: &Self, lens: &Lens, changed: &mut TileSet) {
+        match self.everywhere {
+            Some(all) if before.everywhere == Some(all) => {
+                self.changed_spheres(before, lens, changed);
+                self.changed_objects(before, all.look.shadows, lens, changed);
+            }
+            _ => changed.add_all(),
+        }
+    }
+
+    /// Adds the tiles that old and new spheres may be seen in, where they differ.
+    fn changed_spheres(&self, before: &Self, lens: &Lens, changed: &mut TileSet) {
+        let (old, new) = (&before.spheres, &self.spheres);
+        let mut add = |sphere: &Sphere| changed.add(&lens.bounds(sphere.centre, sphere.radius));
+        for (old, new) in old.iter().zip(new) {
+            if old != new {
+                add(old);
+                add(new);
+            }
+        }
+        let both = old.len().min(new.len());
+        old[both..].iter().for_each(&mut add);
+        new[both..].iter().for_each(&mut add);
+    }
+
+    /// Adds the tiles in which objects, their shadows or what is seen in them differ.
+    fn changed_objects(&self, before: &Self, shadows: bool, lens: &Lens, changed: &mut TileSet) {
         if self.options != before.options
             || self.addresses != before.addresses
             || self.ambient.as_bytes() != before.ambient.as_bytes()
             || !self.lights_as(before)
-            || !self.same_background(before)
         {
             return changed.add_all();
         }
@@ -136,7 +157,7 @@ impl Shown {
             any = true;
             for (seen, all) in [(old, before), (new, self)] {
                 let Some(seen) = seen else { continue };
-                changed.add(&seen.bounds(lens));
+                changed.add(&place(seen, lens));
                 if change == Change::Place && shadows {
                     pairs += self.lights.len() * self.objects.len();
                     if pairs > MOST_SHADOWS || !all.shadows(seen, lens, changed) {
@@ -152,7 +173,7 @@ impl Shown {
                 .flatten()
                 .filter(|seen| seen.sees_others)
             {
-                changed.add(&seen.bounds(lens));
+                changed.add(&place(seen, lens));
             }
         }
     }
@@ -160,11 +181,6 @@ impl Shown {
     fn lights_as(&self, other: &Self) -> bool {
         let mut pairs = self.lights.iter().zip(&other.lights);
         self.lights.len() == other.lights.len() && pairs.all(|(a, b)| a.lights_as(b))
-    }
-
-    fn same_background(&self, other: &Self) -> bool {
-        let size = size_of::<layout::Object>() + size_of::<layout::Material>();
-        self.record(SCENE_ADDRESS, size) == other.record(SCENE_ADDRESS, size)
     }
 
     fn record(&self, address: u32, size: usize) -> &[u8] {
@@ -203,13 +219,13 @@ impl Shown {
             };
             for on in self.objects.iter().flatten() {
                 if on.is_bent {
-                    changed.add(&on.bounds(lens));
+                    changed.add(&place(on, lens));
                     continue;
                 }
                 // Most objects are out of the shadow's way: theirs are not asked for.
                 let mut bounds = None;
                 shadow.on(on.ball, on.plane, lens, &mut |pixels: &Rectangle| {
-                    let bounds = bounds.get_or_insert_with(|| on.bounds(lens));
+                    let bounds = bounds.get_or_insert_with(|| place(on, lens));
                     changed.add(&pixels.intersection(bounds));
                 });
             }

@@ -7,8 +7,8 @@
 use glam::DVec3;
 use nff::{LightKind, unit};
 
-use super::ball::Ball;
-use crate::work::lens::{Lens, Rectangle};
+use super::lens::{Lens, Rectangle};
+use crate::scene::block::Ball;
 
 /// By how much a ball that throws a shadow is widened, in parts of all distances that its shadow rays take: they
 /// are off by some 2^-20 of these.
@@ -127,7 +127,8 @@ mod tests {
 
     use super::*;
     use crate::framebuffer::Geometry;
-    use crate::work::arithmetic::{camera, magnitude, unit};
+    use crate::scene::random::{magnitude, unit};
+    use crate::work::arithmetic::camera;
 
     const SIZE: Geometry = Geometry {
         width: 80,

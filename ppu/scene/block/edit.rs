@@ -1,9 +1,9 @@
 //! Changing a block in place.
 //!
-//! Invariant: what is asked for has been done, or does not fit where the block has its things: then the answer
-//! is `false`, and the scene has to be laid out anew. After an error it has to be as well. What was changed is
-//! written by the next [`SceneBlock::look`], and takes no memory; [`SceneBlock::bound_chains`]
-//! comes before it.
+//! Invariant: what is asked for has been done, or does not fit where the block has its things:
+//! then the answer is `false`, and the scene has to be laid out anew. After an error it has to be
+//! as well. What was changed is written by the next [`SceneBlock::write_for`], and takes no
+//! memory; [`SceneBlock::bound_chains`] comes before it.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shape};
@@ -11,26 +11,13 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::U32;
 
 use super::chains::Sends;
+use super::error::BlockError;
 use super::materials::{self, Light};
 use super::objects::{self, Object};
+use super::options::{BlockOptions, ShaderEntries};
 use super::range::Place;
-use super::{BlockError, BlockOptions, Piece, SceneBlock, Spare, Surface, ambient};
+use super::{Piece, SceneBlock, Spare, Surface, ambient};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
-
-/// The entries of a program's shaders by their names, looked up without taking memory.
-pub(crate) struct ShaderEntries(Vec<String>);
-
-impl ShaderEntries {
-    /// Of the shaders in the program's table.
-    pub fn new(names: Vec<String>) -> Self {
-        Self(names)
-    }
-
-    fn entry(&self, name: &str) -> Option<u32> {
-        let place = self.0.iter().position(|known| known == name);
-        place.map(|place| place as u32)
-    }
-}
 
 /// For one object of each kind that there are, the room for how many others is tried: as many again, half,
 /// a quarter, an eighth.

@@ -12,18 +12,19 @@
 //! What it does not keep is the order of the file: of equally near surfaces any may be hit.
 
 mod ball;
-mod block;
+mod bytes;
 mod chains;
 mod demand;
 mod edit;
 mod error;
+mod form;
 mod materials;
 mod objects;
+mod options;
 mod planted;
 mod polygons;
 mod range;
-mod shadow;
-mod shown;
+mod seen;
 mod tree;
 
 use std::ops::Range;
@@ -33,48 +34,31 @@ use nff::Scene;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
-use self::block::Block;
-use self::chains::{Chains, Sends, greatest};
+use self::bytes::Block;
+use self::chains::{Sends, greatest};
 use self::demand::Demand;
-use self::materials::Light;
-use self::objects::{Kind, Object};
+use self::form::Kind;
+use self::objects::Object;
 use self::planted::Planted;
 use self::range::Place;
-use crate::scene::singles;
+use crate::scene::single::singles;
 use protocol::layout::{
     self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
 };
 
-pub(crate) use edit::ShaderEntries;
+pub(crate) use ball::Ball;
+pub(crate) use chains::Chains;
 pub use error::BlockError;
-pub(crate) use shown::Shown;
+pub(crate) use materials::Light;
+pub use options::BlockOptions;
+pub(crate) use options::ShaderEntries;
+pub(crate) use seen::Seen;
+pub(crate) use tree::widened;
 
 /// Rays that wait at each depth from the second on, in parts of those that are traced together.
 const QUEUES: usize = 3;
 /// Rays of a packet.
 const PACKET: usize = 16;
-
-/// How a scene is traced.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct BlockOptions {
-    /// Most rays in a chain, the eye's counted, from 1 to [`MAX_DEPTH`].
-    pub ray_depth: u32,
-    /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
-    pub fresnel: bool,
-    /// Whether rays that add nothing to the picture are sent where the Standard Procedural
-    /// Databases count them.
-    pub spd_rays: bool,
-}
-
-impl Default for BlockOptions {
-    fn default() -> Self {
-        Self {
-            ray_depth: 5,
-            fresnel: false,
-            spd_rays: false,
-        }
-    }
-}
 
 /// A scene's block; its buffers serve for every eye.
 #[derive(Clone, Debug)]
@@ -206,15 +190,16 @@ impl SceneBlock {
         };
         scene_block.bound_chains();
         scene_block.check_room()?;
-        scene_block.look(scene.view.from)?;
+        scene_block.write_for(scene.view.from)?;
         Ok(scene_block)
     }
 
-    /// Writes the block for an eye, where it is not so already.
+    /// Writes the block as an eye sees it: what has changed since it was written last, and all of
+    /// it for another eye.
     ///
     /// # Errors
     /// An eye out of range; the block is then the last one's.
-    pub fn look(&mut self, eye: DVec3) -> Result<(), BlockError> {
+    pub fn write_for(&mut self, eye: DVec3) -> Result<(), BlockError> {
         let place = Place {
             file: &self.file,
             line: None,

@@ -3,7 +3,7 @@
 use nff::{Material as NffMaterial, Shader};
 
 use super::*;
-use crate::work::whitted::ShaderEntries;
+use crate::scene::block::ShaderEntries;
 
 const MATT: &str = "l 0 9 0\nf 1 1 1 1 0 0 0 1\n";
 

@@ -12,7 +12,7 @@
 use nff::{Material, Shader};
 use zerocopy::big_endian::F32;
 
-use super::BlockOptions;
+use super::options::BlockOptions;
 use protocol::layout::{self, MAX_DEPTH};
 
 /// The part of a byte's step that a ray has to be able to add to its pixel, to be sent on.
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 1e-5;
 
 /// What the chains of a scene are held to.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Chains {
+pub(crate) struct Chains {
     /// Most rays in a chain, the eye's counted.
     pub ray_depth: u32,
     /// Least weight of a ray that is sent on.
@@ -85,7 +85,7 @@ impl Chains {
 
     /// Of a scene of these materials, whose background, ambient light and lights together are at
     /// most so bright.
-    pub fn of(
+    pub(super) fn of(
         options: BlockOptions,
         materials: impl Iterator<Item = Sends> + Clone,
         [background, ambient, lights]: [f64; 3],

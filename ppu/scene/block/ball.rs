@@ -12,7 +12,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
 /// All points up to a distance from a centre; a point, if that is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Ball {
+pub(crate) struct Ball {
     pub centre: DVec3,
     pub radius: f64,
 }
@@ -33,7 +33,7 @@ impl Ball {
 
 /// Up to four balls.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Hull {
+pub(crate) struct Hull {
     balls: [Ball; 4],
     count: usize,
 }
@@ -99,7 +99,7 @@ mod tests {
     use rand_chacha::ChaCha8Rng;
 
     use super::*;
-    use crate::work::arithmetic::{magnitude, unit};
+    use crate::scene::random::{magnitude, unit};
 
     #[test]
     fn every_ball_is_inside() {

@@ -7,8 +7,9 @@ use glam::DVec3;
 use zerocopy::big_endian::U32;
 
 use super::ball::{Ball, Hull};
-use super::block::Block;
-use super::objects::{Kind, Object};
+use super::bytes::Block;
+use super::form::Kind;
+use super::objects::Object;
 use super::tree::{self, Topology};
 use protocol::layout::Tree;
 

@@ -342,7 +342,7 @@ fn objects_share_their_material() {
 fn lights() {
     let mut block = block("l 1 2 3\n#cellray sun 0 3 4 1 1 1\nl 4 5 6 0.25 0.5 1\n");
     assert_eq!(block.light_count(), 3);
-    block.look(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
+    block.write_for(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
     let light = |block: &SceneBlock, number: u32| {
         let address = U32::new(block.light_address() + number * 32);
         *block.at::<layout::Light>(address)
@@ -364,7 +364,7 @@ fn lights() {
 #[test]
 fn shadow_rays_end_as_near_to_a_light_as_they_start_off_objects() {
     let mut block = block("l 1 2 3\ns 1 1 -2 8\n");
-    block.look(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
+    block.write_for(DVec3::new(1.0, 1.0, 1.0)).expect("an eye");
     let light = block.at::<layout::Light>(U32::new(block.light_address()));
     let (own, leave) = (24.0, 3.0 + 8.0);
     assert_eq!(light.near.get(), (own + 8.0 * leave) / (1 << 20) as f32);
@@ -386,7 +386,7 @@ fn far_from_the_origin_nothing_near_the_eye_is_lost() {
         at(0.0, 0.001, -0.5)
     );
     let mut block = block(&rest);
-    block.look(far).expect("an eye");
+    block.write_for(far).expect("an eye");
     // What the scene's own f64 coordinates still have there.
     let exact = 1e-9;
     let sphere: &Head = block.at(only(&block, Kind::Sphere));
@@ -403,8 +403,8 @@ fn a_block_is_that_of_its_last_eye() {
     let scene = nff::sphereflake::generate(2).expect("a scene");
     let mut block = of(&scene, BlockOptions::default());
     let first = block.bytes().to_vec();
-    block.look(DVec3::new(-3.0, 4.0, 1.0)).expect("an eye");
+    block.write_for(DVec3::new(-3.0, 4.0, 1.0)).expect("an eye");
     assert_ne!(block.bytes(), first);
-    block.look(scene.view.from).expect("an eye");
+    block.write_for(scene.view.from).expect("an eye");
     assert_eq!(block.bytes(), first);
 }

@@ -8,10 +8,10 @@ use std::borrow::Cow;
 use glam::DVec3;
 use nff::{area_vector, unit};
 
-use super::BlockError;
-use super::objects::Form;
+use super::error::BlockError;
+use super::form::{FLAT, Form};
 use super::range::Place;
-use crate::scene::{LARGEST, SMALLEST};
+use crate::scene::single::{LARGEST, SMALLEST};
 use protocol::layout::MAX_OBJECTS;
 
 /// By how much a corner of a parallelogram may be off, in parts of the longer edge: half a unit in
@@ -20,10 +20,6 @@ const OFF_CORNER: f64 = 1.0 / (1 << 24) as f64;
 
 /// Height of a triangle, in parts of its longest edge, below which no ray hits it.
 const SLIVER: f64 = 1.0 / (1 << 24) as f64;
-
-/// What vertices may be off their polygon's plane, in parts of its size: no more than numbers of a
-/// scene are rounded by. They stay where they are, so that polygons that share them leave no gap.
-pub(super) const FLAT: f64 = 1.0 / (1 << 18) as f64;
 
 /// Whether all vertices are in range.
 pub(super) fn check_vertices(vertices: &[DVec3], place: Place<'_>) -> Result<(), BlockError> {

@@ -4,8 +4,8 @@ use std::fmt;
 
 use glam::DVec3;
 
-use super::BlockError;
-use crate::scene::{LARGEST, SMALLEST};
+use super::error::BlockError;
+use crate::scene::single::{LARGEST, SMALLEST};
 
 /// Where the numbers stand that are checked: messages begin with it.
 #[derive(Clone, Copy)]

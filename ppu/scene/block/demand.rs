@@ -2,7 +2,7 @@
 
 use nff::{Scene, Shape};
 
-use super::objects::{self, Kind};
+use super::form::{Kind, PATCH_SIZE};
 use super::tree;
 use protocol::layout;
 
@@ -49,7 +49,7 @@ impl Demand {
         let mut is_used = vec![false; scene.materials.len()];
         for object in &scene.objects {
             if matches!(object.shape, Shape::Patch { .. }) {
-                sizes[Kind::Triangle as usize] = objects::PATCH_SIZE;
+                sizes[Kind::Triangle as usize] = PATCH_SIZE;
             }
             if let Some(is_used) = is_used.get_mut(object.material as usize) {
                 *is_used = true;
