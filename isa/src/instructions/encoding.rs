@@ -33,7 +33,6 @@ const fn place_branch_distance(bytes: i16, high_last: u32) -> u32 {
 
 impl Format {
     /// The fields of `word`, which holds an `op` of this format.
-    #[inline]
     const fn unpack(self, op: Op, word: u32) -> Instruction {
         let mut i = Instruction {
             op,

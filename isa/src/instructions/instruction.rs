@@ -90,6 +90,7 @@ impl Instruction {
     }
 
     /// The number in a register field.
+    #[inline]
     #[must_use]
     pub const fn register(self, field: Field) -> u8 {
         match field {

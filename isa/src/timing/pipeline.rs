@@ -119,7 +119,6 @@ impl Pipeline {
     }
 
     /// Issues the next instruction of the executed stream, which stands at `pc`.
-    #[inline]
     pub fn issue(&mut self, pc: u32, instruction: Instruction) -> Issue {
         let class = instruction.op.row().class;
         let pipe = class.pipe();
@@ -195,7 +194,6 @@ impl Pipeline {
 
     /// Where the branch at `pc`, which issued last, went: `None` if straight on. Also for what an
     /// interrupt or a restart does to the stream: nothing predicted it, so it costs a miss.
-    #[inline]
     pub fn branched(&mut self, pc: u32, target: Option<u32>) {
         let right = match self.prediction {
             Prediction::NotTaken => target.is_none(),
@@ -215,7 +213,6 @@ impl Pipeline {
 
     /// Tells the target of the `hbr` that issued last, a register's value. Without this the hint
     /// counts as right.
-    #[inline]
     pub fn hint_target(&mut self, target: u32) {
         if let Some(hint) = &mut self.hint
             && hint.is_number(self.issued.wrapping_sub(1))
@@ -227,7 +224,6 @@ impl Pipeline {
     /// Nothing issues before `cycle`, for what happens outside the pipelines. If a channel
     /// instruction issued last, it is what was held up: it gives its result as though it had issued
     /// in the cycle before.
-    #[inline]
     pub fn stall_until(&mut self, cycle: u64, cause: Cause) {
         if cycle <= self.clock {
             return;
