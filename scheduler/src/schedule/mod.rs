@@ -104,9 +104,7 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     let mut copied = 0;
     for (lines, made, body) in bodies {
         source.copy(copied..lines.first + 1, path, &used, &mut text);
-        for (name, number) in made {
-            text.push_str(&format!("        .set    {name},{number}\n"));
-        }
+        text.push_str(&text::names(&made));
         text.push_str(&body);
         copied = lines.end;
     }

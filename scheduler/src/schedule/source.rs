@@ -118,8 +118,8 @@ impl<'a> Source<'a> {
 
     /// The names of registers. `numbers` are the values at the end of the source: a name that has
     /// changed, or that also stands for a plain number, is left out. Of the files that the source
-    /// includes only these values are known: one of their names counts if the source has none for
-    /// its number, and they no second one.
+    /// includes only these values are known: of their names for a number the first by the
+    /// alphabet counts, if the source has none for it.
     pub fn register_names<'n>(
         &self,
         functions: &[Lines],
@@ -165,14 +165,16 @@ impl<'a> Source<'a> {
                 by_number.entry(number).or_default().push(name);
             }
         }
-        let only = by_number.into_iter().filter(|(_, names)| names.len() == 1);
-        only.map(|(number, names)| Name {
-            line: 0,
-            name: names[0],
-            number: number as u8,
-            inside: false,
-        })
-        .collect()
+        // They come in the order of the alphabet.
+        let first = by_number.into_iter();
+        first
+            .map(|(number, names)| Name {
+                line: 0,
+                name: names[0],
+                number: number as u8,
+                inside: false,
+            })
+            .collect()
     }
 
     /// Whether a name stands somewhere without the sign of a register.

@@ -30,6 +30,30 @@ pub(super) struct Word {
     pub labels: Vec<String>,
 }
 
+/// Names that are given to registers, as many in a line as there is room for.
+pub(super) fn names(made: &[(String, u8)]) -> String {
+    let mut text = String::new();
+    let mut column = WIDTH;
+    for (name, number) in made {
+        let given = format!(".set {name},{number}");
+        if column + "; ".len() + given.len() < WIDTH {
+            text.push_str("; ");
+            column += "; ".len() + given.len();
+        } else {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(&" ".repeat(MNEMONIC));
+            column = MNEMONIC + given.len();
+        }
+        text.push_str(&given);
+    }
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    text
+}
+
 /// Writes a function's words.
 pub(super) fn write(
     words: &[Word],
@@ -39,10 +63,7 @@ pub(super) fn write(
     source: &Source<'_>,
 ) -> String {
     let mut text = String::new();
-    for (at, word) in words.iter().enumerate() {
-        if at > 0 && word.address % 8 == 0 {
-            text.push('\n');
-        }
+    for word in words {
         for label in &word.labels {
             // Writing to a string does not fail.
             let _ = writeln!(text, "{label}:");
