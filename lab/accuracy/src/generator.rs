@@ -8,7 +8,6 @@ pub type Generator = Xoshiro256PlusPlus;
 
 /// A generator of the numbers that are drawn for one purpose, by name, in one round: it does not hang on what
 /// else is drawn.
-#[must_use]
 pub fn generator(seed: u64, purpose: &[&str], round: u32) -> Generator {
     let bytes = purpose.iter().flat_map(|name| name.bytes().chain([0]));
     // FNV-1a.

@@ -78,6 +78,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     output::write(&document, &arguments.out)?;
+    plots::write(
+        &document.results,
+        &arguments.out,
+        "",
+        &[Format::Svg, Format::Png],
+    )?;
     eprintln!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));

@@ -3,13 +3,12 @@
 use crate::generator::Generator;
 use rand::Rng as _;
 use spu_emulator::float::single::to_f64;
-use twins::FARTHEST;
 use twins::ball::Ray;
 
-use super::space::{
-    across, along, direction, in_ball, in_cube, less, nearest, on_disc, point, unit,
-};
 use super::{Form, PACKETS, Shot};
+use crate::space::{
+    across, along, direction, fresh, in_ball, in_cube, less, nearest, on_disc, point, unit,
+};
 use crate::truth::Vector;
 
 /// How far from 0 origins are, in radii.
@@ -34,12 +33,12 @@ fn rounded(value: f64) -> f64 {
 }
 
 fn ray(origin: Vector, direction: Vector) -> Ray {
-    Ray {
-        origin: point(origin),
-        direction: point(direction),
-        t: FARTHEST,
-        object: 0,
-    }
+    fresh(point(origin), point(direction))
+}
+
+/// A ray to a point.
+fn ray_to(target: Vector, from: Vector) -> Ray {
+    ray(from, unit(less(target, from)))
 }
 
 /// A sphere, and packets of rays that `aim` gives.
@@ -63,7 +62,7 @@ fn distant(from: Vector, radius: f64, ratio: f64, random: &mut Generator) -> Sho
     let centre = along(from, ratio * radius, axis);
     shot(centre, radius, random, |random| {
         let target = on_disc(centre, axis, 2.0 * radius, random);
-        ray(from, unit(less(target, from)))
+        ray_to(target, from)
     })
 }
 
@@ -110,7 +109,7 @@ pub(super) fn ground(random: &mut Generator, form: Form, radius: f64) -> Shot {
     shot(centre, radius, random, |random| {
         let below = along(from, -height, up);
         let target = on_disc(below, up, 20.0 * height, random);
-        ray(from, unit(less(target, from)))
+        ray_to(target, from)
     })
 }
 
@@ -125,7 +124,7 @@ pub(super) fn coherent(random: &mut Generator, _: Form, ratio: f64) -> Shot {
         std::array::from_fn(|lane| {
             let step = |at: usize| (at as f64 - 1.5) * 0.02 * radius;
             let target = along(along(middle, step(lane % 4), right), step(lane / 4), down);
-            ray(from, unit(less(target, from)))
+            ray_to(target, from)
         })
     };
     Shot {
@@ -144,7 +143,7 @@ pub(super) fn incoherent(random: &mut Generator, _: Form, _: f64) -> Shot {
         let axis = direction(random);
         let from = along(centre, -ratio * radius, axis).map(rounded);
         let target = on_disc(centre, axis, 2.0 * radius, random);
-        ray(from, unit(less(target, from)))
+        ray_to(target, from)
     })
 }
 

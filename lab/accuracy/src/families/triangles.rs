@@ -2,13 +2,12 @@
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
-use twins::FARTHEST;
 use twins::ball::Ray;
 use twins::triangle::Triangle;
 
 use super::PACKETS;
-use super::space::{across, along, direction, dot, in_cube, less, point, unit};
-use crate::truth::Vector;
+use crate::space::{across, along, direction, dot, fresh, in_cube, less, point, unit};
+use crate::truth::{Line, Vector};
 
 /// How flat a ray may come at least: the cosine of its angle with the normal.
 const SLANT: f64 = 0.3;
@@ -69,9 +68,15 @@ pub const FAMILIES: &[Family] = &[
     },
 ];
 
+impl Shot {
+    /// Its rays as exact numbers.
+    pub fn lines(&self) -> impl Iterator<Item = Line> {
+        super::lines(&self.packets)
+    }
+}
+
 impl Family {
     /// So many shots with [`PACKETS`] packets each.
-    #[must_use]
     pub fn shots(&self, seed: u64, shots: usize) -> Vec<Shot> {
         let mut random = generator(seed, &[self.name], 0);
         (0..shots).map(|_| self.shot(&mut random)).collect()
@@ -96,12 +101,7 @@ impl Family {
                 let [u, v] = [(); 2].map(|()| random.random_range(-0.2..0.8));
                 along(along(a, u, less(b, a)), v, less(c, a))
             };
-            Ray {
-                origin: point(from),
-                direction: point(unit(less(target, from))),
-                t: FARTHEST,
-                object: 0,
-            }
+            fresh(point(from), point(unit(less(target, from))))
         };
         let packet = |_| std::array::from_fn(|_| ray(random));
         let packets = (0..PACKETS).map(packet).collect();
@@ -132,7 +132,6 @@ mod tests {
     use std::cmp::Ordering;
 
     use super::*;
-    use crate::truth::Line;
     use crate::truth::triangle;
 
     #[test]
@@ -140,11 +139,8 @@ mod tests {
         for family in FAMILIES {
             let (mut within, mut rays) = (0, 0);
             for shot in family.shots(1, 6) {
-                let exact: Vec<_> = shot
-                    .triangles
-                    .iter()
-                    .map(|triangle| triangle::Triangle::new(*triangle))
-                    .collect();
+                let triangles = shot.triangles.iter().copied();
+                let exact: Vec<_> = triangles.map(triangle::Triangle::new).collect();
                 assert_eq!(exact.len(), if family.shared_edge { 2 } else { 1 });
                 let [a, b, c] = exact[0].vertices();
                 let longest = dot(less(b, a), less(b, a)).sqrt();
@@ -155,8 +151,7 @@ mod tests {
                 );
                 let height = dot(less(c, foot), less(c, foot)).sqrt() / longest;
                 assert!((height / family.height - 1.0).abs() < 1e-2, "{height}");
-                for ray in shot.packets.iter().flatten() {
-                    let line = Line::new(ray.origin, ray.direction);
+                for line in shot.lines() {
                     let reach = dot(less(line.origin, a), less(line.origin, a)).sqrt() / longest;
                     let [near, far] = family.reach;
                     assert!((near * 0.99..far * 1.01).contains(&reach), "{reach}");

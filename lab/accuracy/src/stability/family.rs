@@ -6,33 +6,37 @@ use crate::generator::Generator;
 use kernels::Bench;
 use thiserror::Error;
 
-use super::statement::Bound;
+use super::statement::{Bound, StatementError};
 
 /// Cases of one kind, tried on one kernel or one chain of them.
-pub trait Family: Sync {
+pub struct Family {
     /// The family.
-    fn name(&self) -> &'static str;
+    pub name: &'static str,
     /// What is tried on it.
-    fn subject(&self) -> &str;
+    pub subject: String,
     /// What its errors are counted in.
-    fn unit(&self) -> &'static str;
+    pub unit: &'static str,
     /// What they are held to.
-    fn bound(&self) -> Bound;
+    pub bound: Bound,
     /// Rounds of a run that is neither quick nor full.
-    fn rounds(&self) -> u32;
-    /// Tries some cases.
-    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally);
-    /// Tries the case that these words say.
-    ///
-    /// # Errors
-    /// They say none.
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError>;
+    pub rounds: u32,
+    /// How cases are made and tried.
+    pub cases: Box<dyn Cases>,
 }
+
+/// How cases are made and tried.
+pub trait Cases: Sync {
+    /// Tries some new ones.
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally);
+    /// Tries the one that these words say.
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed;
+}
+
+/// Whether words were a case.
+pub type Replayed = Result<(), NoCaseError>;
+
+/// Families, if all of their bounds are where they should be.
+pub type Families = Result<Vec<Family>, StatementError>;
 
 /// The words of a kept input say no case of its family.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -44,15 +48,20 @@ pub struct NoCaseError {
     pub needed: usize,
 }
 
-/// The words of a case, if there are as many as it has.
-///
-/// # Errors
-/// There are more or fewer.
-pub fn words_of<const N: usize>(words: &[u32]) -> Result<[u32; N], NoCaseError> {
-    words.try_into().map_err(|_| NoCaseError {
-        found: words.len(),
-        needed: N,
-    })
+/// Refuses what are not as many words as a case has.
+pub fn need(needed: usize, words: &[u32]) -> Replayed {
+    let found = words.len();
+    if found == needed {
+        Ok(())
+    } else {
+        Err(NoCaseError { found, needed })
+    }
+}
+
+/// The vectors of a case, or of a part of one, that has as many words as they do.
+pub fn points_of<const N: usize>(words: &[u32]) -> Result<[[u32; 3]; N], NoCaseError> {
+    need(3 * N, words)?;
+    Ok(std::array::from_fn(|n| [0, 1, 2].map(|k| words[3 * n + k])))
 }
 
 /// What has been found of a family.
@@ -124,7 +133,6 @@ impl Tally {
     }
 
     /// Whether all that is asked of it holds, and anything was asked.
-    #[must_use]
     pub fn holds(&self, bound: &Bound) -> bool {
         self.counted > 0 && self.wrong == 0 && self.worst <= bound.value
     }

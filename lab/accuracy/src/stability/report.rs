@@ -79,30 +79,27 @@ struct RowRecord<'a> {
 
 impl Row {
     /// The row of a family, of what was kept and what is new.
-    #[must_use]
-    pub fn new(section: Section, family: &dyn Family, replayed: Tally, tally: Tally) -> Self {
+    pub fn new(section: Section, family: Family, replayed: Tally, tally: Tally) -> Self {
         let mut all = replayed;
         let replayed = all.cases;
         all.append(tally);
         Self {
             section,
-            family: family.name(),
-            subject: family.subject().to_owned(),
-            unit: family.unit(),
-            bound: family.bound(),
+            family: family.name,
+            subject: family.subject,
+            unit: family.unit,
+            bound: family.bound,
             replayed,
             tally: all,
         }
     }
 
     /// Whether the bound holds.
-    #[must_use]
     pub fn held(&self) -> bool {
         self.tally.holds(&self.bound)
     }
 
     /// The worst input's words.
-    #[must_use]
     pub fn hex(&self) -> Vec<String> {
         let words = self.tally.input.iter();
         words.map(|word| format!("{word:08x}")).collect()
@@ -129,13 +126,11 @@ impl Row {
 
 impl Report {
     /// Whether all bounds hold, and there were any.
-    #[must_use]
     pub fn held(&self) -> bool {
         !self.rows.is_empty() && self.rows.iter().all(Row::held)
     }
 
     /// The report for programs: nothing in it depends on the host.
-    #[must_use]
     pub fn json(&self) -> Value {
         let rows: Vec<RowRecord<'_>> = self.rows.iter().map(Row::record).collect();
         let size = match self.size {

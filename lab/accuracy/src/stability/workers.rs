@@ -23,10 +23,8 @@ struct Part {
 }
 
 /// Tries so many rounds of each family.
-///
-/// # Errors
-/// A kernel broke a rule of the ABI, its versions disagree, or it did not come to an end.
-pub fn tally(families: &[(&dyn Family, u32)], seed: u64) -> Result<Vec<Tally>, SuiteError> {
+/// Fails if a kernel broke a rule of the ABI, its versions disagree, or it did not come to an end.
+pub fn tally(families: &[(&Family, u32)], seed: u64) -> Result<Vec<Tally>, SuiteError> {
     let parts: Vec<Part> = families
         .iter()
         .enumerate()
@@ -54,11 +52,11 @@ pub fn tally(families: &[(&dyn Family, u32)], seed: u64) -> Result<Vec<Tally>, S
     Ok(tallies)
 }
 
-fn rounds(bench: &mut Bench, family: &dyn Family, seed: u64, part: &Part) -> Tally {
+fn rounds(bench: &mut Bench, family: &Family, seed: u64, part: &Part) -> Tally {
     let mut tally = Tally::default();
     for round in part.rounds.clone() {
-        let mut random = of_round(seed, family.name(), family.subject(), round);
-        family.round(bench, &mut random, &mut tally);
+        let mut random = of_round(seed, family.name, &family.subject, round);
+        family.cases.round(bench, &mut random, &mut tally);
     }
     tally
 }

@@ -32,7 +32,6 @@ pub struct Line {
 
 impl Line {
     /// The ray that a kernel is given.
-    #[must_use]
     pub fn new(origin: [Single; 3], direction: [Single; 3]) -> Self {
         Self {
             origin: origin.map(to_f64),
@@ -41,7 +40,6 @@ impl Line {
     }
 
     /// The point at a distance, in double precision.
-    #[must_use]
     pub fn point(&self, distance: f64) -> Vector {
         let length = space::dot(&self.direction, &self.direction).sqrt();
         std::array::from_fn(|axis| self.origin[axis] + distance * (self.direction[axis] / length))
@@ -49,7 +47,6 @@ impl Line {
 }
 
 /// From a single to the next: what an ulp is at `value`. Below the smallest single, what it is there.
-#[must_use]
 pub fn spacing(value: f64) -> f64 {
     const SMALLEST: f64 = 1.0 / (1_u128 << 126) as f64;
     single::spacing(value.abs().max(SMALLEST))

@@ -43,7 +43,6 @@ pub struct Passing {
 
 impl Crossing {
     /// The first distance that is above 0, and the outward normal there.
-    #[must_use]
     pub fn first(&self) -> Option<(f64, Vector)> {
         let ends = [
             (self.entry, self.entry_normal),
@@ -55,7 +54,6 @@ impl Crossing {
 
 impl Sphere {
     /// A sphere that a kernel is given by its radius, of either sign.
-    #[must_use]
     pub fn of_radius(centre: [Single; 3], radius: Single) -> Self {
         let radius = to_f64(radius);
         Self {
@@ -66,7 +64,6 @@ impl Sphere {
     }
 
     /// A sphere that a kernel is given by its radius squared.
-    #[must_use]
     pub fn of_radius_squared(centre: [Single; 3], radius_squared: Single) -> Self {
         Self {
             centre: centre.map(to_f64),
@@ -76,7 +73,6 @@ impl Sphere {
 
     /// A sphere that a kernel is given by its direction and distance from 0 and the square of radius over
     /// distance. Its own numbers are rounded to doubles.
-    #[must_use]
     pub fn of_axis(axis: [Single; 3], k: Single, distance: Single) -> Self {
         let (axis, distance) = (axis.map(to_f64), to_f64(distance));
         let length = dot(&axis, &axis).sqrt();
@@ -87,27 +83,18 @@ impl Sphere {
     }
 
     /// Its centre.
-    #[must_use]
     pub fn centre(&self) -> Vector {
         self.centre
     }
 
     /// Its radius, in double precision.
-    #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius_squared.sqrt()
     }
 
     /// How a ray passes it.
-    #[must_use]
     pub fn passing(&self, line: &Line) -> Passing {
         self.in_double(line).unwrap_or_else(|| self.in_exact(line))
-    }
-
-    /// Where a ray's line crosses it.
-    #[must_use]
-    pub fn crossing(&self, line: &Line) -> Option<Crossing> {
-        self.passing(line).crossing
     }
 
     /// The answer of double precision, unless it is in doubt.
@@ -211,6 +198,12 @@ mod tests {
 
     fn line(origin: Vector, direction: Vector) -> Line {
         Line::new(origin.map(from_f64), direction.map(from_f64))
+    }
+
+    impl Sphere {
+        fn crossing(&self, line: &Line) -> Option<Crossing> {
+            self.passing(line).crossing
+        }
     }
 
     /// Both ways of finding it.

@@ -31,7 +31,6 @@ pub struct Meeting {
 
 impl Meeting {
     /// Within the triangle, on its rim, or outside.
-    #[must_use]
     pub fn side(&self) -> Ordering {
         self.sides.into_iter().min().unwrap_or(Ordering::Less)
     }
@@ -60,7 +59,6 @@ impl<T: Number> Volumes<T> {
 
 impl Triangle {
     /// A triangle that a kernel is given.
-    #[must_use]
     pub fn new(vertices: [[Single; 3]; 3]) -> Self {
         Self {
             vertices: vertices.map(|vertex| vertex.map(to_f64)),
@@ -68,13 +66,11 @@ impl Triangle {
     }
 
     /// Its vertices.
-    #[must_use]
     pub fn vertices(&self) -> [Vector; 3] {
         self.vertices
     }
 
     /// Where a ray's line meets its plane; `None` if they are parallel, or there is no plane.
-    #[must_use]
     pub fn meeting(&self, line: &Line) -> Option<Meeting> {
         self.in_double(line).unwrap_or_else(|| self.in_exact(line))
     }

@@ -1,8 +1,7 @@
 //! A ray, a sphere, what is so of them and what a kernel says: in what its header counts errors.
 
-use kernels::vector::{dot, less};
-
 use crate::families::Form;
+use crate::space::{length, less};
 use crate::stability::statement::{StatementError, says, stated};
 use crate::subject::{ANY_LENGTH, Subject};
 use crate::truth::sphere::{Passing, Sphere};
@@ -56,9 +55,6 @@ pub struct Look {
 
 impl Stated {
     /// What the header of a kernel says.
-    ///
-    /// # Errors
-    /// It does not.
     pub fn of(subject: &Subject) -> Result<Self, StatementError> {
         let kernel = subject.kernel;
         Ok(Self {
@@ -72,9 +68,7 @@ impl Stated {
             within: stated(kernel, "r of it")?,
         })
     }
-}
 
-impl Stated {
     /// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other, or
     /// a hit be lost because its distance, being less than its error, is not above 0.
     pub fn surface(&self) -> f64 {
@@ -92,23 +86,22 @@ impl Look {
         found: Option<f64>,
     ) -> Self {
         let passing = sphere.passing(line);
-        let exact = passing.crossing.and_then(|crossing| match subject.form {
-            Form::Eye => Some(crossing.entry).filter(|t| *t > 0.0),
-            Form::General => crossing.first().map(|(t, _)| t),
-        });
+        let seen = passing
+            .crossing
+            .and_then(|crossing| subject.form.seen(&crossing));
+        let unit = length(line.direction);
         let found = found.map(|t| match subject.formulation.name {
-            ANY_LENGTH => t * dot(line.direction, line.direction).sqrt(),
+            ANY_LENGTH => t * unit,
             _ => t,
         });
-        let from_centre = less(line.origin, sphere.centre());
         Self {
             subject,
             stated,
             passing,
-            distance: dot(from_centre, from_centre).sqrt(),
+            distance: length(less(line.origin, sphere.centre())),
             radius: sphere.radius(),
-            off_length: (dot(line.direction, line.direction).sqrt() - 1.0).abs(),
-            exact,
+            off_length: (unit - 1.0).abs(),
+            exact: seen.map(|(t, _)| t),
             found,
         }
     }
@@ -172,12 +165,12 @@ impl Look {
 
     /// What the header counts the error of this distance in, at the condition of its domain.
     pub fn unit(&self, exact: f64) -> f64 {
-        let size = if self.stated.of_larger {
-            exact.max(self.radius)
+        let least = if self.stated.of_larger {
+            self.radius
         } else {
             exact
         };
-        spacing(size) * self.condition()
+        spacing(exact.max(least)) * self.condition()
     }
 
     /// What the direction's own length moves of a distance. Where less than an ulp is stated, it is not in it:

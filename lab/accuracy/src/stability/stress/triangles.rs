@@ -9,16 +9,15 @@ use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape as _;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::flat_records::Point;
-use kernels::vector::{Vector, cross, dot, in_cube, less, unit};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
 use twins::ball::Ray;
 
-use super::family::{Family, NoCaseError, Tally, words_of};
-use super::random::{across, magnitude, nearby, rounded};
-use super::statement::{Bound, StatementError};
-use crate::families::space::direction;
+use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, two_sided, unit};
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, points_of};
+use crate::stability::random::{across, magnitude, nearby, rounded, towards};
+use crate::stability::statement::Bound;
+use crate::truth::Vector;
 use crate::truth::triangle::Triangle;
 use crate::truth::{Line, spacing};
 
@@ -30,18 +29,11 @@ pub const EDGE: f64 = 8.0;
 /// Triangles of a round.
 const TRIANGLES: u32 = 16;
 
-/// What is asked of a hit.
-struct Kind {
-    name: &'static str,
-    unit: &'static str,
+/// A kind of cases.
+struct Triangles {
     make: fn(&mut Generator) -> Aimed,
     /// The error of a ray, if anything is asked of it; infinite if it is wrong.
     judge: fn(&Case) -> Option<f64>,
-}
-
-struct Triangles {
-    kind: &'static Kind,
-    bound: Bound,
 }
 
 /// A triangle and rays to it.
@@ -57,72 +49,58 @@ struct Case {
     found: Option<f64>,
 }
 
-const KINDS: [Kind; 3] = [
-    Kind {
-        name: "triangle-needles",
-        unit: "ulp of the farthest vertex, beyond the vertices",
-        make: needle,
-        judge: beyond_vertices,
-    },
-    Kind {
-        name: "triangle-degenerate",
-        unit: "hits",
-        make: repeated,
-        judge: |case| {
-            Some(if case.found.is_some() {
-                f64::INFINITY
-            } else {
-                0.0
-            })
-        },
-    },
-    Kind {
-        name: "triangle-edges",
-        unit: "ulp of the farthest vertex, off the edge",
-        make: near_edge,
-        judge: off_edge,
-    },
-];
-
 /// All kinds.
-///
-/// # Errors
-/// The header does not state the error.
-pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
-    let error = Bound::of(STATED)?;
-    let bounds = [
-        error,
-        Bound::none("edges of one point have no area"),
-        Bound {
-            value: EDGE,
-            source: "roundings of vertices and slopes".to_owned(),
-        },
-    ];
-    let mut families: Vec<Box<dyn Family>> = Vec::new();
-    for (kind, bound) in KINDS.iter().zip(bounds) {
-        families.push(Box::new(Triangles { kind, bound }));
-    }
-    Ok(families)
+pub fn families() -> Families {
+    let family = |name, unit, bound, make, judge| Family {
+        name,
+        subject: TriangleObject::KERNEL.to_owned(),
+        unit,
+        bound,
+        rounds: 400,
+        cases: Box::new(Triangles { make, judge }),
+    };
+    Ok(vec![
+        family(
+            "triangle-needles",
+            "ulp of the farthest vertex, beyond the vertices",
+            Bound::of(STATED)?,
+            needle,
+            beyond_vertices,
+        ),
+        family(
+            "triangle-degenerate",
+            "hits",
+            Bound::none("edges of one point have no area"),
+            repeated,
+            |case| Some(case.found.map_or(0.0, |_| f64::INFINITY)),
+        ),
+        family(
+            "triangle-edges",
+            "ulp of the farthest vertex, off the edge",
+            Bound {
+                value: EDGE,
+                source: "roundings of vertices and slopes".to_owned(),
+            },
+            near_edge,
+            off_edge,
+        ),
+    ])
 }
 
 /// How far the line between two points passes from the line of a triangle's nearest edge.
-#[must_use]
 pub fn off_edges(vertices: &[Point; 3], from: Vector, way: Vector) -> f64 {
     let corners = vertices.map(|vertex| less(vertex.map(to_f64), from));
     let off = (0..3).map(|k| {
         let (a, edge) = (corners[k], less(corners[(k + 1) % 3], corners[k]));
         let across = cross(way, edge);
-        dot(a, across).abs() / dot(across, across).sqrt()
+        dot(a, across).abs() / length(across)
     });
     off.fold(f64::INFINITY, f64::min)
 }
 
 /// The distance of the farthest vertex from the ray's origin.
 fn farthest(case: &Case) -> f64 {
-    let distance = |vertex: &Point| {
-        let to = less(vertex.map(to_f64), case.line.origin);
-        dot(to, to).sqrt()
-    };
+    let distance = |vertex: &Point| length(less(vertex.map(to_f64), case.line.origin));
     case.vertices.iter().map(distance).fold(0.0, f64::max)
 }
 
@@ -149,62 +127,48 @@ fn off_edge(case: &Case) -> Option<f64> {
     Some(off / spacing(farthest(case)))
 }
 
-/// A ray towards a point, from this far back.
-fn towards(target: Vector, back: Vector, distance: f64, random: &mut Generator) -> Ray {
-    let origin = rounded(std::array::from_fn(|k| target[k] + distance * back[k]));
-    let way = less(target, origin);
-    let way = if way == [0.0; 3] {
-        [0.0, 0.0, 1.0]
-    } else {
-        unit(way)
-    };
-    Ray {
-        origin: origin.map(from_f64),
-        direction: nearby(way, random),
-        t: FARTHEST,
-        object: 0,
-    }
+/// A ray towards a point, from this far back, by nearly the direction to there.
+fn aimed_at(target: Vector, back: Vector, distance: f64, random: &mut Generator) -> Ray {
+    let origin = rounded(along(target, distance, back));
+    let way = towards(origin, target, [0.0, 0.0, 1.0]);
+    fresh(origin.map(from_f64), nearby(way, random))
 }
 
 /// As thin as singles let a triangle be, or in line altogether; rays to points along it.
 fn needle(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
-    let along = direction(random);
-    let [aside, _] = across(along, random);
+    let axis = direction(random);
+    let [aside, _] = across(axis, random);
     let width = if random.random_ratio(1, 4) {
         0.0
     } else {
         size * magnitude(-30, 0, random)
     };
     let share = random.random_range(-0.5..1.5);
-    let b: Vector = std::array::from_fn(|k| a[k] + size * along[k]);
-    let c: Vector = std::array::from_fn(|k| a[k] + share * size * along[k] + width * aside[k]);
+    let b = along(a, size, axis);
+    let c = along(along(a, share * size, axis), width, aside);
     let rays = [(); 16].map(|()| {
         let [u, v] = [(); 2].map(|()| random.random_range(0.0..0.5));
-        let target = std::array::from_fn(|k| a[k] + u * (b[k] - a[k]) + v * (c[k] - a[k]));
+        let target = along(along(a, u, less(b, a)), v, less(c, a));
         // Half of them see it at one distance from end to end.
-        let [aside, _] = across(along, random);
+        let [aside, _] = across(axis, random);
         let back = if random.random() {
             aside
         } else {
             direction(random)
         };
         let distance = size * magnitude(-4, 7, random);
-        towards(target, back, distance, random)
+        aimed_at(target, back, distance, random)
     });
-    Aimed {
-        vertices: [a, b, c].map(|v| v.map(from_f64)),
-        rays,
-    }
+    Aimed::new([a, b, c], rays)
 }
 
 /// Two or three vertices that are one point; rays to it and to the edge.
 fn repeated(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
-    let along = direction(random);
-    let b: Vector = rounded(std::array::from_fn(|k| a[k] + size * along[k]));
+    let b = rounded(along(a, size, direction(random)));
     let mut vertices = [a, a, if random.random_ratio(1, 4) { a } else { b }];
     vertices.rotate_left(random.random_range(0..3));
     let rays = [(); 16].map(|()| {
@@ -213,27 +177,18 @@ fn repeated(random: &mut Generator) -> Aimed {
             1 => 1.0,
             _ => random.random_range(0.0..1.0),
         };
-        let target = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
         let distance = size * magnitude(-4, 7, random);
-        {
-            let back = direction(random);
-            towards(target, back, distance, random)
-        }
+        let back = direction(random);
+        aimed_at(along(a, share, less(b, a)), back, distance, random)
     });
-    Aimed {
-        vertices: vertices.map(|v| v.map(from_f64)),
-        rays,
-    }
+    Aimed::new(vertices, rays)
 }
 
 /// Any triangle, rays to points on its edges and within ulps of them.
 fn near_edge(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let place = in_cube(4.0 * size, random);
-    let corners = [(); 3].map(|()| {
-        let offset = in_cube(size, random);
-        rounded(std::array::from_fn(|k| place[k] + offset[k]))
-    });
+    let corners = [(); 3].map(|()| rounded(along(place, 1.0, in_cube(size, random))));
     let rays = [(); 16].map(|()| {
         let from = random.random_range(0..3_usize);
         let (a, b) = (corners[from], corners[(from + 1) % 3]);
@@ -241,25 +196,23 @@ fn near_edge(random: &mut Generator) -> Aimed {
             0 => 0.0,
             _ => random.random_range(0.0..1.0),
         };
-        let target = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
         let distance = size * magnitude(-2, 7, random);
-        {
-            let back = direction(random);
-            towards(target, back, distance, random)
-        }
+        let back = direction(random);
+        aimed_at(along(a, share, less(b, a)), back, distance, random)
     });
-    Aimed {
-        vertices: corners.map(|v| v.map(from_f64)),
-        rays,
+    Aimed::new(corners, rays)
+}
+
+impl Aimed {
+    fn new(vertices: [Vector; 3], rays: [Ray; 16]) -> Self {
+        let vertices = vertices.map(|v| v.map(from_f64));
+        Self { vertices, rays }
     }
 }
 
 impl Triangles {
     fn shoot(&self, bench: &mut Bench, aimed: &Aimed, tally: &mut Tally) {
-        let object = TriangleObject {
-            vertices: aimed.vertices,
-            both: true,
-        };
+        let object = two_sided(aimed.vertices);
         let packets = [call::packet(&aimed.rays, 0)];
         let (after, objects) = call::pairs(bench, &packets, &[object], &[[0, 0]], 0);
         for (ray, after) in aimed.rays.iter().zip(call::rays(&after[0])) {
@@ -272,7 +225,7 @@ impl Triangles {
                 let vertices = aimed.vertices.as_flattened();
                 [vertices, &ray.origin, &ray.direction].concat()
             };
-            match (self.kind.judge)(&case) {
+            match (self.judge)(&case) {
                 None => tally.uncounted(),
                 Some(f64::INFINITY) => tally.wrong(input),
                 Some(error) => tally.error(error, input),
@@ -281,51 +234,19 @@ impl Triangles {
     }
 }
 
-impl Family for Triangles {
-    fn name(&self) -> &'static str {
-        self.kind.name
-    }
-
-    fn subject(&self) -> &str {
-        TriangleObject::KERNEL
-    }
-
-    fn unit(&self) -> &'static str {
-        self.kind.unit
-    }
-
-    fn bound(&self) -> Bound {
-        self.bound.clone()
-    }
-
-    fn rounds(&self) -> u32 {
-        400
-    }
-
+impl Cases for Triangles {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..TRIANGLES {
-            let aimed = (self.kind.make)(random);
+            let aimed = (self.make)(random);
             self.shoot(bench, &aimed, tally);
         }
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let words: [u32; 15] = words_of(words)?;
-        let point = |at: usize| [words[at], words[at + 1], words[at + 2]];
-        let ray = Ray {
-            origin: point(9),
-            direction: point(12),
-            t: FARTHEST,
-            object: 0,
-        };
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        let [a, b, c, origin, direction] = points_of(words)?;
         let aimed = Aimed {
-            vertices: [point(0), point(3), point(6)],
-            rays: [ray; 16],
+            vertices: [a, b, c],
+            rays: [fresh(origin, direction); 16],
         };
         self.shoot(bench, &aimed, tally);
         Ok(())

@@ -39,7 +39,6 @@ pub struct Leaving {
 }
 
 /// A ray that is not there.
-#[must_use]
 pub fn no_ray() -> Ray {
     Ray {
         origin: [0; 3],

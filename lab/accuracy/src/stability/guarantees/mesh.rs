@@ -4,12 +4,13 @@
 
 use crate::generator::Generator;
 use kernels::flat_records::{Point, point};
-use kernels::vector::{Vector, in_cube, less, unit};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::triangle::Triangle;
 
+use crate::space::{along, dot, in_cube, less, unit};
 use crate::stability::random::magnitude;
+use crate::truth::Vector;
 
 /// A place far from the origin, as embree's tests have it.
 const FAR_OUT: Vector = [148_376.0, 1234.0, -223_423.0];
@@ -26,7 +27,6 @@ pub struct Mesh {
 pub type Maker = fn(&mut Generator) -> Mesh;
 
 /// A lumpy ball of any size, somewhere near.
-#[must_use]
 pub fn lumpy(random: &mut Generator) -> Mesh {
     let size = magnitude(-10, 10, random);
     let place = in_cube(10.0 * size, random);
@@ -34,14 +34,12 @@ pub fn lumpy(random: &mut Generator) -> Mesh {
 }
 
 /// One that is thin in one direction or two.
-#[must_use]
 pub fn thin(random: &mut Generator) -> Mesh {
     let widths = std::array::from_fn(|_| magnitude(-13, 0, random));
     Mesh::icosahedron([0.0; 3], 1.0, widths, random)
 }
 
 /// One so far out that the vertices lie on a coarse lattice, and many edges exactly behind others.
-#[must_use]
 pub fn far_out(random: &mut Generator) -> Mesh {
     let size = magnitude(0, 10, random);
     Mesh::icosahedron(FAR_OUT, size, [1.0; 3], random)
@@ -49,7 +47,6 @@ pub fn far_out(random: &mut Generator) -> Mesh {
 
 /// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through vertices
 /// and along faces' edges.
-#[must_use]
 pub fn lattice(random: &mut Generator) -> Mesh {
     const CELLS: usize = 2;
     // Odd numbers, so that products are longer than a single.
@@ -100,7 +97,7 @@ impl Mesh {
             }
         }
         // Edges are as long as neighbours are apart: three neighbours of one another are a face.
-        let near = |a: usize, b: usize| kernels::vector::dot(vertices[a], vertices[b]) > 0.4;
+        let near = |a: usize, b: usize| dot(vertices[a], vertices[b]) > 0.4;
         let mut faces = Vec::new();
         for a in 0..12 {
             for b in (a + 1..12).filter(|b| near(a, *b)) {
@@ -150,13 +147,13 @@ impl Mesh {
         let from = random.random_range(0..3_usize);
         let ends = [face[from], face[(from + 1) % 3]];
         let [a, b] = ends.map(|vertex| self.vertices[vertex].map(to_f64));
-        let along = match random.random_range(0..4) {
+        let share = match random.random_range(0..4) {
             0 => 0.0,
             1 => 0.5,
             2 => random.random_range(0.0..1e-6),
             _ => random.random_range(0.0..1.0),
         };
-        let target: Vector = std::array::from_fn(|axis| a[axis] + along * (b[axis] - a[axis]));
+        let target = along(a, share, less(b, a));
         let mut direction = unit(less(target, self.inside.map(to_f64))).map(from_f64);
         if random.random() {
             let axis = random.random_range(0..3_usize);
