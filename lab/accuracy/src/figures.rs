@@ -10,8 +10,8 @@ use crate::truth::{Line, Vector, spacing};
 /// well-conditioned.
 pub const WELL_CONDITIONED: f64 = 1.5;
 
-/// What is said of a kernel on a family. Verdicts are of all rays; errors are of the rays that the kernel and
-/// exact arithmetic both let hit, as far as they count.
+/// What is said of a kernel on a family. Verdicts are of all rays; errors are of the rays that the
+/// kernel and exact arithmetic both let hit, as far as they count.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
     /// Ulps of the distance that half an ulp in each of the numbers given moves, of what counts.
@@ -24,8 +24,8 @@ pub struct Figures {
     pub hits: usize,
     /// Rays that the kernel lets hit, and exact arithmetic does not.
     pub wrong_hits: usize,
-    /// Rays that exact arithmetic lets hit, and the kernel does not: where two triangles share an edge, that
-    /// neither stops, which is a leak.
+    /// Rays that exact arithmetic lets hit, and the kernel does not: where two triangles share an
+    /// edge, that neither stops, which is a leak.
     pub wrong_misses: usize,
     /// Error of the distance in ulps.
     pub distance_ulps: Option<Summary>,
@@ -92,10 +92,12 @@ struct Errors {
 }
 
 impl Errors {
-    /// Adds those of a hit that a kernel found at `t`, which is a distance unless directions have any length.
+    /// Adds those of a hit that a kernel found at `t`, which is a distance unless directions have
+    /// any length.
     fn add(&mut self, any_length: bool, t: f64, truth: &Truth, hit: &Hit) {
         let Truth { line, scene, .. } = truth;
-        // Where directions have length 1 but for their rounding, what a kernel finds is a distance.
+        // Where directions have length 1 but for their rounding, what a kernel finds is a
+        // distance.
         let unit = if any_length {
             length(line.direction)
         } else {
@@ -119,8 +121,8 @@ impl Errors {
     }
 }
 
-/// The figures of what a kernel found of each ray, and the error of the normal, at its worst coordinate, in ulps
-/// of 1.
+/// The figures of what a kernel found of each ray, and the error of the normal, at its worst
+/// coordinate, in ulps of 1.
 pub fn compare<'a>(
     any_length: bool,
     found: impl Iterator<Item = Option<f64>>,
@@ -159,11 +161,12 @@ pub fn compare<'a>(
     (figures, Summary::of(errors.normal_ulps))
 }
 
-/// Ulps of a hit's distance that half an ulp in each of the numbers given moves, all at their worst.
+/// Ulps of a hit's distance that half an ulp in each of the numbers given moves, all at their
+/// worst.
 ///
-/// A surface of normal n has n.(do + t dd + d dt - dp) = ds: `places` is how far a coordinate of the ray's origin
-/// and of the surface may move, twice over, `surface` the same of the surface along its normal, and `unit` the
-/// length that the direction's numbers are parts of.
+/// A surface of normal n has n.(do + t dd + d dt - dp) = ds: `places` is how far a coordinate of
+/// the ray's origin and of the surface may move, twice over, `surface` the same of the surface
+/// along its normal, and `unit` the length that the direction's numbers are parts of.
 pub fn sensitivity(
     line: &Line,
     unit: f64,

@@ -1,44 +1,24 @@
-//! What can go wrong with a file of results.
+//! What can go wrong where results are written, and with which file.
 
-use std::io;
-use std::path::{Path, PathBuf};
+use std::fmt::Display;
 
-/// Why a file is not written.
+/// Something that can't be written.
 #[derive(Debug, thiserror::Error)]
-pub enum OutputError {
-    /// A folder or file.
-    #[error("{}: {source}", path.display())]
-    File {
-        /// Which.
-        path: PathBuf,
-        /// The system's error.
-        source: io::Error,
-    },
-    /// A number that JSON has no form for.
-    #[error("results as JSON: {0}")]
-    Json(#[from] serde_json::Error),
-    /// A table.
-    #[error("{}: {source}", path.display())]
-    Csv {
-        /// Which.
-        path: PathBuf,
-        /// What failed.
-        source: csv::Error,
-    },
-    /// A plot.
-    #[error("{}: {reason}", path.display())]
-    Plot {
-        /// Which.
-        path: PathBuf,
-        /// What failed.
-        reason: String,
-    },
+#[error("{what}: {reason}")]
+pub struct OutputError {
+    /// Which file or folder, or what of the results.
+    what: String,
+    /// What is said of it: by the system, or by what writes its form.
+    reason: String,
 }
 
 impl OutputError {
-    /// What the system says of a file.
-    pub(crate) fn file(path: &Path) -> impl FnOnce(io::Error) -> Self {
-        let path = path.to_owned();
-        |source| Self::File { path, source }
+    /// What is said of a file, a folder or a part of the results.
+    pub(crate) fn of<E: Display>(what: impl Display) -> impl Fn(E) -> Self {
+        let what = what.to_string();
+        move |reason| Self {
+            what: what.clone(),
+            reason: reason.to_string(),
+        }
     }
 }

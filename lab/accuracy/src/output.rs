@@ -42,13 +42,13 @@ pub struct Document {
 ///
 /// If there is none and it can't be made, or it can't be written to.
 pub fn folder(path: &Path) -> Result<(), OutputError> {
-    fs::create_dir_all(path).map_err(OutputError::file(path))?;
+    fs::create_dir_all(path).map_err(OutputError::of(path.display()))?;
     let probe = path.join(JSON);
     let mut open = fs::OpenOptions::new();
     open.append(true)
         .create(true)
         .open(&probe)
-        .map_err(OutputError::file(&probe))?;
+        .map_err(OutputError::of(probe.display()))?;
     Ok(())
 }
 
@@ -58,14 +58,15 @@ pub fn folder(path: &Path) -> Result<(), OutputError> {
 ///
 /// A file that can't be written.
 pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
-    let mut text = serde_json::to_string_pretty(document)?;
+    let text = serde_json::to_string_pretty(document);
+    let mut text = text.map_err(OutputError::of("results as JSON"))?;
     text.push('\n');
     let written = if path == Path::new("-") {
         io::stdout().write_all(text.as_bytes())
     } else {
         fs::write(path, text)
     };
-    written.map_err(OutputError::file(path))
+    written.map_err(OutputError::of(path.display()))
 }
 
 /// Writes results into a folder: as JSON, and as tables.
@@ -82,15 +83,12 @@ pub fn write(document: &Document, folder: &Path) -> Result<(), OutputError> {
 fn tables(results: &Results, folder: &Path) -> Result<(), OutputError> {
     for (name, rows) in csv_tables(results) {
         let path = folder.join(name);
-        let failed = |source| OutputError::Csv {
-            path: path.clone(),
-            source,
-        };
-        let mut file = csv::Writer::from_path(&path).map_err(failed)?;
+        let mut file = csv::Writer::from_path(&path).map_err(OutputError::of(path.display()))?;
         for row in rows {
-            file.write_record(row).map_err(failed)?;
+            file.write_record(row)
+                .map_err(OutputError::of(path.display()))?;
         }
-        file.flush().map_err(OutputError::file(&path))?;
+        file.flush().map_err(OutputError::of(path.display()))?;
     }
     Ok(())
 }

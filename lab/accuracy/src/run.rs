@@ -16,7 +16,8 @@ use crate::triangles::{self, TriangleRow};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Extent {
-    /// In some seconds, without pictures and roots: what is the same on every host, and checked to be.
+    /// In some seconds, without pictures and roots: what is the same on every host, and checked to
+    /// be.
     Quick,
     /// In some minutes.
     Standard,

@@ -1,4 +1,5 @@
-//! Vectors, rays, and random ones, by basic arithmetic and roots alone, which give the same on every host.
+//! Vectors, rays, and random ones, by basic arithmetic and roots alone, which give the same on
+//! every host.
 
 pub use kernels::vector::{cross, dot, in_cube, less, unit};
 use rand::Rng;

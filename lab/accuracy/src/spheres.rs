@@ -111,8 +111,8 @@ fn truths(family: &Family, subject: &Subject, shot: &Shot) -> Vec<Truth> {
     shot.lines().map(truth).collect()
 }
 
-/// Ulps of a hit's distance that half an ulp in each of the numbers given moves: those of the centre, of the
-/// radius or its square, and of the origin where that is given.
+/// Ulps of a hit's distance that half an ulp in each of the numbers given moves: those of the
+/// centre, of the radius or its square, and of the origin where that is given.
 fn condition(form: Form, shot: &Shot, line: &Line, hit: (f64, [f64; 3])) -> f64 {
     let radius = shot.radius();
     let (of_radius, from_origin) = match form {
@@ -145,7 +145,8 @@ mod tests {
         found.unwrap()
     }
 
-    /// Of the eye's rays: what Whitted's model has of another form is the same bits (oracle/tests/forms.rs).
+    /// Of the eye's rays: what Whitted's model has of another form is the same bits
+    /// (oracle/tests/forms.rs).
     #[test]
     fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {
         let standard = Formulations::standard();

@@ -29,16 +29,12 @@ pub struct Subject {
 
 /// All formulations in all their forms.
 pub fn all() -> impl Iterator<Item = Subject> {
-    [Form::Eye, Form::General].into_iter().flat_map(|form| {
+    Form::ALL.into_iter().flat_map(|form| {
         SPHERES.iter().filter_map(move |formulation| {
-            let kernel = match form {
-                Form::Eye => formulation.eye,
-                Form::General => formulation.general,
-            };
-            kernel.map(|kernel| Subject {
+            Some(Subject {
                 formulation,
                 form,
-                kernel,
+                kernel: form.kernel(formulation)?,
             })
         })
     })

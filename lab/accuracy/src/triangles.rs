@@ -80,8 +80,8 @@ fn truths(shot: &Shot) -> Vec<Truth> {
     shot.lines().map(truth).collect()
 }
 
-/// Ulps of a hit's distance that half an ulp in each of the numbers given moves: those of the vertices, as they
-/// are weighted at the hit, and of the origin.
+/// Ulps of a hit's distance that half an ulp in each of the numbers given moves: those of the
+/// vertices, as they are weighted at the hit, and of the origin.
 fn condition(triangle: &Triangle, line: &Line, meeting: &Meeting) -> f64 {
     let [a, b, c] = triangle.vertices();
     let normal = unit(cross(less(b, a), less(c, a)));

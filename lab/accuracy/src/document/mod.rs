@@ -30,7 +30,7 @@ pub const PREFIX: &str = "accuracy-";
 ///
 /// A file that can't be written.
 pub fn write(document: &Document, path: &Path) -> Result<(), OutputError> {
-    fs::write(path, text(document)).map_err(OutputError::file(path))
+    fs::write(path, text(document)).map_err(OutputError::of(path.display()))
 }
 
 /// The document.

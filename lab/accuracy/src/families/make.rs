@@ -56,33 +56,39 @@ fn shot(
     }
 }
 
-/// A sphere so many radii away and rays over the disc within 2 radii.
-fn distant(from: Vector, radius: f64, ratio: f64, random: &mut Generator) -> Shot {
+/// Where rays start, an axis, and the centre of a sphere so far away along it.
+fn ahead(from: Vector, distance: f64, random: &mut Generator) -> [Vector; 3] {
     let axis = direction(random);
-    let centre = along(from, ratio * radius, axis);
+    [from, axis, along(from, distance, axis)]
+}
+
+/// Rays from a point over the disc within 2 radii of a sphere.
+fn over([from, axis, centre]: [Vector; 3], radius: f64, random: &mut Generator) -> Shot {
     shot(centre, radius, random, |random| {
-        let target = on_disc(centre, axis, 2.0 * radius, random);
-        ray_to(target, from)
+        ray_to(on_disc(centre, axis, 2.0 * radius, random), from)
     })
 }
 
 pub(super) fn at_ratio(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
-    distant(from, radius, ratio, random)
+    let places = ahead(from, ratio * radius, random);
+    over(places, radius, random)
 }
 
 pub(super) fn tiny(random: &mut Generator, form: Form, size: f64) -> Shot {
     let from = origin(form, 1.0, random);
     let radius = size * radius(random);
-    distant(from, radius, 1e3 / radius, random)
+    // By its ratio, as the others are.
+    let ratio = 1e3 / radius;
+    let places = ahead(from, ratio * radius, random);
+    over(places, radius, random)
 }
 
 pub(super) fn grazing(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
-    let axis = direction(random);
-    let centre = along(from, ratio * radius, axis);
+    let [_, axis, centre] = ahead(from, ratio * radius, random);
     shot(centre, radius, random, |random| {
         let sine = random.random_range(0.999..1.001) / ratio;
         let sideways = unit(less(on_disc([0.0; 3], axis, 1.0, random), [0.0; 3]));
@@ -150,8 +156,7 @@ pub(super) fn incoherent(random: &mut Generator, _: Form, _: f64) -> Shot {
 pub(super) fn lengths(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
-    let axis = direction(random);
-    let centre = along(from, ratio * radius, axis);
+    let [_, axis, centre] = ahead(from, ratio * radius, random);
     shot(centre, radius, random, |random| {
         let target = on_disc(centre, axis, 2.0 * radius, random);
         let doublings = random.random_range(0..8);

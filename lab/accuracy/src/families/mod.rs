@@ -1,12 +1,13 @@
 //! Scene families: named generators of one sphere and the rays that are sent to it.
 //!
-//! Invariant: everything is made of singles, by basic arithmetic and roots, from a seed: a family gives
-//! the same on every host. What a family is of is in [`FAMILIES`], one row each.
+//! Invariant: everything is made of singles, by basic arithmetic and roots, from a seed: a family
+//! gives the same on every host. What a family is of is in [`FAMILIES`], one row each.
 
 mod make;
 pub mod triangles;
 
 use crate::generator::{Generator, generator};
+use protocol::formulation::SphereFormulation;
 use serde::{Deserialize, Serialize};
 use spu_emulator::float::single::to_f64;
 use twins::Single;
@@ -40,7 +41,16 @@ impl Form {
         }
     }
 
-    /// The hit that its kernels are to find of those where a line crosses a sphere, and the normal there.
+    /// The kernel that a formulation has for it.
+    pub const fn kernel(self, formulation: &SphereFormulation) -> Option<&'static str> {
+        match self {
+            Self::Eye => formulation.eye,
+            Self::General => formulation.general,
+        }
+    }
+
+    /// The hit that its kernels are to find of those where a line crosses a sphere, and the normal
+    /// there.
     pub fn seen(self, crossing: &Crossing) -> Option<(f64, Vector)> {
         match self {
             Self::Eye => Some((crossing.entry, crossing.entry_normal)).filter(|(t, _)| *t > 0.0),

@@ -1,4 +1,5 @@
-//! Scene families of triangles: named generators of one or two of them and the rays that are sent there.
+//! Scene families of triangles: named generators of one or two of them and the rays that are sent
+//! there.
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
@@ -36,35 +37,35 @@ pub struct Shot {
     pub packets: Vec<[Ray; 16]>,
 }
 
+/// The family that the others differ from.
+const WELL_SHAPED: Family = Family {
+    name: "well-shaped",
+    doc: "as high as their longest edge is half, 2 to 8 edges away, over the triangle and around it",
+    height: 0.5,
+    reach: [2.0, 8.0],
+    shared_edge: false,
+};
+
 /// All families of triangles.
 pub const FAMILIES: &[Family] = &[
-    Family {
-        name: "well-shaped",
-        doc: "as high as their longest edge is half, 2 to 8 edges away, over the triangle and around it",
-        height: 0.5,
-        reach: [2.0, 8.0],
-        shared_edge: false,
-    },
+    WELL_SHAPED,
     Family {
         name: "needle",
         doc: "a thousandth of their longest edge high, 2 to 8 edges away",
         height: 1e-3,
-        reach: [2.0, 8.0],
-        shared_edge: false,
+        ..WELL_SHAPED
     },
     Family {
         name: "far",
         doc: "as well-shaped, 1000 to 4000 edges away",
-        height: 0.5,
         reach: [1e3, 4e3],
-        shared_edge: false,
+        ..WELL_SHAPED
     },
     Family {
         name: "shared edge",
         doc: "two well-shaped with a common edge, 2 to 8 edges away, rays to that edge",
-        height: 0.5,
-        reach: [2.0, 8.0],
         shared_edge: true,
+        ..WELL_SHAPED
     },
 ];
 

@@ -95,21 +95,18 @@ pub fn write(
                 Format::Png => "png",
             };
             let path = folder.join(format!("{prefix}{}.{ending}", plot.name));
-            let failed = |reason: String| OutputError::Plot {
-                path: path.clone(),
-                reason,
-            };
-            use_font().map_err(failed)?;
+            let failed = OutputError::of(path.display());
+            use_font().map_err(&failed)?;
             match format {
                 Format::Svg => {
                     let text = svg(&plot.chart).map_err(failed)?;
-                    fs::write(&path, text).map_err(OutputError::file(&path))?;
+                    fs::write(&path, text).map_err(OutputError::of(path.display()))?;
                 }
                 Format::Png => {
                     let picture = bitmap(&plot.chart).map_err(failed)?;
                     picture
                         .save(&path)
-                        .map_err(|error| failed(error.to_string()))?;
+                        .map_err(OutputError::of(path.display()))?;
                 }
             }
         }
@@ -134,24 +131,6 @@ fn bitmap(chart: &Chart) -> Result<RgbImage, String> {
     Ok(picture)
 }
 
-/// Of each kernel of a form: what it costs, and something of its rows.
-fn rivals(
-    results: &Results,
-    form: Form,
-    value: impl Fn(&[&SphereRow]) -> Option<f64>,
-) -> Vec<Point> {
-    let kernels = results.kernels_of(form.name());
-    let point = |kernel: &KernelRow| {
-        Some(Point {
-            name: kernel.formulation.clone(),
-            x: kernel.cycles_a_ray,
-            y: value(&results.spheres_of(form, &kernel.formulation))?,
-            colour: colour(&kernel.formulation),
-        })
-    };
-    kernels.filter_map(point).collect()
-}
-
 /// A formulation has one colour in all plots.
 fn colour(formulation: &str) -> usize {
     let place = SPHERES.iter().position(|known| known.name == formulation);
@@ -165,8 +144,6 @@ fn axis(label: impl Into<String>, kind: Kind) -> Axis {
         rising: false,
     }
 }
-
-const CYCLES: &str = "cycles a ray and sphere (simulated)";
 
 fn whose(form: Form) -> &'static str {
     match form {
@@ -183,30 +160,54 @@ pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
     sound.reduce(f64::max)
 }
 
-fn distance(results: &Results, form: Form) -> Chart {
+/// What kernels of a form cost against something of their rows.
+fn against(
+    results: &Results,
+    form: Form,
+    [what, note, axis_label]: [&str; 3],
+    value: fn(&[&SphereRow]) -> Option<f64>,
+) -> Chart {
+    let point = |kernel: &KernelRow| {
+        Some(Point {
+            name: kernel.formulation.clone(),
+            x: kernel.cycles_a_ray,
+            y: value(&results.spheres_of(form, &kernel.formulation))?,
+            colour: colour(&kernel.formulation),
+        })
+    };
+    let points = results.kernels_of(form.name()).filter_map(point);
     Chart {
-        title: format!("Run time against error of the distance: {}", whose(form)),
-        note: "Largest error over all well-conditioned families; ringed and joined: not beaten in both".to_owned(),
-        x: axis(CYCLES, Kind::Log),
-        y: axis("largest error of the distance, ulps", Kind::Log),
-        groups: vec![Group::Rivals(rivals(results, form, worst_distance))],
+        title: format!("Run time against {what}: {}", whose(form)),
+        note: format!("{note}; ringed and joined: not beaten in both"),
+        x: axis("cycles a ray and sphere (simulated)", Kind::Log),
+        y: axis(axis_label, Kind::Log),
+        groups: vec![Group::Rivals(points.collect())],
     }
 }
 
-/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per cent.
+fn distance(results: &Results, form: Form) -> Chart {
+    let words = [
+        "error of the distance",
+        "Largest error over all well-conditioned families",
+        "largest error of the distance, ulps",
+    ];
+    against(results, form, words, worst_distance)
+}
+
+/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per
+/// cent.
 pub(crate) fn wrong_far_off(rows: &[&SphereRow]) -> Option<f64> {
     let row = rows.iter().find(|row| row.family == FAR)?;
     Some(row.figures.wrong())
 }
 
 fn verdicts(results: &Results, form: Form) -> Chart {
-    Chart {
-        title: format!("Run time against wrong hits and misses: {}", whose(form)),
-        note: "At distance/radius 4096, rays over the disc within 2 radii; ringed and joined: not beaten in both".to_owned(),
-        x: axis(CYCLES, Kind::Log),
-        y: axis("wrong hits and misses, % of the rays", Kind::Log),
-        groups: vec![Group::Rivals(rivals(results, form, wrong_far_off))],
-    }
+    let words = [
+        "wrong hits and misses",
+        "At distance/radius 4096, rays over the disc within 2 radii",
+        "wrong hits and misses, % of the rays",
+    ];
+    against(results, form, words, wrong_far_off)
 }
 
 fn ratio(results: &Results, form: Form) -> Chart {

@@ -71,7 +71,8 @@ pub struct Tally {
     pub cases: u64,
     /// Cases that the bound is asked of; the others are beyond what is stated, and are only tried.
     pub counted: u64,
-    /// Answers that no error is small enough for: a hit lost or made up, other bits than the twin's.
+    /// Answers that no error is small enough for: a hit lost or made up, other bits than the
+    /// twin's.
     pub wrong: u64,
     /// Largest error of the others.
     pub worst: f64,

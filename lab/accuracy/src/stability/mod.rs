@@ -1,8 +1,8 @@
 //! The stress suite: inputs that single precision is worst at, and the bounds that hold there.
 //!
-//! Owns how families of cases are tried, on all cores, how their worst inputs are kept and tried again, and
-//! what is said of them. Invariant: a bound is a kernel header's, or follows from one; a figure depends on
-//! the seed and the size alone.
+//! Owns how families of cases are tried, on all cores, how their worst inputs are kept and tried
+//! again, and what is said of them. Invariant: a bound is a kernel header's, or follows from one;
+//! a figure depends on the seed and the size alone.
 
 mod family;
 mod guarantees;
@@ -18,6 +18,7 @@ mod workers;
 use std::any::Any;
 
 use kernels::Bench;
+use serde::Serialize;
 use thiserror::Error;
 
 use family::{Families, Family, NoCaseError, Tally};
@@ -26,7 +27,8 @@ use report::{Report, Row, Section};
 use statement::StatementError;
 
 /// How many cases are tried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Size {
     /// A tenth: for slow hosts.
     Quick,
@@ -105,8 +107,8 @@ pub fn names() -> Result<Vec<&'static str>, StatementError> {
 /// Tries the kept inputs, then new ones.
 ///
 /// # Errors
-/// A kernel broke a rule, or a bound or the kept inputs can't be read. That a bound does not hold is no
-/// error: the report says it.
+/// A kernel broke a rule, or a bound or the kept inputs can't be read. That a bound does not hold
+/// is no error: the report says it.
 pub fn run(
     size: Size,
     seed: u64,

@@ -90,8 +90,8 @@ pub struct Head {
 }
 
 impl Product {
-    /// What the PPU sends of a shape to an eye at the origin; nothing of one that it does not send as this
-    /// kind.
+    /// What the PPU sends of a shape to an eye at the origin; nothing of one that it does not send
+    /// as this kind.
     pub fn of(kind: Kind, shape: Shape, stuff: Stuff) -> Option<Self> {
         let scene = nff::Scene {
             name: String::new(),
@@ -193,8 +193,8 @@ pub fn exactly(single: F32) -> f64 {
     to_f64(bits(single))
 }
 
-/// Where a ray that starts within a body, or on the outer side of it, meets it next, in f64 for the record's
-/// very singles; nothing if it does not.
+/// Where a ray that starts within a body, or on the outer side of it, meets it next, in f64 for
+/// the record's very singles; nothing if it does not.
 pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<f64> {
     let head = product.head();
     let from = less(origin, head.centre);

@@ -1,7 +1,7 @@
 //! Bounds that kernels' headers state.
 //!
-//! Invariant: no number that a header says stands here a second time; a header that no longer says it is
-//! an error, not a guess.
+//! Invariant: no number that a header says stands here a second time; a header that no longer says
+//! it is an error, not a guess.
 
 use kernels::source::Source;
 use thiserror::Error;
@@ -53,8 +53,8 @@ impl Bound {
     }
 }
 
-/// The number before these words of what a kernel's header states of its error; before anything if they
-/// are empty.
+/// The number before these words of what a kernel's header states of its error; before anything if
+/// they are empty.
 pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
     let header = Source::find(kernel).and_then(Source::header);
     let header = header.ok_or_else(|| StatementError::NoHeader(kernel.to_owned()))?;

@@ -1,7 +1,7 @@
 //! Tries families' cases on all of the host's cores.
 //!
-//! Invariant: the tallies are the same for any number of cores: each round has random numbers of its own,
-//! and parts are added in the order of their rounds.
+//! Invariant: the tallies are the same for any number of cores: each round has random numbers of
+//! its own, and parts are added in the order of their rounds.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -38,7 +38,8 @@ pub fn tally(families: &[(&Family, u32)], seed: u64) -> Result<Vec<Tally>, Suite
         .collect();
     let found = parallel::map(&parts, Bench::new, |bench, part| {
         let (family, _) = families[part.family];
-        // The harness stops a kernel by a panic; what it leaves of the bench, no other part is given.
+        // The harness stops a kernel by a panic; what it leaves of the bench, no other part is
+        // given.
         let tried = catch_unwind(AssertUnwindSafe(|| rounds(bench, family, seed, part)));
         tried.map_err(|panic| {
             *bench = Bench::new();

@@ -23,7 +23,8 @@ pub struct Meeting {
     pub distance: f64,
     /// What the vertices weigh at the point: of sum 1.
     pub weights: [f64; 3],
-    /// The side of each edge that the point is on, against the edge's vertex: `Greater` within, `Equal` on it.
+    /// The side of each edge that the point is on, against the edge's vertex: `Greater` within,
+    /// `Equal` on it.
     pub sides: [Ordering; 3],
     /// Whether the ray sees the vertices go counter-clockwise.
     pub front: bool,
@@ -36,7 +37,8 @@ impl Meeting {
     }
 }
 
-/// The products that decide: of the ray with each edge, with the plane, and of the plane with the origin.
+/// The products that decide: of the ray with each edge, with the plane, and of the plane with the
+/// origin.
 struct Volumes<T> {
     edges: [T; 3],
     plane: T,

@@ -1,13 +1,13 @@
-//! Rays that leave a surface do not meet it where they leave: reflected, refracted and shadow rays, started as
-//! the tracer starts them.
+//! Rays that leave a surface do not meet it where they leave: reflected, refracted and shadow
+//! rays, started as the tracer starts them.
 //!
-//! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On the outer
-//! side of a convex body, and on a plane, that is nothing. Within a body it is the wall across, which may
-//! neither be lost nor be the one that the ray has just left.
+//! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On
+//! the outer side of a convex body, and on a plane, that is nothing. Within a body it is the wall
+//! across, which may neither be lost nor be the one that the ray has just left.
 //!
-//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence is below
-//! `leave` over the radius, rounding may take the outer side for the inner one. Such hits are tried, and
-//! nothing is asked of what leaves from there.
+//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence
+//! is below `leave` over the radius, rounding may take the outer side for the inner one. Such hits
+//! are tried, and nothing is asked of what leaves from there.
 
 use crate::generator::Generator;
 use glam::DVec3;
@@ -23,7 +23,7 @@ use crate::stability::family::{Cases, Family, Replayed, Tally, need, points_of};
 use crate::stability::product::{Kind, Product, Stuff, exactly, next_hit};
 use crate::stability::random::{across, either_side, magnitude, rounded, towards};
 use crate::stability::statement::Bound;
-use crate::stability::steps::{HIT, Leaving, Line, leave, meet, no_ray};
+use crate::stability::steps::{HIT, Lanes, Leaving, Line, leave, meet};
 use crate::truth::Vector;
 
 /// Packets of a call, each with an object of its own.
@@ -226,6 +226,14 @@ fn aimed_at(target: &Target, random: &mut Generator) -> Line {
     [origin, way].map(|v| v.map(from_f64))
 }
 
+/// What rays leave.
+#[derive(Clone, Copy)]
+enum Start {
+    Reflected,
+    Refracted,
+    Shadow,
+}
+
 /// What a ray that leaves has to do.
 enum Expected {
     /// Meet nothing.
@@ -270,36 +278,21 @@ fn try_packets(
     light: [Single; 3],
     tally: &mut Tally,
 ) {
-    let rays: Vec<[Ray; 16]> = lines
-        .iter()
-        .map(|lines| lines.map(|[origin, direction]| fresh(origin, direction)))
-        .collect();
+    let rays = |lines: &[Line; 16]| lines.map(|[from, way]| Some(fresh(from, way)));
+    let rays: Vec<Lanes> = lines.iter().map(rays).collect();
     let hits = meet(bench, products, &rays);
     let leaving = leave(bench, products, &hits, light);
-    let kinds: [fn(&Leaving, usize) -> Option<Ray>; 3] = [
-        |leaving, lane| leaving.reflected[lane].map(|[from, way]| fresh(from, way)),
-        |leaving, lane| leaving.refracted[lane].map(|[from, way]| fresh(from, way)),
-        |leaving, lane| Some(leaving.shadow[lane]).filter(|ray| ray.t as i32 > 0),
-    ];
-    for (kind, start) in kinds.into_iter().enumerate() {
-        let starts: Vec<[Option<Ray>; 16]> = leaving
-            .iter()
-            .zip(&hits)
-            .map(|(leaving, hits)| {
-                let hit = |lane: usize| hits[lane].object == HIT;
-                std::array::from_fn(|lane| start(leaving, lane).filter(|_| hit(lane)))
-            })
-            .collect();
-        let packets: Vec<[Ray; 16]> = starts
-            .iter()
-            .map(|starts| {
-                starts.map(|start| Ray {
-                    object: 0,
-                    ..start.unwrap_or_else(no_ray)
-                })
-            })
-            .collect();
-        let after = meet(bench, products, &packets);
+    for kind in [Start::Reflected, Start::Refracted, Start::Shadow] {
+        let of_kind = |(leaving, hits): (&Leaving, &[Ray; 16])| {
+            let rays = match kind {
+                Start::Reflected => &leaving.reflected,
+                Start::Refracted => &leaving.refracted,
+                Start::Shadow => &leaving.shadow,
+            };
+            std::array::from_fn(|lane| rays[lane].filter(|_| hits[lane].object == HIT))
+        };
+        let starts: Vec<Lanes> = leaving.iter().zip(&hits).map(of_kind).collect();
+        let after = meet(bench, products, &starts);
         for (number, lane) in (0..products.len()).flat_map(|p| (0..16).map(move |lane| (p, lane))) {
             let Some(start) = starts[number][lane] else {
                 continue;
@@ -311,7 +304,7 @@ fn try_packets(
                 tally.uncounted();
                 continue;
             }
-            let inner = if kind == 1 { before } else { !before };
+            let inner = before == matches!(kind, Start::Refracted);
             let after = &after[number][lane];
             let met = (after.object == HIT).then(|| to_f64(after.t));
             let input = || {
@@ -324,7 +317,8 @@ fn try_packets(
                 (Expected::Nothing, met) => tally.verdict(met.is_none(), input),
                 // The light may be nearer than the wall.
                 (Expected::Wall(t), None) => {
-                    tally.verdict(kind == 2 && to_f64(start.t) < 2.0 * t, input);
+                    let light = matches!(kind, Start::Shadow);
+                    tally.verdict(light && to_f64(start.t) < 2.0 * t, input);
                 }
                 (Expected::Wall(t), Some(met)) => tally.verdict((met - t).abs() < t / 2.0, input),
             }
@@ -332,8 +326,8 @@ fn try_packets(
     }
 }
 
-/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's edge that
-/// rounding decides that.
+/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's
+/// edge that rounding decides that.
 fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool, bool) {
     let found = &leaving.surfaces;
     let [point, plane] = [

@@ -45,8 +45,8 @@ pub fn far_out(random: &mut Generator) -> Mesh {
     Mesh::icosahedron(FAR_OUT, size, [1.0; 3], random)
 }
 
-/// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through vertices
-/// and along faces' edges.
+/// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through
+/// vertices and along faces' edges.
 pub fn lattice(random: &mut Generator) -> Mesh {
     const CELLS: usize = 2;
     // Odd numbers, so that products are longer than a single.
@@ -83,8 +83,9 @@ pub fn lattice(random: &mut Generator) -> Mesh {
 }
 
 impl Mesh {
-    /// An icosahedron's vertices, each drawn out: every ray from `inside` along one of the icosahedron's
-    /// meets that of the mesh, as long as rounding moves it by less than the mesh's least width.
+    /// An icosahedron's vertices, each drawn out: every ray from `inside` along one of the
+    /// icosahedron's meets that of the mesh, as long as rounding moves it by less than the mesh's
+    /// least width.
     fn icosahedron(place: Vector, size: f64, widths: Vector, random: &mut Generator) -> Self {
         let golden = (1.0 + 5_f64.sqrt()) / 2.0;
         let mut vertices = Vec::new();
@@ -141,7 +142,8 @@ impl Mesh {
         self.faces.iter().map(triangle).collect()
     }
 
-    /// Origin and direction of a ray to a vertex, to a point of an edge, or within an ulp or so of them.
+    /// Origin and direction of a ray to a vertex, to a point of an edge, or within an ulp or so of
+    /// them.
     pub fn aimed(&self, random: &mut Generator) -> [Point; 2] {
         let face = self.faces[random.random_range(0..self.faces.len() as u32) as usize];
         let from = random.random_range(0..3_usize);

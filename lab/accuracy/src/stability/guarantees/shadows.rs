@@ -1,5 +1,5 @@
-//! Shadows are symmetric: a point sees a light exactly when the light sees the point, but for those whose line
-//! passes an object's edge within the rounding of the rays.
+//! Shadows are symmetric: a point sees a light exactly when the light sees the point, but for
+//! those whose line passes an object's edge within the rounding of the rays.
 
 use std::marker::PhantomData;
 
@@ -118,8 +118,8 @@ struct Symmetric<B>(PhantomData<fn() -> B>);
 
 /// The kinds of objects.
 pub fn families() -> Families {
-    // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the distance
-    // may be as little as half of that part of it.
+    // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the
+    // distance may be as little as half of that part of it.
     let direction = stated("shadow_rays_r16", "ulp of 1")?;
     let bound = |outline: f64| Bound {
         value: 2.0 * (2.0 * 3_f64.sqrt() * direction + outline),
@@ -174,7 +174,8 @@ fn site(points: &[Point; 16], axis: Vector) -> Site {
     }
 }
 
-/// Whether an object blocks the ray from each point to each light; nothing if there is no such ray.
+/// Whether an object blocks the ray from each point to each light; nothing if there is no such
+/// ray.
 fn blocked<B: Blocker>(
     bench: &mut Bench,
     object: &B,

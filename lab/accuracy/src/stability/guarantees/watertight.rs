@@ -1,4 +1,5 @@
-//! Nothing leaks: every ray from inside a closed mesh meets it, also those aimed at its edges and vertices.
+//! Nothing leaks: every ray from inside a closed mesh meets it, also those aimed at its edges and
+//! vertices.
 
 use crate::generator::Generator;
 use kernels::Bench;

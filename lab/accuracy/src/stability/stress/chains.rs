@@ -1,14 +1,16 @@
-//! Chains of mirrors: how an error grows from bounce to bounce, between two spheres and within one.
+//! Chains of mirrors: how an error grows by bounces, between two spheres and within one.
 //!
-//! By the tracer's own steps: hit, surface, reflected ray. Beside each goes the same chain in f64, whose own
-//! error grows by the same factors from 2^-53 and so stays below a millionth of what is measured.
+//! By the tracer's own steps: hit, surface, reflected ray. Beside each goes the same chain in f64,
+//! whose own error grows by the same factors from 2^-53 and so stays below a millionth of what is
+//! measured.
 //!
-//! In radii, with t from sphere to sphere, c the cosine of incidence, e the error of the place and a that of
-//! the angle, and what the headers state of each step as noise:
-//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise, a' = a + 2 e' + noise.
-//!   The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres a radius apart.
-//! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error grows with
-//!   the square of the number of bounces.
+//! In radii, with t from sphere to sphere, c the cosine of incidence, e the error of the place and
+//! a that of the angle, and what the headers state of each step as noise:
+//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise,
+//!   a' = a + 2 e' + noise. The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres
+//!   a radius apart.
+//! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error
+//!   grows with the square of the number of bounces.
 
 use crate::generator::Generator;
 use glam::DVec3;
@@ -16,19 +18,19 @@ use kernels::Bench;
 use nff::Shape;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ball::Ray;
 
 use crate::space::{along, direction, dot, fresh, length, less, unit};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::product::{Kind, Product, Stuff, exactly};
 use crate::stability::random::{across, magnitude, rounded};
 use crate::stability::statement::{Bound, StatementError, says, stated};
-use crate::stability::steps::{HIT, Line, leave, meet, no_ray};
+use crate::stability::steps::{HIT, Lanes, Line, leave, meet};
 use crate::truth::Vector;
 
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;
-/// What `OBJECT_leave` and a point's coordinates add to how far off a ray starts, in parts of them.
+/// What `OBJECT_leave` and a point's coordinates add to how far off a ray starts, in parts of
+/// them.
 const LEAVE: f64 = 8.0 * ULP;
 /// Packets of a call.
 const PACKETS: usize = 4;
@@ -254,24 +256,18 @@ impl Chain {
             .iter()
             .map(|lines| lines.map(|line| Some(Exact::new(line))))
             .collect();
-        let mut lines_now: Vec<[Option<Line>; 16]> =
-            lines.iter().map(|lines| lines.map(Some)).collect();
+        let rays = |lines: &[Line; 16]| lines.map(|[from, way]| Some(fresh(from, way)));
+        let mut rays: Vec<Lanes> = lines.iter().map(rays).collect();
         let mut points = vec![[[0.0; 3]; 16]; lines.len()];
         for bounce in 0..self.bounces as usize {
             let products: Vec<&Product> = mirrors.iter().map(|pair| &pair[bounce % 2]).collect();
-            let rays: Vec<[Ray; 16]> = lines_now
-                .iter()
-                .map(|lines| {
-                    lines.map(|line| line.map_or_else(no_ray, |[from, way]| fresh(from, way)))
-                })
-                .collect();
             let hits = meet(bench, &products, &rays);
             let leaving = leave(bench, &products, &hits, [0; 3]);
             for (number, leaving) in leaving.iter().enumerate() {
                 let found = &leaving.surfaces;
                 for lane in 0..16 {
                     let hit = hits[number][lane].object == HIT;
-                    lines_now[number][lane] = leaving.reflected[lane].filter(|_| hit);
+                    rays[number][lane] = leaving.reflected[lane].filter(|_| hit);
                     points[number][lane] = [&found.point_x, &found.point_y, &found.point_z]
                         .map(|row| exactly(row[lane]));
                     let exact = &mut exact[number][lane];
@@ -294,7 +290,7 @@ impl Chain {
                 let exact = exact[number][lane].as_ref();
                 match exact.filter(|exact| exact.cosine > self.room.cosine()) {
                     None => tally.uncounted(),
-                    Some(_) if lines_now[number][lane].is_none() => tally.wrong(input),
+                    Some(_) if rays[number][lane].is_none() => tally.wrong(input),
                     Some(exact) => {
                         let off = length(less(points[number][lane], exact.origin));
                         tally.error(off / radius / ULP, input);

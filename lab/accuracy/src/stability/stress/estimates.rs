@@ -1,5 +1,5 @@
-//! Reciprocals and square roots where tables meet: the first and the last fraction of every entry, those next
-//! to them, with every exponent and either sign.
+//! Reciprocals and square roots where tables meet: the first and the last fraction of every entry,
+//! those next to them, with every exponent and either sign.
 
 use crate::generator::Generator;
 use kernels::Bench;

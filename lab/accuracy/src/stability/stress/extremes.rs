@@ -1,8 +1,8 @@
-//! Words that the SPU's format is oddest at, as any operand: zeros of either sign, denormals, what saturates,
-//! the least and the largest exponents, directions without a component.
+//! Words that the SPU's format is oddest at, as any operand: zeros of either sign, denormals, what
+//! saturates, the least and the largest exponents, directions without a component.
 //!
-//! Whatever is asked, a kernel gives its twin's bits, ends, and finds no hit nearer than 0 or beyond what was
-//! there.
+//! Whatever is asked, a kernel gives its twin's bits, ends, and finds no hit nearer than 0 or
+//! beyond what was there.
 
 use std::marker::PhantomData;
 
@@ -33,8 +33,8 @@ use twins::sphere::{
 use crate::stability::family::{Cases, Family, Replayed, Tally, need};
 use crate::stability::statement::Bound;
 
-/// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and all that
-/// saturates or would be no number elsewhere.
+/// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and
+/// all that saturates or would be no number elsewhere.
 const MAGNITUDES: [Single; 20] = [
     0,
     1,

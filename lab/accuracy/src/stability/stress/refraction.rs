@@ -1,5 +1,5 @@
-//! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner medium: the
-//! direction beyond, whether there is one, and Schlick's share.
+//! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner
+//! medium: the direction beyond, whether there is one, and Schlick's share.
 
 use crate::generator::Generator;
 use kernels::Bench;

@@ -1,7 +1,7 @@
 //! Triangles under stress: needles, triangles without area, rays within ulps of edges.
 //!
-//! The watertight kernel's distance is a mean of the vertices', by weights that are not below 0: however thin a
-//! triangle is, its hits lie between its vertices.
+//! The watertight kernel's distance is a mean of the vertices', by weights that are not below 0:
+//! however thin a triangle is, its hits lie between its vertices.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -23,8 +23,8 @@ use crate::truth::{Line, spacing};
 
 /// The kernel whose error the header of the watertight one is about.
 const STATED: &str = "isect_triangles_r16";
-/// How far from an edge a verdict may be wrong, in ulps of the farthest vertex' distance: of the vertices each
-/// coordinate is rounded twice, and the ray's slopes once.
+/// How far from an edge a verdict may be wrong, in ulps of the farthest vertex' distance: of the
+/// vertices each coordinate is rounded twice, and the ray's slopes once.
 pub const EDGE: f64 = 8.0;
 /// Triangles of a round.
 const TRIANGLES: u32 = 16;

@@ -9,12 +9,12 @@ use crate::truth::{Line, spacing};
 
 /// The formulation that takes the square of the radius off that of the distance.
 const PAPER: &str = "paper";
-/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius (and by the
-/// paper's formula, times the distance in radii): of the radius and of the perpendicular each coordinate is
-/// rounded, and so is each of the discriminant's sums.
+/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius
+/// (and by the paper's formula, times the distance in radii): of the radius and of the
+/// perpendicular each coordinate is rounded, and so is each of the discriminant's sums.
 pub const TANGENT: f64 = 8.0;
-/// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other: the
-/// square of the distance less that of the radius is rounded once in each of its sums.
+/// How far from the surface, in ulps of the radius, the side of the origin may be taken for the
+/// other: the square of the distance less that of the radius is rounded once in each of its sums.
 const SURFACE: f64 = 8.0;
 /// The part of what decides a tangent beyond which the discriminant has digits for the root.
 const ROOT: f64 = 0.25;
@@ -69,8 +69,9 @@ impl Stated {
         })
     }
 
-    /// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other, or
-    /// a hit be lost because its distance, being less than its error, is not above 0.
+    /// How far from the surface, in ulps of the radius, the side of the origin may be taken for
+    /// the other, or a hit be lost because its distance, being less than its error, is not above
+    /// 0.
     pub fn surface(&self) -> f64 {
         SURFACE + self.error
     }
@@ -173,8 +174,8 @@ impl Look {
         spacing(exact.max(least)) * self.condition()
     }
 
-    /// What the direction's own length moves of a distance. Where less than an ulp is stated, it is not in it:
-    /// the direction is taken to be of length 1 as it is given.
+    /// What the direction's own length moves of a distance. Where less than an ulp is stated, it
+    /// is not in it: the direction is taken to be of length 1 as it is given.
     pub fn given(&self) -> f64 {
         if self.stated.error < 1.0 {
             self.off_length * self.distance

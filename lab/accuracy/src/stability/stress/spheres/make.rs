@@ -32,7 +32,8 @@ fn shot(
     }
 }
 
-/// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, rays to all of the sphere and past it.
+/// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, rays to all of the sphere
+/// and past it.
 pub fn scales(random: &mut Generator, form: Form) -> Shot {
     let radius = magnitude(-20, 20, random);
     // The eye is outside, and of its header's domain at least.

@@ -1,10 +1,10 @@
-//! Spheres under stress, by all formulations: any scale and distance, rays within ulps of a tangent, eyes
-//! within ulps of a surface.
+//! Spheres under stress, by all formulations: any scale and distance, rays within ulps of a
+//! tangent, eyes within ulps of a surface.
 //!
-//! A header states the error of a domain. Beyond it the error grows as the formulation's rounding does: by
-//! how steeply the distance changes with the sphere's place, which is one over the cosine of the ray's
-//! incidence; and for the square of the distance less that of the radius, by the distance in chords
-//! besides. Bounds are scaled by that, and only by that.
+//! A header states the error of a domain. Beyond it the error grows as the formulation's rounding
+//! does: by how steeply the distance changes with the sphere's place, which is one over the cosine
+//! of the ray's incidence; and for the square of the distance less that of the radius, by the
+//! distance in chords besides. Bounds are scaled by that, and only by that.
 
 mod look;
 mod make;

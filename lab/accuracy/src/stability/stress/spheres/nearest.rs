@@ -1,5 +1,5 @@
-//! Two spheres that are hard to tell which is nearer: about one centre, touching, within one another, or one
-//! ten million times as large as the other.
+//! Two spheres that are hard to tell which is nearer: about one centre, touching, within one
+//! another, or one ten million times as large as the other.
 
 use crate::generator::Generator;
 use kernels::Bench;
