@@ -64,6 +64,24 @@ pub fn points_of<const N: usize>(words: &[u32]) -> Result<[[u32; 3]; N], NoCaseE
     Ok(std::array::from_fn(|n| [0, 1, 2].map(|k| words[3 * n + k])))
 }
 
+/// What is said of a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Judgement {
+    /// Nothing is asked of it.
+    Uncounted,
+    /// It is wrong, by more than an error.
+    Wrong,
+    /// How large its error is.
+    Error(f64),
+}
+
+impl Judgement {
+    /// No error where it is right, else this one.
+    pub fn unless(right: bool, error: impl FnOnce() -> f64) -> Self {
+        Self::Error(if right { 0.0 } else { error() })
+    }
+}
+
 /// What has been found of a family.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
@@ -106,6 +124,15 @@ impl Tally {
             self.input = input();
         }
         self.wrong += 1;
+    }
+
+    /// A case and what is said of it.
+    pub fn judged(&mut self, judgement: Judgement, input: impl FnOnce() -> Vec<u32>) {
+        match judgement {
+            Judgement::Uncounted => self.uncounted(),
+            Judgement::Wrong => self.wrong(input),
+            Judgement::Error(error) => self.error(error, input),
+        }
     }
 
     /// A case that is right or wrong.

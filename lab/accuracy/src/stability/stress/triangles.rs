@@ -14,7 +14,7 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::ball::Ray;
 
 use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, two_sided, unit};
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, points_of};
+use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, points_of};
 use crate::stability::random::{across, magnitude, nearby, rounded, towards};
 use crate::stability::statement::Bound;
 use crate::truth::Vector;
@@ -32,8 +32,7 @@ const TRIANGLES: u32 = 16;
 /// A kind of cases.
 struct Triangles {
     make: fn(&mut Generator) -> Aimed,
-    /// The error of a ray, if anything is asked of it; infinite if it is wrong.
-    judge: fn(&Case) -> Option<f64>,
+    judge: fn(&Case) -> Judgement,
 }
 
 /// A triangle and rays to it.
@@ -72,7 +71,10 @@ pub fn families() -> Families {
             "hits",
             Bound::none("edges of one point have no area"),
             repeated,
-            |case| Some(case.found.map_or(0.0, |_| f64::INFINITY)),
+            |case| {
+                case.found
+                    .map_or(Judgement::Error(0.0), |_| Judgement::Wrong)
+            },
         ),
         family(
             "triangle-edges",
@@ -104,8 +106,10 @@ fn farthest(case: &Case) -> f64 {
     case.vertices.iter().map(distance).fold(0.0, f64::max)
 }
 
-fn beyond_vertices(case: &Case) -> Option<f64> {
-    let found = case.found?;
+fn beyond_vertices(case: &Case) -> Judgement {
+    let Some(found) = case.found else {
+        return Judgement::Uncounted;
+    };
     let way = unit(case.line.direction);
     let along = case
         .vertices
@@ -113,18 +117,19 @@ fn beyond_vertices(case: &Case) -> Option<f64> {
     let near = along.iter().copied().fold(f64::INFINITY, f64::min);
     let far = along.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     let beyond = (near - found).max(found - far).max(0.0);
-    Some(beyond / spacing(farthest(case)))
+    Judgement::Error(beyond / spacing(farthest(case)))
 }
 
-fn off_edge(case: &Case) -> Option<f64> {
-    let meeting = Triangle::new(case.vertices).meeting(&case.line)?;
+fn off_edge(case: &Case) -> Judgement {
+    let Some(meeting) = Triangle::new(case.vertices).meeting(&case.line) else {
+        return Judgement::Uncounted;
+    };
     // Nearly along the plane there is no digit left of the distance's sign.
     let hit = meeting.side().is_ge() && meeting.distance > 0.0;
-    if hit == case.found.is_some() {
-        return Some(0.0);
-    }
-    let off = off_edges(&case.vertices, case.line.origin, case.line.direction);
-    Some(off / spacing(farthest(case)))
+    Judgement::unless(hit == case.found.is_some(), || {
+        let off = off_edges(&case.vertices, case.line.origin, case.line.direction);
+        off / spacing(farthest(case))
+    })
 }
 
 /// A ray towards a point, from this far back, by nearly the direction to there.
@@ -225,11 +230,7 @@ impl Triangles {
                 let vertices = aimed.vertices.as_flattened();
                 [vertices, &ray.origin, &ray.direction].concat()
             };
-            match (self.judge)(&case) {
-                None => tally.uncounted(),
-                Some(f64::INFINITY) => tally.wrong(input),
-                Some(error) => tally.error(error, input),
-            }
+            tally.judged((self.judge)(&case), input);
         }
     }
 }

@@ -16,7 +16,7 @@ use kernels::source::Source;
 
 use crate::families::{Form, Shot};
 use crate::space::fresh;
-use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
+use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, need};
 use crate::stability::statement::Bound;
 use crate::subject::{self, Subject};
 use crate::truth::Line;
@@ -44,12 +44,6 @@ struct Spheres {
     stated: Stated,
 }
 
-enum Judgement {
-    Uncounted,
-    Wrong,
-    Error(f64),
-}
-
 const KINDS: &[Kind] = &[
     Kind {
         name: "sphere-scales",
@@ -67,13 +61,7 @@ const KINDS: &[Kind] = &[
         unit: "ulp of the distance, off the tangent",
         forms: &[Form::Eye, Form::General],
         make: make::grazing,
-        judge: |look| {
-            Judgement::Error(if look.agrees() {
-                0.0
-            } else {
-                look.off_tangent()
-            })
-        },
+        judge: |look| Judgement::unless(look.agrees(), || look.off_tangent()),
         bound: |_, _| Bound {
             value: TANGENT,
             source: "roundings of the discriminant".to_owned(),
@@ -137,11 +125,7 @@ fn side_error(look: &Look) -> Judgement {
         }
         (found, exact) => found.is_some() == exact.is_some(),
     };
-    Judgement::Error(if right {
-        0.0
-    } else {
-        look.off_surface().min(look.off_tangent())
-    })
+    Judgement::unless(right, || look.off_surface().min(look.off_tangent()))
 }
 
 impl Spheres {
@@ -161,11 +145,7 @@ impl Spheres {
                 ];
                 words.concat()
             };
-            match (self.kind.judge)(&look) {
-                Judgement::Uncounted => tally.uncounted(),
-                Judgement::Wrong => tally.wrong(input),
-                Judgement::Error(error) => tally.error(error, input),
-            }
+            tally.judged((self.kind.judge)(&look), input);
         }
     }
 }
