@@ -5,7 +5,7 @@ use std::error::Error;
 use std::path::Path;
 
 use accuracy::output::{self, Document, Origin};
-use accuracy::plots::plots;
+use accuracy::plots::{self, Format};
 use accuracy::run::{Extent, Order, run};
 
 fn main() -> Result<(), Box<dyn Error>> {
@@ -26,7 +26,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         results,
     };
     output::write(&document, folder)?;
-    for plot in plots(&document.results) {
+    plots::write(&document.results, folder, "", &[Format::Svg, Format::Png])?;
+    for plot in plots::plots(&document.results) {
         if !plot.front.is_empty() {
             println!("{}: not beaten: {}", plot.title, plot.front.join(", "));
         }

@@ -6,9 +6,8 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 /// What makes them. Not rand_chacha, whose numbers are others on a big-endian host (ppv-lite86).
 pub type Generator = Xoshiro256PlusPlus;
 
-/// A generator of the numbers that are drawn for one purpose, by name, in one round: it does not hang on what
-/// else is drawn.
-#[must_use]
+/// A generator of the numbers that are drawn for one purpose, by name, in one round: it does not
+/// hang on what else is drawn.
 pub fn generator(seed: u64, purpose: &[&str], round: u32) -> Generator {
     let bytes = purpose.iter().flat_map(|name| name.bytes().chain([0]));
     // FNV-1a.

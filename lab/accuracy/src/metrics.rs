@@ -15,7 +15,6 @@ pub struct Summary {
 
 impl Summary {
     /// Of these errors, unless there are none.
-    #[must_use]
     pub fn of(mut errors: Vec<f64>) -> Option<Self> {
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         errors.sort_unstable_by(f64::total_cmp);

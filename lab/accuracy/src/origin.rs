@@ -11,7 +11,6 @@ const UNKNOWN: &str = "unknown";
 
 impl Origin {
     /// Of results that this process measures now.
-    #[must_use]
     pub fn here() -> Self {
         Self {
             machine: machine(),

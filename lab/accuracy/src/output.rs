@@ -2,12 +2,13 @@
 
 use std::fs;
 use std::io::{self, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use crate::figures::Figures;
+use crate::file::OutputError;
 use crate::metrics::Summary;
-use crate::plots::{self, Format};
 use crate::run::Results;
 
 /// The file that has all results.
@@ -35,59 +36,19 @@ pub struct Document {
     pub results: Results,
 }
 
-/// Why a file is not written.
-#[derive(Debug, thiserror::Error)]
-pub enum OutputError {
-    /// A folder or file.
-    #[error("{}: {source}", path.display())]
-    File {
-        /// Which.
-        path: PathBuf,
-        /// The system's error.
-        source: io::Error,
-    },
-    /// A number that JSON has no form for.
-    #[error("results as JSON: {0}")]
-    Json(#[from] serde_json::Error),
-    /// A table.
-    #[error("{}: {source}", path.display())]
-    Csv {
-        /// Which.
-        path: PathBuf,
-        /// What failed.
-        source: csv::Error,
-    },
-    /// A plot.
-    #[error("{}: {reason}", path.display())]
-    Plot {
-        /// Which.
-        path: PathBuf,
-        /// What failed.
-        reason: String,
-    },
-}
-
-impl OutputError {
-    /// What the system says of a file.
-    pub(crate) fn file(path: &Path) -> impl FnOnce(io::Error) -> Self {
-        let path = path.to_owned();
-        |source| Self::File { path, source }
-    }
-}
-
 /// Makes sure that there is such a folder, and that files can be written there.
 ///
 /// # Errors
 ///
 /// If there is none and it can't be made, or it can't be written to.
 pub fn folder(path: &Path) -> Result<(), OutputError> {
-    fs::create_dir_all(path).map_err(OutputError::file(path))?;
+    fs::create_dir_all(path).map_err(OutputError::of(path.display()))?;
     let probe = path.join(JSON);
     let mut open = fs::OpenOptions::new();
     open.append(true)
         .create(true)
         .open(&probe)
-        .map_err(OutputError::file(&probe))?;
+        .map_err(OutputError::of(probe.display()))?;
     Ok(())
 }
 
@@ -97,44 +58,37 @@ pub fn folder(path: &Path) -> Result<(), OutputError> {
 ///
 /// A file that can't be written.
 pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
-    let mut text = serde_json::to_string_pretty(document)?;
+    let text = serde_json::to_string_pretty(document);
+    let mut text = text.map_err(OutputError::of("results as JSON"))?;
     text.push('\n');
     let written = if path == Path::new("-") {
         io::stdout().write_all(text.as_bytes())
     } else {
         fs::write(path, text)
     };
-    written.map_err(OutputError::file(path))
+    written.map_err(OutputError::of(path.display()))
 }
 
-/// Writes everything there is of results into a folder: JSON, tables and plots.
+/// Writes results into a folder: as JSON, and as tables.
 ///
 /// # Errors
 ///
 /// A file that can't be written.
 pub fn write(document: &Document, folder: &Path) -> Result<(), OutputError> {
     json(document, &folder.join(JSON))?;
-    tables(document, folder)?;
-    plots::write(&document.results, folder, "", &[Format::Svg, Format::Png])
+    tables(&document.results, folder)
 }
 
 /// Writes the tables as `kernels.csv`, `spheres.csv` and so on.
-///
-/// # Errors
-///
-/// A file that can't be written.
-pub fn tables(document: &Document, folder: &Path) -> Result<(), OutputError> {
-    for (name, rows) in csv_tables(&document.results) {
+fn tables(results: &Results, folder: &Path) -> Result<(), OutputError> {
+    for (name, rows) in csv_tables(results) {
         let path = folder.join(name);
-        let failed = |source| OutputError::Csv {
-            path: path.clone(),
-            source,
-        };
-        let mut file = csv::Writer::from_path(&path).map_err(failed)?;
+        let mut file = csv::Writer::from_path(&path).map_err(OutputError::of(path.display()))?;
         for row in rows {
-            file.write_record(row).map_err(failed)?;
+            file.write_record(row)
+                .map_err(OutputError::of(path.display()))?;
         }
-        file.flush().map_err(OutputError::file(&path))?;
+        file.flush().map_err(OutputError::of(path.display()))?;
     }
     Ok(())
 }
@@ -142,98 +96,61 @@ pub fn tables(document: &Document, folder: &Path) -> Result<(), OutputError> {
 /// Every table with its head.
 fn csv_tables(results: &Results) -> [(&'static str, Vec<Vec<String>>); 5] {
     let kernels = results.kernels.iter().map(|row| {
-        let mut cells = Cells::default();
-        cells.text("formulation", &row.formulation);
-        cells.text("form", &row.form);
-        cells.text("kernel", &row.kernel);
-        cells.number("cycles_a_ray", Some(row.cycles_a_ray));
-        cells.number("host_ns_a_ray", row.host_ns_a_ray);
-        cells
+        Cells::default()
+            .text("formulation", &row.formulation)
+            .text("form", &row.form)
+            .text("kernel", &row.kernel)
+            .number("cycles_a_ray", Some(row.cycles_a_ray))
+            .number("host_ns_a_ray", row.host_ns_a_ray)
     });
-    let kernel = |formulation: &str, form: &str| {
-        let of = |row: &&crate::run::KernelRow| row.formulation == formulation && row.form == form;
-        results.kernels.iter().find(of)
-    };
-    let costs = |cells: &mut Cells, formulation: &str, form: &str| {
-        let kernel = kernel(formulation, form);
-        cells.number("cycles_a_ray", kernel.map(|kernel| kernel.cycles_a_ray));
-        cells.number(
-            "host_ns_a_ray",
-            kernel.and_then(|kernel| kernel.host_ns_a_ray),
-        );
+    let costs = |cells: Cells, formulation: &str, form: &str| {
+        let mut kernels = results.kernels_of(form);
+        let kernel = kernels.find(|kernel| kernel.formulation == formulation);
+        cells
+            .number("cycles_a_ray", kernel.map(|kernel| kernel.cycles_a_ray))
+            .number(
+                "host_ns_a_ray",
+                kernel.and_then(|kernel| kernel.host_ns_a_ray),
+            )
     };
     let spheres = results.spheres.iter().map(|row| {
-        let mut cells = Cells::default();
-        cells.text("formulation", &row.formulation);
-        cells.text("form", row.form.name());
-        cells.text("family", &row.family);
-        costs(&mut cells, &row.formulation, row.form.name());
-        cells.number("ratio", row.ratio);
-        cells.summary("condition", row.condition);
-        cells.text("well_conditioned", &row.well_conditioned.to_string());
-        cells.counts([
-            ("rays", row.rays),
-            ("hits", row.hits),
-            ("wrong_hits", row.wrong_hits),
-            ("wrong_misses", row.wrong_misses),
-        ]);
-        cells.summary("distance_ulps", row.distance_ulps);
-        cells.summary("distance_relative", row.distance_relative);
-        cells.summary("point_ulps", row.point_ulps);
-        cells.summary("point_relative", row.point_relative);
-        cells.summary("normal_ulps", row.normal_ulps);
-        cells
+        let cells = Cells::default()
+            .text("formulation", &row.formulation)
+            .text("form", row.form.name())
+            .text("family", &row.family);
+        costs(cells, &row.formulation, row.form.name())
+            .number("ratio", row.ratio)
+            .figures(&row.figures)
+            .summary("normal_ulps", row.normal_ulps)
     });
     let triangles = results.triangles.iter().map(|row| {
-        let mut cells = Cells::default();
-        cells.text("formulation", &row.formulation);
-        cells.text("family", &row.family);
-        costs(&mut cells, &row.formulation, "triangle");
-        cells.summary("condition", row.condition);
-        cells.text("well_conditioned", &row.well_conditioned.to_string());
-        cells.counts([
-            ("rays", row.rays),
-            ("hits", row.hits),
-            ("wrong_hits", row.wrong_hits),
-            ("wrong_misses", row.wrong_misses),
-        ]);
-        cells.summary("distance_ulps", row.distance_ulps);
-        cells.summary("distance_relative", row.distance_relative);
-        cells.summary("point_ulps", row.point_ulps);
-        cells.summary("point_relative", row.point_relative);
-        cells
+        let cells = Cells::default()
+            .text("formulation", &row.formulation)
+            .text("family", &row.family);
+        costs(cells, &row.formulation, "triangle").figures(&row.figures)
     });
     let roots = results.roots.iter().map(|row| {
-        let mut cells = Cells::default();
-        cells.text("kernel", &row.kernel);
-        cells.text("quantity", &row.quantity);
-        cells.number("cycles_an_operand", Some(row.cycles_an_operand));
-        cells.number("host_ns_an_operand", row.host_ns_an_operand);
-        cells.counts([("operands", row.operands)]);
-        cells.summary("ulps", Some(row.ulps));
-        cells.text("worst", &row.worst);
-        cells
+        Cells::default()
+            .text("kernel", &row.kernel)
+            .text("quantity", &row.quantity)
+            .number("cycles_an_operand", Some(row.cycles_an_operand))
+            .number("host_ns_an_operand", row.host_ns_an_operand)
+            .text("operands", row.operands)
+            .summary("ulps", Some(row.ulps))
+            .text("worst", &row.worst)
     });
     let pictures = results.pictures.iter().map(|row| {
-        let mut cells = Cells::default();
-        cells.text("formulation", &row.formulation);
-        cells.text("scene", &row.scene);
-        cells.counts([
-            ("width", row.width as usize),
-            ("height", row.height as usize),
-        ]);
-        cells.number("frames_per_second", Some(row.frames_per_second));
-        cells.number("rmse", Some(row.rmse));
-        cells.counts([
-            ("max_error", row.max_error.into()),
-            (
-                "max_error_off_silhouette",
-                row.max_error_off_silhouette.into(),
-            ),
-            ("wrong_pixels", row.wrong_pixels as usize),
-            ("wrong_off_silhouette", row.wrong_off_silhouette as usize),
-        ]);
-        cells
+        Cells::default()
+            .text("formulation", &row.formulation)
+            .text("scene", &row.scene)
+            .text("width", row.width)
+            .text("height", row.height)
+            .number("frames_per_second", Some(row.frames_per_second))
+            .number("rmse", Some(row.rmse))
+            .text("max_error", row.max_error)
+            .text("max_error_off_silhouette", row.max_error_off_silhouette)
+            .text("wrong_pixels", row.wrong_pixels)
+            .text("wrong_off_silhouette", row.wrong_off_silhouette)
     });
     [
         ("kernels.csv", table(kernels)),
@@ -264,28 +181,37 @@ struct Cells {
 }
 
 impl Cells {
-    fn text(&mut self, name: &str, value: &str) {
+    fn text(mut self, name: &str, value: impl ToString) -> Self {
         self.names.push(name.to_owned());
-        self.values.push(value.to_owned());
+        self.values.push(value.to_string());
+        self
     }
 
     /// A number, with all its digits; nothing where there is none.
-    fn number(&mut self, name: &str, value: Option<f64>) {
-        let value = value.map_or_else(String::new, |value| value.to_string());
-        self.text(name, &value);
+    fn number(self, name: &str, value: Option<f64>) -> Self {
+        self.text(
+            name,
+            value.map_or_else(String::new, |value| value.to_string()),
+        )
     }
 
-    fn counts<const N: usize>(&mut self, counts: [(&str, usize); N]) {
-        for (name, count) in counts {
-            self.text(name, &count.to_string());
-        }
+    fn summary(self, name: &str, summary: Option<Summary>) -> Self {
+        self.number(&format!("{name}_max"), summary.map(|summary| summary.max))
+            .number(&format!("{name}_mean"), summary.map(|summary| summary.mean))
+            .number(&format!("{name}_p999"), summary.map(|summary| summary.p999))
     }
 
-    fn summary(&mut self, name: &str, summary: Option<Summary>) {
-        let of = |part: fn(&Summary) -> f64| summary.as_ref().map(part);
-        self.number(&format!("{name}_max"), of(|summary| summary.max));
-        self.number(&format!("{name}_mean"), of(|summary| summary.mean));
-        self.number(&format!("{name}_p999"), of(|summary| summary.p999));
+    fn figures(self, of: &Figures) -> Self {
+        self.summary("condition", of.condition)
+            .text("well_conditioned", of.well_conditioned)
+            .text("rays", of.rays)
+            .text("hits", of.hits)
+            .text("wrong_hits", of.wrong_hits)
+            .text("wrong_misses", of.wrong_misses)
+            .summary("distance_ulps", of.distance_ulps)
+            .summary("distance_relative", of.distance_relative)
+            .summary("point_ulps", of.point_ulps)
+            .summary("point_relative", of.point_relative)
     }
 }
 

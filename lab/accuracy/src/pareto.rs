@@ -1,8 +1,7 @@
 //! What is not beaten: points of cost and error.
 
-/// Which points no other is at least as good as in both and better in one, cheapest first. Of equal points
-/// all stay.
-#[must_use]
+/// Which points no other is at least as good as in both and better in one, cheapest first. Of
+/// equal points all stay.
 pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let beats = |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
     let mut front: Vec<usize> = (0..points.len())

@@ -1,17 +1,18 @@
-//! Whole pictures by each formulation of spheres: frames a second, in simulated time, against the picture's
-//! error.
+//! Whole pictures by each formulation of spheres: frames a second, in simulated time, against the
+//! picture's error.
 //!
-//! Weakness: Whitted's reference takes powers from the host's library, so its last bits are the host's own.
+//! Weakness: Whitted's reference takes powers from the host's library, so its last bits are the
+//! host's own.
 
+use std::error::Error;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
 use cellray::scene::{Look, Model};
-use cellray::spe::{Program, ProgramError};
-use cellray::{Engine, EngineError, Report, Scene, SceneError, Settings};
+use cellray::spe::Program;
+use cellray::{Engine, Report, Scene, Settings};
 use image::RgbImage;
 use kernels::set;
-use kernels::workshop::WorkshopError;
 use oracle::{Picture, Reference, whitted};
 use protocol::formulation::{Formulations, SPHERES, SphereFormulation};
 use serde::{Deserialize, Serialize};
@@ -91,31 +92,8 @@ pub struct Sizes {
     pub whitted: (u32, u32),
 }
 
-/// Why there is no picture.
-#[derive(Debug, thiserror::Error)]
-pub enum PictureError {
-    /// The scene's text.
-    #[error(transparent)]
-    Nff(#[from] nff::Error),
-    /// The scene can't be traced.
-    #[error(transparent)]
-    Scene(#[from] SceneError),
-    /// An SPU program can't be built.
-    #[error(transparent)]
-    Workshop(#[from] WorkshopError),
-    /// What was built is no program of the tracer.
-    #[error(transparent)]
-    Program(#[from] ProgramError),
-    /// No frame came.
-    #[error(transparent)]
-    Engine(#[from] EngineError),
-    /// The framebuffer.
-    #[error(transparent)]
-    Framebuffer(#[from] FramebufferError),
-    /// The reference.
-    #[error(transparent)]
-    Reference(#[from] oracle::Error),
-}
+/// Why there is no picture: the scene, an SPU program, the engine or the reference say it.
+pub type PictureError = Box<dyn Error + Send + Sync>;
 
 /// Makes libspe2 run in simulated time, in which frames a second are counted.
 ///
@@ -139,14 +117,12 @@ impl Subject {
         }
     }
 
-    /// What it is traced by: each formulation that has a kernel for its rays, by name; and the standard ones,
-    /// where mirrors' rays are not intersected as the eye's.
+    /// What it is traced by: each formulation that has a kernel for its rays, by name; and the
+    /// standard ones, where mirrors' rays are not intersected as the eye's.
     fn formulations(&self) -> Vec<(&'static str, Formulations)> {
         let standard = Formulations::standard();
-        let has_kernel = |formulation: &&SphereFormulation| match self.form() {
-            Form::Eye => formulation.eye.is_some(),
-            Form::General => formulation.general.is_some(),
-        };
+        let has_kernel =
+            |formulation: &&SphereFormulation| self.form().kernel(formulation).is_some();
         let alone = SPHERES.iter().filter(has_kernel).map(|formulation| {
             let formulations = Formulations::of(formulation, standard.triangle);
             (formulation.name, formulations)

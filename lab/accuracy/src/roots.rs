@@ -35,7 +35,6 @@ pub struct RootRow {
 /// # Panics
 ///
 /// If the catalogue has one of them not.
-#[must_use]
 pub fn measure(with_host_time: bool) -> Vec<RootRow> {
     let mut rows = parallel::map(&math::FUNCTIONS, Bench::new, of_function);
     if with_host_time {

@@ -5,6 +5,7 @@ use kernels::cases::spheres::cycles_a_ray;
 use protocol::formulation::{SPHERES, SphereFormulation, TRIANGLES, TriangleFormulation};
 use serde::{Deserialize, Serialize};
 
+use crate::families::Form;
 use crate::pictures::{self, PictureError, PictureRow, Sizes};
 use crate::roots::{self, RootRow, host_time};
 use crate::spheres::{self, SphereRow};
@@ -15,7 +16,8 @@ use crate::triangles::{self, TriangleRow};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Extent {
-    /// In some seconds, without pictures and roots: what is the same on every host, and checked to be.
+    /// In some seconds, without pictures and roots: what is the same on every host, and checked to
+    /// be.
     Quick,
     /// In some minutes.
     Standard,
@@ -99,9 +101,23 @@ pub struct Results {
     pub pictures: Vec<PictureRow>,
 }
 
+impl Results {
+    /// What kernels of a form cost.
+    pub fn kernels_of(&self, form: &str) -> impl Iterator<Item = &KernelRow> {
+        self.kernels
+            .iter()
+            .filter(move |kernel| kernel.form == form)
+    }
+
+    /// A formulation's rows of a form, by family.
+    pub fn spheres_of(&self, form: Form, formulation: &str) -> Vec<&SphereRow> {
+        let of = |row: &&SphereRow| row.form == form && row.formulation == formulation;
+        self.spheres.iter().filter(of).collect()
+    }
+}
+
 impl Extent {
     /// Spheres, or shots of triangles, of each family: 256 rays each.
-    #[must_use]
     pub const fn shots(self) -> usize {
         match self {
             Self::Quick => 4,
@@ -111,7 +127,6 @@ impl Extent {
     }
 
     /// How large pictures are.
-    #[must_use]
     pub const fn sizes(self) -> Sizes {
         Sizes {
             depth: (1280, 720),
@@ -124,6 +139,18 @@ impl Extent {
 }
 
 impl Order {
+    /// As little as tests need: a formulation of spheres and one of triangles.
+    #[cfg(test)]
+    pub fn short(seed: u64) -> Self {
+        Self {
+            extent: Extent::Quick,
+            seed,
+            only: vec!["perpendicular".to_owned(), "watertight".to_owned()],
+            pictures: false,
+            host_time: false,
+        }
+    }
+
     fn asks_for(&self, name: &str) -> bool {
         self.only.is_empty() || self.only.iter().any(|asked| asked == name)
     }
@@ -194,34 +221,29 @@ fn kernels(
     flat: &[&TriangleFormulation],
 ) -> Result<Vec<KernelRow>, RunError> {
     let of_spheres = subjects.iter().map(|subject| {
-        let SphereFormulation { name, doc, .. } = subject.formulation;
-        (*name, *doc, subject.form.name(), subject.kernel)
+        let SphereFormulation { name, doc, .. } = *subject.formulation;
+        (name, doc, subject.form.name(), subject.kernel)
     });
-    let of_triangles = flat.iter().map(|formulation| {
-        (
-            formulation.name,
-            formulation.doc,
-            "triangle",
-            formulation.kernel,
-        )
-    });
+    let of_triangles = flat
+        .iter()
+        .map(|flat| (flat.name, flat.doc, "triangle", flat.kernel));
     let mut bench = Bench::new();
     let row = |(formulation, doc, form, kernel): (&'static str, &str, &str, &'static str)| {
         let missing = RunError::Kernel {
             formulation,
             kernel,
         };
-        let cycles_a_ray = cycles_a_ray(&mut bench, kernel).ok_or(missing)?;
         Ok(KernelRow {
             formulation: formulation.to_owned(),
             form: form.to_owned(),
             doc: doc.to_owned(),
             kernel: kernel.to_owned(),
-            cycles_a_ray,
-            host_ns_a_ray: order
-                .host_time
-                .then(|| host_time(&mut bench, kernel))
-                .flatten(),
+            cycles_a_ray: cycles_a_ray(&mut bench, kernel).ok_or(missing)?,
+            host_ns_a_ray: if order.host_time {
+                host_time(&mut bench, kernel)
+            } else {
+                None
+            },
         })
     };
     of_spheres.chain(of_triangles).map(row).collect()

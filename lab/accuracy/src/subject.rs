@@ -6,10 +6,11 @@ use kernels::cases::whitted::isect::ball::SphereObject;
 use kernels::eye_records::Vectors;
 use protocol::formulation::{EyeRecord, SPHERES, SphereFormulation};
 use spu_emulator::float::single::to_f64;
+use twins::Single;
 use twins::pairs::Sides;
 
-use crate::families::space::{dot, nearest, point, unit};
 use crate::families::{Form, Shot};
+use crate::space::{dot, nearest, point, unit};
 use crate::truth::sphere::Sphere;
 
 /// The one formulation that takes directions of any length; its `t` is a parameter.
@@ -28,16 +29,12 @@ pub struct Subject {
 
 /// All formulations in all their forms.
 pub fn all() -> impl Iterator<Item = Subject> {
-    [Form::Eye, Form::General].into_iter().flat_map(|form| {
+    Form::ALL.into_iter().flat_map(|form| {
         SPHERES.iter().filter_map(move |formulation| {
-            let kernel = match form {
-                Form::Eye => formulation.eye,
-                Form::General => formulation.general,
-            };
-            kernel.map(|kernel| Subject {
+            Some(Subject {
                 formulation,
                 form,
-                kernel,
+                kernel: form.kernel(formulation)?,
             })
         })
     })
@@ -52,15 +49,20 @@ pub enum Given {
     General(SphereObject),
 }
 
-/// Seen from within and without.
-const BOTH_SIDES: Sides = Sides {
-    both: true,
-    exit: false,
-};
+/// A sphere that is seen from within and without.
+pub fn ball(centre: [Single; 3], radius: Single) -> SphereObject {
+    SphereObject {
+        centre,
+        offset: radius,
+        sides: Sides {
+            both: true,
+            exit: false,
+        },
+    }
+}
 
 impl Given {
     /// A shot's sphere for a form and a record.
-    #[must_use]
     pub fn new(form: Form, record: EyeRecord, shot: &Shot) -> Self {
         let radius = shot.radius();
         match (form, record) {
@@ -77,16 +79,11 @@ impl Given {
                     distance: nearest(square.sqrt()),
                 })
             }
-            (Form::General, _) => Self::General(SphereObject {
-                centre: shot.centre,
-                offset: shot.radius,
-                sides: BOTH_SIDES,
-            }),
+            (Form::General, _) => Self::General(ball(shot.centre, shot.radius)),
         }
     }
 
     /// The very sphere that this is.
-    #[must_use]
     pub fn sphere(&self) -> Sphere {
         match *self {
             Self::Eye(EyeSphere::Centre {
@@ -101,13 +98,11 @@ impl Given {
 
 impl Subject {
     /// A shot's sphere as this kernel is given it.
-    #[must_use]
     pub fn given(&self, shot: &Shot) -> Given {
         Given::new(self.form, self.formulation.record, shot)
     }
 
     /// What the kernel says of each ray of a shot: the distance or parameter of its hit.
-    #[must_use]
     pub fn hits(&self, bench: &mut Bench, shot: &Shot) -> Vec<Option<f64>> {
         let hits = match self.given(shot) {
             Given::Eye(sphere) => {

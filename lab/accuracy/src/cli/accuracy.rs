@@ -21,7 +21,8 @@ pub struct Arguments {
     /// Write the results as JSON to a file, or - for standard output, and nothing else
     #[arg(long, value_name = "F.json", conflicts_with_all = ["out", "write"])]
     json: Option<PathBuf>,
-    /// Leave out the host: its name, its time and the command. What is left is the same on every host
+    /// Leave out the host: its name, its time and the command. What is left is the same on every
+    /// host
     #[arg(long)]
     no_host_time: bool,
     /// Write the document too, with its plots beside it
@@ -78,6 +79,12 @@ pub fn run(arguments: &Arguments) -> Outcome {
         return Ok(ExitCode::SUCCESS);
     }
     output::write(&document, &arguments.out)?;
+    plots::write(
+        &document.results,
+        &arguments.out,
+        "",
+        &[Format::Svg, Format::Png],
+    )?;
     eprintln!("cellray-bench: {}", arguments.out.display());
     if let Some(file) = &arguments.write {
         let beside = file.parent().unwrap_or(Path::new("."));

@@ -11,13 +11,15 @@ use std::fs;
 use std::path::Path;
 
 use crate::families::{FAMILIES, Form, triangles};
+use crate::figures::{Figures, WELL_CONDITIONED};
+use crate::file::OutputError;
 use crate::metrics::Summary;
-use crate::output::{Document, OutputError};
-use crate::pictures::SCENES;
+use crate::output::Document;
+use crate::pictures::{PictureRow, SCENES};
 use crate::plots::{self, Plot, worst_distance, wrong_far_off};
 use crate::run::{KernelRow, Results};
-use crate::spheres::{SphereRow, WELL_CONDITIONED};
-use table::{Table, figure};
+use crate::spheres::SphereRow;
+use table::{Table, figure, option};
 
 /// What stands in front of the plots' names beside the document.
 pub const PREFIX: &str = "accuracy-";
@@ -28,18 +30,17 @@ pub const PREFIX: &str = "accuracy-";
 ///
 /// A file that can't be written.
 pub fn write(document: &Document, path: &Path) -> Result<(), OutputError> {
-    fs::write(path, text(document)).map_err(OutputError::file(path))
+    fs::write(path, text(document)).map_err(OutputError::of(path.display()))
 }
 
 /// The document.
-#[must_use]
 pub fn text(document: &Document) -> String {
     let results = &document.results;
     let plots = plots::plots(results);
     let mut text = head(document);
     text.push_str(READING);
     text.push_str(&formulations(results));
-    for form in [Form::Eye, Form::General] {
+    for form in Form::ALL {
         text.push_str(&spheres(results, &plots, form));
     }
     text.push_str(&families(results));
@@ -65,7 +66,7 @@ fn head(document: &Document) -> String {
             origin.machine,
             origin.commit,
             results.seed,
-            results.spheres.first().map_or(0, |row| row.rays)
+            results.spheres.first().map_or(0, |row| row.figures.rays)
         );
     }
     text
@@ -88,32 +89,29 @@ const READING: &str = "
 ";
 
 fn formulations(results: &Results) -> String {
-    let mut table = Table::new([
-        "formulation",
-        "for",
-        "what it computes",
-        "cycles",
-        "host, ns",
-    ]);
-    for kernel in &results.kernels {
-        table.row([
-            kernel.formulation.clone(),
-            kernel.form.clone(),
-            kernel.doc.clone(),
-            figure(kernel.cycles_a_ray),
-            option(kernel.host_ns_a_ray),
-        ]);
-    }
+    let table = Table::of(
+        &results.kernels,
+        &[
+            ("formulation", |row| row.formulation.clone()),
+            ("for", |row| row.form.clone()),
+            ("what it computes", |row| row.doc.clone()),
+            ("cycles", |row| figure(row.cycles_a_ray)),
+            ("host, ns", |row| option(row.host_ns_a_ray)),
+        ],
+    );
     format!("\n## Formulations\n\n{table}")
 }
 
-/// A number, or nothing.
-fn option(value: Option<f64>) -> String {
-    value.map_or_else(String::new, figure)
+fn most(summary: Option<Summary>) -> String {
+    option(summary.map(|summary| summary.max))
 }
 
-fn part(summary: Option<Summary>, part: fn(&Summary) -> f64) -> String {
-    option(summary.as_ref().map(part))
+fn p999(summary: Option<Summary>) -> String {
+    option(summary.map(|summary| summary.p999))
+}
+
+fn mean(summary: Option<Summary>) -> String {
+    option(summary.map(|summary| summary.mean))
 }
 
 /// A plot with what is not beaten in it.
@@ -128,47 +126,43 @@ fn shown(plots: &[Plot], name: &str) -> String {
     text
 }
 
+/// A kernel and all its rows.
+type Kernel<'a> = (&'a KernelRow, Vec<&'a SphereRow>);
+
+/// The largest of a figure over the well-conditioned families.
+fn largest((_, rows): &Kernel<'_>, of: fn(&Figures) -> Option<f64>) -> String {
+    let sound = rows.iter().filter_map(|row| row.figures.sound(of)?);
+    option(sound.reduce(f64::max))
+}
+
 fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
     let title = match form {
         Form::Eye => "Spheres, rays from the eye",
         Form::General => "Spheres, rays from anywhere",
     };
-    let mut table = Table::new([
-        "formulation",
-        "cycles",
-        "host, ns",
-        "distance: largest, ulps",
-        "99.9 %",
-        "mean",
-        "point: largest",
-        "wrong at 4096, %",
-    ]);
-    let kernels: Vec<&KernelRow> = results
-        .kernels
-        .iter()
-        .filter(|kernel| kernel.form == form.name())
+    let kernels: Vec<Kernel<'_>> = results
+        .kernels_of(form.name())
+        .map(|kernel| (kernel, results.spheres_of(form, &kernel.formulation)))
         .collect();
-    for kernel in &kernels {
-        let rows: Vec<&SphereRow> = results
-            .spheres
-            .iter()
-            .filter(|row| row.form == form && row.formulation == kernel.formulation)
-            .collect();
-        let sound = || rows.iter().filter(|row| row.well_conditioned);
-        let most = |of: fn(&SphereRow) -> Option<f64>| {
-            option(sound().filter_map(|row| of(row)).reduce(f64::max))
-        };
-        table.row([
-            kernel.formulation.clone(),
-            figure(kernel.cycles_a_ray),
-            option(kernel.host_ns_a_ray),
-            option(worst_distance(&rows)),
-            most(|row| Some(row.distance_ulps?.p999)),
-            most(|row| Some(row.distance_ulps?.mean)),
-            most(|row| Some(row.point_ulps?.max)),
-            option(wrong_far_off(&rows)),
-        ]);
-    }
+    let table = Table::of(
+        &kernels,
+        &[
+            ("formulation", |(kernel, _)| kernel.formulation.clone()),
+            ("cycles", |(kernel, _)| figure(kernel.cycles_a_ray)),
+            ("host, ns", |(kernel, _)| option(kernel.host_ns_a_ray)),
+            ("distance: largest, ulps", |(_, rows)| {
+                option(worst_distance(rows))
+            }),
+            ("99.9 %", |of| {
+                largest(of, |of| Some(of.distance_ulps?.p999))
+            }),
+            ("mean", |of| largest(of, |of| Some(of.distance_ulps?.mean))),
+            ("point: largest", |of| {
+                largest(of, |of| Some(of.point_ulps?.max))
+            }),
+            ("wrong at 4096, %", |(_, rows)| option(wrong_far_off(rows))),
+        ],
+    );
     let mut text = format!(
         "\n## {title}\n\nOf each number the largest of all well-conditioned families.\n\n{table}"
     );
@@ -176,31 +170,30 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
         text.push_str(&shown(plots, &format!("{plot}-{}", form.name())));
     }
     text.push_str("\nLargest error of the distance, in ulps, and behind it wrong hits and wrong misses, if any:\n\n");
-    text.push_str(&by_family(results, form, &kernels).to_string());
+    text.push_str(&by_family(form, &kernels).to_string());
     text
 }
 
 /// Families down, formulations across.
-fn by_family(results: &Results, form: Form, kernels: &[&KernelRow]) -> Table {
-    let names = kernels.iter().map(|kernel| kernel.formulation.as_str());
+fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
+    let names = kernels
+        .iter()
+        .map(|(kernel, _)| kernel.formulation.as_str());
     let mut table = Table::new(std::iter::once("family").chain(names));
     for family in FAMILIES
         .iter()
         .filter(|family| family.forms.contains(&form))
     {
-        let cell = |kernel: &&KernelRow| {
-            let row = results.spheres.iter().find(|row| {
-                row.form == form
-                    && row.family == family.name
-                    && row.formulation == kernel.formulation
-            });
-            row.map_or_else(String::new, |row| {
-                let off = part(row.distance_ulps, |summary| summary.max);
-                match (row.wrong_hits, row.wrong_misses) {
-                    (0, 0) => off,
-                    (hits, misses) => format!("{off} ({hits}, {misses})"),
-                }
-            })
+        let cell = |(_, rows): &Kernel<'_>| {
+            let Some(row) = rows.iter().find(|row| row.family == family.name) else {
+                return String::new();
+            };
+            let of = &row.figures;
+            let off = most(of.distance_ulps);
+            match (of.wrong_hits, of.wrong_misses) {
+                (0, 0) => off,
+                (hits, misses) => format!("{off} ({hits}, {misses})"),
+            }
         };
         let name = std::iter::once(family.name.to_owned());
         table.row(name.chain(kernels.iter().map(cell)));
@@ -209,35 +202,34 @@ fn by_family(results: &Results, form: Form, kernels: &[&KernelRow]) -> Table {
 }
 
 fn families(results: &Results) -> String {
-    let mut table = Table::new([
-        "family",
-        "for",
-        "what is in it",
-        "condition: mean",
-        "largest",
-        "well-conditioned",
-    ]);
-    for form in [Form::Eye, Form::General] {
-        for family in FAMILIES {
-            let row = results
-                .spheres
-                .iter()
-                .find(|row| row.form == form && row.family == family.name);
-            let Some(row) = row else { continue };
-            let doc = match family.ratio {
+    let all = Form::ALL
+        .into_iter()
+        .flat_map(|form| FAMILIES.iter().map(move |family| (form, family)));
+    let rows = all.filter_map(|(form, family)| {
+        let of = |row: &&SphereRow| row.form == form && row.family == family.name;
+        Some((family, results.spheres.iter().find(of)?))
+    });
+    let table = Table::of(
+        rows,
+        &[
+            ("family", |(family, _)| family.name.to_owned()),
+            ("for", |(_, row)| row.form.name().to_owned()),
+            ("what is in it", |(family, _)| match family.ratio {
                 Some(_) => format!("distance/radius as named, {}", family.doc),
                 None => family.doc.to_owned(),
-            };
-            table.row([
-                family.name.to_owned(),
-                form.name().to_owned(),
-                doc,
-                part(row.condition, |summary| summary.mean),
-                part(row.condition, |summary| summary.max),
-                if row.well_conditioned { "yes" } else { "no" }.to_owned(),
-            ]);
-        }
-    }
+            }),
+            ("condition: mean", |(_, row)| mean(row.figures.condition)),
+            ("largest", |(_, row)| most(row.figures.condition)),
+            ("well-conditioned", |(_, row)| {
+                if row.figures.well_conditioned {
+                    "yes"
+                } else {
+                    "no"
+                }
+                .to_owned()
+            }),
+        ],
+    );
     format!(
         "\n## Families of spheres\n\nWell-conditioned: the mean is at most {WELL_CONDITIONED}.\n\n{table}"
     )
@@ -247,32 +239,23 @@ fn flat(results: &Results) -> String {
     if results.triangles.is_empty() {
         return String::new();
     }
-    let mut table = Table::new([
-        "formulation",
-        "family",
-        "rays",
-        "wrong hits",
-        "wrong misses",
-        "distance: largest, ulps",
-        "99.9 %",
-        "mean",
-        "point: largest",
-        "condition: mean",
-    ]);
-    for row in &results.triangles {
-        table.row([
-            row.formulation.clone(),
-            row.family.clone(),
-            row.rays.to_string(),
-            row.wrong_hits.to_string(),
-            row.wrong_misses.to_string(),
-            part(row.distance_ulps, |summary| summary.max),
-            part(row.distance_ulps, |summary| summary.p999),
-            part(row.distance_ulps, |summary| summary.mean),
-            part(row.point_ulps, |summary| summary.max),
-            part(row.condition, |summary| summary.mean),
-        ]);
-    }
+    let table = Table::of(
+        &results.triangles,
+        &[
+            ("formulation", |row| row.formulation.clone()),
+            ("family", |row| row.family.clone()),
+            ("rays", |row| row.figures.rays.to_string()),
+            ("wrong hits", |row| row.figures.wrong_hits.to_string()),
+            ("wrong misses", |row| row.figures.wrong_misses.to_string()),
+            ("distance: largest, ulps", |row| {
+                most(row.figures.distance_ulps)
+            }),
+            ("99.9 %", |row| p999(row.figures.distance_ulps)),
+            ("mean", |row| mean(row.figures.distance_ulps)),
+            ("point: largest", |row| most(row.figures.point_ulps)),
+            ("condition: mean", |row| mean(row.figures.condition)),
+        ],
+    );
     let mut text = format!("\n## Triangles\n\n{table}\n");
     for family in triangles::FAMILIES {
         _ = writeln!(text, "- {}: {}.", family.name, family.doc);
@@ -287,28 +270,19 @@ fn roots(results: &Results, plots: &[Plot]) -> String {
     if results.roots.is_empty() {
         return String::new();
     }
-    let mut table = Table::new([
-        "kernel",
-        "computes",
-        "cycles",
-        "host, ns",
-        "largest, ulps",
-        "99.9 %",
-        "mean",
-        "worst operand",
-    ]);
-    for row in &results.roots {
-        table.row([
-            row.kernel.clone(),
-            row.quantity.clone(),
-            figure(row.cycles_an_operand),
-            option(row.host_ns_an_operand),
-            figure(row.ulps.max),
-            figure(row.ulps.p999),
-            figure(row.ulps.mean),
-            format!("`{}`", row.worst),
-        ]);
-    }
+    let table = Table::of(
+        &results.roots,
+        &[
+            ("kernel", |row| row.kernel.clone()),
+            ("computes", |row| row.quantity.clone()),
+            ("cycles", |row| figure(row.cycles_an_operand)),
+            ("host, ns", |row| option(row.host_ns_an_operand)),
+            ("largest, ulps", |row| figure(row.ulps.max)),
+            ("99.9 %", |row| figure(row.ulps.p999)),
+            ("mean", |row| figure(row.ulps.mean)),
+            ("worst operand", |row| format!("`{}`", row.worst)),
+        ],
+    );
     format!(
         "\n## Reciprocals and roots\n\nOver every fraction that an operand can have: an octave, or two for roots.\n\n{table}{}",
         shown(plots, "roots")
@@ -323,35 +297,27 @@ fn pictures(results: &Results, plots: &[Plot]) -> String {
                     precision (`oracle/`). A pixel is wrong if a channel\nis off by more than 1/255.\n"
         .to_owned();
     for scene in SCENES {
-        let rows = results
-            .pictures
-            .iter()
-            .filter(|row| row.scene == scene.name);
-        let mut table = Table::new([
-            "formulation",
-            "frames/s",
-            "RMSE, 1/255",
-            "largest, 1/255",
-            "off silhouettes",
-            "wrong pixels",
-            "off silhouettes",
-        ]);
-        let mut size = None;
-        for row in rows {
-            size = Some((row.width, row.height));
-            table.row([
-                row.formulation.clone(),
-                figure(row.frames_per_second),
-                figure(row.rmse),
-                row.max_error.to_string(),
-                row.max_error_off_silhouette.to_string(),
-                row.wrong_pixels.to_string(),
-                row.wrong_off_silhouette.to_string(),
-            ]);
-        }
-        let Some((width, height)) = size else {
+        let of = |row: &&PictureRow| row.scene == scene.name;
+        let rows: Vec<&PictureRow> = results.pictures.iter().filter(of).collect();
+        let Some(PictureRow { width, height, .. }) = rows.last() else {
             continue;
         };
+        let table = Table::of(
+            rows.iter().copied(),
+            &[
+                ("formulation", |row| row.formulation.clone()),
+                ("frames/s", |row| figure(row.frames_per_second)),
+                ("RMSE, 1/255", |row| figure(row.rmse)),
+                ("largest, 1/255", |row| row.max_error.to_string()),
+                ("off silhouettes", |row| {
+                    row.max_error_off_silhouette.to_string()
+                }),
+                ("wrong pixels", |row| row.wrong_pixels.to_string()),
+                ("off silhouettes", |row| {
+                    row.wrong_off_silhouette.to_string()
+                }),
+            ],
+        );
         _ = write!(
             text,
             "\n### {}\n\n{}, {width}x{height}.\n\n{table}{}",

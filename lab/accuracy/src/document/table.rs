@@ -2,6 +2,9 @@
 
 use std::fmt;
 
+/// What stands over a column, and what is in it.
+pub(super) type Column<R> = (&'static str, fn(&R) -> String);
+
 /// A table with a head; its columns are as wide as what is in them.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
@@ -12,6 +15,15 @@ impl Table {
     pub fn new<'a>(head: impl IntoIterator<Item = &'a str>) -> Self {
         let head = head.into_iter().map(str::to_owned).collect();
         Self { rows: vec![head] }
+    }
+
+    /// A row for each of these.
+    pub fn of<R>(rows: impl IntoIterator<Item = R>, columns: &[Column<R>]) -> Self {
+        let mut table = Self::new(columns.iter().map(|(title, _)| *title));
+        for row in rows {
+            table.row(columns.iter().map(|(_, cell)| cell(&row)));
+        }
+        table
     }
 
     pub fn row(&mut self, cells: impl IntoIterator<Item = String>) {
@@ -58,6 +70,11 @@ pub(super) fn figure(value: f64) -> String {
         0.01.. => format!("{value:.2}"),
         _ => format!("{value:.1e}"),
     }
+}
+
+/// A number, or nothing.
+pub(super) fn option(value: Option<f64>) -> String {
+    value.map_or_else(String::new, figure)
 }
 
 #[cfg(test)]

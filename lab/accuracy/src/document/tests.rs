@@ -2,24 +2,17 @@
 
 use super::*;
 use crate::output::Origin;
-use crate::run::{Extent, Order, run};
+use crate::run::{Order, run};
 
 #[test]
 fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
-    let order = Order {
-        extent: Extent::Quick,
-        seed: 77,
-        only: vec!["perpendicular".to_owned(), "watertight".to_owned()],
-        pictures: false,
-        host_time: false,
-    };
     let document = Document {
         origin: Some(Origin {
             machine: "some machine".to_owned(),
             commit: "0123456789ab".to_owned(),
             command: "cellray-bench accuracy".to_owned(),
         }),
-        results: run(&order, |_| ()).unwrap(),
+        results: run(&Order::short(77), |_| ()).unwrap(),
     };
     let text = text(&document);
     for part in [
@@ -35,7 +28,7 @@ fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
     ));
     assert!(text.contains("Not beaten: perpendicular."));
     let row = &document.results.spheres[0];
-    let cell = figure(row.distance_ulps.unwrap().max);
+    let cell = figure(row.figures.distance_ulps.unwrap().max);
     let line = text
         .lines()
         .find(|line| line.starts_with("| ratio 2 "))

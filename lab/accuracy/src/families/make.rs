@@ -3,13 +3,12 @@
 use crate::generator::Generator;
 use rand::Rng as _;
 use spu_emulator::float::single::to_f64;
-use twins::FARTHEST;
 use twins::ball::Ray;
 
-use super::space::{
-    across, along, direction, in_ball, in_cube, less, nearest, on_disc, point, unit,
-};
 use super::{Form, PACKETS, Shot};
+use crate::space::{
+    across, along, direction, fresh, in_ball, in_cube, less, nearest, on_disc, point, unit,
+};
 use crate::truth::Vector;
 
 /// How far from 0 origins are, in radii.
@@ -34,12 +33,12 @@ fn rounded(value: f64) -> f64 {
 }
 
 fn ray(origin: Vector, direction: Vector) -> Ray {
-    Ray {
-        origin: point(origin),
-        direction: point(direction),
-        t: FARTHEST,
-        object: 0,
-    }
+    fresh(point(origin), point(direction))
+}
+
+/// A ray to a point.
+fn ray_to(target: Vector, from: Vector) -> Ray {
+    ray(from, unit(less(target, from)))
 }
 
 /// A sphere, and packets of rays that `aim` gives.
@@ -57,33 +56,39 @@ fn shot(
     }
 }
 
-/// A sphere so many radii away and rays over the disc within 2 radii.
-fn distant(from: Vector, radius: f64, ratio: f64, random: &mut Generator) -> Shot {
+/// Where rays start, an axis, and the centre of a sphere so far away along it.
+fn ahead(from: Vector, distance: f64, random: &mut Generator) -> [Vector; 3] {
     let axis = direction(random);
-    let centre = along(from, ratio * radius, axis);
+    [from, axis, along(from, distance, axis)]
+}
+
+/// Rays from a point over the disc within 2 radii of a sphere.
+fn over([from, axis, centre]: [Vector; 3], radius: f64, random: &mut Generator) -> Shot {
     shot(centre, radius, random, |random| {
-        let target = on_disc(centre, axis, 2.0 * radius, random);
-        ray(from, unit(less(target, from)))
+        ray_to(on_disc(centre, axis, 2.0 * radius, random), from)
     })
 }
 
 pub(super) fn at_ratio(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
-    distant(from, radius, ratio, random)
+    let places = ahead(from, ratio * radius, random);
+    over(places, radius, random)
 }
 
 pub(super) fn tiny(random: &mut Generator, form: Form, size: f64) -> Shot {
     let from = origin(form, 1.0, random);
     let radius = size * radius(random);
-    distant(from, radius, 1e3 / radius, random)
+    // By its ratio, as the others are.
+    let ratio = 1e3 / radius;
+    let places = ahead(from, ratio * radius, random);
+    over(places, radius, random)
 }
 
 pub(super) fn grazing(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
-    let axis = direction(random);
-    let centre = along(from, ratio * radius, axis);
+    let [_, axis, centre] = ahead(from, ratio * radius, random);
     shot(centre, radius, random, |random| {
         let sine = random.random_range(0.999..1.001) / ratio;
         let sideways = unit(less(on_disc([0.0; 3], axis, 1.0, random), [0.0; 3]));
@@ -110,7 +115,7 @@ pub(super) fn ground(random: &mut Generator, form: Form, radius: f64) -> Shot {
     shot(centre, radius, random, |random| {
         let below = along(from, -height, up);
         let target = on_disc(below, up, 20.0 * height, random);
-        ray(from, unit(less(target, from)))
+        ray_to(target, from)
     })
 }
 
@@ -125,7 +130,7 @@ pub(super) fn coherent(random: &mut Generator, _: Form, ratio: f64) -> Shot {
         std::array::from_fn(|lane| {
             let step = |at: usize| (at as f64 - 1.5) * 0.02 * radius;
             let target = along(along(middle, step(lane % 4), right), step(lane / 4), down);
-            ray(from, unit(less(target, from)))
+            ray_to(target, from)
         })
     };
     Shot {
@@ -144,15 +149,14 @@ pub(super) fn incoherent(random: &mut Generator, _: Form, _: f64) -> Shot {
         let axis = direction(random);
         let from = along(centre, -ratio * radius, axis).map(rounded);
         let target = on_disc(centre, axis, 2.0 * radius, random);
-        ray(from, unit(less(target, from)))
+        ray_to(target, from)
     })
 }
 
 pub(super) fn lengths(random: &mut Generator, form: Form, ratio: f64) -> Shot {
     let radius = radius(random);
     let from = origin(form, AROUND * radius, random);
-    let axis = direction(random);
-    let centre = along(from, ratio * radius, axis);
+    let [_, axis, centre] = ahead(from, ratio * radius, random);
     shot(centre, radius, random, |random| {
         let target = on_disc(centre, axis, 2.0 * radius, random);
         let doublings = random.random_range(0..8);

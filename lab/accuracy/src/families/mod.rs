@@ -1,18 +1,20 @@
 //! Scene families: named generators of one sphere and the rays that are sent to it.
 //!
-//! Invariant: everything is made of singles, by basic arithmetic and roots, from a seed: a family gives
-//! the same on every host. What a family is of is in [`FAMILIES`], one row each.
+//! Invariant: everything is made of singles, by basic arithmetic and roots, from a seed: a family
+//! gives the same on every host. What a family is of is in [`FAMILIES`], one row each.
 
 mod make;
-pub mod space;
 pub mod triangles;
 
 use crate::generator::{Generator, generator};
+use protocol::formulation::SphereFormulation;
 use serde::{Deserialize, Serialize};
+use spu_emulator::float::single::to_f64;
 use twins::Single;
 use twins::ball::Ray;
 
-use crate::truth::Vector;
+use crate::truth::sphere::Crossing;
+use crate::truth::{Line, Vector};
 
 /// Packets that a sphere is tested with.
 pub const PACKETS: usize = 16;
@@ -28,12 +30,31 @@ pub enum Form {
 }
 
 impl Form {
+    /// Both, in the tables' order.
+    pub const ALL: [Self; 2] = [Self::Eye, Self::General];
+
     /// Its name in tables.
-    #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
             Self::Eye => "eye",
             Self::General => "general",
+        }
+    }
+
+    /// The kernel that a formulation has for it.
+    pub const fn kernel(self, formulation: &SphereFormulation) -> Option<&'static str> {
+        match self {
+            Self::Eye => formulation.eye,
+            Self::General => formulation.general,
+        }
+    }
+
+    /// The hit that its kernels are to find of those where a line crosses a sphere, and the normal
+    /// there.
+    pub fn seen(self, crossing: &Crossing) -> Option<(f64, Vector)> {
+        match self {
+            Self::Eye => Some((crossing.entry, crossing.entry_normal)).filter(|(t, _)| *t > 0.0),
+            Self::General => crossing.first(),
         }
     }
 }
@@ -171,7 +192,6 @@ pub const FAMILIES: &[Family] = &[
 
 impl Family {
     /// So many spheres with [`PACKETS`] packets each.
-    #[must_use]
     pub fn shots(&self, form: Form, seed: u64, spheres: usize) -> Vec<Shot> {
         let mut random = generator(seed, &[self.name, form.name()], 0);
         (0..spheres)
@@ -180,17 +200,26 @@ impl Family {
     }
 }
 
+/// The lines of packets' rays.
+fn lines(packets: &[[Ray; 16]]) -> impl Iterator<Item = Line> {
+    let rays = packets.iter().flatten();
+    rays.map(|ray| Line::new(ray.origin, ray.direction))
+}
+
 impl Shot {
+    /// Its rays as exact numbers.
+    pub fn lines(&self) -> impl Iterator<Item = Line> {
+        lines(&self.packets)
+    }
+
     /// The centre, exactly.
-    #[must_use]
     pub fn centre(&self) -> Vector {
-        self.centre.map(spu_emulator::float::single::to_f64)
+        self.centre.map(to_f64)
     }
 
     /// The radius, exactly.
-    #[must_use]
     pub fn radius(&self) -> f64 {
-        spu_emulator::float::single::to_f64(self.radius)
+        to_f64(self.radius)
     }
 }
 

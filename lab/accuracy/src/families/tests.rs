@@ -1,8 +1,7 @@
 //! Families are what they say.
 
-use super::space::{dot, less};
 use super::*;
-use crate::truth::Line;
+use crate::space::{dot, less};
 use crate::truth::sphere::Sphere;
 
 const SPHERES: usize = 6;
@@ -16,13 +15,8 @@ fn rays(family: &Family, form: Form) -> Vec<(Line, Shot, f64)> {
     let shots = family.shots(form, 3, SPHERES);
     let each = |shot: &Shot| {
         let sphere = Sphere::of_radius(shot.centre, shot.radius);
-        let lines = shot
-            .packets
-            .iter()
-            .flatten()
-            .map(|ray| Line::new(ray.origin, ray.direction));
         let near = |line: &Line| (1.0 + 2.0 * sphere.passing(line).beyond).sqrt();
-        lines
+        shot.lines()
             .map(|line| (line, shot.clone(), near(&line)))
             .collect::<Vec<_>>()
     };

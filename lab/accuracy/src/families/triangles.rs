@@ -1,14 +1,14 @@
-//! Scene families of triangles: named generators of one or two of them and the rays that are sent there.
+//! Scene families of triangles: named generators of one or two of them and the rays that are sent
+//! there.
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
-use twins::FARTHEST;
 use twins::ball::Ray;
 use twins::triangle::Triangle;
 
 use super::PACKETS;
-use super::space::{across, along, direction, dot, in_cube, less, point, unit};
-use crate::truth::Vector;
+use crate::space::{across, along, direction, dot, fresh, in_cube, less, point, unit};
+use crate::truth::{Line, Vector};
 
 /// How flat a ray may come at least: the cosine of its angle with the normal.
 const SLANT: f64 = 0.3;
@@ -37,41 +37,47 @@ pub struct Shot {
     pub packets: Vec<[Ray; 16]>,
 }
 
+/// The family that the others differ from.
+const WELL_SHAPED: Family = Family {
+    name: "well-shaped",
+    doc: "as high as their longest edge is half, 2 to 8 edges away, over the triangle and around it",
+    height: 0.5,
+    reach: [2.0, 8.0],
+    shared_edge: false,
+};
+
 /// All families of triangles.
 pub const FAMILIES: &[Family] = &[
-    Family {
-        name: "well-shaped",
-        doc: "as high as their longest edge is half, 2 to 8 edges away, over the triangle and around it",
-        height: 0.5,
-        reach: [2.0, 8.0],
-        shared_edge: false,
-    },
+    WELL_SHAPED,
     Family {
         name: "needle",
         doc: "a thousandth of their longest edge high, 2 to 8 edges away",
         height: 1e-3,
-        reach: [2.0, 8.0],
-        shared_edge: false,
+        ..WELL_SHAPED
     },
     Family {
         name: "far",
         doc: "as well-shaped, 1000 to 4000 edges away",
-        height: 0.5,
         reach: [1e3, 4e3],
-        shared_edge: false,
+        ..WELL_SHAPED
     },
     Family {
         name: "shared edge",
         doc: "two well-shaped with a common edge, 2 to 8 edges away, rays to that edge",
-        height: 0.5,
-        reach: [2.0, 8.0],
         shared_edge: true,
+        ..WELL_SHAPED
     },
 ];
 
+impl Shot {
+    /// Its rays as exact numbers.
+    pub fn lines(&self) -> impl Iterator<Item = Line> {
+        super::lines(&self.packets)
+    }
+}
+
 impl Family {
     /// So many shots with [`PACKETS`] packets each.
-    #[must_use]
     pub fn shots(&self, seed: u64, shots: usize) -> Vec<Shot> {
         let mut random = generator(seed, &[self.name], 0);
         (0..shots).map(|_| self.shot(&mut random)).collect()
@@ -96,12 +102,7 @@ impl Family {
                 let [u, v] = [(); 2].map(|()| random.random_range(-0.2..0.8));
                 along(along(a, u, less(b, a)), v, less(c, a))
             };
-            Ray {
-                origin: point(from),
-                direction: point(unit(less(target, from))),
-                t: FARTHEST,
-                object: 0,
-            }
+            fresh(point(from), point(unit(less(target, from))))
         };
         let packet = |_| std::array::from_fn(|_| ray(random));
         let packets = (0..PACKETS).map(packet).collect();
@@ -132,7 +133,6 @@ mod tests {
     use std::cmp::Ordering;
 
     use super::*;
-    use crate::truth::Line;
     use crate::truth::triangle;
 
     #[test]
@@ -140,11 +140,8 @@ mod tests {
         for family in FAMILIES {
             let (mut within, mut rays) = (0, 0);
             for shot in family.shots(1, 6) {
-                let exact: Vec<_> = shot
-                    .triangles
-                    .iter()
-                    .map(|triangle| triangle::Triangle::new(*triangle))
-                    .collect();
+                let triangles = shot.triangles.iter().copied();
+                let exact: Vec<_> = triangles.map(triangle::Triangle::new).collect();
                 assert_eq!(exact.len(), if family.shared_edge { 2 } else { 1 });
                 let [a, b, c] = exact[0].vertices();
                 let longest = dot(less(b, a), less(b, a)).sqrt();
@@ -155,8 +152,7 @@ mod tests {
                 );
                 let height = dot(less(c, foot), less(c, foot)).sqrt() / longest;
                 assert!((height / family.height - 1.0).abs() < 1e-2, "{height}");
-                for ray in shot.packets.iter().flatten() {
-                    let line = Line::new(ray.origin, ray.direction);
+                for line in shot.lines() {
                     let reach = dot(less(line.origin, a), less(line.origin, a)).sqrt() / longest;
                     let [near, far] = family.reach;
                     assert!((near * 0.99..far * 1.01).contains(&reach), "{reach}");

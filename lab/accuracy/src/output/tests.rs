@@ -1,19 +1,12 @@
 //! Files of results say what was measured.
 
 use super::*;
-use crate::run::{Extent, Order, run};
+use crate::run::{self, Order};
 
 fn document() -> Document {
-    let order = Order {
-        extent: Extent::Quick,
-        seed: 11,
-        only: vec!["perpendicular".to_owned(), "watertight".to_owned()],
-        pictures: false,
-        host_time: false,
-    };
     Document {
         origin: None,
-        results: run(&order, |_| ()).unwrap(),
+        results: run::run(&Order::short(11), |_| ()).unwrap(),
     }
 }
 
@@ -27,7 +20,7 @@ fn json_and_csv_parse_back_to_the_results() {
     let text = fs::read_to_string(&file).unwrap();
     assert!(serde_json::from_str::<Document>(&text).unwrap() == document);
 
-    tables(&document, place.path()).unwrap();
+    tables(&document.results, place.path()).unwrap();
     let mut spheres = csv::Reader::from_path(place.path().join("spheres.csv")).unwrap();
     let head = spheres.headers().unwrap().clone();
     let column = |name: &str| head.iter().position(|head| head == name).unwrap();
@@ -35,8 +28,11 @@ fn json_and_csv_parse_back_to_the_results() {
     assert_eq!(rows.len(), document.results.spheres.len());
     for (cells, row) in rows.iter().zip(&document.results.spheres) {
         assert_eq!(cells[column("family")], row.family);
-        assert_eq!(cells[column("wrong_hits")], row.wrong_hits.to_string());
-        let summary = row.distance_ulps.unwrap();
+        assert_eq!(
+            cells[column("wrong_hits")],
+            row.figures.wrong_hits.to_string()
+        );
+        let summary = row.figures.distance_ulps.unwrap();
         for (name, value) in [
             ("distance_ulps_max", summary.max),
             ("distance_ulps_mean", summary.mean),

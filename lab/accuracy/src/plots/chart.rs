@@ -11,14 +11,15 @@ use crate::pareto;
 
 /// Pixels across and down.
 pub(super) const SIZE: (u32, u32) = (960, 600);
-const MARGIN: Margin = Margin {
-    left: 70,
-    top: 84,
-    right: 24,
-    bottom: 62,
+/// What stands free around the frame.
+const MARGIN: Area = Area {
+    left: 70.0,
+    top: 84.0,
+    right: 24.0,
+    bottom: 62.0,
 };
 /// Room for names at the ends of lines.
-const ENDS: i32 = 130;
+const ENDS: f64 = 130.0;
 const FONT: &str = "sans-serif";
 const TEXT: u32 = 14;
 const TITLE: u32 = 19;
@@ -41,13 +42,6 @@ const COLOURS: [RGBColor; 12] = [
     RGBColor(100, 130, 20),
     RGBColor(40, 90, 90),
 ];
-
-struct Margin {
-    left: i32,
-    top: i32,
-    right: i32,
-    bottom: i32,
-}
 
 /// An axis.
 #[derive(Clone, Debug)]
@@ -87,10 +81,18 @@ pub(super) struct Chart {
 }
 
 impl Group {
-    fn points(&self) -> &[Point] {
+    pub fn points(&self) -> &[Point] {
         match self {
             Self::Rivals(points) | Self::Course(points) => points,
         }
+    }
+
+    pub fn rivals(&self) -> Option<&[Point]> {
+        matches!(self, Self::Rivals(_)).then(|| self.points())
+    }
+
+    fn course(&self) -> Option<&[Point]> {
+        matches!(self, Self::Course(_)).then(|| self.points())
     }
 }
 
@@ -122,19 +124,15 @@ impl Chart {
     pub fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>, zoom: u32) -> Drawn<DB> {
         area.fill(&WHITE)?;
         let points = || self.groups.iter().flat_map(Group::points);
-        let ends = self
-            .groups
-            .iter()
-            .any(|group| matches!(group, Group::Course(_)));
-        let right = SIZE.0 as i32 - MARGIN.right - if ends { ENDS } else { 0 };
+        let ends = self.groups.iter().any(|group| group.course().is_some());
+        let [width, height] = [SIZE.0, SIZE.1].map(f64::from);
         let sheet = Sheet {
             area,
             zoom,
             frame: Area {
-                left: f64::from(MARGIN.left),
-                top: f64::from(MARGIN.top),
-                right: f64::from(right),
-                bottom: f64::from(SIZE.1 as i32 - MARGIN.bottom),
+                right: width - MARGIN.right - if ends { ENDS } else { 0.0 },
+                bottom: height - MARGIN.bottom,
+                ..MARGIN
             },
             x: Scale::new(self.x.kind, points().map(|point| point.x)),
             y: Scale::new(self.y.kind, points().map(|point| point.y)),
@@ -166,6 +164,13 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         )
     }
 
+    fn places(&self, points: &[&Point]) -> Vec<(f64, f64)> {
+        points
+            .iter()
+            .map(|point| self.at(point.x, point.y))
+            .collect()
+    }
+
     fn pixel(&self, (x, y): (f64, f64)) -> (i32, i32) {
         let zoom = f64::from(self.zoom);
         ((x * zoom).round() as i32, (y * zoom).round() as i32)
@@ -192,6 +197,11 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         self.area.draw(&PathElement::new(path, style))
     }
 
+    fn circle(&self, at: (f64, f64), radius: u32, style: ShapeStyle) -> Drawn<DB> {
+        self.area
+            .draw(&Circle::new(self.pixel(at), radius * self.zoom, style))
+    }
+
     fn axes(&self, chart: &Chart) -> Drawn<DB> {
         let Area {
             left,
@@ -200,7 +210,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
             bottom,
         } = self.frame;
         for tick in self.x.ticks() {
-            let (x, _) = (left + self.x.place(tick) * (right - left), 0);
+            let x = left + self.x.place(tick) * (right - left);
             self.line(vec![(x, top), (x, bottom)], PALE)?;
             let below = Pos::new(HPos::Center, VPos::Top);
             self.text(&written(tick), (x, bottom + 7.0), TEXT, &GREY, below)?;
@@ -234,16 +244,11 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         let front = not_beaten(x, points);
         self.line(self.front_path(x, points), FRONT.stroke_width(2))?;
         for (number, point) in points.iter().enumerate() {
-            let at = self.pixel(self.at(point.x, point.y));
+            let at = self.at(point.x, point.y);
             let colour = colour(point);
-            self.area
-                .draw(&Circle::new(at, 5 * self.zoom, colour.filled()))?;
+            self.circle(at, 5, colour.filled())?;
             if front.contains(&number) {
-                self.area.draw(&Circle::new(
-                    at,
-                    8 * self.zoom,
-                    FRONT.stroke_width(2 * self.zoom),
-                ))?;
+                self.circle(at, 8, FRONT.stroke_width(2 * self.zoom))?;
             }
         }
         Ok(())
@@ -256,37 +261,23 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         let path = points.iter().map(|point| self.at(point.x, point.y));
         self.line(path.clone().collect(), colour(last).stroke_width(2))?;
         for at in path {
-            self.area.draw(&Circle::new(
-                self.pixel(at),
-                3 * self.zoom,
-                colour(last).filled(),
-            ))?;
+            self.circle(at, 3, colour(last).filled())?;
         }
         Ok(())
     }
 
     /// The names of rivals, beside their points.
     fn names(&self, x: &Axis, groups: &[Group]) -> Drawn<DB> {
-        let rivals = groups.iter().filter_map(|group| match group {
-            Group::Rivals(points) => Some(points),
-            Group::Course(_) => None,
-        });
-        let rivals: Vec<&Point> = rivals.flatten().collect();
-        let places: Vec<(f64, f64)> = rivals
-            .iter()
-            .map(|point| self.at(point.x, point.y))
-            .collect();
+        let fronts = || groups.iter().filter_map(Group::rivals);
+        let rivals: Vec<&Point> = fronts().flatten().collect();
+        let places = self.places(&rivals);
         let style = TextStyle::from((FONT, TEXT).into_font());
         let sizes = rivals.iter().map(|point| {
             let size = self.area.estimate_text_size(&point.name, &style);
             size.map(|(width, height)| (f64::from(width) + 6.0, f64::from(height) + 2.0))
         });
         let sizes = sizes.collect::<Result<Vec<_>, _>>()?;
-        let lines = groups.iter().filter_map(|group| match group {
-            Group::Rivals(points) => Some(self.front_path(x, points)),
-            Group::Course(_) => None,
-        });
-        let lines: Vec<Vec<(f64, f64)>> = lines.collect();
+        let lines: Vec<_> = fronts().map(|points| self.front_path(x, points)).collect();
         let areas = beside(&places, &sizes, &lines, &self.frame);
         for ((point, place), area) in rivals.iter().zip(places).zip(areas) {
             let middle = (
@@ -306,15 +297,9 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
 
     /// The names of courses, where they end.
     fn ends(&self, groups: &[Group]) -> Drawn<DB> {
-        let courses = groups.iter().filter_map(|group| match group {
-            Group::Course(points) => points.last(),
-            Group::Rivals(_) => None,
-        });
+        let courses = groups.iter().filter_map(|group| group.course()?.last());
         let courses: Vec<&Point> = courses.collect();
-        let places: Vec<(f64, f64)> = courses
-            .iter()
-            .map(|point| self.at(point.x, point.y))
-            .collect();
+        let places = self.places(&courses);
         let heights: Vec<f64> = places.iter().map(|(_, y)| *y).collect();
         let moved = apart(&heights, 18.0, self.frame.top, self.frame.bottom);
         for ((point, place), height) in courses.iter().zip(places).zip(moved) {

@@ -74,8 +74,8 @@ fn along(line: &[(f64, f64)]) -> impl Iterator<Item = Area> {
     })
 }
 
-/// Places names of these sizes beside their points, within a frame and off these lines: as near as they
-/// fit.
+/// Places names of these sizes beside their points, within a frame and off these lines: as near as
+/// they fit.
 pub(super) fn beside(
     points: &[(f64, f64)],
     sizes: &[(f64, f64)],
@@ -112,8 +112,8 @@ pub(super) fn beside(
     areas
 }
 
-/// Moves heights apart, so that no two are nearer than `gap` and none is beyond `top` or `bottom`; their
-/// order stays.
+/// Moves heights apart, so that no two are nearer than `gap` and none is beyond `top` or `bottom`;
+/// their order stays.
 pub(super) fn apart(heights: &[f64], gap: f64, top: f64, bottom: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));

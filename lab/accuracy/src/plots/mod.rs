@@ -14,10 +14,12 @@ use image::RgbImage;
 use plotters::prelude::{BitMapBackend, IntoDrawingArea as _, SVGBackend};
 use protocol::formulation::SPHERES;
 
-use crate::families::{FAMILIES, FAR, Form};
-use crate::output::OutputError;
-use crate::pictures::SCENES;
-use crate::run::Results;
+use crate::families::{FAR, Form};
+use crate::file::OutputError;
+
+use crate::pictures::{PictureRow, SCENES};
+use crate::roots::RootRow;
+use crate::run::{KernelRow, Results};
 use crate::spheres::SphereRow;
 use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
 use scale::Kind;
@@ -37,28 +39,23 @@ pub struct Plot {
 }
 
 /// All plots that results are enough for.
-#[must_use]
 pub fn plots(results: &Results) -> Vec<Plot> {
     let mut charts = Vec::new();
-    for form in [Form::Eye, Form::General] {
+    for form in Form::ALL {
         charts.push((format!("distance-{}", form.name()), distance(results, form)));
         charts.push((format!("verdicts-{}", form.name()), verdicts(results, form)));
         charts.push((format!("ratio-{}", form.name()), ratio(results, form)));
     }
     charts.push(("roots".to_owned(), roots(results)));
     for scene in SCENES {
-        charts.push((
-            format!("picture-{}", scene.name),
-            picture(results, scene.name),
-        ));
+        let name = format!("picture-{}", scene.name);
+        charts.push((name, picture(results, scene.name)));
     }
     let plots = charts.into_iter().filter_map(|(name, chart)| {
-        let fronts = chart.groups.iter().flat_map(|group| match group {
-            Group::Rivals(points) => not_beaten(&chart.x, points)
-                .into_iter()
-                .map(|at| points[at].name.clone())
-                .collect(),
-            Group::Course(_) => Vec::new(),
+        let rivals = chart.groups.iter().filter_map(Group::rivals);
+        let fronts = rivals.flat_map(|points| {
+            let front = not_beaten(&chart.x, points).into_iter();
+            front.map(|at| points[at].name.clone())
         });
         let front = fronts.collect();
         chart.has_points().then_some(Plot {
@@ -98,21 +95,18 @@ pub fn write(
                 Format::Png => "png",
             };
             let path = folder.join(format!("{prefix}{}.{ending}", plot.name));
-            let failed = |reason: String| OutputError::Plot {
-                path: path.clone(),
-                reason,
-            };
-            use_font().map_err(failed)?;
+            let failed = OutputError::of(path.display());
+            use_font().map_err(&failed)?;
             match format {
                 Format::Svg => {
                     let text = svg(&plot.chart).map_err(failed)?;
-                    fs::write(&path, text).map_err(OutputError::file(&path))?;
+                    fs::write(&path, text).map_err(OutputError::of(path.display()))?;
                 }
                 Format::Png => {
                     let picture = bitmap(&plot.chart).map_err(failed)?;
                     picture
                         .save(&path)
-                        .map_err(|error| failed(error.to_string()))?;
+                        .map_err(OutputError::of(path.display()))?;
                 }
             }
         }
@@ -137,31 +131,6 @@ fn bitmap(chart: &Chart) -> Result<RgbImage, String> {
     Ok(picture)
 }
 
-/// Of each kernel of a form: what it costs, and something of its rows.
-fn rivals(
-    results: &Results,
-    form: Form,
-    value: impl Fn(&[&SphereRow]) -> Option<f64>,
-) -> Vec<Point> {
-    let kernels = results
-        .kernels
-        .iter()
-        .filter(|kernel| kernel.form == form.name());
-    let point = |kernel: &crate::run::KernelRow| {
-        let rows = results.spheres.iter();
-        let rows: Vec<&SphereRow> = rows
-            .filter(|row| row.form == form && row.formulation == kernel.formulation)
-            .collect();
-        Some(Point {
-            name: kernel.formulation.clone(),
-            x: kernel.cycles_a_ray,
-            y: value(&rows)?,
-            colour: colour(&kernel.formulation),
-        })
-    };
-    kernels.filter_map(point).collect()
-}
-
 /// A formulation has one colour in all plots.
 fn colour(formulation: &str) -> usize {
     let place = SPHERES.iter().position(|known| known.name == formulation);
@@ -176,8 +145,6 @@ fn axis(label: impl Into<String>, kind: Kind) -> Axis {
     }
 }
 
-const CYCLES: &str = "cycles a ray and sphere (simulated)";
-
 fn whose(form: Form) -> &'static str {
     match form {
         Form::Eye => "rays from the eye",
@@ -186,59 +153,76 @@ fn whose(form: Form) -> &'static str {
 }
 
 /// The largest error of the distance over the well-conditioned families, in ulps.
-#[must_use]
 pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
-    let counted = rows.iter().filter(|row| row.well_conditioned);
-    let errors = counted.filter_map(|row| Some(row.distance_ulps?.max));
-    errors.reduce(f64::max)
+    let sound = rows
+        .iter()
+        .filter_map(|row| row.figures.sound(|of| Some(of.distance_ulps?.max))?);
+    sound.reduce(f64::max)
+}
+
+/// What kernels of a form cost against something of their rows.
+fn against(
+    results: &Results,
+    form: Form,
+    [what, note, axis_label]: [&str; 3],
+    value: fn(&[&SphereRow]) -> Option<f64>,
+) -> Chart {
+    let point = |kernel: &KernelRow| {
+        Some(Point {
+            name: kernel.formulation.clone(),
+            x: kernel.cycles_a_ray,
+            y: value(&results.spheres_of(form, &kernel.formulation))?,
+            colour: colour(&kernel.formulation),
+        })
+    };
+    let points = results.kernels_of(form.name()).filter_map(point);
+    Chart {
+        title: format!("Run time against {what}: {}", whose(form)),
+        note: format!("{note}; ringed and joined: not beaten in both"),
+        x: axis("cycles a ray and sphere (simulated)", Kind::Log),
+        y: axis(axis_label, Kind::Log),
+        groups: vec![Group::Rivals(points.collect())],
+    }
 }
 
 fn distance(results: &Results, form: Form) -> Chart {
-    Chart {
-        title: format!("Run time against error of the distance: {}", whose(form)),
-        note: "Largest error over all well-conditioned families; ringed and joined: not beaten in both".to_owned(),
-        x: axis(CYCLES, Kind::Log),
-        y: axis("largest error of the distance, ulps", Kind::Log),
-        groups: vec![Group::Rivals(rivals(results, form, worst_distance))],
-    }
+    let words = [
+        "error of the distance",
+        "Largest error over all well-conditioned families",
+        "largest error of the distance, ulps",
+    ];
+    against(results, form, words, worst_distance)
 }
 
-/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per cent.
-#[must_use]
+/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per
+/// cent.
 pub(crate) fn wrong_far_off(rows: &[&SphereRow]) -> Option<f64> {
     let row = rows.iter().find(|row| row.family == FAR)?;
-    Some(100.0 * (row.wrong_hits + row.wrong_misses) as f64 / row.rays as f64)
+    Some(row.figures.wrong())
 }
 
 fn verdicts(results: &Results, form: Form) -> Chart {
-    Chart {
-        title: format!("Run time against wrong hits and misses: {}", whose(form)),
-        note: "At distance/radius 4096, rays over the disc within 2 radii; ringed and joined: not beaten in both".to_owned(),
-        x: axis(CYCLES, Kind::Log),
-        y: axis("wrong hits and misses, % of the rays", Kind::Log),
-        groups: vec![Group::Rivals(rivals(results, form, wrong_far_off))],
-    }
+    let words = [
+        "wrong hits and misses",
+        "At distance/radius 4096, rays over the disc within 2 radii",
+        "wrong hits and misses, % of the rays",
+    ];
+    against(results, form, words, wrong_far_off)
 }
 
 fn ratio(results: &Results, form: Form) -> Chart {
-    let course = |formulation: &str| {
-        let points = FAMILIES.iter().filter_map(|family| {
-            let row = results.spheres.iter().find(|row| {
-                row.form == form && row.formulation == formulation && row.family == family.name
-            });
+    let course = |kernel: &KernelRow| {
+        let rows = results.spheres_of(form, &kernel.formulation).into_iter();
+        let points = rows.filter_map(|row| {
             Some(Point {
-                name: formulation.to_owned(),
-                x: family.ratio?,
-                y: row?.distance_ulps?.max,
-                colour: colour(formulation),
+                name: row.formulation.clone(),
+                x: row.ratio?,
+                y: row.figures.distance_ulps?.max,
+                colour: colour(&row.formulation),
             })
         });
         Group::Course(points.collect())
     };
-    let kernels = results
-        .kernels
-        .iter()
-        .filter(|kernel| kernel.form == form.name());
     Chart {
         title: format!(
             "Error of the distance against distance/radius: {}",
@@ -247,18 +231,15 @@ fn ratio(results: &Results, form: Form) -> Chart {
         note: "Largest error of the rays within 0.9 radii that the kernel lets hit".to_owned(),
         x: axis("distance / radius", Kind::Log),
         y: axis("largest error of the distance, ulps", Kind::Log),
-        groups: kernels.map(|kernel| course(&kernel.formulation)).collect(),
+        groups: results.kernels_of(form.name()).map(course).collect(),
     }
 }
 
 fn roots(results: &Results) -> Chart {
     let quantities = ["1/x", "1/sqrt(x)", "sqrt(x)"];
-    let group = |(colour, quantity): (usize, &&str)| {
-        let rows = results
-            .roots
-            .iter()
-            .filter(|row| row.quantity == **quantity);
-        let point = |row: &crate::roots::RootRow| Point {
+    let group = |(colour, quantity): (usize, &str)| {
+        let rows = results.roots.iter().filter(|row| row.quantity == quantity);
+        let point = |row: &RootRow| Point {
             name: row.kernel.clone(),
             x: row.cycles_an_operand,
             y: row.ulps.max,
@@ -273,17 +254,14 @@ fn roots(results: &Results) -> Chart {
                 .to_owned(),
         x: axis("cycles an operand (simulated)", Kind::Log),
         y: axis("largest error, ulps", Kind::Log),
-        groups: quantities.iter().enumerate().map(group).collect(),
+        groups: quantities.into_iter().enumerate().map(group).collect(),
     }
 }
 
 fn picture(results: &Results, scene: &str) -> Chart {
-    let rows: Vec<_> = results
-        .pictures
-        .iter()
-        .filter(|row| row.scene == scene)
-        .collect();
-    let point = |row: &&crate::pictures::PictureRow| Point {
+    let rows = results.pictures.iter().filter(|row| row.scene == scene);
+    let rows: Vec<&PictureRow> = rows.collect();
+    let point = |row: &&PictureRow| Point {
         name: row.formulation.clone(),
         x: row.frames_per_second,
         y: row.rmse,
@@ -306,8 +284,6 @@ fn picture(results: &Results, scene: &str) -> Chart {
 
 impl Chart {
     fn has_points(&self) -> bool {
-        self.groups.iter().any(|group| match group {
-            Group::Rivals(points) | Group::Course(points) => !points.is_empty(),
-        })
+        self.groups.iter().any(|group| !group.points().is_empty())
     }
 }

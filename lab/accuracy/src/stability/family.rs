@@ -6,33 +6,37 @@ use crate::generator::Generator;
 use kernels::Bench;
 use thiserror::Error;
 
-use super::statement::Bound;
+use super::statement::{Bound, StatementError};
 
 /// Cases of one kind, tried on one kernel or one chain of them.
-pub trait Family: Sync {
+pub struct Family {
     /// The family.
-    fn name(&self) -> &'static str;
+    pub name: &'static str,
     /// What is tried on it.
-    fn subject(&self) -> &str;
+    pub subject: String,
     /// What its errors are counted in.
-    fn unit(&self) -> &'static str;
+    pub unit: &'static str,
     /// What they are held to.
-    fn bound(&self) -> Bound;
+    pub bound: Bound,
     /// Rounds of a run that is neither quick nor full.
-    fn rounds(&self) -> u32;
-    /// Tries some cases.
-    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally);
-    /// Tries the case that these words say.
-    ///
-    /// # Errors
-    /// They say none.
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError>;
+    pub rounds: u32,
+    /// How cases are made and tried.
+    pub cases: Box<dyn Cases>,
 }
+
+/// How cases are made and tried.
+pub trait Cases: Sync {
+    /// Tries some new ones.
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally);
+    /// Tries the one that these words say.
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed;
+}
+
+/// Whether words were a case.
+pub type Replayed = Result<(), NoCaseError>;
+
+/// Families, if all of their bounds are where they should be.
+pub type Families = Result<Vec<Family>, StatementError>;
 
 /// The words of a kept input say no case of its family.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
@@ -44,15 +48,38 @@ pub struct NoCaseError {
     pub needed: usize,
 }
 
-/// The words of a case, if there are as many as it has.
-///
-/// # Errors
-/// There are more or fewer.
-pub fn words_of<const N: usize>(words: &[u32]) -> Result<[u32; N], NoCaseError> {
-    words.try_into().map_err(|_| NoCaseError {
-        found: words.len(),
-        needed: N,
-    })
+/// Refuses what are not as many words as a case has.
+pub fn need(needed: usize, words: &[u32]) -> Replayed {
+    let found = words.len();
+    if found == needed {
+        Ok(())
+    } else {
+        Err(NoCaseError { found, needed })
+    }
+}
+
+/// The vectors of a case, or of a part of one, that has as many words as they do.
+pub fn points_of<const N: usize>(words: &[u32]) -> Result<[[u32; 3]; N], NoCaseError> {
+    need(3 * N, words)?;
+    Ok(std::array::from_fn(|n| [0, 1, 2].map(|k| words[3 * n + k])))
+}
+
+/// What is said of a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Judgement {
+    /// Nothing is asked of it.
+    Uncounted,
+    /// It is wrong, by more than an error.
+    Wrong,
+    /// How large its error is.
+    Error(f64),
+}
+
+impl Judgement {
+    /// No error where it is right, else this one.
+    pub fn unless(right: bool, error: impl FnOnce() -> f64) -> Self {
+        Self::Error(if right { 0.0 } else { error() })
+    }
 }
 
 /// What has been found of a family.
@@ -62,7 +89,8 @@ pub struct Tally {
     pub cases: u64,
     /// Cases that the bound is asked of; the others are beyond what is stated, and are only tried.
     pub counted: u64,
-    /// Answers that no error is small enough for: a hit lost or made up, other bits than the twin's.
+    /// Answers that no error is small enough for: a hit lost or made up, other bits than the
+    /// twin's.
     pub wrong: u64,
     /// Largest error of the others.
     pub worst: f64,
@@ -98,6 +126,15 @@ impl Tally {
         self.wrong += 1;
     }
 
+    /// A case and what is said of it.
+    pub fn judged(&mut self, judgement: Judgement, input: impl FnOnce() -> Vec<u32>) {
+        match judgement {
+            Judgement::Uncounted => self.uncounted(),
+            Judgement::Wrong => self.wrong(input),
+            Judgement::Error(error) => self.error(error, input),
+        }
+    }
+
     /// A case that is right or wrong.
     pub fn verdict(&mut self, right: bool, input: impl FnOnce() -> Vec<u32>) {
         if right {
@@ -124,7 +161,6 @@ impl Tally {
     }
 
     /// Whether all that is asked of it holds, and anything was asked.
-    #[must_use]
     pub fn holds(&self, bound: &Bound) -> bool {
         self.counted > 0 && self.wrong == 0 && self.worst <= bound.value
     }

@@ -1,35 +1,34 @@
 //! The stress suite: inputs that single precision is worst at, and the bounds that hold there.
 //!
-//! Owns how families of cases are tried, on all cores, how their worst inputs are kept and tried again, and
-//! what is said of them. Invariant: a bound is a kernel header's, or follows from one; a figure depends on
-//! the seed and the size alone.
+//! Owns how families of cases are tried, on all cores, how their worst inputs are kept and tried
+//! again, and what is said of them. Invariant: a bound is a kernel header's, or follows from one;
+//! a figure depends on the seed and the size alone.
 
-pub mod chains;
-pub mod estimates;
-pub mod extremes;
-pub mod family;
-pub mod random;
-pub mod refraction;
+mod family;
+mod guarantees;
+mod product;
+mod random;
 pub mod regressions;
 pub mod report;
-pub mod spheres;
-pub mod statement;
-pub mod triangles;
-pub mod workers;
+mod statement;
+mod steps;
+mod stress;
+mod workers;
 
 use std::any::Any;
 
 use kernels::Bench;
+use serde::Serialize;
 use thiserror::Error;
 
-use crate::guarantees;
-use family::{Family, NoCaseError, Tally};
+use family::{Families, Family, NoCaseError, Tally};
 use regressions::{Regressions, RegressionsError};
 use report::{Report, Row, Section};
 use statement::StatementError;
 
 /// How many cases are tried.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
 pub enum Size {
     /// A tenth: for slow hosts.
     Quick,
@@ -82,23 +81,11 @@ impl Size {
     }
 }
 
-/// The families of a section.
-///
-/// # Errors
-/// A bound is not where it should be.
-pub fn families(section: Section) -> Result<Vec<Box<dyn Family>>, StatementError> {
-    Ok(match section {
-        Section::Stress => {
-            let mut families = spheres::families()?;
-            families.extend(triangles::families()?);
-            families.extend(refraction::families()?);
-            families.extend(chains::families()?);
-            families.extend(estimates::families()?);
-            families.extend(extremes::families());
-            families
-        }
-        Section::Guarantees => guarantees::families()?,
-    })
+fn families(section: Section) -> Families {
+    match section {
+        Section::Stress => stress::families(),
+        Section::Guarantees => guarantees::families(),
+    }
 }
 
 /// The names of all families, each once.
@@ -109,8 +96,8 @@ pub fn names() -> Result<Vec<&'static str>, StatementError> {
     let mut names = Vec::new();
     for section in Section::ALL {
         for family in families(section)? {
-            if !names.contains(&family.name()) {
-                names.push(family.name());
+            if !names.contains(&family.name) {
+                names.push(family.name);
             }
         }
     }
@@ -120,42 +107,42 @@ pub fn names() -> Result<Vec<&'static str>, StatementError> {
 /// Tries the kept inputs, then new ones.
 ///
 /// # Errors
-/// A kernel broke a rule, or a bound or the kept inputs can't be read. That a bound does not hold is no
-/// error: the report says it.
+/// A kernel broke a rule, or a bound or the kept inputs can't be read. That a bound does not hold
+/// is no error: the report says it.
 pub fn run(
     size: Size,
     seed: u64,
     only: Option<&str>,
     kept: &Regressions,
 ) -> Result<Report, SuiteError> {
-    let mut families: Vec<(Section, Box<dyn Family>)> = Vec::new();
+    let mut families: Vec<(Section, Family)> = Vec::new();
     for section in Section::ALL {
         let of_section = self::families(section)?.into_iter();
-        let chosen = of_section.filter(|family| only.is_none_or(|only| family.name() == only));
+        let chosen = of_section.filter(|family| only.is_none_or(|only| family.name == only));
         families.extend(chosen.map(|family| (section, family)));
     }
-    let sized: Vec<(&dyn Family, u32)> = families
+    let sized: Vec<(&Family, u32)> = families
         .iter()
-        .map(|(_, family)| (&**family, size.rounds(family.rounds())))
+        .map(|(_, family)| (family, size.rounds(family.rounds)))
         .collect();
     let tallies = workers::tally(&sized, seed)?;
     let mut bench = Bench::new();
     let mut rows = Vec::new();
-    for ((section, family), tally) in families.iter().zip(tallies) {
-        let replayed = replay(&mut bench, &**family, kept)?;
-        rows.push(Row::new(*section, &**family, replayed, tally));
+    for ((section, family), tally) in families.into_iter().zip(tallies) {
+        let replayed = replay(&mut bench, &family, kept)?;
+        rows.push(Row::new(section, family, replayed, tally));
     }
     Ok(Report { seed, size, rows })
 }
 
 /// Tries what is kept of a family.
-fn replay(bench: &mut Bench, family: &dyn Family, kept: &Regressions) -> Result<Tally, SuiteError> {
+fn replay(bench: &mut Bench, family: &Family, kept: &Regressions) -> Result<Tally, SuiteError> {
     let mut tally = Tally::default();
-    for words in kept.of(family.name(), family.subject()) {
-        let tried = family.replay(bench, words, &mut tally);
+    for words in kept.of(family.name, &family.subject) {
+        let tried = family.cases.replay(bench, words, &mut tally);
         tried.map_err(|error| SuiteError::Kept {
-            family: family.name(),
-            subject: family.subject().to_owned(),
+            family: family.name,
+            subject: family.subject.clone(),
             error,
         })?;
     }

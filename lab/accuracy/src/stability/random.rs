@@ -1,21 +1,19 @@
 //! Random numbers whose bits are the same on every host: no logarithm, no power, no sine.
 
 use crate::generator::{Generator, generator};
-use kernels::vector::{Vector, cross, dot, unit};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::Single;
 
-use crate::families::space::direction;
+use crate::space::{cross, direction, dot, less, unit};
+use crate::truth::Vector;
 
 /// The random numbers of one round of a family: whoever tries it.
-#[must_use]
 pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> Generator {
     generator(seed, &[family, subject], round)
 }
 
 /// 2^exponent.
-#[must_use]
 pub fn power_of_two(exponent: i32) -> f64 {
     assert!((-1022..=1023).contains(&exponent), "2^{exponent}");
     f64::from_bits(((exponent + 1023) as u64) << 52)
@@ -38,9 +36,23 @@ pub fn across(axis: Vector, random: &mut Generator) -> [Vector; 2] {
 }
 
 /// The vector as singles have it.
-#[must_use]
 pub fn rounded(vector: Vector) -> Vector {
     vector.map(|x| to_f64(from_f64(x)))
+}
+
+/// The direction from a place to another; a third if they are too near to one another for one.
+pub fn towards(from: Vector, to: Vector, otherwise: Vector) -> Vector {
+    let way = less(to, from);
+    if dot(way, way) > 0.0 {
+        unit(way)
+    } else {
+        otherwise
+    }
+}
+
+/// This number, or as far below 0.
+pub fn either_side(number: f64, random: &mut Generator) -> f64 {
+    if random.random() { number } else { -number }
 }
 
 /// Singles nearest to a vector, half of them one ulp off it.

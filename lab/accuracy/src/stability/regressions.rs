@@ -1,15 +1,16 @@
 //! Inputs that were the worst of their family once: they are tried again each time.
 //!
-//! A file a family, `regressions/<family>.json`, of words in hex; those of the repository are part of the
-//! program.
+//! A file a family, `regressions/<family>.json`, of words in hex; those of the repository are part
+//! of the program.
 
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 use super::report::Report;
+use crate::file::OutputError;
 
 /// Kept inputs by family and what they are tried on.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -37,13 +38,15 @@ pub enum RegressionsError {
         word: String,
     },
     /// A file can't be written.
-    #[error("{}: {error}", path.display())]
-    Write {
-        /// The file.
-        path: PathBuf,
-        /// What is the matter.
-        error: std::io::Error,
-    },
+    #[error(transparent)]
+    Write(#[from] OutputError),
+}
+
+impl RegressionsError {
+    fn form(family: &str) -> impl FnOnce(serde_json::Error) -> Self {
+        let family = family.to_owned();
+        |error| Self::Form { family, error }
+    }
 }
 
 /// A family's file.
@@ -123,10 +126,7 @@ impl Regressions {
 
     /// Adds those of a family's file.
     fn add(&mut self, family: &str, text: &str) -> Result<(), RegressionsError> {
-        let file: File = serde_json::from_str(text).map_err(|error| RegressionsError::Form {
-            family: family.to_owned(),
-            error,
-        })?;
+        let file: File = serde_json::from_str(text).map_err(RegressionsError::form(family))?;
         for input in file.inputs {
             let words = input.words.split_whitespace().map(|word| {
                 u32::from_str_radix(word, 16).map_err(|_| RegressionsError::Word {
@@ -165,18 +165,11 @@ pub fn keep(report: &Report, folder: &Path) -> Result<(), RegressionsError> {
             words: row.hex().join(" "),
         });
     }
-    let failed = |path: &Path| {
-        let path = path.to_owned();
-        |error| RegressionsError::Write { path, error }
-    };
-    std::fs::create_dir_all(folder).map_err(failed(folder))?;
+    std::fs::create_dir_all(folder).map_err(OutputError::of(folder.display()))?;
     for (family, file) in files {
         let path = folder.join(format!("{family}.json"));
-        let text = serde_json::to_string_pretty(&file).map_err(|error| RegressionsError::Form {
-            family: family.to_owned(),
-            error,
-        })?;
-        std::fs::write(&path, text + "\n").map_err(failed(&path))?;
+        let text = serde_json::to_string_pretty(&file).map_err(RegressionsError::form(family))?;
+        std::fs::write(&path, text + "\n").map_err(OutputError::of(path.display()))?;
     }
     Ok(())
 }

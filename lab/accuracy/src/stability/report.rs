@@ -2,7 +2,6 @@
 
 use std::fmt;
 
-use serde::Serialize;
 use serde_json::{Value, json};
 
 use super::Size;
@@ -60,90 +59,63 @@ pub struct Report {
     pub rows: Vec<Row>,
 }
 
-#[derive(Serialize)]
-struct RowRecord<'a> {
-    section: &'static str,
-    family: &'static str,
-    subject: &'a str,
-    cases: u64,
-    counted: u64,
-    replayed: u64,
-    wrong: u64,
-    worst: f64,
-    unit: &'static str,
-    bound: f64,
-    source: &'a str,
-    held: bool,
-    input: Vec<String>,
-}
-
 impl Row {
     /// The row of a family, of what was kept and what is new.
-    #[must_use]
-    pub fn new(section: Section, family: &dyn Family, replayed: Tally, tally: Tally) -> Self {
+    pub fn new(section: Section, family: Family, replayed: Tally, tally: Tally) -> Self {
         let mut all = replayed;
         let replayed = all.cases;
         all.append(tally);
         Self {
             section,
-            family: family.name(),
-            subject: family.subject().to_owned(),
-            unit: family.unit(),
-            bound: family.bound(),
+            family: family.name,
+            subject: family.subject,
+            unit: family.unit,
+            bound: family.bound,
             replayed,
             tally: all,
         }
     }
 
     /// Whether the bound holds.
-    #[must_use]
     pub fn held(&self) -> bool {
         self.tally.holds(&self.bound)
     }
 
     /// The worst input's words.
-    #[must_use]
     pub fn hex(&self) -> Vec<String> {
         let words = self.tally.input.iter();
         words.map(|word| format!("{word:08x}")).collect()
     }
 
-    fn record(&self) -> RowRecord<'_> {
-        RowRecord {
-            section: self.section.title(),
-            family: self.family,
-            subject: &self.subject,
-            cases: self.tally.cases,
-            counted: self.tally.counted,
-            replayed: self.replayed,
-            wrong: self.tally.wrong,
-            worst: self.tally.worst,
-            unit: self.unit,
-            bound: self.bound.value,
-            source: &self.bound.source,
-            held: self.held(),
-            input: self.hex(),
-        }
+    fn record(&self) -> Value {
+        json!({
+            "section": self.section.title(),
+            "family": self.family,
+            "subject": self.subject,
+            "cases": self.tally.cases,
+            "counted": self.tally.counted,
+            "replayed": self.replayed,
+            "wrong": self.tally.wrong,
+            "worst": self.tally.worst,
+            "unit": self.unit,
+            "bound": self.bound.value,
+            "source": self.bound.source,
+            "held": self.held(),
+            "input": self.hex(),
+        })
     }
 }
 
 impl Report {
     /// Whether all bounds hold, and there were any.
-    #[must_use]
     pub fn held(&self) -> bool {
         !self.rows.is_empty() && self.rows.iter().all(Row::held)
     }
 
     /// The report for programs: nothing in it depends on the host.
-    #[must_use]
     pub fn json(&self) -> Value {
-        let rows: Vec<RowRecord<'_>> = self.rows.iter().map(Row::record).collect();
-        let size = match self.size {
-            Size::Quick => "quick",
-            Size::Default => "default",
-            Size::Full => "full",
-        };
-        json!({ "seed": self.seed, "size": size, "held": self.held(), "rows": rows })
+        let rows: Vec<Value> = self.rows.iter().map(Row::record).collect();
+        json!({ "seed": self.seed, "size": self.size, "held": self.held(), "rows": rows })
     }
 }
 
@@ -166,44 +138,44 @@ impl fmt::Display for Report {
     }
 }
 
+/// What stands over a column, whether its cells stand to the left, and what is in them.
+type Column = (&'static str, bool, fn(&Row) -> String);
+
+const COLUMNS: [Column; 9] = [
+    ("family", true, |row| row.family.to_owned()),
+    ("of", true, |row| row.subject.clone()),
+    ("cases", false, |row| row.tally.cases.to_string()),
+    ("counted", false, |row| row.tally.counted.to_string()),
+    ("wrong", false, |row| row.tally.wrong.to_string()),
+    ("worst", false, |row| short(row.tally.worst)),
+    ("bound", false, |row| short(row.bound.value)),
+    ("in, by", true, |row| {
+        format!("{}; {}", row.unit, row.bound.source)
+    }),
+    ("", true, |row| {
+        (if row.held() { "ok" } else { "FAILED" }).to_owned()
+    }),
+];
+
 /// The rows with columns as wide as they need.
 fn table(f: &mut fmt::Formatter<'_>, rows: &[&Row]) -> fmt::Result {
-    const LEFT: [bool; 9] = [true, true, false, false, false, false, false, true, true];
-    let titles = [
-        "family", "of", "cases", "counted", "wrong", "worst", "bound", "in, by", "",
-    ];
-    let mut cells = vec![titles.map(str::to_owned)];
-    cells.extend(rows.iter().map(|row| {
-        [
-            row.family.to_owned(),
-            row.subject.clone(),
-            row.tally.cases.to_string(),
-            row.tally.counted.to_string(),
-            row.tally.wrong.to_string(),
-            short(row.tally.worst),
-            short(row.bound.value),
-            format!("{}; {}", row.unit, row.bound.source),
-            (if row.held() { "ok" } else { "FAILED" }).to_owned(),
-        ]
-    }));
-    let widths: [usize; 9] = std::array::from_fn(|column| {
-        let lengths = cells.iter().map(|row| row[column].chars().count());
-        lengths.max().unwrap_or(0)
-    });
-    for row in &cells {
-        let mut line = String::new();
-        for ((cell, width), left) in row.iter().zip(widths).zip(LEFT) {
-            let cell = if left {
-                format!("{cell:<width$}")
+    let mut lines = vec![String::new(); rows.len() + 1];
+    for (title, left, cell) in COLUMNS {
+        let cells = rows.iter().map(|row| cell(row));
+        let cells: Vec<String> = std::iter::once(title.to_owned()).chain(cells).collect();
+        let widths = cells.iter().map(|cell| cell.chars().count());
+        let width = widths.max().unwrap_or(0);
+        for (line, cell) in lines.iter_mut().zip(cells) {
+            line.push_str(&if left {
+                format!("{cell:<width$}  ")
             } else {
-                format!("{cell:>width$}")
-            };
-            line.push_str(&cell);
-            line.push_str("  ");
+                format!("{cell:>width$}  ")
+            });
         }
-        writeln!(f, "{}", line.trim_end())?;
     }
-    Ok(())
+    lines
+        .iter()
+        .try_for_each(|line| writeln!(f, "{}", line.trim_end()))
 }
 
 /// A number in few digits.

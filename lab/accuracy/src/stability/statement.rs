@@ -1,7 +1,7 @@
 //! Bounds that kernels' headers state.
 //!
-//! Invariant: no number that a header says stands here a second time; a header that no longer says it is
-//! an error, not a guess.
+//! Invariant: no number that a header says stands here a second time; a header that no longer says
+//! it is an error, not a guess.
 
 use kernels::source::Source;
 use thiserror::Error;
@@ -33,17 +33,11 @@ pub enum StatementError {
 
 impl Bound {
     /// The first number that a kernel's header states of its error.
-    ///
-    /// # Errors
-    /// There is none.
     pub fn of(kernel: &str) -> Result<Self, StatementError> {
         Self::before(kernel, "")
     }
 
     /// The number before these words of the statement.
-    ///
-    /// # Errors
-    /// There is none.
     pub fn before(kernel: &str, phrase: &str) -> Result<Self, StatementError> {
         let value = stated(kernel, phrase)?;
         let source = format!("header of {kernel}");
@@ -51,7 +45,6 @@ impl Bound {
     }
 
     /// No case at all.
-    #[must_use]
     pub fn none(source: &str) -> Self {
         Self {
             value: 0.0,
@@ -60,11 +53,8 @@ impl Bound {
     }
 }
 
-/// The number before these words of what a kernel's header states of its error; before anything if they
-/// are empty.
-///
-/// # Errors
-/// There is none.
+/// The number before these words of what a kernel's header states of its error; before anything if
+/// they are empty.
 pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
     let header = Source::find(kernel).and_then(Source::header);
     let header = header.ok_or_else(|| StatementError::NoHeader(kernel.to_owned()))?;
@@ -75,7 +65,6 @@ pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
 }
 
 /// Whether a kernel's header says this of its error.
-#[must_use]
 pub fn says(kernel: &str, phrase: &str) -> bool {
     let header = Source::find(kernel).and_then(Source::header);
     header.is_some_and(|header| header.error.contains(phrase))

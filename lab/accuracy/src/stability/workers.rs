@@ -1,7 +1,7 @@
 //! Tries families' cases on all of the host's cores.
 //!
-//! Invariant: the tallies are the same for any number of cores: each round has random numbers of its own,
-//! and parts are added in the order of their rounds.
+//! Invariant: the tallies are the same for any number of cores: each round has random numbers of
+//! its own, and parts are added in the order of their rounds.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -23,10 +23,8 @@ struct Part {
 }
 
 /// Tries so many rounds of each family.
-///
-/// # Errors
-/// A kernel broke a rule of the ABI, its versions disagree, or it did not come to an end.
-pub fn tally(families: &[(&dyn Family, u32)], seed: u64) -> Result<Vec<Tally>, SuiteError> {
+/// Fails if a kernel broke a rule of the ABI, its versions disagree, or it did not come to an end.
+pub fn tally(families: &[(&Family, u32)], seed: u64) -> Result<Vec<Tally>, SuiteError> {
     let parts: Vec<Part> = families
         .iter()
         .enumerate()
@@ -40,7 +38,8 @@ pub fn tally(families: &[(&dyn Family, u32)], seed: u64) -> Result<Vec<Tally>, S
         .collect();
     let found = parallel::map(&parts, Bench::new, |bench, part| {
         let (family, _) = families[part.family];
-        // The harness stops a kernel by a panic; what it leaves of the bench, no other part is given.
+        // The harness stops a kernel by a panic; what it leaves of the bench, no other part is
+        // given.
         let tried = catch_unwind(AssertUnwindSafe(|| rounds(bench, family, seed, part)));
         tried.map_err(|panic| {
             *bench = Bench::new();
@@ -54,11 +53,11 @@ pub fn tally(families: &[(&dyn Family, u32)], seed: u64) -> Result<Vec<Tally>, S
     Ok(tallies)
 }
 
-fn rounds(bench: &mut Bench, family: &dyn Family, seed: u64, part: &Part) -> Tally {
+fn rounds(bench: &mut Bench, family: &Family, seed: u64, part: &Part) -> Tally {
     let mut tally = Tally::default();
     for round in part.rounds.clone() {
-        let mut random = of_round(seed, family.name(), family.subject(), round);
-        family.round(bench, &mut random, &mut tally);
+        let mut random = of_round(seed, family.name, &family.subject, round);
+        family.cases.round(bench, &mut random, &mut tally);
     }
     tally
 }

@@ -1,7 +1,7 @@
 //! Double precision that knows how far off it may be.
 //!
-//! Invariant: the exact number is within `error` of `value`, as long as nothing leaves the normal range of
-//! doubles: products of six singles do not.
+//! Invariant: the exact number is within `error` of `value`, as long as nothing leaves the normal
+//! range of doubles: products of six singles do not.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
@@ -69,7 +69,8 @@ impl Add for Bounded {
     fn add(self, other: Self) -> Self {
         let sum = self.value + other.value;
         let part = sum - self.value;
-        // Exactly what rounding took from the sum (Knuth): most differences of singles lose nothing.
+        // Exactly what rounding took from the sum (Knuth): most differences of singles lose
+        // nothing.
         let lost = (self.value - (sum - part)) + (other.value - part);
         Self::new(sum, self.error + other.error + lost.abs())
     }

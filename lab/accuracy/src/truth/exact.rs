@@ -44,29 +44,20 @@ impl Exact {
     }
 }
 
-impl Add for Exact {
-    type Output = Self;
+/// What loses nothing.
+macro_rules! exactly {
+    ($($trait:ident $method:ident $operator:tt)*) => {$(
+        impl $trait for Exact {
+            type Output = Self;
 
-    fn add(self, other: Self) -> Self {
-        Self(self.0 + other.0)
-    }
+            fn $method(self, other: Self) -> Self {
+                Self(self.0 $operator other.0)
+            }
+        }
+    )*};
 }
 
-impl Sub for Exact {
-    type Output = Self;
-
-    fn sub(self, other: Self) -> Self {
-        Self(self.0 - other.0)
-    }
-}
-
-impl Mul for Exact {
-    type Output = Self;
-
-    fn mul(self, other: Self) -> Self {
-        Self(self.0 * other.0)
-    }
-}
+exactly! { Add add + Sub sub - Mul mul * }
 
 impl Neg for Exact {
     type Output = Self;

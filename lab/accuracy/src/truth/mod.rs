@@ -1,10 +1,10 @@
 //! What is exactly so of a ray and an object, for the very singles that a kernel is given.
 //!
-//! A ray is taken as the line through its origin along its direction at length 1; distances along it may be
-//! below 0. Answers come from double precision, which carries a bound of its own rounding errors
-//! (`bounded`); where the bound is above [`DOUBT`] of an ulp, or leaves a sign open, from exact numbers
-//! (`exact`). Invariant: the verdict of hit or miss is exact, and a distance is right to [`DOUBT`] of an
-//! ulp of a single.
+//! A ray is taken as the line through its origin along its direction at length 1; distances along
+//! it may be below 0. Answers come from double precision, which carries a bound of its own
+//! rounding errors (`bounded`); where the bound is above [`DOUBT`] of an ulp, or leaves a sign
+//! open, from exact numbers (`exact`). Invariant: the verdict of hit or miss is exact, and a
+//! distance is right to [`DOUBT`] of an ulp of a single.
 
 mod bounded;
 mod exact;
@@ -32,7 +32,6 @@ pub struct Line {
 
 impl Line {
     /// The ray that a kernel is given.
-    #[must_use]
     pub fn new(origin: [Single; 3], direction: [Single; 3]) -> Self {
         Self {
             origin: origin.map(to_f64),
@@ -41,15 +40,14 @@ impl Line {
     }
 
     /// The point at a distance, in double precision.
-    #[must_use]
     pub fn point(&self, distance: f64) -> Vector {
         let length = space::dot(&self.direction, &self.direction).sqrt();
         std::array::from_fn(|axis| self.origin[axis] + distance * (self.direction[axis] / length))
     }
 }
 
-/// From a single to the next: what an ulp is at `value`. Below the smallest single, what it is there.
-#[must_use]
+/// From a single to the next: what an ulp is at `value`. Below the smallest single, what it is
+/// there.
 pub fn spacing(value: f64) -> f64 {
     const SMALLEST: f64 = 1.0 / (1_u128 << 126) as f64;
     single::spacing(value.abs().max(SMALLEST))

@@ -33,17 +33,29 @@ pub struct Crossing {
 /// How a ray's line passes a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passing {
-    /// How far outside of the edge it passes, in radii: (l^2 - r^2) / 2 r^2 for a line that comes to l from
-    /// the centre, which is (l - r) / r near the edge. Below 0 for a hit. No number if the ray goes
-    /// nowhere, or for a sphere of radius 0.
+    /// How far outside of the edge it passes, in radii: (l^2 - r^2) / 2 r^2 for a line that comes
+    /// to l from the centre, which is (l - r) / r near the edge. Below 0 for a hit. No number if
+    /// the ray goes nowhere, or for a sphere of radius 0.
     pub beyond: f64,
     /// Entry and exit, if it hits; a line that touches does, a sphere of radius 0 is not hit.
     pub crossing: Option<Crossing>,
 }
 
+impl Passing {
+    /// Of a line that enters and leaves there, or misses: each a distance and the outward normal.
+    fn new(beyond: f64, ends: Option<[(f64, Vector); 2]>) -> Self {
+        let crossing = ends.map(|[(entry, entry_normal), (exit, exit_normal)]| Crossing {
+            entry,
+            exit,
+            entry_normal,
+            exit_normal,
+        });
+        Self { beyond, crossing }
+    }
+}
+
 impl Crossing {
     /// The first distance that is above 0, and the outward normal there.
-    #[must_use]
     pub fn first(&self) -> Option<(f64, Vector)> {
         let ends = [
             (self.entry, self.entry_normal),
@@ -55,7 +67,6 @@ impl Crossing {
 
 impl Sphere {
     /// A sphere that a kernel is given by its radius, of either sign.
-    #[must_use]
     pub fn of_radius(centre: [Single; 3], radius: Single) -> Self {
         let radius = to_f64(radius);
         Self {
@@ -66,7 +77,6 @@ impl Sphere {
     }
 
     /// A sphere that a kernel is given by its radius squared.
-    #[must_use]
     pub fn of_radius_squared(centre: [Single; 3], radius_squared: Single) -> Self {
         Self {
             centre: centre.map(to_f64),
@@ -74,9 +84,8 @@ impl Sphere {
         }
     }
 
-    /// A sphere that a kernel is given by its direction and distance from 0 and the square of radius over
-    /// distance. Its own numbers are rounded to doubles.
-    #[must_use]
+    /// A sphere that a kernel is given by its direction and distance from 0 and the square of
+    /// radius over distance. Its own numbers are rounded to doubles.
     pub fn of_axis(axis: [Single; 3], k: Single, distance: Single) -> Self {
         let (axis, distance) = (axis.map(to_f64), to_f64(distance));
         let length = dot(&axis, &axis).sqrt();
@@ -87,27 +96,18 @@ impl Sphere {
     }
 
     /// Its centre.
-    #[must_use]
     pub fn centre(&self) -> Vector {
         self.centre
     }
 
     /// Its radius, in double precision.
-    #[must_use]
     pub fn radius(&self) -> f64 {
         self.radius_squared.sqrt()
     }
 
     /// How a ray passes it.
-    #[must_use]
     pub fn passing(&self, line: &Line) -> Passing {
         self.in_double(line).unwrap_or_else(|| self.in_exact(line))
-    }
-
-    /// Where a ray's line crosses it.
-    #[must_use]
-    pub fn crossing(&self, line: &Line) -> Option<Crossing> {
-        self.passing(line).crossing
     }
 
     /// The answer of double precision, unless it is in doubt.
@@ -128,8 +128,7 @@ impl Sphere {
         }
         let beyond = -disc.value / (2.0 * dd.value * self.radius_squared);
         if disc.sign()? == Ordering::Less {
-            let crossing = None;
-            return Some(Passing { beyond, crossing });
+            return Some(Passing::new(beyond, None));
         }
         let (along, root, length) = (dot(&to, &d), disc.sqrt(), dd.sqrt());
         let (near, far) = ((along - root) / length, (along + root) / length);
@@ -148,15 +147,8 @@ impl Sphere {
                 (shift * d - to[axis].value + side * half * d) / radius
             })
         };
-        Some(Passing {
-            beyond,
-            crossing: Some(Crossing {
-                entry: near.value,
-                exit: far.value,
-                entry_normal: normal(-1.0),
-                exit_normal: normal(1.0),
-            }),
-        })
+        let ends = [(near.value, normal(-1.0)), (far.value, normal(1.0))];
+        Some(Passing::new(beyond, Some(ends)))
     }
 
     /// The answer by numbers without rounding, and by other steps than those in double precision.
@@ -171,8 +163,7 @@ impl Sphere {
         let beyond = -disc.to_f64() / (2.0 * dd.to_f64() * self.radius_squared);
         let nowhere = dd.sign() == Ordering::Equal || square.sign() == Ordering::Equal;
         if nowhere || disc.sign() == Ordering::Less {
-            let crossing = None;
-            return Passing { beyond, crossing };
+            return Passing::new(beyond, None);
         }
         let (root, length, radius) = (disc.sqrt(), dd.sqrt(), square.sqrt());
         let end = |root: Exact| {
@@ -183,17 +174,7 @@ impl Sphere {
             });
             ((parameter * length.clone()).to_f64(), normal)
         };
-        let (entry, entry_normal) = end(-root.clone());
-        let (exit, exit_normal) = end(root);
-        Passing {
-            beyond,
-            crossing: Some(Crossing {
-                entry,
-                exit,
-                entry_normal,
-                exit_normal,
-            }),
-        }
+        Passing::new(beyond, Some([end(-root.clone()), end(root)]))
     }
 }
 
@@ -211,6 +192,12 @@ mod tests {
 
     fn line(origin: Vector, direction: Vector) -> Line {
         Line::new(origin.map(from_f64), direction.map(from_f64))
+    }
+
+    impl Sphere {
+        fn crossing(&self, line: &Line) -> Option<Crossing> {
+            self.passing(line).crossing
+        }
     }
 
     /// Both ways of finding it.
@@ -258,7 +245,8 @@ mod tests {
 
     #[test]
     fn the_verdict_is_exact_where_double_precision_has_no_digits_left() {
-        // The edge of a sphere a single ulp of 2^24 off: its square needs 50 digits more than a double.
+        // The edge of a sphere a single ulp of 2^24 off: its square needs 50 digits more than a
+        // double.
         let far = 2_f64.powi(60);
         let ball = sphere([0.0, 0.0, far], 1.0);
         let through = |slope: f64| line([0.0; 3], [slope, 0.0, 1.0]);

@@ -23,7 +23,8 @@ pub struct Meeting {
     pub distance: f64,
     /// What the vertices weigh at the point: of sum 1.
     pub weights: [f64; 3],
-    /// The side of each edge that the point is on, against the edge's vertex: `Greater` within, `Equal` on it.
+    /// The side of each edge that the point is on, against the edge's vertex: `Greater` within,
+    /// `Equal` on it.
     pub sides: [Ordering; 3],
     /// Whether the ray sees the vertices go counter-clockwise.
     pub front: bool,
@@ -31,13 +32,13 @@ pub struct Meeting {
 
 impl Meeting {
     /// Within the triangle, on its rim, or outside.
-    #[must_use]
     pub fn side(&self) -> Ordering {
         self.sides.into_iter().min().unwrap_or(Ordering::Less)
     }
 }
 
-/// The products that decide: of the ray with each edge, with the plane, and of the plane with the origin.
+/// The products that decide: of the ray with each edge, with the plane, and of the plane with the
+/// origin.
 struct Volumes<T> {
     edges: [T; 3],
     plane: T,
@@ -60,7 +61,6 @@ impl<T: Number> Volumes<T> {
 
 impl Triangle {
     /// A triangle that a kernel is given.
-    #[must_use]
     pub fn new(vertices: [[Single; 3]; 3]) -> Self {
         Self {
             vertices: vertices.map(|vertex| vertex.map(to_f64)),
@@ -68,13 +68,11 @@ impl Triangle {
     }
 
     /// Its vertices.
-    #[must_use]
     pub fn vertices(&self) -> [Vector; 3] {
         self.vertices
     }
 
     /// Where a ray's line meets its plane; `None` if they are parallel, or there is no plane.
-    #[must_use]
     pub fn meeting(&self, line: &Line) -> Option<Meeting> {
         self.in_double(line).unwrap_or_else(|| self.in_exact(line))
     }

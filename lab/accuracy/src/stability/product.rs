@@ -2,13 +2,16 @@
 
 use cellray::work::{BlockOptions, SceneBlock};
 use glam::DVec3;
-use kernels::vector::{Vector, cross, dot};
+use kernels::single::bits;
 use nff::{LightKind, Shape};
 use protocol::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
+use spu_emulator::float::single::to_f64;
 use twins::Single;
 use zerocopy::FromBytes as _;
+use zerocopy::big_endian::F32;
 
-use kernels::single::bits;
+use crate::space::{along, cross, dot, less};
+use crate::truth::Vector;
 
 /// A shape that SPUs know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -35,13 +38,11 @@ impl Kind {
     }
 
     /// Words of its record.
-    #[must_use]
     pub const fn words(self) -> usize {
         self.record().1 / 4
     }
 
     /// The kernel that finds hits with it.
-    #[must_use]
     pub const fn kernel(self) -> &'static str {
         match self {
             Self::Sphere => "isect_ball_pairs_r16",
@@ -74,10 +75,23 @@ pub struct Stuff {
     pub index: f64,
 }
 
+/// What all records begin with.
+pub struct Head {
+    /// Where it is.
+    pub centre: Vector,
+    /// Where it stands.
+    pub axis: Vector,
+    /// The signed radius of a sphere.
+    pub offset: f64,
+    /// Of the normal, the part across the axis.
+    pub gain: f64,
+    /// Of the normal, the part along the axis.
+    pub slope: f64,
+}
+
 impl Product {
-    /// What the PPU sends of a shape to an eye at the origin; nothing of one that it does not send as this
-    /// kind.
-    #[must_use]
+    /// What the PPU sends of a shape to an eye at the origin; nothing of one that it does not send
+    /// as this kind.
     pub fn of(kind: Kind, shape: Shape, stuff: Stuff) -> Option<Self> {
         let scene = nff::Scene {
             name: String::new(),
@@ -140,7 +154,6 @@ impl Product {
     }
 
     /// The object of these words, which are as many as it has.
-    #[must_use]
     pub fn from_words(kind: Kind, words: &[u32]) -> Self {
         let (object, material) = words.split_at(kind.words());
         let bytes = |words: &[u32]| words.iter().flat_map(|word| word.to_be_bytes()).collect();
@@ -152,62 +165,59 @@ impl Product {
     }
 
     /// Words of an object of this kind.
-    #[must_use]
     pub const fn word_count(kind: Kind) -> usize {
         kind.words() + size_of::<Material>() / 4
     }
 
-    /// The head of its record.
-    ///
-    /// # Panics
-    ///
-    /// If it is shorter than a head.
-    #[must_use]
-    pub fn head(&self) -> &Object {
-        Object::ref_from_prefix(&self.object)
-            .expect("records begin with a head")
-            .0
+    /// The head of its record, in double precision.
+    pub fn head(&self) -> Head {
+        let (head, _) = Object::ref_from_prefix(&self.object).expect("records begin with a head");
+        Head {
+            centre: head.centre.map(exactly),
+            axis: head.axis.map(exactly),
+            offset: exactly(head.offset),
+            gain: exactly(head.gain),
+            slope: exactly(head.slope),
+        }
     }
 
     /// The record behind its head, by words.
-    #[must_use]
     pub fn rest(&self) -> Vec<Single> {
         let words = self.object[size_of::<Object>()..].as_chunks().0.iter();
         words.map(|word| u32::from_be_bytes(*word)).collect()
     }
 }
 
-/// Where a ray that starts within a body, or on the outer side of it, meets it next, in f64 for the record's
-/// very singles; nothing if it does not.
-#[must_use]
+/// What a record of the SPUs has there, in double precision.
+pub fn exactly(single: F32) -> f64 {
+    to_f64(bits(single))
+}
+
+/// Where a ray that starts within a body, or on the outer side of it, meets it next, in f64 for
+/// the record's very singles; nothing if it does not.
 pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<f64> {
-    use spu_emulator::float::single::to_f64;
     let head = product.head();
-    let centre: Vector = head.centre.map(|x| to_f64(bits(x)));
-    let from: Vector = std::array::from_fn(|k| origin[k] - centre[k]);
+    let from = less(origin, head.centre);
     match product.kind {
         // A plane is not met again by what leaves it.
         Kind::Rectangle | Kind::Triangle => None,
         Kind::Sphere => {
-            let radius = to_f64(bits(head.offset));
             let b = dot(from, direction);
-            let l: Vector = std::array::from_fn(|k| from[k] - b * direction[k]);
-            let disc = radius * radius - dot(l, l);
+            let l = along(from, -b, direction);
+            let disc = head.offset * head.offset - dot(l, l);
             (disc >= 0.0).then(|| disc.sqrt() - b).filter(|t| *t > 0.0)
         }
         Kind::Cone => {
             let rest = product.rest();
             let [radius, growth, height] = [0, 1, 2].map(|word| to_f64(rest[word]));
-            let axis: Vector = head.axis.map(|x| to_f64(bits(x)));
             let split = |vector: Vector| {
-                let along = dot(vector, axis);
-                let across: Vector = std::array::from_fn(|k| vector[k] - along * axis[k]);
-                (along, across)
+                let height = dot(vector, head.axis);
+                (height, along(vector, -height, head.axis))
             };
             let ((h, c), (rise, e)) = (split(from), split(direction));
             let (k, m) = (radius + growth * h, growth * rise);
             let (a, b) = (dot(e, e) - m * m, dot(c, e) - k * m);
-            let v: Vector = std::array::from_fn(|i| k * e[i] - m * c[i]);
+            let v = along(e.map(|x| k * x), -m, c);
             let turn = cross(c, e);
             let disc = dot(v, v) - dot(turn, turn);
             let root = disc.max(0.0).sqrt();

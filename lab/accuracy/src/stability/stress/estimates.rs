@@ -1,5 +1,5 @@
-//! Reciprocals and square roots where tables meet: the first and the last fraction of every entry, those next
-//! to them, with every exponent and either sign.
+//! Reciprocals and square roots where tables meet: the first and the last fraction of every entry,
+//! those next to them, with every exponent and either sign.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -8,8 +8,8 @@ use kernels::cases::math::{self, FUNCTIONS, Function};
 use rand::Rng as _;
 use twins::Single;
 
-use super::family::{Family, NoCaseError, Tally, words_of};
-use super::statement::{Bound, StatementError};
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
+use crate::stability::statement::Bound;
 
 /// Bits of a fraction behind those that choose an entry of a table.
 const POSITION: u32 = 18;
@@ -18,22 +18,21 @@ const ENTRIES: u32 = 1 << (23 - POSITION);
 /// Quadwords of a call.
 const QUADWORDS: usize = 64;
 
-struct Estimates {
-    function: &'static Function,
-    bound: Bound,
-}
+struct Estimates(&'static Function);
 
 /// A family for each function.
-///
-/// # Errors
-/// A header does not state its error.
-pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
-    let mut families: Vec<Box<dyn Family>> = Vec::new();
-    for function in &FUNCTIONS {
-        let bound = Bound::of(function.kernel)?;
-        families.push(Box::new(Estimates { function, bound }));
-    }
-    Ok(families)
+pub fn families() -> Families {
+    let family = |function: &'static Function| {
+        Ok(Family {
+            name: "estimate-borders",
+            subject: function.kernel.to_owned(),
+            unit: "ulp",
+            bound: Bound::of(function.kernel)?,
+            rounds: 400,
+            cases: Box::new(Estimates(function)),
+        })
+    };
+    FUNCTIONS.iter().map(family).collect()
 }
 
 /// A fraction at a border of an entry, and up to two ulps within; any exponent and sign.
@@ -58,57 +57,33 @@ fn operand(random: &mut Generator) -> Single {
 
 impl Estimates {
     fn try_operands(&self, bench: &mut Bench, operands: &[[Single; 4]], tally: &mut Tally) {
-        let results = math::call(bench, self.function.kernel, operands, 0, false);
+        let Self(function) = self;
+        let results = math::call(bench, function.kernel, operands, 0, false);
         for (x, found) in operands.as_flattened().iter().zip(results.as_flattened()) {
             let input = || vec![*x];
             let magnitude = x & 0x7fff_ffff;
-            let [low, high] = self.function.domain;
-            let negative = x >> 31 != 0 && !self.function.quantity.takes_negative();
-            if *found != (self.function.twin)(*x) {
+            let [low, high] = function.domain;
+            let negative = x >> 31 != 0 && !function.quantity.takes_negative();
+            if *found != (function.twin)(*x) {
                 tally.wrong(input);
             } else if !(low..=high).contains(&magnitude) || negative {
                 tally.uncounted();
             } else {
-                tally.error(ulps(self.function, *x, *found), input);
+                tally.error(ulps(function, *x, *found), input);
             }
         }
     }
 }
 
-impl Family for Estimates {
-    fn name(&self) -> &'static str {
-        "estimate-borders"
-    }
-
-    fn subject(&self) -> &str {
-        self.function.kernel
-    }
-
-    fn unit(&self) -> &'static str {
-        "ulp"
-    }
-
-    fn bound(&self) -> Bound {
-        self.bound.clone()
-    }
-
-    fn rounds(&self) -> u32 {
-        400
-    }
-
+impl Cases for Estimates {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let operands = [(); QUADWORDS].map(|()| [(); 4].map(|()| operand(random)));
         self.try_operands(bench, &operands, tally);
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let [x] = words_of(words)?;
-        self.try_operands(bench, &[[x; 4]], tally);
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        need(1, words)?;
+        self.try_operands(bench, &[[words[0]; 4]], tally);
         Ok(())
     }
 }

@@ -1,5 +1,5 @@
-//! A tile's steps by the tracer's own kernels, packet by packet: what rays hit, and the rays that leave from
-//! there.
+//! A tile's steps by the tracer's own kernels, packet by packet: what rays hit, and the rays that
+//! leave from there.
 //!
 //! Each packet has an object of its own.
 
@@ -16,6 +16,7 @@ use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
 use super::product::{Kind, Product};
+use crate::space::fresh;
 
 /// The t of a ray that is not there: -1.
 pub const NOT_THERE: Single = 0xbf80_0000;
@@ -25,45 +26,45 @@ pub const HIT: u32 = 1;
 /// A ray, by origin and direction.
 pub type Line = [[Single; 3]; 2];
 
+/// Sixteen rays, as far as they are there.
+pub type Lanes = [Option<Ray>; 16];
+
 /// What came of sixteen rays.
 #[derive(Clone, Debug)]
 pub struct Leaving {
     /// Where they have hit, and what the surface is there.
     pub surfaces: Surfaces,
-    /// Rays that the surface let through.
-    pub refracted: [Option<Line>; 16],
     /// Rays that it threw back.
-    pub reflected: [Option<Line>; 16],
-    /// Shadow rays; `t` is that of the light, or the ray is not there.
-    pub shadow: [Ray; 16],
+    pub reflected: Lanes,
+    /// Rays that the surface let through.
+    pub refracted: Lanes,
+    /// Shadow rays, whose `t` is that of the light.
+    pub shadow: Lanes,
 }
 
 /// A ray that is not there.
-#[must_use]
-pub fn no_ray() -> Ray {
-    Ray {
-        origin: [0; 3],
-        direction: [0; 3],
-        t: NOT_THERE,
-        object: 0,
-    }
-}
+const NO_RAY: Ray = Ray {
+    origin: [0; 3],
+    direction: [0; 3],
+    t: NOT_THERE,
+    object: 0,
+};
 
-/// Tests packets with an object each, all of one kind; where it is hit, the ray's object is [`HIT`].
-pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[[Ray; 16]]) -> Vec<[Ray; 16]> {
+/// Tests packets with an object each, all of one kind; where it is hit, the ray's object is
+/// [`HIT`].
+pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<[Ray; 16]> {
     let Some(kind) = products.first().map(|product| product.kind) else {
         return Vec::new();
     };
     bench.reset();
-    let records: Vec<RayPacket> = packets.iter().map(|rays| call::packet(rays, 0)).collect();
+    let record = |lanes: &Lanes| call::packet(&lanes.map(|ray| ray.unwrap_or(NO_RAY)), 0);
+    let records: Vec<RayPacket> = packets.iter().map(record).collect();
     let placed = put(bench, &records);
     let count = packets.len() as u32;
     let shears = (kind == Kind::Triangle).then(|| {
         let shears = bench.place(&vec![0x55; size_of::<Shear>() * packets.len()]);
-        bench.call(
-            "shear_packets_r16",
-            &[placed.address, count, shears.address],
-        );
+        let arguments = [placed.address, count, shears.address];
+        bench.call("shear_packets_r16", &arguments);
         shears
     });
     let objects: Vec<u32> = products
@@ -93,7 +94,8 @@ pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[[Ray; 16]]) -> 
         .collect()
 }
 
-/// What leaves from where packets have hit their objects, as [`meet`] gives it; a light at this place.
+/// What leaves from where packets have hit their objects, as [`meet`] gives it; a light at this
+/// place.
 pub fn leave(
     bench: &mut Bench,
     products: &[&Product],
@@ -102,20 +104,16 @@ pub fn leave(
 ) -> Vec<Leaving> {
     bench.reset();
     let nothing = put(bench, &[Material::new_zeroed()]);
-    let background = put(
-        bench,
-        &[Object {
-            material: nothing.address.into(),
-            ..Object::new_zeroed()
-        }],
-    );
-    let light = put(
-        bench,
-        &[Light {
-            position: light.map(single),
-            ..Light::new_zeroed()
-        }],
-    );
+    let background = Object {
+        material: nothing.address.into(),
+        ..Object::new_zeroed()
+    };
+    let background = put(bench, &[background]);
+    let light = Light {
+        position: light.map(single),
+        ..Light::new_zeroed()
+    };
+    let light = put(bench, &[light]);
     let rays: Vec<RayPacket> = packets
         .iter()
         .zip(products)
@@ -161,16 +159,19 @@ pub fn leave(
             let count = (end - queue.address) as usize / size_of::<QueuedRay>();
             let mut lanes = [None; 16];
             for ray in &bench.read_all::<QueuedRay>(queue)[..count] {
-                lanes[ray.pixel.get() as usize] =
-                    Some([ray.origin, ray.direction].map(|v| v.map(bits)));
+                let [origin, direction] = [ray.origin, ray.direction].map(|v| v.map(bits));
+                lanes[ray.pixel.get() as usize] = Some(fresh(origin, direction));
             }
             lanes
         };
+        let refracted = queued("refract_r16");
+        let reflected = queued("reflect_r16");
+        let shadow = call::rays(shadow).map(|ray| Ray { object: 0, ..ray });
         leaving.push(Leaving {
             surfaces: *surfaces,
-            refracted: queued("refract_r16"),
-            reflected: queued("reflect_r16"),
-            shadow: call::rays(shadow),
+            reflected,
+            refracted,
+            shadow: shadow.map(|ray| Some(ray).filter(|ray| ray.t as i32 > 0)),
         });
     }
     leaving

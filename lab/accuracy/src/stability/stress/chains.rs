@@ -1,36 +1,36 @@
-//! Chains of mirrors: how an error grows from bounce to bounce, between two spheres and within one.
+//! Chains of mirrors: how an error grows by bounces, between two spheres and within one.
 //!
-//! By the tracer's own steps: hit, surface, reflected ray. Beside each goes the same chain in f64, whose own
-//! error grows by the same factors from 2^-53 and so stays below a millionth of what is measured.
+//! By the tracer's own steps: hit, surface, reflected ray. Beside each goes the same chain in f64,
+//! whose own error grows by the same factors from 2^-53 and so stays below a millionth of what is
+//! measured.
 //!
-//! In radii, with t from sphere to sphere, c the cosine of incidence, e the error of the place and a that of
-//! the angle, and what the headers state of each step as noise:
-//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise, a' = a + 2 e' + noise.
-//!   The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres a radius apart.
-//! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error grows with
-//!   the square of the number of bounces.
+//! In radii, with t from sphere to sphere, c the cosine of incidence, e the error of the place and
+//! a that of the angle, and what the headers state of each step as noise:
+//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise,
+//!   a' = a + 2 e' + noise. The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres
+//!   a radius apart.
+//! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error
+//!   grows with the square of the number of bounces.
 
 use crate::generator::Generator;
 use glam::DVec3;
 use kernels::Bench;
-use kernels::single::bits;
-use kernels::vector::{Vector, dot, less, unit};
 use nff::Shape;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
-use twins::ball::Ray;
 
-use super::family::{Family, NoCaseError, Tally};
-use super::random::{across, magnitude, rounded};
-use super::statement::{Bound, StatementError, says, stated};
-use crate::families::space::direction;
-use crate::guarantees::product::{Kind, Product, Stuff};
-use crate::guarantees::steps::{HIT, Line, leave, meet, no_ray};
+use crate::space::{along, direction, dot, fresh, length, less, unit};
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
+use crate::stability::product::{Kind, Product, Stuff, exactly};
+use crate::stability::random::{across, magnitude, rounded};
+use crate::stability::statement::{Bound, StatementError, says, stated};
+use crate::stability::steps::{HIT, Lanes, Line, leave, meet};
+use crate::truth::Vector;
 
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;
-/// What `OBJECT_leave` and a point's coordinates add to how far off a ray starts, in parts of them.
+/// What `OBJECT_leave` and a point's coordinates add to how far off a ray starts, in parts of
+/// them.
 const LEAVE: f64 = 8.0 * ULP;
 /// Packets of a call.
 const PACKETS: usize = 4;
@@ -51,33 +51,27 @@ enum Room {
 struct Chain {
     room: Room,
     bounces: u32,
-    subject: String,
-    bound: Bound,
 }
 
 /// Bounces after which errors are looked at.
 const BOUNCES: [u32; 4] = [1, 2, 4, 8];
 
 /// Both rooms, by bounces.
-///
-/// # Errors
-/// A header does not state the error of its step.
-pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
-    let mut families: Vec<Box<dyn Family>> = Vec::new();
+pub fn families() -> Families {
+    let mut families = Vec::new();
     for room in [Room::Between, Room::Within] {
         let noise = room.noise()?;
-        for bounces in BOUNCES {
-            families.push(Box::new(Chain {
-                room,
-                bounces,
-                subject: format!("{}, bounce {bounces}", room.name()),
-                bound: Bound {
-                    value: room.carried(&noise, bounces),
-                    source: "headers of spheres, surfaces and reflections, carried along"
-                        .to_owned(),
-                },
-            }));
-        }
+        families.extend(BOUNCES.map(|bounces| Family {
+            name: "mirror-chain",
+            subject: format!("{}, bounce {bounces}", room.name()),
+            unit: "ulp of r",
+            bound: Bound {
+                value: room.carried(&noise, bounces),
+                source: "headers of spheres, surfaces and reflections, carried along".to_owned(),
+            },
+            rounds: 200,
+            cases: Box::new(Chain { room, bounces }),
+        }));
     }
     Ok(families)
 }
@@ -185,7 +179,7 @@ impl Room {
             };
             Product::of(Kind::Sphere, shape, stuff)
         };
-        let at = |by: f64| rounded(std::array::from_fn(|k| place[k] + by * radius * axis[k]));
+        let at = |by: f64| rounded(along(place, by * radius, axis));
         let mirrors = match self {
             Self::Between => [mirror(at(1.5), radius)?, mirror(at(-1.5), radius)?],
             Self::Within => {
@@ -200,15 +194,11 @@ impl Room {
                     let highest = -4 - 2 * bounces as i32;
                     let tilt = magnitude(highest - 8, highest, random);
                     let [aside, _] = across(axis, random);
-                    let way = std::array::from_fn(|k| axis[k] + tilt * aside[k]);
-                    (place, way)
+                    (place, along(axis, tilt, aside))
                 }
                 Self::Within => {
                     let off = direction(random).map(|x| radius * random.random_range(0.0..0.9) * x);
-                    (
-                        std::array::from_fn(|k| place[k] + off[k]),
-                        direction(random),
-                    )
+                    (along(place, 1.0, off), direction(random))
                 }
             };
             [rounded(from), unit(way)].map(|v| v.map(from_f64))
@@ -237,21 +227,18 @@ impl Exact {
     /// On to the next mirror and off it; nothing if it is missed.
     fn bounce(&mut self, mirror: &Product) -> Option<()> {
         let head = mirror.head();
-        let centre: Vector = head.centre.map(|x| to_f64(bits(x)));
-        let radius = to_f64(bits(head.offset));
-        let to = less(centre, self.origin);
+        let radius = head.offset;
+        let to = less(head.centre, self.origin);
         let b = dot(to, self.way);
-        let aside: Vector = std::array::from_fn(|k| to[k] - b * self.way[k]);
+        let aside = along(to, -b, self.way);
         let disc = radius * radius - dot(aside, aside);
         let root = (disc > 0.0).then(|| disc.sqrt())?;
         let t = if radius < 0.0 { b + root } else { b - root };
-        let point: Vector = std::array::from_fn(|k| self.origin[k] + t * self.way[k]);
-        let normal = unit(less(point, centre));
-        let along = dot(self.way, normal);
-        self.cosine = self.cosine.min(along.abs());
-        self.way = unit(std::array::from_fn(|k| {
-            self.way[k] - 2.0 * along * normal[k]
-        }));
+        let point = along(self.origin, t, self.way);
+        let normal = unit(less(point, head.centre));
+        let incidence = dot(self.way, normal);
+        self.cosine = self.cosine.min(incidence.abs());
+        self.way = unit(along(self.way, -2.0 * incidence, normal));
         self.origin = point;
         (t > 0.0).then_some(())
     }
@@ -269,37 +256,22 @@ impl Chain {
             .iter()
             .map(|lines| lines.map(|line| Some(Exact::new(line))))
             .collect();
-        let mut lines_now: Vec<[Option<Line>; 16]> =
-            lines.iter().map(|lines| lines.map(Some)).collect();
+        let rays = |lines: &[Line; 16]| lines.map(|[from, way]| Some(fresh(from, way)));
+        let mut rays: Vec<Lanes> = lines.iter().map(rays).collect();
         let mut points = vec![[[0.0; 3]; 16]; lines.len()];
         for bounce in 0..self.bounces as usize {
             let products: Vec<&Product> = mirrors.iter().map(|pair| &pair[bounce % 2]).collect();
-            let rays: Vec<[Ray; 16]> = lines_now
-                .iter()
-                .map(|lines| {
-                    lines.map(|line| {
-                        line.map_or_else(no_ray, |[origin, direction]| Ray {
-                            origin,
-                            direction,
-                            t: FARTHEST,
-                            object: 0,
-                        })
-                    })
-                })
-                .collect();
             let hits = meet(bench, &products, &rays);
             let leaving = leave(bench, &products, &hits, [0; 3]);
             for (number, leaving) in leaving.iter().enumerate() {
                 let found = &leaving.surfaces;
                 for lane in 0..16 {
                     let hit = hits[number][lane].object == HIT;
-                    lines_now[number][lane] = leaving.reflected[lane].filter(|_| hit);
+                    rays[number][lane] = leaving.reflected[lane].filter(|_| hit);
                     points[number][lane] = [&found.point_x, &found.point_y, &found.point_z]
-                        .map(|row| to_f64(bits(row[lane])));
+                        .map(|row| exactly(row[lane]));
                     let exact = &mut exact[number][lane];
-                    let on = exact
-                        .as_mut()
-                        .and_then(|exact| exact.bounce(products[number]));
+                    let on = exact.as_mut().and_then(|it| it.bounce(products[number]));
                     if on.is_none() {
                         *exact = None;
                     }
@@ -307,7 +279,7 @@ impl Chain {
             }
         }
         for number in 0..lines.len() {
-            let radius = to_f64(bits(mirrors[number][0].head().offset)).abs();
+            let radius = mirrors[number][0].head().offset.abs();
             for lane in 0..16 {
                 let input = || {
                     let words = mirrors[number].iter().flat_map(Product::words);
@@ -318,10 +290,10 @@ impl Chain {
                 let exact = exact[number][lane].as_ref();
                 match exact.filter(|exact| exact.cosine > self.room.cosine()) {
                     None => tally.uncounted(),
-                    Some(_) if lines_now[number][lane].is_none() => tally.wrong(input),
+                    Some(_) if rays[number][lane].is_none() => tally.wrong(input),
                     Some(exact) => {
-                        let off = less(points[number][lane], exact.origin);
-                        tally.error(dot(off, off).sqrt() / radius / ULP, input);
+                        let off = length(less(points[number][lane], exact.origin));
+                        tally.error(off / radius / ULP, input);
                     }
                 }
             }
@@ -329,30 +301,9 @@ impl Chain {
     }
 }
 
-impl Family for Chain {
-    fn name(&self) -> &'static str {
-        "mirror-chain"
-    }
-
-    fn subject(&self) -> &str {
-        &self.subject
-    }
-
-    fn unit(&self) -> &'static str {
-        "ulp of r"
-    }
-
-    fn bound(&self) -> Bound {
-        self.bound.clone()
-    }
-
-    fn rounds(&self) -> u32 {
-        200
-    }
-
+impl Cases for Chain {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
-        let mut mirrors = Vec::new();
-        let mut lines = Vec::new();
+        let (mut mirrors, mut lines) = (Vec::new(), Vec::new());
         while mirrors.len() < PACKETS {
             if let Some((pair, rays)) = self.room.mirrors(self.bounces, random) {
                 mirrors.push(pair);
@@ -362,22 +313,13 @@ impl Family for Chain {
         self.follow(bench, &mirrors, &lines, tally);
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let product = Product::word_count(Kind::Sphere);
-        let needed = 2 * product + LINE;
-        if words.len() != needed {
-            let found = words.len();
-            return Err(NoCaseError { found, needed });
-        }
-        let mirrors =
-            [0, 1].map(|at| Product::from_words(Kind::Sphere, &words[at * product..][..product]));
-        let line = [0, 3].map(|at| std::array::from_fn(|k| words[2 * product + at + k]));
-        self.follow(bench, &[mirrors], &[[line; 16]], tally);
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        let of_mirror = Product::word_count(Kind::Sphere);
+        need(2 * of_mirror + LINE, words)?;
+        let (mirrors, line) = words.split_at(2 * of_mirror);
+        let (first, second) = mirrors.split_at(of_mirror);
+        let mirrors = [first, second].map(|words| Product::from_words(Kind::Sphere, words));
+        self.follow(bench, &[mirrors], &[[points_of(line)?; 16]], tally);
         Ok(())
     }
 }

@@ -2,16 +2,11 @@
 
 use std::fs;
 use std::path::Path;
-use std::process::{Command, Output};
 
-use accuracy::output::Document;
+use ::accuracy::output::Document;
 
-fn bench(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_cellray-bench"))
-        .arg("accuracy")
-        .args(arguments)
-        .output()
-        .unwrap()
+fn bench(arguments: &[&str]) -> std::process::Output {
+    super::bench("accuracy", arguments)
 }
 
 fn failure(arguments: &[&str]) -> String {

@@ -1,4 +1,5 @@
-//! Nothing leaks: every ray from inside a closed mesh meets it, also those aimed at its edges and vertices.
+//! Nothing leaks: every ray from inside a closed mesh meets it, also those aimed at its edges and
+//! vertices.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -6,11 +7,10 @@ use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape as _;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::flat_records::Point;
-use twins::FARTHEST;
-use twins::ball::Ray;
 
 use super::mesh::{self, Maker};
-use crate::stability::family::{Family, NoCaseError, Tally};
+use crate::space::{fresh, two_sided};
+use crate::stability::family::{Cases, Family, Replayed, Tally, need};
 use crate::stability::statement::Bound;
 
 /// Packets that are traced in a mesh.
@@ -22,21 +22,24 @@ const RAY: usize = 6;
 const TRIANGLE: usize = 9;
 
 /// Rays to the edges of meshes of one kind.
-struct Watertight {
-    name: &'static str,
-    maker: Maker,
-}
+struct Watertight(Maker);
 
 /// The kinds of meshes.
-pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
-    let kinds: [(&str, Maker); 4] = [
+pub fn families() -> [Family; 4] {
+    let kinds: [(_, Maker); 4] = [
         ("mesh-lumpy", mesh::lumpy),
         ("mesh-thin", mesh::thin),
         ("mesh-far-out", mesh::far_out),
         ("mesh-lattice", mesh::lattice),
     ];
-    let families = kinds.into_iter();
-    families.map(|(name, maker)| Box::new(Watertight { name, maker }) as Box<dyn Family>)
+    kinds.map(|(name, maker)| Family {
+        name,
+        subject: TriangleObject::KERNEL.to_owned(),
+        unit: "leaks",
+        bound: Bound::none("both sides of an edge have the same bits"),
+        rounds: 250,
+        cases: Box::new(Watertight(maker)),
+    })
 }
 
 /// Whether each ray meets any of the triangles.
@@ -46,12 +49,7 @@ fn met(bench: &mut Bench, triangles: &[TriangleObject], rays: &[[Point; 2]]) -> 
         .map(|rays| {
             let lane = |lane: usize| {
                 let [origin, direction] = rays[lane.min(rays.len() - 1)];
-                Ray {
-                    origin,
-                    direction,
-                    t: FARTHEST,
-                    object: 0,
-                }
+                fresh(origin, direction)
             };
             call::packet(&std::array::from_fn(lane), 0)
         })
@@ -69,37 +67,12 @@ fn words(triangles: &[TriangleObject], ray: &[Point; 2]) -> Vec<u32> {
     ray.iter().copied().chain(vertices).flatten().collect()
 }
 
-impl Family for Watertight {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn subject(&self) -> &str {
-        TriangleObject::KERNEL
-    }
-
-    fn unit(&self) -> &'static str {
-        "leaks"
-    }
-
-    fn bound(&self) -> Bound {
-        Bound::none("both sides of an edge have the same bits")
-    }
-
-    fn rounds(&self) -> u32 {
-        250
-    }
-
+impl Cases for Watertight {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..MESHES {
-            let mesh = (self.maker)(random);
+            let mesh = (self.0)(random);
             let triangles = mesh.triangles(random).into_iter();
-            let triangles: Vec<TriangleObject> = triangles
-                .map(|vertices| TriangleObject {
-                    vertices,
-                    both: true,
-                })
-                .collect();
+            let triangles: Vec<TriangleObject> = triangles.map(two_sided).collect();
             let rays: Vec<[Point; 2]> = (0..16 * PACKETS).map(|_| mesh.aimed(random)).collect();
             for (ray, met) in rays.iter().zip(met(bench, &triangles, &rays)) {
                 tally.verdict(met, || words(&triangles, ray));
@@ -107,28 +80,13 @@ impl Family for Watertight {
         }
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let points: Vec<Point> = words.as_chunks().0.to_vec();
-        if points.len() < 5 || words.len() % TRIANGLE != RAY {
-            return Err(NoCaseError {
-                found: words.len(),
-                needed: RAY + words.len().div_ceil(TRIANGLE) * TRIANGLE,
-            });
-        }
-        let triangles: Vec<TriangleObject> = points[2..]
-            .as_chunks()
-            .0
-            .iter()
-            .map(|vertices| TriangleObject {
-                vertices: *vertices,
-                both: true,
-            })
-            .collect();
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        // A ray, and as many triangles as the mesh had, but one at least.
+        let triangles = words.len().saturating_sub(RAY).div_ceil(TRIANGLE);
+        need(RAY + triangles.max(1) * TRIANGLE, words)?;
+        let (points, _) = words.as_chunks();
+        let (vertices, _) = points[2..].as_chunks();
+        let triangles: Vec<TriangleObject> = vertices.iter().copied().map(two_sided).collect();
         let met = met(bench, &triangles, &[[points[0], points[1]]]);
         tally.verdict(met[0], || words.to_vec());
         Ok(())

@@ -1,10 +1,10 @@
-//! Spheres under stress, by all formulations: any scale and distance, rays within ulps of a tangent, eyes
-//! within ulps of a surface.
+//! Spheres under stress, by all formulations: any scale and distance, rays within ulps of a
+//! tangent, eyes within ulps of a surface.
 //!
-//! A header states the error of a domain. Beyond it the error grows as the formulation's rounding does: by
-//! how steeply the distance changes with the sphere's place, which is one over the cosine of the ray's
-//! incidence; and for the square of the distance less that of the radius, by the distance in chords
-//! besides. Bounds are scaled by that, and only by that.
+//! A header states the error of a domain. Beyond it the error grows as the formulation's rounding
+//! does: by how steeply the distance changes with the sphere's place, which is one over the cosine
+//! of the ray's incidence; and for the square of the distance less that of the radius, by the
+//! distance in chords besides. Bounds are scaled by that, and only by that.
 
 mod look;
 mod make;
@@ -13,12 +13,11 @@ mod nearest;
 use crate::generator::Generator;
 use kernels::Bench;
 use kernels::source::Source;
-use twins::FARTHEST;
-use twins::ball::Ray;
 
-use super::family::{Family, NoCaseError, Tally, words_of};
-use super::statement::{Bound, StatementError};
 use crate::families::{Form, Shot};
+use crate::space::fresh;
+use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, need};
+use crate::stability::statement::Bound;
 use crate::subject::{self, Subject};
 use crate::truth::Line;
 use look::{Look, Stated};
@@ -27,6 +26,7 @@ pub use look::TANGENT;
 
 /// Spheres of a round.
 const SPHERES: u32 = 16;
+
 /// A kind of cases.
 struct Kind {
     name: &'static str,
@@ -42,12 +42,6 @@ struct Spheres {
     kind: &'static Kind,
     subject: Subject,
     stated: Stated,
-}
-
-enum Judgement {
-    Uncounted,
-    Wrong,
-    Error(f64),
 }
 
 const KINDS: &[Kind] = &[
@@ -67,13 +61,7 @@ const KINDS: &[Kind] = &[
         unit: "ulp of the distance, off the tangent",
         forms: &[Form::Eye, Form::General],
         make: make::grazing,
-        judge: |look| {
-            Judgement::Error(if look.agrees() {
-                0.0
-            } else {
-                look.off_tangent()
-            })
-        },
+        judge: |look| Judgement::unless(look.agrees(), || look.off_tangent()),
         bound: |_, _| Bound {
             value: TANGENT,
             source: "roundings of the discriminant".to_owned(),
@@ -93,20 +81,24 @@ const KINDS: &[Kind] = &[
 ];
 
 /// All kinds on all formulations whose kernels there are.
-///
-/// # Errors
-/// A header does not state its error, or of what domain.
-pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
-    let mut families: Vec<Box<dyn Family>> = Vec::new();
+pub fn families() -> Families {
+    let mut families = Vec::new();
     for kind in KINDS {
-        for subject in subject::all() {
-            if kind.forms.contains(&subject.form) && Source::find(subject.kernel).is_some() {
-                families.push(Box::new(Spheres {
+        let subjects = subject::all().filter(|subject| kind.forms.contains(&subject.form));
+        for subject in subjects.filter(|subject| Source::find(subject.kernel).is_some()) {
+            let stated = Stated::of(&subject)?;
+            families.push(Family {
+                name: kind.name,
+                subject: subject.kernel.to_owned(),
+                unit: kind.unit,
+                bound: (kind.bound)(&subject, &stated),
+                rounds: 800,
+                cases: Box::new(Spheres {
                     kind,
                     subject,
-                    stated: Stated::of(&subject)?,
-                }));
-            }
+                    stated,
+                }),
+            });
         }
     }
     families.extend(nearest::families()?);
@@ -133,11 +125,7 @@ fn side_error(look: &Look) -> Judgement {
         }
         (found, exact) => found.is_some() == exact.is_some(),
     };
-    Judgement::Error(if right {
-        0.0
-    } else {
-        look.off_surface().min(look.off_tangent())
-    })
+    Judgement::unless(right, || look.off_surface().min(look.off_tangent()))
 }
 
 impl Spheres {
@@ -157,36 +145,12 @@ impl Spheres {
                 ];
                 words.concat()
             };
-            match (self.kind.judge)(&look) {
-                Judgement::Uncounted => tally.uncounted(),
-                Judgement::Wrong => tally.wrong(input),
-                Judgement::Error(error) => tally.error(error, input),
-            }
+            tally.judged((self.kind.judge)(&look), input);
         }
     }
 }
 
-impl Family for Spheres {
-    fn name(&self) -> &'static str {
-        self.kind.name
-    }
-
-    fn subject(&self) -> &str {
-        self.subject.kernel
-    }
-
-    fn unit(&self) -> &'static str {
-        self.kind.unit
-    }
-
-    fn bound(&self) -> Bound {
-        (self.kind.bound)(&self.subject, &self.stated)
-    }
-
-    fn rounds(&self) -> u32 {
-        800
-    }
-
+impl Cases for Spheres {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..SPHERES {
             let shot = (self.kind.make)(random, self.subject.form);
@@ -194,23 +158,13 @@ impl Family for Spheres {
         }
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let [x, y, z, radius, ox, oy, oz, dx, dy, dz] = words_of(words)?;
-        let ray = Ray {
-            origin: [ox, oy, oz],
-            direction: [dx, dy, dz],
-            t: FARTHEST,
-            object: 0,
-        };
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        need(10, words)?;
+        let point = |at: usize| [0, 1, 2].map(|k| words[at + k]);
         let shot = Shot {
-            centre: [x, y, z],
-            radius,
-            packets: vec![[ray; 16]],
+            centre: point(0),
+            radius: words[3],
+            packets: vec![[fresh(point(4), point(7)); 16]],
         };
         self.shoot(bench, &shot, tally);
         Ok(())

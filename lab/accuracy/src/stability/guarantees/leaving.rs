@@ -1,31 +1,30 @@
-//! Rays that leave a surface do not meet it where they leave: reflected, refracted and shadow rays, started as
-//! the tracer starts them.
+//! Rays that leave a surface do not meet it where they leave: reflected, refracted and shadow
+//! rays, started as the tracer starts them.
 //!
-//! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On the outer
-//! side of a convex body, and on a plane, that is nothing. Within a body it is the wall across, which may
-//! neither be lost nor be the one that the ray has just left.
+//! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On
+//! the outer side of a convex body, and on a plane, that is nothing. Within a body it is the wall
+//! across, which may neither be lost nor be the one that the ray has just left.
 //!
-//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence is below
-//! `leave` over the radius, rounding may take the outer side for the inner one. Such hits are tried, and
-//! nothing is asked of what leaves from there.
+//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence
+//! is below `leave` over the radius, rounding may take the outer side for the inner one. Such hits
+//! are tried, and nothing is asked of what leaves from there.
 
 use crate::generator::Generator;
 use glam::DVec3;
 use kernels::Bench;
-use kernels::single::bits;
-use kernels::vector::{Vector, cross, dot, in_cube, less, unit};
 use nff::Shape;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
+use twins::Single;
 use twins::ball::Ray;
-use twins::{FARTHEST, Single};
 
-use super::product::{Kind, Product, Stuff, next_hit};
-use super::steps::{HIT, Leaving, Line, leave, meet, no_ray};
-use crate::families::space::direction;
-use crate::stability::family::{Family, NoCaseError, Tally};
-use crate::stability::random::{across, magnitude, rounded};
+use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, unit};
+use crate::stability::family::{Cases, Family, Replayed, Tally, need, points_of};
+use crate::stability::product::{Kind, Product, Stuff, exactly, next_hit};
+use crate::stability::random::{across, either_side, magnitude, rounded, towards};
 use crate::stability::statement::Bound;
+use crate::stability::steps::{HIT, Lanes, Leaving, Line, leave, meet};
+use crate::truth::Vector;
 
 /// Packets of a call, each with an object of its own.
 const PACKETS: usize = 4;
@@ -50,49 +49,33 @@ struct Target {
 
 /// How bodies of a kind are made.
 struct Leave {
-    name: &'static str,
-    subject: &'static str,
     kind: Kind,
     body: fn(&mut Generator) -> Option<Body>,
 }
 
 /// A family for each kind of body.
-pub fn families() -> impl Iterator<Item = Box<dyn Family>> {
-    let kinds = [
-        Leave {
-            name: "leave-spheres",
-            subject: "surfaces, bounces, spheres",
-            kind: Kind::Sphere,
-            body: sphere,
-        },
-        Leave {
-            name: "leave-triangles",
-            subject: "surfaces, bounces, triangles",
-            kind: Kind::Triangle,
-            body: triangle,
-        },
-        Leave {
-            name: "leave-rectangles",
-            subject: "surfaces, bounces, parallelograms",
-            kind: Kind::Rectangle,
-            body: rectangle,
-        },
-        Leave {
-            name: "leave-cones",
-            subject: "surfaces, bounces, cones",
-            kind: Kind::Cone,
-            body: stout_cone,
-        },
-        Leave {
-            name: "leave-thin-cones",
-            subject: "surfaces, bounces, cones",
-            kind: Kind::Cone,
-            body: thin_cone,
-        },
+pub fn families() -> impl Iterator<Item = Family> {
+    type Make = fn(&mut Generator) -> Option<Body>;
+    let kinds: [(_, _, _, Make); 5] = [
+        ("leave-spheres", "spheres", Kind::Sphere, sphere),
+        ("leave-triangles", "triangles", Kind::Triangle, triangle),
+        (
+            "leave-rectangles",
+            "parallelograms",
+            Kind::Rectangle,
+            rectangle,
+        ),
+        ("leave-cones", "cones", Kind::Cone, stout_cone),
+        ("leave-thin-cones", "cones", Kind::Cone, thin_cone),
     ];
-    kinds
-        .into_iter()
-        .map(|kind| Box::new(kind) as Box<dyn Family>)
+    kinds.into_iter().map(|(name, shapes, kind, body)| Family {
+        name,
+        subject: format!("surfaces, bounces, {shapes}"),
+        unit: "rays lost or stuck",
+        bound: Bound::none("rays start by SURFACES_leave off"),
+        rounds: 250,
+        cases: Box::new(Leave { kind, body }),
+    })
 }
 
 fn vector(v: Vector) -> DVec3 {
@@ -136,7 +119,7 @@ fn sphere(random: &mut Generator) -> Option<Body> {
     body(Kind::Sphere, shape, random, |random| {
         let normal = direction(random);
         Target {
-            point: std::array::from_fn(|k| centre[k] + radius * normal[k]),
+            point: along(centre, radius, normal),
             normal,
         }
     })
@@ -157,7 +140,7 @@ fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Bod
             [u, v] = [1.0 - u, 1.0 - v];
         }
         Target {
-            point: std::array::from_fn(|k| corner[k] + u * first[k] + v * second[k]),
+            point: along(along(corner, u, first), v, second),
             normal,
         }
     })
@@ -165,12 +148,8 @@ fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Bod
 
 fn triangle(random: &mut Generator) -> Option<Body> {
     let (corner, size) = (place(random), magnitude(-7, 5, random));
-    let vertices = (0..3).map(|_| {
-        let offset = in_cube(size, random);
-        std::array::from_fn(|k| corner[k] + offset[k])
-    });
-    let vertices = vertices.collect();
-    flat(Kind::Triangle, vertices, random)
+    let vertices = [(); 3].map(|()| along(corner, 1.0, in_cube(size, random)));
+    flat(Kind::Triangle, vertices.to_vec(), random)
 }
 
 fn rectangle(random: &mut Generator) -> Option<Body> {
@@ -213,7 +192,7 @@ fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body
     let shape = Shape::Cone {
         base: vector(base),
         base_radius: radii[0],
-        apex: vector(std::array::from_fn(|k| base[k] + height * axis[k])),
+        apex: vector(along(base, height, axis)),
         apex_radius: radii[1],
     };
     let growth = (radii[1] - radii[0]) / height;
@@ -222,45 +201,37 @@ fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body
         let [out, _] = across(axis, random);
         let radius = radii[0] + growth * h;
         Target {
-            point: std::array::from_fn(|k| base[k] + h * axis[k] + radius * out[k]),
-            normal: unit(std::array::from_fn(|k| out[k] - growth * axis[k])),
+            point: along(along(base, h, axis), radius, out),
+            normal: unit(along(out, -growth, axis)),
         }
     })
 }
 
 /// A ray to a point of a surface, from the eye or from anywhere, half of them along the surface.
-fn towards(target: &Target, random: &mut Generator) -> Line {
+fn aimed_at(target: &Target, random: &mut Generator) -> Line {
     let distance = magnitude(-6, 7, random);
     let back = match random.random_range(0..4) {
         0 => target.point.map(|x| -x),
         1 => direction(random),
         _ => {
-            let [along, _] = across(target.normal, random);
+            let [level, _] = across(target.normal, random);
             let rise = magnitude(-18, -3, random);
-            let rise = if random.random() { rise } else { -rise };
-            let back: Vector = std::array::from_fn(|k| along[k] + rise * target.normal[k]);
-            back.map(|x| distance * x)
+            let rise = either_side(rise, random);
+            along(level, rise, target.normal).map(|x| distance * x)
         }
     };
-    let origin = rounded(std::array::from_fn(|k| target.point[k] + back[k]));
-    let way = less(target.point, origin);
-    let length = dot(way, way);
+    let origin = rounded(along(target.point, 1.0, back));
     // Next to the eye the eye itself may be meant.
-    let way = if length > 0.0 {
-        unit(way)
-    } else {
-        [0.0, 0.0, -1.0]
-    };
+    let way = towards(origin, target.point, [0.0, 0.0, -1.0]);
     [origin, way].map(|v| v.map(from_f64))
 }
 
-fn ray([origin, direction]: Line, t: Single) -> Ray {
-    Ray {
-        origin,
-        direction,
-        t,
-        object: 0,
-    }
+/// What rays leave.
+#[derive(Clone, Copy)]
+enum Start {
+    Reflected,
+    Refracted,
+    Shadow,
 }
 
 /// What a ray that leaves has to do.
@@ -290,9 +261,8 @@ fn expected(product: &Product, inner: bool, start: &Ray) -> Expected {
     if product.kind == Kind::Cone {
         let head = product.head();
         let height = to_f64(product.rest()[2]);
-        let [centre, axis] = [head.centre, head.axis].map(|v| v.map(|x| to_f64(bits(x))));
-        let reached: Vector = std::array::from_fn(|k| origin[k] + t * way[k] - centre[k]);
-        let share = dot(reached, axis) / height;
+        let reached = less(along(origin, t, way), head.centre);
+        let share = dot(reached, head.axis) / height;
         if !(END..=1.0 - END).contains(&share) {
             return Expected::Anything;
         }
@@ -308,36 +278,21 @@ fn try_packets(
     light: [Single; 3],
     tally: &mut Tally,
 ) {
-    let rays: Vec<[Ray; 16]> = lines
-        .iter()
-        .map(|lines| lines.map(|line| ray(line, FARTHEST)))
-        .collect();
+    let rays = |lines: &[Line; 16]| lines.map(|[from, way]| Some(fresh(from, way)));
+    let rays: Vec<Lanes> = lines.iter().map(rays).collect();
     let hits = meet(bench, products, &rays);
     let leaving = leave(bench, products, &hits, light);
-    let kinds: [fn(&Leaving, usize) -> Option<Ray>; 3] = [
-        |leaving, lane| leaving.reflected[lane].map(|line| ray(line, FARTHEST)),
-        |leaving, lane| leaving.refracted[lane].map(|line| ray(line, FARTHEST)),
-        |leaving, lane| Some(leaving.shadow[lane]).filter(|ray| ray.t as i32 > 0),
-    ];
-    for (kind, start) in kinds.into_iter().enumerate() {
-        let starts: Vec<[Option<Ray>; 16]> = leaving
-            .iter()
-            .zip(&hits)
-            .map(|(leaving, hits)| {
-                let hit = |lane: usize| hits[lane].object == HIT;
-                std::array::from_fn(|lane| start(leaving, lane).filter(|_| hit(lane)))
-            })
-            .collect();
-        let packets: Vec<[Ray; 16]> = starts
-            .iter()
-            .map(|starts| {
-                starts.map(|start| Ray {
-                    object: 0,
-                    ..start.unwrap_or_else(no_ray)
-                })
-            })
-            .collect();
-        let after = meet(bench, products, &packets);
+    for kind in [Start::Reflected, Start::Refracted, Start::Shadow] {
+        let of_kind = |(leaving, hits): (&Leaving, &[Ray; 16])| {
+            let rays = match kind {
+                Start::Reflected => &leaving.reflected,
+                Start::Refracted => &leaving.refracted,
+                Start::Shadow => &leaving.shadow,
+            };
+            std::array::from_fn(|lane| rays[lane].filter(|_| hits[lane].object == HIT))
+        };
+        let starts: Vec<Lanes> = leaving.iter().zip(&hits).map(of_kind).collect();
+        let after = meet(bench, products, &starts);
         for (number, lane) in (0..products.len()).flat_map(|p| (0..16).map(move |lane| (p, lane))) {
             let Some(start) = starts[number][lane] else {
                 continue;
@@ -349,7 +304,7 @@ fn try_packets(
                 tally.uncounted();
                 continue;
             }
-            let inner = if kind == 1 { before } else { !before };
+            let inner = before == matches!(kind, Start::Refracted);
             let after = &after[number][lane];
             let met = (after.object == HIT).then(|| to_f64(after.t));
             let input = || {
@@ -362,7 +317,8 @@ fn try_packets(
                 (Expected::Nothing, met) => tally.verdict(met.is_none(), input),
                 // The light may be nearer than the wall.
                 (Expected::Wall(t), None) => {
-                    tally.verdict(kind == 2 && to_f64(start.t) < 2.0 * t, input);
+                    let light = matches!(kind, Start::Shadow);
+                    tally.verdict(light && to_f64(start.t) < 2.0 * t, input);
                 }
                 (Expected::Wall(t), Some(met)) => tally.verdict((met - t).abs() < t / 2.0, input),
             }
@@ -370,50 +326,31 @@ fn try_packets(
     }
 }
 
-/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's edge that
-/// rounding decides that.
+/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's
+/// edge that rounding decides that.
 fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool, bool) {
     let found = &leaving.surfaces;
     let [point, plane] = [
         [&found.point_x, &found.point_y, &found.point_z],
         [&found.plane_x, &found.plane_y, &found.plane_z],
     ]
-    .map(|rows| rows.map(|row| to_f64(bits(row[lane]))));
+    .map(|rows| rows.map(|row| exactly(row[lane])));
     let head = product.head();
-    let [centre, axis] = [head.centre, head.axis].map(|v| v.map(|x| to_f64(bits(x))));
-    let [gain, slope] = [head.gain, head.slope].map(|x| to_f64(bits(x)));
-    let from = less(point, centre);
-    let along = dot(from, axis);
-    let off: Vector = std::array::from_fn(|k| from[k] - along * axis[k]);
-    let distance = dot(off, off).sqrt();
-    let scale = if gain == 0.0 { 0.0 } else { gain / distance };
-    let normal: Vector = std::array::from_fn(|k| scale * off[k] + slope * axis[k]);
+    let from = less(point, head.centre);
+    let off = along(from, -dot(from, head.axis), head.axis);
+    let distance = length(off);
+    let scale = if head.gain == 0.0 {
+        0.0
+    } else {
+        head.gain / distance
+    };
+    let normal = along(off.map(|x| scale * x), head.slope, head.axis);
     let cosine = dot(normal, line[1].map(to_f64)).abs();
-    let edge = gain != 0.0 && cosine * distance < to_f64(bits(found.leave[lane]));
+    let edge = head.gain != 0.0 && cosine * distance < exactly(found.leave[lane]);
     (dot(normal, plane) > 0.0, edge)
 }
 
-impl Family for Leave {
-    fn name(&self) -> &'static str {
-        self.name
-    }
-
-    fn subject(&self) -> &str {
-        self.subject
-    }
-
-    fn unit(&self) -> &'static str {
-        "rays lost or stuck"
-    }
-
-    fn bound(&self) -> Bound {
-        Bound::none("rays start by SURFACES_leave off")
-    }
-
-    fn rounds(&self) -> u32 {
-        250
-    }
-
+impl Cases for Leave {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..CALLS {
             let mut bodies = Vec::new();
@@ -422,31 +359,22 @@ impl Family for Leave {
             }
             let lines: Vec<[Line; 16]> = bodies
                 .iter()
-                .map(|body| std::array::from_fn(|lane| towards(&body.targets[lane], random)))
+                .map(|body| std::array::from_fn(|lane| aimed_at(&body.targets[lane], random)))
                 .collect();
             let around = bodies[0].targets[0].point;
             let far = magnitude(-2, 10, random);
-            let light = direction(random);
-            let light = std::array::from_fn(|k| from_f64(around[k] + far * light[k]));
+            let light = along(around, far, direction(random)).map(from_f64);
             let products: Vec<&Product> = bodies.iter().map(|body| &body.product).collect();
             try_packets(bench, &products, &lines, light, tally);
         }
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let needed = Product::word_count(self.kind) + LINES;
-        if words.len() != needed {
-            let found = words.len();
-            return Err(NoCaseError { found, needed });
-        }
-        let (object, lines) = words.split_at(Product::word_count(self.kind));
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        let of_product = Product::word_count(self.kind);
+        need(of_product + LINES, words)?;
+        let (object, lines) = words.split_at(of_product);
         let product = Product::from_words(self.kind, object);
-        let [origin, direction, light] = [0, 3, 6].map(|at| std::array::from_fn(|k| lines[at + k]));
+        let [origin, direction, light] = points_of(lines)?;
         let lines = [[[origin, direction]; 16]];
         try_packets(bench, &[&product], &lines, light, tally);
         Ok(())

@@ -1,29 +1,18 @@
 //! Spheres and rays that are hard to tell apart from others.
 
 use crate::generator::Generator;
-use kernels::vector::{Vector, dot, less, unit};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::FARTHEST;
-use twins::ball::Ray;
 
-use crate::families::space::direction;
 use crate::families::{Form, Shot};
-use crate::stability::random::{across, magnitude, rounded};
-use crate::truth::spacing;
+use crate::space::{along, direction, fresh, unit};
+use crate::stability::random::{across, either_side, magnitude, rounded, towards};
+use crate::truth::{Vector, spacing};
 
 /// Packets of a sphere.
 const PACKETS: usize = 2;
-
-/// A ray that has hit nothing.
-pub fn ray(origin: Vector, way: Vector) -> Ray {
-    Ray {
-        origin: origin.map(from_f64),
-        direction: way.map(from_f64),
-        t: FARTHEST,
-        object: 0,
-    }
-}
+/// The direction to what is where one starts.
+pub const ANYWHERE: Vector = [0.0, 0.0, -1.0];
 
 /// A sphere about a place that singles have, and the rays that `make` makes of origin and centre.
 fn shot(
@@ -32,20 +21,19 @@ fn shot(
     random: &mut Generator,
     make: impl Fn(&mut Generator) -> (Vector, Vector),
 ) -> Shot {
-    let packets = (0..PACKETS).map(|_| {
-        std::array::from_fn(|_| {
-            let (origin, way) = make(random);
-            ray(origin, way)
-        })
-    });
+    let mut ray = || {
+        let (origin, way) = make(random);
+        fresh(origin.map(from_f64), way.map(from_f64))
+    };
     Shot {
         centre: centre.map(from_f64),
         radius: from_f64(radius),
-        packets: packets.collect(),
+        packets: (0..PACKETS).map(|_| [(); 16].map(|()| ray())).collect(),
     }
 }
 
-/// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, rays to all of the sphere and past it.
+/// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, rays to all of the sphere
+/// and past it.
 pub fn scales(random: &mut Generator, form: Form) -> Shot {
     let radius = magnitude(-20, 20, random);
     // The eye is outside, and of its header's domain at least.
@@ -65,24 +53,14 @@ pub fn scales(random: &mut Generator, form: Form) -> Shot {
                 } else {
                     distance
                 };
-                let from = direction(random);
-                rounded(std::array::from_fn(|k| centre[k] + away * from[k]))
+                rounded(along(centre, away, direction(random)))
             }
         };
-        let [first, _] = across(unit_or(less(centre, origin)), random);
+        let [first, _] = across(towards(origin, centre, ANYWHERE), random);
         let reach = radius * random.random_range(0.0..1.2);
-        let target: Vector = std::array::from_fn(|k| centre[k] + reach * first[k]);
-        (origin, unit_or(less(target, origin)))
+        let target = along(centre, reach, first);
+        (origin, towards(origin, target, ANYWHERE))
     })
-}
-
-/// The vector at length 1; some direction for one that has none.
-pub fn unit_or(vector: Vector) -> Vector {
-    if dot(vector, vector) > 0.0 {
-        unit(vector)
-    } else {
-        [0.0, 0.0, -1.0]
-    }
 }
 
 /// Rays within 64 ulps of the distance from a tangent.
@@ -91,10 +69,10 @@ pub fn grazing(random: &mut Generator, form: Form) -> Shot {
     let distance = 1.5 * radius * magnitude(0, 16, random);
     let way = direction(random);
     let [out, _] = across(way, random);
-    let along = (distance * distance - radius * radius).sqrt();
+    let before = (distance * distance - radius * radius).sqrt();
     let centre = match form {
         // Where the ray from 0 along the way passes it at the radius.
-        Form::Eye => std::array::from_fn(|k| along * way[k] + radius * out[k]),
+        Form::Eye => along(way.map(|x| before * x), radius, out),
         Form::General => direction(random).map(|x| distance * x),
     };
     let centre = rounded(centre);
@@ -102,16 +80,11 @@ pub fn grazing(random: &mut Generator, form: Form) -> Shot {
         let most = if random.random() { 64.0 } else { 2.0 };
         let off = random.random_range(-most..most) * spacing(distance);
         let (origin, way) = match form {
-            Form::Eye => {
-                let target: Vector = std::array::from_fn(|k| along * way[k] - off * out[k]);
-                ([0.0; 3], target)
-            }
+            Form::Eye => ([0.0; 3], along(way.map(|x| before * x), -off, out)),
             Form::General => {
                 let way = direction(random);
                 let [out, _] = across(way, random);
-                let reach = radius + off;
-                let back = |k: usize| centre[k] + reach * out[k] - along * way[k];
-                (std::array::from_fn(back), way)
+                (along(along(centre, radius + off, out), -before, way), way)
             }
         };
         (rounded(origin), unit(way))
@@ -129,19 +102,15 @@ pub fn surface(random: &mut Generator, _: Form) -> Shot {
             1 => random.random_range(0.0..64.0) * spacing(radius),
             _ => radius * magnitude(-20, -2, random),
         };
-        let height = if random.random() {
-            radius + off
-        } else {
-            radius - off
-        };
-        let origin = std::array::from_fn(|k| centre[k] + height * out[k]);
+        let height = radius + either_side(off, random);
+        let origin = along(centre, height, out);
         let way = if random.random() {
             direction(random)
         } else {
             let rise = magnitude(-20, -2, random);
-            let rise = if random.random() { rise } else { -rise };
-            let [along, _] = across(out, random);
-            std::array::from_fn(|k| along[k] + rise * out[k])
+            let rise = either_side(rise, random);
+            let [level, _] = across(out, random);
+            along(level, rise, out)
         };
         (rounded(origin), unit(way))
     })

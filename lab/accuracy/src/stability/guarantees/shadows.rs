@@ -1,5 +1,5 @@
-//! Shadows are symmetric: a point sees a light exactly when the light sees the point, but for those whose line
-//! passes an object's edge within the rounding of the rays.
+//! Shadows are symmetric: a point sees a light exactly when the light sees the point, but for
+//! those whose line passes an object's edge within the rounding of the rays.
 
 use std::marker::PhantomData;
 
@@ -11,7 +11,6 @@ use kernels::cases::whitted::isect::shape::Shape;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::shade::call::{Site, shadow_rays};
 use kernels::flat_records::Point;
-use kernels::vector::{Vector, dot, in_cube, less, unit};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::ONE;
@@ -20,14 +19,14 @@ use twins::shadow_rays::Place;
 use twins::sphere::Perpendicular;
 use twins::surfaces::Surface;
 
-use super::steps::NOT_THERE;
-use crate::families::space::direction;
-use crate::stability::family::{Family, NoCaseError, Tally, words_of};
+use crate::space::{along, direction, dot, in_cube, length, less, two_sided, unit};
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need, points_of};
 use crate::stability::random::{across, magnitude, nearby};
-use crate::stability::spheres::TANGENT;
-use crate::stability::statement::{Bound, StatementError, stated};
-use crate::stability::triangles::{EDGE, off_edges};
-use crate::truth::{self, Line, spacing};
+use crate::stability::statement::{Bound, stated};
+use crate::stability::steps::NOT_THERE;
+use crate::stability::stress::spheres::TANGENT;
+use crate::stability::stress::triangles::{EDGE, off_edges};
+use crate::truth::{self, Line, Vector, spacing};
 
 /// What may stand between a point and a light.
 trait Blocker: Shape + Sync {
@@ -54,10 +53,9 @@ impl Blocker for By<Perpendicular> {
 
     fn outline(&self, random: &mut Generator) -> [Vector; 2] {
         let normal = direction(random);
-        let [along, _] = across(normal, random);
+        let [level, _] = across(normal, random);
         let radius = to_f64(self.sphere.offset);
-        let point = std::array::from_fn(|k| to_f64(self.sphere.centre[k]) + radius * normal[k]);
-        [point, along]
+        [along(self.sphere.centre.map(to_f64), radius, normal), level]
     }
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
@@ -89,22 +87,15 @@ impl Blocker for TriangleObject {
     const WORDS: usize = 9;
 
     fn any(place: Vector, size: f64, random: &mut Generator) -> Self {
-        let mut corner = || {
-            let offset = in_cube(size, random);
-            std::array::from_fn(|k| from_f64(place[k] + offset[k]))
-        };
-        Self {
-            vertices: [corner(), corner(), corner()],
-            both: true,
-        }
+        let offsets = [(); 3].map(|()| in_cube(size, random));
+        two_sided(offsets.map(|offset| along(place, 1.0, offset).map(from_f64)))
     }
 
     fn outline(&self, random: &mut Generator) -> [Vector; 2] {
         let from = random.random_range(0..3_usize);
         let [a, b] = [from, (from + 1) % 3].map(|k| self.vertices[k].map(to_f64));
         let share = random.random_range(0.0..1.0);
-        let point = std::array::from_fn(|k| a[k] + share * (b[k] - a[k]));
-        [point, direction(random)]
+        [along(a, share, less(b, a)), direction(random)]
     }
 
     fn off_outline(&self, from: Point, to: Point) -> f64 {
@@ -118,41 +109,37 @@ impl Blocker for TriangleObject {
 
     fn from_words(words: &[u32]) -> Self {
         let corner = |at: usize| [words[at], words[at + 1], words[at + 2]];
-        Self {
-            vertices: [corner(0), corner(3), corner(6)],
-            both: true,
-        }
+        two_sided([corner(0), corner(3), corner(6)])
     }
 }
 
 /// Points and lights with one kind of object between them.
-struct Symmetric<B> {
-    bound: Bound,
-    kind: PhantomData<fn() -> B>,
-}
+struct Symmetric<B>(PhantomData<fn() -> B>);
 
 /// The kinds of objects.
-///
-/// # Errors
-/// The shadow rays' error is not stated.
-pub fn families() -> Result<[Box<dyn Family>; 2], StatementError> {
-    // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the distance
-    // may be as little as half of that part of it.
+pub fn families() -> Families {
+    // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the
+    // distance may be as little as half of that part of it.
     let direction = stated("shadow_rays_r16", "ulp of 1")?;
     let bound = |outline: f64| Bound {
         value: 2.0 * (2.0 * 3_f64.sqrt() * direction + outline),
         source: "header of shadow_rays_r16, and what decides at outlines, both ways".to_owned(),
     };
-    Ok([
-        Box::new(Symmetric::<By<Perpendicular>> {
-            bound: bound(TANGENT),
-            kind: PhantomData,
-        }),
-        Box::new(Symmetric::<TriangleObject> {
-            bound: bound(EDGE),
-            kind: PhantomData,
-        }),
+    Ok(vec![
+        family::<By<Perpendicular>>(bound(TANGENT)),
+        family::<TriangleObject>(bound(EDGE)),
     ])
+}
+
+fn family<B: Blocker + 'static>(bound: Bound) -> Family {
+    Family {
+        name: B::NAME,
+        subject: B::KERNEL.to_owned(),
+        unit: "ulp of the distance, off the outline",
+        bound,
+        rounds: 60,
+        cases: Box::new(Symmetric::<B>(PhantomData)),
+    }
 }
 
 /// Sixteen points that face along an axis, as a site.
@@ -187,7 +174,8 @@ fn site(points: &[Point; 16], axis: Vector) -> Site {
     }
 }
 
-/// Whether an object blocks the ray from each point to each light; nothing if there is no such ray.
+/// Whether an object blocks the ray from each point to each light; nothing if there is no such
+/// ray.
 fn blocked<B: Blocker>(
     bench: &mut Bench,
     object: &B,
@@ -243,7 +231,7 @@ fn try_pairs<B: Blocker>(
             0.0
         } else {
             let way = less(light.map(to_f64), point.map(to_f64));
-            object.off_outline(point, light) / spacing(dot(way, way).sqrt())
+            object.off_outline(point, light) / spacing(length(way))
         };
         tally.error(error, || {
             [object.words(), point.to_vec(), light.to_vec()].concat()
@@ -251,27 +239,7 @@ fn try_pairs<B: Blocker>(
     }
 }
 
-impl<B: Blocker> Family for Symmetric<B> {
-    fn name(&self) -> &'static str {
-        B::NAME
-    }
-
-    fn subject(&self) -> &str {
-        B::KERNEL
-    }
-
-    fn unit(&self) -> &'static str {
-        "ulp of the distance, off the outline"
-    }
-
-    fn bound(&self) -> Bound {
-        self.bound.clone()
-    }
-
-    fn rounds(&self) -> u32 {
-        60
-    }
-
+impl<B: Blocker> Cases for Symmetric<B> {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let size = magnitude(-10, 10, random);
         let place = in_cube(4.0 * size, random);
@@ -280,31 +248,19 @@ impl<B: Blocker> Family for Symmetric<B> {
         let mut points = [[0; 3]; 16];
         let mut lights = [[0; 3]; 16];
         for (point, light) in points.iter_mut().zip(&mut lights) {
-            let [edge, along] = object.outline(random);
-            let way = if dot(along, axis) < 0.0 { -1.0 } else { 1.0 };
+            let [edge, way] = object.outline(random);
+            let towards = if dot(way, axis) < 0.0 { -1.0 } else { 1.0 };
             let reach = [(); 2].map(|()| size * magnitude(-2, 4, random));
-            let end = |reach: f64| std::array::from_fn(|k| edge[k] + reach * along[k]);
-            *point = nearby(end(-way * reach[0]), random);
-            *light = nearby(end(way * reach[1]), random);
+            *point = nearby(along(edge, -towards * reach[0], way), random);
+            *light = nearby(along(edge, towards * reach[1], way), random);
         }
         try_pairs(bench, &object, &points, &lights, axis, tally);
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        if words.len() != B::WORDS + 6 {
-            return Err(NoCaseError {
-                found: words.len(),
-                needed: B::WORDS + 6,
-            });
-        }
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        need(B::WORDS + 6, words)?;
         let (object, ends) = words.split_at(B::WORDS);
-        let [a, b, c, d, e, f] = words_of(ends)?;
-        let (point, light) = ([a, b, c], [d, e, f]);
+        let [point, light] = points_of(ends)?;
         let axis = unit(less(light.map(to_f64), point.map(to_f64)));
         let object = B::from_words(object);
         try_pairs(bench, &object, &[point; 16], &[light; 16], axis, tally);

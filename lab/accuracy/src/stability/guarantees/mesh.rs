@@ -4,12 +4,13 @@
 
 use crate::generator::Generator;
 use kernels::flat_records::{Point, point};
-use kernels::vector::{Vector, in_cube, less, unit};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::triangle::Triangle;
 
+use crate::space::{along, dot, in_cube, less, unit};
 use crate::stability::random::magnitude;
+use crate::truth::Vector;
 
 /// A place far from the origin, as embree's tests have it.
 const FAR_OUT: Vector = [148_376.0, 1234.0, -223_423.0];
@@ -26,7 +27,6 @@ pub struct Mesh {
 pub type Maker = fn(&mut Generator) -> Mesh;
 
 /// A lumpy ball of any size, somewhere near.
-#[must_use]
 pub fn lumpy(random: &mut Generator) -> Mesh {
     let size = magnitude(-10, 10, random);
     let place = in_cube(10.0 * size, random);
@@ -34,22 +34,19 @@ pub fn lumpy(random: &mut Generator) -> Mesh {
 }
 
 /// One that is thin in one direction or two.
-#[must_use]
 pub fn thin(random: &mut Generator) -> Mesh {
     let widths = std::array::from_fn(|_| magnitude(-13, 0, random));
     Mesh::icosahedron([0.0; 3], 1.0, widths, random)
 }
 
 /// One so far out that the vertices lie on a coarse lattice, and many edges exactly behind others.
-#[must_use]
 pub fn far_out(random: &mut Generator) -> Mesh {
     let size = magnitude(0, 10, random);
     Mesh::icosahedron(FAR_OUT, size, [1.0; 3], random)
 }
 
-/// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through vertices
-/// and along faces' edges.
-#[must_use]
+/// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through
+/// vertices and along faces' edges.
 pub fn lattice(random: &mut Generator) -> Mesh {
     const CELLS: usize = 2;
     // Odd numbers, so that products are longer than a single.
@@ -86,8 +83,9 @@ pub fn lattice(random: &mut Generator) -> Mesh {
 }
 
 impl Mesh {
-    /// An icosahedron's vertices, each drawn out: every ray from `inside` along one of the icosahedron's
-    /// meets that of the mesh, as long as rounding moves it by less than the mesh's least width.
+    /// An icosahedron's vertices, each drawn out: every ray from `inside` along one of the
+    /// icosahedron's meets that of the mesh, as long as rounding moves it by less than the mesh's
+    /// least width.
     fn icosahedron(place: Vector, size: f64, widths: Vector, random: &mut Generator) -> Self {
         let golden = (1.0 + 5_f64.sqrt()) / 2.0;
         let mut vertices = Vec::new();
@@ -100,7 +98,7 @@ impl Mesh {
             }
         }
         // Edges are as long as neighbours are apart: three neighbours of one another are a face.
-        let near = |a: usize, b: usize| kernels::vector::dot(vertices[a], vertices[b]) > 0.4;
+        let near = |a: usize, b: usize| dot(vertices[a], vertices[b]) > 0.4;
         let mut faces = Vec::new();
         for a in 0..12 {
             for b in (a + 1..12).filter(|b| near(a, *b)) {
@@ -144,19 +142,20 @@ impl Mesh {
         self.faces.iter().map(triangle).collect()
     }
 
-    /// Origin and direction of a ray to a vertex, to a point of an edge, or within an ulp or so of them.
+    /// Origin and direction of a ray to a vertex, to a point of an edge, or within an ulp or so of
+    /// them.
     pub fn aimed(&self, random: &mut Generator) -> [Point; 2] {
         let face = self.faces[random.random_range(0..self.faces.len() as u32) as usize];
         let from = random.random_range(0..3_usize);
         let ends = [face[from], face[(from + 1) % 3]];
         let [a, b] = ends.map(|vertex| self.vertices[vertex].map(to_f64));
-        let along = match random.random_range(0..4) {
+        let share = match random.random_range(0..4) {
             0 => 0.0,
             1 => 0.5,
             2 => random.random_range(0.0..1e-6),
             _ => random.random_range(0.0..1.0),
         };
-        let target: Vector = std::array::from_fn(|axis| a[axis] + along * (b[axis] - a[axis]));
+        let target = along(a, share, less(b, a));
         let mut direction = unit(less(target, self.inside.map(to_f64))).map(from_f64);
         if random.random() {
             let axis = random.random_range(0..3_usize);

@@ -1,5 +1,5 @@
-//! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner medium: the
-//! direction beyond, whether there is one, and Schlick's share.
+//! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner
+//! medium: the direction beyond, whether there is one, and Schlick's share.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -8,13 +8,13 @@ use kernels::single::bits;
 use kernels::vector::{Vector, dot, unit};
 use rand::{Rng as _, SeedableRng as _};
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ONE;
 use twins::bounce::Bounce;
+use twins::{ONE, Single};
 
-use super::family::{Family, NoCaseError, Tally, words_of};
-use super::random::{across, magnitude};
-use super::statement::{Bound, StatementError, stated};
-use crate::families::space::direction;
+use crate::space::{along, direction};
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, points_of};
+use crate::stability::random::{across, magnitude};
+use crate::stability::statement::{Bound, stated};
 
 const KERNEL: &str = "refract_r16";
 /// An ulp of 1.
@@ -37,30 +37,35 @@ enum Way {
 
 struct Critical {
     way: Way,
-    bound: Bound,
     /// The square of the cosine, in ulps of 1, below which all may be reflected or not.
     undecided: f64,
 }
 
 /// Both ways.
-///
-/// # Errors
-/// The header does not state the error near the critical angle.
-pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
+pub fn families() -> Families {
     let undecided = stated(KERNEL, "ulp, all may be reflected")?;
-    let mut families: Vec<Box<dyn Family>> = Vec::new();
-    for way in [Way::Out, Way::Into] {
-        let bound = match way {
-            Way::Out => Bound::before(KERNEL, "ulp over the cosine")?,
-            Way::Into => Bound::of(KERNEL)?,
-        };
-        families.push(Box::new(Critical {
-            way,
-            bound,
-            undecided,
-        }));
-    }
-    Ok(families)
+    let family = |way, name, unit, bound| Family {
+        name,
+        subject: KERNEL.to_owned(),
+        unit,
+        bound,
+        rounds: 200,
+        cases: Box::new(Critical { way, undecided }),
+    };
+    Ok(vec![
+        family(
+            Way::Out,
+            "refract-critical",
+            "ulp of 1 over the cosine; Schlick's share by its slope",
+            Bound::before(KERNEL, "ulp over the cosine")?,
+        ),
+        family(
+            Way::Into,
+            "refract-grazing",
+            "ulp of 1; Schlick's share by its slope",
+            Bound::of(KERNEL)?,
+        ),
+    ])
 }
 
 /// A hit whose cosine is this on the thinner side, which is the ray's or the one beyond.
@@ -75,13 +80,20 @@ fn hit(way: Way, random: &mut Generator) -> Bounce {
         Way::Into => ((1.0 - cosine * cosine).sqrt(), 1.0 / dense),
     };
     let normal = direction(random);
-    let [along, _] = across(normal, random);
+    let [aside, _] = across(normal, random);
     let incidence = (1.0 - sine * sine).sqrt();
-    let ray: Vector = std::array::from_fn(|k| sine * along[k] - incidence * normal[k]);
+    let ray = along(aside.map(|x| sine * x), -incidence, normal);
     let head_on = ((1.0 - dense) / (1.0 + dense)) * ((1.0 - dense) / (1.0 + dense));
-    let normal = normal.map(from_f64);
+    bounce(
+        [ray, normal].map(|v| v.map(from_f64)),
+        [ratio, head_on, 1.0 - head_on].map(from_f64),
+    )
+}
+
+/// A hit from this direction where the normal is this.
+fn bounce([direction, normal]: [[Single; 3]; 2], [ratio, schlick, grazing]: [Single; 3]) -> Bounce {
     Bounce {
-        direction: ray.map(from_f64),
+        direction,
         weight: ONE,
         pixel: 0,
         point: [0; 3],
@@ -90,9 +102,9 @@ fn hit(way: Way, random: &mut Generator) -> Bounce {
         leave: 0,
         mirror: 0,
         transmittance: ONE,
-        ratio: from_f64(ratio),
-        schlick: from_f64(head_on),
-        grazing: from_f64(1.0 - head_on),
+        ratio,
+        schlick,
+        grazing,
     }
 }
 
@@ -109,16 +121,16 @@ struct Truth {
 fn truth(hit: &Bounce) -> Truth {
     let [ray, normal] = [hit.direction, hit.normal].map(|v| unit(v.map(to_f64)));
     let [ratio, schlick, grazing] = [hit.ratio, hit.schlick, hit.grazing].map(to_f64);
-    let along = dot(ray, normal);
-    let sine: Vector = std::array::from_fn(|k| ratio * (ray[k] - along * normal[k]));
+    let head_on = dot(ray, normal);
+    let sine = along(ray, -head_on, normal).map(|x| ratio * x);
     let squared = 1.0 - dot(sine, sine);
     let cosine = squared.max(0.0).sqrt();
-    let thinner = if ratio > 1.0 { cosine } else { -along };
+    let thinner = if ratio > 1.0 { cosine } else { -head_on };
     let off = 1.0 - thinner;
     let fifth = off * off * off * off * off;
     Truth {
         squared,
-        direction: std::array::from_fn(|k| sine[k] - cosine * normal[k]),
+        direction: along(sine, -cosine, normal),
         share: if squared < 0.0 {
             1.0
         } else {
@@ -155,13 +167,16 @@ impl Critical {
                 words.concat()
             };
             let cosine = truth.squared.max(0.0).sqrt();
-            if truth.squared.abs() < self.undecided * ULP
-                || (self.way == Way::Out && cosine > STEEP)
-            {
+            let out = self.way == Way::Out;
+            if truth.squared.abs() < self.undecided * ULP || (out && cosine > STEEP) {
                 tally.uncounted();
                 continue;
             }
-            let scale = if self.way == Way::Out { cosine } else { 1.0 };
+            let (scale, share_scale) = if out {
+                (cosine, truth.thinner)
+            } else {
+                (1.0, 1.0)
+            };
             let share_error = (mirror - truth.share).abs() / ULP / STEEPEST;
             match ray {
                 None => {
@@ -170,11 +185,6 @@ impl Critical {
                 }
                 Some(_) if truth.squared < 0.0 => tally.wrong(input),
                 Some(ray) => {
-                    let share_scale = if self.way == Way::Out {
-                        truth.thinner
-                    } else {
-                        1.0
-                    };
                     let error = off(ray, truth.direction) * scale;
                     tally.error(error.max(share_error * share_scale), input);
                 }
@@ -183,33 +193,7 @@ impl Critical {
     }
 }
 
-impl Family for Critical {
-    fn name(&self) -> &'static str {
-        match self.way {
-            Way::Out => "refract-critical",
-            Way::Into => "refract-grazing",
-        }
-    }
-
-    fn subject(&self) -> &str {
-        KERNEL
-    }
-
-    fn unit(&self) -> &'static str {
-        match self.way {
-            Way::Out => "ulp of 1 over the cosine; Schlick's share by its slope",
-            Way::Into => "ulp of 1; Schlick's share by its slope",
-        }
-    }
-
-    fn bound(&self) -> Bound {
-        self.bound.clone()
-    }
-
-    fn rounds(&self) -> u32 {
-        200
-    }
-
+impl Cases for Critical {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..PACKETS {
             let hits = [(); 16].map(|()| hit(self.way, random));
@@ -217,28 +201,9 @@ impl Family for Critical {
         }
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let [dx, dy, dz, nx, ny, nz, ratio, schlick, grazing] = words_of(words)?;
-        let normal = [nx, ny, nz];
-        let hit = Bounce {
-            direction: [dx, dy, dz],
-            weight: ONE,
-            pixel: 0,
-            point: [0; 3],
-            normal,
-            plane: normal,
-            leave: 0,
-            mirror: 0,
-            transmittance: ONE,
-            ratio,
-            schlick,
-            grazing,
-        };
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        let [direction, normal, shares] = points_of(words)?;
+        let hit = bounce([direction, normal], shares);
         self.try_hits(bench, &[hit; 16], tally);
         Ok(())
     }

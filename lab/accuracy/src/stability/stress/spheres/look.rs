@@ -1,8 +1,7 @@
 //! A ray, a sphere, what is so of them and what a kernel says: in what its header counts errors.
 
-use kernels::vector::{dot, less};
-
 use crate::families::Form;
+use crate::space::{length, less};
 use crate::stability::statement::{StatementError, says, stated};
 use crate::subject::{ANY_LENGTH, Subject};
 use crate::truth::sphere::{Passing, Sphere};
@@ -10,12 +9,12 @@ use crate::truth::{Line, spacing};
 
 /// The formulation that takes the square of the radius off that of the distance.
 const PAPER: &str = "paper";
-/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius (and by the
-/// paper's formula, times the distance in radii): of the radius and of the perpendicular each coordinate is
-/// rounded, and so is each of the discriminant's sums.
+/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius
+/// (and by the paper's formula, times the distance in radii): of the radius and of the
+/// perpendicular each coordinate is rounded, and so is each of the discriminant's sums.
 pub const TANGENT: f64 = 8.0;
-/// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other: the
-/// square of the distance less that of the radius is rounded once in each of its sums.
+/// How far from the surface, in ulps of the radius, the side of the origin may be taken for the
+/// other: the square of the distance less that of the radius is rounded once in each of its sums.
 const SURFACE: f64 = 8.0;
 /// The part of what decides a tangent beyond which the discriminant has digits for the root.
 const ROOT: f64 = 0.25;
@@ -56,9 +55,6 @@ pub struct Look {
 
 impl Stated {
     /// What the header of a kernel says.
-    ///
-    /// # Errors
-    /// It does not.
     pub fn of(subject: &Subject) -> Result<Self, StatementError> {
         let kernel = subject.kernel;
         Ok(Self {
@@ -72,11 +68,10 @@ impl Stated {
             within: stated(kernel, "r of it")?,
         })
     }
-}
 
-impl Stated {
-    /// How far from the surface, in ulps of the radius, the side of the origin may be taken for the other, or
-    /// a hit be lost because its distance, being less than its error, is not above 0.
+    /// How far from the surface, in ulps of the radius, the side of the origin may be taken for
+    /// the other, or a hit be lost because its distance, being less than its error, is not above
+    /// 0.
     pub fn surface(&self) -> f64 {
         SURFACE + self.error
     }
@@ -92,23 +87,22 @@ impl Look {
         found: Option<f64>,
     ) -> Self {
         let passing = sphere.passing(line);
-        let exact = passing.crossing.and_then(|crossing| match subject.form {
-            Form::Eye => Some(crossing.entry).filter(|t| *t > 0.0),
-            Form::General => crossing.first().map(|(t, _)| t),
-        });
+        let seen = passing
+            .crossing
+            .and_then(|crossing| subject.form.seen(&crossing));
+        let unit = length(line.direction);
         let found = found.map(|t| match subject.formulation.name {
-            ANY_LENGTH => t * dot(line.direction, line.direction).sqrt(),
+            ANY_LENGTH => t * unit,
             _ => t,
         });
-        let from_centre = less(line.origin, sphere.centre());
         Self {
             subject,
             stated,
             passing,
-            distance: dot(from_centre, from_centre).sqrt(),
+            distance: length(less(line.origin, sphere.centre())),
             radius: sphere.radius(),
-            off_length: (dot(line.direction, line.direction).sqrt() - 1.0).abs(),
-            exact,
+            off_length: (unit - 1.0).abs(),
+            exact: seen.map(|(t, _)| t),
             found,
         }
     }
@@ -172,16 +166,16 @@ impl Look {
 
     /// What the header counts the error of this distance in, at the condition of its domain.
     pub fn unit(&self, exact: f64) -> f64 {
-        let size = if self.stated.of_larger {
-            exact.max(self.radius)
+        let least = if self.stated.of_larger {
+            self.radius
         } else {
             exact
         };
-        spacing(size) * self.condition()
+        spacing(exact.max(least)) * self.condition()
     }
 
-    /// What the direction's own length moves of a distance. Where less than an ulp is stated, it is not in it:
-    /// the direction is taken to be of length 1 as it is given.
+    /// What the direction's own length moves of a distance. Where less than an ulp is stated, it
+    /// is not in it: the direction is taken to be of length 1 as it is given.
     pub fn given(&self) -> f64 {
         if self.stated.error < 1.0 {
             self.off_length * self.distance

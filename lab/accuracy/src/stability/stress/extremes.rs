@@ -1,8 +1,8 @@
-//! Words that the SPU's format is oddest at, as any operand: zeros of either sign, denormals, what saturates,
-//! the least and the largest exponents, directions without a component.
+//! Words that the SPU's format is oddest at, as any operand: zeros of either sign, denormals, what
+//! saturates, the least and the largest exponents, directions without a component.
 //!
-//! Whatever is asked, a kernel gives its twin's bits, ends, and finds no hit nearer than 0 or beyond what was
-//! there.
+//! Whatever is asked, a kernel gives its twin's bits, ends, and finds no hit nearer than 0 or
+//! beyond what was there.
 
 use std::marker::PhantomData;
 
@@ -30,11 +30,11 @@ use twins::sphere::{
     Unnormalised,
 };
 
-use super::family::{Family, NoCaseError, Tally};
-use super::statement::Bound;
+use crate::stability::family::{Cases, Family, Replayed, Tally, need};
+use crate::stability::statement::Bound;
 
-/// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and all that
-/// saturates or would be no number elsewhere.
+/// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and
+/// all that saturates or would be no number elsewhere.
 const MAGNITUDES: [Single; 20] = [
     0,
     1,
@@ -87,8 +87,13 @@ fn take<const N: usize>(words: &mut &[u32]) -> [u32; N] {
     *first
 }
 
-fn sides(words: &mut &[u32]) -> Sides {
+fn one(words: &mut &[u32]) -> u32 {
     let [word] = take(words);
+    word
+}
+
+fn sides(words: &mut &[u32]) -> Sides {
+    let word = one(words);
     Sides {
         both: word & 1 != 0,
         exit: word & 2 != 0,
@@ -100,14 +105,14 @@ impl<F: ForAnyRay> OfWords for By<F> {
 
     fn of_words(mut words: &[u32]) -> Self {
         let sides = sides(&mut words);
-        let centre = take(&mut words);
-        let [offset] = take(&mut words);
-        let sphere = SphereObject {
+        let [x, y, z, offset] = take(&mut words);
+        let centre = [x, y, z];
+        SphereObject {
             centre,
             offset,
             sides,
-        };
-        sphere.into()
+        }
+        .into()
     }
 }
 
@@ -141,15 +146,13 @@ impl OfWords for ConeObject {
 
     fn of_words(mut words: &[u32]) -> Self {
         let sides = sides(&mut words);
-        let (base, axis) = (take(&mut words), take(&mut words));
-        let [radius, growth, height] = take(&mut words);
         Self {
-            base,
-            axis,
-            radius,
-            growth,
-            height,
             sides,
+            base: take(&mut words),
+            axis: take(&mut words),
+            radius: one(&mut words),
+            growth: one(&mut words),
+            height: one(&mut words),
         }
     }
 }
@@ -188,27 +191,7 @@ impl<S: OfWords> Meeting<S> {
     }
 }
 
-impl<S: OfWords> Family for Meeting<S> {
-    fn name(&self) -> &'static str {
-        "extreme-words"
-    }
-
-    fn subject(&self) -> &str {
-        S::KERNEL
-    }
-
-    fn unit(&self) -> &'static str {
-        "other bits, or hits out of range"
-    }
-
-    fn bound(&self) -> Bound {
-        Bound::none("the twin")
-    }
-
-    fn rounds(&self) -> u32 {
-        2000
-    }
-
+impl<S: OfWords> Cases for Meeting<S> {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let mut object = Vec::from_iter((0..S::WORDS).map(|_| word(random)));
         // Any sides.
@@ -217,23 +200,11 @@ impl<S: OfWords> Family for Meeting<S> {
         Self::meet(bench, &object, &rays, tally);
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let needed = S::WORDS + RAY;
-        match words.split_last_chunk() {
-            Some((object, ray)) if object.len() == S::WORDS => {
-                Self::meet(bench, object, &[*ray; 16], tally);
-                Ok(())
-            }
-            _ => Err(NoCaseError {
-                found: words.len(),
-                needed,
-            }),
-        }
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        need(S::WORDS + RAY, words)?;
+        let (object, mut ray) = words.split_at(S::WORDS);
+        Self::meet(bench, object, &[take(&mut ray); 16], tally);
+        Ok(())
     }
 }
 
@@ -245,30 +216,19 @@ const BOUNCE: usize = 20;
 
 fn bounce(words: [u32; BOUNCE], pixel: u32) -> Bounce {
     let mut words = &words[..];
-    let [direction, point, normal, plane] = [(); 4].map(|()| take(&mut words));
-    let [
-        weight,
-        leave,
-        mirror,
-        transmittance,
-        ratio,
-        schlick,
-        grazing,
-        _,
-    ] = take(&mut words);
     Bounce {
-        direction,
-        weight,
         pixel,
-        point,
-        normal,
-        plane,
-        leave,
-        mirror,
-        transmittance,
-        ratio,
-        schlick,
-        grazing,
+        direction: take(&mut words),
+        point: take(&mut words),
+        normal: take(&mut words),
+        plane: take(&mut words),
+        weight: one(&mut words),
+        leave: one(&mut words),
+        mirror: one(&mut words),
+        transmittance: one(&mut words),
+        ratio: one(&mut words),
+        schlick: one(&mut words),
+        grazing: one(&mut words),
     }
 }
 
@@ -293,61 +253,53 @@ impl Bounces {
     }
 }
 
-impl Family for Bounces {
-    fn name(&self) -> &'static str {
-        "extreme-words"
-    }
-
-    fn subject(&self) -> &str {
-        "reflect_r16, refract_r16"
-    }
-
-    fn unit(&self) -> &'static str {
-        "other bits"
-    }
-
-    fn bound(&self) -> Bound {
-        Bound::none("the twins")
-    }
-
-    fn rounds(&self) -> u32 {
-        1000
-    }
-
+impl Cases for Bounces {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let hits = [(); 16].map(|()| words(random));
         Self::leave(bench, &hits, tally);
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let hit = super::family::words_of(words)?;
-        Self::leave(bench, &[hit; 16], tally);
+    fn replay(&self, bench: &mut Bench, mut words: &[u32], tally: &mut Tally) -> Replayed {
+        need(BOUNCE, words)?;
+        Self::leave(bench, &[take(&mut words); 16], tally);
         Ok(())
     }
 }
 
+fn meeting<S: OfWords + 'static>() -> Family {
+    Family {
+        name: "extreme-words",
+        subject: S::KERNEL.to_owned(),
+        unit: "other bits, or hits out of range",
+        bound: Bound::none("the twin"),
+        rounds: 2000,
+        cases: Box::new(Meeting::<S>(PhantomData)),
+    }
+}
+
 /// All shapes, and the rays that leave.
-#[must_use]
-pub fn families() -> Vec<Box<dyn Family>> {
+pub fn families() -> Vec<Family> {
     vec![
-        Box::new(Meeting::<By<Paper>>(PhantomData)),
-        Box::new(Meeting::<By<Perpendicular>>(PhantomData)),
-        Box::new(Meeting::<By<Estimate>>(PhantomData)),
-        Box::new(Meeting::<By<Interpolated>>(PhantomData)),
-        Box::new(Meeting::<By<Newton2>>(PhantomData)),
-        Box::new(Meeting::<By<Stable>>(PhantomData)),
-        Box::new(Meeting::<By<Factored>>(PhantomData)),
-        Box::new(Meeting::<By<Refined>>(PhantomData)),
-        Box::new(Meeting::<By<Unnormalised>>(PhantomData)),
-        Box::new(Meeting::<By<InDouble>>(PhantomData)),
-        Box::new(Meeting::<RectangleObject>(PhantomData)),
-        Box::new(Meeting::<TriangleObject>(PhantomData)),
-        Box::new(Meeting::<ConeObject>(PhantomData)),
-        Box::new(Bounces),
+        meeting::<By<Paper>>(),
+        meeting::<By<Perpendicular>>(),
+        meeting::<By<Estimate>>(),
+        meeting::<By<Interpolated>>(),
+        meeting::<By<Newton2>>(),
+        meeting::<By<Stable>>(),
+        meeting::<By<Factored>>(),
+        meeting::<By<Refined>>(),
+        meeting::<By<Unnormalised>>(),
+        meeting::<By<InDouble>>(),
+        meeting::<RectangleObject>(),
+        meeting::<TriangleObject>(),
+        meeting::<ConeObject>(),
+        Family {
+            name: "extreme-words",
+            subject: "reflect_r16, refract_r16".to_owned(),
+            unit: "other bits",
+            bound: Bound::none("the twins"),
+            rounds: 1000,
+            cases: Box::new(Bounces),
+        },
     ]
 }

@@ -1,10 +1,8 @@
-//! The stress suite and the guarantees: all bounds hold, kept inputs are tried, figures repeat; and the command
-//! line says what is wrong with what it is given.
+//! The stress suite and the guarantees: all bounds hold, kept inputs are tried, figures repeat;
+//! and the command line says what is wrong with what it is given.
 
-use std::process::{Command, Output};
-
-use accuracy::stability::regressions::{Regressions, keep};
-use accuracy::stability::{Size, run};
+use ::accuracy::stability::regressions::{Regressions, keep};
+use ::accuracy::stability::{Size, run};
 
 /// Seed of the tests' run, another than that of the kept inputs.
 const SEED: u64 = 7;
@@ -40,7 +38,8 @@ fn figures_depend_on_the_seed_alone() {
     assert_ne!(figures(1), figures(2));
 }
 
-/// What is kept of one run is the worst of the next one with the same seed, and with another at least as bad.
+/// What is kept of one run is the worst of the next one with the same seed, and with another at
+/// least as bad.
 #[test]
 fn what_is_kept_is_the_worst_again() {
     let family = Some("sphere-grazing");
@@ -66,12 +65,8 @@ fn a_kept_input_of_another_length_is_refused() {
     assert!(text.contains("1 words, where a case has 9"), "{text}");
 }
 
-fn bench(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_cellray-bench"))
-        .arg("stability")
-        .args(arguments)
-        .output()
-        .expect("the program starts")
+fn bench(arguments: &[&str]) -> std::process::Output {
+    super::bench("stability", arguments)
 }
 
 #[test]

@@ -1,27 +1,25 @@
-//! Two spheres that are hard to tell which is nearer: about one centre, touching, within one another, or one
-//! ten million times as large as the other.
+//! Two spheres that are hard to tell which is nearer: about one centre, touching, within one
+//! another, or one ten million times as large as the other.
 
 use crate::generator::Generator;
 use kernels::Bench;
-use kernels::cases::whitted::isect::ball::{By, SphereObject};
+use kernels::cases::whitted::isect::ball::By;
 use kernels::cases::whitted::isect::call;
 use kernels::source::Source;
-use kernels::vector::{Vector, less};
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
+use twins::Single;
 use twins::ball::Ray;
-use twins::pairs::Sides;
 use twins::sphere::Perpendicular;
-use twins::{FARTHEST, Single};
 
 use super::look::{Look, Stated};
-use super::make::{ray, unit_or};
+use super::make::ANYWHERE;
 use crate::families::Form;
-use crate::families::space::direction;
-use crate::stability::family::{Family, NoCaseError, Tally, words_of};
-use crate::stability::random::{across, magnitude, rounded};
-use crate::stability::statement::{Bound, StatementError};
-use crate::subject::{self, Subject};
+use crate::space::{along, direction, fresh};
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
+use crate::stability::random::{across, magnitude, rounded, towards};
+use crate::stability::statement::Bound;
+use crate::subject::{self, Subject, ball};
 use crate::truth::sphere::Sphere;
 use crate::truth::{Line, spacing};
 
@@ -37,19 +35,24 @@ struct Nearest {
 type Pair = [([Single; 3], Single); 2];
 
 /// For all formulations whose kernels there are.
-///
-/// # Errors
-/// A header does not state its error, or of what domain.
-pub fn families() -> Result<Vec<Box<dyn Family>>, StatementError> {
-    let mut families: Vec<Box<dyn Family>> = Vec::new();
+pub fn families() -> Families {
     let general = subject::all().filter(|subject| subject.form == Form::General);
-    for subject in general.filter(|subject| Source::find(subject.kernel).is_some()) {
-        families.push(Box::new(Nearest {
-            subject,
-            stated: Stated::of(&subject)?,
-        }));
-    }
-    Ok(families)
+    let there = general.filter(|subject| Source::find(subject.kernel).is_some());
+    let family = |subject: Subject| {
+        let stated = Stated::of(&subject)?;
+        Ok(Family {
+            name: "sphere-nearest",
+            subject: subject.kernel.to_owned(),
+            unit: "ulp of t or r, by the condition, farther than the nearest",
+            bound: Bound {
+                value: 2.0 * stated.error,
+                source: format!("header of {}, for each sphere", subject.kernel),
+            },
+            rounds: 600,
+            cases: Box::new(Nearest { subject, stated }),
+        })
+    };
+    there.map(family).collect()
 }
 
 /// Two spheres, near one another.
@@ -73,37 +76,26 @@ fn pair(random: &mut Generator) -> Pair {
             1e7 * radius + radius * random.random_range(-1.0..2.0),
         ),
     };
-    let centre: Vector = std::array::from_fn(|k| place[k] + apart * way[k]);
-    [(place, radius), (centre, other)]
+    [(place, radius), (along(place, apart, way), other)]
         .map(|(centre, radius)| (centre.map(from_f64), from_f64(radius)))
 }
 
 /// A ray to the region that both spheres are in, from outside or from between.
-fn towards(pair: &Pair, random: &mut Generator) -> Ray {
+fn aimed(pair: &Pair, random: &mut Generator) -> Ray {
     let (centre, radius) = (pair[0].0.map(to_f64), to_f64(pair[0].1));
-    let target = direction(random).map(|x| radius * random.random_range(0.0..1.2) * x);
+    let off = direction(random).map(|x| radius * random.random_range(0.0..1.2) * x);
     let back = direction(random).map(|x| radius * magnitude(-4, 5, random) * x);
-    let origin: Vector = rounded(std::array::from_fn(|k| centre[k] + target[k] + back[k]));
-    let target: Vector = std::array::from_fn(|k| centre[k] + target[k]);
-    let [aside, _] = across(unit_or(back), random);
-    let way = less(target, origin);
-    let way = if way == [0.0; 3] { aside } else { way };
-    ray(origin, unit_or(way))
+    let target = along(centre, 1.0, off);
+    let origin = rounded(along(target, 1.0, back));
+    let [aside, _] = across(towards([0.0; 3], back, ANYWHERE), random);
+    let way = towards(origin, target, aside);
+    fresh(origin.map(from_f64), way.map(from_f64))
 }
 
 impl Nearest {
     fn shoot(&self, bench: &mut Bench, pair: &Pair, rays: &[Ray; 16], tally: &mut Tally) {
         // The record is that of all formulations.
-        let objects = pair.map(|(centre, offset)| {
-            By::<Perpendicular>::from(SphereObject {
-                centre,
-                offset,
-                sides: Sides {
-                    both: true,
-                    exit: false,
-                },
-            })
-        });
+        let objects = pair.map(|(centre, radius)| By::<Perpendicular>::from(ball(centre, radius)));
         bench.reset();
         let packets = [call::packet(rays, 0)];
         let placed = call::place(bench, &packets, &objects, &[[0, 0], [1, 0]], 0);
@@ -149,52 +141,20 @@ impl Nearest {
     }
 }
 
-impl Family for Nearest {
-    fn name(&self) -> &'static str {
-        "sphere-nearest"
-    }
-
-    fn subject(&self) -> &str {
-        self.subject.kernel
-    }
-
-    fn unit(&self) -> &'static str {
-        "ulp of t or r, by the condition, farther than the nearest"
-    }
-
-    fn bound(&self) -> Bound {
-        Bound {
-            value: 2.0 * self.stated.error,
-            source: format!("header of {}, for each sphere", self.subject.kernel),
-        }
-    }
-
-    fn rounds(&self) -> u32 {
-        600
-    }
-
+impl Cases for Nearest {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         for _ in 0..PAIRS {
             let pair = pair(random);
-            let rays = std::array::from_fn(|_| towards(&pair, random));
+            let rays = std::array::from_fn(|_| aimed(&pair, random));
             self.shoot(bench, &pair, &rays, tally);
         }
     }
 
-    fn replay(
-        &self,
-        bench: &mut Bench,
-        words: &[u32],
-        tally: &mut Tally,
-    ) -> Result<(), NoCaseError> {
-        let [ax, ay, az, ar, bx, by, bz, br, ox, oy, oz, dx, dy, dz] = words_of(words)?;
-        let ray = Ray {
-            origin: [ox, oy, oz],
-            direction: [dx, dy, dz],
-            t: FARTHEST,
-            object: 0,
-        };
-        let pair = [([ax, ay, az], ar), ([bx, by, bz], br)];
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        need(14, words)?;
+        let point = |at: usize| [0, 1, 2].map(|k| words[at + k]);
+        let pair = [(point(0), words[3]), (point(4), words[7])];
+        let ray = fresh(point(8), point(11));
         self.shoot(bench, &pair, &[ray; 16], tally);
         Ok(())
     }

@@ -1,31 +1,54 @@
-//! Random vectors by basic arithmetic and roots alone, which give the same on every host.
+//! Vectors, rays, and random ones, by basic arithmetic and roots alone, which give the same on
+//! every host.
 
 pub use kernels::vector::{cross, dot, in_cube, less, unit};
 use rand::Rng;
-use twins::Single;
+use twins::ball::Ray;
+use twins::triangle::Triangle;
+use twins::triangle_pairs::TriangleObject;
+use twins::{FARTHEST, Single};
 
 use crate::truth::Vector;
 
+/// A ray that has hit nothing.
+pub fn fresh(origin: [Single; 3], direction: [Single; 3]) -> Ray {
+    Ray {
+        origin,
+        direction,
+        t: FARTHEST,
+        object: 0,
+    }
+}
+
+/// A triangle that is seen from both sides.
+pub fn two_sided(vertices: Triangle) -> TriangleObject {
+    TriangleObject {
+        vertices,
+        both: true,
+    }
+}
+
+/// A vector's length.
+pub fn length(vector: Vector) -> f64 {
+    dot(vector, vector).sqrt()
+}
+
 /// The largest magnitude of a vector's components.
-#[must_use]
 pub fn largest(vector: Vector) -> f64 {
     vector.map(f64::abs).into_iter().fold(0.0, f64::max)
 }
 
 /// a + scale b.
-#[must_use]
 pub fn along(a: Vector, scale: f64, b: Vector) -> Vector {
     std::array::from_fn(|axis| a[axis] + scale * b[axis])
 }
 
 /// The single that is nearest; 0 for what is too small for one.
-#[must_use]
 pub fn nearest(value: f64) -> Single {
     (value as f32).to_bits()
 }
 
 /// The point of nearest singles.
-#[must_use]
 pub fn point(vector: Vector) -> [Single; 3] {
     vector.map(nearest)
 }
@@ -52,7 +75,6 @@ pub fn direction(random: &mut impl Rng) -> Vector {
 }
 
 /// Two directions across a third and each other.
-#[must_use]
 pub fn across(axis: Vector) -> [Vector; 2] {
     let least = (0..3)
         .min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs()))
