@@ -33,7 +33,7 @@ pub enum ProgramError {
     /// There is no program of these formulations in this one.
     #[error(
         "no SPU program here intersects by {asked}, but by {}. The laboratory in cellray's repository builds it: \
-         `cargo run --release -p kernels -- image --sphere {sphere} --triangle {triangle} --out {sphere}.elf`; \
+         `cargo run --release --bin kernels -- image --sphere {sphere} --triangle {triangle} --out {sphere}.elf`; \
          then name it by --program {sphere}.elf",
         .shipped.join(", ")
     )]

@@ -28,44 +28,30 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_first,3
-        .set    count,4
-        .set    a_list,5
-        .set    along,6
+        .set    NEXT,3
+        registers a_first,count,a_list,along
         # constants
-        .set    k_along,10
-        .set    k_leave,11                              # by lanes: 0, 1
-        .set    k_sixteen,12
-        .set    m_first,13
-        .set    m_third,14
-        .set    m_outer,15
-        .set    m_inner,16
-        .set    m_w,17
+        .set    NEXT,10
+        registers k_along
+        registers k_leave                               # by lanes: 0, 1
+        registers k_sixteen,m_first,m_third,m_outer,m_inner,m_w
         # state
-        .set    a_candidate,18
-        .set    found,19                                # bytes of the list so far
+        registers a_candidate
+        registers found                                 # bytes of the list so far
         # the candidate
-        .set    candidate,20
-        .set    a_bound,21
-        .set    apart,22
-        .set    normal,23
-        .set    own,24                                  # offset, leave, material, sides
-        .set    axis,25
-        .set    limits,26
+        registers candidate,a_bound,apart,normal
+        registers own                                   # offset, leave, material, sides
+        registers axis,limits
         # lanes: of g, of h
-        .set    terms,27
-        .set    others,28
-        .set    with,29                                 # limit less what it limits
-        .set    against,30
-        .set    outer,31                                # all go with it; all start behind
-        .set    inner,32                                # all start before; all go against it
-        .set    both,33
-        .set    drop,34
-        .set    step,35
+        registers terms,others
+        registers with                                  # limit less what it limits
+        registers against
+        registers outer                                 # all go with it; all start behind
+        registers inner                                 # all start before; all go against it
+        registers both,drop,step
         # the candidate once more: what came before is far away by then, and what is written over it comes
         # later
-        .set    a_again,36
-        .set    again,37
+        registers a_again,again
 
         .section .rodata
         .align  4

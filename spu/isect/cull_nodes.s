@@ -30,45 +30,30 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_first,3                               # candidate
-        .set    count,4
-        .set    a_list,5
+        .set    NEXT,3
+        registers a_first                               # candidate
+        registers count,a_list
         # constants
         .set    m_child,10                              # to 13: a word and three of another
         # state
-        .set    a_candidate,14
-        .set    found,15                                # bytes of the list so far
+        .set    NEXT,14
+        registers a_candidate
+        registers found                                 # bytes of the list so far
         # the candidate
-        .set    candidate,16
-        .set    a_bound,17
-        .set    child,18
+        registers candidate,a_bound,child
         # the bound
-        .set    apex_x,19
-        .set    apex_y,20
-        .set    apex_z,21
-        .set    axis_x,22
-        .set    axis_y,23
-        .set    axis_z,24
-        .set    cosine,25
-        .set    sine,26
-        .set    ball,27                                 # the rays' radius
-        .set    farthest,28
+        registers apex_x,apex_y,apex_z,axis_x,axis_y,axis_z,cosine,sine
+        registers ball                                  # the rays' radius
+        registers farthest
         # the children
-        .set    vx,29
-        .set    vy,30
-        .set    vz,31
-        .set    reach,32                                # S
-        .set    along,33
-        .set    perp,34
-        .set    t_y,35
-        .set    beside,36
-        .set    ahead,37
-        .set    near,38
-        .set    step,39                                 # to 42
-        .set    entry,43
+        registers vx,vy,vz
+        registers reach                                 # S
+        registers along,perp,t_y,beside,ahead,near
+        registers step                                  # to 42
+        .set    NEXT,43
+        registers entry
         # the candidate once more: what came before is far away by then
-        .set    a_again,44
-        .set    again,45
+        registers a_again,again
 
         .section .rodata
         .align  4

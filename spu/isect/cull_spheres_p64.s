@@ -15,35 +15,24 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_middles,3
-        .set    a_list,4
-        .set    count,5
-        .set    a_masks,6
+        .set    NEXT,3
+        registers a_middles,a_list,count,a_masks
         # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    m_limit,13
-        .set    m_signs,14                              # top bytes of two quadwords' words
-        .set    m_halves,15                             # packets 15, 0 to 14: see the rotation
-        .set    m_two,16                                # first words of two quadwords
-        .set    m_four,17                               # first two words of two quadwords
+        .set    NEXT,10
+        registers m_x,m_y,m_z,m_limit
+        registers m_signs                               # top bytes of two quadwords' words
+        registers m_halves                              # packets 15, 0 to 14: see the rotation
+        registers m_two                                 # first words of two quadwords
+        registers m_four                                # first two words of two quadwords
         # the sphere
-        .set    a_sphere,18
-        .set    quad,19
-        .set    more,20
-        .set    cx,21
-        .set    cy,22
-        .set    cz,23
-        .set    limit,24
+        registers a_sphere,quad,more,cx,cy,cz,limit
         # the middles: a row
-        .set    dx,25
-        .set    dy,26
-        .set    dz,27
+        registers dx,dy,dz
         # temporaries
-        .set    s,28                                    # to 31
-        .set    signs_low,32
-        .set    signs,33                                # to 36, a group each
+        registers s                                     # to 31
+        .set    NEXT,32
+        registers signs_low
+        registers signs                                 # to 36, a group each
 
         .section .rodata
         .align  4

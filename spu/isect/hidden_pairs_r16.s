@@ -11,17 +11,16 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_pair,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_pair,count
         # constants
-        .set    m_near,10
+        .set    NEXT,10
+        registers m_near
         # state
-        .set    a_out,11
+        registers a_out
         # the pair
-        .set    pair,12
-        .set    a_packet,13
-        .set    near,14
-        .set    t,15                                    # to 18
+        registers pair,a_packet,near
+        registers t                                     # to 18
         .set    farther,19                              # to 22
         .set    step,23
 

@@ -38,82 +38,31 @@
         .include "macros.inc"
         .include "pairs.inc"
 
-        .set    a_candidate,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_candidate,count
         # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    k_half,13
-        .set    k_one,14
-        .set    k_tiny,15
-        .set    m_sign,16
-        .set    a_controls,17
-        .set    a_if_enters,18
-        .set    a_if_leaves,19
+        .set    NEXT,10
+        registers m_x,m_y,m_z,k_half,k_one,k_tiny,m_sign,a_controls,a_if_enters,a_if_leaves
         # the candidate
-        .set    object,20
-        .set    a_packet,21                             # its row
-        .set    quad,22
-        .set    base_x,23
-        .set    base_y,24
-        .set    base_z,25
-        .set    axis_x,26
-        .set    axis_y,27
-        .set    axis_z,28
-        .set    radius,29
-        .set    growth,30
-        .set    height,31
-        .set    sides,32
-        .set    if_enters,33                            # the sign, where an entry does not count
-        .set    if_leaves,34                            # likewise an exit
+        registers object
+        registers a_packet                              # its row
+        registers quad,base_x,base_y,base_z,axis_x,axis_y,axis_z,radius,growth,height,sides
+        registers if_enters                             # the sign, where an entry does not count
+        registers if_leaves                             # likewise an exit
         # a row
-        .set    x,35                                    # direction
-        .set    y,36
-        .set    z,37
-        .set    wx,38
-        .set    wy,39
-        .set    wz,40
-        .set    near,41                                 # t of the point nearest to the base
-        .set    h,42
-        .set    rise,43
-        .set    cx,44
-        .set    cy,45
-        .set    cz,46
-        .set    ex,47
-        .set    ey,48
-        .set    ez,49
-        .set    k,50
-        .set    m,51
-        .set    a,52
-        .set    b,53
-        .set    out,54
-        .set    turn_x,55                               # c x e
-        .set    turn_y,56
-        .set    turn_z,57
-        .set    vx,58                                   # k e - m c
-        .set    vy,59
-        .set    vz,60
-        .set    outside,61                              # disc
-        .set    disc,61
-        .set    t_y,62
-        .set    s,63
-        .set    t_e,64
-        .set    q,65
-        .set    inverse,66
-        .set    first,67
-        .set    second,68
-        .set    t,69
-        .set    t_second,70
-        .set    off,71
-        .set    off_second,72
-        .set    hidden,73
-        .set    hidden_second,74
-        .set    ahead,75
-        .set    t_best,76
-        .set    nearest,77
-        .set    control,78
-        .set    inverse_q,79
+        registers x                                     # direction
+        registers y,z,wx,wy,wz
+        registers near                                  # t of the point nearest to the base
+        registers h,rise,cx,cy,cz,ex,ey,ez,k,m,a,b,out
+        registers turn_x                                # c x e
+        registers turn_y,turn_z
+        registers vx                                    # k e - m c
+        registers vy,vz
+        registers outside                               # disc
+        .set    NEXT,61
+        registers disc
+        registers t_y,s,t_e,q,inverse,first,second,t,t_second,off,off_second,hidden,hidden_second
+        registers ahead,t_best,nearest,control,inverse_q
         .set    row,43                                  # reused
 
         sign_controls_table

@@ -16,29 +16,24 @@
         .include "pairs.inc"
         .include "rectangle_tmpl.inc"
 
-        .set    a_candidate,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_candidate,count
         # constants
-        .set    k_x,10
-        .set    k_y,11
-        .set    k_z,12
-        .set    m_w,13
-        .set    k_one,14
-        .set    k_sign,15
-        .set    a_controls,42
+        .set    NEXT,10
+        registers k_x,k_y,k_z,m_w,k_one,k_sign
+        .set    NEXT,42
+        registers a_controls
         # the candidate
-        .set    object,43
-        .set    a_rectangle,43
-        .set    a_packet,44
-        .set    a_rays,44
-        .set    both,45
+        registers object
+        .set    NEXT,43
+        registers a_rectangle,a_packet
+        .set    NEXT,44
+        registers a_rays,both
         # temporaries
-        .set    outside,46
-        .set    c_v,47
-        .set    seen,47                                 # reused
-        .set    t,48
-        .set    t_best,49
-        .set    nearest,50
+        registers outside,c_v
+        .set    NEXT,47
+        registers seen                                  # reused
+        registers t,t_best,nearest
         .set    control,47                              # reused
         .set    ahead,39                                # n
 

@@ -18,51 +18,21 @@
         .include "pairs.inc"
         .include "triangle_tmpl.inc"
 
-        .set    a_candidate,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_candidate,count
         # constants
-        .set    k_above_one,10
-        .set    k_sign,11
-        .set    m_splat,12
-        .set    m_w,13
-        .set    a_controls,14
+        .set    NEXT,10
+        registers k_above_one,k_sign,m_splat,m_w,a_controls
         # the candidate
-        .set    object,15
-        .set    a_packet,16
-        .set    a_shear,17
-        .set    both,18
-        .set    vertex_a,19
-        .set    vertex_b,20
-        .set    vertex_c,21
+        registers object,a_packet,a_shear,both,vertex_a,vertex_b,vertex_c
         # temporaries
-        .set    xa,22
-        .set    ya,23
-        .set    za,24
-        .set    xb,25
-        .set    yb,26
-        .set    zb,27
-        .set    xc,28
-        .set    yc,29
-        .set    zc,30
-        .set    axis,31
-        .set    origin,32
-        .set    slope,33
+        registers xa,ya,za,xb,yb,zb,xc,yc,zc,axis,origin,slope
         .set    p,31                                    # reused
         .set    q,32                                    # reused
-        .set    u,34
-        .set    v,35
-        .set    w,36
-        .set    det,37
-        .set    inverse,38
-        .set    t_y,39
-        .set    t_e,40
-        .set    n,41
-        .set    ahead,41                                # n
-        .set    outside,42
-        .set    seen,43
-        .set    t,44
-        .set    t_best,45
-        .set    nearest,46
+        registers u,v,w,det,inverse,t_y,t_e,n
+        .set    NEXT,41
+        registers ahead                                 # n
+        registers outside,seen,t,t_best,nearest
         .set    control,43                              # reused
 
         sign_controls_table

@@ -14,15 +14,12 @@
         .include "macros.inc"
         .include "lists.inc"
 
-        .set    a_masks,3
-        .set    a_places,4
-        .set    a_origin,5
-        .set    a_out,6
+        .set    NEXT,3
+        registers a_masks,a_places,a_origin,a_out
         # temporaries
-        .set    masks,10
-        .set    bit,11
-        .set    origin,12
-        .set    place,13                                # to 28
+        .set    NEXT,10
+        registers masks,bit,origin
+        registers place                                 # to 28
 
 function list_places_p64
         lqd     $masks,0($a_masks)

@@ -10,19 +10,15 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_pair,3
-        .set    count,4
-        .set    a_packets,5
+        .set    NEXT,3
+        registers a_pair,count,a_packets
         # constants
-        .set    k_first,10
-        .set    k_inverse,11
-        .set    k_groups,12
-        .set    m_splat,13
+        .set    NEXT,10
+        registers k_first,k_inverse,k_groups,m_splat
         # state
-        .set    mask,14
+        registers mask
         # the pair
-        .set    number,15
-        .set    bit,16
+        registers number,bit
 
 # A packet's number is its offset over PACKET_SIZE: so many quadwords, times one over them in 16 bits
 # of fraction, rounded up, which is exact for so few.

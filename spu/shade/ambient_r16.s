@@ -13,21 +13,14 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_surfaces,3
-        .set    count,4
-        .set    a_bright,5
+        .set    NEXT,3
+        registers a_surfaces,count,a_bright
         # constants
-        .set    step,6
-        .set    bright_red,7
-        .set    bright_green,8
-        .set    bright_blue,9
+        registers step,bright_red,bright_green,bright_blue
         # a row
-        .set    diffuse,10
-        .set    colour,11
-        .set    lit,12
+        registers diffuse,colour,lit
         # temporaries
-        .set    bright,13
-        .set    m_lane,14
+        registers bright,m_lane
 
 function ambient_r16
         lqd     $bright,0($a_bright)

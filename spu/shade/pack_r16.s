@@ -16,22 +16,14 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_place,3
-        .set    count,4
-        .set    a_colours,5
-        .set    a_shuffle,6
-        .set    pitch,7
+        .set    NEXT,3
+        registers a_place,count,a_colours,a_shuffle,pitch
         # constants
-        .set    k_scale,10
-        .set    k_half,11
-        .set    m_red_green,12
-        .set    m_blue,13
+        .set    NEXT,10
+        registers k_scale,k_half,m_red_green,m_blue
         # a row
-        .set    a_row,15
-        .set    red,16
-        .set    green,17
-        .set    blue,18
-        .set    pixels,19
+        .set    NEXT,15
+        registers a_row,red,green,blue,pixels
 
 .macro  channel name:req, row:req
         lqd     $\name,COLOURS_\name+16*\row($a_colours)

@@ -16,39 +16,17 @@
         .include "macros.inc"
         .include "sizes.inc"
 
-        .set    a_sums,3
-        .set    a_pixels,4
-        .set    rows,5
-        .set    row_bytes,6
-        .set    a_shuffle,7
+        .set    NEXT,3
+        registers a_sums,a_pixels,rows,row_bytes,a_shuffle
         # constants
-        .set    k_scale,10
-        .set    k_half,11
-        .set    m_red_green,12
-        .set    m_blue,13
-        .set    m_interleave,14
-        .set    m_low,15
-        .set    m_high,16
-        .set    m_third,17
-        .set    skip,18                                 # sums beyond a row's end
+        .set    NEXT,10
+        registers k_scale,k_half,m_red_green,m_blue,m_interleave,m_low,m_high,m_third
+        registers skip                                  # sums beyond a row's end
         # state
-        .set    count,19                                # groups of four pixels
-        .set    left,20                                 # bytes of the row
+        registers count                                 # groups of four pixels
+        registers left                                  # bytes of the row
         # a group
-        .set    sum0,21
-        .set    sum1,22
-        .set    sum2,23
-        .set    sum3,24
-        .set    rg01,25
-        .set    rg23,26
-        .set    b01,27
-        .set    b23,28
-        .set    red,29
-        .set    green,30
-        .set    blue,31
-        .set    pixels,32
-        .set    c_end,33
-        .set    t_step,34
+        registers sum0,sum1,sum2,sum3,rg01,rg23,b01,b23,red,green,blue,pixels,c_end,t_step
 
         .section .rodata
         .align  4

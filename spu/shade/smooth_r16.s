@@ -18,58 +18,21 @@
         .include "macros.inc"
         .include "math.inc"
 
-        .set    a_rays,3
-        .set    a_surfaces,4
+        .set    NEXT,3
+        registers a_rays,a_surfaces
         # constants
-        .set    m_xy,10
-        .set    m_zw,11
-        .set    m_first,12
-        .set    m_second,13
-        .set    k_half,14
-        .set    k_one,15
-        .set    rows,16
+        .set    NEXT,10
+        registers m_xy,m_zw,m_first,m_second,k_half,k_one,rows
         # the lanes' patches
-        .set    patch,17                                # to 20
+        registers patch                                 # to 20
         .set    quad,21                                 # to 24
-        .set    low,25
-        .set    high,26
-        .set    smooth,27
+        .set    NEXT,25
+        registers low,high,smooth
         # the row
-        .set    px,28
-        .set    py,29
-        .set    pz,30
-        .set    gx,31
-        .set    gy,32
-        .set    gz,33
-        .set    dx,34
-        .set    dy,35
-        .set    dz,36
-        .set    ax,37                                   # vertices, then their normals
-        .set    ay,38
-        .set    az,39
-        .set    bx,40
-        .set    by,41
-        .set    bz,42
-        .set    cx,43
-        .set    cy,44
-        .set    cz,45
-        .set    turn_x,46
-        .set    turn_y,47
-        .set    turn_z,48
-        .set    share_a,49
-        .set    share_b,50
-        .set    share_c,51
-        .set    nx,52
-        .set    ny,53
-        .set    nz,54
-        .set    along,55
-        .set    square,56
-        .set    inverse,57
-        .set    t_y,58
-        .set    t_e,59
-        .set    old_x,60
-        .set    old_y,61
-        .set    old_z,62
+        registers px,py,pz,gx,gy,gz,dx,dy,dz
+        registers ax                                    # vertices, then their normals
+        registers ay,az,bx,by,bz,cx,cy,cz,turn_x,turn_y,turn_z,share_a,share_b,share_c,nx,ny,nz
+        registers along,square,inverse,t_y,t_e,old_x,old_y,old_z
 
         .section .rodata
         .align  4

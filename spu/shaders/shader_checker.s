@@ -18,29 +18,13 @@
         .include "shader.inc"
 
         .set    a_surfaces,3
-        .set    a_mask,5
-        .set    a_material,6
-        .set    a_shading,7
+        .set    NEXT,5
+        registers a_mask,a_material,a_shading
         # constants
-        .set    k_within,10
-        .set    m_word,11
-        .set    parameters,12
-        .set    eye,13
-        .set    red,14
-        .set    green,15
-        .set    blue,16
-        .set    scale,17
-        .set    eye_x,18
-        .set    eye_y,19
-        .set    eye_z,20
+        .set    NEXT,10
+        registers k_within,m_word,parameters,eye,red,green,blue,scale,eye_x,eye_y,eye_z
         # a row
-        .set    place,21
-        .set    cell,22
-        .set    whole,23
-        .set    c_above,24
-        .set    cells,25
-        .set    odd,26
-        .set    colour,27
+        registers place,cell,whole,c_above,cells,odd,colour
 
         shader_entry checker
 

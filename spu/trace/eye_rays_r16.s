@@ -17,36 +17,24 @@
         .include "math.inc"
         .include "eye_ray_tmpl.inc"
 
-        .set    a_place,3
-        .set    count,4
-        .set    a_basis,5
-        .set    background,6
-        .set    width,7
-        .set    height,8                                # of the picture
+        .set    NEXT,3
+        registers a_place,count,a_basis,background,width
+        registers height                                # of the picture
         # constants
-        .set    k_lanes,12
-        .set    k_far,13
-        .set    m_splat,14
-        .set    m_x,15
-        .set    m_y,16
-        .set    m_pixels,44
-        .set    k_zero,45
-        .set    k_absent,46
-        .set    k_offset,47                             # to 50: from the sum of the top left pixel
+        .set    NEXT,12
+        registers k_lanes,k_far,m_splat,m_x,m_y
+        .set    NEXT,44
+        registers m_pixels,k_zero,k_absent
+        registers k_offset                              # to 50: from the sum of the top left pixel
         .set    k_below,51                              # to 54: rows of the picture below this one
-        .set    k_pitch,55
+        .set    NEXT,55
+        registers k_pitch
         # the packet
         .set    place,26
         .set    a_packet,27
-        .set    x,56
-        .set    y,57
-        .set    pixels,58
-        .set    c_column,59
+        registers x,y,pixels,c_column
         # the row
-        .set    c_within,60
-        .set    t,61
-        .set    weight,62
-        .set    pixel,63
+        registers c_within,t,weight,pixel
 
         .set    SUM_SIZE,16
 

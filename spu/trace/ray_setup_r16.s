@@ -14,19 +14,14 @@
         .include "math.inc"
         .include "eye_ray_tmpl.inc"
 
-        .set    a_basis,3
-        .set    a_place,4
-        .set    count,5
-        .set    background,6
+        .set    NEXT,3
+        registers a_basis,a_place,count,background
         # constants
-        .set    k_lanes,12
-        .set    k_far,13
-        .set    m_packet,14
-        .set    m_x,15
-        .set    m_y,16
+        .set    NEXT,12
+        registers k_lanes,k_far,m_packet,m_x,m_y
         # the packet
-        .set    place,26
-        .set    a_packet,27
+        .set    NEXT,26
+        registers place,a_packet
 
         .section .rodata
         .align  4

@@ -6,7 +6,8 @@ use std::path::{Path, PathBuf};
 use thiserror::Error;
 
 /// The line before the table.
-pub const BEGIN: &str = "<!-- written by `cargo run --release -p kernels -- measure --write` -->";
+pub const BEGIN: &str =
+    "<!-- written by `cargo run --release --bin kernels -- measure --write` -->";
 /// The line behind it.
 pub const END: &str = "<!-- end of what is written -->";
 

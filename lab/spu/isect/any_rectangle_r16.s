@@ -13,21 +13,16 @@
         .include "rectangle_tmpl.inc"
 
         .set    code,3
-        .set    a_rays,3
-        .set    a_rectangle,4
+        .set    NEXT,3
+        registers a_rays,a_rectangle
         # constants
-        .set    k_x,10
-        .set    k_y,11
-        .set    k_z,12
-        .set    k_one,13
-        .set    k_sign,14
-        .set    n_far,42
-        .set    outside,43
-        .set    c_v,44
-        .set    blocked,45                              # a row each; the signs count
-        .set    low,49
-        .set    m_rows,50
-        .set    m_code,51
+        .set    NEXT,10
+        registers k_x,k_y,k_z,k_one,k_sign
+        .set    NEXT,42
+        registers n_far,outside,c_v
+        registers blocked                               # a row each; the signs count
+        .set    NEXT,49
+        registers low,m_rows,m_code
 
         sign_gathers_table
 

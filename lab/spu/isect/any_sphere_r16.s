@@ -17,26 +17,17 @@
         .include "ball_tmpl.inc"
 
         .set    blocked,3
-        .set    a_rays,3
-        .set    a_ball,4
+        .set    NEXT,3
+        registers a_rays,a_ball
         # results
-        .set    active,10
-        .set    code,11
+        .set    NEXT,10
+        registers active,code
         # constants
-        .set    m_x,12
-        .set    m_y,13
-        .set    m_z,14
-        .set    m_radius2,15
-        .set    m_even,16
-        .set    m_gather,17
+        registers m_x,m_y,m_z,m_radius2,m_even,m_gather
         # the sphere
-        .set    ball,18
-        .set    cx,19
-        .set    cy,20
-        .set    cz,21
-        .set    radius2,22
+        registers ball,cx,cy,cz,radius2
         # the rays: rows 0 to 3
-        .set    ox,23
+        registers ox
         .set    oy,27
         .set    oz,31
         .set    dx,35
@@ -45,19 +36,8 @@
         .set    t_best,47
         .set    unblocked,51                            # its sign counts
         # temporaries
-        .set    fx,55
-        .set    fy,56
-        .set    fz,57
-        .set    b,58
-        .set    disc,59
-        .set    out,60
-        .set    ahead,61
-        .set    past,62
-        .set    clear,63
-        .set    either,64
-        .set    first,65
-        .set    second,66
-        .set    zero,67
+        .set    NEXT,55
+        registers fx,fy,fz,b,disc,out,ahead,past,clear,either,first,second,zero
 
         ball_any_shuffles
 

@@ -20,30 +20,19 @@
         .set    CHUNK,8
 
         .set    blocked,3
-        .set    a_rays,3
-        .set    a_ball,4
-        .set    count,5
+        .set    NEXT,3
+        registers a_rays,a_ball,count
         # results
-        .set    active,10
-        .set    code,11
+        .set    NEXT,10
+        registers active,code
         # the chunk
-        .set    chunk,12
-        .set    c_short,13
+        registers chunk,c_short
         # constants
-        .set    m_x,14
-        .set    m_y,15
-        .set    m_z,16
-        .set    m_radius2,17
-        .set    m_even,18
-        .set    m_gather,19
+        registers m_x,m_y,m_z,m_radius2,m_even,m_gather
         # the sphere
-        .set    ball,20
-        .set    cx,21
-        .set    cy,22
-        .set    cz,23
-        .set    radius2,24
+        registers ball,cx,cy,cz,radius2
         # the rays: rows 0 to 3
-        .set    ox,25
+        registers ox
         .set    oy,29
         .set    oz,33
         .set    dx,37
@@ -52,19 +41,8 @@
         .set    t_best,49
         .set    unblocked,53                            # its sign counts
         # temporaries
-        .set    fx,57
-        .set    fy,58
-        .set    fz,59
-        .set    b,60
-        .set    disc,61
-        .set    out,62
-        .set    ahead,63
-        .set    past,64
-        .set    clear,65
-        .set    either,66
-        .set    first,67
-        .set    second,68
-        .set    zero,69
+        .set    NEXT,57
+        registers fx,fy,fz,b,disc,out,ahead,past,clear,either,first,second,zero
 
         ball_any_shuffles
 

@@ -21,54 +21,23 @@
         .set    CHUNK,8
 
         .set    code,3
-        .set    a_rays,3
-        .set    a_shear,4
-        .set    a_triangle,5
-        .set    count,6
+        .set    NEXT,3
+        registers a_rays,a_shear,a_triangle,count
         # constants
-        .set    k_above_one,10
-        .set    k_sign,11
-        .set    n_far,12                                # -t of the farthest
+        .set    NEXT,10
+        registers k_above_one,k_sign
+        registers n_far                                 # -t of the farthest
         # results, carried from triangle to triangle: a row each, the signs count
         .set    blocked,16
         # the triangle
-        .set    vertex_a,20
-        .set    vertex_b,21
-        .set    vertex_c,22
+        .set    NEXT,20
+        registers vertex_a,vertex_b,vertex_c
         # temporaries
-        .set    xa,23
-        .set    ya,24
-        .set    za,25
-        .set    xb,26
-        .set    yb,27
-        .set    zb,28
-        .set    xc,29
-        .set    yc,30
-        .set    zc,31
-        .set    axis,32
-        .set    origin,33
-        .set    slope,34
-        .set    p,35
-        .set    q,36
-        .set    u,37
-        .set    v,38
-        .set    w,39
-        .set    det,40
-        .set    inverse,41
-        .set    t_y,42
-        .set    t_e,43
-        .set    n,44
-        .set    outside,45
-        .set    hit,46
-        .set    low,47
-        .set    m_rows,48
-        .set    m_code,49
-        .set    chunk,50
-        .set    c_part,51
-        .set    clear,52
-        .set    idle,53                                 # bits: t not above 0
-        .set    done,54                                 # bits: blocked or idle
-        .set    k_zero,55
+        registers xa,ya,za,xb,yb,zb,xc,yc,zc,axis,origin,slope,p,q,u,v,w,det,inverse,t_y,t_e,n
+        registers outside,hit,low,m_rows,m_code,chunk,c_part,clear
+        registers idle                                  # bits: t not above 0
+        registers done                                  # bits: blocked or idle
+        registers k_zero
 
         sign_gathers_table
 

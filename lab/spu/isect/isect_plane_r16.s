@@ -16,21 +16,13 @@
         .include "flat.inc"
         .include "rectangle_tmpl.inc"
 
-        .set    a_rays,3
-        .set    a_rectangle,4
-        .set    object,5
+        .set    NEXT,3
+        registers a_rays,a_rectangle,object
         # constants
-        .set    k_x,10
-        .set    k_y,11
-        .set    k_z,12
-        .set    k_one,13
-        .set    k_sign,14
-        .set    a_controls,15
-        .set    n_best,42
-        .set    nearest,43
-        .set    u_best,44
-        .set    v_best,45
-        .set    control,46
+        .set    NEXT,10
+        registers k_x,k_y,k_z,k_one,k_sign,a_controls
+        .set    NEXT,42
+        registers n_best,nearest,u_best,v_best,control
 
         sign_controls_table
 

@@ -18,48 +18,17 @@
         .include "macros.inc"
         .include "rays.inc"
 
-        .set    a_ray,3
-        .set    a_ball,4
-        .set    object,5
+        .set    NEXT,3
+        registers a_ray,a_ball,object
         # constants
-        .set    k_half,6
-        .set    k_one,7
-        .set    m_sign,8
-        .set    m_x,9
-        .set    m_y,10
-        .set    m_z,11
-        .set    m_radius2,12
+        registers k_half,k_one,m_sign,m_x,m_y,m_z,m_radius2
         # the ray and the sphere
-        .set    origin,13
-        .set    direction,14
-        .set    dx,15
-        .set    dy,16
-        .set    dz,17
-        .set    t_best,18
-        .set    nearest,19
-        .set    ball,20
-        .set    radius2,21
+        registers origin,direction,dx,dy,dz,t_best,nearest,ball,radius2
         # from the origin to the centre; from the ray's nearest point to it
-        .set    centre,22
-        .set    cx,23
-        .set    cy,24
-        .set    cz,25
-        .set    l,26
-        .set    lx,27
-        .set    ly,28
-        .set    lz,29
+        registers centre,cx,cy,cz,l,lx,ly,lz
         # temporaries, the same in all lanes
-        .set    b,30
-        .set    disc,31
-        .set    out,32
-        .set    y,33
-        .set    s,34
-        .set    e,35
-        .set    t,36
-        .set    c_meets,37
-        .set    c_hit,38
-        .set    minus_t,39
-        .set    limit,40                                # -t of the nearest hit so far
+        registers b,disc,out,y,s,e,t,c_meets,c_hit,minus_t
+        registers limit                                 # -t of the nearest hit so far
 
 function isect_sphere_r1
         lqd     $ball,0($a_ball)

@@ -16,26 +16,15 @@
         .include "macros.inc"
         .include "ball_tmpl.inc"
 
-        .set    a_rays,3
-        .set    a_ball,4
-        .set    object,5
+        .set    NEXT,3
+        registers a_rays,a_ball,object
         # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    m_radius2,13
-        .set    k_half,14
-        .set    k_one,15
-        .set    m_sign,16
-        .set    a_merges,17
+        .set    NEXT,10
+        registers m_x,m_y,m_z,m_radius2,k_half,k_one,m_sign,a_merges
         # the sphere
-        .set    ball,18
-        .set    cx,19
-        .set    cy,20
-        .set    cz,21
-        .set    radius2,22
+        registers ball,cx,cy,cz,radius2
         # the rays: rows 0 to 3
-        .set    ox,23
+        registers ox
         .set    oy,27
         .set    oz,31
         .set    dx,35
@@ -44,18 +33,8 @@
         .set    t_best,47                               # of the nearest hit so far: -t
         .set    nearest,51
         # temporaries
-        .set    fx,55
-        .set    fy,56
-        .set    fz,57
-        .set    b,58
-        .set    disc,59
-        .set    out,60
-        .set    y,61
-        .set    s,62
-        .set    e,63
-        .set    t,64
-        .set    hit,65
-        .set    merge,66
+        .set    NEXT,55
+        registers fx,fy,fz,b,disc,out,y,s,e,t,hit,merge
 
         ball_merges
 

@@ -15,28 +15,17 @@
         .include "macros.inc"
         .include "ball_tmpl.inc"
 
-        .set    a_rays,3
-        .set    a_ball,4
-        .set    object,5
+        .set    NEXT,3
+        registers a_rays,a_ball,object
         # loop
-        .set    count,10
+        .set    NEXT,10
+        registers count
         # constants
-        .set    m_x,11
-        .set    m_y,12
-        .set    m_z,13
-        .set    m_radius2,14
-        .set    k_half,15
-        .set    k_one,16
-        .set    m_sign,17
-        .set    a_merges,18
+        registers m_x,m_y,m_z,m_radius2,k_half,k_one,m_sign,a_merges
         # the sphere
-        .set    ball,19
-        .set    cx,20
-        .set    cy,21
-        .set    cz,22
-        .set    radius2,23
+        registers ball,cx,cy,cz,radius2
         # the rays: rows 0 to 3
-        .set    ox,24
+        registers ox
         .set    oy,28
         .set    oz,32
         .set    dx,36
@@ -45,18 +34,8 @@
         .set    t_best,48                               # of the nearest hit so far: -t
         .set    nearest,52
         # temporaries
-        .set    fx,56
-        .set    fy,57
-        .set    fz,58
-        .set    b,59
-        .set    disc,60
-        .set    out,61
-        .set    y,62
-        .set    s,63
-        .set    e,64
-        .set    t,65
-        .set    hit,66
-        .set    merge,67
+        .set    NEXT,56
+        registers fx,fy,fz,b,disc,out,y,s,e,t,hit,merge
 
         ball_merges
 

@@ -25,61 +25,19 @@
         .include "pairs.inc"
         .include "vectors.inc"
 
-        .set    a_candidate,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_candidate,count
         # constants
-        .set    k_one,10
-        .set    k_zero,11
-        .set    k_sign,12
-        .set    m_x,13
-        .set    m_y,14
-        .set    m_z,15
-        .set    m_w,16
-        .set    a_controls,17
+        .set    NEXT,10
+        registers k_one,k_zero,k_sign,m_x,m_y,m_z,m_w,a_controls
         # the candidate
-        .set    object,18
-        .set    a_packet,19
-        .set    both,20
-        .set    vertex,21
-        .set    edge_1,22
-        .set    edge_2,23
-        .set    a_x,24
-        .set    a_y,25
-        .set    a_z,26
-        .set    e1_x,27
-        .set    e1_y,28
-        .set    e1_z,29
-        .set    e2_x,30
-        .set    e2_y,31
-        .set    e2_z,32
+        registers object,a_packet,both,vertex,edge_1,edge_2,a_x,a_y,a_z,e1_x,e1_y,e1_z,e2_x,e2_y
+        registers e2_z
         # temporaries
-        .set    s_x,33
-        .set    s_y,34
-        .set    s_z,35
-        .set    d_x,36
-        .set    d_y,37
-        .set    d_z,38
-        .set    p_x,39
-        .set    p_y,40
-        .set    p_z,41
-        .set    q_x,42
-        .set    q_y,43
-        .set    q_z,44
-        .set    det,45
-        .set    inverse,46
-        .set    t_y,47
-        .set    t_e,48
-        .set    u,49
-        .set    v,50
-        .set    w,51
-        .set    n,52
-        .set    ahead,52                                # n
-        .set    outside,53
-        .set    seen,54
-        .set    t,55
-        .set    t_best,56
-        .set    nearest,57
-        .set    control,58
+        registers s_x,s_y,s_z,d_x,d_y,d_z,p_x,p_y,p_z,q_x,q_y,q_z,det,inverse,t_y,t_e,u,v,w,n
+        .set    NEXT,52
+        registers ahead                                 # n
+        registers outside,seen,t,t_best,nearest,control
 
         sign_controls_table
 

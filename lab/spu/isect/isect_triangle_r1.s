@@ -15,73 +15,21 @@
         .include "shear_tmpl.inc"
         .include "triangle_tmpl.inc"
 
-        .set    a_ray,3
-        .set    a_triangle,4
-        .set    object,5
+        .set    NEXT,3
+        registers a_ray,a_triangle,object
         # constants; k_x, k_y, k_z take word 0, 1, 2 into every lane
-        .set    k_x,10
-        .set    k_y,11
-        .set    k_z,12
-        .set    k_one,13
-        .set    k_above_one,14
-        .set    k_sign,15
-        .set    m_pair_xy,16
-        .set    m_pair_z,17
-        .set    m_third_x,18
-        .set    m_third_y,19
-        .set    m_third_z,20
-        .set    m_next,21
-        .set    m_last,22
+        .set    NEXT,10
+        registers k_x,k_y,k_z,k_one,k_above_one,k_sign,m_pair_xy,m_pair_z,m_third_x,m_third_y
+        registers m_third_z,m_next,m_last
         # the ray
-        .set    ray_origin,23
-        .set    ray_direction,24
-        .set    origin_x,25
-        .set    origin_y,26
-        .set    origin_z,27
-        .set    direction_x,28
-        .set    direction_y,29
-        .set    direction_z,30
-        .set    n_best,31
-        .set    nearest,32
-        .set    u_best,33
-        .set    v_best,34
+        registers ray_origin,ray_direction,origin_x,origin_y,origin_z,direction_x,direction_y
+        registers direction_z,n_best,nearest,u_best,v_best
         # its shear
-        .set    c_y,35
-        .set    c_z,36
-        .set    slope_x,37
-        .set    slope_y,38
-        .set    minus_per_z,39
-        .set    x,40
-        .set    y,41
-        .set    z,42
-        .set    inverse,43
-        .set    t_y,44
-        .set    t_e,45
+        registers c_y,c_z,slope_x,slope_y,minus_per_z,x,y,z,inverse,t_y,t_e
         # the triangle: a vertex a register, then a vertex a lane
-        .set    vertex_a,46
-        .set    vertex_b,47
-        .set    vertex_c,48
-        .set    all_x,49
-        .set    all_y,50
-        .set    all_z,51
-        .set    own_x,52
-        .set    own_y,53
-        .set    own_z,54
-        .set    za,55
-        .set    zb,56
-        .set    zc,57
+        registers vertex_a,vertex_b,vertex_c,all_x,all_y,all_z,own_x,own_y,own_z,za,zb,zc
         # edges: opposite to a, b, c
-        .set    p,58
-        .set    q,59
-        .set    last_x,60
-        .set    last_y,61
-        .set    next_x,62
-        .set    next_y,63
-        .set    edges,64
-        .set    u,65
-        .set    v,66
-        .set    w,67
-        .set    det,68
+        registers p,q,last_x,last_y,next_x,next_y,edges,u,v,w,det
         .set    n,58                                    # reused
         .set    outside,59                              # reused
         .set    hit,64                                  # reused

@@ -17,48 +17,23 @@
         .include "flat.inc"
         .include "triangle_tmpl.inc"
 
-        .set    a_rays,3
-        .set    a_shear,4
-        .set    a_triangle,5
-        .set    count,6
-        .set    object,7
+        .set    NEXT,3
+        registers a_rays,a_shear,a_triangle,count,object
         # constants
-        .set    k_above_one,10
-        .set    k_sign,11
-        .set    m_splat,12
-        .set    a_controls,13
+        .set    NEXT,10
+        registers k_above_one,k_sign,m_splat,a_controls
         # -t, carried from triangle to triangle; the rest of a hit waits in the rays, so that the
         # pipelined loop has registers enough
-        .set    n_best,14
-        .set    best,18
+        registers n_best
+        .set    NEXT,18
+        registers best
         # the triangle
-        .set    vertex_a,19
-        .set    vertex_b,20
-        .set    vertex_c,21
+        registers vertex_a,vertex_b,vertex_c
         # temporaries
-        .set    xa,22
-        .set    ya,23
-        .set    za,24
-        .set    xb,25
-        .set    yb,26
-        .set    zb,27
-        .set    xc,28
-        .set    yc,29
-        .set    zc,30
-        .set    axis,31
-        .set    origin,32
-        .set    slope,33
+        registers xa,ya,za,xb,yb,zb,xc,yc,zc,axis,origin,slope
         .set    p,31                                    # reused
         .set    q,32                                    # reused
-        .set    u,34
-        .set    v,35
-        .set    w,36
-        .set    det,37
-        .set    inverse,38
-        .set    t_y,39
-        .set    t_e,40
-        .set    n,41
-        .set    outside,42
+        registers u,v,w,det,inverse,t_y,t_e,n,outside
         .set    control,37                              # reused
 
         sign_controls_table

@@ -17,40 +17,19 @@
         .include "flat.inc"
         .include "shear_tmpl.inc"
 
-        .set    a_rays,3
-        .set    a_shear,4
+        .set    NEXT,3
+        registers a_rays,a_shear
         # constants
-        .set    k_x,10
-        .set    k_y,11
-        .set    k_z,12
-        .set    k_one,13
-        .set    k_sign,14
+        .set    NEXT,10
+        registers k_x,k_y,k_z,k_one,k_sign
         # the rays
-        .set    origin_x,15
-        .set    origin_y,16
-        .set    origin_z,17
-        .set    direction_x,18
-        .set    direction_y,19
-        .set    direction_z,20
+        registers origin_x,origin_y,origin_z,direction_x,direction_y,direction_z
         # results
-        .set    axis_x,21
-        .set    axis_y,22
-        .set    axis_z,23
-        .set    own_x,24                                # the origin in the ray's own order
-        .set    own_y,25
-        .set    own_z,26
-        .set    slope_x,27
-        .set    slope_y,28
-        .set    minus_per_z,29
+        registers axis_x,axis_y,axis_z
+        registers own_x                                 # the origin in the ray's own order
+        registers own_y,own_z,slope_x,slope_y,minus_per_z
         # temporaries
-        .set    x,30
-        .set    y,31
-        .set    z,32
-        .set    inverse,33
-        .set    t_y,34
-        .set    t_e,35
-        .set    c_y,36
-        .set    c_z,37
+        registers x,y,z,inverse,t_y,t_e,c_y,c_z
 
 function shear_r16
         shear_constants

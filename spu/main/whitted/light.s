@@ -5,23 +5,12 @@
         .include "driver.inc"
         .include "whitted.inc"
 
-        .set    a_site,3
-        .set    mask,4
-        .set    value,5
-        .set    a_shadow,6
-        .set    amount,10
-        .set    t_sum,11
-        .set    t_add,12
-        .set    t_carry,13
-        .set    a_surfaces,14
-        .set    a_rays,15
-        .set    left,16
-        .set    flags,17
-        .set    step_surfaces,18
-        .set    step_rays,19
-        .set    site,20
-        .set    m_pair,21
-        .set    m_third,22
+        .set    NEXT,3
+        registers a_site,mask,value,a_shadow
+        .set    NEXT,10
+        registers amount
+        registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
+        registers m_pair,m_third
 
         .section .rodata
         .align  4

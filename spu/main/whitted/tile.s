@@ -6,10 +6,8 @@
         .include "driver.inc"
         .include "whitted.inc"
 
-        .set    a_sum,10
-        .set    zero,11
-        .set    left,12
-        .set    amount,13
+        .set    NEXT,10
+        registers a_sum,zero,left,amount
 
 # whitted_tile   makes the pixels of the tile at hand
 #   Uses    $3-$79, the tile's and Whitted's driver registers

@@ -25,45 +25,31 @@
         .include "macros.inc"
         .include "sizes.inc"
 
-        .set    a_place,3
-        .set    count,4
-        .set    first,5
-        .set    fours,6
-        .set    a_pairs,7
+        .set    NEXT,3
+        registers a_place,count,first,fours,a_pairs
         # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    m_limit,13
-        .set    m_signs,14                              # top bytes of two quadwords' words
-        .set    m_halves,15                             # the first half of one, the last of another
-        .set    m_pair,16                               # the first word of one, then another's
-        .set    k_all,17
+        .set    NEXT,10
+        registers m_x,m_y,m_z,m_limit
+        registers m_signs                               # top bytes of two quadwords' words
+        registers m_halves                              # the first half of one, the last of another
+        registers m_pair                                # the first word of one, then another's
+        registers k_all
         # state
-        .set    a_four,18                               # spheres at hand
-        .set    left,19                                 # fours left for the packet
-        .set    found,20                                # pairs so far
+        registers a_four                                # spheres at hand
+        registers left                                  # fours left for the packet
+        registers found                                 # pairs so far
         # the packet
-        .set    place,21
-        .set    dx,22                                   # to 25, a row each
+        registers place
+        registers dx                                    # to 25, a row each
         .set    dy,26
         .set    dz,30
         # the sphere
-        .set    a_sphere,34
-        .set    pair,35
-        .set    quad,36
-        .set    more,37
-        .set    cx,38
-        .set    cy,39
-        .set    cz,40
-        .set    limit,41
+        .set    NEXT,34
+        registers a_sphere,pair,quad,more,cx,cy,cz,limit
         # temporaries
-        .set    s,42                                    # to 45
-        .set    signs,46
-        .set    signs_low,47
-        .set    any,48
-        .set    offset,49
-        .set    c_last,50
+        registers s                                     # to 45
+        .set    NEXT,46
+        registers signs,signs_low,any,offset,c_last
 
         .section .rodata
         .align  4

@@ -17,28 +17,16 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_frustum,3
-        .set    a_sphere,4
-        .set    count,5
-        .set    a_list,6
+        .set    NEXT,3
+        registers a_frustum,a_sphere,count,a_list
         # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    m_reach,13
-        .set    nx,14
-        .set    ny,15
-        .set    nz,16
+        .set    NEXT,10
+        registers m_x,m_y,m_z,m_reach,nx,ny,nz
         # the sphere
-        .set    quad,20
-        .set    more,21
-        .set    cx,22
-        .set    cy,23
-        .set    cz,24
-        .set    s,25
+        .set    NEXT,20
+        registers quad,more,cx,cy,cz,s
         # temporaries
-        .set    outside,26
-        .set    step,27
+        registers outside,step
 
 function frustum_spheres
         .set count_2,79; .set a_sphere_2,2; .set a_sphere_3,6; .set quad_2,7; .set more_2,8

@@ -39,82 +39,31 @@
         .include "macros.inc"
         .include "pairs.inc"
 
-        .set    a_candidate,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_candidate,count
         # constants
-        .set    m_x,10
-        .set    m_y,11
-        .set    m_z,12
-        .set    k_half,13
-        .set    k_one,14
-        .set    k_tiny,15
-        .set    m_sign,16
-        .set    a_controls,17
-        .set    a_if_enters,18
-        .set    a_if_leaves,19
+        .set    NEXT,10
+        registers m_x,m_y,m_z,k_half,k_one,k_tiny,m_sign,a_controls,a_if_enters,a_if_leaves
         # the candidate
-        .set    object,20
-        .set    a_packet,21                             # its row
-        .set    quad,22
-        .set    base_x,23
-        .set    base_y,24
-        .set    base_z,25
-        .set    axis_x,26
-        .set    axis_y,27
-        .set    axis_z,28
-        .set    radius,29
-        .set    growth,30
-        .set    height,31
-        .set    sides,32
-        .set    if_enters,33                            # the sign, where an entry does not count
-        .set    if_leaves,34                            # likewise an exit
+        registers object
+        registers a_packet                              # its row
+        registers quad,base_x,base_y,base_z,axis_x,axis_y,axis_z,radius,growth,height,sides
+        registers if_enters                             # the sign, where an entry does not count
+        registers if_leaves                             # likewise an exit
         # a row
-        .set    x,35                                    # direction
-        .set    y,36
-        .set    z,37
-        .set    wx,38
-        .set    wy,39
-        .set    wz,40
-        .set    near,41                                 # t of the point nearest to the base
-        .set    h,42
-        .set    rise,43
-        .set    cx,44
-        .set    cy,45
-        .set    cz,46
-        .set    ex,47
-        .set    ey,48
-        .set    ez,49
-        .set    k,50
-        .set    m,51
-        .set    a,52
-        .set    b,53
-        .set    out,54
-        .set    turn_x,55                               # c x e
-        .set    turn_y,56
-        .set    turn_z,57
-        .set    vx,58                                   # k e - m c
-        .set    vy,59
-        .set    vz,60
-        .set    outside,61                              # disc
-        .set    disc,61
-        .set    t_y,62
-        .set    s,63
-        .set    t_e,64
-        .set    q,65
-        .set    inverse,66
-        .set    first,67
-        .set    second,68
-        .set    t,69
-        .set    t_second,70
-        .set    off,71
-        .set    off_second,72
-        .set    hidden,73
-        .set    hidden_second,74
-        .set    ahead,75
-        .set    t_best,76
-        .set    nearest,77
-        .set    control,78
-        .set    inverse_q,79
+        registers x                                     # direction
+        registers y,z,wx,wy,wz
+        registers near                                  # t of the point nearest to the base
+        registers h,rise,cx,cy,cz,ex,ey,ez,k,m,a,b,out
+        registers turn_x                                # c x e
+        registers turn_y,turn_z
+        registers vx                                    # k e - m c
+        registers vy,vz
+        registers outside                               # disc
+        .set    NEXT,61
+        registers disc
+        registers t_y,s,t_e,q,inverse,first,second,t,t_second,off,off_second,hidden,hidden_second
+        registers ahead,t_best,nearest,control,inverse_q
         .set    row,43                                  # reused
 
         sign_controls_table
@@ -143,21 +92,21 @@ function isect_cone_pairs_r16
         .set radius_2,23; .set row_4,24; .set quad_5,25; .set a_packet_3,29; .set quad_6,30
         .set quad_7,32; .set object_6,21; .set a_packet_4,31; .set base_x_3,33; .set a_packet_5,2
         .set base_y_3,29; .set base_z_3,34; .set a_packet_6,25; .set wy_2,31; .set wx_2,42
-        .set near_2,47; .set if_leaves1_2,41; .set row_5,49; .set wz_2,24; .set if_leaves2_2,43
-        .set if_leaves3_2,44; .set wy_3,29; .set axis_y_2,51; .set wx_3,31; .set axis_x_2,33
-        .set axis_z_2,52; .set growth_3,53; .set radius_3,54; .set ex_2,30; .set quad_8,35
-        .set m_2,55; .set ey_2,36; .set wy_4,45; .set ez_2,37; .set if_leaves1_3,56; .set h_2,46
-        .set if_leaves2_3,57; .set near_3,50; .set wz_3,58; .set base_x_4,34; .set row_6,59
-        .set base_y_4,60; .set a_2,61; .set base_z_4,35; .set if_leaves3_3,62; .set sides_2,20
-        .set quad_9,63; .set wy_5,60; .set near_4,64; .set row_7,45; .set near_5,59; .set a_3,47
-        .set row_8,61; .set wx_4,34; .set row_9,65; .set height_2,66; .set near_6,46
-        .set axis_x_3,67; .set wz_4,35; .set axis_y_3,68; .set axis_z_3,63; .set near_7,58
-        .set sides_3,5; .set cx_2,26; .set h_3,38; .set k_2,69; .set h_4,70; .set cy_2,27
-        .set cz_2,28; .set sides_4,7; .set wx_5,39; .set object_7,40; .set wy_6,71; .set vx_2,6
-        .set a_packet_7,8; .set turn_y_2,29; .set a_packet_8,23; .set vy_2,31; .set growth_4,72
-        .set vz_2,50; .set sides_5,73; .set turn_x_2,7; .set turn_z_2,74; .set near_8,42
-        .set vx_3,75; .set turn_y_3,78; .set vy_3,79; .set turn_x_3,9; .set a_packet_9,7
-        .set h_5,22; .set near_9,29; .set disc_2,75; .set row_10,31; .set object_8,2; .set b_2,30
+        .set near_2,47; .set x_2,41; .set row_5,49; .set wz_2,24; .set y_2,43; .set z_2,44
+        .set wy_3,29; .set axis_y_2,51; .set wx_3,31; .set axis_x_2,33; .set axis_z_2,52
+        .set growth_3,53; .set radius_3,54; .set ex_2,30; .set quad_8,35; .set m_2,55; .set ey_2,36
+        .set wy_4,45; .set ez_2,37; .set x_3,56; .set h_2,46; .set y_3,57; .set near_3,50
+        .set wz_3,58; .set base_x_4,34; .set row_6,59; .set base_y_4,60; .set a_2,61
+        .set base_z_4,35; .set z_3,62; .set sides_2,20; .set quad_9,63; .set wy_5,60
+        .set near_4,64; .set row_7,45; .set near_5,59; .set a_3,47; .set row_8,61; .set wx_4,34
+        .set row_9,65; .set height_2,66; .set near_6,46; .set axis_x_3,67; .set wz_4,35
+        .set axis_y_3,68; .set axis_z_3,63; .set near_7,58; .set sides_3,5; .set cx_2,26
+        .set h_3,38; .set k_2,69; .set h_4,70; .set cy_2,27; .set cz_2,28; .set sides_4,7
+        .set wx_5,39; .set object_7,40; .set wy_6,71; .set vx_2,6; .set a_packet_7,8
+        .set turn_y_2,29; .set a_packet_8,23; .set vy_2,31; .set growth_4,72; .set vz_2,50
+        .set sides_5,73; .set turn_x_2,7; .set turn_z_2,74; .set near_8,42; .set vx_3,75
+        .set turn_y_3,78; .set vy_3,79; .set turn_x_3,9; .set a_packet_9,7; .set h_5,22
+        .set near_9,29; .set disc_2,75; .set row_10,31; .set object_8,2; .set b_2,30
         .set height_3,46; .set m_3,32; .set radius_4,40; .set ex_3,41; .set ez_3,36; .set disc_3,44
         .set ey_3,43; .set out_2,26; .set t_y_2,49; .set b_3,37; .set a_4,75; .set cx_3,33
         .set h_6,50; .set disc_4,9; .set h_7,30; .set cy_3,39; .set k_3,53; .set cz_3,22
@@ -219,33 +168,33 @@ function isect_cone_pairs_r16
         lqd     $quad_4,48($object_3)                   # 28o
         lqd     $wx,0($a_packet_2)                      # 29o
         lqd     $wy,64($a_packet_2)                     # 30o
-        lqd     $if_leaves+1,192($a_packet_2)           # 31o
+        lqd     $x,192($a_packet_2)                     # 31o
         shufb   $base_x_2,$quad_2,$quad_2,$m_x          # 32o
         shufb   $base_y_2,$quad_2,$quad_2,$m_y          # 33o
-        lqd     $if_leaves+2,256($a_packet_2)           # 34o
+        lqd     $y,256($a_packet_2)                     # 34o
         nop     $127                                    # 35e pairing
         lqd     $wz,128($a_packet_2)                    # 35o
         fs      $wx,$base_x_2,$wx                       # 36e
         shufb   $base_z_2,$quad_2,$quad_2,$m_z          # 36o
         fs      $wy,$base_y_2,$wy                       # 37e
-        lqd     $if_leaves+3,320($a_packet_2)           # 37o
+        lqd     $z,320($a_packet_2)                     # 37o
         shufb   $axis_x,$quad_3,$quad_3,$m_x            # 38o
         shufb   $axis_y,$quad_3,$quad_3,$m_y            # 39o
         nop     $127                                    # 40e pairing
         shufb   $axis_z,$quad_3,$quad_3,$m_z            # 40o
         fs      $wz,$base_z_2,$wz                       # 41e
         shufb   $growth_2,$quad_4,$quad_4,$m_y          # 41o
-        fm      $near,$wx,$if_leaves+1                  # 42e
+        fm      $near,$wx,$x                            # 42e
         shufb   $radius_2,$quad_4,$quad_4,$m_x          # 42o
-        fm      $row_4,$axis_x,$if_leaves+1             # 43e
+        fm      $row_4,$axis_x,$x                       # 43e
         lqd     $quad_5,0($object_5)                    # 43o
         rotqbyi $a_packet_3,$object_2,4                 # 44o
         lqd     $quad_6,16($object_5)                   # 45o
         lqd     $quad_7,48($object_5)                   # 46o
         shufb   $object_6,$object_4,$object_4,$m_x      # 47o
-        fma     $near,$wy,$if_leaves+2,$near            # 48e
+        fma     $near,$wy,$y,$near                      # 48e
         rotqbyi $a_packet_4,$object_4,4                 # 48o
-        fma     $row_4,$axis_y,$if_leaves+2,$row_4      # 49e
+        fma     $row_4,$axis_y,$y,$row_4                # 49e
         shufb   $base_x_3,$quad_5,$quad_5,$m_x          # 49o
         a       $a_packet_5,$a_packet_3,$row_2          # 50e
         shufb   $base_y_3,$quad_5,$quad_5,$m_y          # 50o
@@ -255,49 +204,49 @@ function isect_cone_pairs_r16
         lqd     $wy_2,64($a_packet_5)                   # 52o
         nop     $127                                    # 53e pairing
         lqd     $wx_2,0($a_packet_5)                    # 53o
-        fma     $near_2,$wz,$if_leaves+3,$near          # 54e
-        lqd     $if_leaves1_2,192($a_packet_5)          # 54o
-        fma     $row_5,$axis_z,$if_leaves+3,$row_4      # 55e
+        fma     $near_2,$wz,$z,$near                    # 54e
+        lqd     $x_2,192($a_packet_5)                   # 54o
+        fma     $row_5,$axis_z,$z,$row_4                # 55e
         lqd     $wz_2,128($a_packet_5)                  # 55o
-        lqd     $if_leaves2_2,256($a_packet_5)          # 56o
-        lqd     $if_leaves3_2,320($a_packet_5)          # 57o
+        lqd     $y_2,256($a_packet_5)                   # 56o
+        lqd     $z_2,320($a_packet_5)                   # 57o
         fs      $wy_3,$base_y_3,$wy_2                   # 58e
         shufb   $axis_y_2,$quad_6,$quad_6,$m_y          # 58o
         fs      $wx_3,$base_x_3,$wx_2                   # 59e
         shufb   $axis_x_2,$quad_6,$quad_6,$m_x          # 59o
-        fms     $wy,$near_2,$if_leaves+2,$wy            # 60e
+        fms     $wy,$near_2,$y,$wy                      # 60e
         shufb   $axis_z_2,$quad_6,$quad_6,$m_z          # 60o
-        fms     $wx,$near_2,$if_leaves+1,$wx            # 61e
+        fms     $wx,$near_2,$x,$wx                      # 61e
         shufb   $growth_3,$quad_7,$quad_7,$m_y          # 61o
-        fms     $wz,$near_2,$if_leaves+3,$wz            # 62e
+        fms     $wz,$near_2,$z,$wz                      # 62e
         shufb   $radius_3,$quad_7,$quad_7,$m_x          # 62o
-        fnms    $ex_2,$row_5,$axis_x,$if_leaves+1       # 63e
+        fnms    $ex_2,$row_5,$axis_x,$x                 # 63e
         lqd     $quad_8,0($object_6)                    # 63o
         fm      $m_2,$growth_2,$row_5                   # 64e
         lqd     $wx_2,0($a_packet_6)                    # 64o
-        fnms    $ey_2,$row_5,$axis_y,$if_leaves+2       # 65e
+        fnms    $ey_2,$row_5,$axis_y,$y                 # 65e
         lqd     $wy_4,64($a_packet_6)                   # 65o
-        fnms    $ez_2,$row_5,$axis_z,$if_leaves+3       # 66e
-        lqd     $if_leaves1_3,192($a_packet_6)          # 66o
+        fnms    $ez_2,$row_5,$axis_z,$z                 # 66e
+        lqd     $x_3,192($a_packet_6)                   # 66o
         fm      $h_2,$axis_x,$wx                        # 67e
-        lqd     $if_leaves2_3,256($a_packet_6)          # 67o
-        fm      $near_3,$wx_3,$if_leaves1_2             # 68e
+        lqd     $y_3,256($a_packet_6)                   # 67o
+        fm      $near_3,$wx_3,$x_2                      # 68e
         lqd     $wz_3,128($a_packet_6)                  # 68o
         fs      $wz_2,$base_z_3,$wz_2                   # 69e
         shufb   $base_x_4,$quad_8,$quad_8,$m_x          # 69o
-        fm      $row_6,$axis_x_2,$if_leaves1_2          # 70e
+        fm      $row_6,$axis_x_2,$x_2                   # 70e
         shufb   $base_y_4,$quad_8,$quad_8,$m_y          # 70o
         fm      $a_2,$ex_2,$ex_2                        # 71e
         shufb   $base_z_4,$quad_8,$quad_8,$m_z          # 71o
         nop     $127                                    # 72e pairing
-        lqd     $if_leaves3_3,320($a_packet_6)          # 72o
+        lqd     $z_3,320($a_packet_6)                   # 72o
         fma     $h_2,$axis_y,$wy,$h_2                   # 73e
         lqd     $sides_2,32($object)                    # 73o
-        fma     $near_3,$wy_3,$if_leaves2_2,$near_3     # 74e
+        fma     $near_3,$wy_3,$y_2,$near_3              # 74e
         lqd     $quad_9,16($object_6)                   # 74o
         fs      $wy_5,$base_y_4,$wy_4                   # 75e
         shlqbyi $near_4,$near_2,0                       # 75o copy
-        fma     $row_7,$axis_y_2,$if_leaves2_2,$row_6   # 76e
+        fma     $row_7,$axis_y_2,$y_2,$row_6            # 76e
         shlqbyi $near_5,$near_2,0                       # 76o copy
         fma     $a_3,$ey_2,$ey_2,$a_2                   # 77e
         shlqbyi $row_8,$row_5,0                         # 77o copy
@@ -305,15 +254,15 @@ function isect_cone_pairs_r16
         shlqbyi $row_9,$row_5,0                         # 78o copy
         fma     $h,$axis_z,$wz,$h_2                     # 79e
         shufb   $height_2,$quad_4,$quad_4,$m_z          # 79o
-        fma     $near_6,$wz_2,$if_leaves3_2,$near_3     # 80e
+        fma     $near_6,$wz_2,$z_2,$near_3              # 80e
         shufb   $axis_x_3,$quad_9,$quad_9,$m_x          # 80o
         fs      $wz_4,$base_z_4,$wz_3                   # 81e
         shufb   $axis_y_3,$quad_9,$quad_9,$m_y          # 81o
-        fma     $row_5,$axis_z_2,$if_leaves3_2,$row_7   # 82e
+        fma     $row_5,$axis_z_2,$z_2,$row_7            # 82e
         shufb   $axis_z_3,$quad_9,$quad_9,$m_z          # 82o
         fma     $a_3,$ez_2,$ez_2,$a_3                   # 83e
         rotqbyi $sides_2,$sides_2,12                    # 83o
-        fm      $near_7,$wx_4,$if_leaves1_3             # 84e
+        fm      $near_7,$wx_4,$x_3                      # 84e
         lqd     $sides_3,32($object_2)                  # 84o
         fnms    $cx_2,$h,$axis_x,$wx                    # 85e
         shlqbyi $h_3,$h,0                               # 85o copy
@@ -323,9 +272,9 @@ function isect_cone_pairs_r16
         lqd     $quad_4,48($object_6)                   # 87o
         fnms    $cz_2,$h,$axis_z,$wz                    # 88e
         lqd     $sides_4,32($object_4)                  # 88o
-        fms     $wx_5,$near_6,$if_leaves1_2,$wx_3       # 89e
+        fms     $wx_5,$near_6,$x_2,$wx_3                # 89e
         shlqbyi $object_7,$object_3,0                   # 89o copy
-        fms     $wy_6,$near_6,$if_leaves2_2,$wy_3       # 90e
+        fms     $wy_6,$near_6,$y_2,$wy_3                # 90e
         rotqbyi $sides_3,$sides_3,12                    # 90o
         fm      $vx_2,$m_2,$cx_2                        # 91e
         shlqbyi $a_packet_7,$a_packet_2,0               # 91o copy
@@ -355,7 +304,7 @@ function isect_cone_pairs_r16
         shlqbyi $row_10,$row_5,0                        # 103o copy
         fms     $turn_z_2,$cx_2,$ey_2,$turn_z_2         # 104e
         shlqbyi $a_packet_7,$a_packet_5,0               # 104o copy
-        fms     $wz_2,$near_6,$if_leaves3_2,$wz_2       # 105e
+        fms     $wz_2,$near_6,$z_2,$wz_2                # 105e
         shlqbyi $object_8,$object_7,0                   # 105o copy
         fm      $b_2,$cx_2,$ex_2                        # 106e
         shufb   $height_3,$quad_7,$quad_7,$m_z          # 106o
@@ -363,13 +312,13 @@ function isect_cone_pairs_r16
         shufb   $radius_4,$quad_4,$quad_4,$m_x          # 107o
         fma     $h_5,$axis_y_2,$wy_6,$h_5               # 108e
         fma     $disc_2,$vy_3,$vy_3,$disc_2             # 109e
-        fnms    $ex_3,$row_5,$axis_x_2,$if_leaves1_2    # 110e
+        fnms    $ex_3,$row_5,$axis_x_2,$x_2             # 110e
         fnms    $a_3,$m_2,$m_2,$a_3                     # 111e
         fma     $b_2,$cy_2,$ey_2,$b_2                   # 112e
-        fnms    $ez_3,$row_5,$axis_z_2,$if_leaves3_2    # 113e
+        fnms    $ez_3,$row_5,$axis_z_2,$z_2             # 113e
         fma     $h_5,$axis_z_2,$wz_2,$h_5               # 114e
         fma     $disc_3,$vz_2,$vz_2,$disc_2             # 115e
-        fnms    $ey_3,$row_5,$axis_y_2,$if_leaves2_2    # 116e
+        fnms    $ey_3,$row_5,$axis_y_2,$y_2             # 116e
         lnop                                            # 116o pairing
         fm      $out_2,$cx_2,$cx_2                      # 117e
         frest   $t_y_2,$a_3                             # 117o
@@ -407,13 +356,13 @@ function isect_cone_pairs_r16
         fms     $turn_x,$cy_3,$ez_3,$turn_x             # 142e
         fi      $t_y_3,$disc_4,$t_y_3                   # 143e
         selb    $hidden_second_2,$if_leaves_2,$if_enters_2,$b_3 # 144e
-        fm      $row_11,$axis_x_3,$if_leaves1_3         # 145e
+        fm      $row_11,$axis_x_3,$x_3                  # 145e
         fma     $disc_5,$vy_4,$vy_4,$disc_5             # 146e
         fnms    $t_e_2,$a_3,$t_y_2,$k_one               # 147e
         fma     $out_2,$cz_2,$cz_2,$out_2               # 148e
         fms     $turn_z_3,$cx_3,$ey_3,$turn_z_2         # 149e
         fm      $s_2,$disc_4,$t_y_3                     # 150e
-        fma     $near_2,$wy_5,$if_leaves2_3,$near_7     # 151e
+        fma     $near_2,$wy_5,$y_3,$near_7              # 151e
         fma     $disc_5,$vz_3,$vz_3,$disc_5             # 152e
         fma     $inverse_2,$t_e_2,$t_y_2,$t_y_2         # 153e
         fnms    $out_2,$k_2,$k_2,$out_2                 # 154e
@@ -421,27 +370,27 @@ function isect_cone_pairs_r16
         fnms    $t_e_3,$s_2,$t_y_3,$k_one               # 156e 1 - s y
         selb    $s_2,$s_2,$b_3,$m_sign                  # 157e
         fnms    $disc_5,$turn_x,$turn_x,$disc_5         # 158e
-        fma     $near_2,$wz_4,$if_leaves3_3,$near_2     # 159e
-        fma     $row_5,$axis_y_3,$if_leaves2_3,$row_11  # 160e
+        fma     $near_2,$wz_4,$z_3,$near_2              # 159e
+        fma     $row_5,$axis_y_3,$y_3,$row_11           # 160e
         fma     $a,$ez_3,$ez_3,$a                       # 161e
         fma     $t_e_3,$t_e_3,$k_half,$k_one            # 162e
         selb    $hidden_2,$if_enters_2,$if_leaves_2,$b_3 # 163e
         fnms    $disc_5,$turn_y_4,$turn_y_4,$disc_5     # 164e
-        fms     $wx_6,$near_2,$if_leaves1_3,$wx_4       # 165e
-        fms     $wz_4,$near_2,$if_leaves3_3,$wz_4       # 166e
+        fms     $wx_6,$near_2,$x_3,$wx_4                # 165e
+        fms     $wz_4,$near_2,$z_3,$wz_4                # 166e
         fm      $out_3,$cx_3,$cx_3                      # 167e
         fma     $q_2,$s_2,$t_e_3,$b_3                   # 168e
         fm      $b_4,$cx_3,$ex_3                        # 169e
         fnms    $disc_5,$turn_z_3,$turn_z_3,$disc_5     # 170e
         fm      $h_8,$axis_x_3,$wx_6                    # 171e
         fnms    $a,$m_3,$m_3,$a                         # 172e
-        fms     $wy_7,$near_2,$if_leaves2_3,$wy_5       # 173e
+        fms     $wy_7,$near_2,$y_3,$wy_5                # 173e
         lnop                                            # 173o pairing
         fm      $first_2,$q_2,$inverse_2                # 174e -s
         frest   $t_y_4,$q_2                             # 174o
         fma     $b_4,$cy_3,$ey_3,$b_4                   # 175e
         lnop                                            # 175o pairing
-        fma     $row_5,$axis_z_3,$if_leaves3_3,$row_5   # 176e
+        fma     $row_5,$axis_z_3,$z_3,$row_5            # 176e
         frsqest $t_y_5,$disc_5                          # 176o
         rotmi   $sides_3,$sides_3,-26                   # 177e the two bits to quadwords' addresses
         shlqbyi $disc_7,$disc_5,0                       # 177o copy
@@ -451,7 +400,7 @@ function isect_cone_pairs_r16
         fnms    $off_2,$first_2,$row_9,$h_4             # 180e the crossing's height
         fs      $t,$near_5,$first_2                     # 181e
         lqx     $if_enters_3,$a_if_enters,$sides_3      # 181o
-        fnms    $ex_4,$row_5,$axis_x_3,$if_leaves1_3    # 182e
+        fnms    $ex_4,$row_5,$axis_x_3,$x_3             # 182e
         lqx     $if_leaves_3,$a_if_leaves,$sides_3      # 182o
         fi      $t_y_7,$disc_5,$t_y_5                   # 183e
         fi      $t_y_5,$a,$t_y_6                        # 184e
@@ -465,11 +414,11 @@ function isect_cone_pairs_r16
         or      $t,$t,$hidden_2                         # 193e
         fma     $b_5,$cz_3,$ez_3,$b_4                   # 194e
         fnms    $t_e_5,$a,$t_y_5,$k_one                 # 195e
-        fnms    $ey_4,$row_5,$axis_y_3,$if_leaves2_3    # 196e
+        fnms    $ey_4,$row_5,$axis_y_3,$y_3             # 196e
         fma     $out_4,$cy_3,$cy_3,$out_3               # 197e
         fm      $second_2,$out_2,$inverse_q             # 198e
         fnms    $t_e_6,$s_3,$t_y_7,$k_one               # 199e 1 - s y
-        fnms    $ez_4,$row_5,$axis_z_3,$if_leaves3_3    # 200e
+        fnms    $ez_4,$row_5,$axis_z_3,$z_3             # 200e
         fma     $inverse_3,$t_e_5,$t_y_5,$t_y_5         # 201e
         fma     $a,$ey_4,$ey_4,$a_5                     # 202e
         fma     $out_5,$cz_3,$cz_3,$out_4               # 203e
@@ -561,7 +510,7 @@ next_row:
             fnms    $b,$k_4,$m,$b                       # 19e
         lqd     $wy,64($a_packet_6)                     # 19o
             fnms    $disc,$turn_x,$turn_x,$disc         # 20e
-        lqd     $if_leaves+1,192($a_packet_6)           # 20o
+        lqd     $x,192($a_packet_6)                     # 20o
             fs      $t,$near_9,$first                   # 21e
         shufb   $base_x_5,$quad_2,$quad_2,$m_x          # 21o
             fma     $out,$cz_2,$cz_2,$out               # 22e
@@ -577,57 +526,57 @@ next_row:
         fs      $wy,$base_y_2,$wy                       # 27e
         fs      $wz,$base_z_5,$wz                       # 28e
             clgt    $off,$off,$height_3                 # 29e below 0 is above all
-        lqd     $if_leaves+2,256($a_packet_6)           # 29o
+        lqd     $y,256($a_packet_6)                     # 29o
             fm      $second,$out_6,$inverse_q           # 30e
         shufb   $axis_x,$quad,$quad,$m_x                # 30o
-        fm      $near,$wx,$if_leaves+1                  # 31e
+        fm      $near,$wx,$x                            # 31e
         rotqbyi $sides,$sides,12                        # 31o
             or      $t,$t,$off                          # 32e
             shlqbyi $near_9,$near_2,0                   # 32o copy
             fnms    $disc,$turn_z,$turn_z,$disc         # 33e
             lqx     $if_enters,$a_if_enters,$sides_6    # 33o
-        fm      $row,$axis_x,$if_leaves+1               # 34e
+        fm      $row,$axis_x,$x                         # 34e
             shlqbyi $h_7,$h_9,0                         # 34o copy
             or      $t,$t,$hidden                       # 35e
             lqx     $if_leaves,$a_if_leaves,$sides_6    # 35o
             fnms    $off_second,$second,$row_7,$h_6     # 36e
             shlqbyi $row_10,$row_5,0                    # 36o copy
-        fma     $near,$wy,$if_leaves+2,$near            # 37e
-        lqd     $if_leaves+3,320($a_packet_6)           # 37o
+        fma     $near,$wy,$y,$near                      # 37e
+        lqd     $z,320($a_packet_6)                     # 37o
             fs      $t_second,$near_8,$second           # 38e
             shlqbyi $near_8,$near_2,0                   # 38o copy
         rotmi   $sides_6,$sides,-26                     # 39e the two bits to quadwords' addresses
             frsqest $t_y,$disc                          # 39o
-        fma     $row,$axis_y,$if_leaves+2,$row          # 40e
+        fma     $row,$axis_y,$y,$row                    # 40e
             shlqbyi $row_7,$row_5,0                     # 40o copy
             selb    $hidden,$if_enters,$if_leaves,$b    # 41e
             lnop                                        # 41o pairing
             clgt    $off_second,$off_second,$height_3   # 42e
             shufb   $height_3,$quad_4,$quad_4,$m_z      # 42o
-        fma     $near_2,$wz,$if_leaves+3,$near          # 43e
+        fma     $near_2,$wz,$z,$near                    # 43e
             fi      $t_y,$disc,$t_y                     # 44e
             or      $t_second,$t_second,$off_second     # 45e
         lqd     $quad_4,48($object_6)                   # 45o
-        fma     $row_5,$axis_z,$if_leaves+3,$row        # 46e
+        fma     $row_5,$axis_z,$z,$row                  # 46e
             shlqbyi $h_6,$h_9,0                         # 46o copy
             or      $t_second,$t_second,$hidden_second  # 47e
             selb    $hidden_second,$if_leaves,$if_enters,$b # 48e
-        fms     $wx,$near_2,$if_leaves+1,$wx            # 49e
+        fms     $wx,$near_2,$x,$wx                      # 49e
             clgt    $control,$t,$t_second               # 50e
             fnms    $out_6,$k_4,$k_4,$out               # 51e
         shufb   $radius_5,$quad_4,$quad_4,$m_x          # 51o
-        fnms    $ex_5,$row_5,$axis_x,$if_leaves+1       # 52e
+        fnms    $ex_5,$row_5,$axis_x,$x                 # 52e
         shufb   $growth_5,$quad_4,$quad_4,$m_y          # 52o
             fm      $s,$disc,$t_y                       # 53e
-        fms     $wy,$near_2,$if_leaves+2,$wy            # 54e
+        fms     $wy,$near_2,$y,$wy                      # 54e
         fm      $h_5,$axis_x,$wx                        # 55e
-        fnms    $ey_4,$row_5,$axis_y,$if_leaves+2       # 56e
-        fms     $wz,$near_2,$if_leaves+3,$wz            # 57e
+        fnms    $ey_4,$row_5,$axis_y,$y                 # 56e
+        fms     $wz,$near_2,$z,$wz                      # 57e
         fm      $a,$ex_5,$ex_5                          # 58e
             fnms    $t_e,$s,$t_y,$k_one                 # 59e 1 - s y
         fm      $m,$growth_5,$row_5                     # 60e
         fma     $h_5,$axis_y,$wy,$h_5                   # 61e
-        fnms    $ez_4,$row_5,$axis_z,$if_leaves+3       # 62e
+        fnms    $ez_4,$row_5,$axis_z,$z                 # 62e
             selb    $s,$s,$b,$m_sign                    # 63e
         fma     $a,$ey_4,$ey_4,$a                       # 64e
             selb    $t,$t,$t_second,$control            # 65e
@@ -808,44 +757,44 @@ next_row_short:
         lqd     $quad_10,16($object_8)                  # 11o
         lqd     $quad_11,48($object_8)                  # 12o
         lqd     $wx,0($a_packet)                        # 13o
-        lqd     $if_leaves+1,192($a_packet)             # 14o
+        lqd     $x,192($a_packet)                       # 14o
         lqd     $wy,64($a_packet)                       # 15o
         shufb   $base_x,$quad,$quad,$m_x                # 16o
         shufb   $base_y,$quad,$quad,$m_y                # 17o
-        lqd     $if_leaves+2,256($a_packet)             # 18o
+        lqd     $y,256($a_packet)                       # 18o
         lqd     $wz,128($a_packet)                      # 19o
         fs      $wx,$base_x,$wx                         # 20e
         shufb   $base_z,$quad,$quad,$m_z                # 20o
         fs      $wy,$base_y,$wy                         # 21e
-        lqd     $if_leaves+3,320($a_packet)             # 21o
+        lqd     $z,320($a_packet)                       # 21o
         shufb   $axis_x,$quad_10,$quad_10,$m_x          # 22o
         shufb   $axis_y,$quad_10,$quad_10,$m_y          # 23o
         nop     $127                                    # 24e pairing
         shufb   $axis_z,$quad_10,$quad_10,$m_z          # 24o
         fs      $wz,$base_z,$wz                         # 25e
         shufb   $growth,$quad_11,$quad_11,$m_y          # 25o
-        fm      $near,$wx,$if_leaves+1                  # 26e
+        fm      $near,$wx,$x                            # 26e
         shufb   $radius,$quad_11,$quad_11,$m_x          # 26o
-        fm      $row,$axis_x,$if_leaves+1               # 27e
+        fm      $row,$axis_x,$x                         # 27e
         rotqbyi $sides,$sides,12                        # 27o
         shufb   $height,$quad_11,$quad_11,$m_z          # 28o
         lqd     $t_best,384($a_packet)                  # 29o
         lqd     $nearest,448($a_packet)                 # 30o
         rotmi   $sides,$sides,-26                       # 31e the two bits to quadwords' addresses
-        fma     $near,$wy,$if_leaves+2,$near            # 32e
-        fma     $row,$axis_y,$if_leaves+2,$row          # 33e
+        fma     $near,$wy,$y,$near                      # 32e
+        fma     $row,$axis_y,$y,$row                    # 33e
         lqx     $if_enters,$a_if_enters,$sides          # 35o
         lqx     $if_leaves,$a_if_leaves,$sides          # 36o
-        fma     $near,$wz,$if_leaves+3,$near            # 38e
-        fma     $row,$axis_z,$if_leaves+3,$row          # 39e
-        fms     $wx,$near,$if_leaves+1,$wx              # 44e
-        fms     $wy,$near,$if_leaves+2,$wy              # 45e
-        fms     $wz,$near,$if_leaves+3,$wz              # 46e
+        fma     $near,$wz,$z,$near                      # 38e
+        fma     $row,$axis_z,$z,$row                    # 39e
+        fms     $wx,$near,$x,$wx                        # 44e
+        fms     $wy,$near,$y,$wy                        # 45e
+        fms     $wz,$near,$z,$wz                        # 46e
         fm      $m,$growth,$row                         # 47e
-        fnms    $ex,$row,$axis_x,$if_leaves+1           # 48e
-        fnms    $ey,$row,$axis_y,$if_leaves+2           # 49e
+        fnms    $ex,$row,$axis_x,$x                     # 48e
+        fnms    $ey,$row,$axis_y,$y                     # 49e
         fm      $h,$axis_x,$wx                          # 50e
-        fnms    $ez,$row,$axis_z,$if_leaves+3           # 51e
+        fnms    $ez,$row,$axis_z,$z                     # 51e
         fm      $a,$ex,$ex                              # 54e
         fma     $h,$axis_y,$wy,$h                       # 56e
         fma     $a,$ey,$ey,$a                           # 60e

@@ -17,29 +17,24 @@
         .include "pairs.inc"
         .include "rectangle_tmpl.inc"
 
-        .set    a_candidate,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_candidate,count
         # constants
-        .set    k_x,10
-        .set    k_y,11
-        .set    k_z,12
-        .set    m_w,13
-        .set    k_one,14
-        .set    k_sign,15
-        .set    a_controls,42
+        .set    NEXT,10
+        registers k_x,k_y,k_z,m_w,k_one,k_sign
+        .set    NEXT,42
+        registers a_controls
         # the candidate
-        .set    object,43
-        .set    a_rectangle,43
-        .set    a_packet,44
-        .set    a_rays,44
-        .set    both,45
+        registers object
+        .set    NEXT,43
+        registers a_rectangle,a_packet
+        .set    NEXT,44
+        registers a_rays,both
         # temporaries
-        .set    outside,46
-        .set    c_v,47
-        .set    seen,47                                 # reused
-        .set    t,48
-        .set    t_best,49
-        .set    nearest,50
+        registers outside,c_v
+        .set    NEXT,47
+        registers seen                                  # reused
+        registers t,t_best,nearest
         .set    control,47                              # reused
         .set    ahead,39                                # n
 
@@ -59,31 +54,31 @@ function isect_rectangle_pairs_r16
         .set dual_u_x_2,62; .set ahead_3,21; .set dual_u_y_2,64; .set both_2,66; .set beside_y_6,53
         .set dual_u_z_2,28; .set ahead_4,67; .set t_best_2,75; .set ahead_5,24; .set dual_v_x_2,5
         .set dual_v_y_2,55; .set dual_v_z_2,65; .set nearest_2,76; .set t_e_2,69; .set t_best_3,77
-        .set beside_z_6,19; .set a_rectangle_2,73; .set t_e_3,68; .set a_rays_2,74; .set ahead_6,26
-        .set t_e_4,67; .set t_e_5,6; .set inverse_2,58; .set inverse_3,47; .set inverse_4,63
-        .set ahead_7,16; .set inverse_5,22; .set control_2,67; .set ahead_8,31; .set control_3,21
-        .set ahead_9,58; .set control_4,16; .set beside_x_8,23; .set beside_y_7,26
-        .set beside_x_9,6; .set beside_x_10,9; .set beside_y_8,18; .set v_2,7; .set u_2,8
-        .set u_3,20; .set beside_y_9,2; .set u_4,22; .set v_3,6; .set v_4,9; .set beside_z_7,5
-        .set u_5,17; .set beside_z_8,20; .set beside_z_9,23; .set u_6,2; .set beside_z_10,8
-        .set u_7,19; .set v_5,18; .set v_6,5; .set t_2,71; .set t_3,72; .set outside_2,2
-        .set control_5,6; .set outside_3,40; .set outside_4,7; .set t_best_4,5; .set outside_5,6
-        .set nearest_3,7; .set nearest_4,8; .set control_6,9; .set control_7,18; .set t_4,20
-        .set control_8,22; .set control_9,2; .set dual_v_x_3,17; .set t_e_6,26; .set t_best_5,6
-        .set nearest_5,18; .set nearest_6,2; .set v_7,2; .set beside_y_10,6; .set u_8,6
-        .set control_10,3; .set outside_6,3; .set control_11,4; .set control_12,7; .set outside_7,4
-        .set nearest_7,9; .set control_13,10; .set t_best_6,3; .set record_5,2; .set record_6,5
-        .set direction_x_5,6; .set direction_y_5,7; .set direction_z_5,8; .set along_5,9
-        .set direction_x_6,16; .set direction_x_7,17; .set beside_x_11,18; .set point_x_3,22
-        .set direction_y_6,23; .set along_6,24; .set direction_y_7,25; .set along_7,26
-        .set beside_y_11,27; .set point_y_3,28; .set direction_z_6,31; .set beside_z_11,37
-        .set beside_z_12,38; .set point_z_3,2; .set beside_x_12,40; .set t_y_7,41; .set ahead_10,45
-        .set t_y_8,46; .set beside_y_12,48; .set beside_y_13,49; .set beside_z_13,50
-        .set beside_z_14,51; .set record_7,52; .set t_y_9,53; .set t_y_10,54; .set dual_u_x_3,55
-        .set t_e_7,56; .set dual_u_y_3,57; .set t_e_8,58; .set both_3,59; .set dual_v_x_4,60
-        .set beside_x_13,22; .set dual_v_y_3,47; .set dual_u_z_3,5; .set dual_v_z_3,52
-        .set inverse_6,41; .set t_best_7,56; .set inverse_7,46; .set both_4,58; .set t_best_8,59
-        .set t_best_9,61; .set t_best_10,62; .set ahead_11,63; .set nearest_8,64
+        .set beside_z_6,19; .set a_rectangle_2,73; .set t_e_3,68; .set a_packet_2,74
+        .set ahead_6,26; .set t_e_4,67; .set t_e_5,6; .set inverse_2,58; .set inverse_3,47
+        .set inverse_4,63; .set ahead_7,16; .set inverse_5,22; .set control_2,67; .set ahead_8,31
+        .set control_3,21; .set ahead_9,58; .set control_4,16; .set beside_x_8,23
+        .set beside_y_7,26; .set beside_x_9,6; .set beside_x_10,9; .set beside_y_8,18; .set v_2,7
+        .set u_2,8; .set u_3,20; .set beside_y_9,2; .set u_4,22; .set v_3,6; .set v_4,9
+        .set beside_z_7,5; .set u_5,17; .set beside_z_8,20; .set beside_z_9,23; .set u_6,2
+        .set beside_z_10,8; .set u_7,19; .set v_5,18; .set v_6,5; .set t_2,71; .set t_3,72
+        .set outside_2,2; .set control_5,6; .set outside_3,40; .set outside_4,7; .set t_best_4,5
+        .set outside_5,6; .set nearest_3,7; .set nearest_4,8; .set control_6,9; .set control_7,18
+        .set t_4,20; .set control_8,22; .set control_9,2; .set dual_v_x_3,17; .set t_e_6,26
+        .set t_best_5,6; .set nearest_5,18; .set nearest_6,2; .set v_7,2; .set beside_y_10,6
+        .set u_8,6; .set control_10,3; .set outside_6,3; .set control_11,4; .set control_12,7
+        .set outside_7,4; .set nearest_7,9; .set control_13,10; .set t_best_6,3; .set record_5,2
+        .set record_6,5; .set direction_x_5,6; .set direction_y_5,7; .set direction_z_5,8
+        .set along_5,9; .set direction_x_6,16; .set direction_x_7,17; .set beside_x_11,18
+        .set point_x_3,22; .set direction_y_6,23; .set along_6,24; .set direction_y_7,25
+        .set along_7,26; .set beside_y_11,27; .set point_y_3,28; .set direction_z_6,31
+        .set beside_z_11,37; .set beside_z_12,38; .set point_z_3,2; .set beside_x_12,40
+        .set t_y_7,41; .set ahead_10,45; .set t_y_8,46; .set beside_y_12,48; .set beside_y_13,49
+        .set beside_z_13,50; .set beside_z_14,51; .set record_7,52; .set t_y_9,53; .set t_y_10,54
+        .set dual_u_x_3,55; .set t_e_7,56; .set dual_u_y_3,57; .set t_e_8,58; .set both_3,59
+        .set dual_v_x_4,60; .set beside_x_13,22; .set dual_v_y_3,47; .set dual_u_z_3,5
+        .set dual_v_z_3,52; .set inverse_6,41; .set t_best_7,56; .set inverse_7,46; .set both_4,58
+        .set t_best_8,59; .set t_best_9,61; .set t_best_10,62; .set ahead_11,63; .set nearest_8,64
         .set beside_y_14,28; .set nearest_9,49; .set ahead_12,19; .set nearest_10,41
         .set nearest_11,46; .set t_e_9,65; .set beside_z_15,2; .set t_e_10,20; .set ahead_13,18
         .set inverse_8,32; .set inverse_9,20; .set u_9,21; .set v_8,29; .set beside_y_15,7
@@ -109,51 +104,51 @@ function isect_rectangle_pairs_r16
         ai      $count,$count,-1                        # 12e
         lqd     $a_rectangle,0($a_candidate)            # 12o
         ai      $a_candidate,$a_candidate,16            # 13e
-        rotqbyi $a_rays,$a_rectangle,4                  # 18o
+        rotqbyi $a_packet,$a_rectangle,4                # 18o
         lqd     $record_2,16($a_rectangle)              # 19o
         lqd     $record_3,0($a_rectangle)               # 20o
         lqd     $record,48($a_rectangle)                # 21o
-        lqd     $direction_x,192($a_rays)               # 22o
-        lqd     $direction_x_2,208($a_rays)             # 23o
-        lqd     $direction_x_3,224($a_rays)             # 24o
-        lqd     $direction_x_4,240($a_rays)             # 25o
+        lqd     $direction_x,192($a_packet)             # 22o
+        lqd     $direction_x_2,208($a_packet)           # 23o
+        lqd     $direction_x_3,224($a_packet)           # 24o
+        lqd     $direction_x_4,240($a_packet)           # 25o
         shufb   $normal_x_2,$record_2,$record_2,$k_x    # 26o
-        lqd     $direction_y,256($a_rays)               # 27o
-        lqd     $direction_y_2,272($a_rays)             # 28o
+        lqd     $direction_y,256($a_packet)             # 27o
+        lqd     $direction_y_2,272($a_packet)           # 28o
         nop     $127                                    # 29e pairing
-        lqd     $direction_y_3,288($a_rays)             # 29o
+        lqd     $direction_y_3,288($a_packet)           # 29o
         fm      $along,$normal_x_2,$direction_x         # 30e
-        lqd     $direction_y_4,304($a_rays)             # 30o
+        lqd     $direction_y_4,304($a_packet)           # 30o
         fm      $along_2,$normal_x_2,$direction_x_2     # 31e
         shufb   $normal_y_2,$record_2,$record_2,$k_y    # 31o
         fm      $along_3,$normal_x_2,$direction_x_3     # 32e
-        lqd     $direction_z,320($a_rays)               # 32o
+        lqd     $direction_z,320($a_packet)             # 32o
         fm      $along_4,$normal_x_2,$direction_x_4     # 33e
-        lqd     $direction_z_2,368($a_rays)             # 33o
-        lqd     $direction_z_3,336($a_rays)             # 34o
-        lqd     $direction_z_4,352($a_rays)             # 35o
+        lqd     $direction_z_2,368($a_packet)           # 33o
+        lqd     $direction_z_3,336($a_packet)           # 34o
+        lqd     $direction_z_4,352($a_packet)           # 35o
         fma     $along,$normal_y_2,$direction_y,$along  # 36e
         shufb   $normal_z_2,$record_2,$record_2,$k_z    # 36o
         fma     $along_2,$normal_y_2,$direction_y_2,$along_2 # 37e
-        lqd     $beside_x_2,48($a_rays)                 # 37o
+        lqd     $beside_x_2,48($a_packet)               # 37o
         fma     $along_3,$normal_y_2,$direction_y_3,$along_3 # 38e
-        lqd     $beside_x_3,32($a_rays)                 # 38o
+        lqd     $beside_x_3,32($a_packet)               # 38o
         fma     $along_4,$normal_y_2,$direction_y_4,$along_4 # 39e
-        lqd     $beside_x_4,16($a_rays)                 # 39o
-        lqd     $beside_x_5,0($a_rays)                  # 40o
+        lqd     $beside_x_4,16($a_packet)               # 39o
+        lqd     $beside_x_5,0($a_packet)                # 40o
         shufb   $point_x_2,$record_3,$record_3,$k_x     # 41o
         fma     $along,$normal_z_2,$direction_z,$along  # 42e
-        lqd     $beside_y_2,96($a_rays)                 # 42o
+        lqd     $beside_y_2,96($a_packet)               # 42o
         fma     $along_2,$normal_z_2,$direction_z_3,$along_2 # 43e
-        lqd     $beside_y_3,80($a_rays)                 # 43o
+        lqd     $beside_y_3,80($a_packet)               # 43o
         fma     $along_3,$normal_z_2,$direction_z_4,$along_3 # 44e
-        lqd     $beside_y_4,112($a_rays)                # 44o
+        lqd     $beside_y_4,112($a_packet)              # 44o
         fma     $along_4,$normal_z_2,$direction_z_2,$along_4 # 45e
-        lqd     $beside_y_5,64($a_rays)                 # 45o
+        lqd     $beside_y_5,64($a_packet)               # 45o
         fs      $beside_x_3,$beside_x_3,$point_x_2      # 46e
         shufb   $point_y_2,$record_3,$record_3,$k_y     # 46o
         fs      $beside_x_6,$beside_x_2,$point_x_2      # 47e
-        lqd     $beside_z_2,128($a_rays)                # 47o
+        lqd     $beside_z_2,128($a_packet)              # 47o
         fs      $beside_x_5,$beside_x_5,$point_x_2      # 48e
         frest   $t_y_2,$along                           # 48o
         fs      $beside_x_7,$beside_x_4,$point_x_2      # 49e
@@ -163,11 +158,11 @@ function isect_rectangle_pairs_r16
         fs      $beside_y_2,$beside_y_2,$point_y_2      # 51e
         frest   $t_y_5,$along_4                         # 51o
         fi      $t_y_6,$along,$t_y_2                    # 52e
-        lqd     $beside_z_3,160($a_rays)                # 52o
+        lqd     $beside_z_3,160($a_packet)              # 52o
         fi      $t_y_3,$along_2,$t_y_3                  # 53e
-        lqd     $beside_z_4,176($a_rays)                # 53o
+        lqd     $beside_z_4,176($a_packet)              # 53o
         fi      $t_y_4,$along_3,$t_y_4                  # 54e
-        lqd     $beside_z_5,144($a_rays)                # 54o
+        lqd     $beside_z_5,144($a_packet)              # 54o
         fi      $t_y_5,$along_4,$t_y_5                  # 55e
         shufb   $point_z_2,$record_3,$record_3,$k_z     # 55o
         nop     $127                                    # 56e pairing
@@ -181,7 +176,7 @@ function isect_rectangle_pairs_r16
         fs      $beside_y_6,$beside_y_5,$point_y_2      # 60e
         shufb   $dual_u_z_2,$record,$record,$k_z        # 60o
         fm      $ahead_4,$normal_x_2,$beside_x_6        # 61e
-        lqd     $t_best_2,400($a_rays)                  # 61o
+        lqd     $t_best_2,400($a_packet)                # 61o
         fm      $ahead_5,$normal_x_2,$beside_x_7        # 62e
         shufb   $dual_v_x_2,$record_4,$record_4,$k_x    # 62o
         fs      $beside_z_2,$beside_z_2,$point_z_2      # 63e
@@ -191,15 +186,15 @@ function isect_rectangle_pairs_r16
         fs      $beside_z_3,$beside_z_3,$point_z_2      # 65e
         shufb   $both_2,$both_2,$both_2,$m_w            # 65o
         fma     $ahead_3,$normal_y_2,$beside_y_6,$ahead_3 # 66e
-        lqd     $nearest_2,480($a_rays)                 # 66o
+        lqd     $nearest_2,480($a_packet)               # 66o
         fnms    $t_e_2,$along,$t_y_6,$k_one             # 67e
-        lqd     $t_best_3,432($a_rays)                  # 67o
+        lqd     $t_best_3,432($a_packet)                # 67o
         fs      $beside_z_6,$beside_z_5,$point_z_2      # 68e
         shufb   $a_rectangle_2,$a_rectangle,$a_rectangle,$k_x # 68o
         fnms    $t_e_3,$along_2,$t_y_3,$k_one           # 69e
         rotqbii $both_2,$both_2,1                       # 69o
         fma     $ahead_2,$normal_y_2,$beside_y_2,$ahead_2 # 70e
-        shlqbyi $a_rays_2,$a_rays,0                     # 70o copy
+        shlqbyi $a_packet_2,$a_packet,0                 # 70o copy
         fma     $ahead_5,$normal_y_2,$beside_y_3,$ahead_5 # 71e
         fma     $ahead_6,$normal_y_2,$beside_y_4,$ahead_4 # 72e
         fnms    $t_e_4,$along_4,$t_y_5,$k_one           # 73e
@@ -268,19 +263,19 @@ next_rectangle:
             or      $outside,$outside,$control          # 0e
         lqd     $a_rectangle,0($a_candidate)            # 0o
             or      $outside_2,$outside_2,$control_5    # 1e
-            lqd     $t_best,416($a_rays)                # 1o
+            lqd     $t_best,416($a_packet)              # 1o
             clgt    $control,$v_6,$k_one                # 2e
-            lqd     $nearest,496($a_rays)               # 2o
+            lqd     $nearest,496($a_packet)             # 2o
             orc     $outside_2,$outside_2,$control_3    # 3e
-            lqd     $t_best_4,384($a_rays)              # 3o
+            lqd     $t_best_4,384($a_packet)            # 3o
             or      $outside_5,$outside_4,$control      # 4e
-            lqd     $nearest_3,448($a_rays)             # 4o
+            lqd     $nearest_3,448($a_packet)           # 4o
             or      $control,$along,$both_2             # 5e
-            lqd     $nearest_4,464($a_rays)             # 5o
+            lqd     $nearest_4,464($a_packet)           # 5o
             xor     $t,$ahead,$k_sign                   # 6e
             lnop                                        # 6o pairing
             cgt     $control_6,$t_best_2,$t_3           # 7e
-        rotqbyi $a_rays,$a_rectangle,4                  # 7o
+        rotqbyi $a_packet,$a_rectangle,4                # 7o
             orc     $outside_5,$outside_5,$control_4    # 8e
         lqd     $record,48($a_rectangle)                # 8o
             orc     $outside,$outside,$control          # 9e
@@ -290,65 +285,65 @@ next_rectangle:
             cgt     $control_7,$t_best,$t               # 11e
         lqd     $record_3,0($a_rectangle)               # 11o
             xor     $t_4,$ahead_8,$k_sign               # 12e
-        lqd     $direction_z,320($a_rays)               # 12o
+        lqd     $direction_z,320($a_packet)             # 12o
             cgt     $control_3,$t_best_3,$t_2           # 13e
-        lqd     $direction_x,192($a_rays)               # 13o
+        lqd     $direction_x,192($a_packet)             # 13o
             cgt     $control_8,$t_best_4,$t_4           # 14e
-        lqd     $direction_x_2,208($a_rays)             # 14o
+        lqd     $direction_x_2,208($a_packet)           # 14o
             and     $control_6,$control_6,$ahead_5      # 15e
         shufb   $normal_x_2,$record_2,$record_2,$k_x    # 15o
             and     $control_8,$control_8,$ahead_8      # 16e
-        lqd     $direction_y,256($a_rays)               # 16o
+        lqd     $direction_y,256($a_packet)             # 16o
             andc    $control_9,$control_6,$outside_2    # 17e
-        lqd     $direction_x_3,224($a_rays)             # 17o
+        lqd     $direction_x_3,224($a_packet)           # 17o
             andc    $control_8,$control_8,$outside      # 18e
-        lqd     $direction_x_4,240($a_rays)             # 18o
+        lqd     $direction_x_4,240($a_packet)           # 18o
         fm      $along,$normal_x_2,$direction_x         # 19e
         shufb   $normal_y_2,$record_2,$record_2,$k_y    # 19o
             and     $control_7,$control_7,$ahead        # 20e
-        lqd     $direction_y_2,272($a_rays)             # 20o
+        lqd     $direction_y_2,272($a_packet)           # 20o
         fm      $along_2,$normal_x_2,$direction_x_2     # 21e
-        lqd     $direction_y_3,288($a_rays)             # 21o
+        lqd     $direction_y_3,288($a_packet)           # 21o
             and     $control_3,$control_3,$ahead_9      # 22e
         shufb   $normal_z_2,$record_2,$record_2,$k_z    # 22o
         fm      $along_3,$normal_x_2,$direction_x_3     # 23e
-        lqd     $direction_z_2,368($a_rays)             # 23o
+        lqd     $direction_z_2,368($a_packet)           # 23o
         fm      $along_4,$normal_x_2,$direction_x_4     # 24e
-        lqd     $direction_z_3,336($a_rays)             # 24o
+        lqd     $direction_z_3,336($a_packet)           # 24o
         fma     $along,$normal_y_2,$direction_y,$along  # 25e
-        lqd     $beside_x_2,48($a_rays)                 # 25o
+        lqd     $beside_x_2,48($a_packet)               # 25o
             or      $outside,$outside_3,$control        # 26e
-        lqd     $direction_y_4,304($a_rays)             # 26o
+        lqd     $direction_y_4,304($a_packet)           # 26o
         fma     $along_2,$normal_y_2,$direction_y_2,$along_2 # 27e
-        lqd     $beside_x_3,32($a_rays)                 # 27o
+        lqd     $beside_x_3,32($a_packet)               # 27o
             orc     $outside,$outside,$control_2        # 28e
         shufb   $point_x_2,$record_3,$record_3,$k_x     # 28o
         fma     $along_3,$normal_y_2,$direction_y_3,$along_3 # 29e
-        lqd     $beside_x_4,16($a_rays)                 # 29o
+        lqd     $beside_x_4,16($a_packet)               # 29o
             andc    $control_7,$control_7,$outside      # 30e
-        lqd     $beside_x_5,0($a_rays)                  # 30o
+        lqd     $beside_x_5,0($a_packet)                # 30o
         fma     $along,$normal_z_2,$direction_z,$along  # 31e
-        lqd     $beside_y_2,96($a_rays)                 # 31o
+        lqd     $beside_y_2,96($a_packet)               # 31o
         fma     $along_4,$normal_y_2,$direction_y_4,$along_4 # 32e
-        lqd     $beside_y_3,80($a_rays)                 # 32o
+        lqd     $beside_y_3,80($a_packet)               # 32o
         fma     $along_2,$normal_z_2,$direction_z_3,$along_2 # 33e
         shufb   $point_y_2,$record_3,$record_3,$k_y     # 33o
         fs      $beside_x_3,$beside_x_3,$point_x_2      # 34e
-        lqd     $beside_y_4,112($a_rays)                # 34o
+        lqd     $beside_y_4,112($a_packet)              # 34o
         fs      $beside_x_2,$beside_x_2,$point_x_2      # 35e
-        lqd     $beside_y_5,64($a_rays)                 # 35o
+        lqd     $beside_y_5,64($a_packet)               # 35o
         fs      $beside_x_5,$beside_x_5,$point_x_2      # 36e
-        lqd     $direction_z_4,352($a_rays)             # 36o
+        lqd     $direction_z_4,352($a_packet)           # 36o
         fs      $beside_x_7,$beside_x_4,$point_x_2      # 37e
         frest   $t_y_6,$along                           # 37o
         fma     $along_4,$normal_z_2,$direction_z_2,$along_4 # 38e
-        lqd     $beside_z_2,128($a_rays)                # 38o
+        lqd     $beside_z_2,128($a_packet)              # 38o
         fs      $beside_y_3,$beside_y_3,$point_y_2      # 39e
         frest   $t_y_3,$along_2                         # 39o
         fm      $ahead_2,$normal_x_2,$beside_x_3        # 40e
-        lqd     $beside_z_3,160($a_rays)                # 40o
+        lqd     $beside_z_3,160($a_packet)              # 40o
         fi      $t_y_6,$along,$t_y_6                    # 41e
-        lqd     $beside_z_4,176($a_rays)                # 41o
+        lqd     $beside_z_4,176($a_packet)              # 41o
             andc    $control_5,$control_3,$outside_5    # 42e
         shufb   $point_z_2,$record_3,$record_3,$k_z     # 42o
         fm      $ahead_3,$normal_x_2,$beside_x_5        # 43e
@@ -370,7 +365,7 @@ next_rectangle:
         fma     $along_3,$normal_z_2,$direction_z_4,$along_3 # 51e
         lnop                                            # 51o pairing
         fm      $ahead_4,$normal_x_2,$beside_x_2        # 52e
-        lqd     $beside_z_5,144($a_rays)                # 52o
+        lqd     $beside_z_5,144($a_packet)              # 52o
         fm      $ahead_5,$normal_x_2,$beside_x_7        # 53e
         fs      $beside_z_4,$beside_z_4,$point_z_2      # 54e
         fs      $beside_z_3,$beside_z_3,$point_z_2      # 55e
@@ -426,31 +421,31 @@ next_rectangle:
         fnms    $beside_y_7,$ahead_5,$direction_y_2,$beside_y_3 # 81e
             shufb   $nearest_5,$nearest_2,$a_rectangle_2,$control_7 # 81o
         fnms    $beside_x,$ahead_5,$direction_x_2,$beside_x_7 # 82e
-            stqd    $nearest,496($a_rays_2)             # 82o
+            stqd    $nearest,496($a_packet_2)           # 82o
         fnms    $beside_x_8,$ahead_8,$direction_x,$beside_x_5 # 83e
-            stqd    $t_best,416($a_rays_2)              # 83o
+            stqd    $t_best,416($a_packet_2)            # 83o
         xor     $t_2,$ahead_9,$k_sign                   # 84e
             shufb   $t_best,$t_best_2,$t_3,$control_9   # 84o
         xor     $t_3,$ahead_5,$k_sign                   # 85e
-            stqd    $nearest_5,480($a_rays_2)           # 85o
+            stqd    $nearest_5,480($a_packet_2)         # 85o
         fnms    $beside_y_8,$ahead_9,$direction_y_4,$beside_y_4 # 86e
-            stqd    $t_best_5,432($a_rays_2)            # 86o
+            stqd    $t_best_5,432($a_packet_2)          # 86o
         fnms    $beside_x_9,$ahead_9,$direction_x_4,$beside_x_2 # 87e
             shufb   $t_best_4,$t_best_4,$t_4,$control   # 87o
         fm      $ahead,$ahead_2,$inverse_5              # 88e
-            stqd    $t_best,400($a_rays_2)              # 88o
+            stqd    $t_best,400($a_packet_2)            # 88o
         fm      $u,$dual_u_x_2,$beside_x                # 89e
             shufb   $nearest,$nearest_3,$a_rectangle_2,$control # 89o
         fm      $v_2,$dual_v_x_3,$beside_x_8            # 90e
             shufb   $nearest_6,$nearest_4,$a_rectangle_2,$control_9 # 90o
         fm      $u_2,$dual_u_x_2,$beside_x_8            # 91e
-            stqd    $t_best_4,384($a_rays_2)            # 91o
+            stqd    $t_best_4,384($a_packet_2)          # 91o
         fnms    $beside_z_7,$ahead_9,$direction_z_2,$beside_z_4 # 92e
         shufb   $a_rectangle_2,$a_rectangle,$a_rectangle,$k_x # 92o
         fm      $u_3,$dual_u_x_2,$beside_x_9            # 93e
-            stqd    $nearest,448($a_rays_2)             # 93o
+            stqd    $nearest,448($a_packet_2)           # 93o
         fnms    $beside_x_10,$ahead,$direction_x_3,$beside_x_3 # 94e
-            stqd    $nearest_6,464($a_rays_2)           # 94o
+            stqd    $nearest_6,464($a_packet_2)         # 94o
         fm      $v,$dual_v_x_3,$beside_x                # 95e
         fm      $v_7,$dual_v_x_3,$beside_x_9            # 96e
         fnms    $beside_y_10,$ahead_8,$direction_y,$beside_y_6 # 97e
@@ -458,7 +453,7 @@ next_rectangle:
         fma     $u,$dual_u_y_2,$beside_y_7,$u           # 99e
         fm      $u_4,$dual_u_x_2,$beside_x_10           # 100e
         fm      $v_4,$dual_v_x_3,$beside_x_10           # 101e
-        shlqbyi $a_rays_2,$a_rays,0                     # 101o copy
+        shlqbyi $a_packet_2,$a_packet,0                 # 101o copy
         fma     $u_5,$dual_u_y_2,$beside_y_8,$u_3       # 102e
         fma     $v_2,$dual_v_y_2,$beside_y_10,$v_2      # 103e
         fma     $v,$dual_v_y_2,$beside_y_7,$v           # 104e
@@ -482,27 +477,27 @@ next_rectangle:
         clgt    $control,$v_2,$k_one                    # 120e
         clgt    $outside,$u_8,$k_one                    # 121e
         clgt    $outside_2,$u,$k_one                    # 122e
-        lqd     $t_best_2,400($a_rays)                  # 122o
+        lqd     $t_best_2,400($a_packet)                # 122o
         clgt    $control_5,$v,$k_one                    # 123e
-        lqd     $nearest_2,480($a_rays)                 # 123o
+        lqd     $nearest_2,480($a_packet)               # 123o
         clgt    $outside_3,$u_7,$k_one                  # 124e
-        lqd     $t_best_3,432($a_rays)                  # 124o
+        lqd     $t_best_3,432($a_packet)                # 124o
         clgt    $outside_4,$u_5,$k_one                  # 125e
 next_rectangle_back:
         brnz    $count,next_rectangle                   # 125o
 next_rectangle_drain:
         clgt    $control_10,$v_6,$k_one                 # 0e
-        lqd     $t_best,416($a_rays)                    # 0o
+        lqd     $t_best,416($a_packet)                  # 0o
         xor     $t,$ahead,$k_sign                       # 1e
-        lqd     $t_best_4,384($a_rays)                  # 1o
+        lqd     $t_best_4,384($a_packet)                # 1o
         or      $outside_6,$outside_4,$control_10       # 2e
-        lqd     $nearest,496($a_rays)                   # 2o
+        lqd     $nearest,496($a_packet)                 # 2o
         clgt    $control_11,$v_5,$k_one                 # 3e
         hbr     isect_rectangle_pairs_r16_return,$lr    # 3o hint
         cgt     $control_12,$t_best_3,$t_2              # 4e
-        lqd     $nearest_4,448($a_rays)                 # 4o
+        lqd     $nearest_4,448($a_packet)               # 4o
         or      $outside_7,$outside_3,$control_11       # 5e
-        lqd     $nearest_7,464($a_rays)                 # 5o
+        lqd     $nearest_7,464($a_packet)               # 5o
         cgt     $control_7,$t_best,$t                   # 6e
         and     $control_12,$control_12,$ahead_9        # 7e
         cgt     $control_13,$t_best_2,$t_3              # 8e
@@ -544,81 +539,81 @@ next_rectangle_drain:
         lqx     $control,$control_8,$a_controls         # 39o
         shufb   $t_best,$t_best,$t,$control_7           # 40o
         shufb   $nearest_5,$nearest_2,$a_rectangle_2,$control_7 # 41o
-        stqd    $nearest,496($a_rays_2)                 # 42o
+        stqd    $nearest,496($a_packet_2)               # 42o
         shufb   $t_best_6,$t_best_2,$t_3,$control_9     # 43o
-        stqd    $t_best,416($a_rays_2)                  # 44o
-        stqd    $nearest_5,480($a_rays_2)               # 45o
+        stqd    $t_best,416($a_packet_2)                # 44o
+        stqd    $nearest_5,480($a_packet_2)             # 45o
         shufb   $nearest,$nearest_4,$a_rectangle_2,$control # 46o
         shufb   $t_best_4,$t_best_4,$t_4,$control       # 47o
         shufb   $nearest_6,$nearest_7,$a_rectangle_2,$control_9 # 48o
-        stqd    $t_best_5,432($a_rays_2)                # 49o
-        stqd    $t_best_6,400($a_rays_2)                # 50o
-        stqd    $t_best_4,384($a_rays_2)                # 51o
-        stqd    $nearest,448($a_rays_2)                 # 52o
-        stqd    $nearest_6,464($a_rays_2)               # 53o
+        stqd    $t_best_5,432($a_packet_2)              # 49o
+        stqd    $t_best_6,400($a_packet_2)              # 50o
+        stqd    $t_best_4,384($a_packet_2)              # 51o
+        stqd    $nearest,448($a_packet_2)               # 52o
+        stqd    $nearest_6,464($a_packet_2)             # 53o
 isect_rectangle_pairs_r16_return:
         bi      $lr                                     # 54o
 next_rectangle_short:
         ai      $count,$count,-1                        # 0e
         lqd     $a_rectangle,0($a_candidate)            # 0o
         ai      $a_candidate,$a_candidate,16            # 1e
-        rotqbyi $a_rays,$a_rectangle,4                  # 6o
+        rotqbyi $a_packet,$a_rectangle,4                # 6o
         lqd     $record,16($a_rectangle)                # 7o
         lqd     $record_5,0($a_rectangle)               # 8o
         lqd     $record_6,48($a_rectangle)              # 9o
-        lqd     $direction_x,192($a_rays)               # 10o
-        lqd     $direction_x_5,208($a_rays)             # 11o
-        lqd     $direction_y,256($a_rays)               # 12o
+        lqd     $direction_x,192($a_packet)             # 10o
+        lqd     $direction_x_5,208($a_packet)           # 11o
+        lqd     $direction_y,256($a_packet)             # 12o
         shufb   $normal_x,$record,$record,$k_x          # 13o
-        lqd     $direction_y_5,272($a_rays)             # 14o
+        lqd     $direction_y_5,272($a_packet)           # 14o
         shufb   $normal_y,$record,$record,$k_y          # 15o
-        lqd     $direction_z,320($a_rays)               # 16o
+        lqd     $direction_z,320($a_packet)             # 16o
         fm      $along,$normal_x,$direction_x           # 17e
-        lqd     $direction_z_5,336($a_rays)             # 17o
+        lqd     $direction_z_5,336($a_packet)           # 17o
         fm      $along_5,$normal_x,$direction_x_5       # 18e
         shufb   $normal_z,$record,$record,$k_z          # 18o
-        lqd     $direction_x_6,224($a_rays)             # 19o
-        lqd     $direction_x_7,240($a_rays)             # 20o
-        lqd     $beside_x,0($a_rays)                    # 21o
-        lqd     $beside_x_11,16($a_rays)                # 22o
+        lqd     $direction_x_6,224($a_packet)           # 19o
+        lqd     $direction_x_7,240($a_packet)           # 20o
+        lqd     $beside_x,0($a_packet)                  # 21o
+        lqd     $beside_x_11,16($a_packet)              # 22o
         fma     $along,$normal_y,$direction_y,$along    # 23e
         shufb   $point_x_3,$record_5,$record_5,$k_x     # 23o
         fma     $along_5,$normal_y,$direction_y_5,$along_5 # 24e
-        lqd     $direction_y_6,288($a_rays)             # 24o
+        lqd     $direction_y_6,288($a_packet)           # 24o
         fm      $along_6,$normal_x,$direction_x_6       # 25e
-        lqd     $direction_y_7,304($a_rays)             # 25o
+        lqd     $direction_y_7,304($a_packet)           # 25o
         fm      $along_7,$normal_x,$direction_x_7       # 26e
-        lqd     $beside_y,64($a_rays)                   # 26o
+        lqd     $beside_y,64($a_packet)                 # 26o
         fs      $beside_x,$beside_x,$point_x_3          # 27e
-        lqd     $beside_y_11,80($a_rays)                # 27o
+        lqd     $beside_y_11,80($a_packet)              # 27o
         fs      $beside_x_11,$beside_x_11,$point_x_3    # 28e
         shufb   $point_y_3,$record_5,$record_5,$k_y     # 28o
         fma     $along,$normal_z,$direction_z,$along    # 29e
-        lqd     $direction_z_6,352($a_rays)             # 29o
+        lqd     $direction_z_6,352($a_packet)           # 29o
         fma     $along_5,$normal_z,$direction_z_5,$along_5 # 30e
-        lqd     $direction_z_2,368($a_rays)             # 30o
+        lqd     $direction_z_2,368($a_packet)           # 30o
         fma     $along_6,$normal_y,$direction_y_6,$along_6 # 31e
-        lqd     $beside_z_11,128($a_rays)               # 31o
+        lqd     $beside_z_11,128($a_packet)             # 31o
         fma     $along_7,$normal_y,$direction_y_7,$along_7 # 32e
-        lqd     $beside_z_12,144($a_rays)               # 32o
+        lqd     $beside_z_12,144($a_packet)             # 32o
         fs      $beside_y,$beside_y,$point_y_3          # 33e
         shufb   $point_z_3,$record_5,$record_5,$k_z     # 33o
         fm      $ahead,$normal_x,$beside_x              # 34e
-        lqd     $beside_x_12,32($a_rays)                # 34o
+        lqd     $beside_x_12,32($a_packet)              # 34o
         fs      $beside_y_11,$beside_y_11,$point_y_3    # 35e
         frest   $t_y_7,$along                           # 35o
         fm      $ahead_10,$normal_x,$beside_x_11        # 36e
         frest   $t_y_8,$along_5                         # 36o
         fma     $along_6,$normal_z,$direction_z_6,$along_6 # 37e
-        lqd     $beside_x_4,48($a_rays)                 # 37o
+        lqd     $beside_x_4,48($a_packet)               # 37o
         fma     $along_7,$normal_z,$direction_z_2,$along_7 # 38e
-        lqd     $beside_y_12,96($a_rays)                # 38o
+        lqd     $beside_y_12,96($a_packet)              # 38o
         fi      $t_y_7,$along,$t_y_7                    # 39e
-        lqd     $beside_y_13,112($a_rays)               # 39o
+        lqd     $beside_y_13,112($a_packet)             # 39o
         fi      $t_y_8,$along_5,$t_y_8                  # 40e
-        lqd     $beside_z_13,160($a_rays)               # 40o
+        lqd     $beside_z_13,160($a_packet)             # 40o
         nop     $127                                    # 41e pairing
-        lqd     $beside_z_14,176($a_rays)               # 41o
+        lqd     $beside_z_14,176($a_packet)             # 41o
         fs      $beside_z_11,$beside_z_11,$point_z_3    # 42e
         lqd     $record_7,64($a_rectangle)              # 42o
         fma     $ahead,$normal_y,$beside_y,$ahead       # 43e
@@ -640,27 +635,27 @@ next_rectangle_short:
         fma     $ahead_10,$normal_z,$beside_z_12,$ahead_10 # 51e
         shufb   $dual_v_z_3,$record_7,$record_7,$k_z    # 51o
         fma     $inverse_6,$t_e_7,$t_y_7,$t_y_7         # 52e
-        lqd     $t_best_7,384($a_rays)                  # 52o
+        lqd     $t_best_7,384($a_packet)                # 52o
         fma     $inverse_7,$t_e_8,$t_y_8,$t_y_8         # 53e
         shufb   $both_4,$both_3,$both_3,$m_w            # 53o
         fi      $t_y_9,$along_6,$t_y_9                  # 54e
-        lqd     $t_best_8,400($a_rays)                  # 54o
+        lqd     $t_best_8,400($a_packet)                # 54o
         fi      $t_y_10,$along_7,$t_y_10                # 55e
-        lqd     $t_best_9,416($a_rays)                  # 55o
+        lqd     $t_best_9,416($a_packet)                # 55o
         nop     $127                                    # 56e pairing
-        lqd     $t_best_10,432($a_rays)                 # 56o
+        lqd     $t_best_10,432($a_packet)               # 56o
         fs      $beside_y_12,$beside_y_12,$point_y_3    # 57e
         rotqbii $both_4,$both_4,1                       # 57o
         fm      $ahead_11,$normal_x,$beside_x_12        # 58e
-        lqd     $nearest_8,448($a_rays)                 # 58o
+        lqd     $nearest_8,448($a_packet)               # 58o
         fs      $beside_y_14,$beside_y_13,$point_y_3    # 59e
-        lqd     $nearest_9,464($a_rays)                 # 59o
+        lqd     $nearest_9,464($a_packet)               # 59o
         fm      $ahead_12,$normal_x,$beside_x_13        # 60e
         shufb   $a_rectangle,$a_rectangle,$a_rectangle,$k_x # 60o
         fm      $ahead,$ahead,$inverse_6                # 61e
-        lqd     $nearest_10,480($a_rays)                # 61o
+        lqd     $nearest_10,480($a_packet)              # 61o
         fm      $ahead_10,$ahead_10,$inverse_7          # 62e
-        lqd     $nearest_11,496($a_rays)                # 62o
+        lqd     $nearest_11,496($a_packet)              # 62o
         fs      $beside_z_13,$beside_z_13,$point_z_3    # 63e
         fma     $ahead_11,$normal_y,$beside_y_12,$ahead_11 # 64e
         fnms    $t_e_9,$along_6,$t_y_9,$k_one           # 65e
@@ -759,12 +754,12 @@ next_rectangle_short:
         shufb   $nearest_12,$nearest_9,$a_rectangle,$control_18 # 146o
         rotqbii $control,$control,1                     # 147o
         rotqbii $control_9,$control_9,1                 # 148o
-        stqd    $t_best_5,384($a_rays)                  # 149o
-        stqd    $nearest,448($a_rays)                   # 150o
+        stqd    $t_best_5,384($a_packet)                # 149o
+        stqd    $nearest,448($a_packet)                 # 150o
         gb      $control,$control                       # 151o
         gb      $control_9,$control_9                   # 152o
-        stqd    $t_best_11,400($a_rays)                 # 153o
-        stqd    $nearest_12,464($a_rays)                # 154o
+        stqd    $t_best_11,400($a_packet)               # 153o
+        stqd    $nearest_12,464($a_packet)              # 154o
         shlqbii $control,$control,4                     # 155o
         shlqbii $control_9,$control_9,4                 # 156o
         hbrr    next_rectangle_short_back,next_rectangle_short # 157o hint
@@ -774,10 +769,10 @@ next_rectangle_short:
         shufb   $nearest,$nearest_10,$a_rectangle,$control # 166o
         shufb   $t_best_4,$t_best_10,$t_7,$control_9    # 167o
         shufb   $nearest_6,$nearest_11,$a_rectangle,$control_9 # 168o
-        stqd    $t_best,416($a_rays)                    # 169o
-        stqd    $nearest,480($a_rays)                   # 170o
-        stqd    $t_best_4,432($a_rays)                  # 171o
-        stqd    $nearest_6,496($a_rays)                 # 172o
+        stqd    $t_best,416($a_packet)                  # 169o
+        stqd    $nearest,480($a_packet)                 # 170o
+        stqd    $t_best_4,432($a_packet)                # 171o
+        stqd    $nearest_6,496($a_packet)               # 172o
 next_rectangle_short_back:
         brnz    $count,next_rectangle_short             # 173o
         nop     $127                                    # 174e pairing

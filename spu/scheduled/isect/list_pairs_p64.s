@@ -15,16 +15,14 @@
         .include "macros.inc"
         .include "lists.inc"
 
-        .set    a_masks,3
-        .set    a_places,4
-        .set    object,5
-        .set    a_out,6
+        .set    NEXT,3
+        registers a_masks,a_places,object,a_out
         # constants
-        .set    m_pair,10
+        .set    NEXT,10
+        registers m_pair
         # temporaries
-        .set    masks,11
-        .set    bit,12
-        .set    pair,13                                 # to 28
+        registers masks,bit
+        registers pair                                  # to 28
 
         .section .rodata
         .align  4

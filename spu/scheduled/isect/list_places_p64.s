@@ -15,15 +15,12 @@
         .include "macros.inc"
         .include "lists.inc"
 
-        .set    a_masks,3
-        .set    a_places,4
-        .set    a_origin,5
-        .set    a_out,6
+        .set    NEXT,3
+        registers a_masks,a_places,a_origin,a_out
         # temporaries
-        .set    masks,10
-        .set    bit,11
-        .set    origin,12
-        .set    place,13                                # to 28
+        .set    NEXT,10
+        registers masks,bit,origin
+        registers place                                 # to 28
 
 function list_places_p64
         .set masks_2,2; .set bit_2,3; .set bit_3,5; .set bit_4,7; .set a_out_2,8; .set a_out_3,3

@@ -20,22 +20,16 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_rays,3
-        .set    a_surfaces,4
-        .set    count,5
+        .set    NEXT,3
+        registers a_rays,a_surfaces,count
         # constants
-        .set    a_nothing,10                            # 0, the base of all sums
-        .set    m_behind,11
-        .set    m_first,12
-        .set    m_second,13
-        .set    m_third,14
-        .set    m_fourth,15
-        .set    m_lane0,16                              # words of a row of addresses
-        .set    m_lane1,17
-        .set    m_lane2,18
-        .set    m_lane3,19
-        .set    rays_step,43
-        .set    surfaces_step,44
+        .set    NEXT,10
+        registers a_nothing                             # 0, the base of all sums
+        registers m_behind,m_first,m_second,m_third,m_fourth
+        registers m_lane0                               # words of a row of addresses
+        registers m_lane1,m_lane2,m_lane3
+        .set    NEXT,43
+        registers rays_step,surfaces_step
         # a row
         .set    weight,20
         .set    red,21

@@ -18,12 +18,13 @@
         .include "macros.inc"
         .include "bounce.inc"
 
-        .set    mirror,55
-        .set    along,56                                # d.N
-        .set    along_plane,57                          # d.G
-        .set    cosine,58                               # N.G
-        .set    off,59                                  # r.G
-        .set    twice,60
+        .set    NEXT,55
+        registers mirror
+        registers along                                 # d.N
+        registers along_plane                           # d.G
+        registers cosine                                # N.G
+        registers off                                   # r.G
+        registers twice
 
 bounce_shuffles
 

@@ -25,31 +25,21 @@
         .include "math.inc"
         .include "bounce.inc"
 
-        .set    k_one,55
-        .set    transmittance,56
-        .set    ratio,57
-        .set    schlick,58
-        .set    grazing,59
-        .set    mirror,60
-        .set    along,61                                # d.N
-        .set    k,62
-        .set    beyond,63
-        .set    side,64                                 # r.G
-        .set    cosine,65                               # N.G
-        .set    wrong,66
-        .set    taken,67                                # d.N of the normal taken
-        .set    away,68                                 # 1 - c on this side
-        .set    off,69                                  # 1 - c
-        .set    fifth,70
-        .set    share,71                                # F
-        .set    through,72
-        .set    total,73
-        .set    thicker,74
-        .set    t_y,75
-        .set    t_s,76
-        .set    ux,77                                   # s
-        .set    uy,78
-        .set    uz,79
+        .set    NEXT,55
+        registers k_one,transmittance,ratio,schlick,grazing,mirror
+        registers along                                 # d.N
+        registers k,beyond
+        registers side                                  # r.G
+        registers cosine                                # N.G
+        registers wrong
+        registers taken                                 # d.N of the normal taken
+        registers away                                  # 1 - c on this side
+        registers off                                   # 1 - c
+        registers fifth
+        registers share                                 # F
+        registers through,total,thicker,t_y,t_s
+        registers ux                                    # s
+        registers uy,uz
 
 # s, k and sqrt(k) by n, where along is d.n.
 .macro  beyond_by along:req

@@ -11,20 +11,15 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_rays,3
-        .set    count,4
+        .set    NEXT,3
+        registers a_rays,count
         # constants
-        .set    m_splat,10
-        .set    step,11
+        .set    NEXT,10
+        registers m_splat,step
         # state
-        .set    same,12
+        registers same
         # a packet
-        .set    object0,13
-        .set    object1,14
-        .set    object2,15
-        .set    object3,16
-        .set    object,17
-        .set    bits,18
+        registers object0,object1,object2,object3,object,bits
 
 function same_objects_r16
         .set count_2,79; .set a_rays_2,2; .set object0_2,6; .set object1_2,7; .set object2_2,8

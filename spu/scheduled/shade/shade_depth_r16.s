@@ -17,44 +17,17 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_place,3
-        .set    count,4
-        .set    a_depth,5
-        .set    a_colours,6
-        .set    background,7
+        .set    NEXT,3
+        registers a_place,count,a_depth,a_colours,background
         # constants
-        .set    k_zero,10
-        .set    k_one,11
-        .set    k_far,12
-        .set    k_scale,13
-        .set    m_interleave,14
-        .set    m_low,15
-        .set    m_high,16
-        .set    m_third,17
+        .set    NEXT,10
+        registers k_zero,k_one,k_far,k_scale,m_interleave,m_low,m_high,m_third
         # state
-        .set    missed,18                               # less one, a miss
-        .set    rays,19
+        registers missed                                # less one, a miss
+        registers rays
         # a row
-        .set    a_packet,20
-        .set    object,21
-        .set    t,22
-        .set    bright,23
-        .set    c_none,24
-        .set    c_over,25
-        .set    object1,26
-        .set    object2,27
-        .set    object3,28
-        .set    colour0,29
-        .set    colour1,30
-        .set    colour2,31
-        .set    colour3,32
-        .set    rg01,33
-        .set    rg23,34
-        .set    b01,35
-        .set    b23,36
-        .set    red,37
-        .set    green,38
-        .set    blue,39
+        registers a_packet,object,t,bright,c_none,c_over,object1,object2,object3,colour0,colour1
+        registers colour2,colour3,rg01,rg23,b01,b23,red,green,blue
 
         .section .rodata
         .align  4

@@ -22,51 +22,23 @@
         .include "math.inc"
         .include "vectors.inc"
 
-        .set    a_site,3
-        .set    count,4
-        .set    a_light,5
-        .set    background,6
+        .set    NEXT,3
+        registers a_site,count,a_light,background
         # constants
-        .set    k_half,7
-        .set    k_one,10
-        .set    k_farthest,11
-        .set    k_minus_one,12
-        .set    k_near,13                               # 0 of a directional light, else 1
-        .set    c_directional,14
-        .set    light_x,15
-        .set    light_y,16
-        .set    light_z,17
+        registers k_half
+        .set    NEXT,10
+        registers k_one,k_farthest,k_minus_one
+        registers k_near                                # 0 of a directional light, else 1
+        registers c_directional,light_x,light_y,light_z
         # state
-        .set    rays,18
+        registers rays
         # the site
-        .set    a_surfaces,19
-        .set    a_shadow,20
+        registers a_surfaces,a_shadow
         # a row
-        .set    point_x,21
-        .set    point_y,22
-        .set    point_z,23
-        .set    to_x,24
-        .set    to_y,25
-        .set    to_z,26
-        .set    normal_x,27
-        .set    normal_y,28
-        .set    normal_z,29
-        .set    plane_x,30
-        .set    plane_y,31
-        .set    plane_z,32
-        .set    leave,33
-        .set    share,34
-        .set    diffuse,35
-        .set    squared,36
-        .set    inverse,37
-        .set    t,38
-        .set    facing,39
-        .set    facing_plane,40
+        registers point_x,point_y,point_z,to_x,to_y,to_z,normal_x,normal_y,normal_z,plane_x
+        registers plane_y,plane_z,leave,share,diffuse,squared,inverse,t,facing,facing_plane
         # temporaries
-        .set    light,41
-        .set    m_lane,42
-        .set    t_y,43
-        .set    t_e,44
+        registers light,m_lane,t_y,t_e
 
 # A word of the light, in every lane.
 .macro  splat_word out:req, pattern:req

@@ -16,24 +16,13 @@
         .include "macros.inc"
         .include "shader.inc"
 
-        .set    a_surfaces,3
-        .set    a_rays,4
-        .set    a_mask,5
-        .set    a_material,6
+        .set    NEXT,3
+        registers a_surfaces,a_rays,a_mask,a_material
         # constants
-        .set    k_zero,10
-        .set    k_one,11
-        .set    k_far,12
-        .set    k_scale,13
-        .set    m_second,14
-        .set    parameters,15
+        .set    NEXT,10
+        registers k_zero,k_one,k_far,k_scale,m_second,parameters
         # a row
-        .set    mask,16
-        .set    bright,17
-        .set    c_over,18
-        .set    colour,19
-        .set    lit,20
-        .set    part,21
+        registers mask,bright,c_over,colour,lit,part
 
         shader_entry depth
 

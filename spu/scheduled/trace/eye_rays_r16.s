@@ -18,36 +18,24 @@
         .include "math.inc"
         .include "eye_ray_tmpl.inc"
 
-        .set    a_place,3
-        .set    count,4
-        .set    a_basis,5
-        .set    background,6
-        .set    width,7
-        .set    height,8                                # of the picture
+        .set    NEXT,3
+        registers a_place,count,a_basis,background,width
+        registers height                                # of the picture
         # constants
-        .set    k_lanes,12
-        .set    k_far,13
-        .set    m_splat,14
-        .set    m_x,15
-        .set    m_y,16
-        .set    m_pixels,44
-        .set    k_zero,45
-        .set    k_absent,46
-        .set    k_offset,47                             # to 50: from the sum of the top left pixel
+        .set    NEXT,12
+        registers k_lanes,k_far,m_splat,m_x,m_y
+        .set    NEXT,44
+        registers m_pixels,k_zero,k_absent
+        registers k_offset                              # to 50: from the sum of the top left pixel
         .set    k_below,51                              # to 54: rows of the picture below this one
-        .set    k_pitch,55
+        .set    NEXT,55
+        registers k_pitch
         # the packet
         .set    place,26
         .set    a_packet,27
-        .set    x,56
-        .set    y,57
-        .set    pixels,58
-        .set    c_column,59
+        registers x,y,pixels,c_column
         # the row
-        .set    c_within,60
-        .set    t,61
-        .set    weight,62
-        .set    pixel,63
+        registers c_within,t,weight,pixel
 
         .set    SUM_SIZE,16
 
@@ -83,7 +71,7 @@ function eye_rays_r16
         shufb   $k_below,$height,$height,$m_splat       # 2o
         ilhu    $m_x,0x809                              # 3e
         lqd     $right_x,48($a_basis)                   # 3o
-        ilhu    $m_y,0xc0d                              # 4e
+        ilhu    $m_x+1,0xc0d                            # 4e
         lqd     $down_x,96($a_basis)                    # 4o
         ilhu    $k_far,0x7fff                           # 5e
         lqd     $corner_y,16($a_basis)                  # 5o
@@ -95,7 +83,7 @@ function eye_rays_r16
         lqd     $corner_z,32($a_basis)                  # 8o
         iohl    $m_x,0xa0b                              # 9e
         lqd     $right_z,80($a_basis)                   # 9o
-        iohl    $m_y,0xe0f                              # 10e
+        iohl    $m_x+1,0xe0f                            # 10e
         lqd     $down_z,128($a_basis)                   # 10o
         iohl    $k_far,0xffff                           # 11e
         shufb   $background,$background,$background,$m_splat # 11o
@@ -119,7 +107,7 @@ function eye_rays_r16
         lqd     $place,0($a_place)                      # 26o
         ai      $a_place,$a_place,16                    # 27e
         shufb   $x,$place,$place,$m_x                   # 32o
-        shufb   $y_2,$place,$place,$m_y                 # 33o
+        shufb   $y_2,$place,$place,$m_x+1               # 33o
         shufb   $pixels,$place,$place,$m_pixels         # 34o
         rotqbyi $a_packet_2,$place,0                    # 35o
         a       $x,$x,$k_lanes                          # 36e
@@ -247,7 +235,7 @@ next_packet:
             fm      $dy_7,$dy_4,$inverse_2              # 8e
             stqd    $dx,192($a_packet_2)                # 8o
             fm      $dz_3,$dz_4,$inverse_2              # 9e
-        shufb   $y,$place,$place,$m_y                   # 9o
+        shufb   $y,$place,$place,$m_x+1                 # 9o
             fm      $dx,$dx_5,$inverse                  # 10e
             stqd    $dy,256($a_packet_2)                # 10o
             fm      $dy,$dy_5,$inverse                  # 11e
@@ -414,7 +402,7 @@ next_packet_short:
         lqd     $place,0($a_place)                      # 0o
         ai      $a_place,$a_place,16                    # 1e
         shufb   $x,$place,$place,$m_x                   # 6o
-        shufb   $y,$place,$place,$m_y                   # 7o
+        shufb   $y,$place,$place,$m_x+1                 # 7o
         rotqbyi $a_packet,$place,0                      # 8o
         shufb   $pixels,$place,$place,$m_pixels         # 9o
         a       $x,$x,$k_lanes                          # 10e

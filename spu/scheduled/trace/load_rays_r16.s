@@ -17,28 +17,24 @@
         .include "macros.inc"
         .include "transpose.inc"
 
-        .set    a_queue,3
-        .set    rows,4                                  # rays, then rows left
-        .set    a_row,5                                 # of the packet
-        .set    background,6
-        .set    dummy,7                                 # the sum that nobody reads
+        .set    NEXT,3
+        registers a_queue
+        registers rows                                  # rays, then rows left
+        registers a_row                                 # of the packet
+        registers background
+        registers dummy                                 # the sum that nobody reads
         # constants
-        .set    m_first,10
-        .set    m_last,11
-        .set    m_splat,12
-        .set    k_far,13
-        .set    k_absent,14
-        .set    k_lanes,15
-        .set    k_further,16
+        .set    NEXT,10
+        registers m_first,m_last,m_splat,k_far,k_absent,k_lanes,k_further
         # state
-        .set    left,20                                 # rays, from this row's first
+        .set    NEXT,20
+        registers left                                  # rays, from this row's first
         # the row
-        .set    origin,21                               # to 24: rays, then x, y, z, weight
+        registers origin                                # to 24: rays, then x, y, z, weight
         .set    direction,25                            # to 28: rays, then x, y, z, pixel
         .set    t_words,29                              # to 32
-        .set    c_there,33
-        .set    t,34
-        .set    c_last,35
+        .set    NEXT,33
+        registers c_there,t,c_last
 
         transpose_table
 lanes:  .int    0,1,2,3

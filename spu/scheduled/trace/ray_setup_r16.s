@@ -15,27 +15,22 @@
         .include "math.inc"
         .include "eye_ray_tmpl.inc"
 
-        .set    a_basis,3
-        .set    a_place,4
-        .set    count,5
-        .set    background,6
+        .set    NEXT,3
+        registers a_basis,a_place,count,background
         # constants
-        .set    k_lanes,12
-        .set    k_far,13
-        .set    m_packet,14
-        .set    m_x,15
-        .set    m_y,16
+        .set    NEXT,12
+        registers k_lanes,k_far,m_packet,m_x,m_y
         # the packet
-        .set    place,26
-        .set    a_packet,27
+        .set    NEXT,26
+        registers place,a_packet
 
         .section .rodata
         .align  4
 lanes:  .float  0,1,2,3
 
 function ray_setup_r16
-        .set count_2,79; .set a_place_2,2; .set a_packet_2,49; .set fx_2,44; .set fy_2,28
-        .set fx_3,27; .set t_y_2,29; .set t_y_3,50; .set t_y_4,52; .set a_packet_3,48
+        .set count_2,79; .set a_place_2,2; .set a_packet_2,49; .set a_packet1_2,44; .set fy_2,28
+        .set a_packet1_3,27; .set t_y_2,29; .set t_y_3,50; .set t_y_4,52; .set a_packet_3,48
         .set base_x_2,7; .set base_y_2,2; .set base_z_2,53; .set dx_2,3; .set dx_3,8; .set dy_2,9
         .set dy_3,27; .set dz_2,26; .set dx_4,14; .set length_2,3; .set dx_5,29; .set dx_6,57
         .set dy_4,37; .set dx_7,58; .set dy_5,7; .set dy_6,54; .set dy_7,61; .set length_3,2
@@ -50,7 +45,7 @@ function ray_setup_r16
         .set dx_14,5; .set dy_15,6; .set dz_9,12; .set a_packet_4,13; .set length_8,15
         .set dx_15,16; .set dy_16,17; .set dz_10,18; .set dx_16,19; .set t_y_12,8; .set t_y_13,14
         .set inverse_9,15; .set inverse_10,10; .set dz_11,8; .set inverse_11,7; .set inverse_12,9
-        .set dz_12,3; .set fx_4,2; .set t_y_14,2; .set t_y_15,7; .set dx_17,9; .set dy_17,26
+        .set dz_12,3; .set a_packet1_4,2; .set t_y_14,2; .set t_y_15,7; .set dx_17,9; .set dy_17,26
         .set length_9,28; .set length_10,30; .set length_11,35; .set dz_13,2; .set dz_14,7
         .set length_12,32; .set t_y_16,35; .set t_e_7,36; .set t_e_8,28; .set inverse_13,45
         .set t_e_9,30; .set inverse_14,46; .set t_e_10,32; .set inverse_15,47; .set inverse_16,48
@@ -87,17 +82,17 @@ function ray_setup_r16
         ai      $a_place,$a_place_2,16                  # 16e
         ai      $count,$count,-1                        # 17e
         lnop                                            # 17o pairing
-        csflt   $fx,$place,0                            # 20e its words x and y
+        csflt   $a_packet+1,$place,0                    # 20e its words x and y
         rotqbyi $a_packet_2,$place,0                    # 20o
         stqd    $k_far,192($a_packet_2)                 # 24o
         stqd    $background,256($a_packet_2)            # 25o
         stqd    $k_far,208($a_packet_2)                 # 26o
-        shufb   $fx_2,$fx,$fx,$m_x                      # 27o
-        shufb   $fy_2,$fx,$fx,$m_y                      # 28o
+        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 27o
+        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 28o
         stqd    $background,288($a_packet_2)            # 29o
         nop     $127                                    # 30e pairing
         stqd    $background,304($a_packet_2)            # 30o
-        fa      $fx_3,$fx_2,$k_lanes                    # 31e
+        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 31e
         stqd    $background,272($a_packet_2)            # 31o
         fa      $t_y_2,$fy_2,$k_row+1                   # 32e
         stqd    $k_far,240($a_packet_2)                 # 32o
@@ -107,11 +102,11 @@ function ray_setup_r16
         lqd     $place,0($a_place_2)                    # 34o
         fa      $t_y_4,$fy_2,$k_row+3                   # 35e
         shlqbyi $a_packet_3,$a_packet_2,0               # 35o copy
-        fma     $base_x_2,$fx_3,$right_x,$corner_x      # 37e
-        fma     $base_y_2,$fx_3,$right_y,$corner_y      # 38e
-        fma     $base_z_2,$fx_3,$right_z,$corner_z      # 39e
+        fma     $base_x_2,$a_packet1_3,$right_x,$corner_x # 37e
+        fma     $base_y_2,$a_packet1_3,$right_y,$corner_y # 38e
+        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 39e
         lnop                                            # 39o pairing
-        csflt   $fx,$place,0                            # 40e its words x and y
+        csflt   $a_packet+1,$place,0                    # 40e its words x and y
         rotqbyi $a_packet_2,$place,0                    # 40o
         fma     $dx_2,$t_y_2,$down_x,$base_x_2          # 43e
         lnop                                            # 43o pairing
@@ -122,9 +117,9 @@ function ray_setup_r16
         fma     $dy_3,$t_y,$down_y,$base_y_2            # 46e
         stqd    $k_far,208($a_packet_2)                 # 46o
         fma     $dz_2,$t_y_2,$down_z,$base_z_2          # 47e
-        shufb   $fx_2,$fx,$fx,$m_x                      # 47o
+        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 47o
         fma     $dz,$t_y,$down_z,$base_z_2              # 48e
-        shufb   $fy_2,$fx,$fx,$m_y                      # 48o
+        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 48o
         fm      $length,$dx_2,$dx_2                     # 49e
         shlqbyi $dx_4,$dx_2,0                           # 49o copy
         fm      $length_2,$dx_3,$dx_3                   # 50e
@@ -154,7 +149,7 @@ function ray_setup_r16
         fma     $length_3,$dz,$dz,$length_3             # 62e
         fma     $length_6,$dy_7,$dy_7,$length_4         # 63e
         fma     $length_5,$dy_6,$dy_6,$length_5         # 64e
-        fa      $fx_3,$fx_2,$k_lanes                    # 65e
+        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 65e
         fa      $t_y_4,$fy_2,$k_row+3                   # 66e
         lnop                                            # 66o pairing
         fa      $t_y,$fy_2,$k_row                       # 67e
@@ -165,13 +160,13 @@ function ray_setup_r16
         fma     $length_5,$dz_4,$dz_4,$length_5         # 70e
         fi      $t_y_5,$length,$t_y_5                   # 71e
         fi      $t_y_8,$length_3,$t_y_7                 # 72e
-        fma     $base_x_3,$fx_3,$right_x,$corner_x      # 74e
+        fma     $base_x_3,$a_packet1_3,$right_x,$corner_x # 74e
         lnop                                            # 74o pairing
-        fma     $base_y_3,$fx_3,$right_y,$corner_y      # 75e
+        fma     $base_y_3,$a_packet1_3,$right_y,$corner_y # 75e
         frsqest $t_y_7,$length_6                        # 75o
         fa      $t_y_3,$fy_2,$k_row+2                   # 76e
         frsqest $t_y_9,$length_5                        # 76o
-        fma     $base_z_2,$fx_3,$right_z,$corner_z      # 77e
+        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 77e
         fm      $t_e_2,$length,$t_y_5                   # 78e
         fm      $t_e_3,$length_3,$t_y_8                 # 79e
         fm      $inverse_2,$t_y_5,$k_half               # 80e
@@ -230,7 +225,7 @@ next_packet:
             shlqbyi $dx_4,$dx_13,0                      # 11o copy
             fma     $length,$dz_5,$dz_5,$length         # 12e
             fma     $inverse_8,$t_e,$inverse_4,$t_y_10  # 13e
-        csflt   $fx,$place,0                            # 14e its words x and y
+        csflt   $a_packet+1,$place,0                    # 14e its words x and y
         lnop                                            # 14o pairing
         ai      $count,$count,-1                        # 15e
             frsqest $t_y,$length_7                      # 15o
@@ -245,9 +240,9 @@ next_packet:
             fm      $dz_6,$dz_3,$inverse_8              # 20e
             frsqest $t_y_5,$length                      # 20o
             fm      $dy_3,$dy_9,$inverse_8              # 21e
-        shufb   $fx_2,$fx,$fx,$m_x                      # 21o
+        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 21o
             fma     $dz_3,$t_y_4,$down_z,$base_z_2      # 22e
-        shufb   $fy_2,$fx,$fx,$m_y                      # 22o
+        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 22o
             fm      $dz_7,$dz_4,$inverse                # 23e
             stqd    $dy,96($a_packet_3)                 # 23o
             fma     $dz_4,$t_y_3,$down_z,$base_z_2      # 24e
@@ -258,7 +253,7 @@ next_packet:
             stqd    $dz_6,176($a_packet_3)              # 26o
         ai      $a_place,$a_place,16                    # 27e
             stqd    $dy_3,112($a_packet_3)              # 27o
-        fa      $fx_3,$fx_2,$k_lanes                    # 28e
+        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 28e
             stqd    $dx_5,32($a_packet_3)               # 28o
             fma     $length_6,$dz_3,$dz_3,$length_6     # 29e
             stqd    $dz_7,160($a_packet_3)              # 29o
@@ -270,7 +265,7 @@ next_packet:
             shlqbyi $dx_8,$dx_6,0                       # 32o copy
             fm      $t_e_6,$length_7,$t_y               # 33e
             fm      $inverse,$t_y,$k_half               # 34e
-        fma     $base_y_4,$fx_3,$right_y,$corner_y      # 35e
+        fma     $base_y_4,$a_packet1_3,$right_y,$corner_y # 35e
             frsqest $t_y_7,$length_6                    # 35o
             fm      $inverse_2,$t_y_11,$k_half          # 36e
             frsqest $t_y_9,$length_5                    # 36o
@@ -290,11 +285,11 @@ next_packet:
         stqd    $k_far,240($a_packet_2)                 # 43o
             fma     $inverse_5,$t_e,$inverse_2,$t_y_11  # 44e
         stqd    $k_far,224($a_packet_2)                 # 44o
-        fma     $base_z_2,$fx_3,$right_z,$corner_z      # 45e
+        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 45e
         fma     $dy_6,$t_y_3,$down_y,$base_y_4          # 46e
             fm      $inverse_4,$t_y_10,$k_half          # 47e
             fma     $inverse,$t_e_6,$inverse,$t_y       # 48e
-        fma     $base_x_2,$fx_3,$right_x,$corner_x      # 49e
+        fma     $base_x_2,$a_packet1_3,$right_x,$corner_x # 49e
         fa      $t_y,$fy_2,$k_row                       # 50e
             fm      $dy_13,$dy_13,$inverse_5            # 51e
             fm      $t_e_4,$length_5,$t_y_9             # 52e
@@ -430,17 +425,17 @@ next_packet_short:
         lqd     $place,0($a_place)                      # 0o
         ai      $a_place,$a_place,16                    # 1e
         lnop                                            # 1o pairing
-        csflt   $fx,$place,0                            # 6e its words x and y
+        csflt   $a_packet+1,$place,0                    # 6e its words x and y
         rotqbyi $a_packet,$place,0                      # 6o
         stqd    $k_far,192($a_packet)                   # 10o
         stqd    $background,256($a_packet)              # 11o
         stqd    $k_far,208($a_packet)                   # 12o
-        shufb   $fx_4,$fx,$fx,$m_x                      # 13o
-        shufb   $fy,$fx,$fx,$m_y                        # 14o
+        shufb   $a_packet1_4,$a_packet+1,$a_packet+1,$m_x # 13o
+        shufb   $fy,$a_packet+1,$a_packet+1,$m_y        # 14o
         stqd    $background,272($a_packet)              # 15o
         nop     $127                                    # 16e pairing
         stqd    $k_far,224($a_packet)                   # 16o
-        fa      $fx,$fx_4,$k_lanes                      # 17e
+        fa      $a_packet+1,$a_packet1_4,$k_lanes       # 17e
         stqd    $background,288($a_packet)              # 17o
         fa      $t_y,$fy,$k_row                         # 18e
         stqd    $k_far,240($a_packet)                   # 18o
@@ -448,9 +443,9 @@ next_packet_short:
         stqd    $background,304($a_packet)              # 19o
         fa      $t_y_6,$fy,$k_row+2                     # 20e
         fa      $t_y_15,$fy,$k_row+3                    # 21e
-        fma     $base_x,$fx,$right_x,$corner_x          # 23e
-        fma     $base_y,$fx,$right_y,$corner_y          # 24e
-        fma     $base_z,$fx,$right_z,$corner_z          # 25e
+        fma     $base_x,$a_packet+1,$right_x,$corner_x  # 23e
+        fma     $base_y,$a_packet+1,$right_y,$corner_y  # 24e
+        fma     $base_z,$a_packet+1,$right_z,$corner_z  # 25e
         fma     $dx,$t_y,$down_x,$base_x                # 29e
         fma     $dx_3,$t_y_14,$down_x,$base_x           # 30e
         fma     $dx_17,$t_y_6,$down_x,$base_x           # 31e
