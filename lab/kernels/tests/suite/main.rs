@@ -16,3 +16,4 @@ mod schedule;
 mod shaders;
 mod spheres;
 mod surfaces;
+mod tracer;
