@@ -1,6 +1,6 @@
-//! Builds the SPU programs, one of each set of formulations that is shipped, and embeds them; for the console's
-//! target, also libraries of nothing but names to link against: libspe2's and the C library's.
-//! Every switch is listed in `docs/build-options.md`.
+//! Builds the SPU programs, one of each set of formulations that is shipped, and embeds them; for
+//! the console's target, also libraries of nothing but names to link against: libspe2's and the C
+//! library's. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
 use std::fmt::Write as _;

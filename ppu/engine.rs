@@ -101,8 +101,9 @@ impl Engine {
         &self.statistics
     }
 
-    /// Traces a frame into the framebuffer and presents it; what the framebuffer already shows is not
-    /// traced again. `progress` is told from time to time which part of the frame is done, 0 to 1.
+    /// Traces a frame into the framebuffer and presents it; what the framebuffer already shows is
+    /// not traced again. `progress` is told from time to time which part of the frame is done, 0
+    /// to 1.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -175,13 +176,13 @@ impl Engine {
         Ok(())
     }
 
-    /// Sends a descriptor as it is and waits for every SPU's answer. What the framebuffer shows counts
-    /// as unknown from then on.
+    /// Sends a descriptor as it is and waits for every SPU's answer. What the framebuffer shows
+    /// counts as unknown from then on.
     ///
     /// # Safety
     ///
-    /// The SPUs write where the descriptor says: its addresses must be those of memory that nothing
-    /// else uses until this returns; after [`EngineError::Silent`], ever.
+    /// The SPUs write where the descriptor says: its addresses must be those of memory that
+    /// nothing else uses until this returns; after [`EngineError::Silent`], ever.
     pub unsafe fn submit(
         &mut self,
         frame: &Frame,
@@ -228,7 +229,8 @@ impl Engine {
         self.mail_watched(address, frame, progress)
     }
 
-    /// Mails an address to every SPU and waits for the answers; gives the SPUs up if they are lost.
+    /// Mails an address to every SPU and waits for the answers; gives the SPUs up if they are
+    /// lost.
     fn mail_watched(
         &mut self,
         address: u64,

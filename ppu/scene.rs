@@ -99,7 +99,8 @@ impl Scene {
         Ok(Self::by_whitted(scene, look, block))
     }
 
-    /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in place.
+    /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in
+    /// place.
     pub(crate) fn with_room(
         scene: &nff::Scene,
         look: Look,
@@ -223,8 +224,8 @@ impl Scene {
         self.block.as_ref()
     }
 
-    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected with
-    /// spheres.
+    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected
+    /// with spheres.
     #[must_use]
     pub fn sphere_formulation(&self, formulations: &Formulations) -> &'static SphereFormulation {
         match self.block {
@@ -277,8 +278,8 @@ impl Scene {
         }
     }
 
-    /// Changes the spheres of depth shading, and its range: to that of the spheres, if none is given. They
-    /// have to be in range, and as many as fit.
+    /// Changes the spheres of depth shading, and its range: to that of the spheres, if none is
+    /// given. They have to be in range, and as many as fit.
     pub(crate) fn set_spheres(
         &mut self,
         spheres: impl Iterator<Item = Sphere>,

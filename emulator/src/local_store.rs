@@ -1,9 +1,10 @@
 //! The 256 KB local store.
 //!
 //! Other threads reach it while the SPU runs: the MFC of another SPE, and the PPE through its
-//! mapping. So it is made of relaxed 64-bit atomics, which cost what plain loads cost and make every
-//! race between a guest and its peers a guest's bug, never the host's undefined behaviour. Bytes lie
-//! in memory in the guest's order (big-endian), so that the mapping shows what the SPU sees.
+//! mapping. So it is made of relaxed 64-bit atomics, which cost what plain loads cost and make
+//! every race between a guest and its peers a guest's bug, never the host's undefined behaviour.
+//! Bytes lie in memory in the guest's order (big-endian), so that the mapping shows what the SPU
+//! sees.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 

@@ -1,7 +1,8 @@
-//! Main memory as the MFC sees it: a trait, and memory in which nothing unregistered can be touched.
+//! Main memory as the MFC sees it: a trait, and memory in which nothing unregistered can be
+//! touched.
 //!
-//! Effective addresses are plain 64-bit numbers. Nothing here knows of reservations: who may write a
-//! line while another holds it reserved is the interconnect's affair.
+//! Effective addresses are plain 64-bit numbers. Nothing here knows of reservations: who may write
+//! a line while another holds it reserved is the interconnect's affair.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, RwLock};

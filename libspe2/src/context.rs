@@ -157,8 +157,8 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
     error::int(|| {
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
-        // SAFETY: it came from `Box::into_raw`, and the caller gives it up; its private part is the
-        // count that `Arc::into_raw` left.
+        // SAFETY: it came from `Box::into_raw`, and the caller gives it up; its private part is
+        // the count that `Arc::into_raw` left.
         unsafe {
             let owned = Box::from_raw(spe);
             drop(Arc::from_raw(owned.base_private.cast::<Context>()));

@@ -1,7 +1,7 @@
 //! The machine that every context of the process is on, as the environment asks for it.
 //!
-//! Invariant: the environment is read when the first context is created; what it says then holds for
-//! the whole process.
+//! Invariant: the environment is read when the first context is created; what it says then holds
+//! for the whole process.
 
 use std::env;
 use std::ffi::OsString;
@@ -49,8 +49,8 @@ extern "C" fn report_at_exit() {
     write_reports();
 }
 
-/// Writes the report and the profile, where they are asked for. A failure is told, and no reason to
-/// fail.
+/// Writes the report and the profile, where they are asked for. A failure is told, and no reason
+/// to fail.
 pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;

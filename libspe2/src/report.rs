@@ -1,7 +1,7 @@
 //! The report of simulated time and the profile: JSON files.
 //!
-//! Invariant: the file at the path is whole at every moment, since each version is written beside it
-//! and then takes its place. It holds nothing of the host, so that equal runs give equal files.
+//! Invariant: the file at the path is whole at every moment, since each version is written beside
+//! it and then takes its place. It holds nothing of the host, so that equal runs give equal files.
 
 use std::collections::BTreeMap;
 use std::fs;

@@ -1,4 +1,5 @@
-//! `spe_context_run`: the calling thread is the SPU until it stops for a reason that the program sees.
+//! `spe_context_run`: the calling thread is the SPU until it stops for a reason that the program
+//! sees.
 
 use std::sync::atomic::Ordering::SeqCst;
 
@@ -207,8 +208,8 @@ impl StartRegisters {
     }
 }
 
-/// Runs a context on the calling thread until the program is to know of a stop. `*entry` is where to
-/// start, and afterwards where to go on.
+/// Runs a context on the calling thread until the program is to know of a stop. `*entry` is where
+/// to start, and afterwards where to go on.
 ///
 /// # Safety
 /// `spe` is NULL or a live context; `entry` and `stopinfo` are NULL or valid; the SPU program and

@@ -1,5 +1,6 @@
-//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT` and `LIBSPE2_PROFILE`. A program of its own and without the test harness: it runs
-//! itself again, as a program on libspe2 whose environment is its own affair.
+//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT` and `LIBSPE2_PROFILE`. A program of its own and without the
+//! test harness: it runs itself again, as a program on libspe2 whose environment is its own
+//! affair.
 
 use std::ffi::{CString, OsStr};
 use std::fs;
@@ -28,8 +29,8 @@ use spu_tool::profile::View;
 const SPES: usize = 6;
 const FRAMES: u32 = 3;
 
-/// Adds to a shared counter until it is at 100 times the frame; answers with its own share. $4 is the
-/// counter's address, as libspe2 hands argp over.
+/// Adds to a shared counter until it is at 100 times the frame; answers with its own share. $4 is
+/// the counter's address, as libspe2 hands argp over.
 const PROGRAM: &str = "
         lr      $2,$4
         rotqbyi $3,$4,4
@@ -103,8 +104,8 @@ fn run(context: Shared, argument: usize, delay: Duration) -> u32 {
     entry
 }
 
-/// The program on libspe2: frames on six SPEs, whose answers it sleeps for. Of its contexts all but the
-/// last are destroyed.
+/// The program on libspe2: frames on six SPEs, whose answers it sleeps for. Of its contexts all
+/// but the last are destroyed.
 fn program(image: &OsStr, delay: Duration) {
     let mut counter = Line([0; 128]);
     let address = counter.0.as_mut_ptr().expose_provenance();

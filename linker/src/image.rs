@@ -59,8 +59,8 @@ impl Image {
         Ok(self)
     }
 
-    /// Adds the kernels of `folder`, each in its scheduled version where `scheduled` has a file of the
-    /// same path.
+    /// Adds the kernels of `folder`, each in its scheduled version where `scheduled` has a file of
+    /// the same path.
     pub fn kernels(self, folder: &Path, scheduled: &Path) -> Result<Self, Error> {
         let before = self.sources.len();
         let mut image = self.folder(folder)?;
@@ -104,8 +104,8 @@ impl Image {
         self
     }
 
-    /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes their names in
-    /// the section `.formulation`.
+    /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes
+    /// their names in the section `.formulation`.
     #[must_use]
     pub fn formulations(mut self, formulations: Formulations) -> Self {
         self.formulations = Some(formulations);
@@ -147,8 +147,8 @@ impl Image {
         Ok(objects)
     }
 
-    /// Links what [`Image::assemble`] has made of the same sources. Images that differ in their formulations
-    /// alone share the objects.
+    /// Links what [`Image::assemble`] has made of the same sources. Images that differ in their
+    /// formulations alone share the objects.
     pub fn link(
         &self,
         tools: &Tools,

@@ -1,10 +1,10 @@
 //! Builds SPU programs from assembly, for use in a build script.
 //!
-//! [`embed`] is a whole build script. [`Tools::find`] names the SPU assembler and linker, [`Image`]
-//! turns `.s` files into one SPU ELF image, [`stub`] makes a shared library of nothing but names,
-//! to link against where the real one is not installed. [`tracer`] is the tracer's own program, to
-//! which another crate's build script may add shaders. Apart from that, nothing here knows what the
-//! programs do.
+//! [`embed`] is a whole build script. [`Tools::find`] names the SPU assembler and linker,
+//! [`Image`] turns `.s` files into one SPU ELF image, [`stub`] makes a shared library of nothing
+//! but names, to link against where the real one is not installed. [`tracer`] is the tracer's own
+//! program, to which another crate's build script may add shaders. Apart from that, nothing here
+//! knows what the programs do.
 
 mod image;
 mod script;

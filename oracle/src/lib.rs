@@ -1,5 +1,5 @@
-//! The reference: the depth-shading model of [`nff::depth`] and Whitted's model of `docs/shading.md`
-//! traced in `f64`, and the comparison of pictures with them.
+//! The reference: the depth-shading model of [`nff::depth`] and Whitted's model of
+//! `docs/shading.md` traced in `f64`, and the comparison of pictures with them.
 //!
 //! Owns what is true about a picture. Knows nothing of work units or of how the picture under test
 //! came about. Invariant: the reference shares no formula with a kernel; `nff` gives only

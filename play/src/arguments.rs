@@ -68,7 +68,8 @@ pub struct OneGame {
 /// Options of a game.
 #[derive(Debug, Args)]
 pub struct GameOptions {
-    /// All of the game's chance comes from this number [default: another one each time, but 0 for pictures]
+    /// All of the game's chance comes from this number [default: another one each time, but 0 for
+    /// pictures]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Options of the session.
@@ -81,7 +82,8 @@ pub struct GameOptions {
 pub struct ViewArguments {
     /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
     pub scene: PathBuf,
-    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all shapes
+    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all
+    /// shapes
     #[arg(long, value_enum, default_value_t)]
     model: Model,
     /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
@@ -153,7 +155,8 @@ pub enum DisplayKind {
 /// Options of a session.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Where it is seen [default: images with --out; else a window if there is a display server, else the terminal]
+    /// Where it is seen [default: images with --out; else a window if there is a display server,
+    /// else the terminal]
     #[arg(long, value_enum)]
     pub display: Option<DisplayKind>,
     /// Pixels across and down [default: in a window and a terminal as many as are fluid]

@@ -1,9 +1,10 @@
-//! What stands between the player and the session: display, pads, signals, and the keys that are not the game's.
+//! What stands between the player and the session: display, pads, signals, and the keys that are
+//! not the game's.
 //!
-//! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the picture, F12 takes a
-//! picture. Invariant: those never reach a game; all else does, once, in order, also what comes while a frame is
-//! traced. Of devices nothing does that the player did elsewhere: on another virtual terminal, or at the shell
-//! while the program was stopped.
+//! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the
+//! picture, F12 takes a picture. Invariant: those never reach a game; all else does, once, in
+//! order, also what comes while a frame is traced. Of devices nothing does that the player did
+//! elsewhere: on another virtual terminal, or at the shell while the program was stopped.
 
 use std::io;
 use std::ops::ControlFlow;
@@ -158,8 +159,9 @@ impl Front {
         Ok(())
     }
 
-    /// Called when the devices have been read: whatever was typed before that and elsewhere is among it, but for
-    /// what came between that and this. So a look away counts for the next reading, too.
+    /// Called when the devices have been read: whatever was typed before that and elsewhere is
+    /// among it, but for what came between that and this. So a look away counts for the next
+    /// reading, too.
     fn forget_what_was_done_elsewhere(&mut self) {
         let is_left = self.foreground.was_left();
         let is_away = std::mem::replace(&mut self.was_left, is_left) || is_left;

@@ -1,5 +1,5 @@
-//! A session in front of a player: frame by frame, with what is said over the picture, pictures taken of it and a
-//! resolution that follows the load.
+//! A session in front of a player: frame by frame, with what is said over the picture, pictures
+//! taken of it and a resolution that follows the load.
 
 use std::ops::ControlFlow;
 use std::time::Instant;

@@ -1,7 +1,8 @@
-//! Games and scenes before a player: in a window, a terminal, on the console's framebuffer, or as pictures.
+//! Games and scenes before a player: in a window, a terminal, on the console's framebuffer, or as
+//! pictures.
 //!
-//! Owns displays, input devices and the command line of `cellray-play`; what is played it is given, as a table of
-//! [`Entry`]s. A program of one game needs no more than that game:
+//! Owns displays, input devices and the command line of `cellray-play`; what is played it is
+//! given, as a table of [`Entry`]s. A program of one game needs no more than that game:
 //!
 //! ```no_run
 #![doc = include_str!("../../examples/tutorial/src/bin/ball.rs")]

@@ -37,7 +37,8 @@ pub struct Options {
     /// Test every ray with every object, and trace every frame as a whole
     #[arg(long)]
     pub no_skip: bool,
-    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all shapes
+    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all
+    /// shapes
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
     /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
@@ -62,7 +63,8 @@ pub struct Options {
     /// How rays are intersected with triangles, likewise
     #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
     pub triangle: Option<String>,
-    /// SPU program to trace with, such as a game's that has shaders of its own [default: the built-in one]
+    /// SPU program to trace with, such as a game's that has shaders of its own [default: the
+    /// built-in one]
     #[arg(long, value_name = "F.elf", conflicts_with_all = ["quality", "sphere", "triangle"])]
     pub program: Option<PathBuf>,
     /// Check at every call of a shader that it keeps what it must

@@ -1,8 +1,8 @@
 //! How long a frame is waited for, and what is said of an SPU that does not answer.
 //!
 //! Owns the question whether a frame still comes. It is not how long it takes, which on emulated
-//! SPUs may be hours, but whether any SPU still does something: takes a work unit, finishes one, or
-//! answers.
+//! SPUs may be hours, but whether any SPU still does something: takes a work unit, finishes one,
+//! or answers.
 
 use std::fmt;
 use std::time::{Duration, Instant};
@@ -89,8 +89,8 @@ pub struct Silence {
 /// What an SPU was doing that has not answered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Doing {
-    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy with
-    /// what was before.
+    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy
+    /// with what was before.
     HasMail,
     /// It ran, and was made to stop.
     Ran {

@@ -1,11 +1,13 @@
 //! Where frames go: the picture on the console's screen, a file in its place, or memory.
 //!
-//! Owns the geometry, pixel layout and addresses of the buffer a frame is written to, and the moment
-//! at which a finished frame is shown. Knows nothing of scenes or work units: the SPUs write finished
-//! rows by DMA through a [`Target`], then the frame loop calls [`Framebuffer::present`].
+//! Owns the geometry, pixel layout and addresses of the buffer a frame is written to, and the
+//! moment at which a finished frame is shown. Knows nothing of scenes or work units: the SPUs
+//! write finished rows by DMA through a [`Target`], then the frame loop calls
+//! [`Framebuffer::present`].
 //!
 //! Invariant: every [`Target`] satisfies the DMA rules stated at [`Target`], whatever the driver
-//! below offers; where a driver's own memory does not, the frame is made in private memory and copied.
+//! below offers; where a driver's own memory does not, the frame is made in private memory and
+//! copied.
 
 mod arming;
 mod buffer;
@@ -80,7 +82,8 @@ impl Geometry {
         nff::MAX_SIDE
     };
 
-    /// A checked geometry: both sides 1 to [`Geometry::MAX_SIDE`], else [`FramebufferError::BadSize`].
+    /// A checked geometry: both sides 1 to [`Geometry::MAX_SIDE`], else
+    /// [`FramebufferError::BadSize`].
     pub fn new(width: u32, height: u32) -> Result<Geometry, FramebufferError> {
         let geometry = Geometry { width, height };
         geometry.check()?;
@@ -134,10 +137,11 @@ impl FromStr for Geometry {
 /// The buffer that the next frame is written to.
 ///
 /// - `base` is a multiple of [`DMA_ALIGN`], and so is `stride`.
-/// - `stride` is at least [`Geometry::written_row_bytes`], `bytes` at least `stride` times the height.
+/// - `stride` is at least [`Geometry::written_row_bytes`], `bytes` at least `stride` times the
+///   height.
 ///
-/// Writing through `base`, by the PPU or by DMA, is allowed from the [`Framebuffer::target`] call that
-/// gave it until the next call of any method on that framebuffer, or its drop.
+/// Writing through `base`, by the PPU or by DMA, is allowed from the [`Framebuffer::target`] call
+/// that gave it until the next call of any method on that framebuffer, or its drop.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// First byte of the first row.
@@ -160,11 +164,12 @@ pub trait Framebuffer: Send {
     /// Where the next frame goes. With two buffers the address alternates, so ask for every frame.
     fn target(&mut self) -> Target;
 
-    /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be complete.
+    /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be
+    /// complete.
     fn present(&mut self) -> Result<(), FramebufferError>;
 
-    /// Whether nobody else writes to the targets at this time. What is written from one such answer to
-    /// the next is still there then.
+    /// Whether nobody else writes to the targets at this time. What is written from one such
+    /// answer to the next is still there then.
     fn keeps_contents(&self) -> bool {
         false
     }
@@ -183,10 +188,11 @@ pub trait Framebuffer: Send {
 pub struct Options {
     /// Size of the picture: a file needs one; a device has its own, and another is an error.
     pub size: Option<Geometry>,
-    /// The video mode that ps3fb is to be set to, until the framebuffer is dropped; an error elsewhere.
+    /// The video mode that ps3fb is to be set to, until the framebuffer is dropped; an error
+    /// elsewhere.
     pub raster: Option<Raster>,
-    /// Where a device's frames are made; `None` is [`Mode::Direct`] where the memory is known to be main
-    /// memory (mainline ps3fb) and laid out for DMA, else [`Mode::Shadow`].
+    /// Where a device's frames are made; `None` is [`Mode::Direct`] where the memory is known to
+    /// be main memory (mainline ps3fb) and laid out for DMA, else [`Mode::Shadow`].
     pub mode: Option<Mode>,
     /// Whether a device that has room for two frames shows one while the other is made.
     pub two_frames: bool,

@@ -19,8 +19,8 @@ pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>,
     )
 }
 
-/// Opens the framebuffer at `path`: a character device by its driver, a regular file or a path that
-/// does not exist yet as a file in the device's place.
+/// Opens the framebuffer at `path`: a character device by its driver, a regular file or a path
+/// that does not exist yet as a file in the device's place.
 pub fn open_with(path: &Path, options: Options) -> Result<Box<dyn Framebuffer>, FramebufferError> {
     let file = || -> Result<Box<dyn Framebuffer>, FramebufferError> {
         match options.raster {

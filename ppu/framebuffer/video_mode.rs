@@ -1,7 +1,8 @@
-//! ps3fb's video modes: with borders, as televisions cut some of the picture, or of the whole screen.
+//! ps3fb's video modes: with borders, as televisions cut some of the picture, or of the whole
+//! screen.
 //!
-//! Invariant: a mode that was changed is put back when the [`Moded`] driver is dropped. The mode is not
-//! part of what the driver forgets when it is closed.
+//! Invariant: a mode that was changed is put back when the [`Moded`] driver is dropped. The mode
+//! is not part of what the driver forgets when it is closed.
 
 use super::FramebufferError;
 use super::driver::Driver;
@@ -37,8 +38,8 @@ impl Moded {
         }
     }
 
-    /// Changes the mode of ps3fb, which `name` should be, to the one of the same lines and rate that has
-    /// `raster`, if it is another.
+    /// Changes the mode of ps3fb, which `name` should be, to the one of the same lines and rate
+    /// that has `raster`, if it is another.
     pub(super) fn set(
         &mut self,
         raster: Raster,

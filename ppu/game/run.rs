@@ -116,7 +116,8 @@ impl<G: Game> Session<G> {
         }
         let geometry = framebuffer.geometry();
         let size = (geometry.width, geometry.height);
-        // It refuses what can't be: a number of SPUs for which there is no room in a report, either.
+        // It refuses what can't be: a number of SPUs for which there is no room in a report,
+        // either.
         let engine = Engine::start(settings, framebuffer)?;
         let report = Report::new(game.name(), size, settings.spus);
         Ok(Self {
@@ -194,8 +195,8 @@ impl<G: Game> Session<G> {
         Ok(&self.report)
     }
 
-    /// Writes what its recording still lacks. To be called after the last frame: where it isn't, what the disk
-    /// refuses then is told to nobody. The session may go on all the same.
+    /// Writes what its recording still lacks. To be called after the last frame: where it isn't,
+    /// what the disk refuses then is told to nobody. The session may go on all the same.
     pub fn finish(&mut self) -> Result<(), SessionError> {
         match &mut self.recorder {
             Some(recorder) => Ok(recorder.finish(&self.world)?),
@@ -420,8 +421,9 @@ impl<G: Game> Session<G> {
         &self.game
     }
 
-    /// The world, such as for a camera that the player moves beside the game. What is changed here is not in a
-    /// recording: one that is made meanwhile is found to be of another world when it is played back.
+    /// The world, such as for a camera that the player moves beside the game. What is changed here
+    /// is not in a recording: one that is made meanwhile is found to be of another world when it
+    /// is played back.
     pub fn world(&mut self) -> &mut World {
         &mut self.world
     }

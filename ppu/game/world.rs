@@ -1,8 +1,9 @@
 //! The world: what a game changes from frame to frame, by handles.
 //!
-//! Owns the content: camera, background, lights, materials and objects, and the scene that is traced.
-//! Invariants: a handle is valid until what it stands for is removed, and is never another's; every number is
-//! one that the SPUs have room for; a world is traced as a scene of the same content would be.
+//! Owns the content: camera, background, lights, materials and objects, and the scene that is
+//! traced. Invariants: a handle is valid until what it stands for is removed, and is never
+//! another's; every number is one that the SPUs have room for; a world is traced as a scene of the
+//! same content would be.
 
 mod check;
 mod checksum;
@@ -31,15 +32,17 @@ use crate::scene::Look;
 
 /// A scene that a game changes.
 ///
-/// What is changed costs what has changed: records are written in place and the trees above them fitted again;
-/// nothing is said of the rest, and where the eye stands still the [`Engine`](crate::Engine) traces only what the
-/// change shows in (`keeps_contents` of the framebuffer permitting):
+/// What is changed costs what has changed: records are written in place and the trees above them
+/// fitted again; nothing is said of the rest, and where the eye stands still the
+/// [`Engine`](crate::Engine) traces only what the change shows in (`keeps_contents` of the
+/// framebuffer permitting):
 ///
 /// - nothing changed: nothing is traced;
-/// - by depth shading: the tiles in which a changed sphere is or was seen; all, where the range of the shading has
-///   changed with them, which [`World::set_fade`] prevents;
-/// - by Whitted's model: the tiles in which a changed object is or was seen, and its shadows fall or fell, and
-///   those in which mirrors, glass and objects with a game's own shader are seen, in all of which it may show;
+/// - by depth shading: the tiles in which a changed sphere is or was seen; all, where the range of
+///   the shading has changed with them, which [`World::set_fade`] prevents;
+/// - by Whitted's model: the tiles in which a changed object is or was seen, and its shadows fall
+///   or fell, and those in which mirrors, glass and objects with a game's own shader are seen, in
+///   all of which it may show;
 /// - all, when a light, the ambient light, the background, the eye or the look has changed.
 ///
 /// The SPUs fetch the whole scene for each frame of which anything is traced.
@@ -107,8 +110,8 @@ impl World {
         }
     }
 
-    /// The world that a scene shows. Its objects, materials and lights are in the scene's order, and called by the
-    /// lines that they are in.
+    /// The world that a scene shows. Its objects, materials and lights are in the scene's order,
+    /// and called by the lines that they are in.
     pub fn from_nff(scene: &nff::Scene, look: Look) -> Result<Self, WorldError> {
         let at = |line| {
             move |source| WorldError::At {
@@ -272,8 +275,8 @@ impl World {
         self.fade
     }
 
-    /// Gives depth shading its distances. Without them (`None`) they are those of the nearest and the
-    /// farthest sphere, and the picture's brightness changes where these move.
+    /// Gives depth shading its distances. Without them (`None`) they are those of the nearest and
+    /// the farthest sphere, and the picture's brightness changes where these move.
     pub fn set_fade(&mut self, fade: Option<DepthShading>) -> Result<(), WorldError> {
         if let Some(DepthShading { near, far }) = fade {
             check::fade(near, far)?;
@@ -282,8 +285,8 @@ impl World {
         Ok(())
     }
 
-    /// A number that tells this world's content from another's, the same on every machine: of objects, materials
-    /// and lights in their order, the handles apart; of the look nothing.
+    /// A number that tells this world's content from another's, the same on every machine: of
+    /// objects, materials and lights in their order, the handles apart; of the look nothing.
     #[must_use]
     pub fn checksum(&self) -> u64 {
         let mut sum = Checksum::new();

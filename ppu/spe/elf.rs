@@ -1,6 +1,7 @@
 //! What is read of an SPU program's ELF image before any SPU does.
 //!
-//! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in it.
+//! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in
+//! it.
 
 use std::ops::Range;
 

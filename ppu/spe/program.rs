@@ -73,8 +73,8 @@ impl Program {
         Self { image }
     }
 
-    /// The program of an ELF image, which is checked. Its memory is kept to the end of the process, as
-    /// SPUs may always still be running it.
+    /// The program of an ELF image, which is checked. Its memory is kept to the end of the
+    /// process, as SPUs may always still be running it.
     pub fn from_image(image: &[u8]) -> Result<Self, ProgramError> {
         let lines = image.len().div_ceil(size_of::<Line>());
         let mut memory = vec![Line::new_zeroed(); lines];

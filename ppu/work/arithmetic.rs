@@ -1,5 +1,5 @@
-//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels find them,
-//! and random cameras and spheres.
+//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels
+//! find them, and random cameras and spheres.
 
 use glam::DVec3;
 use nff::{Camera, View};

@@ -1,7 +1,7 @@
 //! What the framebuffer's pages show, so that what has not changed is not traced again.
 //!
-//! Invariant: a page is known only while it shows a whole frame: from the moment it is to be written
-//! to until it is whole again, nothing is assumed of it.
+//! Invariant: a page is known only while it shows a whole frame: from the moment it is to be
+//! written to until it is whole again, nothing is assumed of it.
 
 use nff::Camera;
 
@@ -50,8 +50,8 @@ impl Pages {
         self.pages.clear();
     }
 
-    /// Finds the tiles that differ between what a page shows and what it is to show; then it counts
-    /// as unknown until [`Pages::close`].
+    /// Finds the tiles that differ between what a page shows and what it is to show; then it
+    /// counts as unknown until [`Pages::close`].
     pub fn open(
         &mut self,
         target: &Target,

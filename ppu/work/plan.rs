@@ -1,7 +1,7 @@
 //! The plan of a frame: which tiles are traced, in which units, with which spheres.
 //!
-//! Owns all that is carried from one frame to the next: what the pages show and what tiles cost. Its
-//! buffers serve for every frame.
+//! Owns all that is carried from one frame to the next: what the pages show and what tiles cost.
+//! Its buffers serve for every frame.
 
 use nff::Camera;
 

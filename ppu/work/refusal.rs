@@ -19,8 +19,8 @@ pub struct Refusal {
     shader: Option<ShaderFault>,
 }
 
-/// What an SPU says of a shader. In the answer: the rule in the second lowest byte, then the register,
-/// then the shader.
+/// What an SPU says of a shader. In the answer: the rule in the second lowest byte, then the
+/// register, then the shader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct ShaderFault {
     rule: u32,

@@ -1,8 +1,9 @@
 //! Where the shadow of a ball may fall.
 //!
-//! Behind a ball, as a light sees it, is a row of balls of which each point in the shadow is in one: along the ray
-//! from the light through the centre, all touching the cone that the light sees the first one fill. Invariant: the
-//! answers hold every pixel in the shadow, with much room for the rounding of the SPU's shadow rays.
+//! Behind a ball, as a light sees it, is a row of balls of which each point in the shadow is in
+//! one: along the ray from the light through the centre, all touching the cone that the light sees
+//! the first one fill. Invariant: the answers hold every pixel in the shadow, with much room for
+//! the rounding of the SPU's shadow rays.
 
 use glam::DVec3;
 use nff::{LightKind, unit};
@@ -10,12 +11,12 @@ use nff::{LightKind, unit};
 use super::lens::{Lens, Rectangle};
 use crate::scene::block::Ball;
 
-/// By how much a ball that throws a shadow is widened, in parts of all distances that its shadow rays take: they
-/// are off by some 2^-20 of these.
+/// By how much a ball that throws a shadow is widened, in parts of all distances that its shadow
+/// rays take: they are off by some 2^-20 of these.
 const SLACK: f64 = 1.0 / (1 << 15) as f64;
 
-/// Pieces into which the row of balls on an object is cut: a shadow that runs across the picture then needs
-/// not all of the rectangle around it.
+/// Pieces into which the row of balls on an object is cut: a shadow that runs across the picture
+/// then needs not all of the rectangle around it.
 const PIECES: u32 = 8;
 
 /// The row: ball k is `growth` k + `radius` large, at `from` + k `way`, for k from `first` on.
@@ -25,12 +26,14 @@ pub(super) struct Shadow {
     growth: f64,
     radius: f64,
     first: f64,
-    /// The sum of the distances that the slack is a part of, but for those of the object that it falls on.
+    /// The sum of the distances that the slack is a part of, but for those of the object that it
+    /// falls on.
     reach: f64,
 }
 
 impl Shadow {
-    /// The shadow of what is in a ball; nothing where the light is in it or nearly so: it falls anywhere.
+    /// The shadow of what is in a ball; nothing where the light is in it or nearly so: it falls
+    /// anywhere.
     pub fn of(ball: Ball, light: LightKind, lens: &Lens) -> Option<Self> {
         let Ball { centre, radius } = ball;
         let reach = lens.to(centre).length() + radius;
@@ -59,8 +62,8 @@ impl Shadow {
         }
     }
 
-    /// Hands out the pixels on which it may fall on an object within a ball, which may lie in a plane, given by a
-    /// point and a normal.
+    /// Hands out the pixels on which it may fall on an object within a ball, which may lie in a
+    /// plane, given by a point and a normal.
     pub fn on(
         &self,
         ball: Ball,

@@ -8,8 +8,8 @@
 //! falls or fell. What is seen in mirrors, in glass and by a game's own shaders may be anywhere:
 //! where one is, everything that changes shows.
 //!
-//! Invariant: pixels that are not among the answer are the same in both pictures, unless two surfaces
-//! are equally far from the eye to the bit: then either may be hit in either picture.
+//! Invariant: pixels that are not among the answer are the same in both pictures, unless two
+//! surfaces are equally far from the eye to the bit: then either may be hit in either picture.
 
 use glam::DVec3;
 use nff::Camera;
@@ -24,8 +24,8 @@ use crate::scene::block::{Ball, BlockOptions, Chains, Light, Seen, widened};
 use crate::scene::{Look, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
 
-/// Most pairs of an object that has changed and one that its shadow may fall on: the whole picture is traced in less
-/// time than more are looked at.
+/// Most pairs of an object that has changed and one that its shadow may fall on: the whole picture
+/// is traced in less time than more are looked at.
 const MOST_SHADOWS: usize = 4096;
 
 /// What a picture was made of; its buffers serve for the next.

@@ -1,9 +1,9 @@
 //! Sphere records: what the rays of one eye need to know of each sphere, nearest first.
 //!
-//! Everything is worked out in f64 relative to the eye and rounded once. Invariant: the bounds are on
-//! the safe side of the SPU's arithmetic: a ray or packet for which a kernel could find an entry
-//! passes the tests of the sphere, and no entry is found nearer than the record's `near`. So leaving
-//! tests out changes no picture.
+//! Everything is worked out in f64 relative to the eye and rounded once. Invariant: the bounds are
+//! on the safe side of the SPU's arithmetic: a ray or packet for which a kernel could find an
+//! entry passes the tests of the sphere, and no entry is found nearer than the record's `near`. So
+//! leaving tests out changes no picture.
 
 use std::f64::consts::PI;
 
@@ -19,9 +19,9 @@ use protocol::layout::Sphere;
 
 /// Rounding of the SPU's tests, in parts of the distance of a sphere's centre.
 ///
-/// A dot product of three steps truncates each by up to 2^-23 of a sum of at most twice the distance,
-/// a unit direction is off by up to four units in the last place, the centre by half of one: 2^-20 in
-/// all. The distances of entries are off by as much again through the square root.
+/// A dot product of three steps truncates each by up to 2^-23 of a sum of at most twice the
+/// distance, a unit direction is off by up to four units in the last place, the centre by half of
+/// one: 2^-20 in all. The distances of entries are off by as much again through the square root.
 const ROUNDING: f64 = 1.0 / (1 << 18) as f64;
 
 /// The sphere records of a frame; its buffers serve for the next.

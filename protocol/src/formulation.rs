@@ -1,9 +1,10 @@
-//! The formulations of ray-sphere and ray-triangle intersection that the tracer's program is linked with,
-//! one of each: their names, where they come from, and the kernels that compute by them.
+//! The formulations of ray-sphere and ray-triangle intersection that the tracer's program is
+//! linked with, one of each: their names, where they come from, and the kernels that compute by
+//! them.
 //!
 //! None is a flag inside of another: each is kernels of its own, and a program has those of one
-//! formulation alone. `spu-build` links by this table, the command line and the benchmark of accuracy choose
-//! from it.
+//! formulation alone. `spu-build` links by this table, the command line and the benchmark of
+//! accuracy choose from it.
 
 /// One formulation of each: those of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -12,8 +13,8 @@ pub struct Formulations {
     pub eye: &'static SphereFormulation,
     /// Of spheres, for the eye's rays by Whitted's model.
     pub seen: &'static SphereFormulation,
-    /// Of spheres, for the rays of mirrors, glass and shadows. These start where others have hit, which is no
-    /// more certain than their length.
+    /// Of spheres, for the rays of mirrors, glass and shadows. These start where others have hit,
+    /// which is no more certain than their length.
     pub bounced: &'static SphereFormulation,
     /// Of triangles.
     pub triangle: &'static TriangleFormulation,
@@ -24,8 +25,8 @@ pub struct Formulations {
 pub enum EyeRecord {
     /// The centre as the eye sees it, and the radius squared.
     Centre,
-    /// The centre's unit direction and distance, and the square of radius over distance: worked out in
-    /// double precision.
+    /// The centre's unit direction and distance, and the square of radius over distance: worked
+    /// out in double precision.
     Axis,
 }
 
@@ -172,7 +173,8 @@ impl Formulations {
             .expect("they are in the tables")
     }
 
-    /// Those of these names, if there are such and each sphere formulation has the kernel that is asked of it.
+    /// Those of these names, if there are such and each sphere formulation has the kernel that is
+    /// asked of it.
     #[must_use]
     pub fn named([eye, seen, bounced, triangle]: [&str; 4]) -> Option<Self> {
         let general = |name| sphere(name).filter(|sphere| sphere.general.is_some());
@@ -184,7 +186,8 @@ impl Formulations {
         })
     }
 
-    /// One formulation of spheres for all rays that it has a kernel for; the standard one for the others.
+    /// One formulation of spheres for all rays that it has a kernel for; the standard one for the
+    /// others.
     #[must_use]
     pub fn of(sphere: &'static SphereFormulation, triangle: &'static TriangleFormulation) -> Self {
         let standard = Self::standard();
@@ -214,8 +217,8 @@ impl Formulations {
         Self::by("paper")
     }
 
-    /// Those that `cellray` carries SPU programs of, the standard ones first. The laboratory builds
-    /// programs of all others.
+    /// Those that `cellray` carries SPU programs of, the standard ones first. The laboratory
+    /// builds programs of all others.
     #[must_use]
     pub fn shipped() -> [Self; 4] {
         [Self::standard(), Self::fast(), Self::exact(), Self::paper()]
@@ -227,8 +230,8 @@ impl Formulations {
         Self::of(sphere, Self::standard().triangle)
     }
 
-    /// The formulation of spheres that tells these from the standard ones: what [`Formulations::of`]
-    /// was given, if it has a kernel of any kind.
+    /// The formulation of spheres that tells these from the standard ones: what
+    /// [`Formulations::of`] was given, if it has a kernel of any kind.
     #[must_use]
     pub fn named_sphere(&self) -> &'static SphereFormulation {
         let standard = Self::standard();
@@ -256,7 +259,8 @@ impl Formulations {
         self.names().join("-")
     }
 
-    /// The kernels of the program's roles: the symbol that the driver calls, and what it stands for.
+    /// The kernels of the program's roles: the symbol that the driver calls, and what it stands
+    /// for.
     #[must_use]
     pub fn roles(&self) -> [(&'static str, &'static str); 4] {
         [

@@ -1,7 +1,7 @@
 //! The profile as a file: JSON, the same for equal runs.
 //!
-//! Invariant of a [`ProfileFile`] that was read: addresses are those of words of local store, words are
-//! instructions, and each SPE's cycles are the sum of its instructions'.
+//! Invariant of a [`ProfileFile`] that was read: addresses are those of words of local store,
+//! words are instructions, and each SPE's cycles are the sum of its instructions'.
 
 use std::collections::BTreeMap;
 

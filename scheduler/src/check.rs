@@ -1,10 +1,10 @@
 //! Schedule notes in assembly sources, and whether the model agrees.
 //!
-//! A note stands first in a line's comment: `# 12e value` says cycle 12, even pipe. Cycles count from
-//! the label before: if it heads a loop, in the steady state of that loop, from the first cycle that
-//! the pass could use; else from the issue of the label's own instruction, every register being
-//! ready. A label is a symbol of the file, or `name:` in the source; one that stands at a branch for
-//! its hint to name does not count.
+//! A note stands first in a line's comment: `# 12e value` says cycle 12, even pipe. Cycles count
+//! from the label before: if it heads a loop, in the steady state of that loop, from the first
+//! cycle that the pass could use; else from the issue of the label's own instruction, every
+//! register being ready. A label is a symbol of the file, or `name:` in the source; one that
+//! stands at a branch for its hint to name does not count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -172,8 +172,8 @@ pub fn check(
     Ok(outcome)
 }
 
-/// Where the model issues the instruction at `address`, counted from the label before. `words` gives
-/// the code from one address up to another.
+/// Where the model issues the instruction at `address`, counted from the label before. `words`
+/// gives the code from one address up to another.
 pub(crate) fn slot(
     words: &dyn Fn(u32, u32) -> Vec<(u32, u32)>,
     labels: &BTreeSet<u32>,

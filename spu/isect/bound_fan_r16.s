@@ -11,18 +11,20 @@
 #   Error   0: no ray is outside; axis, cosine and sine allow for the rounding of cull_nodes
 #   Twin    lab/twins/src/bound.rs
 #
-# The apex is the point and the radius LIGHT_near: a ray that ends there is the same segment as one that
-# comes from there, by its t. The axis is the mean of the directions at length 1. Of unit vectors the
-# square of the chord is c = |d - axis|^2 = 2 - 2 cos. The largest is looked for, and of this
+# The apex is the point and the radius LIGHT_near: a ray that ends there is the same segment as one
+# that comes from there, by its t. The axis is the mean of the directions at length 1. Of unit
+# vectors the square of the chord is c = |d - axis|^2 = 2 - 2 cos. The largest is looked for, and
+# of this
 #   cosine = (1 - c/2) (1 - 2^-12)        for cull_nodes takes a length in 12 bits
 #   sine = sqrt(c - c^2/4) + 2^-18        c is right to some 2^-20 of itself
 # With a direction more than 79 degrees from the axis the cone is of little use, and near a right
-# angle sine^2 + cosine^2 would exceed 1, where cull_nodes relies on less: then axis, cosine and sine
-# are all 0. So they are where the directions' sum is too short to be that of such a cone, which has at
-# least 3/16 in length, and might be 0. Sine and radius are less the largest single if no ray is there.
+# angle sine^2 + cosine^2 would exceed 1, where cull_nodes relies on less: then axis, cosine and
+# sine are all 0. So they are where the directions' sum is too short to be that of such a cone,
+# which has at least 3/16 in length, and might be 0. Sine and radius are less the largest single if
+# no ray is there.
 #
-# Tried: axes and chords in one loop. 101 cycles a packet instead of 106, but of five stages: the code
-# is 0.4 KB more, and so is what a call takes until they are full.
+# Tried: axes and chords in one loop. 101 cycles a packet instead of 106, but of five stages: the
+# code is 0.4 KB more, and so is what a call takes until they are full.
 
         .include "bound_tmpl.inc"
 

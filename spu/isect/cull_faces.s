@@ -18,12 +18,12 @@
 #   g = axis.n                  all rays go with n if g > sine, all against it if -g > sine
 #   h = (apex - centre).n       all start before the plane if h > M, all behind it if -h > M
 #   M = radius + leave          what starts within rounding of the plane counts as on both sides
-# The front is met by rays that start before it and go against n. So a candidate is left out that is
-# seen from the front alone if all go with n, or all start behind. One with SIDES_BOTH is left out if
-# all go with n and start before it, or go against it and start behind.
+# The front is met by rays that start before it and go against n. So a candidate is left out that
+# is seen from the front alone if all go with n, or all start behind. One with SIDES_BOTH is left
+# out if all go with n and start before it, or go against it and start behind.
 #
-# Rays that go against their bound's axis end in its ball: their ends' sides are the other ones, and
-# their directions too.
+# Rays that go against their bound's axis end in its ball: their ends' sides are the other ones,
+# and their directions too.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -49,8 +49,8 @@
         registers outer                                 # all go with it; all start behind
         registers inner                                 # all start before; all go against it
         registers both,drop,step
-        # the candidate once more: what came before is far away by then, and what is written over it comes
-        # later
+        # the candidate once more: what came before is far away by then, and what is written over
+        # it comes later
         registers a_again,again
 
         .section .rodata

@@ -11,14 +11,15 @@
 #   Error   0: no sphere is left out that a ray enters
 #   Twin    lab/twins/src/cull.rs
 #
-# A unit direction d enters the sphere around c if c.d is above the cosine of the sphere's cone times
+# A unit direction d enters the sphere around c if c.d is above the cosine of the sphere's cone
+# times
 # |c|. The limit is a little less than that, so that rounding lets no sphere slip through: what
 # passes here is tested exactly by isect_pairs_r16. Per ray
 #   s = limit - c.d, negative if it may be entered
 # and the signs of all sixteen are brought together on the odd pipe.
 #
-# One loop runs over packets and spheres, four spheres a pass: two loops, one in the other, would drain
-# and fill the pipeline for every packet.
+# One loop runs over packets and spheres, four spheres a pass: two loops, one in the other, would
+# drain and fill the pipeline for every packet.
 
         .include "work_unit.inc"
         .include "macros.inc"

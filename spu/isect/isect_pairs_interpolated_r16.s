@@ -1,4 +1,4 @@
-# isect_pairs_interpolated_r16   nearest entry of packets' eye rays into spheres, by 12 bits of root
+# isect_pairs_interpolated_r16   nearest entry of packets' eye rays into spheres, 12 bits of root
 #   C       void isect_pairs_interpolated_r16(const struct pair *, int count);
 #   In      $3 pairs, $4 count (0 is none); pointers 16-aligned
 #   Out     the pairs' packets: t, object, where an entry is nearer than what was there
@@ -7,8 +7,8 @@
 #   Error   6000 ulp of t, eye 1.5 to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    lab/twins/src/sphere/perpendicular.rs
 #
-# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
-# behind the eye it is none.
+# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts,
+# and behind the eye it is none.
 
         .include "sphere_eye.inc"
         .include "sphere_interpolated.inc"

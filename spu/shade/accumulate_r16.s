@@ -89,7 +89,8 @@ next_packet:
         lqd     $\channel,SURFACES_lit_\channel+16*\row($a_surfaces)
         fm      $\channel,$\channel,$weight
     .endr
-        # Rows of red (A), green (B), blue (C), to A0 A1 C0 C1 and C2 C3 A2 A3, and on to the lanes.
+        # Rows of red (A), green (B), blue (C), to A0 A1 C0 C1 and C2 C3 A2 A3, and on to the
+        # lanes.
         rotqbyi $blue,$blue,8
         selb    $low,$red,$blue,$m_behind
         selb    $high,$blue,$red,$m_behind

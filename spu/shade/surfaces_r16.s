@@ -50,8 +50,8 @@
         .set    row3,76
         .set    m_ratio,77
 
-# Four quadwords A, B, C, D halfway to four rows: A0 A1 C0 C1, C2 C3 A2 A3 and B0 B1 D0 D1, D2 D3 B2
-# B3.
+# Four quadwords A, B, C, D halfway to four rows: A0 A1 C0 C1, C2 C3 A2 A3 and B0 B1 D0 D1, D2 D3
+# B2 B3.
 .macro  gather offset:req
     .irp lane, 0,1,2,3
         lqd     $quad\lane,\offset($a_lane\lane)

@@ -32,7 +32,8 @@ impl DecodeCache {
         }
     }
 
-    /// The instruction in `word`, which was just fetched from `pc`; `None` if this machine has none.
+    /// The instruction in `word`, which was just fetched from `pc`; `None` if this machine has
+    /// none.
     #[inline]
     pub fn get(&mut self, pc: u32, word: u32) -> Option<Instruction> {
         let entry = &mut self.entries[pc as usize / 4 % ENTRIES];

@@ -1,8 +1,8 @@
 //! Shifts and rotates.
 //!
-//! Every count is masked, never checked: what lies past the lane's width gives zeros (or signs), and
-//! the right shifts take the count negated. Lanes are shifted within a type twice as wide, so that no
-//! count is too large for the host.
+//! Every count is masked, never checked: what lies past the lane's width gives zeros (or signs),
+//! and the right shifts take the count negated. Lanes are shifted within a type twice as wide, so
+//! that no count is too large for the host.
 
 use super::spu::Spu;
 use spu_isa::Instruction;

@@ -69,8 +69,8 @@ impl Spu {
         self.pc
     }
 
-    /// Sets the address of the next instruction; it wraps at the end of local store, and its two low
-    /// bits are dropped.
+    /// Sets the address of the next instruction; it wraps at the end of local store, and its two
+    /// low bits are dropped.
     pub fn set_pc(&mut self, address: u32) {
         self.pc = code_address(address);
     }

@@ -1,7 +1,7 @@
 //! MFC commands: opcodes, and the rules that a command must keep before it is carried out.
 //!
-//! What breaks a rule becomes a [`DmaError`] here and nowhere else. The result hint of the `putr` forms
-//! has no effect that a program could see.
+//! What breaks a rule becomes a [`DmaError`] here and nowhere else. The result hint of the `putr`
+//! forms has no effect that a program could see.
 
 use super::error::DmaError;
 use crate::memory::LINE;

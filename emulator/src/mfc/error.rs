@@ -2,8 +2,8 @@
 
 use thiserror::Error;
 
-/// Why the MFC refused or could not finish a command. The kinds are those that Linux tells a program
-/// (alignment, invalid command, storage); the fields say which command it was.
+/// Why the MFC refused or could not finish a command. The kinds are those that Linux tells a
+/// program (alignment, invalid command, storage); the fields say which command it was.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DmaError {
     /// Sizes or addresses that the architecture does not allow.

@@ -1,10 +1,10 @@
 //! What SPEs share: main memory, reservations, and the addresses of signal registers.
 //!
-//! Invariant: an atomic line command excludes every transfer (it holds the lock alone), so it sees a
-//! line before or after another unit's `put`, never half of it; and whoever writes a line breaks every
-//! reservation on it before the lock is free. Plain transfers run side by side. A line that the PPE
-//! writes by itself breaks no reservation, but the conditional put still fails, since it compares the
-//! line with what was read under the reservation.
+//! Invariant: an atomic line command excludes every transfer (it holds the lock alone), so it sees
+//! a line before or after another unit's `put`, never half of it; and whoever writes a line breaks
+//! every reservation on it before the lock is free. Plain transfers run side by side. A line that
+//! the PPE writes by itself breaks no reservation, but the conditional put still fails, since it
+//! compares the line with what was read under the reservation.
 
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, RwLock, Weak};

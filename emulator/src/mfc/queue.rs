@@ -27,8 +27,8 @@ pub enum Policy {
     AtOnce,
     /// An adversary, which shows missing waits, fences and parameters: only when the program waits
     /// for a tag (or asks a second time for its status), when the queue is full, when the SPU has
-    /// slept for some milliseconds, or when it stops; newest first where the order is free; and the
-    /// command's parameters don't outlive it.
+    /// slept for some milliseconds, or when it stops; newest first where the order is free; and
+    /// the command's parameters don't outlive it.
     AtLast,
 }
 
@@ -167,8 +167,8 @@ impl Queue {
         }
     }
 
-    /// The command to run next, one of `tags` before others. The adversary takes the newest, so that
-    /// commands that need an order and did not ask for it come in the wrong one.
+    /// The command to run next, one of `tags` before others. The adversary takes the newest, so
+    /// that commands that need an order and did not ask for it come in the wrong one.
     fn next(&self, tags: u32) -> Option<usize> {
         let pick = |mask: u32| {
             let mut candidates = (0..self.entries.len())

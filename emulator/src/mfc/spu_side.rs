@@ -1,7 +1,7 @@
 //! The SPU's side of the MFC: parameters, tag status, stalled lists, atomic status.
 //!
-//! Only the thread that runs the SPU touches it. Where a channel would sleep, a method answers `None`
-//! and the caller sleeps. Events are returned as bits for the caller to raise.
+//! Only the thread that runs the SPU touches it. Where a channel would sleep, a method answers
+//! `None` and the caller sleeps. Events are returned as bits for the caller to raise.
 
 use super::command::{Command, Operation, Parameters, Side};
 use super::error::DmaError;
@@ -228,7 +228,8 @@ impl SpuSide {
         self.tag_mask
     }
 
-    /// Channel 23. A condition replaces one that is still awaited; a status that was not read stays.
+    /// Channel 23. A condition replaces one that is still awaited; a status that was not read
+    /// stays.
     pub(crate) fn request_tag_status(
         &mut self,
         condition: u32,

@@ -16,7 +16,8 @@ pub(crate) struct Entry {
     pub tally: Tally,
 }
 
-/// A profile of one program. Invariant: no two entries have both address and instruction in common.
+/// A profile of one program. Invariant: no two entries have both address and instruction in
+/// common.
 #[derive(Clone, Debug)]
 pub(crate) struct Profile {
     entries: Vec<Entry>,
@@ -118,8 +119,8 @@ impl Recording {
         to.take(&mut self.profile);
     }
 
-    /// The program has stopped: where it goes on is not the stop's affair. A channel instruction may
-    /// still go on sleeping.
+    /// The program has stopped: where it goes on is not the stop's affair. A channel instruction
+    /// may still go on sleeping.
     pub fn stopped(&mut self) {
         self.last = self.last.filter(|(_, i)| i.op.row().class != Class::Br);
     }

@@ -26,7 +26,8 @@ impl Tally {
         self.issuing() + self.stalls.total()
     }
 
-    /// Share of the issuing cycles in which two instructions issued, 0 to 1: for what is whole pairs.
+    /// Share of the issuing cycles in which two instructions issued, 0 to 1: for what is whole
+    /// pairs.
     #[must_use]
     pub fn dual_share(&self) -> f64 {
         match self.issuing() {

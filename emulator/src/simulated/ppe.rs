@@ -1,7 +1,7 @@
 //! PPE threads in the race: each host thread that uses the PPE's side of an SPE.
 //!
-//! A thread becomes an actor with its first call and leaves when it ends. Calls within a call are part
-//! of it: they cost nothing more and need no turn of their own.
+//! A thread becomes an actor with its first call and leaves when it ends. Calls within a call are
+//! part of it: they cost nothing more and need no turn of their own.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
@@ -95,8 +95,8 @@ impl Simulation {
         body()
     }
 
-    /// A call that sleeps until `poll` yields, or until `limit` of simulated time has passed. It looks
-    /// again when somebody wakes `key`. A limit of no time makes it a look.
+    /// A call that sleeps until `poll` yields, or until `limit` of simulated time has passed. It
+    /// looks again when somebody wakes `key`. A limit of no time makes it a look.
     pub fn wait<T>(
         &self,
         key: WaitKey,

@@ -17,7 +17,8 @@ impl WaitKey {
     }
 }
 
-/// Decides between equal clocks: SPEs by number, then PPE threads in the order of their first calls.
+/// Decides between equal clocks: SPEs by number, then PPE threads in the order of their first
+/// calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Rank(u64);
 

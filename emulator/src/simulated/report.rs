@@ -4,8 +4,8 @@ use spu_isa::timing::Account;
 
 use crate::mfc::Commands;
 
-/// Cycles that an SPU slept in its channels, by what it slept for. The pipeline's account has the same
-/// cycles, as those of channels and of DMA.
+/// Cycles that an SPU slept in its channels, by what it slept for. The pipeline's account has the
+/// same cycles, as those of channels and of DMA.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Waits {
     /// For a mailbox, in either direction.
@@ -58,8 +58,8 @@ impl SpeReport {
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// How often the race went on without a thread or an SPE that might still have acted: more than the
-    /// program's joins, and two runs may differ.
+    /// How often the race went on without a thread or an SPE that might still have acted: more
+    /// than the program's joins, and two runs may differ.
     pub absences: u64,
     /// Its SPEs, in the order of their making.
     pub spes: Vec<SpeReport>,

@@ -87,14 +87,14 @@ impl Simulation {
         self.turnstile.arrivals.deliver_early(wanted);
     }
 
-    /// Somebody knows where a local store lies, and may reach into it while its SPU runs: from now on
-    /// SPUs do not run side by side, so that they meet such data at the same time in every run.
+    /// Somebody knows where a local store lies, and may reach into it while its SPU runs: from now
+    /// on SPUs do not run side by side, so that they meet such data at the same time in every run.
     pub fn serialise(&self) {
         self.turnstile.serialise();
     }
 
-    /// The figures of every SPE so far, in the order of their making: those that they published when
-    /// they last slept in a channel or stopped.
+    /// The figures of every SPE so far, in the order of their making: those that they published
+    /// when they last slept in a channel or stopped.
     #[must_use]
     pub fn report(&self) -> Report {
         let spes = lock(&self.spes)
@@ -107,8 +107,8 @@ impl Simulation {
         }
     }
 
-    /// The profile of every SPE, of the same moments as the [`report`](Self::report) is; `None` unless
-    /// the machine was made to keep one.
+    /// The profile of every SPE, of the same moments as the [`report`](Self::report) is; `None`
+    /// unless the machine was made to keep one.
     #[must_use]
     pub fn profile(&self) -> Option<Vec<SpeProfile>> {
         self.profiled.then(|| {

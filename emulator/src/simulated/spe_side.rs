@@ -74,8 +74,8 @@ impl SpeSide {
         self.actor.expect(ready + self.start_cycles());
     }
 
-    /// This thread becomes the SPU. Its own clock counts, or, if it is new, the time since which the
-    /// SPE has been ready: not the host's time at which the thread happens to come.
+    /// This thread becomes the SPU. Its own clock counts, or, if it is new, the time since which
+    /// the SPE has been ready: not the host's time at which the thread happens to come.
     pub fn start(&self, clock: &RefCell<SpuClock>) {
         let ready = self.ready.load(SeqCst);
         let thread = self.simulation.this_thread(Some(ready));

@@ -125,12 +125,12 @@ impl<'a> Timed<'a> {
 }
 
 impl Timed<'_> {
-    /// Runs at most `limit` instructions, each after the clock and `observer` have seen it; `None` if
-    /// the SPU would go on. An interrupt shows one instruction that does not run.
+    /// Runs at most `limit` instructions, each after the clock and `observer` have seen it; `None`
+    /// if the SPU would go on. An interrupt shows one instruction that does not run.
     ///
-    /// Instruction by instruction, so that the interpreter's loop exists once in the program: beside a
-    /// second one, for this observer, the compiler no longer inlines the arithmetic into either, and
-    /// without simulated time the tracer takes 1.4 times as long.
+    /// Instruction by instruction, so that the interpreter's loop exists once in the program:
+    /// beside a second one, for this observer, the compiler no longer inlines the arithmetic into
+    /// either, and without simulated time the tracer takes 1.4 times as long.
     pub fn run<C: Channels, O: Observer>(
         &mut self,
         spu: &mut Spu,
@@ -146,7 +146,8 @@ impl Timed<'_> {
         }
     }
 
-    /// [`run`](Self::run), whose loop exists twice so that a profile costs nothing where there is none.
+    /// [`run`](Self::run), whose loop exists twice so that a profile costs nothing where there is
+    /// none.
     #[inline(never)]
     fn run_as<const RECORDED: bool, C: Channels, O: Observer>(
         &mut self,

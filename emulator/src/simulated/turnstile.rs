@@ -1,11 +1,11 @@
 //! Who may act next: the actor with the smallest clock.
 //!
-//! An actor is an SPE or a PPE thread. It is outside the race, or it runs freely with a clock that is a
-//! lower bound of its next act, or it waits: for its turn at a time, and perhaps for somebody to wake it
-//! before. Invariant: an actor gets its turn only while no other free or waiting actor has a smaller
-//! (clock, rank), and it keeps the turn until it shows a larger clock, so acts never overlap; and
-//! nobody's clock runs back. Data that was sent to a local store lies there as soon as no clock is
-//! before its arrival.
+//! An actor is an SPE or a PPE thread. It is outside the race, or it runs freely with a clock that
+//! is a lower bound of its next act, or it waits: for its turn at a time, and perhaps for somebody
+//! to wake it before. Invariant: an actor gets its turn only while no other free or waiting actor
+//! has a smaller (clock, rank), and it keeps the turn until it shows a larger clock, so acts never
+//! overlap; and nobody's clock runs back. Data that was sent to a local store lies there as soon
+//! as no clock is before its arrival.
 
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::atomic::{AtomicBool, AtomicU64};
@@ -62,8 +62,8 @@ impl Turnstile {
         self.serial.store(true, SeqCst);
     }
 
-    /// Moves sleepers on `key` to the cycle after the act that goes on: in the same cycle they would
-    /// overtake it if they come first by rank.
+    /// Moves sleepers on `key` to the cycle after the act that goes on: in the same cycle they
+    /// would overtake it if they come first by rank.
     pub fn wake(&self, key: WaitKey) {
         let mut race = lock(&self.race);
         let now = race.now;
@@ -91,9 +91,9 @@ impl Turnstile {
         self.hand_on(&race);
     }
 
-    /// Says for how long runners need not look up, then calls the first waiter if it is its turn, or if
-    /// somebody is before it of whom nobody knows whether he comes back.
-    /// In this order: a runner shows its clock before it looks, so that one of the two sees the other.
+    /// Says for how long runners need not look up, then calls the first waiter if it is its turn,
+    /// or if somebody is before it of whom nobody knows whether he comes back. In this order: a
+    /// runner shows its clock before it looks, so that one of the two sees the other.
     fn hand_on(&self, race: &Race) {
         let leader = race.leader();
         self.arrivals
@@ -223,7 +223,8 @@ impl Actor {
         Self::new(turnstile, |_| rank, false, None)
     }
 
-    /// The calling thread as an actor: in the race from some time on, or outside until it first acts.
+    /// The calling thread as an actor: in the race from some time on, or outside until it first
+    /// acts.
     pub fn ppe(turnstile: &Arc<Turnstile>, from: Option<u64>) -> Self {
         let next = |race: &mut Race| {
             race.ppe_threads += 1;
@@ -269,9 +270,9 @@ impl Actor {
         self.turnstile.await_turn(race, self, None);
     }
 
-    /// Sleeps until somebody wakes `key` or until `limit`; gives the time of the turn that it has then.
-    /// With `pause`, somebody who is left alone in the race lets that much of the host's time pass
-    /// before its clock jumps to the limit.
+    /// Sleeps until somebody wakes `key` or until `limit`; gives the time of the turn that it has
+    /// then. With `pause`, somebody who is left alone in the race lets that much of the host's
+    /// time pass before its clock jumps to the limit.
     pub fn sleep(&self, key: WaitKey, limit: Option<u64>, pause: Option<Duration>) -> u64 {
         let since = self.clock();
         let mut race = lock(&self.turnstile.race);

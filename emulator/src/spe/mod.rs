@@ -1,7 +1,7 @@
 //! One SPE: the SPU, its local store and MFC, and what the PPE reaches of them.
 //!
-//! An [`Spe`] is shared: one thread at a time runs the SPU ([`Spe::run`]), any thread uses the PPE's
-//! side. Whoever waits sleeps; a stop request wakes the SPU wherever it sleeps.
+//! An [`Spe`] is shared: one thread at a time runs the SPU ([`Spe::run`]), any thread uses the
+//! PPE's side. Whoever waits sleeps; a stop request wakes the SPU wherever it sleeps.
 //!
 //! Locks are taken in this order: the SPU's own state or the proxy queue, the interconnect, the
 //! problem state. No transfer is made under the problem state's lock.
@@ -116,8 +116,8 @@ impl Spe {
         }
     }
 
-    /// Like [`run_prepared`](Self::run_prepared), under the eyes of `observer` and for at most `limit`
-    /// instructions; `None` if the SPU would go on after them.
+    /// Like [`run_prepared`](Self::run_prepared), under the eyes of `observer` and for at most
+    /// `limit` instructions; `None` if the SPU would go on after them.
     pub fn run_observed<O: Observer>(
         &self,
         entry: u32,
@@ -200,15 +200,16 @@ impl Spe {
         }
     }
 
-    /// In simulated time: the SPE is loaded and is to be run soon by some thread, so the others are not
-    /// to run ahead of it.
+    /// In simulated time: the SPE is loaded and is to be run soon by some thread, so the others
+    /// are not to run ahead of it.
     pub fn expect_run(&self) {
         if let Some(side) = &self.simulated {
             side.expect();
         }
     }
 
-    /// In simulated time: what runs from now on is charged to this program, in the machine's profile.
+    /// In simulated time: what runs from now on is charged to this program, in the machine's
+    /// profile.
     pub fn profile_as(&self, program: ProgramId) {
         if let Some(side) = &self.simulated {
             side.load(program);
@@ -250,8 +251,8 @@ impl Spe {
         self.look(|state| state.inbound.room())
     }
 
-    /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline passed.
-    /// A deadline that has passed already makes it a try; none makes it wait for ever.
+    /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline
+    /// passed. A deadline that has passed already makes it a try; none makes it wait for ever.
     pub fn write_inbound(&self, word: u32, deadline: Option<Instant>) -> bool {
         let written = self.wait(deadline, |state| {
             let was_empty = state.inbound.waiting() == 0;

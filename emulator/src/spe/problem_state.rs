@@ -1,7 +1,7 @@
 //! What both sides of an SPE reach: mailboxes, signals, events, the stop request.
 //!
-//! Invariant: every change that another thread may wait for is made under the lock and followed by a
-//! wake-up, so a sleeper never misses one; watchers are told after the lock is free.
+//! Invariant: every change that another thread may wait for is made under the lock and followed by
+//! a wake-up, so a sleeper never misses one; watchers are told after the lock is free.
 
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};

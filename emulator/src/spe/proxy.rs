@@ -1,9 +1,9 @@
 //! The proxy queue: MFC commands that the PPE gives.
 //!
-//! The thread that calls carries the commands out, so nothing here waits for the SPU: on the console
-//! a proxy command of a context that does not run waits until it does. A command that fails while
-//! it runs stops the SPU, as the hardware's interrupt does. In simulated time a command takes as long as
-//! the call that gives it.
+//! The thread that calls carries the commands out, so nothing here waits for the SPU: on the
+//! console a proxy command of a context that does not run waits until it does. A command that
+//! fails while it runs stops the SPU, as the hardware's interrupt does. In simulated time a
+//! command takes as long as the call that gives it.
 
 use super::Spe;
 use crate::lock::lock;

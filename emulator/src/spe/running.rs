@@ -1,7 +1,7 @@
 //! An SPU that runs: what its channels reach, and how a blocking one sleeps.
 //!
-//! Invariant: a channel access either happens wholly or, when a stop request ends its sleep, not at
-//! all; so the instruction can be run again.
+//! Invariant: a channel access either happens wholly or, when a stop request ends its sleep, not
+//! at all; so the instruction can be run again.
 
 use std::cell::RefCell;
 use std::time::Duration;
@@ -19,8 +19,9 @@ use crate::mfc::{DmaError, Policy};
 use crate::simulated::{self, SpeSide, SpuClock, Wait};
 use crate::stop::Stop;
 
-/// How long the adversary leaves commands of both sides undone while the SPU sleeps: long enough for the PPE to
-/// look too early, short enough not to stop a program whose PPE waits for the data itself.
+/// How long the adversary leaves commands of both sides undone while the SPU sleeps: long enough
+/// for the PPE to look too early, short enough not to stop a program whose PPE waits for the data
+/// itself.
 const GRACE: Duration = Duration::from_millis(10);
 /// How often a sleeper that waits for a lost reservation compares the line: the PPE's own stores
 /// break no reservation here, so nobody would tell.
@@ -220,8 +221,8 @@ impl<'a> RunningChannels<'a> {
         Ok(())
     }
 
-    /// Sleeps in a channel that only the SPU's own queue can fill. It is called when nothing in the
-    /// queue may run, so only a stop ends it.
+    /// Sleeps in a channel that only the SPU's own queue can fill. It is called when nothing in
+    /// the queue may run, so only a stop ends it.
     pub(super) fn sleep_for_ever<T>(&mut self, wait: Wait) -> Result<T, Stop> {
         self.sleep(wait, |_, _| None)
     }
@@ -266,7 +267,8 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    /// Ends the reservation of a line that the PPE changed by itself, which nobody announces either.
+    /// Ends the reservation of a line that the PPE changed by itself, which nobody announces
+    /// either.
     fn watch_line(&mut self) {
         let Some(line) = self.problem_state().reservation().line() else {
             return;

@@ -95,7 +95,8 @@ fn each_taken_branch_misses_without_a_hint() {
     let account = timer.pipeline.account();
     assert_eq!(executed, 4 + 10 * 11 + 1);
     assert_eq!(account.instructions(), executed);
-    // Nine of ten are taken. A pass: eight nops, ai at 8, nop at 9, brnz at 10 (ai's result is there).
+    // Nine of ten are taken. A pass: eight nops, ai at 8, nop at 9, brnz at 10 (ai's result is
+    // there).
     assert_eq!(account.waited(Cause::BranchMiss), 9 * 18);
     assert_eq!(timer.pipeline.clock(), 4 + 10 * 11 + 9 * 18 + 1);
 }
@@ -111,8 +112,8 @@ fn a_hint_saves_all_but_the_last_pass() {
         branch_distance: 0x38 - 8,
         ..i(Op::Hbr, 0, 4, 0)
     };
-    // The hint issues at 2 (hbr: at 3, waiting for il); it works at 17 (18). The first brnz comes at
-    // 4 + 10 = 14 (15): it waits 3 cycles. Leaving the loop misses.
+    // The hint issues at 2 (hbr: at 3, waiting for il); it works at 17 (18). The first brnz comes
+    // at 4 + 10 = 14 (15): it waits 3 cycles. Leaving the loop misses.
     for (hint, late) in [(relative, 0), (register, 1)] {
         let (timer, executed) = counted(10, Some(hint));
         let account = timer.pipeline.account();

@@ -2,8 +2,8 @@
 //! through the same functions.
 //!
 //! In all of them a guest does what it likes, and three things must hold: nothing panics, a stop
-//! request ends the run, and memory that the guest was not given, or was given to read, stays as it
-//! was.
+//! request ends the run, and memory that the guest was not given, or was given to read, stays as
+//! it was.
 
 #[cfg(test)]
 mod seeds;

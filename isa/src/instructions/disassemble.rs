@@ -1,4 +1,5 @@
-//! Text of instructions, letter for letter that of `spu-elf-objdump -d` for a file without symbols.
+//! Text of instructions, letter for letter that of `spu-elf-objdump -d` for a file without
+//! symbols.
 //!
 //! objdump's habits are kept: a tab after the mnemonic, `lr` as `ori`, `stop` without its code,
 //! seven-bit constants as signed, and a comment with the last constant in hex if it is above 16.
@@ -47,7 +48,8 @@ impl fmt::Display for Disassembly {
     }
 }
 
-/// Writes one operand. Gives the constant that objdump repeats in hex, if it does so for this kind.
+/// Writes one operand. Gives the constant that objdump repeats in hex, if it does so for this
+/// kind.
 fn write_operand(
     f: &mut fmt::Formatter<'_>,
     i: Instruction,

@@ -1,6 +1,7 @@
 //! Words to instructions and back.
 //!
-//! Invariant: packing what was unpacked gives the word again, but for reserved bits, which become 0.
+//! Invariant: packing what was unpacked gives the word again, but for reserved bits, which become
+//! 0.
 
 use super::format::Format;
 use super::instruction::Instruction;

@@ -1,8 +1,8 @@
 //! The instruction table: one row an instruction, and nothing about an instruction anywhere else.
 //!
-//! The decoder, the encoder, the disassembler, the register sets and the interpreter's dispatch are
-//! all expansions of [`for_each_instruction`]. Invariant: no two rows claim one of the 2048 values
-//! of the first eleven bits; the decode table checks it while the crate is compiled.
+//! The decoder, the encoder, the disassembler, the register sets and the interpreter's dispatch
+//! are all expansions of [`for_each_instruction`]. Invariant: no two rows claim one of the 2048
+//! values of the first eleven bits; the decode table checks it while the crate is compiled.
 //!
 //! Columns of a row:
 //!

@@ -1,9 +1,9 @@
 //! Inline prefetch: how straight-line code comes from local store (see `Rules::inline_prefetch`).
 //!
-//! The local store has one port. A load, a store or a hint's fetch takes it for a cycle; in any other
-//! cycle the next line is asked for if the buffer has room. After a branch the target's line and the
-//! one behind it are there: the branch's own cost covers them. Everything but the line's size and
-//! the order of priorities is a guess.
+//! The local store has one port. A load, a store or a hint's fetch takes it for a cycle; in any
+//! other cycle the next line is asked for if the buffer has room. After a branch the target's line
+//! and the one behind it are there: the branch's own cost covers them. Everything but the line's
+//! size and the order of priorities is a guess.
 
 use super::rules::{INLINE_LINES, LINE_BYTES, LINE_CYCLES};
 

@@ -40,8 +40,8 @@ pub fn hinted_branch(pc: u32, i: Instruction) -> Option<u32> {
 }
 
 impl Hint {
-    /// The entry that the hint `i` loads, which is instruction `number` of the stream and issues in
-    /// `cycle`; `None` if it hints no branch.
+    /// The entry that the hint `i` loads, which is instruction `number` of the stream and issues
+    /// in `cycle`; `None` if it hints no branch.
     pub fn new(pc: u32, i: Instruction, cycle: u64, number: u64) -> Option<Self> {
         let branch = hinted_branch(pc, i)?;
         let prediction = match i.op {
@@ -68,7 +68,8 @@ impl Hint {
     }
 
     /// The prediction for the branch at `pc`, instruction `number` of the stream, and the first
-    /// cycle in which it can issue; `None` if the hint is for another, or comes too late to be seen.
+    /// cycle in which it can issue; `None` if the hint is for another, or comes too late to be
+    /// seen.
     #[inline]
     pub fn for_branch(&self, pc: u32, number: u64) -> Option<(Prediction, u64)> {
         let seen = number > self.number + HINT_MINIMUM_INSTRUCTIONS;

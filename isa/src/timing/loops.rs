@@ -2,8 +2,8 @@
 //!
 //! A loop is a branch back to an address at or before it, and the body from there to the branch.
 //! Branches inside fall through. Bounds: each pipe issues one instruction a cycle; and what a pass
-//! takes over from the pass before has to be ready (the recurrence). Dependences through local store
-//! are not seen.
+//! takes over from the pass before has to be ready (the recurrence). Dependences through local
+//! store are not seen.
 
 use super::account::Account;
 use super::pipeline::Pipeline;
@@ -175,8 +175,8 @@ fn steady(before: &[(u32, u32)], body: &[(u32, u32)], rules: Rules) -> Option<St
             .map(|&(address, word)| {
                 let mut line = feed.next(address, word);
                 if let Some((_, issue)) = &mut line.issued {
-                    // Only in the first pass, which is not kept, can the first instruction join one
-                    // before the loop, and so be early.
+                    // Only in the first pass, which is not kept, can the first instruction join
+                    // one before the loop, and so be early.
                     issue.cycle = issue.cycle.saturating_sub(origin);
                     issue.ready_cycle = issue.ready_cycle.saturating_sub(origin);
                 }

@@ -6,8 +6,8 @@
 //! rules and their sources are in `docs/timing.md`; their numbers are in [`rules`]. Invariant:
 //! every cycle up to the clock has exactly one entry in the [`Account`].
 //!
-//! Known weakness: nothing here was compared with the console. What no source settles is a switch in
-//! [`Rules`].
+//! Known weakness: nothing here was compared with the console. What no source settles is a switch
+//! in [`Rules`].
 
 mod account;
 mod fetch;

@@ -56,8 +56,8 @@ pub struct Pipeline {
     account: Account,
 }
 
-/// Everything in a pipeline that bears on the future, counted from its clock: two equal phases go on
-/// alike.
+/// Everything in a pipeline that bears on the future, counted from its clock: two equal phases go
+/// on alike.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Phase {
     ready: [u64; 128],
@@ -222,8 +222,8 @@ impl Pipeline {
     }
 
     /// Nothing issues before `cycle`, for what happens outside the pipelines. If a channel
-    /// instruction issued last, it is what was held up: it gives its result as though it had issued
-    /// in the cycle before.
+    /// instruction issued last, it is what was held up: it gives its result as though it had
+    /// issued in the cycle before.
     pub fn stall_until(&mut self, cycle: u64, cause: Cause) {
         if cycle <= self.clock {
             return;
@@ -265,7 +265,8 @@ impl Pipeline {
         times.max_by_key(|&(_, ready)| ready)
     }
 
-    /// Moves an instruction's issue to `until`; the cycles that nothing else issues in are its cause's.
+    /// Moves an instruction's issue to `until`; the cycles that nothing else issues in are its
+    /// cause's.
     #[inline]
     fn hold(&mut self, wait: &mut Wait, until: u64, cause: Cause) {
         if until <= wait.cycle {

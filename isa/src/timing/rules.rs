@@ -9,16 +9,16 @@ use crate::instructions::Class;
 /// and six in which nothing issues. Source: IBM SDK tutorial. Firm.
 pub const DOUBLE_INTERVAL: u64 = 7;
 
-/// Latency of double precision on the machines with [`Rules::double_extension`], which also pipeline
-/// and pair it. Source: GCC. Firm.
+/// Latency of double precision on the machines with [`Rules::double_extension`], which also
+/// pipeline and pair it. Source: GCC. Firm.
 pub const DOUBLE_EXTENSION_LATENCY: u64 = 9;
 
 /// Cycles after an FP7 instruction in which it holds the unit that FP6 needs at its issue.
 /// Source: GCC's reservations; IBM's simulator counts such stalls. Fair.
 pub const FLOAT_CONFLICT_DISTANCE: u64 = 1;
 
-/// Extra cycles after a mispredicted branch. Source: IBM SDK tutorial (18 to 19), ISSCC description
-/// (18). Firm within that one cycle.
+/// Extra cycles after a mispredicted branch. Source: IBM SDK tutorial (18 to 19), ISSCC
+/// description (18). Firm within that one cycle.
 pub const MISS_CYCLES: u64 = 18;
 
 /// Instructions that must lie between a hint and its branch for the hint to be seen at all.
@@ -38,8 +38,8 @@ pub const LINE_BYTES: u32 = 128;
 /// Lines that the inline prefetch buffer holds. Recalled from the handbook, not seen. Open.
 pub const INLINE_LINES: u32 = 2;
 
-/// Cycles from the request for a line to its first instruction's issue: a hint's, which has to fetch
-/// a line too. Inferred. Open.
+/// Cycles from the request for a line to its first instruction's issue: a hint's, which has to
+/// fetch a line too. Inferred. Open.
 pub const LINE_CYCLES: u64 = HINT_CYCLES;
 
 /// What the model takes for true where sources disagree or are silent.
@@ -50,7 +50,8 @@ pub struct Rules {
     /// Whether branch hints work. Without them branches cost one cycle if they are not taken and a
     /// miss if they are. On unless switched off.
     pub hints: bool,
-    /// Whether an FP6 instruction waits for the unit that an FP7 one holds. On unless switched off.
+    /// Whether an FP6 instruction waits for the unit that an FP7 one holds. On unless switched
+    /// off.
     pub float_conflict: bool,
     /// Whether a register that is encoded as a target but never written delays its readers, which
     /// the architecture allows. Off unless switched on.

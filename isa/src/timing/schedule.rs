@@ -1,5 +1,5 @@
-//! The schedule of straight-line code, as IBM's static analyser shows it: branches are not taken and
-//! hints do nothing.
+//! The schedule of straight-line code, as IBM's static analyser shows it: branches are not taken
+//! and hints do nothing.
 
 use super::account::Account;
 use super::pipeline::{Issue, Pipeline};

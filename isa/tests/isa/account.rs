@@ -1,5 +1,5 @@
-//! What holds for every program: cycles are conserved, issue is in order, the model is deterministic,
-//! and no rule makes code faster.
+//! What holds for every program: cycles are conserved, issue is in order, the model is
+//! deterministic, and no rule makes code faster.
 
 use proptest::prelude::*;
 use spu_isa::timing::{Cause, Issue, Pipeline, Rules, find_loops, straight_line};

@@ -1,7 +1,7 @@
 //! The disassembler and the encoder against the GNU tools for the SPU.
 //!
-//! Provenance: binutils 2.40, run here and now. Without the tools these tests fail: nothing else says
-//! that our words are the assembler's words.
+//! Provenance: binutils 2.40, run here and now. Without the tools these tests fail: nothing else
+//! says that our words are the assembler's words.
 
 use spu_isa::{Format, Instruction, Op, Operand, disassemble, feature};
 use std::env;

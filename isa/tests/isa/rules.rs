@@ -1,7 +1,7 @@
 //! Each rule of the pipeline model, on sequences whose cycles were derived by hand.
 //!
-//! Provenance of every expectation: `model`, that is the rules in `docs/timing.md` applied on paper;
-//! the derivation stands beside it. Nothing here was measured on the console.
+//! Provenance of every expectation: `model`, that is the rules in `docs/timing.md` applied on
+//! paper; the derivation stands beside it. Nothing here was measured on the console.
 
 use spu_isa::timing::{Cause, Pipeline, Rules};
 use spu_isa::{Class, Instruction, Pipe};
@@ -80,7 +80,8 @@ fn a_dependence_within_a_group_costs_the_pair_and_the_whole_latency() {
 
 #[test]
 fn a_pair_lost_by_a_cycle_is_no_stall() {
-    // The lqd's operand comes at 2; the a at 1 goes alone, the lqd follows at 2 without an empty cycle.
+    // The lqd's operand comes at 2; the a at 1 goes alone, the lqd follows at 2 without an empty
+    // cycle.
     let code = [
         i("il", 3, &[]),     // 0
         i("lnop", 0, &[]),   // 0

@@ -114,8 +114,8 @@ fn every_constant_is_an_operand() {
     }
 }
 
-/// Provenance: the list of accumulators and false targets that GCC's scheduler and the architecture
-/// give.
+/// Provenance: the list of accumulators and false targets that GCC's scheduler and the
+/// architecture give.
 #[test]
 fn register_sets_follow_the_operands() {
     let decode = |word| Instruction::decode(word).unwrap();

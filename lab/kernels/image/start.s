@@ -1,5 +1,5 @@
-# The entry that an image must have. Nobody starts the image of the kernels alone: they are called by
-# name, one by one.
+# The entry that an image must have. Nobody starts the image of the kernels alone: they are called
+# by name, one by one.
         .section .text.start,"ax",@progbits
         .align  3
         .global _start

@@ -1,9 +1,9 @@
 //! Calls one kernel as a hostile caller would.
 //!
-//! Every register that the ABI lets a caller leave anything in holds junk, also the words of scalar
-//! arguments beyond the preferred one; registers that the kernel must keep hold marks; buffers lie
-//! between guards; local store that is nobody's is full of a `stop` that nobody else uses. What a
-//! kernel breaks of that is reported by name.
+//! Every register that the ABI lets a caller leave anything in holds junk, also the words of
+//! scalar arguments beyond the preferred one; registers that the kernel must keep hold marks;
+//! buffers lie between guards; local store that is nobody's is full of a `stop` that nobody else
+//! uses. What a kernel breaks of that is reported by name.
 //!
 //! A kernel is called in both images, from the same state, and the two have to leave the same: so
 //! whatever is checked of its plain version holds of the scheduled one.
@@ -259,8 +259,8 @@ impl Bench {
     ///
     /// # Panics
     ///
-    /// If the kernel breaks a rule of the ABI, writes beside its places, does not return, or if its
-    /// versions disagree.
+    /// If the kernel breaks a rule of the ABI, writes beside its places, does not return, or if
+    /// its versions disagree.
     pub fn call(&mut self, kernel: &str, arguments: &[u32]) -> Returned {
         let mut sources = self.sources.iter();
         let source = *sources
@@ -294,8 +294,8 @@ impl Bench {
         watch.time()
     }
 
-    /// Runs one version of a kernel, without the checks, for the host's time that its instructions take. What
-    /// it writes stays.
+    /// Runs one version of a kernel, without the checks, for the host's time that its instructions
+    /// take. What it writes stays.
     ///
     /// # Panics
     ///

@@ -1,5 +1,5 @@
-//! All that is to be known of a kernel after an edit, in seconds: its schedule, the rules of the ABI,
-//! its error, its time, and the tests that compare it with its twin.
+//! All that is to be known of a kernel after an edit, in seconds: its schedule, the rules of the
+//! ABI, its error, its time, and the tests that compare it with its twin.
 
 use std::io::{self, Write};
 use std::process::Command;

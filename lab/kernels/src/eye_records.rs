@@ -1,4 +1,5 @@
-//! Records of the eye-ray kernels, made of what their twins take and taken apart into what they give.
+//! Records of the eye-ray kernels, made of what their twins take and taken apart into what they
+//! give.
 
 use twins::Single;
 use twins::ball::Ball;
@@ -105,8 +106,8 @@ pub fn colour_vectors(colours: &Colours) -> Vectors {
     vectors([colours.red, colours.green, colours.blue])
 }
 
-/// How colour bytes become words in which `shifts`, different multiples of 8 up to 24, place red, green
-/// and blue.
+/// How colour bytes become words in which `shifts`, different multiples of 8 up to 24, place red,
+/// green and blue.
 #[must_use]
 pub fn pixel_shuffle(shifts: [u32; 3]) -> PixelShuffle {
     const ZERO_BYTE: u8 = 0x80;

@@ -1,5 +1,5 @@
-//! Records of the flat shapes' kernels, as `spu/include/flat.inc` lays them out; a test compares the
-//! two.
+//! Records of the flat shapes' kernels, as `spu/include/flat.inc` lays them out; a test compares
+//! the two.
 
 use rand::Rng;
 use spu_emulator::float::single::from_f64;

@@ -1,10 +1,10 @@
 //! Checks and times the kernels of the SPU program, one by one.
 //!
 //! Owns how a kernel is called from outside ([`Bench`]), what is known of each ([`source`]: its
-//! header; [`catalogue`]: ways to call it, and how its error is measured), how its schedule and the
-//! images are made ([`workshop`], [`set`]) and the table of all that ([`table`]). Knows nothing of
-//! frames. Invariant: no number in the table is copied from anywhere; what a header states stands
-//! beside it.
+//! header; [`catalogue`]: ways to call it, and how its error is measured), how its schedule and
+//! the images are made ([`workshop`], [`set`]) and the table of all that ([`table`]). Knows
+//! nothing of frames. Invariant: no number in the table is copied from anywhere; what a header
+//! states stands beside it.
 
 pub mod bench;
 pub mod cases;

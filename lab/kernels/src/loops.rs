@@ -27,7 +27,8 @@ pub enum Form {
     Straight {
         /// Why not.
         why: String,
-        /// What the images' loop takes; none if the kernel has others beside it that are pipelined.
+        /// What the images' loop takes; none if the kernel has others beside it that are
+        /// pipelined.
         cycles: Option<Cycles>,
     },
 }
@@ -95,8 +96,8 @@ pub fn loops(kernels: &Kernels, kernel: &str, schedule: &Schedule) -> Vec<Loop> 
     found.collect()
 }
 
-/// What the loops of a kernel take, if it has this many in both images: so if none is pipelined, which
-/// would leave a second one behind.
+/// What the loops of a kernel take, if it has this many in both images: so if none is pipelined,
+/// which would leave a second one behind.
 fn straight_cycles(kernels: &Kernels, kernel: &str, count: usize) -> Vec<Cycles> {
     let [plain, scheduled] = [kernels.plain, kernels.scheduled].map(|image| found(kernel, image));
     if plain.len() != count || scheduled.len() != count {

@@ -1,5 +1,5 @@
-//! Times and checks the kernels of the SPU program, makes their schedules, and keeps their table in the
-//! document.
+//! Times and checks the kernels of the SPU program, makes their schedules, and keeps their table
+//! in the document.
 
 use std::io;
 use std::path::PathBuf;

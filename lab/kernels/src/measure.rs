@@ -160,8 +160,8 @@ pub fn time(bench: &mut Bench, kernel: &Kernel) -> Vec<Timed> {
 /// Runs of which the fastest counts as the host's time.
 const RUNS: u32 = 50;
 
-/// Nanoseconds in which the host's interpreter tests one ray with one object by a kernel's scheduled version:
-/// in its last case, on the longest list; none if it has no case.
+/// Nanoseconds in which the host's interpreter tests one ray with one object by a kernel's
+/// scheduled version: in its last case, on the longest list; none if it has no case.
 #[must_use]
 pub fn host_nanoseconds(bench: &mut Bench, kernel: &Kernel) -> Option<f64> {
     let case = kernel.cases.last()?;

@@ -1,7 +1,8 @@
 //! The kernels that are there to be called: their images, and what is known of their sources.
 //!
-//! They are made of the repository's sources by the [`Workshop`]. A machine that has neither these nor
-//! an SPU assembler, such as a console, takes them from a folder that `kernels pack` has filled.
+//! They are made of the repository's sources by the [`Workshop`]. A machine that has neither these
+//! nor an SPU assembler, such as a console, takes them from a folder that `kernels pack` has
+//! filled.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -1,5 +1,5 @@
-//! Singles of records, by their bits: the host's `f32` is another format than the SPU's. And how far
-//! apart they are.
+//! Singles of records, by their bits: the host's `f32` is another format than the SPU's. And how
+//! far apart they are.
 
 use zerocopy::big_endian::F32;
 

@@ -40,9 +40,9 @@ pub struct Header {
 }
 
 impl Source {
-    /// All kernels below a folder that is the repository's root or has its kernels as they lie there.
-    /// They are in the order in which the images have them: by the room's own name, then by theirs.
-    /// Their texts are kept to the end of the process.
+    /// All kernels below a folder that is the repository's root or has its kernels as they lie
+    /// there. They are in the order in which the images have them: by the room's own name, then by
+    /// theirs. Their texts are kept to the end of the process.
     pub fn all(root: &Path) -> Result<Vec<Self>, (PathBuf, std::io::Error)> {
         let mut sources = Vec::new();
         for room in ROOMS {

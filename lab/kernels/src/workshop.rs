@@ -1,10 +1,10 @@
 //! Makes of the kernels' sources what the laboratory runs: schedules, objects and images.
 //!
 //! Schedules of kernels that `cellray` ships are files of the repository, which are compared with
-//! what the scheduler makes; the others are made when they are needed. What was made is kept in the
-//! build folder, under a hash of all that it is made of: the source, what sources include, and the
-//! scheduler's own code. So nothing here depends on when it was compiled, and after an edit only what
-//! was edited is made anew.
+//! what the scheduler makes; the others are made when they are needed. What was made is kept in
+//! the build folder, under a hash of all that it is made of: the source, what sources include, and
+//! the scheduler's own code. So nothing here depends on when it was compiled, and after an edit
+//! only what was edited is made anew.
 
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
@@ -94,7 +94,8 @@ pub struct Workshop {
 const SCHEDULER: [&str; 2] = ["isa/src", "scheduler/src"];
 
 impl Workshop {
-    /// For the sources of the repository in this folder; what is made of them goes to the folder `made`.
+    /// For the sources of the repository in this folder; what is made of them goes to the folder
+    /// `made`.
     pub fn new(root: &Path, made: &Path) -> Result<Self, WorkshopError> {
         let mut includes = vec![root.join("spu/include"), root.join("lab/spu/include")];
         let constants = assembler::constants();
@@ -202,8 +203,8 @@ impl Workshop {
         Ok(())
     }
 
-    /// Compares the schedules of those kernels that are shipped with what the scheduler makes now; the
-    /// error names all that are stale.
+    /// Compares the schedules of those kernels that are shipped with what the scheduler makes now;
+    /// the error names all that are stale.
     pub fn check(&self, kernels: &[Source]) -> Result<(), WorkshopError> {
         let mut stale = Vec::new();
         for (kernel, schedule) in kernels.iter().zip(self.schedules(kernels)?) {
@@ -380,8 +381,8 @@ fn hash_of_files(folders: &[PathBuf]) -> Result<u64, WorkshopError> {
     Ok(hasher.finish())
 }
 
-/// Writes a file, and whatever folders it lies in, unless it has these bytes already. Nobody ever sees half
-/// of it.
+/// Writes a file, and whatever folders it lies in, unless it has these bytes already. Nobody ever
+/// sees half of it.
 fn store(path: &Path, bytes: &[u8]) -> Result<(), WorkshopError> {
     if fs::read(path).is_ok_and(|found| found == bytes) {
         return Ok(());

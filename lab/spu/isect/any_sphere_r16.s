@@ -9,8 +9,8 @@
 #           origin up to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    lab/twins/src/ball.rs
 #
-# A word of bits, not four masks: a caller branches on it as it is, and makes masks of it on the odd
-# pipe (fsm). No root is taken; the steps are in ball_tmpl.inc.
+# A word of bits, not four masks: a caller branches on it as it is, and makes masks of it on the
+# odd pipe (fsm). No root is taken; the steps are in ball_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -8,8 +8,8 @@
 #           on 2
 #   Twin    lab/twins/src/sphere/refined.rs
 #
-# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts, and
-# behind the eye it is none.
+# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts,
+# and behind the eye it is none.
 
         .include "sphere_eye.inc"
         .include "sphere_refined.inc"

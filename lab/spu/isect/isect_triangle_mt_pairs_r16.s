@@ -12,13 +12,14 @@
 # Moeller and Trumbore 1997: with edges e1 and e2 from vertex a, s from there to the origin, and
 # determinant e1.(d x e2), u is s.(d x e2), v is d.(s x e1), t is e2.(s x e1), each by the
 # determinant. Both cross products are taken the other way round, so that the determinant's sign is
-# set where the vertices go counter-clockwise. From behind a triangle is hit only with SIDES_BOTH. A
-# ray along the plane gets a t that is 0 or beyond everything: no hit.
+# set where the vertices go counter-clockwise. From behind a triangle is hit only with SIDES_BOTH.
+# A ray along the plane gets a t that is 0 or beyond everything: no hit.
 #
-# Not watertight: each triangle works a shared edge out from a vertex and edges of its own, and what
-# one rounds off the other does not take. Of rays from inside a closed mesh that are aimed at its
-# edges and vertices one in 10 gets out; one in 40 where vertices lie on a lattice, whose products
-# are exact more often (kernels/tests/flat/leaks.rs, where none gets past isect_triangle_pairs_r16).
+# Not watertight: each triangle works a shared edge out from a vertex and edges of its own, and
+# what one rounds off the other does not take. Of rays from inside a closed mesh that are aimed at
+# its edges and vertices one in 10 gets out; one in 40 where vertices lie on a lattice, whose
+# products are exact more often (kernels/tests/flat/leaks.rs, where none gets past
+# isect_triangle_pairs_r16).
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -8,8 +8,8 @@
 #   Twin    lab/twins/src/triangle.rs
 #
 # The longest component of the direction becomes z, the two after it, in cyclic order, x and y. A
-# point (x, y, z), less the origin, then lies beside the ray by x - slope_x z and y - slope_y z, and
-# its t is z / direction z. Slopes are at most 1.
+# point (x, y, z), less the origin, then lies beside the ray by x - slope_x z and y - slope_y z,
+# and its t is z / direction z. Slopes are at most 1.
 
         .include "work_unit.inc"
         .include "macros.inc"

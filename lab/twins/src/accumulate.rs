@@ -15,8 +15,8 @@ pub struct Share {
     pub lit: [Single; 3],
 }
 
-/// Adds what four rays bring to the sums of pixels. Rays of one pixel are summed first: a ray's own
-/// share, then those of the earlier ones in order.
+/// Adds what four rays bring to the sums of pixels. Rays of one pixel are summed first: a ray's
+/// own share, then those of the earlier ones in order.
 pub fn accumulate(shares: &[Share; 4], sums: &mut [[Single; 3]]) {
     let colours = shares.map(|share| share.lit.map(|channel| fm(channel, share.weight)));
     let before = shares.map(|share| sums[share.pixel]);

@@ -1,5 +1,5 @@
-//! Twin of the general form of `spu/include/sphere_tmpl.inc`: a ray from anywhere and a sphere that is
-//! seen from one side or both.
+//! Twin of the general form of `spu/include/sphere_tmpl.inc`: a ray from anywhere and a sphere
+//! that is seen from one side or both.
 
 use super::ball::Ray;
 use super::pairs::{Sides, nearer};

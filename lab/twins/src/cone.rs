@@ -1,5 +1,5 @@
-//! Twin of `spu/plain/isect/isect_cone_pairs_r16.s`: a ray from anywhere and an open cone or cylinder that
-//! is seen from one side or both.
+//! Twin of `spu/plain/isect/isect_cone_pairs_r16.s`: a ray from anywhere and an open cone or
+//! cylinder that is seen from one side or both.
 
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};

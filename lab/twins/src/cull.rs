@@ -5,8 +5,8 @@ use spu_emulator::float::single::{fcgt, fma, fnms};
 
 use super::{Single, below_zero};
 
-/// Whether a ray may enter the sphere around `centre`, or a ray of a packet with this middle: whether
-/// the product of centre and direction is above the sphere's limit.
+/// Whether a ray may enter the sphere around `centre`, or a ray of a packet with this middle:
+/// whether the product of centre and direction is above the sphere's limit.
 #[must_use]
 pub fn may_enter(direction: [Single; 3], centre: [Single; 3], limit: Single) -> bool {
     let ([dx, dy, dz], [cx, cy, cz]) = (direction, centre);

@@ -1,5 +1,5 @@
-//! Twin of `spu/plain/isect/cull_faces.s`: whether a ray of a packet may meet a seen side of a flat
-//! object.
+//! Twin of `spu/plain/isect/cull_faces.s`: whether a ray of a packet may meet a seen side of a
+//! flat object.
 
 use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
 

@@ -1,4 +1,5 @@
-//! Twin of the eye form of `spu/include/sphere_tmpl.inc`: nearest entry of an eye ray into spheres.
+//! Twin of the eye form of `spu/include/sphere_tmpl.inc`: nearest entry of an eye ray into
+//! spheres.
 
 use super::sphere::Eye;
 use super::{Single, below_zero};

@@ -1,8 +1,9 @@
 //! Twins of the SPU's kernels: the same operations in the same order, on the SPU's own arithmetic,
-//! one lane at a time. A kernel's test compares with its twin bit for bit; the twin, being Rust, is
-//! also the clear statement of what the kernel computes.
+//! one lane at a time. A kernel's test compares with its twin bit for bit; the twin, being Rust,
+//! is also the clear statement of what the kernel computes.
 //!
-//! Singles are bit patterns here, as in [`spu_emulator::float`]: the host's `f32` is another format.
+//! Singles are bit patterns here, as in [`spu_emulator::float`]: the host's `f32` is another
+//! format.
 
 pub mod accumulate;
 pub mod ball;

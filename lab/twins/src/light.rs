@@ -1,5 +1,5 @@
-//! Twin of `spu/plain/shade/light_r16.s`, `lambert_r16.s` and `ambient_r16.s`: what lights add to a
-//! surface.
+//! Twin of `spu/plain/shade/light_r16.s`, `lambert_r16.s` and `ambient_r16.s`: what lights add to
+//! a surface.
 
 use spu_emulator::float::convert::{cfltu, csflt};
 use spu_emulator::float::single::{fm, fma, fms, fs};
@@ -68,8 +68,9 @@ pub fn highlight(
     exp2_of_minus(cfltu(n, FRACTION_BITS as i32))
 }
 
-/// What a surface of this normal sends back after a light of this brightness has shone on it; `blocked` if
-/// it does not reach it. `direction` is of the ray that sees the surface; without it there is no highlight.
+/// What a surface of this normal sends back after a light of this brightness has shone on it;
+/// `blocked` if it does not reach it. `direction` is of the ray that sees the surface; without it
+/// there is no highlight.
 #[must_use]
 pub fn light(
     surface: &Surface,

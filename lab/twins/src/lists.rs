@@ -1,5 +1,5 @@
-//! Twins of `list_places_p64`, `list_pairs_p64` and `mask_pairs_p64` in `spu/plain/isect/`: lists of those
-//! packets that masks name, and the masks that name those of a list.
+//! Twins of `list_places_p64`, `list_pairs_p64` and `mask_pairs_p64` in `spu/plain/isect/`: lists
+//! of those packets that masks name, and the masks that name those of a list.
 
 /// The bit of a mask that names the group's first packet; those of the next ones are lower.
 const FIRST: u32 = 0x8000;
@@ -14,8 +14,8 @@ pub fn list_places(masks: [u32; 4], places: &[Place; 64], origin: Place) -> Vec<
     named(masks, places).map(add).collect()
 }
 
-/// The pairs of an object with the packets that masks name: addresses of the object's record and of
-/// the packet.
+/// The pairs of an object with the packets that masks name: addresses of the object's record and
+/// of the packet.
 #[must_use]
 pub fn list_pairs(masks: [u32; 4], places: &[Place; 64], object: u32) -> Vec<[u32; 2]> {
     named(masks, places)

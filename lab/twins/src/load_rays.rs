@@ -16,7 +16,8 @@ pub struct Queued {
     pub pixel: u32,
 }
 
-/// The ray of a lane, of what the queue's memory holds there; `dummy` is the sum that nobody reads.
+/// The ray of a lane, of what the queue's memory holds there; `dummy` is the sum that nobody
+/// reads.
 #[must_use]
 pub fn load_ray(queued: &Queued, is_there: bool, background: u32, dummy: u32) -> Ray {
     let &Queued {

@@ -12,8 +12,8 @@ pub struct Sides {
     pub exit: bool,
 }
 
-/// The ray with a hit at `t`, unless `misses` or what it has hit is as near. A ray that is not there
-/// has a `t` below 0.
+/// The ray with a hit at `t`, unless `misses` or what it has hit is as near. A ray that is not
+/// there has a `t` below 0.
 pub(super) fn nearer(ray: Ray, t: Single, object: u32, misses: bool) -> Ray {
     let ahead = t as i32 > 0;
     if ahead && (t as i32) < ray.t as i32 && !misses {

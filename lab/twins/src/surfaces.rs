@@ -1,5 +1,5 @@
-//! Twin of `spu/plain/shade/surfaces_r16.s` and `surfaces_same_r16.s`: where a ray has hit an object,
-//! and what the surface is there; and of `same_objects_r16.s`.
+//! Twin of `spu/plain/shade/surfaces_r16.s` and `surfaces_same_r16.s`: where a ray has hit an
+//! object, and what the surface is there; and of `same_objects_r16.s`.
 
 use spu_emulator::float::single::{fa, fm, fma, fms, fnms, fs};
 

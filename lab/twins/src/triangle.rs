@@ -1,5 +1,5 @@
-//! Twin of `spu/plain/isect/shear_r16.s`, `shear_packets_r16.s`, `isect_triangles_r16.s`, `any_triangles_r16.s` and
-//! `isect_triangle_r1.s`: rays and triangles, watertight.
+//! Twin of `spu/plain/isect/shear_r16.s`, `shear_packets_r16.s`, `isect_triangles_r16.s`,
+//! `any_triangles_r16.s` and `isect_triangle_r1.s`: rays and triangles, watertight.
 
 use spu_emulator::float::single::{fa, fcmgt, fm, fma, fms, fnms, fs};
 
@@ -60,8 +60,8 @@ fn side_of_edge(a: Single, b: Single, c: Single, d: Single) -> Single {
     fs(fms(a, b, product), remainder)
 }
 
-/// Where the ray meets the triangle's plane; and the sum of the edges, which has the sign of the ray's
-/// direction z if the vertices go counter-clockwise.
+/// Where the ray meets the triangle's plane; and the sum of the edges, which has the sign of the
+/// ray's direction z if the vertices go counter-clockwise.
 pub(super) fn meet(ray: &Shear, triangle: &Triangle) -> (Meeting, Single) {
     let seen = triangle.map(|vertex| {
         let [x, y, z]: [Single; 3] =

@@ -1,5 +1,5 @@
-//! Twin of `spu/plain/isect/isect_triangle_mt_pairs_r16.s`: a ray from anywhere and a triangle, Möller and
-//! Trumbore's way.
+//! Twin of `spu/plain/isect/isect_triangle_mt_pairs_r16.s`: a ray from anywhere and a triangle,
+//! Möller and Trumbore's way.
 
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 

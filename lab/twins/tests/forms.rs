@@ -1,5 +1,5 @@
-//! The eye's rays get the very bits of a formulation's eye form from its general form: what is measured of
-//! the one holds of the other.
+//! The eye's rays get the very bits of a formulation's eye form from its general form: what is
+//! measured of the one holds of the other.
 
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;

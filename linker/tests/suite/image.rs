@@ -148,8 +148,8 @@ fn tools_are_taken_from_path_under_either_name() {
     }
 }
 
-/// A compiler driver stands for both tools, on `PATH` or named by the variables: one that does what
-/// gcc does with `-Wa,` and `-Wl,`, over the real tools.
+/// A compiler driver stands for both tools, on `PATH` or named by the variables: one that does
+/// what gcc does with `-Wa,` and `-Wl,`, over the real tools.
 #[test]
 fn a_compiler_driver_assembles_and_links() {
     const DRIVER: &str = r#"#!/bin/sh

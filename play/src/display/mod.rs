@@ -1,7 +1,8 @@
 //! Where a game is seen, and where keys and mouse are read.
 //!
-//! Owns what a display is to the frame loop. Invariants: what a display changed on the system is put back when
-//! it is dropped; the mouse is told in pixels of the picture, whatever its size on the display.
+//! Owns what a display is to the frame loop. Invariants: what a display changed on the system is
+//! put back when it is dropped; the mouse is told in pixels of the picture, whatever its size on
+//! the display.
 
 mod fit;
 mod nowhere;

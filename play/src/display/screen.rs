@@ -1,6 +1,7 @@
 //! The console's framebuffer: the SPUs write to it as they do for `cellray fb`.
 //!
-//! Known weakness: nothing is drawn over the picture and no picture is taken of it, as it is the driver's.
+//! Known weakness: nothing is drawn over the picture and no picture is taken of it, as it is the
+//! driver's.
 
 use std::io;
 use std::path::Path;

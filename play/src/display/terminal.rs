@@ -1,4 +1,5 @@
-//! A terminal with colours, such as one over ssh: each character shows two pixels, one above the other.
+//! A terminal with colours, such as one over ssh: each character shows two pixels, one above the
+//! other.
 //!
 //! Known weakness: most terminals don't tell when a key is released; see [`keys`].
 
@@ -63,7 +64,8 @@ impl Terminal {
         Self::take(true)
     }
 
-    /// Takes its keys alone: what is seen is elsewhere, and no key is to be echoed or kept for the shell.
+    /// Takes its keys alone: what is seen is elsewhere, and no key is to be echoed or kept for the
+    /// shell.
     pub fn keys_only() -> Result<Self, DisplayError> {
         Self::take(false)
     }

@@ -1,7 +1,7 @@
 //! A window on a desktop.
 //!
-//! Invariants: every key and button of the window becomes an event, in order, however long a frame takes: the
-//! window's events are taken in while a frame is traced, too.
+//! Invariants: every key and button of the window becomes an event, in order, however long a frame
+//! takes: the window's events are taken in while a frame is traced, too.
 
 mod draw;
 mod keys;
@@ -283,8 +283,8 @@ fn server(value: impl Fn(&str) -> Option<String>) -> String {
     named.unwrap_or_else(|| "no display server is named by DISPLAY or WAYLAND_DISPLAY".to_owned())
 }
 
-/// Whether this is the number of a file that this program has open: whoever takes another one for a
-/// connection ends the program when it is closed.
+/// Whether this is the number of a file that this program has open: whoever takes another one for
+/// a connection ends the program when it is closed.
 fn is_open_file(number: &str) -> bool {
     // SAFETY: asks for the flags of whatever number, and changes nothing.
     let is_open = |number| unsafe { libc::fcntl(number, libc::F_GETFD) } != -1;

@@ -1,4 +1,5 @@
-//! Input devices that are not there: recorded events of pads, keyboards and mice, and devices that come and go.
+//! Input devices that are not there: recorded events of pads, keyboards and mice, and devices that
+//! come and go.
 
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, VecDeque};
@@ -223,7 +224,8 @@ fn both_numberings_of_the_sixaxis_are_the_same_buttons() {
         (0x222, Button::Left),
         (0x223, Button::Right),
     ];
-    // Select, L3, R3, Start, Up, Right, Down, Left, L2, R2, L1, R1, Triangle, Circle, Cross, Square from 0x120 on.
+    // Select, L3, R3, Start, Up, Right, Down, Left, L2, R2, L1, R1, Triangle, Circle, Cross,
+    // Square from 0x120 on.
     let old = [
         (0x120, Button::Select),
         (0x121, Button::L3),
@@ -543,7 +545,8 @@ fn what_was_held_while_the_kernel_dropped_events_is_held_on() {
         report(),
     ]);
     player.frame(20);
-    // While nobody read: Circle was released, Square pressed, the right stick moved, the rest is as it was.
+    // While nobody read: Circle was released, Square pressed, the right stick moved, the rest is
+    // as it was.
     {
         let mut pad = pad.borrow_mut();
         pad.events

@@ -103,8 +103,8 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     assert!(files(other.path()) != expected, "the seed plays no part");
 }
 
-/// The program, where files have no more than 576 blocks of 512 bytes: room for an emulated SPU's local store, and
-/// for no picture of 1920x1080.
+/// The program, where files have no more than 576 blocks of 512 bytes: room for an emulated SPU's
+/// local store, and for no picture of 1920x1080.
 fn on_a_full_disk() -> Command {
     let mut command = Command::new("sh");
     command

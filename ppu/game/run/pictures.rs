@@ -1,7 +1,8 @@
 //! A game's frames as numbered pictures: those that are wanted and not there yet.
 //!
-//! Invariants: a frame's picture depends on the game, its seed, the recording, the size and the frame's number
-//! alone, not on which of them one run makes; a picture is whole as soon as it has its name.
+//! Invariants: a frame's picture depends on the game, its seed, the recording, the size and the
+//! frame's number alone, not on which of them one run makes; a picture is whole as soon as it has
+//! its name.
 
 use super::{Clock, FrameRange, InputSource, Session, SessionError};
 use crate::framebuffer::{FramebufferError, NumberedPath, write_png};
@@ -65,8 +66,8 @@ impl Pictures {
         Self { paths }
     }
 
-    /// Plays the session up to the end of a range, and writes those frames of the range that are not there. It
-    /// ends earlier where the session does, or the input.
+    /// Plays the session up to the end of a range, and writes those frames of the range that are
+    /// not there. It ends earlier where the session does, or the input.
     ///
     /// # Errors
     /// A session on a framebuffer that can't be read back, unlike

@@ -1,7 +1,7 @@
 //! What a world takes: numbers that the SPUs have room for, shapes that are some.
 //!
-//! Invariant: of a world whose parts have all passed, no frame is refused for a number in it, but for those
-//! that come of others, such as the growth of a very flat cone.
+//! Invariant: of a world whose parts have all passed, no frame is refused for a number in it, but
+//! for those that come of others, such as the growth of a very flat cone.
 
 use glam::DVec3;
 use nff::{LightKind, Shader, Shape};

@@ -129,7 +129,8 @@ impl From<&nff::Material> for Material {
 pub struct Light {
     /// Where it is.
     pub kind: LightKind,
-    /// Its colour; without one, a grey by the number of all lights (see [`nff::Scene::brightness`]).
+    /// Its colour; without one, a grey by the number of all lights (see
+    /// [`nff::Scene::brightness`]).
     pub colour: Option<DVec3>,
 }
 

@@ -45,7 +45,8 @@ impl World {
         self.add(Shape::Polygon { vertices }, material)
     }
 
-    /// Removes an object. Its handle is refused from then on, also when its place serves for another.
+    /// Removes an object. Its handle is refused from then on, also when its place serves for
+    /// another.
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
         let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
         self.unuse(object.material);
@@ -149,8 +150,8 @@ impl World {
         Ok(self.object(id)?.fixed)
     }
 
-    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and traced once is. It may
-    /// be made of another material, hidden and removed.
+    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and
+    /// traced once is. It may be made of another material, hidden and removed.
     pub fn fix(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = true;
         Ok(())

@@ -1,7 +1,8 @@
 //! The scene that is traced, kept in step with its world.
 //!
-//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but for the places of
-//! its records and the shape of its trees, which no picture shows. Where nothing was added, this takes no memory.
+//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but
+//! for the places of its records and the shape of its trees, which no picture shows. Where nothing
+//! was added, this takes no memory.
 
 use nff::Shape;
 
@@ -24,10 +25,11 @@ impl Stuff {
 impl World {
     /// The scene of the world as it is now, for an [`Engine`](crate::Engine) that runs `program`.
     ///
-    /// What has changed since the last call is changed in place: where objects were moved, shown or made of other
-    /// materials, and materials, lights or the eye changed, this takes no memory. Objects and materials that are
-    /// added find the room of those that were removed, or that is kept for them; without it the scene is laid out
-    /// anew. So it is when lights are added or removed, or the world is made to look otherwise.
+    /// What has changed since the last call is changed in place: where objects were moved, shown
+    /// or made of other materials, and materials, lights or the eye changed, this takes no memory.
+    /// Objects and materials that are added find the room of those that were removed, or that is
+    /// kept for them; without it the scene is laid out anew. So it is when lights are added or
+    /// removed, or the world is made to look otherwise.
     ///
     /// # Errors
     /// What does not fit the SPUs, and a shader that the program does not have.

@@ -1,6 +1,7 @@
 //! Bounding spheres, and what few of them bound.
 //!
-//! Invariant: what [`enclose`] gives holds every ball that it was given, `f64`'s rounding included.
+//! Invariant: what [`enclose`] gives holds every ball that it was given, `f64`'s rounding
+//! included.
 
 use glam::DVec3;
 
@@ -55,8 +56,8 @@ impl Hull {
 
 /// A ball around all of `balls`, nearly the smallest; nothing around none.
 ///
-/// By Bădoiu and Clarkson's steps of falling length to the farthest point, from the middle of the box;
-/// the best place on the way is taken.
+/// By Bădoiu and Clarkson's steps of falling length to the farthest point, from the middle of the
+/// box; the best place on the way is taken.
 pub(super) fn enclose(balls: &[Ball]) -> Option<Ball> {
     let (&first, others) = balls.split_first()?;
     if others.is_empty() {

@@ -3,8 +3,8 @@
 //! The weight of a ray is its share in its pixel's colour: the product of what the surfaces on its
 //! way reflect or let through. What it can add to the pixel is at most its weight times the
 //! greatest brightness that any ray sees. Where that is less than [`LEAST_CHANGE`] of a byte's
-//! step, the ray is not sent on; and no ray is sent deeper than the shares of the scene's materials
-//! let such weights come. `docs/numerics.md` has the bound.
+//! step, the ray is not sent on; and no ray is sent deeper than the shares of the scene's
+//! materials let such weights come. `docs/numerics.md` has the bound.
 //!
 //! A game's own shader may do what its material does not tell: with one in the scene nothing is
 //! bounded. Nor is it where rays are counted by SPD's rule, which knows no weights.
@@ -101,8 +101,8 @@ impl Chains {
                 ..Self::UNBOUNDED
             };
         }
-        // What a ray sees at most if so many follow it: a surface's own light, and what they see by
-        // its share.
+        // What a ray sees at most if so many follow it: a surface's own light, and what they see
+        // by its share.
         let mut seen = 0.0;
         for _ in 0..options.ray_depth {
             let surfaces = materials.clone().map(|sends| {

@@ -19,8 +19,8 @@ use super::range::Place;
 use super::{Piece, SceneBlock, Spare, Surface, ambient};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
-/// For one object of each kind that there are, the room for how many others is tried: as many again, half,
-/// a quarter, an eighth.
+/// For one object of each kind that there are, the room for how many others is tried: as many
+/// again, half, a quarter, an eighth.
 const PARTS: [usize; 4] = [1, 2, 4, 8];
 /// Room that is taken in any case.
 const FEW: usize = 4;
@@ -28,8 +28,8 @@ const FEW: usize = 4;
 const MOST_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
 
 impl SceneBlock {
-    /// As [`SceneBlock::new`], with room for further objects and materials, as far as no fewer packets are
-    /// traced together for it.
+    /// As [`SceneBlock::new`], with room for further objects and materials, as far as no fewer
+    /// packets are traced together for it.
     pub(crate) fn with_room(
         scene: &Scene,
         options: BlockOptions,
@@ -133,7 +133,8 @@ impl SceneBlock {
         Ok(())
     }
 
-    /// Adds a material to the scene, of which no object is made as yet; its number, if there is room.
+    /// Adds a material to the scene, of which no object is made as yet; its number, if there is
+    /// room.
     pub(crate) fn add_material(&mut self) -> Option<usize> {
         let number = self.materials.len();
         if number == MOST_NUMBERS {

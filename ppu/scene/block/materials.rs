@@ -246,10 +246,10 @@ impl Light {
 
     /// Its record as seen from `eye`; `leave` is the largest that an object has.
     ///
-    /// A shadow ray goes to the light from the point on the surface, but starts off it: it passes the
-    /// light by as much, at most three times `leave`, and by the rounding of its direction and length,
-    /// four units in the last place of the distance. That is at most twice `leave` more, and a quarter
-    /// of the slack of 2^-18 that `cull_nodes` takes of the light's coordinates.
+    /// A shadow ray goes to the light from the point on the surface, but starts off it: it passes
+    /// the light by as much, at most three times `leave`, and by the rounding of its direction and
+    /// length, four units in the last place of the distance. That is at most twice `leave` more,
+    /// and a quarter of the slack of 2^-18 that `cull_nodes` takes of the light's coordinates.
     pub fn record(&self, eye: DVec3, leave: f64) -> layout::Light {
         let (position, directional) = match self.kind {
             LightKind::Point { position } => (position - eye, 0),

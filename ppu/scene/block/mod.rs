@@ -1,15 +1,15 @@
-//! The scene of Whitted's model as SPUs take it: one block of records that lies at `SCENE_ADDRESS` of
-//! every local store.
+//! The scene of Whitted's model as SPUs take it: one block of records that lies at `SCENE_ADDRESS`
+//! of every local store.
 //!
-//! What is where in the block is settled once, when the scene is loaded: all addresses, the materials
-//! and the trees. For each eye only what lies somewhere is written anew, relative to the eye, in `f64`
-//! and rounded once; so a scene far from its origin loses nothing near the eye. The block begins with
-//! the background's object, for rays that hit nothing.
+//! What is where in the block is settled once, when the scene is loaded: all addresses, the
+//! materials and the trees. For each eye only what lies somewhere is written anew, relative to the
+//! eye, in `f64` and rounded once; so a scene far from its origin loses nothing near the eye. The
+//! block begins with the background's object, for rays that hit nothing.
 //!
 //! The block of a scene that changes has room for more, and is edited in place.
 //!
-//! Invariant: a block fits the local store with the rays that wait; all its addresses lie within it.
-//! What it does not keep is the order of the file: of equally near surfaces any may be hit.
+//! Invariant: a block fits the local store with the rays that wait; all its addresses lie within
+//! it. What it does not keep is the order of the file: of equally near surfaces any may be hit.
 
 mod ball;
 mod bytes;
@@ -75,7 +75,8 @@ pub struct SceneBlock {
     /// Addresses of room for further materials.
     material_room: Vec<u32>,
     planted: [Planted; 4],
-    /// What the scene's objects have become: for each by its number the range of its pieces, and these.
+    /// What the scene's objects have become: for each by its number the range of its pieces, and
+    /// these.
     objects: Vec<Range<usize>>,
     pieces: Vec<Piece>,
     chains: Chains,
@@ -107,12 +108,11 @@ struct Spare {
 }
 
 impl SceneBlock {
-    /// Lays out a scene and writes it as its own view sees it. `shader` gives the entries of the SPU
-    /// program's shaders by their names.
+    /// Lays out a scene and writes it as its own view sees it. `shader` gives the entries of the
+    /// SPU program's shaders by their names.
     ///
-    /// # Errors
-    /// A scene that does not fit, numbers that the SPU's format has no room for, glass without an index
-    /// of refraction, a shader that there is not, and a ray depth out of range.
+    /// # Errors A scene that does not fit, numbers that the SPU's format has no room for, glass
+    /// without an index of refraction, a shader that there is not, and a ray depth out of range.
     pub fn new(
         scene: &Scene,
         options: BlockOptions,

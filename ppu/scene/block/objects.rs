@@ -18,8 +18,8 @@ use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 /// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
 /// their magnitudes.
 ///
-/// A point's height over the surface is a sum of products of them, each of which is truncated by up to
-/// 2^-23: eight roundings of them all.
+/// A point's height over the surface is a sum of products of them, each of which is truncated by
+/// up to 2^-23: eight roundings of them all.
 pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 
 /// An object where the scene has it.
@@ -190,8 +190,8 @@ impl Head {
 }
 
 impl Object {
-    /// How far off its surface a ray has to start for the object's own numbers, as seen from `eye`. No
-    /// coordinate of a point on it adds more than `leave` to that.
+    /// How far off its surface a ray has to start for the object's own numbers, as seen from
+    /// `eye`. No coordinate of a point on it adds more than `leave` to that.
     pub fn leave(&self, eye: DVec3) -> f64 {
         let Head {
             centre,
@@ -202,7 +202,8 @@ impl Object {
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
-    /// Writes the record, as seen from `eye`, to where it lies; `material` is its material's address.
+    /// Writes the record, as seen from `eye`, to where it lies; `material` is its material's
+    /// address.
     pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
         let Head {
             centre,

@@ -1,5 +1,6 @@
 //! The part of a block that the objects of one shape take: first they, in the order of their tree,
-//! then its nodes. Behind the objects there may be room for others, which the tree takes in when they come.
+//! then its nodes. Behind the objects there may be room for others, which the tree takes in when
+//! they come.
 //!
 //! Invariant: what was written for an eye is written again only where it has changed.
 
@@ -53,8 +54,9 @@ pub(super) struct Planted {
 }
 
 impl Planted {
-    /// Takes room for the objects, whose materials have these addresses, for `spare` others, and for a tree over
-    /// them. The plots' numbers are the objects' places in the tree; `number` is told them.
+    /// Takes room for the objects, whose materials have these addresses, for `spare` others, and
+    /// for a tree over them. The plots' numbers are the objects' places in the tree; `number` is
+    /// told them.
     pub fn new(
         kind: Kind,
         found: &[Object],
@@ -185,8 +187,8 @@ impl Planted {
         self.topology.write(eye, self.nodes, object, nodes);
     }
 
-    /// What the frame says of the tree. An object that is alone needs no node above it: the test of a
-    /// node is not much cheaper than its own.
+    /// What the frame says of the tree. An object that is alone needs no node above it: the test
+    /// of a node is not much cheaper than its own.
     pub fn tree(&self) -> Tree {
         let tree = self.topology.record(self.nodes);
         match *self.topology.order() {
@@ -214,7 +216,8 @@ impl Planted {
         self.plots.len()
     }
 
-    /// Where a plot is, and the object there with its address, its material's and what it is within.
+    /// Where a plot is, and the object there with its address, its material's and what it is
+    /// within.
     pub fn plot(&self, number: usize) -> (u32, Option<(&Object, U32, Ball)>) {
         let plot = &self.plots[number];
         let object = plot.object.as_ref().map(|planting| {

@@ -1,13 +1,14 @@
 //! The tree of bounding spheres over the objects of one shape.
 //!
-//! What is where in the tree is settled when it is planted, in the scene's own coordinates; what depends on the
-//! eye is written anew for each. Where objects move, the spheres above them are fitted again; a tree that has
-//! become bad by that is planted anew. The buffers serve for every tree.
+//! What is where in the tree is settled when it is planted, in the scene's own coordinates; what
+//! depends on the eye is written anew for each. Where objects move, the spheres above them are
+//! fitted again; a tree that has become bad by that is planted anew. The buffers serve for every
+//! tree.
 //!
-//! Invariant: every object is inside the spheres of all nodes that it is below, the rounding of the
-//! SPU's test included. A node's sphere holds the objects below it, not the spheres between: so it is
-//! smaller, and a ray that misses it misses the objects all the same. One that was fitted again holds the
-//! spheres below it.
+//! Invariant: every object is inside the spheres of all nodes that it is below, the rounding of
+//! the SPU's test included. A node's sphere holds the objects below it, not the spheres between:
+//! so it is smaller, and a ray that misses it misses the objects all the same. One that was fitted
+//! again holds the spheres below it.
 
 use glam::DVec3;
 use zerocopy::IntoBytes as _;
@@ -29,8 +30,8 @@ const LANES: usize = 4;
 /// By what the radii of a tree's spheres may grow, all taken together, before it is planted anew.
 const MOST_GROWTH: f64 = 1.5;
 
-/// A ball around another, such that the SPU finds no ray to miss it that meets an object in the other, as seen
-/// from `eye`.
+/// A ball around another, such that the SPU finds no ray to miss it that meets an object in the
+/// other, as seen from `eye`.
 pub(crate) fn widened(eye: DVec3, ball: Ball) -> Ball {
     let distance = ball.centre.distance(eye);
     Ball {
@@ -46,8 +47,9 @@ pub(super) struct Topology {
     balls: Vec<Ball>,
     /// The objects' indices, from left to right.
     order: Vec<usize>,
-    /// From the lowest level up, what each child of a node is within: an object, then a node of the
-    /// level below, four of which follow one another in a node. Levels beyond `height` are of other trees.
+    /// From the lowest level up, what each child of a node is within: an object, then a node of
+    /// the level below, four of which follow one another in a node. Levels beyond `height` are of
+    /// other trees.
     levels: Vec<Vec<Ball>>,
     height: usize,
     /// Sum of the radii above the lowest level, when the tree was planted.
@@ -59,7 +61,8 @@ pub(super) struct Topology {
 }
 
 impl Topology {
-    /// Plants a tree over the objects that are there, each given by balls that it is within if they are.
+    /// Plants a tree over the objects that are there, each given by balls that it is within if
+    /// they are.
     pub fn plant(&mut self, hulls: &[Option<Hull>]) {
         let Self {
             balls,
@@ -102,8 +105,8 @@ impl Topology {
         self.planted = self.radii();
     }
 
-    /// Fits the spheres above objects that have moved, and are those that there were; `false` if the tree has
-    /// become bad.
+    /// Fits the spheres above objects that have moved, and are those that there were; `false` if
+    /// the tree has become bad.
     pub fn refit(&mut self, moved: impl Fn(usize) -> bool, hulls: &[Option<Hull>]) -> bool {
         self.touched.clear();
         for (place, &index) in self.order.iter().enumerate() {
@@ -143,7 +146,8 @@ impl Topology {
         &self.order
     }
 
-    /// Counts the objects, all of which have to be there, by their places from left to right from now on.
+    /// Counts the objects, all of which have to be there, by their places from left to right from
+    /// now on.
     pub fn renumber(&mut self) {
         self.balls.clone_from(&self.levels[0]);
         for (place, index) in self.order.iter_mut().enumerate() {
@@ -167,8 +171,8 @@ impl Topology {
         }
     }
 
-    /// Writes all nodes as seen from `eye`. They begin at `address`, the top first; `object` has the
-    /// addresses of the objects by their indices.
+    /// Writes all nodes as seen from `eye`. They begin at `address`, the top first; `object` has
+    /// the addresses of the objects by their indices.
     pub fn write(&self, eye: DVec3, address: u32, object: impl Fn(usize) -> U32, bytes: &mut [u8]) {
         let mut records = bytes.chunks_exact_mut(size_of::<Node>());
         let mut next = address;

@@ -2,7 +2,8 @@
 //!
 //! The sections of an object have no addresses yet: they are laid one behind the other, each at a
 //! multiple of 128, and those references within the file are resolved that the analyser needs
-//! (branches, the line table). Invariant: every address given is that of a word in [`Code::words`].
+//! (branches, the line table). Invariant: every address given is that of a word in
+//! [`Code::words`].
 
 mod lines;
 

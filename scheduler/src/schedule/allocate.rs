@@ -1,8 +1,8 @@
 //! Registers for a block that is run once.
 //!
-//! Each value has its register from the instruction that makes it to the last that reads it. Values
-//! that are live at the end stay in the register of the source; the others go back to it if it is
-//! free, else to any that is.
+//! Each value has its register from the instruction that makes it to the last that reads it.
+//! Values that are live at the end stay in the register of the source; the others go back to it if
+//! it is free, else to any that is.
 
 use super::function::{Node, POOL, Registers, bit};
 use super::values::{Source, Values};

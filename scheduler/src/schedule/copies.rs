@@ -1,7 +1,7 @@
 //! Copies of values that would live longer than a pass of the loop takes.
 //!
-//! A register holds a value until the next pass makes its own. Where a reader comes later than that,
-//! it is given a copy, made by an instruction that is scheduled as any other.
+//! A register holds a value until the next pass makes its own. Where a reader comes later than
+//! that, it is given a copy, made by an instruction that is scheduled as any other.
 
 use super::dependence::{Edge, cyclic};
 use super::function::Node;
@@ -13,8 +13,8 @@ use spu_isa::{Op, Pipe};
 /// The first number that is no register of the machine.
 const FIRST_VIRTUAL: u8 = 128;
 
-/// The body with the copies without which some value lives longer than `life`; `None` if they don't
-/// help, or no pipe has room for them in `interval` cycles.
+/// The body with the copies without which some value lives longer than `life`; `None` if they
+/// don't help, or no pipe has room for them in `interval` cycles.
 pub(super) fn insert(body: &[Node], interval: i64, life: i64) -> Option<Vec<Node>> {
     let mut nodes = body.to_vec();
     for register in FIRST_VIRTUAL..=u8::MAX {

@@ -1,8 +1,8 @@
 //! What has to issue before what, and by how many cycles.
 //!
 //! An edge says `cycle(to) >= cycle(from) + latency - distance * interval`, the interval being the
-//! cycles from pass to pass of a loop. Results of instructions are right in any order that keeps the
-//! edges, since the pipelines wait by themselves; their latencies only make a schedule good.
+//! cycles from pass to pass of a loop. Results of instructions are right in any order that keeps
+//! the edges, since the pipelines wait by themselves; their latencies only make a schedule good.
 
 use super::function::{Node, Reference, Registers};
 use super::memory::Memory;

@@ -27,7 +27,8 @@ pub(super) enum Reference {
     Block(BlockId),
     /// What the linker places.
     Symbol(Symbol),
-    /// Of a hint: the branch that ends a block, and the block that it goes to unless to a register.
+    /// Of a hint: the branch that ends a block, and the block that it goes to unless to a
+    /// register.
     Hint {
         branch: BlockId,
         target: Option<BlockId>,

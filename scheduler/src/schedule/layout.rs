@@ -1,8 +1,8 @@
 //! Instructions into pairs of words, and what the model makes of them.
 //!
-//! Two instructions of one cycle stand at 0 and 4 mod 8. Others follow each other as they come: the
-//! pipelines wait by themselves. Where an odd number of them stands before a pair, a no-operation
-//! fills its word.
+//! Two instructions of one cycle stand at 0 and 4 mod 8. Others follow each other as they come:
+//! the pipelines wait by themselves. Where an odd number of them stands before a pair, a
+//! no-operation fills its word.
 
 use super::function::Node;
 use spu_isa::timing::{Pipeline, Rules};

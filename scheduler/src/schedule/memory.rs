@@ -1,7 +1,8 @@
 //! Which loads and stores may meet in the same quadword.
 //!
-//! The rules are `docs/schedule.md`'s: accesses through different base values do not overlap, those
-//! through the same one do if their offsets do, and a store marked `may alias` overlaps everything.
+//! The rules are `docs/schedule.md`'s: accesses through different base values do not overlap,
+//! those through the same one do if their offsets do, and a store marked `may alias` overlaps
+//! everything.
 
 use super::function::{Node, Reference};
 use super::values::{Source, Values};

@@ -1,10 +1,10 @@
 //! A scheduler for SPU assembly: plain code in, the same code for both pipes out.
 //!
 //! It takes an object and the source that it was assembled from, and writes the source again with
-//! each function scheduled: blocks by list scheduling, counted loops by software pipelining, all with
-//! the notes that `spu time --check` holds to the model. What it takes for granted of memory and
-//! registers is in `docs/schedule.md`. It knows the instruction table and the pipelines, nothing of
-//! what code computes. Invariant: the same input gives the same bytes.
+//! each function scheduled: blocks by list scheduling, counted loops by software pipelining, all
+//! with the notes that `spu time --check` holds to the model. What it takes for granted of memory
+//! and registers is in `docs/schedule.md`. It knows the instruction table and the pipelines,
+//! nothing of what code computes. Invariant: the same input gives the same bytes.
 
 mod allocate;
 mod colour;

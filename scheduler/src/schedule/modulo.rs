@@ -1,9 +1,10 @@
-//! Iterative modulo scheduling (Rau 1994): every pass starts `interval` cycles after the one before.
+//! Iterative modulo scheduling (Rau 1994): every pass starts `interval` cycles after the one
+//! before.
 //!
 //! Instructions are placed by the length of the chain that they head. One that finds no free place
-//! takes one and throws out whom it disturbs; these are placed again, until all stand or the budget
-//! is used up. Invariant of a result: all edges hold, no pipe is taken twice, no FP6 falls into the
-//! cycle behind an FP7, and the branch stands in the last cycle of its pass.
+//! takes one and throws out whom it disturbs; these are placed again, until all stand or the
+//! budget is used up. Invariant of a result: all edges hold, no pipe is taken twice, no FP6 falls
+//! into the cycle behind an FP7, and the branch stands in the last cycle of its pass.
 
 use super::dependence::Edge;
 use super::function::Node;

@@ -272,7 +272,8 @@ fn longest_chain(edges: &[Edge], count: usize) -> i64 {
     chains.into_iter().max().unwrap_or(0)
 }
 
-/// The body with a hint in it if the kernel will be too long for one before it to reach the branch.
+/// The body with a hint in it if the kernel will be too long for one before it to reach the
+/// branch.
 fn with_hint(body: &[Node], interval: i64, id: BlockId) -> Vec<Node> {
     let mut nodes = body.to_vec();
     if body.len().max(interval as usize) > OWN_HINT {

@@ -200,7 +200,8 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// The registers that the header names as results of a function; `None` if it has no such line.
+    /// The registers that the header names as results of a function; `None` if it has no such
+    /// line.
     pub fn results(&self, function: &Lines) -> Option<Registers> {
         let header = self.lines[..function.first]
             .iter()
@@ -299,8 +300,8 @@ fn named_registers(text: &str) -> Registers {
     registers
 }
 
-/// A header's line of the registers that a function writes, with others in their place. What else it
-/// says stays.
+/// A header's line of the registers that a function writes, with others in their place. What else
+/// it says stays.
 fn push_uses(line: &str, registers: Registers, text: &mut String) {
     let given = &line[USES.len()..];
     let rest = given.find("   ").map_or("", |at| &given[at..]);

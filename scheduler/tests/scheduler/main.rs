@@ -46,7 +46,8 @@ fn a_pipelined_loop_reaches_what_its_notes_say() {
     let [found] = &loops[..] else {
         panic!("{loops:?}")
     };
-    // Eight groups of one even and one odd instruction, but r1 comes a cycle after its store could go.
+    // Eight groups of one even and one odd instruction, but r1 comes a cycle after its store could
+    // go.
     assert_eq!((found.even, found.odd), (8, 8));
     let steady = found.steady.as_ref().unwrap();
     assert_eq!(steady.passes, 1);

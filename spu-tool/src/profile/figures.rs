@@ -15,8 +15,8 @@ pub struct FunctionFigures {
 }
 
 impl FunctionFigures {
-    /// Cycles of it, without those of functions that it calls, for each call; `None` if it was never
-    /// begun at its start.
+    /// Cycles of it, without those of functions that it calls, for each call; `None` if it was
+    /// never begun at its start.
     #[must_use]
     pub fn cycles_a_call(&self) -> Option<f64> {
         (self.calls != 0).then(|| self.tally.cycles() as f64 / self.calls as f64)

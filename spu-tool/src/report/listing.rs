@@ -1,9 +1,9 @@
 //! The listing, in the manner of IBM's static analyser.
 //!
-//! A row: the issue cycle; the pipe (0 even, 1 odd); `D` for a pair that issued together, `d` for the
-//! second of a pair that would have, had it been ready; the cycles in flight as their last digits,
-//! in the column of the cycle modulo 50, after a dash for each cycle of waiting; the address and the
-//! instruction; what it waited for.
+//! A row: the issue cycle; the pipe (0 even, 1 odd); `D` for a pair that issued together, `d` for
+//! the second of a pair that would have, had it been ready; the cycles in flight as their last
+//! digits, in the column of the cycle modulo 50, after a dash for each cycle of waiting; the
+//! address and the instruction; what it waited for.
 
 use std::fmt::Write as _;
 

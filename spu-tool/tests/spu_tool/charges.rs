@@ -21,8 +21,8 @@ use spu_reports::ProfileFile;
 use spu_scheduler::code::Code;
 use spu_tool::profile::{FunctionFigures, View, ViewError};
 
-/// A dual pair, a dependence, a branch that misses, commands that are waited for, atomic lines, and a
-/// decrementer whose event interrupts a loop.
+/// A dual pair, a dependence, a branch that misses, commands that are waited for, atomic lines,
+/// and a decrementer whose event interrupts a loop.
 const BUSY: &str = "
         ila     $5,200
         .balign 8
@@ -262,8 +262,8 @@ next:   fa      $21,$21,$22
         // Both pipes: the second costs nothing.
         ("il", [1, 0, 1], "{}".into()),
         ("rchcnt", [1, 1, 0], "{}".into()),
-        // From pass to pass 1 for each of fa, ai and brnz, 1 for brnz to have ai's result, and 18 for
-        // the miss: fa, whose result is there after 6, waits for nothing.
+        // From pass to pass 1 for each of fa, ai and brnz, 1 for brnz to have ai's result, and 18
+        // for the miss: fa, whose result is there after 6, waits for nothing.
         ("fa", [10, 0, 10], "{}".into()),
         ("lnop", [10, 10, 0], "{}".into()),
         ("ai", [10, 0, 10], "{}".into()),
@@ -305,8 +305,8 @@ fn programs_one_after_the_other_have_profiles_of_their_own() {
         let code = Code::parse(image).unwrap();
         Ok(View::new(&code, image, &profile)?.total())
     };
-    // il and stop are a pair. A program that is begun again pays a miss with its first instruction, not
-    // with the stop of the one before.
+    // il and stop are a pair. A program that is begun again pays a miss with its first
+    // instruction, not with the stop of the one before.
     assert_eq!(total(&one).unwrap().issued, 4);
     assert_eq!(total(&one).unwrap().cycles(), 2 + 18);
     assert_eq!(total(&other).unwrap().issued, 3);

@@ -79,8 +79,8 @@ fn timing(bench: &Bench, program: &Path, options: &[&str], status: i32) -> serde
 #[test]
 fn timing_says_where_the_cycles_went() {
     let bench = Bench::new();
-    // il issues in cycle 0, its result is there in 2, the first product's in 8; the second's nobody
-    // waits for. So the operands cost 1 cycle behind FX2 and 5 behind FP6.
+    // il issues in cycle 0, its result is there in 2, the first product's in 8; the second's
+    // nobody waits for. So the operands cost 1 cycle behind FX2 and 5 behind FP6.
     let program = bench.instructions(
         "        il $3,1\n        fm $4,$3,$3\n        fm $5,$4,$4\n        stop 0x2000",
     );

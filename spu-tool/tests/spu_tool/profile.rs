@@ -86,8 +86,8 @@ fn row<'t>(text: &'t str, end: &str) -> Vec<&'t str> {
 fn functions_are_told_with_their_calls() {
     let folder = profiled();
     let text = shown(folder.path(), &[]);
-    // il, whose pair brsl is the first time: 1; brsl 2 and three misses; ai 3; brnz 3, each behind one
-    // cycle for ai's result, and two misses; stop 1.
+    // il, whose pair brsl is the first time: 1; brsl 2 and three misses; ai 3; brnz 3, each behind
+    // one cycle for ai's result, and two misses; stop 1.
     assert_eq!(row(&text, " _start")[..4], ["103", "57.9%", "1", "103.0"]);
     // Three times fa 1, fa 6 for the result of the first, bi as its pair and a miss.
     assert_eq!(row(&text, " inner")[..4], ["75", "42.1%", "3", "25.0"]);

@@ -1,5 +1,5 @@
-# A tile by Whitted's model: its eye rays are traced batch by batch, and what they send on as soon as
-# there is a whole batch of it.
+# A tile by Whitted's model: its eye rays are traced batch by batch, and what they send on as soon
+# as there is a whole batch of it.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -9,8 +9,8 @@
 #           r of it
 #   Twin    lab/twins/src/sphere/paper.rs
 #
-# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT the
-# exit, and with SIDES_BOTH the exit of a ray from inside.
+# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT
+# the exit, and with SIDES_BOTH the exit of a ray from inside.
 # Scheduled by spu schedule from isect_ball_pairs_paper_r16.s
 
         .include "sphere_general.inc"

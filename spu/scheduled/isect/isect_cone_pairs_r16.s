@@ -14,25 +14,26 @@
 #
 # From the base to the ray's point nearest to it goes w, which has an h along the axis and a c
 # across it; the direction likewise has a rise and an e. The body's radius there is k, and grows
-# along the ray by m. The ray crosses the body, or its mirror image beyond the apex, at the roots of
+# along the ray by m. The ray crosses the body, or its mirror image beyond the apex, at the roots
+# of
 # |c + s e|^2 = (k + m s)^2, whose halved coefficients are
 #   a = |e|^2 - m^2
 #   b = c.e - k m
 #   out = |c|^2 - k^2
 #   disc = |k e - m c|^2 - |c x e|^2
-# The last is b^2 - a out, but loses digits only at the outline and near the apex. With the root's sign
-# that of b, q = b + root does not cancel: the crossings are at s = -q/a and s = -out/q. The one over a
-# enters the body if b is not below 0, else it leaves it, and the other way round for the other; that
-# holds for a below 0 as well. Without direction across the axis disc of a cylinder would be 0, and
-# is a tiny bit less: no hit.
+# The last is b^2 - a out, but loses digits only at the outline and near the apex. With the root's
+# sign that of b, q = b + root does not cancel: the crossings are at s = -q/a and s = -out/q. The
+# one over a enters the body if b is not below 0, else it leaves it, and the other way round for
+# the other; that holds for a below 0 as well. Without direction across the axis disc of a cylinder
+# would be 0, and is a tiny bit less: no hit.
 #
-# Of both crossings those off the heights or seen from the wrong side get a sign, and so do not count;
-# as unsigned numbers they are the larger ones, and the smaller is the nearer.
+# Of both crossings those off the heights or seen from the wrong side get a sign, and so do not
+# count; as unsigned numbers they are the larger ones, and the smaller is the nearer.
 #
 # A pass is one row of four rays, a quarter of a candidate: all four in one would leave too few
-# registers for passes to overlap (386 cycles instead of 4 times 91), in four times the code. The odd
-# pipe has room for reading the record again. A load drops the lowest bits of an address: so the
-# quarters of the list's steps all read the same candidate, and tell its rows apart.
+# registers for passes to overlap (386 cycles instead of 4 times 91), in four times the code. The
+# odd pipe has room for reading the record again. A load drops the lowest bits of an address: so
+# the quarters of the list's steps all read the same candidate, and tell its rows apart.
 # Scheduled by spu schedule from isect_cone_pairs_r16.s
 
         .include "work_unit.inc"

@@ -10,8 +10,8 @@
 #   Twin    lab/twins/src/triangle_pairs.rs
 #
 # As watertight as isect_triangles_r16, by the same steps; but from behind, where the vertices go
-# clockwise, it is hit only with SIDES_BOTH. They go counter-clockwise if the sum of u, v and w has the
-# sign of direction z.
+# clockwise, it is hit only with SIDES_BOTH. They go counter-clockwise if the sum of u, v and w has
+# the sign of direction z.
 # Scheduled by spu schedule from isect_triangle_pairs_r16.s
 
         .include "work_unit.inc"

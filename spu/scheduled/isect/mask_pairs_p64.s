@@ -21,8 +21,8 @@
         # the pair
         registers number,bit
 
-# A packet's number is its offset over PACKET_SIZE: so many quadwords, times one over them in 16 bits
-# of fraction, rounded up, which is exact for so few.
+# A packet's number is its offset over PACKET_SIZE: so many quadwords, times one over them in 16
+# bits of fraction, rounded up, which is exact for so few.
         .set    QUADWORDS,PACKET_SIZE/16
         .set    INVERSE,(65536+QUADWORDS-1)/QUADWORDS
 

@@ -11,8 +11,8 @@
 #
 # For the point p, the vertices a, b, c as p sees them, their normals and the plane's normal g:
 #   n = (g x b).c normal_a + (g x c).a normal_b + (g x a).b normal_c
-# The shares of the area turn their signs with g, and so n gets to the ray's side, as g is. Where it
-# points away from the ray even so, n.d >= 0, g takes its place: with n at length 1.
+# The shares of the area turn their signs with g, and so n gets to the ray's side, as g is. Where
+# it points away from the ray even so, n.d >= 0, g takes its place: with n at length 1.
 # Scheduled by spu schedule from smooth_r16.s
 
         .include "work_unit.inc"

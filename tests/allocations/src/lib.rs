@@ -16,7 +16,8 @@ thread_local! {
 #[global_allocator]
 static ALLOCATOR: Watching = Watching;
 
-/// Takes down who asks for memory, unless it is the emulated SPEs' library: it is none of the program's on a console.
+/// Takes down who asks for memory, unless it is the emulated SPEs' library: it is none of the
+/// program's on a console.
 fn asked() {
     // A thread that is ending has nobody who watches it.
     if !WATCHED
@@ -32,7 +33,8 @@ fn asked() {
     WATCHED.set(true);
 }
 
-// SAFETY: all is the system's allocator; while what is added asks for memory itself, it adds nothing.
+// SAFETY: all is the system's allocator; while what is added asks for memory itself, it adds
+// nothing.
 unsafe impl GlobalAlloc for Watching {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         asked();

@@ -5,7 +5,8 @@ use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use crate::command_line::support::{bad, good};
 
-/// Renders a scene with options; gives the picture, the formulations of the statistics, and the talk.
+/// Renders a scene with options; gives the picture, the formulations of the statistics, and the
+/// talk.
 fn rendered(scene: &str, options: &[&str]) -> (RgbImage, [String; 2], String) {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("p.png");

@@ -139,8 +139,8 @@ fn skipping_changes_no_byte_of_a_picture() {
     assert!(skipping == without);
 }
 
-/// Transfers that come as late as they may, and in the wrong order where nothing forbids it, make no
-/// difference: the SPU program waits for all that it needs.
+/// Transfers that come as late as they may, and in the wrong order where nothing forbids it, make
+/// no difference: the SPU program waits for all that it needs.
 #[test]
 fn late_transfers_change_nothing() {
     let folder = tempfile::tempdir().unwrap();

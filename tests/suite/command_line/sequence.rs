@@ -73,7 +73,8 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
 #[test]
 fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
     let folder = tempfile::tempdir().unwrap();
-    // In blocks of 512 bytes: room for an emulated SPU's local store, and for no picture of this size.
+    // In blocks of 512 bytes: room for an emulated SPU's local store, and for no picture of this
+    // size.
     let output = Command::new("sh")
         .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_cellray"))

@@ -1,5 +1,5 @@
-//! SPU programs that go wrong: each becomes an error that says which SPU, where and why, in time, and
-//! no picture is passed off as whole.
+//! SPU programs that go wrong: each becomes an error that says which SPU, where and why, in time,
+//! and no picture is passed off as whole.
 
 use std::fs;
 use std::path::Path;

@@ -172,7 +172,8 @@ fn skipping_changes_no_random_scene() {
     assert!(shown > 100, "{shown} of 200 pictures show anything");
 }
 
-/// Compares with f64: every pixel within 1/255 away from silhouettes, and not over 0.05 % off at all.
+/// Compares with f64: every pixel within 1/255 away from silhouettes, and not over 0.05 % off at
+/// all.
 fn like_the_reference(scene: &nff::Scene, width: u32, height: u32) {
     let rendered = render(scene, width, height, Settings::default());
     let mut picture = oracle::Picture::black(width, height).unwrap();
@@ -221,7 +222,8 @@ fn an_empty_scene_is_its_background() {
 
 #[test]
 fn hits_are_counted_within_the_picture_only() {
-    // One sphere around the whole view: every ray hits, also of the lanes beyond the picture's edge.
+    // One sphere around the whole view: every ray hits, also of the lanes beyond the picture's
+    // edge.
     let text = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 10\nhither 1\nresolution 64 64\n\
                 f 1 1 1 1 0 0 0 1\ns 0 0 0 5\n";
     let scene = nff::parse(text.as_bytes(), "near", &nff::Limits::default()).unwrap();

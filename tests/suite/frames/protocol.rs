@@ -112,8 +112,8 @@ impl Fixture {
         }
     }
 
-    /// Tries each wrong field, whose name and a part of whose message the case has, and the good frame
-    /// after it.
+    /// Tries each wrong field, whose name and a part of whose message the case has, and the good
+    /// frame after it.
     fn refuses(&mut self, cases: &[(&str, &str, Spoil)]) {
         let good = self.frame;
         for (field, part, spoil) in cases {

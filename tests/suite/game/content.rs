@@ -1,5 +1,5 @@
-//! Random things to put into worlds. No two surfaces are in one place: which of them is seen is left open
-//! (`docs/shading.md`).
+//! Random things to put into worlds. No two surfaces are in one place: which of them is seen is
+//! left open (`docs/shading.md`).
 
 use cellray::game::{DVec3, Light, Material, Shader, Shape};
 use rand::Rng as _;

@@ -140,7 +140,8 @@ impl Screen {
     }
 }
 
-/// Plays with worlds; which part of the tiles was retained in frames in which something may have changed.
+/// Plays with worlds; which part of the tiles was retained in frames in which something may have
+/// changed.
 fn play(seed: u64, look: Look, lights: usize, goes_on: bool) -> f64 {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));

@@ -24,7 +24,8 @@ fn balls(ground: Material, lights: &[Light]) -> Result<(World, ObjectId), WorldE
     Ok((world, ball))
 }
 
-/// Tiles that are traced, of the 10 x 8 there are, when the ball moves by a little, and when nothing does.
+/// Tiles that are traced, of the 10 x 8 there are, when the ball moves by a little, and when
+/// nothing does.
 fn traced(world: &mut World, ball: ObjectId) -> [u64; 2] {
     let (framebuffer, _) = Recorder::pair(640, 128);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
@@ -84,7 +85,8 @@ fn a_mirror_is_traced_again() {
     assert_eq!(still, 0);
 }
 
-/// By depth shading there is nothing but the ball; but where its distance is the range's, all changes.
+/// By depth shading there is nothing but the ball; but where its distance is the range's, all
+/// changes.
 #[test]
 fn depth_shading_needs_a_range_of_its_own() {
     let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[]).unwrap();

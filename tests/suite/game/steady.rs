@@ -149,7 +149,8 @@ fn by_depth_shading() {
     steady_frames_take_no_memory(Model::Depth);
 }
 
-/// The loop sleeps while SPUs trace: what it takes of its processor is a small part of the time that passes.
+/// The loop sleeps while SPUs trace: what it takes of its processor is a small part of the time
+/// that passes.
 #[test]
 fn the_frame_loop_sleeps() {
     let mut session = session(Model::Whitted);

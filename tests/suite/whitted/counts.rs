@@ -1,5 +1,5 @@
-//! The conditions of the Standard Procedural Databases: rays through the corners of 512x512 pixels, and
-//! how many there are of each kind.
+//! The conditions of the Standard Procedural Databases: rays through the corners of 512x512
+//! pixels, and how many there are of each kind.
 
 use std::path::Path;
 

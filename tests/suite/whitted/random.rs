@@ -1,5 +1,5 @@
-//! Random scenes with everything that a scene can have, also what nobody would write. Two surfaces in one
-//! place there are none: which of them is seen is left open (`docs/shading.md`).
+//! Random scenes with everything that a scene can have, also what nobody would write. Two surfaces
+//! in one place there are none: which of them is seen is left open (`docs/shading.md`).
 
 use std::f64::consts::TAU;
 
@@ -20,8 +20,8 @@ pub struct Drawn {
     pub vast: bool,
 }
 
-/// A small scene: a few objects of all shapes, some without area, some around the eye; at any scale from
-/// 1e-4 to 1e6, and some far from the origin.
+/// A small scene: a few objects of all shapes, some without area, some around the eye; at any
+/// scale from 1e-4 to 1e6, and some far from the origin.
 pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
     let scale = libm::pow(10f64, random.random_range(-4.0..6.0));
     let middle = if random.random_bool(0.2) {

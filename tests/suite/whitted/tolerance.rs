@@ -1,7 +1,8 @@
 //! Pictures of random scenes against the reference.
 //!
-//! One class of pixels is off: where a vast surface meets another. Rays leave a surface from a little
-//! above it, by 2^-20 of its size and distance, and so begin beyond what is nearer than that.
+//! One class of pixels is off: where a vast surface meets another. Rays leave a surface from a
+//! little above it, by 2^-20 of its size and distance, and so begin beyond what is nearer than
+//! that.
 
 use std::env;
 use std::thread;

@@ -1,4 +1,5 @@
-//! Single precision against the exact model: edges by edges, all pairs of exponents, random operands.
+//! Single precision against the exact model: edges by edges, all pairs of exponents, random
+//! operands.
 
 use super::exact::Exact;
 use crate::random::Random;

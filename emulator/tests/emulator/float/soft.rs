@@ -1,5 +1,5 @@
-//! Double precision against LLVM's soft float, as the crate `rustc_apfloat` has it: values and flags,
-//! in the four rounding modes.
+//! Double precision against LLVM's soft float, as the crate `rustc_apfloat` has it: values and
+//! flags, in the four rounding modes.
 
 use rustc_apfloat::ieee::{Double, Single};
 use rustc_apfloat::{Float as _, FloatConvert as _, Round, Status, StatusAnd};
@@ -58,10 +58,10 @@ fn expected(result: StatusAnd<Double>, operands: &[u64]) -> (u64, Flags) {
     (value, flags(result.status, operands))
 }
 
-/// Compares value and flags. Two flags say more than the soft float's do, at one value each, and only
-/// the exact model can tell: it raises no overflow where a directed rounding stops at the largest
-/// number (IEEE does), and no underflow where rounding leads from below to the smallest normal one
-/// (the SPU looks before rounding).
+/// Compares value and flags. Two flags say more than the soft float's do, at one value each, and
+/// only the exact model can tell: it raises no overflow where a directed rounding stops at the
+/// largest number (IEEE does), and no underflow where rounding leads from below to the smallest
+/// normal one (the SPU looks before rounding).
 #[track_caller]
 fn same(
     found: (u64, Flags),
@@ -149,7 +149,8 @@ fn sums_products_and_fused_forms() {
                 double::dfm(a, b, mode),
                 expected(x.mul_r(y, round), &[a, b]),
             );
-            // The soft float takes a NaN addend to inf * 0 quietly; the SPU's rule is the product's.
+            // The soft float takes a NaN addend to inf * 0 quietly; the SPU's rule is the
+            // product's.
             if !(is_nan(t) && (x * y).value.is_nan()) {
                 let plus = expected(x.mul_add_r(y, z, round), &[a, b, t]);
                 let minus = expected(x.mul_add_r(y, -z, round), &[a, b, t]);

@@ -15,7 +15,8 @@ enum Kind {
     RightSigned,
 }
 
-/// Register form, immediate form if any, lane width, kind, and the distance in bits from the count.
+/// Register form, immediate form if any, lane width, kind, and the distance in bits from the
+/// count.
 type Row = (Op, Option<Op>, usize, Kind, fn(i64) -> i64);
 
 const ROWS: [Row; 17] = [
@@ -75,7 +76,8 @@ fn moved(lane: &[bool], kind: Kind, distance: i64) -> Vec<bool> {
         .collect()
 }
 
-/// The count in each lane of rb: its own in words and halfwords, the preferred word's for quadwords.
+/// The count in each lane of rb: its own in words and halfwords, the preferred word's for
+/// quadwords.
 fn check(
     op: Op,
     width: usize,

@@ -1,4 +1,5 @@
-//! `shufb` against its definition byte by byte, for controls of whole words, of bytes, of constants.
+//! `shufb` against its definition byte by byte, for controls of whole words, of bytes, of
+//! constants.
 
 use super::machine::{Script, instruction, put};
 use crate::random::Random;

@@ -95,8 +95,8 @@ fn an_unknown_tag_condition_is_invalid() {
 
 #[test]
 fn storage_faults_name_the_address() {
-    // Reading where nothing is, reading across the end, writing what may only be read; and the same
-    // for atomic commands.
+    // Reading where nothing is, reading across the end, writing what may only be read; and the
+    // same for atomic commands.
     let cases = [
         (0x40, 0x8_0000_u32 >> 1 | 0x2_0000, 16, 0x6_0000),
         (0x40, 0x3_fff0, 32, 0x4_0000),

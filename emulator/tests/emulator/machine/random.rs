@@ -1,5 +1,5 @@
-//! Random commands: whatever a program writes to the MFC's channels, the machine neither panics nor
-//! hangs nor touches memory that it was not given.
+//! Random commands: whatever a program writes to the MFC's channels, the machine neither panics
+//! nor hangs nor touches memory that it was not given.
 
 use proptest::prelude::*;
 use spu_emulator::memory::Access;

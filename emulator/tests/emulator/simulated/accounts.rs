@@ -30,8 +30,8 @@ fn check(spe: &SpeReport) {
 
 #[test]
 fn the_decrementer_counts_the_cycles() {
-    // Two reads, 1,000,000 cycles of work apart: the loop has a dependent add (2), a branch that is
-    // taken without a hint (1 and 18), and so 21 cycles a round less what overlaps.
+    // Two reads, 1,000,000 cycles of work apart: the loop has a dependent add (2), a branch that
+    // is taken without a hint (1 and 18), and so 21 cycles a round less what overlaps.
     let source = "
         ila     $5,50000
         il      $6,-1

@@ -14,8 +14,9 @@ const LOCAL_STORE_LATENCY: u64 = MemoryFigures::CONSOLE.local_store_latency;
 
 const SPES: usize = 6;
 
-/// What a tracer does: sleeps for a frame, takes tiles from a shared counter until none is left, works
-/// on each for a time that depends on the tile, moves data in and out under two tags, and answers.
+/// What a tracer does: sleeps for a frame, takes tiles from a shared counter until none is left,
+/// works on each for a time that depends on the tile, moves data in and out under two tags, and
+/// answers.
 const TRACER: &str = "
         ila     $5,0
         cwd     $14,0($13)
@@ -150,8 +151,8 @@ fn who_wins_a_line_is_the_same_in_every_run() {
     }
 }
 
-/// SPE 0 counts until it finds a word that SPE 1 puts into its local store after a while; it is not told
-/// in any other way.
+/// SPE 0 counts until it finds a word that SPE 1 puts into its local store after a while; it is
+/// not told in any other way.
 const WATCH: &str = "
         brnz    $4,sender
 look:   ai      $5,$5,1

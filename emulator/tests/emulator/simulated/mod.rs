@@ -1,5 +1,5 @@
-//! Simulated time, by small programs: that it is the same in every run, and that it is as long as the
-//! constants say.
+//! Simulated time, by small programs: that it is the same in every run, and that it is as long as
+//! the constants say.
 
 mod accounts;
 mod deterministic;

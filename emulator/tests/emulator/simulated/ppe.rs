@@ -115,8 +115,8 @@ fn a_limit_is_simulated_time() {
     spe.request_stop();
     machine.depart();
     assert!(running.stopped());
-    // Three million cycles passed while it ran; how long it takes to hear of the request is the host's
-    // affair.
+    // Three million cycles passed while it ran; how long it takes to hear of the request is the
+    // host's affair.
     assert!(machine.report().spes[0].clock >= 3_192_000);
 }
 
@@ -150,8 +150,8 @@ fn threads_that_do_not_come_back_hold_nobody_up_for_long() {
 
 #[test]
 fn a_thread_that_ran_one_spe_and_then_waits_for_another_is_given_up() {
-    // SPE 0 issues in pairs, which keeps the host busy; SPE 1 stalls most of the time, so that it is far
-    // ahead and waits to act when SPE 0 stops.
+    // SPE 0 issues in pairs, which keeps the host busy; SPE 1 stalls most of the time, so that it
+    // is far ahead and waits to act when SPE 0 stops.
     let image = assemble(
         "
         brnz    $4,act

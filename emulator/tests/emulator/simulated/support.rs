@@ -71,8 +71,8 @@ impl Machine {
         u32::from_be_bytes(bytes)
     }
 
-    /// Runs one program on `count` SPEs at once, each to its stop, and gives their figures. `$4` is
-    /// the SPE's number.
+    /// Runs one program on `count` SPEs at once, each to its stop, and gives their figures. `$4`
+    /// is the SPE's number.
     pub fn run_all(&self, count: u32, source: &str) -> Vec<SpeReport> {
         let image = assemble(source);
         let spes: Vec<_> = (0..count).map(|_| self.loaded(&image)).collect();

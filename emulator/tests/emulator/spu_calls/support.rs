@@ -180,8 +180,9 @@ impl GuestProgram {
         self.serve(class, opcode, &cells).unwrap()
     }
 
-    /// A call that ends in a variadic list, laid out as newlib's functions do: the fixed arguments,
-    /// the list, the saved registers, and beyond the caller's frame header what did not fit.
+    /// A call that ends in a variadic list, laid out as newlib's functions do: the fixed
+    /// arguments, the list, the saved registers, and beyond the caller's frame header what did not
+    /// fit.
     pub fn variadic(&mut self, opcode: u8, fixed: &[u32], arguments: &[Value]) -> Answer {
         let list = BLOCK + 16 * fixed.len() as u32;
         let first = list + 32;

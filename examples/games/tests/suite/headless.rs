@@ -1,4 +1,5 @@
-//! Every game as it is run: without a player, with any player at all, twice, and without taking memory.
+//! Every game as it is run: without a player, with any player at all, twice, and without taking
+//! memory.
 
 use std::io;
 use std::ops::ControlFlow;

@@ -1,4 +1,5 @@
-//! A game of eight-ball that was played to its end, and is played back: `MAKE_REF=1` plays and keeps another.
+//! A game of eight-ball that was played to its end, and is played back: `MAKE_REF=1` plays and
+//! keeps another.
 
 mod player;
 

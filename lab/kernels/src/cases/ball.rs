@@ -181,8 +181,8 @@ pub fn any_direction(random: &mut ChaCha8Rng) -> Vector {
     }
 }
 
-/// How a ray meets a sphere, in f64 and with the direction at length 1, for the very singles that a
-/// kernel is given.
+/// How a ray meets a sphere, in f64 and with the direction at length 1, for the very singles that
+/// a kernel is given.
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
     /// Where it hits first, if it does: the entry, or the exit from inside.
@@ -217,8 +217,8 @@ pub fn truth(ray: &Ray, ball: &Ball) -> Truth {
     }
 }
 
-/// A sphere, and rays towards points within 2 radii of its centre: from as far as 30 radii, from near
-/// its surface, and from inside.
+/// A sphere, and rays towards points within 2 radii of its centre: from as far as 30 radii, from
+/// near its surface, and from inside.
 #[must_use]
 pub fn around_a_ball(random: &mut ChaCha8Rng) -> ([Ray; 16], Ball) {
     let radius = random.random_range(0.1..10.0);

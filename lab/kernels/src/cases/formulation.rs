@@ -21,7 +21,8 @@ pub struct Domain {
     pub surface: f64,
     /// Lengths of directions.
     pub lengths: Range<f64>,
-    /// Whether a ray is sure to touch a sphere where nothing but roots and quotients has to be rounded.
+    /// Whether a ray is sure to touch a sphere where nothing but roots and quotients has to be
+    /// rounded.
     pub touches: bool,
     /// The relative error that is no surprise in rays from where no digits are lost.
     pub rough: f64,

@@ -1,5 +1,5 @@
-//! The kernels of the room math: reciprocals, square roots and their reciprocals, each from the bare
-//! estimate to two Newton steps.
+//! The kernels of the room math: reciprocals, square roots and their reciprocals, each from the
+//! bare estimate to two Newton steps.
 
 pub mod error;
 
@@ -55,8 +55,8 @@ impl Quantity {
         }
     }
 
-    /// Operands of which all others differ by an exponent that changes no digit of the result: those
-    /// from 1 on, to below 2, or for roots below 4.
+    /// Operands of which all others differ by an exponent that changes no digit of the result:
+    /// those from 1 on, to below 2, or for roots below 4.
     #[must_use]
     pub const fn all_fractions(self) -> RangeInclusive<Single> {
         match self {
@@ -178,8 +178,8 @@ fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -
     [operands, results]
 }
 
-/// A kernel's results, those of the operands' rest in the last pass with them, which are `anything`.
-/// With `in_place` the results take the operands' place.
+/// A kernel's results, those of the operands' rest in the last pass with them, which are
+/// `anything`. With `in_place` the results take the operands' place.
 pub fn call(
     bench: &mut Bench,
     kernel: &str,

@@ -1,5 +1,5 @@
-//! Kernels that intersect rays with spheres, called by name: those of all formulations of a form take
-//! the same, and each is given one sphere.
+//! Kernels that intersect rays with spheres, called by name: those of all formulations of a form
+//! take the same, and each is given one sphere.
 
 use twins::ball::{Ball, Ray};
 use twins::sphere::Perpendicular;
@@ -63,8 +63,8 @@ impl EyeSphere {
 /// A hit's distance for each of sixteen rays, if the kernel says that there is one.
 pub type Distances = [Option<Single>; 16];
 
-/// Calls a kernel for rays from anywhere (`isect_ball_pairs…_r16`) on packets of rays and a sphere. No
-/// ray has a farthest distance; what `t` and `object` hold does not count.
+/// Calls a kernel for rays from anywhere (`isect_ball_pairs…_r16`) on packets of rays and a
+/// sphere. No ray has a farthest distance; what `t` and `object` hold does not count.
 ///
 /// # Panics
 ///
@@ -127,9 +127,9 @@ pub fn eye(
         .collect()
 }
 
-/// Simulated cycles in which a kernel's scheduled version tests one ray with one further object of a
-/// list, as its last case in the catalogue measures it; none if the catalogue has no such kernel, or
-/// it takes no list.
+/// Simulated cycles in which a kernel's scheduled version tests one ray with one further object of
+/// a list, as its last case in the catalogue measures it; none if the catalogue has no such
+/// kernel, or it takes no list.
 #[must_use]
 pub fn cycles_a_ray(bench: &mut Bench, kernel: &str) -> Option<f64> {
     let kernel = catalogue::kernels().find(|row| row.name == kernel)?;

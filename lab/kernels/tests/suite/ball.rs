@@ -1,5 +1,5 @@
-//! The general sphere kernels: against their twin bit for bit, in what a ray and a sphere can be to
-//! each other, and in what leaving a surface takes.
+//! The general sphere kernels: against their twin bit for bit, in what a ray and a sphere can be
+//! to each other, and in what leaving a surface takes.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::{

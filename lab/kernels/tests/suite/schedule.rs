@@ -1,5 +1,5 @@
-//! Every kernel that is shipped has a schedule in the repository, which is what the scheduler makes of
-//! it now, and says of itself what is so.
+//! Every kernel that is shipped has a schedule in the repository, which is what the scheduler
+//! makes of it now, and says of itself what is so.
 
 use std::collections::BTreeSet;
 use std::fs;

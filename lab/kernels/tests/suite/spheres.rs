@@ -20,7 +20,8 @@ fn all_about(expected: f64, found: &[Distances], kernel: &str) {
     assert_eq!(found.len(), 3, "{kernel}");
     for t in found.iter().flatten() {
         let t = to_f64(t.unwrap_or_else(|| panic!("{kernel}: a ray misses")));
-        // An estimate's root is off by some hundredths, a ray at the edge of the packet by few thousandths.
+        // An estimate's root is off by some hundredths, a ray at the edge of the packet by few
+        // thousandths.
         assert!((t - expected).abs() < 0.1, "{kernel}: {t}");
     }
 }

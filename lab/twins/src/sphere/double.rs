@@ -1,5 +1,5 @@
-//! Twin of `spu/include/sphere_double.inc`: crossings in double precision. Doubles are bit patterns, as
-//! singles are.
+//! Twin of `spu/include/sphere_double.inc`: crossings in double precision. Doubles are bit
+//! patterns, as singles are.
 
 use spu_emulator::float::double;
 use spu_emulator::float::fpscr::Rounding::NearestEven;

@@ -1,5 +1,6 @@
-//! Twins of the formulations of a ray and a sphere, `spu/include/sphere_tmpl.inc` and what includes it:
-//! each as it is for rays from anywhere and for the eye's, and the steps that several share.
+//! Twins of the formulations of a ray and a sphere, `spu/include/sphere_tmpl.inc` and what
+//! includes it: each as it is for rays from anywhere and for the eye's, and the steps that several
+//! share.
 //!
 //! Of lanes that pass the sphere by, `t` is anything: no kernel keeps it.
 
@@ -130,7 +131,8 @@ impl<F: Rooted> Eye for F {
     }
 }
 
-/// Whether the crossing that is seen is the exit, for a ray that starts inside if `out` is below 0.
+/// Whether the crossing that is seen is the exit, for a ray that starts inside if `out` is below
+/// 0.
 fn leaves(sides: Sides, out: Single) -> bool {
     if sides.both {
         below_zero(out)

@@ -1,5 +1,5 @@
-//! Twins of `spu/include/sphere_perpendicular.inc`, `sphere_estimate.inc` and `sphere_interpolated.inc`: the
-//! discriminant by the perpendicular, and roots of so many bits.
+//! Twins of `spu/include/sphere_perpendicular.inc`, `sphere_estimate.inc` and
+//! `sphere_interpolated.inc`: the discriminant by the perpendicular, and roots of so many bits.
 
 use spu_emulator::float::estimate::frsqest;
 use spu_emulator::float::single::fms;

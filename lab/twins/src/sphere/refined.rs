@@ -1,5 +1,5 @@
-//! Twin of `spu/include/sphere_refined.inc`: what truncation took from b, put back. All lengths are
-//! halved.
+//! Twin of `spu/include/sphere_refined.inc`: what truncation took from b, put back. All lengths
+//! are halved.
 
 use spu_emulator::float::single::{fm, fma, fms, fnms};
 

@@ -43,8 +43,8 @@ fn errors_name_the_line() {
 
 #[test]
 fn odd_scenes_are_traced() {
-    // Without objects or lights; polygons without area; a light on a surface and at the eye; numbers
-    // at the ends of what the format takes.
+    // Without objects or lights; polygons without area; a light on a surface and at the eye;
+    // numbers at the ends of what the format takes.
     let shown = |rest: &str| colour(&scene(FROM, [0.0; 3], rest));
     assert_eq!(shown("b 1 0 0\n"), [255, 0, 0]);
     let flat = "f 1 1 1 1 0 1 0 1\np 3\n0 0 0\n1 0 0\n2 0 0\npp 3\n1 1 1 0 0 1\n1 1 1 0 0 1\n1 1 1 0 0 1\n";

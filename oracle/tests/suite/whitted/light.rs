@@ -58,7 +58,8 @@ fn lambert_and_blinn_by_hand() {
 
 #[test]
 fn highlights_are_as_wide_as_phongs() {
-    // Where Phong's highlight has fallen to a half, so has Blinn's with four times the exponent, to 4 %.
+    // Where Phong's highlight has fallen to a half, so has Blinn's with four times the exponent,
+    // to 4 %.
     for shine in [5.0f64, 20.0, 100.0] {
         let phong = libm::acos(libm::pow(0.5f64, 1.0 / shine));
         let light = format!(
@@ -140,8 +141,8 @@ fn schlicks_share_at_a_surface_seen_straight_and_flat() {
 
 #[test]
 fn patches_shade_by_interpolated_normals() {
-    // A square whose normals lean outwards: in the middle of the fan's first edge, on the diagonal,
-    // the two that lean oppositely meet.
+    // A square whose normals lean outwards: in the middle of the fan's first edge, on the
+    // diagonal, the two that lean oppositely meet.
     let patch = |lean: f64| {
         let corner = |x: f64, y: f64| format!("{x} {y} 0 {} {} 1\n", lean * x, lean * y);
         let rest = format!(
@@ -156,7 +157,8 @@ fn patches_shade_by_interpolated_normals() {
     assert_eq!(patch(0.0)(0.3, 0.2), [255; 3]);
     let leaning = patch(1.0);
     assert_eq!(leaning(0.0, 0.0), [255; 3]);
-    // Normals of length 1 at the corners: (x, y, 1) / sqrt 3, interpolated linearly and brought to 1.
+    // Normals of length 1 at the corners: (x, y, 1) / sqrt 3, interpolated linearly and brought to
+    // 1.
     for (x, y) in [(0.5, 0.0), (0.25, -0.5), (-0.7, 0.6)] {
         let expected = 1.0 / libm::hypot(libm::hypot(x, y), 1.0);
         let found = f64::from(leaning(x, y)[0]) / 255.0;

@@ -1,7 +1,7 @@
 //! Pictures as characters: the upper half block, its own colour above, the background's below.
 //!
-//! Invariant: only what differs from what the terminal shows already is written, so that a picture that hardly
-//! changes takes little of a line.
+//! Invariant: only what differs from what the terminal shows already is written, so that a picture
+//! that hardly changes takes little of a line.
 
 use std::io::Write as _;
 

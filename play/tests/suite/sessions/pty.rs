@@ -206,7 +206,8 @@ fn modes(terminal: &OwnedFd) -> Modes {
     [modes.c_iflag, modes.c_oflag, modes.c_cflag, modes.c_lflag]
 }
 
-/// A terminal, both ends of which are closed in other programs: it hangs up when ours is closed here.
+/// A terminal, both ends of which are closed in other programs: it hangs up when ours is closed
+/// here.
 fn open() -> (File, OwnedFd) {
     let open = |path: &str| {
         let mut options = File::options();

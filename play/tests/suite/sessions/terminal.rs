@@ -133,7 +133,8 @@ fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
     let shown = pty.seen().matches(HALF).count();
     // No button is held.
     pty.type_in("\x1b[<35;10;5M\x1b[<35;12;4M");
-    // Of the kitty protocol: a pressed and released, b pressed; the focus goes and comes; b pressed.
+    // Of the kitty protocol: a pressed and released, b pressed; the focus goes and comes; b
+    // pressed.
     pty.type_in("\x1b[97;1:1u\x1b[97;1:3u\x1b[98;1:1u\x1b[O\x1b[I\x1b[98;1:1u\x1b[98;1:3u");
     // F1 comes after them, and the last line is the picture's again.
     pty.type_in("\x1bOP");

@@ -1,5 +1,5 @@
-//! Eye rays through the records alone, in `f64`, against the reference: what a block says is what the
-//! scene is, and no sphere of a tree hides an object that is hit.
+//! Eye rays through the records alone, in `f64`, against the reference: what a block says is what
+//! the scene is, and no sphere of a tree hides an object that is hit.
 
 use std::path::Path;
 

@@ -152,7 +152,8 @@ fn trees_that_change_hold_their_objects() {
                         there.push(true);
                     }
                     None => {
-                        // What did not fit has its number all the same, and has to be laid out anew.
+                        // What did not fit has its number all the same, and has to be laid out
+                        // anew.
                         full += 1;
                         block.remove_object(there.len());
                         there.push(false);
@@ -207,8 +208,8 @@ fn trees_that_change_hold_their_objects() {
 
 #[test]
 fn levels_and_nodes_at_the_top() {
-    // Objects, levels, nodes at the top: at most 4 of them, and all leaves on one level. One object
-    // stands alone, without a level.
+    // Objects, levels, nodes at the top: at most 4 of them, and all leaves on one level. One
+    // object stands alone, without a level.
     for (objects, levels, roots) in [
         (0, 1, 0),
         (1, 0, 1),

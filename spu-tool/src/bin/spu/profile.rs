@@ -13,7 +13,8 @@ use thiserror::Error;
 
 use crate::failure::Failure;
 
-/// Shows which functions, instructions and source lines a run in simulated time spent its cycles on
+/// Shows which functions, instructions and source lines a run in simulated time spent its cycles
+/// on
 ///
 /// The profile is written by a program on this project's libspe2 with LIBSPE2_TIMING=1 and
 /// LIBSPE2_PROFILE=FILE. The cycles from the issue of the instruction before until an instruction

@@ -18,10 +18,10 @@ use crate::failure::Failure;
 /// Shows when each instruction issues, and where the cycles go, without running the program
 ///
 /// Code is taken straight on, branches not taken, all registers ready at its start. A row of the
-/// listing: the cycle; the pipe, 0 even and 1 odd; D for a pair that issued together, d for one that
-/// would have, had its second instruction been ready; the cycles in flight as their last digits,
-/// dashes for waiting; the address; the instruction; what it waited for. Loops are shown in their
-/// steady state, branch and hint included.
+/// listing: the cycle; the pipe, 0 even and 1 odd; D for a pair that issued together, d for one
+/// that would have, had its second instruction been ready; the cycles in flight as their last
+/// digits, dashes for waiting; the address; the instruction; what it waited for. Loops are shown
+/// in their steady state, branch and hint included.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   spu time tracer.elf --function isect_spheres_r16

@@ -207,8 +207,8 @@ impl Program {
     }
 }
 
-/// Holds a function's two forms to each other. Of the registers, `live` are compared and those that
-/// a callee keeps.
+/// Holds a function's two forms to each other. Of the registers, `live` are compared and those
+/// that a callee keeps.
 pub fn compare(plain: &Left, scheduled: &Left, live: &[u8], what: &str) {
     for register in (0..128u8).filter(|r| *r == 1 || *r >= 80 || live.contains(r)) {
         let (plain, scheduled) = (

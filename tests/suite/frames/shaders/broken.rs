@@ -13,7 +13,8 @@ use crate::recorder::{Recorder, Shown};
 
 const SIZE: (u32, u32) = (96, 64);
 
-/// A sphere before nothing, so that packets at its rim have lanes of both; a light for the model's sake.
+/// A sphere before nothing, so that packets at its rim have lanes of both; a light for the model's
+/// sake.
 fn scene(shader: &str) -> String {
     format!(
         "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 30\nhither 1\nresolution 96 64\nb 0.1 0.2 0.3\n\
@@ -100,8 +101,8 @@ fn an_error_without_the_check_names_the_check() {
     }
 }
 
-/// What the lanes outside have is the background's own colour, which theirs does not change: without
-/// the check nobody would notice.
+/// What the lanes outside have is the background's own colour, which theirs does not change:
+/// without the check nobody would notice.
 #[test]
 fn what_is_not_checked_is_not_found() {
     let (mut engine, shown) = engine(false);
@@ -113,7 +114,8 @@ fn what_is_not_checked_is_not_found() {
     assert!(middle[0] > middle[1], "{middle:?}");
 }
 
-/// A scene's numbers are those of the program that it was made with: another program may have fewer.
+/// A scene's numbers are those of the program that it was made with: another program may have
+/// fewer.
 #[test]
 fn a_number_that_the_program_does_not_have_is_refused() {
     let other = parsed("#cellray shader rings 1 0 0 4");

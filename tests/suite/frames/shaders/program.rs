@@ -21,7 +21,8 @@ pub fn build(folders: &[&Path], image: &Path) -> Result<(), Error> {
     program.build(&Tools::find()?, work.path(), image)
 }
 
-/// The image that has the shaders of the example and those of `tests/suite/frames/broken_shaders`; it is built once.
+/// The image that has the shaders of the example and those of `tests/suite/frames/broken_shaders`;
+/// it is built once.
 pub fn image() -> &'static [u8] {
     static IMAGE: OnceLock<Vec<u8>> = OnceLock::new();
     IMAGE.get_or_init(|| {

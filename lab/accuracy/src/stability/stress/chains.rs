@@ -6,9 +6,9 @@
 //!
 //! In radii, with t from sphere to sphere, c the cosine of incidence, e the error of the place and
 //! a that of the angle, and what the headers state of each step as noise:
-//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise,
-//!   a' = a + 2 e' + noise. The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres
-//!   a radius apart.
+//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise, a' = a + 2
+//!   e' + noise. The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres a radius
+//!   apart.
 //! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error
 //!   grows with the square of the number of bounces.
 

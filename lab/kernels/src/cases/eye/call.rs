@@ -91,8 +91,9 @@ pub fn ray_setup(
     packets.iter().map(|packet| bench.read(*packet)).collect()
 }
 
-/// `isect_pairs_r16`, or the kernel of another formulation, on the pairs of a sphere and a packet, both
-/// by number; gives the packets and the addresses of the spheres' records, which are the objects.
+/// `isect_pairs_r16`, or the kernel of another formulation, on the pairs of a sphere and a packet,
+/// both by number; gives the packets and the addresses of the spheres' records, which are the
+/// objects.
 pub fn isect_pairs(
     bench: &mut Bench,
     kernel: &str,
@@ -116,8 +117,9 @@ pub fn isect_pairs(
     (packets.collect(), objects)
 }
 
-/// `shade_depth_r16` on packets whose hits have numbers of `colours` for objects, the first of which is
-/// the background's; gives the colours and the count of rays that hit something in each lane.
+/// `shade_depth_r16` on packets whose hits have numbers of `colours` for objects, the first of
+/// which is the background's; gives the colours and the count of rays that hit something in each
+/// lane.
 pub fn shade_depth(
     bench: &mut Bench,
     hits: &[Hits],

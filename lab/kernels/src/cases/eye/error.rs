@@ -76,8 +76,8 @@ pub const NO_HITS: Hits = [Hit {
     object: 0,
 }; 16];
 
-/// Depth shading, colours of which the first is the background's, and hits of numbered objects from
-/// before the fading begins to beyond its end.
+/// Depth shading, colours of which the first is the background's, and hits of numbered objects
+/// from before the fading begins to beyond its end.
 #[must_use]
 pub fn shaded_hits(random: &mut ChaCha8Rng) -> (Depth, Vec<[Single; 3]>, Hits) {
     let near: f64 = random.random_range(0.0..50.0);

@@ -1,5 +1,5 @@
-//! Spheres as the eye sees them, by the kernels of all formulations: records, cases, the truth in f64,
-//! errors.
+//! Spheres as the eye sees them, by the kernels of all formulations: records, cases, the truth in
+//! f64, errors.
 
 use std::fmt::Debug;
 
@@ -70,7 +70,8 @@ impl Seen for Ball {
 
 impl Seen for Axis {
     fn at(centre: Vector, radius: f64) -> Self {
-        // A centre at the eye has no direction: with a tiny distance the eye is inside, as it should be.
+        // A centre at the eye has no direction: with a tiny distance the eye is inside, as it
+        // should be.
         let distance = dot(centre, centre).sqrt().max(radius * 2_f64.powi(-60));
         Self {
             axis: centre.map(|component| from_f64(component / distance)),

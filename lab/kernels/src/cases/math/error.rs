@@ -1,5 +1,5 @@
-//! Errors of reciprocals and roots against f64, in ulps of the SPU's format: spacings of singles at
-//! what is exact.
+//! Errors of reciprocals and roots against f64, in ulps of the SPU's format: spacings of singles
+//! at what is exact.
 
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
@@ -36,9 +36,9 @@ pub fn ulps(function: &Function, operand: Single, result: Single) -> f64 {
     (to_f64(result) - exact).abs() / spacing(exact)
 }
 
-/// The errors of a function over the 2^23 operands of an octave, for roots the 2^24 of two: all that
-/// there are, as an exponent changes no digit of the results. By the twin, which the tests hold the
-/// kernel to bit for bit; takes about a second.
+/// The errors of a function over the 2^23 operands of an octave, for roots the 2^24 of two: all
+/// that there are, as an exponent changes no digit of the results. By the twin, which the tests
+/// hold the kernel to bit for bit; takes about a second.
 #[must_use]
 pub fn accuracy(function: &Function) -> Accuracy {
     let operands = function.quantity.all_fractions();

@@ -195,8 +195,8 @@ fn records(packet: &[Bounce; 16], random: &mut impl Rng) -> (Surfaces, RayPacket
     (surfaces, rays)
 }
 
-/// A hit of the stated domain: any incidence, half of them on patches, whose normals lean by up to a
-/// half; glass, mirrors and neither.
+/// A hit of the stated domain: any incidence, half of them on patches, whose normals lean by up to
+/// a half; glass, mirrors and neither.
 pub fn hit(random: &mut impl Rng) -> Bounce {
     let (direction, plane) = loop {
         let [direction, plane] = [(); 2].map(|()| unit(in_cube(1.0, random)));
@@ -239,8 +239,8 @@ pub fn hit(random: &mut impl Rng) -> Bounce {
     }
 }
 
-/// A direction in f64 for the very singles that a kernel is given, and its share of the ray's weight;
-/// nothing if there is none, or if it is not within the stated domain.
+/// A direction in f64 for the very singles that a kernel is given, and its share of the ray's
+/// weight; nothing if there is none, or if it is not within the stated domain.
 type Truth = fn(&Bounce) -> Option<(Vector, f64)>;
 
 /// What a mirror throws back.

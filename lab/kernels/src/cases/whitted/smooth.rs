@@ -96,8 +96,8 @@ pub fn surfaces(hits: &[Hit; 16], anything: u32) -> Surfaces {
     surfaces
 }
 
-/// Places the hits' patches, rays and surfaces; gives the arguments, of which the last is the surfaces'
-/// place, too.
+/// Places the hits' patches, rays and surfaces; gives the arguments, of which the last is the
+/// surfaces' place, too.
 fn place(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> (Vec<u32>, Place) {
     let records = hits.map(|hit| record(&hit, anything));
     let records = put(bench, &records);

@@ -1,5 +1,5 @@
-//! With the records that the PPU makes, no kernel leaves out what some ray enters: by f64, from the
-//! sphere of the scene, and by what the intersector would find.
+//! With the records that the PPU makes, no kernel leaves out what some ray enters: by f64, from
+//! the sphere of the scene, and by what the intersector would find.
 
 use cellray::framebuffer::Geometry;
 use cellray::scene;
@@ -58,7 +58,8 @@ fn camera(random: &mut ChaCha8Rng) -> Camera {
     view.camera(SIZE.width, SIZE.height).expect("a camera")
 }
 
-/// A sphere, far or near, small or large, whose edge is at a ray, or a hair or some pixels beside it.
+/// A sphere, far or near, small or large, whose edge is at a ray, or a hair or some pixels beside
+/// it.
 fn sphere_at(random: &mut ChaCha8Rng, eye: DVec3, ray: DVec3) -> scene::Sphere {
     let distance = libm::exp2(random.random_range(-6.0..12.0_f64));
     let share = match random.random_range(0..3) {
@@ -114,7 +115,8 @@ fn bases(camera: &Camera) -> (Basis, Basis) {
     (basis, middles)
 }
 
-/// A group of the picture: its rays, spheres about them, and which of these each packet has to test.
+/// A group of the picture: its rays, spheres about them, and which of these each packet has to
+/// test.
 struct Group {
     camera: Camera,
     left: u32,

@@ -264,8 +264,8 @@ fn spheres_in_a_frustum_equal_the_twins() {
     }
 }
 
-/// Checks `hidden_pairs_r16` on a sphere at each of `near` and the packet of the same place; gives how
-/// many pairs stayed.
+/// Checks `hidden_pairs_r16` on a sphere at each of `near` and the packet of the same place; gives
+/// how many pairs stayed.
 fn check_hidden(bench: &mut Bench, packets: &[Packet], near: &[Single]) -> usize {
     bench.reset();
     let addresses = put_packets(bench, packets);

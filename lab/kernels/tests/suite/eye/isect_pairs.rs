@@ -21,7 +21,8 @@ use twins::sphere::{
 
 use super::COUNTS;
 
-/// Runs the kernel, compares with the twin pair by pair, and gives the hits and the spheres' objects.
+/// Runs the kernel, compares with the twin pair by pair, and gives the hits and the spheres'
+/// objects.
 fn check<F: ForTheEye<Sphere: Seen>>(
     bench: &mut Bench,
     packets: &[Packet],

@@ -1,6 +1,6 @@
-//! The eye-ray kernels: against their twins bit for bit, on inputs as frames have them and on any bits
-//! at all, in lists of every kind of length; and against f64 where they promise to leave out nothing
-//! that can be seen.
+//! The eye-ray kernels: against their twins bit for bit, on inputs as frames have them and on any
+//! bits at all, in lists of every kind of length; and against f64 where they promise to leave out
+//! nothing that can be seen.
 
 mod conservative;
 mod cull;

@@ -1,5 +1,5 @@
-//! What the watertight kernel is for: rays from inside a closed mesh, aimed at its edges and vertices,
-//! that get out where each triangle is met Möller and Trumbore's way.
+//! What the watertight kernel is for: rays from inside a closed mesh, aimed at its edges and
+//! vertices, that get out where each triangle is met Möller and Trumbore's way.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect::call;

@@ -1,5 +1,5 @@
-//! `isect_rectangle_r16`, `any_rectangle_r16`, `isect_plane_r16`: against their twin bit for bit and
-//! against `f64`.
+//! `isect_rectangle_r16`, `any_rectangle_r16`, `isect_plane_r16`: against their twin bit for bit
+//! and against `f64`.
 
 use super::rays::{code, keeps_stated_errors};
 use kernels::cases::flat::{around_rectangle, on_plane, put_rectangle, rectangle};
@@ -94,8 +94,8 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
     keeps_stated_errors("isect_plane_r16", &[worst_t, worst_uv]);
 }
 
-/// Name, rectangle, origin, direction, the farthest distance allowed, and whether the rectangle and
-/// its plane are hit.
+/// Name, rectangle, origin, direction, the farthest distance allowed, and whether the rectangle
+/// and its plane are hit.
 type Case = (&'static str, Rectangle, [f64; 3], [f64; 3], f64, bool, bool);
 
 #[test]

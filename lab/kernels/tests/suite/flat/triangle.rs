@@ -1,5 +1,5 @@
-//! `shear_r16`, `isect_triangles_r16`, `any_triangles_r16`, `isect_triangle_r1`: against their twin
-//! bit for bit and against `f64`. That meshes are watertight is tested in `watertight.rs`.
+//! `shear_r16`, `isect_triangles_r16`, `any_triangles_r16`, `isect_triangle_r1`: against their
+//! twin bit for bit and against `f64`. That meshes are watertight is tested in `watertight.rs`.
 
 use super::rays::{code, keeps_stated_errors, sheared};
 use kernels::cases::flat::error::error_of_shear;

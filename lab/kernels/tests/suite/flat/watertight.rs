@@ -51,8 +51,9 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Every ray from `inside` along a vertex of the unit icosahedron meets that vertex of the mesh,
-    /// so `inside` is inside, as long as rounding moves it by less than the mesh's least width.
+    /// Every ray from `inside` along a vertex of the unit icosahedron meets that vertex of the
+    /// mesh, so `inside` is inside, as long as rounding moves it by less than the mesh's least
+    /// width.
     pub fn new(place: [f64; 3], size: f64, widths: [f64; 3], random: &mut ChaCha8Rng) -> Self {
         let vertices = vertices().map(|vertex| {
             let stretch = size * random.random_range(0.5..2.0);
@@ -67,8 +68,9 @@ impl Mesh {
         Self { vertices, inside }
     }
 
-    /// Vertices on a lattice of so few points that many edges lie in line, faces are seen from their
-    /// side, and some have no area. The surface goes round `inside`, whichever way it is folded.
+    /// Vertices on a lattice of so few points that many edges lie in line, faces are seen from
+    /// their side, and some have no area. The surface goes round `inside`, whichever way it is
+    /// folded.
     pub fn on_lattice(random: &mut ChaCha8Rng) -> Self {
         // Odd numbers, so that products are longer than a single.
         let steps: [f64; 3] =

@@ -106,8 +106,8 @@ fn borders_of_the_estimates_tables_equal_the_twin() {
     }
 }
 
-/// The largest error is the one that the header states, not more and hardly less, and the operand that
-/// it names has it.
+/// The largest error is the one that the header states, not more and hardly less, and the operand
+/// that it names has it.
 #[test]
 fn errors_over_all_fractions_are_those_that_headers_state() {
     let mut bench = Bench::new();
@@ -161,8 +161,8 @@ fn every_step_lowers_the_error() {
     }
 }
 
-/// The manual: with one Newton step the reciprocal is the truncated one or the single below, that of the
-/// root at most one single off.
+/// The manual: with one Newton step the reciprocal is the truncated one or the single below, that
+/// of the root at most one single off.
 #[test]
 fn one_step_is_as_near_as_the_manual_says() {
     for operand in Quantity::Reciprocal.all_fractions() {

@@ -68,8 +68,8 @@ fn check<S: Shape>(
     (expected, addresses)
 }
 
-/// How far from a tangent a ray of this lane is, by the sine: by ulps, or by more, for formulations that
-/// lose digits.
+/// How far from a tangent a ray of this lane is, by the sine: by ulps, or by more, for
+/// formulations that lose digits.
 fn around_a_tangent(lane: usize) -> f64 {
     let step = if lane.is_multiple_of(2) { -26 } else { -20 };
     (lane as f64 - 8.0) * 2_f64.powi(step)

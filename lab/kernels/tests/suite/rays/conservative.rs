@@ -1,5 +1,5 @@
-//! What bounds rays and `cull_nodes` together: no child is left out that a ray of the packet meets, by f64
-//! from the singles of the records.
+//! What bounds rays and `cull_nodes` together: no child is left out that a ray of the packet
+//! meets, by f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::ball::any_direction;
@@ -34,8 +34,8 @@ fn at(from: Vector, direction: Vector, distance: f64) -> Vector {
     std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
 }
 
-/// A ball that may be about a ray of the packet: its edge a hair off the ray, off its origin or its
-/// end, or anywhere.
+/// A ball that may be about a ray of the packet: its edge a hair off the ray, off its origin or
+/// its end, or anywhere.
 fn ball(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
     let ray = rays[random.random_range(0..rays.len())];
     let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));
@@ -184,8 +184,8 @@ fn with_radii_a_hair_too_small_some_are_left_out() {
     check("from the eye", &from_eye);
 }
 
-/// Where rays go about one way, much of what they miss is left out, though most of these balls all but
-/// touch a ray.
+/// Where rays go about one way, much of what they miss is left out, though most of these balls all
+/// but touch a ray.
 #[test]
 fn much_of_what_coherent_rays_miss_is_left_out() {
     let check = |name: &str, source: Source<'_>| {

@@ -1,6 +1,7 @@
 //! The kernels that make packets of rays and those that leave out what no ray of a packet meets:
-//! against their twins bit for bit, on rays as tracing makes them and on any bits at all, in lists of
-//! every kind of length; and against f64 where they promise to leave out nothing that a ray meets.
+//! against their twins bit for bit, on rays as tracing makes them and on any bits at all, in lists
+//! of every kind of length; and against f64 where they promise to leave out nothing that a ray
+//! meets.
 
 mod bound;
 mod conservative;

@@ -1,4 +1,5 @@
-//! `shader_depth` and `shader_checker`: against their twins bit for bit, and what they leave alone.
+//! `shader_depth` and `shader_checker`: against their twins bit for bit, and what they leave
+//! alone.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shaders::Call;

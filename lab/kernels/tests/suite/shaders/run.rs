@@ -1,5 +1,5 @@
-//! `shaders_run` of the driver, in a program of its own: which shader is called for which lanes, and
-//! what its check finds.
+//! `shaders_run` of the driver, in a program of its own: which shader is called for which lanes,
+//! and what its check finds.
 
 use std::fs;
 use std::path::Path;

@@ -1,5 +1,5 @@
-//! How far off a surface a ray starts: enough that it does not meet the same object again, by the steps
-//! of the kernels that look for hits.
+//! How far off a surface a ray starts: enough that it does not meet the same object again, by the
+//! steps of the kernels that look for hits.
 
 use kernels::bench::random;
 use kernels::cases::ball::any_direction;
@@ -52,8 +52,8 @@ fn rays_start_on_the_side_that_they_go_to() {
 /// Whether a ray meets a shape that it may have left.
 type Meets = fn(&Shape, [Single; 3], Vector) -> bool;
 
-/// What rays do that start this share of `leave` off a shape: of those that leave it, how many meet it
-/// again; of those that go on within it, both ways, how many do other than `within` says.
+/// What rays do that start this share of `leave` off a shape: of those that leave it, how many
+/// meet it again; of those that go on within it, both ways, how many do other than `within` says.
 fn lost_rays(
     share: f64,
     shape: fn(&mut ChaCha8Rng) -> Shape,

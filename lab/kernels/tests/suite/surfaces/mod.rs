@@ -1,5 +1,5 @@
-//! The kernels from hits to pixels: against their twins bit for bit, on inputs as frames have them and on
-//! any bits at all, in lists of every kind of length; and against f64.
+//! The kernels from hits to pixels: against their twins bit for bit, on inputs as frames have them
+//! and on any bits at all, in lists of every kind of length; and against f64.
 
 mod gather;
 mod leave;

@@ -26,9 +26,10 @@ Effective addresses:";
 
 /// Run an SPU program.
 ///
-/// Library calls of the C run time (stop 0x2100, 0x2101, 0x2105: printf, files, memory in effective
-/// address space) are served; files that the program opens are this computer's. Traces, statistics
-/// and registers go to standard error unless a file is named, since standard output is the program's.
+/// Library calls of the C run time (stop 0x2100, 0x2101, 0x2105: printf, files, memory in
+/// effective address space) are served; files that the program opens are this computer's. Traces,
+/// statistics and registers go to standard error unless a file is named, since standard output is
+/// the program's.
 #[derive(Args)]
 #[command(after_help = after_help(), group(ArgGroup::new("report").multiple(true)))]
 pub struct Options {
@@ -41,8 +42,8 @@ pub struct Options {
     /// How arguments reach the program
     #[arg(long, value_enum, default_value_t = Start::Spe, help_heading = "Start")]
     pub start: Start,
-    /// Entry registers from $3 on, instead of arguments: a word in the preferred slot, or with :64 a
-    /// doubleword
+    /// Entry registers from $3 on, instead of arguments: a word in the preferred slot, or with :64
+    /// a doubleword
     #[arg(long = "arg", value_name = "VALUE[:64]", help_heading = "Start", conflicts_with_all = ["arguments", "start"])]
     pub registers: Vec<Register>,
     /// Put a file into local store before the start
@@ -95,8 +96,8 @@ pub struct Options {
     /// Count instructions by class and name, loads, stores, branches, DMA commands
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub stats: Option<Option<PathBuf>>,
-    /// Run in simulated time: cycles, dual issue, stalls by cause; the decrementer counts it too. For
-    /// programs that do without mailboxes
+    /// Run in simulated time: cycles, dual issue, stalls by cause; the decrementer counts it too.
+    /// For programs that do without mailboxes
     #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub timing: Option<Option<PathBuf>>,
     /// Statistics and timing as JSON

@@ -102,7 +102,8 @@ pub fn place<S: Shape>(
     }
 }
 
-/// The shape's kernel on candidates; gives the packets as they are then, and the objects' addresses.
+/// The shape's kernel on candidates; gives the packets as they are then, and the objects'
+/// addresses.
 pub fn pairs<S: Shape>(
     bench: &mut Bench,
     packets: &[RayPacket],

@@ -1,7 +1,7 @@
 //! Cones and cylinders as objects of a scene.
 //!
-//! What is sure of a ray and a cone, and how well its t is known, is asked of cones a little larger and
-//! smaller: that finds outlines, ends, apexes and grazing rays alike.
+//! What is sure of a ray and a cone, and how well its t is known, is asked of cones a little
+//! larger and smaller: that finds outlines, ends, apexes and grazing rays alike.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;

@@ -28,11 +28,11 @@ pub trait Shape: Copy + Debug {
     fn twin(&self, ray: Ray, object: u32) -> Ray;
     /// What is so, in f64 for the very singles that the kernel is given.
     fn truth(&self, ray: &Ray) -> Truth;
-    /// About 1 wide, with its middle at this x and so far ahead of the rays of the cases, seen from
-    /// there.
+    /// About 1 wide, with its middle at this x and so far ahead of the rays of the cases, seen
+    /// from there.
     fn ahead(x: f64, distance: f64) -> Self;
-    /// An object of the stated domain and rays towards it, past it and from within, so many times as
-    /// large.
+    /// An object of the stated domain and rays towards it, past it and from within, so many times
+    /// as large.
     fn around(random: &mut ChaCha8Rng, scale: f64) -> (Self, [Ray; 16]);
     /// Any bits at all.
     fn junk(random: &mut ChaCha8Rng) -> Self;

@@ -21,8 +21,8 @@ const EDGE: f64 = 8e-5;
 /// Twice the area across the ray, by the square of the longest edge, that is large enough.
 const AREA: f64 = 0.1;
 
-/// What is so of a ray and a triangle, where a kernel may be wrong about points as near to an edge as
-/// this on either side.
+/// What is so of a ray and a triangle, where a kernel may be wrong about points as near to an edge
+/// as this on either side.
 pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
     let flat = flat_records::Ray::new(ray.origin, ray.direction);
     let [t, u, v] = on_triangle(&flat, &shape.vertices);
@@ -42,9 +42,10 @@ pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
     }
 }
 
-/// Calls a kernel that runs through candidates of triangles, by its name, with one triangle and each of
-/// the packets; gives the packets as they are then, and the address of the triangle's record, which is
-/// the object of the rays that hit it. `anything` fills what has no meaning for a kernel.
+/// Calls a kernel that runs through candidates of triangles, by its name, with one triangle and
+/// each of the packets; gives the packets as they are then, and the address of the triangle's
+/// record, which is the object of the rays that hit it. `anything` fills what has no meaning for a
+/// kernel.
 ///
 /// # Panics
 ///

@@ -145,8 +145,8 @@ pub fn node(children: &[Child; 4]) -> Node {
     }
 }
 
-/// Places what `eye_rays_r16` takes: packets whose top left pixels are at `corners`, each with its sum
-/// a tile's row from the one before; gives the packets and the arguments.
+/// Places what `eye_rays_r16` takes: packets whose top left pixels are at `corners`, each with its
+/// sum a tile's row from the one before; gives the packets and the arguments.
 pub fn put_eye_rays(
     bench: &mut Bench,
     view: &View,
@@ -190,8 +190,8 @@ pub fn eye_rays(
     packets.collect()
 }
 
-/// Places what `load_rays_r16` takes: `count` rays, and in `queue` also what is behind them; gives the
-/// packets and the arguments.
+/// Places what `load_rays_r16` takes: `count` rays, and in `queue` also what is behind them; gives
+/// the packets and the arguments.
 pub fn put_queue(
     bench: &mut Bench,
     queue: &[Queued],

@@ -25,8 +25,8 @@ pub fn record(face: &Face, anything: u32) -> Object {
     }
 }
 
-/// Places what `cull_faces` takes: the pairs of a face and a bound, both by number. The list goes over
-/// the candidates.
+/// Places what `cull_faces` takes: the pairs of a face and a bound, both by number. The list goes
+/// over the candidates.
 pub fn put(
     bench: &mut Bench,
     faces: &[Face],

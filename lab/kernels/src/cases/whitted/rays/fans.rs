@@ -108,8 +108,8 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     })
 }
 
-/// A packet of shadow rays to a light, and the light: they start as far off as they may, and some are
-/// not there.
+/// A packet of shadow rays to a light, and the light: they start as far off as they may, and some
+/// are not there.
 pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let far = if random.random() { 1.0 } else { 100.0 };
     let place = in_cube(far * scale, random);

@@ -84,8 +84,8 @@ pub fn any_light(random: &mut ChaCha8Rng) -> Place {
     }
 }
 
-/// Hits of any shapes, with the normals that shade turned off the surfaces', and their shadow rays to a
-/// light, half of them blocked. Exponents are below the one given.
+/// Hits of any shapes, with the normals that shade turned off the surfaces', and their shadow rays
+/// to a light, half of them blocked. Exponents are below the one given.
 pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
     let (_, objects, hits) = any_hits(random);
     let surfaces: [Surface; 16] = std::array::from_fn(|lane| {
@@ -144,8 +144,8 @@ pub fn any_shining_site(random: &mut ChaCha8Rng, exponent: f64) -> Site {
     site
 }
 
-/// Largest error of a component of a direction to a light, in ulps of 1; infinite if t is off by more
-/// than the header says.
+/// Largest error of a component of a direction to a light, in ulps of 1; infinite if t is off by
+/// more than the header says.
 pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -195,7 +195,8 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
     std::array::from_fn(|k| lit[k] + brightness[k] * (diffuse * to_f64(surface.colour[k]) + shine))
 }
 
-/// Largest error of a channel that a light of brightness 1 has added to, exponents up to the one given.
+/// Largest error of a channel that a light of brightness 1 has added to, exponents up to the one
+/// given.
 pub fn light_up_to(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, exponent: f64) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

@@ -1,4 +1,5 @@
-//! Records of the surface kernels, made of what their twins take and taken apart into what they give.
+//! Records of the surface kernels, made of what their twins take and taken apart into what they
+//! give.
 
 use twins::Single;
 use twins::surfaces::{Material, Object, Ray, Surface};

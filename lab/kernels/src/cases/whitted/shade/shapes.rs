@@ -10,8 +10,8 @@ use twins::surfaces::{Object, Ray};
 use crate::cases::ball::any_direction;
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 
-/// What the numbers of an object, and the coordinates of a point, add to how far off the surface a ray
-/// starts, against their magnitude.
+/// What the numbers of an object, and the coordinates of a point, add to how far off the surface a
+/// ray starts, against their magnitude.
 pub const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 /// Roundings by which the distance of a hit is off, of the larger of it and the object's size.
 const ROUNDINGS: f64 = 16.0;
