@@ -88,7 +88,7 @@ fn a_folder_without_sources() {
 fn find_with(variables: &[(&str, &str)]) -> String {
     let mut child = Command::new(std::env::current_exe().unwrap());
     child
-        .args(["--exact", "child_finds_tools", "--nocapture"])
+        .args(["--exact", "image::child_finds_tools", "--nocapture"])
         .env("IN_CHILD", "1");
     child.env_remove("SPU_AS").env_remove("SPU_LD");
     for (name, value) in variables {
