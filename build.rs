@@ -1,6 +1,6 @@
-//! Builds the SPU program, one of each set of formulations, and embeds them; for the console's
-//! target, also libraries of nothing but names to link against: libspe2's and the C library's.
-//! Every switch is listed in `docs/build-options.md`.
+//! Builds the SPU programs, one of each set of formulations that is shipped, and embeds them; for
+//! the console's target, also libraries of nothing but names to link against: libspe2's and the C
+//! library's. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
 use std::fmt::Write as _;
@@ -8,7 +8,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use spu_build::formulation::Formulations;
+use protocol::formulation::Formulations;
 use spu_build::{Script, Tools, script, stub, tracer};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
@@ -51,7 +51,7 @@ fn spu_programs(out: &Path, script: &mut Script) -> Outcome<Images> {
     let work = out.join("objects");
     let objects = program.assemble(&tools, &work)?;
     let mut images = Vec::new();
-    for formulations in Formulations::all() {
+    for formulations in Formulations::shipped() {
         let image = out.join(image_file(&formulations));
         let program = program.clone().formulations(formulations);
         program.link(&tools, &work, &objects, &image)?;
@@ -68,7 +68,7 @@ fn ready_images(folder: &Path, script: &mut Script) -> Outcome<Images> {
         fs::metadata(&image).map_err(|error| format!("{}: {error}", image.display()))?;
         Ok((formulations, image))
     };
-    Formulations::all().into_iter().map(ready).collect()
+    Formulations::shipped().into_iter().map(ready).collect()
 }
 
 /// The programs as the elements of a Rust array.

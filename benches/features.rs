@@ -1,5 +1,5 @@
-//! What each feature of Whitted's model costs: simulated frames a second of the benchmark scene with
-//! features removed one by one, and how far the pictures are from the f64 reference.
+//! What each feature of Whitted's model costs: simulated frames a second of the benchmark scene
+//! with features removed one by one, and how far the pictures are from the f64 reference.
 //!
 //!     cargo bench --bench features [-- SCENE.nff [WxH]]
 

@@ -1,9 +1,10 @@
-//! How fast the emulator runs the tracer's own frame: SPU instructions a second on one host thread.
+//! How fast the emulator runs the tracer's own frame: SPU instructions a second on one host
+//! thread.
 //!
 //!     cargo bench --bench frame
 //!
-//! The instructions are counted once, in timing mode; the time is the processor's, the least of several
-//! runs without it, so that a busy machine matters little.
+//! The instructions are counted once, in timing mode; the time is the processor's, the least of
+//! several runs without it, so that a busy machine matters little.
 
 use std::path::Path;
 use std::process::Command;

@@ -9,10 +9,10 @@ use std::path::PathBuf;
 use std::time::Duration;
 
 use cellray::Settings;
-use cellray::framebuffer::{Geometry, NumberedPath};
+use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 use cellray::game::{
-    DVec3, DepthShading, FixedSteps, FrameRange, Game, Material, Moment, ObjectId, Pictures,
-    Session, Start, World, WorldError,
+    DVec3, DepthShading, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId,
+    Pictures, Session, Start, World, WorldError,
 };
 
 const RADIUS: f64 = 0.6;
@@ -72,10 +72,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let pattern = folder.join("bounce-%03d.png");
     let paths = NumberedPath::new(pattern.to_str().ok_or("FOLDER: not in UTF-8")?)?;
     let pictures = Pictures::new(paths);
-    let picture = pictures.framebuffer(Geometry::new(640, 360)?)?;
-    let mut session = Session::start(Bounce::default(), Settings::default(), picture)?
-        .with_clock(Box::new(FixedSteps(Duration::from_secs(1) / 12)));
-    pictures.write(&mut session, frames)?;
+    let picture = Box::new(Memory::new(Geometry::new(640, 360)?)?);
+    let mut session = Session::start(Bounce::default(), Settings::default(), picture)?;
+    let mut clock = FixedSteps(Duration::from_secs(1) / 12);
+    pictures.write(&mut session, frames, &mut clock, &mut NoInput)?;
     eprintln!("{}", session.report());
     Ok(())
 }

@@ -1,16 +1,19 @@
 //! cellray: an interactive ray tracer for the Cell Broadband Engine under PS3 Linux.
 //!
-//! This is the PPU's part. A [`Scene`] is handed, frame by frame, to an [`Engine`], whose SPUs trace
-//! it and write finished rows straight into a [`framebuffer`]. What answers below the libspe2 calls
-//! in [`spe`], a console's SPEs or emulated ones, this crate does not know.
+//! This is the PPU's part. A [`Scene`] is handed, frame by frame, to an [`Engine`], whose SPUs
+//! trace it and write finished rows straight into a [`framebuffer`]. What answers below the
+//! libspe2 calls in [`spe`], a console's SPEs or emulated ones, this crate does not know.
 //!
 //! A game changes a [`World`](game::World) from frame to frame and leaves the rest to a
 //! [`Session`](game::Session). A ball that jumps, as numbered pictures:
 //!
 //! ```
-//! use cellray::framebuffer::{Geometry, NumberedPath};
+//! use std::time::Duration;
+//!
+//! use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 //! use cellray::game::{
-//!     DVec3, FrameRange, Game, Material, Moment, ObjectId, Pictures, Session, Start, World, WorldError,
+//!     DVec3, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId, Pictures, Session,
+//!     Start, World, WorldError,
 //! };
 //!
 //! struct Ball(ObjectId);
@@ -30,15 +33,15 @@
 //! # let folder = tempfile::tempdir()?;
 //! # std::env::set_current_dir(folder.path())?;
 //! let pictures = Pictures::new(NumberedPath::new("ball-%03d.png")?);
-//! let picture = pictures.framebuffer(Geometry::new(64, 36)?)?;
-//! let mut session = Session::start(Ball(ObjectId::default()), Default::default(), picture)?;
-//! pictures.write(&mut session, FrameRange { first: 0, end: 3 })?;
+//! let (ball, picture) = (Ball(ObjectId::default()), Memory::new(Geometry::new(64, 36)?)?);
+//! let mut session = Session::start(ball, Default::default(), Box::new(picture))?;
+//! let mut clock = FixedSteps(Duration::from_millis(40));
+//! pictures.write(&mut session, FrameRange { first: 0, end: 3 }, &mut clock, &mut NoInput)?;
 //! # assert!(std::path::Path::new("ball-002.png").is_file());
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
 pub mod engine;
-pub mod formulation;
 pub mod framebuffer;
 pub mod game;
 pub mod quality;

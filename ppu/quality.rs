@@ -1,18 +1,16 @@
 //! Three points on the front of run time against error that `docs/accuracy.md` measures.
 
-use clap::ValueEnum;
-
-use crate::formulation::{self, Formulations};
+use protocol::formulation::Formulations;
 
 /// How much run time is given for how little error.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, ValueEnum)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quality {
-    /// The fastest whose pictures are right to a step of a colour
+    /// The fastest whose pictures are right to a step of a colour.
     Fast,
-    /// The fastest that keeps distances to 2 units in the last place
+    /// The fastest that keeps distances to 2 units in the last place.
     #[default]
     Default,
-    /// The least error, in double precision
+    /// The least error, in double precision.
     Exact,
 }
 
@@ -20,12 +18,10 @@ impl Quality {
     /// The formulations of that point.
     #[must_use]
     pub fn formulations(self) -> Formulations {
-        let sphere = match self {
-            Self::Fast => "interpolated",
-            Self::Default => return Formulations::standard(),
-            Self::Exact => "double",
-        };
-        let sphere = formulation::sphere(sphere).expect("it is in the table");
-        Formulations::of(sphere, Formulations::standard().triangle)
+        match self {
+            Self::Fast => Formulations::fast(),
+            Self::Default => Formulations::standard(),
+            Self::Exact => Formulations::exact(),
+        }
     }
 }

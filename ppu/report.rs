@@ -7,9 +7,9 @@ use std::fmt;
 
 use serde::Serialize;
 
-use crate::formulation::Formulations;
 use crate::scene::Scene;
 use crate::statistics::{FrameStatistics, Phases, Rays, Tests};
+use protocol::formulation::Formulations;
 
 pub use loop_time::LoopTime;
 
@@ -37,17 +37,18 @@ pub struct Report {
     pub frames_traced: u32,
     /// Seconds of the host's clock that passed in the frame loop.
     pub host_seconds: f64,
-    /// What of them the loop's thread had on its processor. Emulated SPUs run in threads of their own, which are
-    /// not in it.
+    /// What of them the loop's thread had on its processor. Emulated SPUs run in threads of their
+    /// own, which are not in it.
     pub loop_seconds: f64,
     /// Part of `host_seconds` in which the loop's thread slept, in per cent.
     pub loop_free_percent: f64,
-    /// Most bytes of memory that the program has had at a time, emulated SPUs included, if it was asked for.
+    /// Most bytes of memory that the program has had at a time, emulated SPUs included, if it was
+    /// asked for.
     pub peak_bytes: Option<u64>,
     /// Frames traced a second by the SPUs' decrementers: the console's time on a console.
     pub frames_per_second: f64,
-    /// Part of the time that the SPUs were at work in, until the slowest of each frame was done: 1 if
-    /// none ever waited for another or for a transfer.
+    /// Part of the time that the SPUs were at work in, until the slowest of each frame was done: 1
+    /// if none ever waited for another or for a transfer.
     pub busy_share: f64,
     /// Largest part of its frames' time that an SPU waited for the MFC.
     pub dma_wait_share: f64,
@@ -297,7 +298,8 @@ impl fmt::Display for Report {
             percent(phases.isect, busy),
             percent(phases.shade, busy)
         )?;
-        // Of the frames' time, which the slowest SPU sets: what an SPU has left it waits for that one.
+        // Of the frames' time, which the slowest SPU sets: what an SPU has left it waits for that
+        // one.
         let seconds = self.ticks as f64 / self.timebase;
         for (number, spu) in self.spu.iter().enumerate() {
             let (busy, wait) = (percent(spu.busy, seconds), percent(spu.dma_wait, seconds));

@@ -2,84 +2,22 @@
 //!
 //! Invariant: every number that depth shading takes lies in the domain that the kernels state.
 
+pub(crate) mod block;
+mod look;
+#[cfg(test)]
+pub(crate) mod random;
+pub(crate) mod single;
+
 use glam::DVec3;
 use nff::depth::{self, DepthShading, NotDrawn};
-use zerocopy::big_endian::F32;
 
-use crate::formulation::{Formulations, SphereFormulation};
+use self::block::ShaderEntries;
+pub use self::block::{BlockError, BlockOptions, SceneBlock};
+pub use self::look::{Look, Model};
+use self::single::{LARGEST, SMALLEST};
 use crate::spe::Program;
-use crate::work::layout::MAX_SPHERES;
-use crate::work::{BlockError, BlockOptions, SceneBlock, ShaderEntries};
-
-/// Largest magnitude of a coordinate or a radius: its square is still a single.
-pub(crate) const LARGEST: f64 = (1_u64 << 62) as f64;
-/// Smallest size, such as a radius: its square is still a single and not 0.
-pub(crate) const SMALLEST: f64 = 1.0 / LARGEST;
-
-/// How a scene is made to look.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Model {
-    /// Whitted's if the scene has lights, else depth shading.
-    #[default]
-    Scene,
-    /// The paper's: spheres that fade to black with their distance.
-    Depth,
-    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
-    Whitted,
-}
-
-/// A model and its settings.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Look {
-    /// Which.
-    pub model: Model,
-    /// Whitted's model: most rays in a chain, the eye's counted, from 1 to 16.
-    pub ray_depth: u32,
-    /// Whitted's model: whether what lets light through reflects by Schlick's approximation.
-    pub fresnel: bool,
-    /// Whitted's model: whether rays are sent as the Standard Procedural Databases count them,
-    /// those that add nothing to the picture too: by every surface that mirrors or lets light
-    /// through a reflected ray, whatever its share is, and by every surface that is lit, whatever
-    /// it makes of that, a shadow ray for each light in front of it. What leaves out rays of no or
-    /// little weight hangs on this.
-    pub spd_rays: bool,
-    /// Whitted's model: whether objects throw shadows.
-    pub shadows: bool,
-    /// Whether rays go through the corners of the pixels of a picture that is one smaller each way.
-    pub corners: bool,
-}
-
-impl Default for Look {
-    fn default() -> Self {
-        Self {
-            model: Model::Scene,
-            ray_depth: 5,
-            fresnel: false,
-            spd_rays: false,
-            shadows: true,
-            corners: false,
-        }
-    }
-}
-
-impl Look {
-    /// Whether a scene with so many lights is traced by Whitted's model.
-    pub(crate) fn is_whitted(self, lights: usize) -> bool {
-        match self.model {
-            Model::Scene => lights > 0,
-            Model::Depth => false,
-            Model::Whitted => true,
-        }
-    }
-
-    fn options(self) -> BlockOptions {
-        BlockOptions {
-            ray_depth: self.ray_depth,
-            fresnel: self.fresnel,
-            spd_rays: self.spd_rays,
-        }
-    }
-}
+use protocol::formulation::{Formulations, SphereFormulation};
+use protocol::layout::MAX_SPHERES;
 
 /// Why a scene can't be drawn.
 #[derive(Debug, thiserror::Error)]
@@ -157,11 +95,12 @@ impl Scene {
             return Self::by_depth(scene, look);
         }
         let shader = |name: &str| program.shader(name).ok();
-        let block = SceneBlock::new(scene, look.options(), &shader)?;
+        let block = SceneBlock::new(scene, options(look), &shader)?;
         Ok(Self::by_whitted(scene, look, block))
     }
 
-    /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in place.
+    /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in
+    /// place.
     pub(crate) fn with_room(
         scene: &nff::Scene,
         look: Look,
@@ -170,7 +109,7 @@ impl Scene {
         if !look.is_whitted(scene.lights.len()) {
             return Self::by_depth(scene, look);
         }
-        let block = SceneBlock::with_room(scene, look.options(), shaders)?;
+        let block = SceneBlock::with_room(scene, options(look), shaders)?;
         Ok(Self::by_whitted(scene, look, block))
     }
 
@@ -285,8 +224,8 @@ impl Scene {
         self.block.as_ref()
     }
 
-    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected with
-    /// spheres.
+    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected
+    /// with spheres.
     #[must_use]
     pub fn sphere_formulation(&self, formulations: &Formulations) -> &'static SphereFormulation {
         match self.block {
@@ -313,11 +252,19 @@ impl Scene {
         self.depth
     }
 
-    /// Moves the eye.
-    pub(crate) fn set_view(&mut self, view: &nff::View) -> Result<(), SceneError> {
+    /// Moves the eye. [`Scene::write`] is to follow.
+    pub(crate) fn set_view(&mut self, view: &nff::View) {
         self.view.clone_from(view);
+    }
+
+    /// Writes what SPUs are sent of it by Whitted's model as its eye sees it: the last step of a
+    /// change.
+    ///
+    /// # Errors
+    /// An eye out of range.
+    pub(crate) fn write(&mut self) -> Result<(), SceneError> {
         match &mut self.block {
-            Some(block) => Ok(block.look(view.from)?),
+            Some(block) => Ok(block.write_for(self.view.from)?),
             None => Ok(()),
         }
     }
@@ -331,8 +278,8 @@ impl Scene {
         }
     }
 
-    /// Changes the spheres of depth shading, and its range: to that of the spheres, if none is given. They
-    /// have to be in range, and as many as fit.
+    /// Changes the spheres of depth shading, and its range: to that of the spheres, if none is
+    /// given. They have to be in range, and as many as fit.
     pub(crate) fn set_spheres(
         &mut self,
         spheres: impl Iterator<Item = Sphere>,
@@ -346,7 +293,7 @@ impl Scene {
         self.depth = depth.unwrap_or_else(|| DepthShading::around(from, balls));
     }
 
-    /// What Whitted's model has SPUs sent, to be changed; [`Scene::set_view`] then has it written.
+    /// What Whitted's model has SPUs sent, to be changed; [`Scene::write`] is to follow.
     pub(crate) fn block_mut(&mut self) -> Option<&mut SceneBlock> {
         self.block.as_mut()
     }
@@ -358,7 +305,11 @@ impl Scene {
     }
 }
 
-/// Three coordinates or channels, rounded to singles.
-pub(crate) fn singles(vector: DVec3) -> [F32; 3] {
-    vector.to_array().map(|value| F32::new(value as f32))
+/// How a look has Whitted's model traced.
+fn options(look: Look) -> BlockOptions {
+    BlockOptions {
+        ray_depth: look.ray_depth,
+        fresnel: look.fresnel,
+        spd_rays: look.spd_rays,
+    }
 }

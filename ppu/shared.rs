@@ -3,7 +3,7 @@
 use std::cell::UnsafeCell;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-use crate::work::layout::LINE;
+use protocol::layout::LINE;
 
 #[repr(C, align(128))]
 struct Line(UnsafeCell<[u8; LINE as usize]>);
@@ -11,8 +11,8 @@ struct Line(UnsafeCell<[u8; LINE as usize]>);
 /// Zeroed memory on 128-byte lines, for records of the work-unit protocol.
 ///
 /// SPUs reach it by its address, behind the compiler's back, so it is never lent out as a slice:
-/// bytes are copied in before the address is mailed, and out after the answer, and the mailbox calls
-/// in between keep that order.
+/// bytes are copied in before the address is mailed, and out after the answer, and the mailbox
+/// calls in between keep that order.
 pub struct SharedMemory(Box<[Line]>);
 
 impl SharedMemory {
@@ -42,8 +42,8 @@ impl SharedMemory {
     pub fn write(&mut self, offset: usize, bytes: &[u8]) {
         assert!(bytes.len() <= self.bytes() && offset <= self.bytes() - bytes.len());
         let base = self.0.as_ptr().cast::<u8>().cast_mut();
-        // SAFETY: the range was checked; the bytes are in `UnsafeCell`s, so writing them is allowed;
-        // `bytes` can't overlap them, as they are never lent out.
+        // SAFETY: the range was checked; the bytes are in `UnsafeCell`s, so writing them is
+        // allowed; `bytes` can't overlap them, as they are never lent out.
         unsafe {
             base.add(offset)
                 .copy_from_nonoverlapping(bytes.as_ptr(), bytes.len())
@@ -61,13 +61,14 @@ impl SharedMemory {
         };
     }
 
-    /// A word that an SPU may be writing at this moment: the old one or the new one. Panics if there is
-    /// no such word.
+    /// A word that an SPU may be writing at this moment: the old one or the new one. Panics if
+    /// there is no such word.
     #[must_use]
     pub fn peek_word(&self, offset: usize) -> u32 {
         assert!(offset.is_multiple_of(4) && offset < self.bytes());
         let word = self.0.as_ptr().cast::<u32>().wrapping_byte_add(offset);
-        // SAFETY: an aligned word of the memory, checked above; an atomic read, as others may write.
+        // SAFETY: an aligned word of the memory, checked above; an atomic read, as others may
+        // write.
         u32::from_be(unsafe { AtomicU32::from_ptr(word.cast_mut()) }.load(Ordering::Relaxed))
     }
 }

@@ -4,7 +4,7 @@ use serde::Serialize;
 use zerocopy::big_endian::U64;
 
 use crate::work::Size;
-use crate::work::layout::Statistics;
+use protocol::layout::Statistics;
 
 /// Rays of a packet.
 const PACKET_RAYS: u64 = 16;
@@ -36,8 +36,8 @@ pub struct SpuStatistics {
     pub phases: Phases<u64>,
 }
 
-/// Rays by kind, under the names of the Standard Procedural Databases. Eye, reflected and refracted
-/// rays are as many as those that hit and those that see the background.
+/// Rays by kind, under the names of the Standard Procedural Databases. Eye, reflected and
+/// refracted rays are as many as those that hit and those that see the background.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Rays {
     /// From the eye.
@@ -61,7 +61,8 @@ pub struct Rays {
 pub struct Tests {
     /// Made.
     pub made: u64,
-    /// Of these, those after which a hit was looked for: of a packet's rays one at least could hit.
+    /// Of these, those after which a hit was looked for: of a packet's rays one at least could
+    /// hit.
     pub hits_looked_for: u64,
     /// Found needless by the SPUs.
     pub skipped: u64,
@@ -69,7 +70,8 @@ pub struct Tests {
     pub hidden: u64,
     /// With objects that no SPU was told of: the picture can't show them.
     pub unseen: u64,
-    /// Tests of a frustum or of a packet's cone with an object; those are not among the tests above.
+    /// Tests of a frustum or of a packet's cone with an object; those are not among the tests
+    /// above.
     pub cull: u64,
 }
 

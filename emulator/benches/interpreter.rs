@@ -5,9 +5,9 @@
 
 use spu_emulator::channel::Channels;
 use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::isa::{Instruction, Op};
 use spu_emulator::local_store::LocalStore;
 use spu_emulator::stop::Stop;
+use spu_isa::{Instruction, Op};
 use std::time::Instant;
 
 const ROUNDS: u32 = 1_000_000;

@@ -3,7 +3,8 @@
 use crate::stop::{ChannelAccess, Stop};
 
 /// What `rdch`, `wrch`, `rchcnt` and `bisled` reach: the MFC, mailboxes, signals, events, the
-/// decrementer. The interpreter is generic over it, so that instructions are tested without an MFC.
+/// decrementer. The interpreter is generic over it, so that instructions are tested without an
+/// MFC.
 pub trait Channels {
     /// `rdch`: the channel's value; sleeps while its count is 0.
     fn read(&mut self, channel: u8) -> Result<u32, Stop>;

@@ -1,7 +1,8 @@
 //! SPU programs: checking an ELF image, loading it, and its symbols.
 //!
-//! The checks are those of libspe2 (an SPU executable, at most one 16-byte `.toe`, no `_EAR_` symbol
-//! but the plain one), plus bounds: nothing is read outside the image or written outside local store.
+//! The checks are those of libspe2 (an SPU executable, at most one 16-byte `.toe`, no `_EAR_`
+//! symbol but the plain one), plus bounds: nothing is read outside the image or written outside
+//! local store.
 
 use std::collections::BTreeMap;
 
@@ -170,8 +171,9 @@ impl<'data> Image<'data> {
         self.toe
     }
 
-    /// Copies the program into local store, which keeps its other bytes. `image_ea` is the effective
-    /// address of the image: words that the linker meant to hold addresses in it are set to them.
+    /// Copies the program into local store, which keeps its other bytes. `image_ea` is the
+    /// effective address of the image: words that the linker meant to hold addresses in it are set
+    /// to them.
     pub fn load(&self, store: &LocalStore, image_ea: u64) {
         for segment in &self.segments {
             store.write(segment.address, segment.bytes);
@@ -319,8 +321,8 @@ fn references(
     Ok(references)
 }
 
-/// The length of the ELF file that starts at offset 0 of what `fetch` reads (it fills the slice from
-/// an offset and says whether it could): for an image of which only the address is known.
+/// The length of the ELF file that starts at offset 0 of what `fetch` reads (it fills the slice
+/// from an offset and says whether it could): for an image of which only the address is known.
 pub fn file_length(mut fetch: impl FnMut(u64, &mut [u8]) -> bool) -> Result<u64, ElfError> {
     let mut bytes = [0; size_of::<Header>()];
     if !fetch(0, &mut bytes) {

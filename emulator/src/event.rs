@@ -1,9 +1,9 @@
 //! SPU events: pending bits, the mask, and the count of channel 0.
 //!
 //! An event is an edge (a count that rises from 0), kept pending until the SPU acknowledges it.
-//! Invariant: the count of channel 0 rises only when an enabled event is pending, and falls only when
-//! the channel is read; so an event that is acknowledged or masked unread leaves a "phantom", a read
-//! that yields 0, as on hardware.
+//! Invariant: the count of channel 0 rises only when an enabled event is pending, and falls only
+//! when the channel is read; so an event that is acknowledged or masked unread leaves a "phantom",
+//! a read that yields 0, as on hardware.
 
 /// Multisource synchronisation done.
 pub const MULTISOURCE_SYNC: u32 = 0x1000;

@@ -1,16 +1,17 @@
 //! The 256 KB local store.
 //!
 //! Other threads reach it while the SPU runs: the MFC of another SPE, and the PPE through its
-//! mapping. So it is made of relaxed 64-bit atomics, which cost what plain loads cost and make every
-//! race between a guest and its peers a guest's bug, never the host's undefined behaviour. Bytes lie
-//! in memory in the guest's order (big-endian), so that the mapping shows what the SPU sees.
+//! mapping. So it is made of relaxed 64-bit atomics, which cost what plain loads cost and make
+//! every race between a guest and its peers a guest's bug, never the host's undefined behaviour.
+//! Bytes lie in memory in the guest's order (big-endian), so that the mapping shows what the SPU
+//! sees.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
+use spu_isa::LOCAL_STORE_SIZE;
+
 /// Bytes of local store.
-pub const SIZE: u32 = 256 * 1024;
-/// The local-store limit register's value: every address is ANDed with it.
-pub const LIMIT_MASK: u32 = SIZE - 1;
+pub const SIZE: u32 = LOCAL_STORE_SIZE;
 
 const DOUBLEWORDS: usize = SIZE as usize / 8;
 const DOUBLEWORD_MASK: usize = DOUBLEWORDS - 1;

@@ -1,7 +1,8 @@
-//! Main memory as the MFC sees it: a trait, and memory in which nothing unregistered can be touched.
+//! Main memory as the MFC sees it: a trait, and memory in which nothing unregistered can be
+//! touched.
 //!
-//! Effective addresses are plain 64-bit numbers. Nothing here knows of reservations: who may write a
-//! line while another holds it reserved is the interconnect's affair.
+//! Effective addresses are plain 64-bit numbers. Nothing here knows of reservations: who may write
+//! a line while another holds it reserved is the interconnect's affair.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, RwLock};
@@ -9,7 +10,7 @@ use std::sync::{Arc, RwLock};
 use thiserror::Error;
 
 use crate::local_store::{LocalStore, SIZE};
-use crate::spe::lock::{read_lock, write_lock};
+use crate::lock::{read_lock, write_lock};
 
 /// Bytes of a line: what a reservation covers and an atomic command moves.
 pub const LINE: usize = 128;
@@ -189,7 +190,7 @@ impl MainMemory for RegisteredMemory {
         expected: &[u8; LINE],
         new: &[u8; LINE],
     ) -> Result<bool, MemoryFault> {
-        let _one_at_a_time = crate::spe::lock::lock(&self.exchange);
+        let _one_at_a_time = crate::lock::lock(&self.exchange);
         let mut current = [0; LINE];
         self.read(ea, &mut current)?;
         if current != *expected {

@@ -1,9 +1,5 @@
-//! Fuzz target `elf`: see `oracles::elf`.
+//! Fuzz target `elf`: see `spu_fuzz_oracles::elf`.
 
 #![no_main]
 
-#[allow(dead_code, reason = "each target uses one of the oracles")]
-#[path = "../oracles.rs"]
-mod oracles;
-
-libfuzzer_sys::fuzz_target!(|input: &[u8]| oracles::elf(input));
+libfuzzer_sys::fuzz_target!(|input: &[u8]| spu_fuzz_oracles::elf(input));

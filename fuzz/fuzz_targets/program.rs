@@ -1,9 +1,5 @@
-//! Fuzz target `program`: see `oracles::program`.
+//! Fuzz target `program`: see `spu_fuzz_oracles::program`.
 
 #![no_main]
 
-#[allow(dead_code, reason = "each target uses one of the oracles")]
-#[path = "../oracles.rs"]
-mod oracles;
-
-libfuzzer_sys::fuzz_target!(|input: &[u8]| oracles::program(input));
+libfuzzer_sys::fuzz_target!(|input: &[u8]| spu_fuzz_oracles::program(input));

@@ -7,7 +7,8 @@ use libc::{c_int, c_uint, c_void};
 use crate::error::{self, Errno, set_errno};
 use crate::types::{SPE_CALLBACK_NEW, SPE_CALLBACK_UPDATE};
 
-/// A handler: local store's base, and the address of the word after the stop. 0 lets the SPU go on.
+/// A handler: local store's base, and the address of the word after the stop. 0 lets the SPU go
+/// on.
 pub type Handler = unsafe extern "C" fn(*mut c_void, c_uint) -> c_int;
 
 const SLOTS: usize = 256;

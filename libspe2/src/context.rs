@@ -92,7 +92,7 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
         signal_modes: [mode(SPE_CFG_SIGNOTIFY1_OR), mode(SPE_CFG_SIGNOTIFY2_OR)],
         policy: policy()?,
     };
-    let spe = Spe::new(&machine()?.interconnect, config);
+    let spe = Spe::new(&machine()?.emulated, config);
     let area = spe.local_store().as_ptr();
     spe.map_local_store(area.expose_provenance() as u64);
     let context = Arc::new(Context {
@@ -157,8 +157,8 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
     error::int(|| {
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
-        // SAFETY: it came from `Box::into_raw`, and the caller gives it up; its private part is the
-        // count that `Arc::into_raw` left.
+        // SAFETY: it came from `Box::into_raw`, and the caller gives it up; its private part is
+        // the count that `Arc::into_raw` left.
         unsafe {
             let owned = Box::from_raw(spe);
             drop(Arc::from_raw(owned.base_private.cast::<Context>()));

@@ -41,7 +41,8 @@ impl Bell {
         self.rings.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Sleeps until the bell has rung more than `heard` times; `false` if the deadline passed first.
+    /// Sleeps until the bell has rung more than `heard` times; `false` if the deadline passed
+    /// first.
     fn wait(&self, heard: u64, deadline: Option<Instant>) -> bool {
         let mut rings = self.rings();
         while *rings == heard {
@@ -237,8 +238,8 @@ pub unsafe extern "C" fn spe_event_handler_destroy(evhandler: *mut c_void) -> c_
 
 /// Checks what registering and deregistering are given; yields the events one by one to `each`.
 ///
-/// # Safety
-/// `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is NULL or live.
+/// # Safety `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is
+/// NULL or live.
 unsafe fn each_event(
     evhandler: *mut c_void,
     event: *mut SpeEventUnit,
@@ -268,8 +269,8 @@ unsafe fn each_event(
 
 /// Registers events of a context.
 ///
-/// # Safety
-/// `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is NULL or live.
+/// # Safety `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is
+/// NULL or live.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_event_handler_register(
     evhandler: *mut c_void,
@@ -295,8 +296,8 @@ pub unsafe extern "C" fn spe_event_handler_register(
 
 /// Ends registrations of a context.
 ///
-/// # Safety
-/// `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is NULL or live.
+/// # Safety `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is
+/// NULL or live.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_event_handler_deregister(
     evhandler: *mut c_void,

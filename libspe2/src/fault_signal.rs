@@ -60,8 +60,8 @@ impl FaultSignal {
         }
     }
 
-    /// Sends the signal to the calling thread. A handler has run when this returns; without one the
-    /// process has ended, also if the signal was ignored or blocked: a fault can't be.
+    /// Sends the signal to the calling thread. A handler has run when this returns; without one
+    /// the process has ended, also if the signal was ignored or blocked: a fault can't be.
     pub(crate) fn raise(self) -> After {
         // SAFETY: every pointer is to a value of this function; the signal number is valid.
         unsafe {

@@ -11,13 +11,14 @@ pub(crate) enum Writable {
     Unknown,
 }
 
-/// ORs 0 to the 32-bit word at `ea` (a multiple of 4), atomically and with the kernel's checks: the
-/// operation of `FUTEX_WAKE_OP` on its second word.
+/// ORs 0 to the 32-bit word at `ea` (a multiple of 4), atomically and with the kernel's checks:
+/// the operation of `FUTEX_WAKE_OP` on its second word.
 pub(crate) fn probe_write(ea: u64) -> Writable {
     const OR_ZERO_AND_WAKE_IF_LESS: u32 = 2 << 28 | 2 << 24;
     let own_word = 0_u32;
     let address: *const u32 = ptr::with_exposed_provenance(ea as usize);
-    // SAFETY: the kernel checks both words; the second keeps its value, and nobody sleeps on `own_word`.
+    // SAFETY: the kernel checks both words; the second keeps its value, and nobody sleeps on
+    // `own_word`.
     let result = unsafe {
         libc::syscall(
             libc::SYS_futex,

@@ -11,7 +11,7 @@ use std::sync::atomic::Ordering::SeqCst;
 use libc::{c_char, c_int};
 use spu_emulator::elf::{self, ElfError, Image, TOE_SIZE};
 use spu_emulator::memory::MainMemory;
-use spu_emulator::timing::profile::ProgramId;
+use spu_emulator::profile::ProgramId;
 
 use crate::context::context;
 use crate::error::{self, Errno};

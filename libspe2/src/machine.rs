@@ -1,7 +1,7 @@
 //! The machine that every context of the process is on, as the environment asks for it.
 //!
-//! Invariant: the environment is read when the first context is created; what it says then holds for
-//! the whole process.
+//! Invariant: the environment is read when the first context is created; what it says then holds
+//! for the whole process.
 
 use std::env;
 use std::ffi::OsString;
@@ -9,7 +9,9 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
-use spu_emulator::mfc::{Interconnect, Policy};
+use spu_emulator::machine;
+use spu_emulator::mfc::Policy;
+use spu_emulator::simulated::Timing;
 
 use crate::error::Errno;
 use crate::process_memory::ProcessMemory;
@@ -24,7 +26,7 @@ static MACHINE: OnceLock<Machine> = OnceLock::new();
 
 /// The one machine.
 pub(crate) struct Machine {
-    pub(crate) interconnect: Arc<Interconnect>,
+    pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
 }
@@ -47,17 +49,17 @@ extern "C" fn report_at_exit() {
     write_reports();
 }
 
-/// Writes the report and the profile, where they are asked for. A failure is told, and no reason to
-/// fail.
+/// Writes the report and the profile, where they are asked for. A failure is told, and no reason
+/// to fail.
 pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;
     };
-    let Some(simulation) = machine.interconnect.simulation() else {
+    let Some(simulation) = machine.emulated.simulation() else {
         return;
     };
     if let Some(file) = &machine.report {
-        tell(REPORT, file, file.write_report(&simulation.report()));
+        tell(REPORT, file, file.write_report(simulation));
     }
     if let (Some(file), Some(profile)) = (&machine.profile, simulation.profile()) {
         tell(PROFILE, file, file.write_profile(&profile));
@@ -92,7 +94,7 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
         Some(name) if name == "at-last" => Policy::AtLast,
         Some(name) => return Err(refused(MFC, "is at-once or at-last", &name)),
     };
-    if policy == Policy::AtLast && machine()?.interconnect.simulation().is_some() {
+    if policy == Policy::AtLast && machine()?.emulated.simulation().is_some() {
         eprintln!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
         return Err(Errno(libc::ENOTSUP));
     }
@@ -123,10 +125,10 @@ impl Machine {
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
         Ok(Self {
-            interconnect: match (timing, &profile) {
-                (false, _) => Interconnect::new(memory),
-                (true, None) => Interconnect::simulated(memory),
-                (true, Some(_)) => Interconnect::profiled(memory),
+            emulated: match (timing, &profile) {
+                (false, _) => machine::Machine::new(memory),
+                (true, None) => machine::Machine::simulated(memory, Timing::default()),
+                (true, Some(_)) => machine::Machine::profiled(memory, Timing::default()),
             },
             report,
             profile,

@@ -1,8 +1,8 @@
 //! The process's own memory as main memory: an effective address is an address.
 //!
-//! Invariant: no access of the emulated MFC raises a signal in this process; the kernel checks every
-//! address first. (A program that unmaps memory while its SPEs exchange lines in it can still break
-//! that, as it breaks itself.)
+//! Invariant: no access of the emulated MFC raises a signal in this process; the kernel checks
+//! every address first. (A program that unmaps memory while its SPEs exchange lines in it can
+//! still break that, as it breaks itself.)
 
 use std::ptr;
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
@@ -36,8 +36,9 @@ impl MainMemory for ProcessMemory {
             .map_err(|ea| MemoryFault { ea })
     }
 
-    /// The PPE's own atomic instructions on the line are respected where it can be: a change within
-    /// one aligned doubleword, which is what locks and counters are, is one compare-and-exchange.
+    /// The PPE's own atomic instructions on the line are respected where it can be: a change
+    /// within one aligned doubleword, which is what locks and counters are, is one
+    /// compare-and-exchange.
     fn compare_exchange_line(
         &self,
         ea: u64,
@@ -73,7 +74,8 @@ impl MainMemory for ProcessMemory {
                 };
                 let address = ptr::with_exposed_provenance_mut(at as usize);
                 // SAFETY: the address is a multiple of 8, and the kernel has just found it mapped
-                // and writable; whoever else uses the line does so as one shares a lock with an SPE.
+                // and writable; whoever else uses the line does so as one shares a lock with an
+                // SPE.
                 let word = unsafe { AtomicU64::from_ptr(address) };
                 Ok(word
                     .compare_exchange(value(expected), value(new), SeqCst, SeqCst)

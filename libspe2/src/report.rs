@@ -1,7 +1,7 @@
 //! The report of simulated time and the profile: JSON files.
 //!
-//! Invariant: the file at the path is whole at every moment, since each version is written beside it
-//! and then takes its place. It holds nothing of the host, so that equal runs give equal files.
+//! Invariant: the file at the path is whole at every moment, since each version is written beside
+//! it and then takes its place. It holds nothing of the host, so that equal runs give equal files.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -11,12 +11,9 @@ use std::sync::{Mutex, PoisonError};
 
 use serde::Serialize;
 use spu_emulator::decrementer::TICKS_PER_SECOND;
-use spu_emulator::simulated::memory_system::CONSTANTS;
-use spu_emulator::simulated::{
-    self, CYCLES_PER_SECOND, Figures, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES, SpeReport,
-};
-use spu_emulator::timing::profile::ProfileFile;
-use spu_emulator::timing::rules::MISS_CYCLES;
+use spu_emulator::profile::SpeProfile;
+use spu_emulator::simulated::{CYCLES_PER_SECOND, Simulation, SpeReport};
+use spu_reports::{Figures, ProfileFile};
 
 /// Where a report or a profile goes.
 pub(crate) struct ReportFile {
@@ -45,12 +42,15 @@ impl ReportFile {
         &self.path
     }
 
-    pub(crate) fn write_report(&self, report: &simulated::Report) -> io::Result<()> {
-        self.write(serde_json::to_vec_pretty(&Report::new(report))?)
+    pub(crate) fn write_report(&self, simulation: &Simulation) -> io::Result<()> {
+        self.write(serde_json::to_vec_pretty(&Report::new(simulation))?)
     }
 
-    pub(crate) fn write_profile(&self, profile: &ProfileFile) -> io::Result<()> {
-        self.write(serde_json::to_vec(profile)?)
+    pub(crate) fn write_profile(&self, spes: &[SpeProfile]) -> io::Result<()> {
+        self.write(serde_json::to_vec(&ProfileFile::new(
+            CYCLES_PER_SECOND,
+            spes,
+        ))?)
     }
 
     fn write(&self, mut json: Vec<u8>) -> io::Result<()> {
@@ -85,14 +85,8 @@ struct Spe {
 }
 
 impl Report {
-    fn new(report: &simulated::Report) -> Self {
-        let mut constants = BTreeMap::from(CONSTANTS);
-        constants.extend([
-            ("branch_miss_cycles", MISS_CYCLES),
-            ("ppe_call_cycles", PPE_CALL_CYCLES),
-            ("ppe_run_cycles", PPE_RUN_CYCLES),
-            ("ppe_wake_cycles", PPE_WAKE_CYCLES),
-        ]);
+    fn new(simulation: &Simulation) -> Self {
+        let report = simulation.report();
         let mut totals = Figures::default();
         for spe in &report.spes {
             totals.add(spe);
@@ -112,7 +106,7 @@ impl Report {
             cycles: report.clock(),
             seconds: report.clock() as f64 / CYCLES_PER_SECOND as f64,
             absences: report.absences,
-            constants,
+            constants: simulation.timing().named().collect(),
             totals,
             spes: report.spes.iter().map(spe).collect(),
         }

@@ -1,13 +1,15 @@
-//! `spe_context_run`: the calling thread is the SPU until it stops for a reason that the program sees.
+//! `spe_context_run`: the calling thread is the SPU until it stops for a reason that the program
+//! sees.
 
 use std::sync::atomic::Ordering::SeqCst;
 
 use libc::{c_int, c_uint, c_void};
 use spu_emulator::interp::{Quad, Spu};
-use spu_emulator::local_store::{LIMIT_MASK, SIZE};
+use spu_emulator::local_store::SIZE;
 use spu_emulator::memory::MainMemory;
 use spu_emulator::mfc::DmaError;
 use spu_emulator::stop::{Stop, Stopped};
+use spu_isa::LIMIT_MASK;
 
 use crate::callback;
 use crate::context::{Context, context};
@@ -206,8 +208,8 @@ impl StartRegisters {
     }
 }
 
-/// Runs a context on the calling thread until the program is to know of a stop. `*entry` is where to
-/// start, and afterwards where to go on.
+/// Runs a context on the calling thread until the program is to know of a stop. `*entry` is where
+/// to start, and afterwards where to go on.
 ///
 /// # Safety
 /// `spe` is NULL or a live context; `entry` and `stopinfo` are NULL or valid; the SPU program and

@@ -1,8 +1,8 @@
 //! Memory through which the kernel copies to and from addresses that may be bad.
 //!
-//! A file in memory is mapped; `pwrite` from an address to the file and `pread` from the file to an
-//! address make the kernel check the address, and a bad one is an error instead of a signal. It works
-//! alike under QEMU's user emulation.
+//! A file in memory is mapped; `pwrite` from an address to the file and `pread` from the file to
+//! an address make the kernel check the address, and a bad one is an error instead of a signal. It
+//! works alike under QEMU's user emulation.
 
 use std::io;
 use std::os::fd::{AsRawFd, FromRawFd, OwnedFd};
@@ -122,8 +122,8 @@ impl Drop for Scratch {
     }
 }
 
-/// Cuts `length` bytes at `ea` into pieces of a scratch, each with its range in the caller's slice;
-/// what would run past the address space is left in one last piece that the kernel refuses.
+/// Cuts `length` bytes at `ea` into pieces of a scratch, each with its range in the caller's
+/// slice; what would run past the address space is left in one last piece that the kernel refuses.
 fn pieces(ea: u64, length: usize) -> impl Iterator<Item = (u64, std::ops::Range<usize>)> {
     (0..length).step_by(SCRATCH).map(move |start| {
         let end = length.min(start + SCRATCH);

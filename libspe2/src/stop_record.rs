@@ -33,7 +33,8 @@ struct Records {
     last: Option<StopRecord>,
 }
 
-/// A context's unread records: all while the stop event is registered somewhere, else the last one.
+/// A context's unread records: all while the stop event is registered somewhere, else the last
+/// one.
 #[derive(Default)]
 pub(crate) struct StopRecords(Mutex<Records>);
 

@@ -1,4 +1,5 @@
-//! The C types and constants of `libspe2.h` and `libspe2-types.h`, with the 64-bit layouts checked.
+//! The C types and constants of `libspe2.h` and `libspe2-types.h`, with the 64-bit layouts
+//! checked.
 
 use std::mem::{align_of, offset_of};
 

@@ -1,5 +1,5 @@
-//! What the environment changes. A program of its own and without the test harness: the environment
-//! is the whole process's, and only a process without other threads may change it.
+//! What the environment changes. A program of its own and without the test harness: the
+//! environment is the whole process's, and only a process without other threads may change it.
 
 use std::env;
 use std::ptr;
@@ -26,7 +26,8 @@ fn spes() -> i32 {
     unsafe { spe_cpu_info_get(3, -1) }
 }
 
-/// Puts by proxy: what is in memory after the put, after a look at the tag, and after a second one.
+/// Puts by proxy: what is in memory after the put, after a look at the tag, and after a second
+/// one.
 fn put_and_look_twice() -> [u8; 3] {
     let mut there = Quadword([0; 16]);
     let pointer = there.0.as_mut_ptr();

@@ -1,6 +1,6 @@
-//! Faults of contexts without events are signals to the thread that runs them. A program of its own
-//! and without the test harness: signal handlers are the whole process's, and it forks, which wants
-//! a process without other threads.
+//! Faults of contexts without events are signals to the thread that runs them. A program of its
+//! own and without the test harness: signal handlers are the whole process's, and it forks, which
+//! wants a process without other threads.
 
 #![expect(
     clippy::undocumented_unsafe_blocks,

@@ -1,5 +1,6 @@
-//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT` and `LIBSPE2_PROFILE`. A program of its own and without the test harness: it runs
-//! itself again, as a program on libspe2 whose environment is its own affair.
+//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT` and `LIBSPE2_PROFILE`. A program of its own and without the
+//! test harness: it runs itself again, as a program on libspe2 whose environment is its own
+//! affair.
 
 use std::ffi::{CString, OsStr};
 use std::fs;
@@ -21,14 +22,15 @@ use spe2::types::{
     SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_NONBLOCKING, SpeContext, SpeEventData, SpeEventUnit,
     SpeStopInfo, SpeStopResult,
 };
-use spu_emulator::timing::code::Code;
-use spu_emulator::timing::profile::{ProfileFile, View};
+use spu_reports::ProfileFile;
+use spu_scheduler::code::Code;
+use spu_tool::profile::View;
 
 const SPES: usize = 6;
 const FRAMES: u32 = 3;
 
-/// Adds to a shared counter until it is at 100 times the frame; answers with its own share. $4 is the
-/// counter's address, as libspe2 hands argp over.
+/// Adds to a shared counter until it is at 100 times the frame; answers with its own share. $4 is
+/// the counter's address, as libspe2 hands argp over.
 const PROGRAM: &str = "
         lr      $2,$4
         rotqbyi $3,$4,4
@@ -102,8 +104,8 @@ fn run(context: Shared, argument: usize, delay: Duration) -> u32 {
     entry
 }
 
-/// The program on libspe2: frames on six SPEs, whose answers it sleeps for. Of its contexts all but the
-/// last are destroyed.
+/// The program on libspe2: frames on six SPEs, whose answers it sleeps for. Of its contexts all
+/// but the last are destroyed.
 fn program(image: &OsStr, delay: Duration) {
     let mut counter = Line([0; 128]);
     let address = counter.0.as_mut_ptr().expose_provenance();
@@ -335,7 +337,7 @@ fn assemble(folder: &Path) -> std::path::PathBuf {
     let image = folder.join("program");
     let built = spu_build::Tools::find().and_then(|tools| {
         spu_build::Image::from_folder(&sources, &root.join("../linker/spu.ld"))?
-            .include(&root.join("../emulator/tests/machine"))
+            .include(&root.join("../emulator/tests/emulator/machine"))
             .build(&tools, &folder.join("objects"), &image)
     });
     if let Err(error) = built {

@@ -4,17 +4,10 @@ use std::ffi::OsString;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use crate::formulation::Formulations;
-use crate::{Error, Tools, assembler, file_error, run, write};
+use protocol::assembler;
+use protocol::formulation::Formulations;
 
-/// Which version of each kernel an image has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Version {
-    /// As written by hand.
-    Plain,
-    /// Scheduled, where there is such a version.
-    Scheduled,
-}
+use crate::{Error, Tools, file_error, run, write};
 
 /// An SPU program to be built.
 #[derive(Clone, Debug)]
@@ -66,23 +59,20 @@ impl Image {
         Ok(self)
     }
 
-    /// Adds the kernels of `folder`: its sub-folder `plain` has them as written by hand; a file of the
-    /// same path in `folder` itself is the scheduled version.
-    pub fn kernels(self, folder: &Path, version: Version) -> Result<Self, Error> {
-        let plain = folder.join("plain");
+    /// Adds the kernels of `folder`, each in its scheduled version where `scheduled` has a file of
+    /// the same path.
+    pub fn kernels(self, folder: &Path, scheduled: &Path) -> Result<Self, Error> {
         let before = self.sources.len();
-        let mut image = self.folder(&plain)?;
-        if version == Version::Scheduled {
-            for source in &mut image.sources[before..] {
-                let scheduled = source
-                    .strip_prefix(&plain)
-                    .map(|path| folder.join(path))
-                    .unwrap_or_else(|_| source.clone());
-                if scheduled.is_file() {
-                    *source = scheduled;
-                }
+        let mut image = self.folder(folder)?;
+        for source in &mut image.sources[before..] {
+            let path = source.strip_prefix(folder).map(|path| scheduled.join(path));
+            if let Ok(file) = path
+                && file.is_file()
+            {
+                *source = file;
             }
         }
+        image.folders.push(scheduled.to_path_buf());
         Ok(image)
     }
 
@@ -114,8 +104,8 @@ impl Image {
         self
     }
 
-    /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes their names in
-    /// the section `.formulation`.
+    /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes
+    /// their names in the section `.formulation`.
     #[must_use]
     pub fn formulations(mut self, formulations: Formulations) -> Self {
         self.formulations = Some(formulations);
@@ -157,8 +147,8 @@ impl Image {
         Ok(objects)
     }
 
-    /// Links what [`Image::assemble`] has made of the same sources. Images that differ in their formulations
-    /// alone share the objects.
+    /// Links what [`Image::assemble`] has made of the same sources. Images that differ in their
+    /// formulations alone share the objects.
     pub fn link(
         &self,
         tools: &Tools,

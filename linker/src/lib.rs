@@ -1,17 +1,12 @@
 //! Builds SPU programs from assembly, for use in a build script.
 //!
-//! [`embed`] is a whole build script. [`Tools::find`] names the SPU assembler and linker, [`Image`]
-//! turns `.s` files into one SPU ELF image, [`stub`] makes a shared library of nothing but names,
-//! to link against where the real one is not installed. [`tracer`] is the tracer's own program, to
-//! which another crate's build script may add shaders. Apart from that, nothing here knows what the
-//! programs do.
+//! [`embed`] is a whole build script. [`Tools::find`] names the SPU assembler and linker,
+//! [`Image`] turns `.s` files into one SPU ELF image, [`stub`] makes a shared library of nothing
+//! but names, to link against where the real one is not installed. [`tracer`] is the tracer's own
+//! program, to which another crate's build script may add shaders. Apart from that, nothing here
+//! knows what the programs do.
 
-pub mod assembler;
-#[path = "../../ppu/formulation.rs"]
-pub mod formulation;
 mod image;
-#[path = "../../ppu/work/layout/mod.rs"]
-mod layout;
 mod script;
 pub mod stub;
 mod tools;
@@ -21,7 +16,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-pub use image::{Image, Version};
+pub use image::Image;
 pub use script::{Script, embed, script};
 pub use tools::Tools;
 pub use tracer::tracer;

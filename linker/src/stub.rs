@@ -1,7 +1,7 @@
 //! A shared library of nothing but names.
 //!
-//! It has the soname and the functions of a library that is not installed where a program is built,
-//! so that the program can be linked against it; at run time the loader takes the real one.
+//! It has the soname and the functions of a library that is not installed where a program is
+//! built, so that the program can be linked against it; at run time the loader takes the real one.
 //! [`glibc`] has the names of one that is installed, as they were earlier.
 
 pub mod glibc;

@@ -58,7 +58,8 @@ impl DepthShading {
         Self::around(scene.view.from, spheres)
     }
 
-    /// The range of spheres, given by centres and radii, as an eye sees them; from 0 to 0 without any.
+    /// The range of spheres, given by centres and radii, as an eye sees them; from 0 to 0 without
+    /// any.
     pub fn around(eye: DVec3, spheres: impl Iterator<Item = (DVec3, f64)>) -> Self {
         let start = (f64::INFINITY, 0.0f64);
         let (near, far) = spheres.fold(start, |(near, far), (centre, radius)| {

@@ -1,7 +1,8 @@
-//! Directives: what a scene says beyond NFF, in comments, so that other programs read the file too.
+//! Directives: what a scene says beyond NFF, in comments, so that other programs read the file
+//! too.
 //!
-//! Invariant: what is read is as the scene's own rules have it: a direction is not 0, a size is above
-//! 0, a range has a width.
+//! Invariant: what is read is as the scene's own rules have it: a direction is not 0, a size is
+//! above 0, a range has a width.
 
 use std::io::BufRead;
 

@@ -1,8 +1,8 @@
 //! The triangles of a polygon whose edges cross, by the even-odd rule.
 //!
-//! Crossings become points of their own, and the edges are cut where they meet points. A polygon is
-//! one closed line: so what the pieces part the plane into has no holes, and each such face is cut
-//! into ears. Whether a triangle is inside is then asked of the pieces.
+//! Crossings become points of their own, and the edges are cut where they meet points. A polygon
+//! is one closed line: so what the pieces part the plane into has no holes, and each such face is
+//! cut into ears. Whether a triangle is inside is then asked of the pieces.
 //!
 //! Invariant: points that are shared are the same to the bit, so that nothing shows between
 //! triangles; all is the same on every machine.
@@ -13,9 +13,9 @@ use glam::{DVec2, DVec3};
 
 use crate::triangles::{cut, flat, height, rounding, turn};
 
-/// The triangles that fill what is inside a planar polygon, counter-clockwise as that is: inside is
-/// where a line crosses its edges an odd number of times. Nothing where there would be more than
-/// `most`. Takes time with the square of the number of vertices, and with that of crossings.
+/// The triangles that fill what is inside a planar polygon, counter-clockwise as that is: inside
+/// is where a line crosses its edges an odd number of times. Nothing where there would be more
+/// than `most`. Takes time with the square of the number of vertices, and with that of crossings.
 #[must_use]
 pub fn even_odd(vertices: &[DVec3], most: usize) -> Option<Vec<[DVec3; 3]>> {
     let outline = flat(vertices);

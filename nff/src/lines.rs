@@ -1,5 +1,6 @@
-//! The lines of a file that have words, read within limits. A comment that is a directive has words.
-//! A line ends with a line feed, a carriage return or both; a byte-order mark is passed over.
+//! The lines of a file that have words, read within limits. A comment that is a directive has
+//! words. A line ends with a line feed, a carriage return or both; a byte-order mark is passed
+//! over.
 //!
 //! Invariant: never more than one line and one buffer of the reader in memory.
 

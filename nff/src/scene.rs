@@ -153,8 +153,9 @@ pub enum Shape {
 }
 
 impl Scene {
-    /// The brightness of a light, red, green and blue: its colour, as it stands, where the file gives
-    /// one; else a grey by the Standard Procedural Databases' rule, sqrt(n) / (2 n) of all n lights.
+    /// The brightness of a light, red, green and blue: its colour, as it stands, where the file
+    /// gives one; else a grey by the Standard Procedural Databases' rule, sqrt(n) / (2 n) of all n
+    /// lights.
     #[must_use]
     pub fn brightness(&self, light: &Light) -> DVec3 {
         let count = self.lights.len().max(1) as f64;

@@ -13,7 +13,8 @@ use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, 
 /// What names generated tetrahedra where a file name is expected: `tetra:LEVEL`.
 pub(crate) const PREFIX: &str = "tetra:";
 
-/// Where a tetrahedron's vertices are in its cube: the corners whose signs have a positive product.
+/// Where a tetrahedron's vertices are in its cube: the corners whose signs have a positive
+/// product.
 const CORNERS: [DVec3; 4] = [
     DVec3::new(-1.0, -1.0, 1.0),
     DVec3::new(-1.0, 1.0, -1.0),

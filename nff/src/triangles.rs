@@ -1,8 +1,8 @@
 //! The triangles of a polygon whose edges do not cross, by cutting ears.
 //!
 //! Invariant: the triangles are of the polygon's own vertices, counter-clockwise as it is, overlap
-//! nowhere, and are the same ones on every machine. A convex polygon gives the fan around its first
-//! vertex.
+//! nowhere, and are the same ones on every machine. A convex polygon gives the fan around its
+//! first vertex.
 
 use glam::{DVec2, DVec3};
 
@@ -23,8 +23,8 @@ pub fn area_vector(vertices: &[DVec3]) -> DVec3 {
 }
 
 /// The triangles of a polygon, as indices of its vertices: of the corners left, beginning with the
-/// second, the first that is an ear is cut, until three are left. Takes time with the square of the
-/// number of vertices.
+/// second, the first that is an ear is cut, until three are left. Takes time with the square of
+/// the number of vertices.
 ///
 /// Nothing where that does not fill what is inside by the even-odd rule, because edges cross:
 /// [`even_odd`](crate::even_odd) has the triangles then.

@@ -230,8 +230,8 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// Whether the entity goes on, where it need not: with anything but a keyword on its line, with
-    /// a number on a later one.
+    /// Whether the entity goes on, where it need not: with anything but a keyword on its line,
+    /// with a number on a later one.
     pub(crate) fn more(&mut self) -> Result<bool, LineError> {
         if self.seek_in_line() {
             return Ok(!KEYWORDS.contains(&self.peek()?));

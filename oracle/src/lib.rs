@@ -1,8 +1,8 @@
-//! The reference: the depth-shading model of [`nff::depth`] and Whitted's model of `docs/shading.md`
-//! traced in `f64`, and the comparison of pictures with them.
+//! The reference: the depth-shading model of [`nff::depth`] and Whitted's model of
+//! `docs/shading.md` traced in `f64`, and the comparison of pictures with them.
 //!
 //! Owns what is true about a picture. Knows nothing of work units or of how the picture under test
-//! came about. Invariant: the reference shares no formula with a kernel or its twin; `nff` gives only
+//! came about. Invariant: the reference shares no formula with a kernel; `nff` gives only
 //! the data, the camera and the model's shading.
 
 mod compare;
@@ -16,7 +16,6 @@ mod silhouette;
 mod sphere;
 mod tracer;
 mod tree;
-pub mod twin;
 pub mod whitted;
 
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};

@@ -101,7 +101,8 @@ enum Name {
 }
 
 impl Model {
-    /// Refuses what depth shading has no use for; `stats` is the option that is not the model's own.
+    /// Refuses what depth shading has no use for; `stats` is the option that is not the model's
+    /// own.
     fn check(&self, stats: bool) {
         let given = [
             (self.ray_depth.is_some(), "--ray-depth"),

@@ -37,8 +37,8 @@ impl Sphere {
         }
     }
 
-    /// Whether no ray in the plane through the eye at right angles to the unit vector `normal` comes
-    /// within `reach` radii of the centre. A normal that is none excludes nothing.
+    /// Whether no ray in the plane through the eye at right angles to the unit vector `normal`
+    /// comes within `reach` radii of the centre. A normal that is none excludes nothing.
     pub(crate) fn is_off_plane(&self, normal: DVec3, reach: f64) -> bool {
         // Rounding of the dot product grows with the distance, by some 1e-15 of it.
         let rounding = 1e-12 * self.to_centre.length();

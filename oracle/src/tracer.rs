@@ -19,9 +19,9 @@ pub struct Reference {
     /// The picture.
     pub picture: Picture,
     /// Whether a pixel is on a silhouette. By depth shading: its nearest sphere is not that of all
-    /// eight neighbours, or its ray passes a sphere's edge within 1e-5 of the radius. By Whitted: the
-    /// rays that it takes meet other objects, or see other lights, than those of a neighbour. Order
-    /// as in the picture.
+    /// eight neighbours, or its ray passes a sphere's edge within 1e-5 of the radius. By Whitted:
+    /// the rays that it takes meet other objects, or see other lights, than those of a neighbour.
+    /// Order as in the picture.
     pub silhouette: Vec<bool>,
     /// Share of the eye rays that meet an object, from 0 to 1.
     pub covered: f64,
@@ -230,8 +230,8 @@ mod tests {
 
     #[test]
     fn a_ray_at_an_edge_is_on_the_silhouette_whatever_its_neighbours_show() {
-        // A sphere smaller than a pixel whose edge the middle ray just misses, and one whose centre
-        // it meets.
+        // A sphere smaller than a pixel whose edge the middle ray just misses, and one whose
+        // centre it meets.
         let edge = |x: f64| trace(&scene(&format!("s {x} 0 0 0.001\n")), 3, 3).expect("a picture");
         assert!(edge(0.001_000_001).silhouette[4]);
         assert!(edge(0.001_000_001).covered == 0.0);

@@ -1,7 +1,7 @@
 //! The surfaces of a scene in a tree of boxes.
 //!
-//! Invariant: what is found is what a test of every surface would find; of equally near surfaces the
-//! first in file order.
+//! Invariant: what is found is what a test of every surface would find; of equally near surfaces
+//! the first in file order.
 
 use glam::DVec3;
 
@@ -150,8 +150,8 @@ impl Tree {
         met
     }
 
-    /// Calls `test` with the surfaces whose boxes the ray enters short of the limit, which `test` may
-    /// lower by what it returns.
+    /// Calls `test` with the surfaces whose boxes the ray enters short of the limit, which `test`
+    /// may lower by what it returns.
     fn visit(&self, ray: &Ray, mut limit: f64, mut test: impl FnMut(usize, f64) -> f64) {
         let enter = |place: usize, limit: f64| {
             let entry = self.nodes[place].bounds.entry(ray, limit)?;

@@ -6,7 +6,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{Look, Model};
+use cellray::scene::{self, Look};
 use cellray::spe::{Program, ProgramError};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -68,7 +68,8 @@ pub struct OneGame {
 /// Options of a game.
 #[derive(Debug, Args)]
 pub struct GameOptions {
-    /// All of the game's chance comes from this number [default: another one each time, but 0 for pictures]
+    /// All of the game's chance comes from this number [default: another one each time, but 0 for
+    /// pictures]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Options of the session.
@@ -81,7 +82,8 @@ pub struct GameOptions {
 pub struct ViewArguments {
     /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
     pub scene: PathBuf,
-    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all shapes
+    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all
+    /// shapes
     #[arg(long, value_enum, default_value_t)]
     model: Model,
     /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
@@ -98,12 +100,34 @@ pub struct ViewArguments {
     pub options: Options,
 }
 
+/// How a scene looks, as a word of the command line.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+pub enum Model {
+    /// Whitted's if the scene has lights, else depth shading.
+    #[default]
+    Scene,
+    /// The paper's: spheres that fade to black with their distance.
+    Depth,
+    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
+    Whitted,
+}
+
+impl From<Model> for scene::Model {
+    fn from(model: Model) -> Self {
+        match model {
+            Model::Scene => Self::Scene,
+            Model::Depth => Self::Depth,
+            Model::Whitted => Self::Whitted,
+        }
+    }
+}
+
 impl ViewArguments {
     /// How the scene is to look.
     #[must_use]
     pub fn look(&self) -> Look {
         Look {
-            model: self.model,
+            model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             spd_rays: false,
@@ -131,7 +155,8 @@ pub enum DisplayKind {
 /// Options of a session.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Where it is seen [default: images with --out; else a window if there is a display server, else the terminal]
+    /// Where it is seen [default: images with --out; else a window if there is a display server,
+    /// else the terminal]
     #[arg(long, value_enum)]
     pub display: Option<DisplayKind>,
     /// Pixels across and down [default: in a window and a terminal as many as are fluid]

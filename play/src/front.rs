@@ -1,19 +1,18 @@
-//! What stands between the player and the session: display, pads, signals, and the keys that are not the game's.
+//! What stands between the player and the session: display, pads, signals, and the keys that are
+//! not the game's.
 //!
-//! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the picture, F12 takes a
-//! picture. Invariant: those never reach a game; all else does, once, in order, also what comes while a frame is
-//! traced. Of devices nothing does that the player did elsewhere: on another virtual terminal, or at the shell
-//! while the program was stopped.
+//! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the
+//! picture, F12 takes a picture. Invariant: those never reach a game; all else does, once, in
+//! order, also what comes while a frame is traced. Of devices nothing does that the player did
+//! elsewhere: on another virtual terminal, or at the shell while the program was stopped.
 
-use std::cell::RefCell;
 use std::io;
 use std::ops::ControlFlow;
 use std::os::fd::AsFd as _;
-use std::rc::Rc;
 use std::time::Instant;
 
 use cellray::framebuffer::Interrupted;
-use cellray::game::{Button, InputEvent, InputSource, Key};
+use cellray::game::{Button, InputEvent, Key};
 use signal_hook::consts::{SIGHUP, SIGINT};
 
 use crate::display::{Display, Happening};
@@ -87,6 +86,28 @@ impl Front {
         })
     }
 
+    /// Appends what the player has done since the last call; with [`ControlFlow::Break`] the
+    /// session is to end.
+    pub fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
+        if let Some(error) = self.failed.take() {
+            return Err(error);
+        }
+        self.gather()?;
+        events.append(&mut self.pending);
+        Ok(match self.wishes.ending {
+            Some(_) => ControlFlow::Break(()),
+            None => ControlFlow::Continue(()),
+        })
+    }
+
+    /// To be called from time to time while a frame is traced: a window answers its system then.
+    pub fn tracing(&mut self) {
+        // It is told at the next poll.
+        if let Err(error) = self.gather() {
+            self.failed = Some(error);
+        }
+    }
+
     /// What the player wants since the last call; an ending stays.
     pub fn take_wishes(&mut self) -> Wishes {
         let wishes = self.wishes;
@@ -138,8 +159,9 @@ impl Front {
         Ok(())
     }
 
-    /// Called when the devices have been read: whatever was typed before that and elsewhere is among it, but for
-    /// what came between that and this. So a look away counts for the next reading, too.
+    /// Called when the devices have been read: whatever was typed before that and elsewhere is
+    /// among it, but for what came between that and this. So a look away counts for the next
+    /// reading, too.
     fn forget_what_was_done_elsewhere(&mut self) {
         let is_left = self.foreground.was_left();
         let is_away = std::mem::replace(&mut self.was_left, is_left) || is_left;
@@ -191,39 +213,13 @@ fn is_of_presence(event: &InputEvent) -> bool {
     )
 }
 
-/// The front as the session's input.
-pub struct FrontInput(pub Rc<RefCell<Front>>);
-
-impl InputSource for FrontInput {
-    fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
-        let mut front = self.0.borrow_mut();
-        if let Some(error) = front.failed.take() {
-            return Err(error);
-        }
-        front.gather()?;
-        events.append(&mut front.pending);
-        Ok(match front.wishes.ending {
-            Some(_) => ControlFlow::Break(()),
-            None => ControlFlow::Continue(()),
-        })
-    }
-
-    fn tracing(&mut self, _part: f64) {
-        let mut front = self.0.borrow_mut();
-        // It is told at the next poll.
-        if let Err(error) = front.gather() {
-            front.failed = Some(error);
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::canvas::Picture;
     use crate::overlay::Overlay;
     use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
     use cellray::game::PadId;
+    use image::RgbImage;
 
     /// Tells of one list of happenings at each call.
     struct Script(Vec<Vec<Happening>>);
@@ -255,12 +251,12 @@ mod tests {
             Ok(())
         }
 
-        fn show(&mut self, _: Option<&Overlay>) -> io::Result<()> {
-            Ok(())
+        fn draws(&self) -> bool {
+            false
         }
 
-        fn picture(&self) -> Option<Picture> {
-            None
+        fn show(&mut self, _: &RgbImage, _: Option<&Overlay>) -> io::Result<()> {
+            Ok(())
         }
     }
 
@@ -268,10 +264,9 @@ mod tests {
         Happening::Input(InputEvent::Key { key, down })
     }
 
-    fn front(script: Vec<Vec<Happening>>) -> Rc<RefCell<Front>> {
+    fn front(script: Vec<Vec<Happening>>) -> Front {
         let interrupted = Interrupted::install().expect("signals");
-        let front = Front::new(Box::new(Script(script)), None, None, interrupted);
-        Rc::new(RefCell::new(front.expect("signals")))
+        Front::new(Box::new(Script(script)), None, None, interrupted).expect("signals")
     }
 
     /// Says once each whether the player was elsewhere.
@@ -285,8 +280,7 @@ mod tests {
 
     #[test]
     fn what_is_typed_elsewhere_is_not_heard() {
-        let front = front(Vec::new());
-        let mut front = front.borrow_mut();
+        let mut front = front(Vec::new());
         // There and back between two looks; then for longer.
         let looks = [false, true, false, false, true, true, false, false];
         front.foreground = Box::new(Looks(looks.to_vec()));
@@ -321,38 +315,36 @@ mod tests {
 
     #[test]
     fn a_key_that_is_let_go_ends_nothing() {
-        let front = front(vec![
+        let mut front = front(vec![
             vec![key(Key::Escape, false), key(Key::Q, false)],
             vec![Happening::HungUp],
         ]);
-        let mut input = FrontInput(Rc::clone(&front));
         let mut events = Vec::new();
-        assert!(input.poll(&mut events).expect("input").is_continue());
+        assert!(front.poll(&mut events).expect("input").is_continue());
         assert_eq!(events, []);
-        assert!(input.poll(&mut events).expect("input").is_break());
-        let ending = front.borrow_mut().take_wishes().ending;
+        assert!(front.poll(&mut events).expect("input").is_break());
+        let ending = front.take_wishes().ending;
         assert_eq!(ending, Some(Ending::Signal(SIGHUP)));
     }
 
     #[test]
     fn what_comes_while_a_frame_is_traced_is_not_lost() {
         let script = (0..5).map(|_| vec![key(Key::A, true), key(Key::A, false)]);
-        let front = front(script.collect());
-        let mut input = FrontInput(Rc::clone(&front));
+        let mut front = front(script.collect());
         let mut events = Vec::new();
-        assert!(input.poll(&mut events).expect("input").is_continue());
+        assert!(front.poll(&mut events).expect("input").is_continue());
         assert_eq!(events.len(), 2);
-        (0..3).for_each(|_| input.tracing(0.5));
-        assert!(input.poll(&mut events).expect("input").is_continue());
+        (0..3).for_each(|_| front.tracing());
+        assert!(front.poll(&mut events).expect("input").is_continue());
         assert_eq!(events.len(), 10);
         // The display fails while a frame is traced: the next poll says so.
-        input.tracing(0.5);
-        assert!(input.poll(&mut events).is_err());
+        front.tracing();
+        assert!(front.poll(&mut events).is_err());
     }
 
     #[test]
     fn the_sessions_keys_are_not_the_games() {
-        let front = front(vec![
+        let mut front = front(vec![
             vec![key(Key::F1, true), key(Key::F1, false), key(Key::B, true)],
             vec![
                 key(Key::F12, true),
@@ -361,11 +353,10 @@ mod tests {
             ],
             vec![key(Key::Q, true), Happening::Interrupted],
         ]);
-        let mut input = FrontInput(Rc::clone(&front));
         let mut events = Vec::new();
-        let wishes = |input: &mut FrontInput, events: &mut Vec<InputEvent>| {
-            let flow = input.poll(events).expect("input");
-            let wishes = input.0.borrow_mut().take_wishes();
+        let wishes = |front: &mut Front, events: &mut Vec<InputEvent>| {
+            let flow = front.poll(events).expect("input");
+            let wishes = front.take_wishes();
             assert_eq!(flow.is_break(), wishes.ending.is_some());
             (
                 wishes.overlay,
@@ -374,11 +365,11 @@ mod tests {
                 wishes.ending,
             )
         };
-        assert_eq!(wishes(&mut input, &mut events), (true, false, false, None));
-        assert_eq!(wishes(&mut input, &mut events), (false, true, true, None));
+        assert_eq!(wishes(&mut front, &mut events), (true, false, false, None));
+        assert_eq!(wishes(&mut front, &mut events), (false, true, true, None));
         let closed = Some(Ending::Closed);
         assert_eq!(
-            wishes(&mut input, &mut events),
+            wishes(&mut front, &mut events),
             (false, false, false, closed)
         );
         let [

@@ -1,18 +1,18 @@
-//! A session in front of a player: frame by frame, with what is said over the picture, pictures taken of it and a
-//! resolution that follows the load.
+//! A session in front of a player: frame by frame, with what is said over the picture, pictures
+//! taken of it and a resolution that follows the load.
 
-use std::cell::{Cell, RefCell};
-use std::rc::Rc;
-use std::time::{Duration, Instant};
+use std::ops::ControlFlow;
+use std::time::Instant;
 
 use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted};
-use cellray::game::{Clock, Game, Session};
+use cellray::game::{Clock, Game, InputEvent, Session, SessionError};
+use image::RgbImage;
 
 use crate::arguments::Options;
 use crate::display::Display;
 use crate::error::PlayError;
-use crate::front::{Ending, Front, FrontInput};
+use crate::front::{Ending, Front};
 use crate::input::Hub;
 use crate::meter::Meter;
 use crate::pace::Pace;
@@ -52,84 +52,163 @@ pub fn play(
     game: Box<dyn Game>,
     seed: u64,
     options: &Options,
-    clock: Box<dyn Clock>,
+    mut clock: Box<dyn Clock>,
     player: Player,
 ) -> Result<Played, PlayError> {
-    let interrupted = Interrupted::install().map_err(PlayError::Signals)?;
-    let mut display = player.display;
-    let mut pace = (display.scales() && options.size.is_none()).then(Pace::new);
-    let size = wanted_size(display.area(), pace.as_ref(), options.size);
-    let framebuffer = display.framebuffer(size)?;
-    let stem = file_stem(game.name());
-    let traced_from = Rc::new(Cell::new(Instant::now()));
-    let clock = Noted {
-        clock,
-        ticked: Rc::clone(&traced_from),
-    };
-    let front = Front::new(display, player.devices, player.keys, interrupted)
-        .map_err(PlayError::Signals)?;
-    let front = Rc::new(RefCell::new(front));
-    let session = Session::start(game, options.settings()?, framebuffer)?
-        .with_seed(seed)
-        .with_clock(Box::new(clock))
-        .with_input(Box::new(FrontInput(Rc::clone(&front))));
-    let replay = options.replay.as_deref();
-    let mut session = recording::connect(session, options.record.as_deref(), replay)?;
-    let mut picture = (size.width, size.height);
-    let mut meter = Meter::new(Instant::now());
-    let mut has_overlay = !options.no_overlay;
-    let mut kept = Vec::new();
+    let mut show = Show::start(game, seed, options, player)?;
     let mut left = options.frames.map(|range| range.end);
     let mut ending = Ending::Over;
     while left != Some(0) {
-        let shown_before = session.report().frames;
-        let flow = session.frame()?;
-        let mut front = front.borrow_mut();
-        let wishes = front.take_wishes();
-        let mut messages = front.take_messages();
-        if session.report().frames > shown_before {
-            has_overlay ^= wishes.overlay;
-            let area = front.display.area();
-            let report = session.report().clone();
-            let last = session.engine().statistics();
-            let sizes = (picture, (area.width, area.height));
-            let overlay = meter.frame(Instant::now(), &report, last, sizes);
-            let overlay = has_overlay.then_some(overlay);
-            front.display.show(overlay).map_err(PlayError::Show)?;
-        }
-        if wishes.screenshot {
-            messages.push(take_picture(front.display.as_ref(), options, &stem));
-        }
-        for message in messages {
-            meter.say(message.clone(), Instant::now());
-            if player.may_talk {
-                say(message);
-            } else {
-                kept.push(message);
-            }
-        }
-        if flow.is_break() {
-            ending = wishes.ending.unwrap_or(Ending::Over);
+        if let ControlFlow::Break(end) = show.frame(clock.as_mut())? {
+            ending = end;
             break;
         }
         left = left.map(|left| left - 1);
-        let is_traced = session.engine().statistics().is_traced();
-        let took = is_traced.then(|| traced_from.get().elapsed());
-        let is_other = pace.as_mut().is_some_and(|pace| pace.frame(took));
-        if is_other || wishes.resized {
-            let size = wanted_size(front.display.area(), pace.as_ref(), options.size);
-            if front.display.scales() && (size.width, size.height) != picture {
-                picture = (size.width, size.height);
-                session.show_on(front.display.framebuffer(size)?)?;
+    }
+    show.session.finish()?;
+    Ok(Played {
+        ending,
+        report: show.session.report().clone(),
+        messages: show.kept,
+    })
+}
+
+/// A session and what it is seen and heard by.
+struct Show<'a> {
+    session: Session<Box<dyn Game>>,
+    front: Front,
+    options: &'a Options,
+    may_talk: bool,
+    /// Pixels across and down that are traced.
+    size: Geometry,
+    /// What that follows, where no size is asked for.
+    pace: Option<Pace>,
+    meter: Meter,
+    has_overlay: bool,
+    /// Messages that are told at the end.
+    kept: Vec<String>,
+    /// What the session takes with the next step.
+    events: Vec<InputEvent>,
+    /// The frame that is seen, of a display that is drawn to.
+    picture: Option<RgbImage>,
+    /// What the names of pictures begin with.
+    stem: String,
+}
+
+impl<'a> Show<'a> {
+    fn start(
+        game: Box<dyn Game>,
+        seed: u64,
+        options: &'a Options,
+        player: Player,
+    ) -> Result<Self, PlayError> {
+        let interrupted = Interrupted::install().map_err(PlayError::Signals)?;
+        let mut display = player.display;
+        let pace = (display.scales() && options.size.is_none()).then(Pace::new);
+        let size = wanted_size(display.area(), pace.as_ref(), options.size);
+        let framebuffer = display.framebuffer(size)?;
+        let stem = file_stem(game.name());
+        let front = Front::new(display, player.devices, player.keys, interrupted)
+            .map_err(PlayError::Signals)?;
+        let session = Session::start(game, options.settings()?, framebuffer)?.with_seed(seed);
+        let replay = options.replay.as_deref();
+        Ok(Self {
+            session: recording::connect(session, options.record.as_deref(), replay)?,
+            front,
+            options,
+            may_talk: player.may_talk,
+            size,
+            pace,
+            meter: Meter::new(Instant::now()),
+            has_overlay: !options.no_overlay,
+            kept: Vec::new(),
+            events: Vec::new(),
+            picture: None,
+            stem,
+        })
+    }
+
+    /// One frame: its time, what the player does, the session's step, what is said over the
+    /// picture and done beside the game.
+    fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
+        let step = self.session.wait(clock)?;
+        let heard = self.front.poll(&mut self.events);
+        let heard = heard.map_err(SessionError::Input)?;
+        let began = Instant::now();
+        let flow = match step.filter(|_| heard.is_continue()) {
+            Some(step) => {
+                let front = &mut self.front;
+                let mut tracing = |_: f64| front.tracing();
+                let events = &mut self.events;
+                Some(self.session.step(step, events, &mut tracing)?)
+            }
+            None => None,
+        };
+        let wishes = self.front.take_wishes();
+        if flow.is_some() {
+            self.has_overlay ^= wishes.overlay;
+            self.show()?;
+        }
+        self.tell(wishes.screenshot);
+        if flow != Some(ControlFlow::Continue(())) {
+            return Ok(ControlFlow::Break(wishes.ending.unwrap_or(Ending::Over)));
+        }
+        self.fit(wishes.resized, began)?;
+        Ok(ControlFlow::Continue(()))
+    }
+
+    /// Brings the frame before the player's eyes.
+    fn show(&mut self) -> Result<(), PlayError> {
+        let Geometry { width, height } = self.front.display.area();
+        let sizes = ((self.size.width, self.size.height), (width, height));
+        let report = self.session.report().clone();
+        let last = self.session.engine().statistics();
+        let overlay = self.meter.frame(Instant::now(), &report, last, sizes);
+        let overlay = self.has_overlay.then_some(overlay);
+        let display = &mut self.front.display;
+        if !display.draws() {
+            return Ok(());
+        }
+        self.picture = self.session.picture();
+        match &self.picture {
+            Some(picture) => display.show(picture, overlay).map_err(PlayError::Show),
+            None => Ok(()),
+        }
+    }
+
+    /// Says what the devices have to say, and what has become of a picture that was asked for.
+    fn tell(&mut self, takes_picture: bool) {
+        let mut messages = self.front.take_messages();
+        if takes_picture {
+            let picture = self.picture.as_ref();
+            messages.push(take_picture(picture, self.options, &self.stem));
+        }
+        for message in messages {
+            self.meter.say(message.clone(), Instant::now());
+            if self.may_talk {
+                say(message);
+            } else {
+                self.kept.push(message);
             }
         }
     }
-    session.finish()?;
-    Ok(Played {
-        ending,
-        report: session.report().clone(),
-        messages: kept,
-    })
+
+    /// Has the next frame as fine as this one's time allows, and as large as the display.
+    fn fit(&mut self, is_resized: bool, began: Instant) -> Result<(), PlayError> {
+        let is_traced = self.session.engine().statistics().is_traced();
+        let took = is_traced.then(|| began.elapsed());
+        let is_other = self.pace.as_mut().is_some_and(|pace| pace.frame(took));
+        if !is_other && !is_resized {
+            return Ok(());
+        }
+        let display = &mut self.front.display;
+        let size = wanted_size(display.area(), self.pace.as_ref(), self.options.size);
+        if display.scales() && size != self.size {
+            self.size = size;
+            self.session.show_on(display.framebuffer(size)?)?;
+        }
+        Ok(())
+    }
 }
 
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
@@ -144,11 +223,11 @@ fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> 
     }
 }
 
-fn take_picture(display: &dyn Display, options: &Options, stem: &str) -> String {
-    let Some(picture) = display.picture() else {
+fn take_picture(picture: Option<&RgbImage>, options: &Options, stem: &str) -> String {
+    let Some(picture) = picture else {
         return "no picture can be taken of this display".to_owned();
     };
-    match screenshot::write(&options.screenshots, stem, &picture.to_image()) {
+    match screenshot::write(&options.screenshots, stem, picture) {
         Ok(path) => format!("picture {}", path.display()),
         Err(error) => format!("no picture: {error}"),
     }
@@ -163,25 +242,6 @@ fn file_stem(name: &str) -> String {
         _ => '-',
     };
     file.chars().map(letter).collect()
-}
-
-/// A clock that keeps in mind when it was last asked: the frame's work begins then.
-struct Noted {
-    clock: Box<dyn Clock>,
-    ticked: Rc<Cell<Instant>>,
-}
-
-impl Clock for Noted {
-    fn tick(&mut self) -> Duration {
-        let step = self.clock.tick();
-        self.ticked.set(Instant::now());
-        step
-    }
-
-    fn pace(&mut self, step: Duration) {
-        self.clock.pace(step);
-        self.ticked.set(Instant::now());
-    }
 }
 
 #[cfg(test)]

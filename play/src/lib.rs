@@ -1,14 +1,14 @@
-//! Games and scenes before a player: in a window, a terminal, on the console's framebuffer, or as pictures.
+//! Games and scenes before a player: in a window, a terminal, on the console's framebuffer, or as
+//! pictures.
 //!
-//! Owns displays, input devices and the command line of `cellray-play`; what is played it is given, as a table of
-//! [`Entry`]s. A program of one game needs no more than that game:
+//! Owns displays, input devices and the command line of `cellray-play`; what is played it is
+//! given, as a table of [`Entry`]s. A program of one game needs no more than that game:
 //!
 //! ```no_run
 #![doc = include_str!("../../examples/tutorial/src/bin/ball.rs")]
 //! ```
 
 mod arguments;
-mod canvas;
 mod display;
 mod error;
 mod front;
@@ -28,7 +28,7 @@ use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use cellray::Report;
-use cellray::framebuffer::{Geometry, Interrupted, refuse_large_files};
+use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
 use clap::Parser as _;
 
@@ -248,15 +248,13 @@ fn pictures(
         ));
     };
     let pictures = Pictures::new(paths.clone());
-    let interrupted = Interrupted::install().map_err(PlayError::Signals)?;
-    let until = Interrupted::install().map_err(PlayError::Signals)?;
-    let session = Session::start(game, options.settings()?, pictures.framebuffer(size)?)?
-        .with_seed(seed)
-        .with_clock(Box::new(FixedSteps(options.step())))
-        .with_input(Box::new(until));
+    let mut interrupted = Interrupted::install().map_err(PlayError::Signals)?;
+    let picture = Box::new(Memory::new(size)?);
+    let session = Session::start(game, options.settings()?, picture)?.with_seed(seed);
     let replay = options.replay.as_deref();
     let mut session = recording::connect(session, options.record.as_deref(), replay)?;
-    let made = pictures.write(&mut session, range)?;
+    let mut clock = FixedSteps(options.step());
+    let made = pictures.write(&mut session, range, &mut clock, &mut interrupted)?;
     tell(session.report().clone());
     say(format_args!(
         "{} picture(s) written, {} there already",

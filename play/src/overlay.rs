@@ -12,7 +12,8 @@ pub struct Overlay {
 }
 
 impl Overlay {
-    /// All of it in one line, for where there are letters alone; what matters most first, as the line may be cut.
+    /// All of it in one line, for where there are letters alone; what matters most first, as the
+    /// line may be cut.
     #[must_use]
     pub fn line(&self) -> String {
         let loads: Vec<_> = self

@@ -1,7 +1,7 @@
 //! How finely a picture is traced, by how long its frames take.
 //!
-//! Invariants: the divisor is from 1 to [`COARSEST`]; it never becomes smaller within [`REST`] frames of another
-//! change; a change is foreseen not to be taken back at the same load.
+//! Invariants: the divisor is from 1 to [`COARSEST`]; it never becomes smaller within [`REST`]
+//! frames of another change; a change is foreseen not to be taken back at the same load.
 
 use std::time::Duration;
 
@@ -50,7 +50,8 @@ impl Pace {
         self.divisor
     }
 
-    /// Takes the time of a frame, `None` where nothing was traced; whether the divisor is another now.
+    /// Takes the time of a frame, `None` where nothing was traced; whether the divisor is another
+    /// now.
     pub fn frame(&mut self, took: Option<Duration>) -> bool {
         self.rested += 1;
         match took {

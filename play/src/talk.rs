@@ -1,6 +1,7 @@
 //! What is said beside the picture.
 //!
-//! Invariant: nobody has to listen: where standard error is closed, hangs up or is full, the session goes on.
+//! Invariant: nobody has to listen: where standard error is closed, hangs up or is full, the
+//! session goes on.
 
 use std::fmt::Display;
 use std::io::{self, Write as _};

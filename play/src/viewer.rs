@@ -1,7 +1,7 @@
 //! A scene to look at: a game whose only player is the eye.
 //!
-//! Invariant: the eye stays on a sphere about what it looks at, and never passes its poles. Turns are by rational
-//! numbers, not by sines, so that a recorded session is the same on every machine.
+//! Invariant: the eye stays on a sphere about what it looks at, and never passes its poles. Turns
+//! are by rational numbers, not by sines, so that a recorded session is the same on every machine.
 
 use cellray::game::{
     Axis, Button, DVec3, Game, Key, Moment, Mouse, MouseButton, Start, View, World, WorldError,
@@ -31,7 +31,8 @@ pub struct Viewer {
     scene: nff::Scene,
     look: Look,
     orbit: Orbit,
-    /// Where the mouse was, as parts of the picture's sides: its pixels may be others from frame to frame.
+    /// Where the mouse was, as parts of the picture's sides: its pixels may be others from frame
+    /// to frame.
     pointer: Option<[f64; 2]>,
 }
 
@@ -97,7 +98,8 @@ impl Game for Viewer {
     }
 }
 
-/// A scene is the same by whichever path it was found; that its content is, the world's checksum tells.
+/// A scene is the same by whichever path it was found; that its content is, the world's checksum
+/// tells.
 fn file_name(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or_default()
 }
@@ -164,7 +166,8 @@ impl Orbit {
     }
 }
 
-/// A vector, turned about an axis of length 1 by `2 atan(angle / 2)`: the angle itself where it is small.
+/// A vector, turned about an axis of length 1 by `2 atan(angle / 2)`: the angle itself where it is
+/// small.
 fn rotate(vector: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let half = angle / 2.0;
     let scale = 1.0 / (1.0 + half * half);

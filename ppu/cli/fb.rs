@@ -20,18 +20,19 @@ pub struct Arguments {
     /// Pixels across and down: needed for a file, the device's own otherwise
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Set ps3fb's video mode until the end: within borders, or of the whole screen [default: as it is]
+    /// Set ps3fb's video mode until the end: within borders, or of the whole screen [default: as
+    /// it is]
     #[arg(long, value_enum, value_name = "MODE")]
     mode: Option<VideoMode>,
-    /// Frames that the device's memory is to hold, where it has room: with 2, one is shown while the
-    /// next is made
+    /// Frames that the device's memory is to hold, where it has room: with 2, one is shown while
+    /// the next is made
     #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=2))]
     buffers: u32,
     /// Show a frame without waiting for the vertical blank
     #[arg(long)]
     no_vsync: bool,
-    /// Make frames in private memory and copy them, or in the device's own [default: in the device's
-    /// where that is known to be main memory]
+    /// Make frames in private memory and copy them, or in the device's own [default: in the
+    /// device's where that is known to be main memory]
     #[arg(long, value_enum, value_name = "WHERE")]
     made: Option<Made>,
     /// Frames to show [default: 1 into a file; on a device, until Ctrl-C]
@@ -72,7 +73,8 @@ impl Arguments {
 pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
-    let scene = run::scene(options, options.look(), &program)?;
+    let scene = nff::load(&options.scene)?;
+    let scene = run::scene(options, &scene, options.look(), &program)?;
     // Before the screen is taken over, so that no signal leaves it that way.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;

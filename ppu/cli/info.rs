@@ -3,11 +3,11 @@
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use cellray::formulation::{SPHERES, TRIANGLES};
 use cellray::framebuffer::Device;
 use cellray::spe::{self, Program};
-use cellray::work::layout;
 use clap::Args;
+use protocol::formulation::{SPHERES, TRIANGLES};
+use protocol::layout;
 
 use super::Outcome;
 

@@ -1,6 +1,7 @@
 //! Commands: data goes to standard output, talk to standard error.
 
 mod beside;
+mod choices;
 mod fb;
 mod info;
 mod progress;

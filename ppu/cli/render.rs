@@ -19,12 +19,13 @@ pub struct Arguments {
     /// Pixels across and down [default: the scene's own]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Picture to write; without it the frames are traced and only measured. With the frames' number in it, as in
-    /// f-%05d.png, every frame is a picture; those that are there already are kept
+    /// Picture to write; without it the frames are traced and only measured. With the frames'
+    /// number in it, as in f-%05d.png, every frame is a picture; those that are there already are
+    /// kept
     #[arg(long, value_name = "F.png")]
     out: Option<PathBuf>,
-    /// Frames: N, the first N, of which a frame that stands still is traced once unless --retrace asks for more; or
-    /// A..B, from A up to B, which is not among them, as numbered pictures
+    /// Frames: N, the first N, of which a frame that stands still is traced once unless --retrace
+    /// asks for more; or A..B, from A up to B, which is not among them, as numbered pictures
     #[arg(
         long,
         default_value = "1",
@@ -35,8 +36,8 @@ pub struct Arguments {
     /// Frames in which the eye of numbered pictures goes once around what it looks at
     #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     turn: u32,
-    /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard Procedural
-    /// Databases have it
+    /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard
+    /// Procedural Databases have it
     #[arg(long)]
     corners: bool,
 }
@@ -57,20 +58,24 @@ impl Arguments {
         pattern.map(NumberedPath::new).transpose()
     }
 
+    /// Every frame a picture, as the eye goes around.
     fn sequence(&self, paths: NumberedPath) -> Outcome {
         if self.corners {
             return Err("--corners has no numbered pictures".into());
         }
         let look = self.options.look();
-        // What can't be drawn is said before the first frame.
-        run::scene(&self.options, look, &self.options.program()?)?;
+        let program = self.options.program()?;
         let scene = nff::load(&self.options.scene)?;
+        // What can't be drawn is said before the first frame.
+        run::scene(&self.options, &scene, look, &program)?;
         let size = self.geometry(&scene.view)?;
         let turntable = Turntable::new(scene, look, self.turn);
+        let pictures = Pictures::new(paths);
         sequence::run(
             &self.options,
+            program,
             turntable,
-            &Pictures::new(paths),
+            &pictures,
             self.frames,
             size,
         )
@@ -91,7 +96,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
         ..arguments.options.look()
     };
     let program = arguments.options.program()?;
-    let scene = run::scene(&arguments.options, look, &program)?;
+    let scene = nff::load(&arguments.options.scene)?;
+    let scene = run::scene(&arguments.options, &scene, look, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),

@@ -5,16 +5,17 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
-use cellray::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::{Look, Model};
+use cellray::scene::Look;
 use cellray::spe::{Program, ProgramError};
-use cellray::work::{Skip, Split};
-use cellray::{Engine, LoopTime, Quality, Report, Scene, Settings};
+use cellray::work::Skip;
+use cellray::{Engine, LoopTime, Report, Scene, Settings};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
+use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use super::Outcome;
+use super::choices::{Model, Quality, Split};
 use super::progress::Progress;
 
 /// Options of the SPUs and their report.
@@ -36,7 +37,8 @@ pub struct Options {
     /// Test every ray with every object, and trace every frame as a whole
     #[arg(long)]
     pub no_skip: bool,
-    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all shapes
+    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all
+    /// shapes
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
     /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
@@ -61,7 +63,8 @@ pub struct Options {
     /// How rays are intersected with triangles, likewise
     #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
     pub triangle: Option<String>,
-    /// SPU program to trace with, such as a game's that has shaders of its own [default: the built-in one]
+    /// SPU program to trace with, such as a game's that has shaders of its own [default: the
+    /// built-in one]
     #[arg(long, value_name = "F.elf", conflicts_with_all = ["quality", "sphere", "triangle"])]
     pub program: Option<PathBuf>,
     /// Check at every call of a shader that it keeps what it must
@@ -82,7 +85,7 @@ impl Options {
     /// How the scene is to look.
     pub fn look(&self) -> Look {
         Look {
-            model: self.model,
+            model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
             spd_rays: self.spd_rays,
@@ -95,7 +98,7 @@ impl Options {
     pub fn settings(&self, program: Program) -> Settings {
         Settings {
             spus: self.spus,
-            split: self.split,
+            split: self.split.into(),
             skip: if self.no_skip {
                 Skip::Nothing
             } else {
@@ -113,7 +116,7 @@ impl Options {
         if let Some(file) = &self.program {
             return Program::from_file(file);
         }
-        let mut formulations = self.quality.formulations();
+        let mut formulations = cellray::Quality::from(self.quality).formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
             formulations = Formulations::of(sphere, formulations.triangle);
         }
@@ -124,13 +127,14 @@ impl Options {
     }
 }
 
-/// Reads a scene and says what of it will not be drawn, or not as asked for.
+/// Makes a scene ready, and says what of it will not be drawn, or not as asked for.
 pub fn scene(
     options: &Options,
+    scene: &nff::Scene,
     look: Look,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(&nff::load(&options.scene)?, look, program)?;
+    let scene = Scene::new(scene, look, program)?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
     }

@@ -2,8 +2,9 @@
 
 use std::time::Duration;
 
-use cellray::framebuffer::{Geometry, Interrupted};
+use cellray::framebuffer::{Geometry, Interrupted, Memory};
 use cellray::game::{FixedSteps, FrameRange, Pictures, Session, Turntable};
+use cellray::spe::Program;
 use signal_hook::low_level::emulate_default_handler;
 
 use super::{Outcome, run};
@@ -11,18 +12,18 @@ use super::{Outcome, run};
 /// Makes those of a range of frames that are not there.
 pub fn run(
     options: &run::Options,
+    program: Program,
     turntable: Turntable,
     pictures: &Pictures,
     frames: FrameRange,
     size: Geometry,
 ) -> Outcome {
-    let interrupted = Interrupted::install()?;
-    let settings = options.settings(options.program()?);
+    let mut interrupted = Interrupted::install()?;
+    let picture = Box::new(Memory::new(size)?);
+    let mut session = Session::start(turntable, options.settings(program), picture)?;
     // A frame is told by its number alone.
-    let mut session = Session::start(turntable, settings, pictures.framebuffer(size)?)?
-        .with_clock(Box::new(FixedSteps(Duration::ZERO)))
-        .with_input(Box::new(Interrupted::install()?));
-    let made = pictures.write(&mut session, frames)?;
+    let mut clock = FixedSteps(Duration::ZERO);
+    let made = pictures.write(&mut session, frames, &mut clock, &mut interrupted)?;
     run::tell(options, session.report().clone())?;
     eprintln!(
         "cellray: {} picture(s) written, {} there already",

@@ -1,24 +1,16 @@
 //! How long a frame is waited for, and what is said of an SPU that does not answer.
 //!
 //! Owns the question whether a frame still comes. It is not how long it takes, which on emulated
-//! SPUs may be hours, but whether any SPU still does something: takes a work unit, finishes one, or
-//! answers.
+//! SPUs may be hours, but whether any SPU still does something: takes a work unit, finishes one,
+//! or answers.
 
 use std::fmt;
 use std::time::{Duration, Instant};
-
-use super::Engine;
-use crate::spe::{Ended, Event};
-use crate::work::layout::{Frame, UnitCost};
 
 /// How often the caller of a frame hears of its progress, at most.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 /// The shortest sleep that libspe2 knows.
 const SHORTEST: Duration = Duration::from_millis(1);
-/// How long an SPU that is made to stop is waited for: it does so with its next instruction, if
-/// there is one.
-const UNTIL_HALTED: Duration = Duration::from_secs(1);
-
 /// How long to sleep at a time. libspe2 may count time by another clock than this program: 1 ms of
 /// an emulator's may take seconds. So sleeps begin short, and grow as long as they take no more
 /// than they should.
@@ -97,8 +89,8 @@ pub struct Silence {
 /// What an SPU was doing that has not answered.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Doing {
-    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy with
-    /// what was before.
+    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy
+    /// with what was before.
     HasMail,
     /// It ran, and was made to stop.
     Ran {
@@ -137,81 +129,6 @@ impl fmt::Display for Silence {
         }
         f.write_str("; if it only is slow, --timeout allows more time")
     }
-}
-
-impl Engine {
-    /// How often SPUs have taken a unit of the frame from the counter, which they do not by slices,
-    /// and how many units they have finished, which a frame of other records than the engine's does
-    /// not tell.
-    pub(super) fn units_done(&self, frame: &Frame) -> (u32, u32) {
-        let Some(records) = &self.records else {
-            return (0, 0);
-        };
-        let units = frame.unit_count.get();
-        let mut finished = 0;
-        if frame.costs.get() == records.costs.address() {
-            let lines = 0..units as usize;
-            let line = |number| records.costs.peek_word(number * size_of::<UnitCost>());
-            finished = lines.filter(|&number| line(number) != 0).count() as u32;
-        }
-        (records.unit_counter.peek_word(0), finished)
-    }
-
-    /// What can be told of an SPU that does not answer. It is stopped to learn where it is: it is
-    /// lost anyway.
-    pub(super) fn silence(&mut self, number: usize, frame: &Frame) -> Silence {
-        let (taken, finished) = self.units_done(frame);
-        let program = self.settings.program;
-        let doing = if self.spus[number].context.has_unread_mail() {
-            Doing::HasMail
-        } else {
-            self.spus[number].context.halt(&program);
-            match self.until_ended(number) {
-                Some(ended) => {
-                    let address = ended.npc.wrapping_sub(4);
-                    let function = program.name_of(address);
-                    Doing::Ran { address, function }
-                }
-                None => Doing::Waited,
-            }
-        };
-        let units = frame.unit_count.get();
-        Silence {
-            waited: self.settings.timeout,
-            // An SPU that finds none left has counted, too.
-            begun: taken.max(finished).min(units),
-            units,
-            doing,
-        }
-    }
-
-    /// Waits a while for the end of an SPU's program; nobody waits for what the others say any
-    /// more.
-    fn until_ended(&mut self, number: usize) -> Option<Ended> {
-        let asked = Instant::now();
-        while asked.elapsed() < UNTIL_HALTED {
-            let event = self.events.wait(self.pause.length(UNTIL_HALTED)).ok()?;
-            let Some((of, event)) = event else {
-                continue;
-            };
-            let spu = &mut self.spus[of as usize];
-            if event == Event::Answer {
-                spu.context.answer().ok()?;
-                continue;
-            }
-            spu.context.take_stop_record().ok()?;
-            let ended = spu.thread.take().and_then(|thread| thread.join().ok());
-            if of as usize == number {
-                return ended;
-            }
-        }
-        None
-    }
-}
-
-/// The part of a frame's units.
-pub(super) fn part(done: u32, frame: &Frame) -> f64 {
-    (f64::from(done) / f64::from(frame.unit_count.get().max(1))).min(1.0)
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::Settings;
+use super::settings::Settings;
 use crate::spe::Program;
 
 /// Whether shaders that do not come with the tracer ran and were not checked. One that does not

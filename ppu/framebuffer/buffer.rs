@@ -9,7 +9,8 @@ use std::ptr::NonNull;
 /// Bytes of a line: full-line transfers are the fastest that the MFC has.
 const LINE: usize = 128;
 
-/// One frame, written through [`FrameBuffer::target`], in the pixel format that the caller gives there.
+/// One frame, written through [`FrameBuffer::target`], in the pixel format that the caller gives
+/// there.
 pub(super) struct FrameBuffer {
     base: NonNull<u8>,
     layout: Layout,

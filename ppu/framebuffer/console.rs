@@ -1,8 +1,9 @@
-//! The virtual terminal behind the screen: while frames are shown, the kernel must not draw text, and
-//! before the user sees another terminal, the program lets go of the screen.
+//! The virtual terminal behind the screen: while frames are shown, the kernel must not draw text,
+//! and before the user sees another terminal, the program lets go of the screen.
 //!
-//! Invariant: the modes found are put back when a [`Console`] is dropped, be it on return, on an error or
-//! by a panic's unwinding; and the terminal's text at any other end that a program can see.
+//! Invariant: the modes found are put back when a [`Console`] is dropped, be it on return, on an
+//! error or by a panic's unwinding; and the terminal's text at any other end that a program can
+//! see.
 
 mod terminal;
 
@@ -67,8 +68,8 @@ impl Console {
         match asked {
             Asked::Leave => {
                 self.switching.leave();
-                // Refused where nobody waits for the screen: the user thought better of it, or the signal was not the
-                // kernel's. Then it is not given back, either.
+                // Refused where nobody waits for the screen: the user thought better of it, or the
+                // signal was not the kernel's. Then it is not given back, either.
                 self.away = self.terminal.answer(VT_RELEASED).is_ok();
             }
             Asked::Stop => {
@@ -80,7 +81,8 @@ impl Console {
         }
     }
 
-    /// Waits until the screen is the program's, and says whether it is: not when it is asked to end.
+    /// Waits until the screen is the program's, and says whether it is: not when it is asked to
+    /// end.
     pub(super) fn come_back(&mut self) -> bool {
         if self.away && self.switching.wait_until_back() {
             self.away = false;
@@ -90,8 +92,8 @@ impl Console {
         !self.away
     }
 
-    /// Whether the screen still is this program's alone: the kernel draws on it for the terminal that
-    /// the user switches to.
+    /// Whether the screen still is this program's alone: the kernel draws on it for the terminal
+    /// that the user switches to.
     pub(super) fn has_the_screen(&self) -> bool {
         self.on_screen.is_some() && self.terminal.on_screen().ok() == self.on_screen
     }

@@ -1,8 +1,9 @@
 //! Pictures whose pixels are each the mean of the four rays through its corners, as the Standard
 //! Procedural Databases ask for.
 //!
-//! Invariant: the frame that is traced has a row and a column more than the picture. The rays' colours
-//! are rounded to bytes before they are averaged, so a pixel is up to half a step off its exact mean.
+//! Invariant: the frame that is traced has a row and a column more than the picture. The rays'
+//! colours are rounded to bytes before they are averaged, so a pixel is up to half a step off its
+//! exact mean.
 
 use super::{Framebuffer, FramebufferError, Geometry, Memory, Png, Target, write_png};
 use image::{Rgb, RgbImage};

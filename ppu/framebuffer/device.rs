@@ -2,8 +2,8 @@
 //!
 //! Frames are made in the device's memory where SPUs can and should write to it, else in private
 //! memory, and copied as whole lines. While another terminal is on the screen, frames wait.
-//! Invariant: the order on drop is display, memory, console, so that the console redraws a screen that
-//! is its own again.
+//! Invariant: the order on drop is display, memory, console, so that the console redraws a screen
+//! that is its own again.
 
 use super::buffer::FrameBuffer;
 use super::console::Console;
@@ -201,8 +201,8 @@ impl Device {
         }
     }
 
-    /// Lets another terminal have the screen where that is asked for, and waits until it is given back.
-    /// Whether the screen is this program's: not when it is asked to end meanwhile.
+    /// Lets another terminal have the screen where that is asked for, and waits until it is given
+    /// back. Whether the screen is this program's: not when it is asked to end meanwhile.
     fn hold_screen(&mut self) -> Result<bool, FramebufferError> {
         let Ok(console) = &mut self.console else {
             return Ok(true);

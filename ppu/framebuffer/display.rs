@@ -29,9 +29,9 @@ pub(super) struct Display {
 }
 
 impl Display {
-    /// Takes the screen over by the scheme that `surface` promises, or a simpler one where the driver
-    /// lacks the calls. With two frames the second is the one shown first. Without `vsync` the vertical
-    /// blank is not waited for.
+    /// Takes the screen over by the scheme that `surface` promises, or a simpler one where the
+    /// driver lacks the calls. With two frames the second is the one shown first. Without `vsync`
+    /// the vertical blank is not waited for.
     pub(super) fn start(
         driver: Moded,
         path: &Path,

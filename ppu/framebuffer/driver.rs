@@ -54,8 +54,8 @@ pub(super) trait Driver: Send {
     fn ps3fb_off(&mut self) -> io::Result<()>;
     /// PS3FB_IOCTL_FSEL: copies this frame to the video memory and shows it.
     fn ps3fb_fsel(&mut self, frame: u32) -> io::Result<()>;
-    /// Promises that a request restores `place` should the program end without a drop; `None` where
-    /// there is no device that outlives the program.
+    /// Promises that a request restores `place` should the program end without a drop; `None`
+    /// where there is no device that outlives the program.
     fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<PutBack>;
 }
 

@@ -1,6 +1,7 @@
 //! What can go wrong with a framebuffer, in words that name the file and the values found.
 
-use super::{Geometry, Raster};
+use super::Geometry;
+use super::raster::Raster;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -22,6 +23,9 @@ pub enum FramebufferError {
         /// The pattern as given.
         pattern: String,
     },
+    /// Pictures were asked of a framebuffer whose frames can't be read back.
+    #[error("what is shown there can't be read back as a picture")]
+    NoPicture,
     /// A file has no geometry of its own and none was given.
     #[error("{}: no framebuffer device, and a file in the place of one needs a size", path.display())]
     SizeNeeded {

@@ -1,10 +1,11 @@
 //! A regular file in the place of /dev/fb0, for tests, emulators and machines without a screen.
 //!
-//! The file is what ps3fb's buffer would be for the same geometry: bytes A, R, G, B, rows padded to 64
-//! bytes, no header. Whoever maps or reads it sees the frame as it is made, as on the device.
+//! The file is what ps3fb's buffer would be for the same geometry: bytes A, R, G, B, rows padded
+//! to 64 bytes, no header. Whoever maps or reads it sees the frame as it is made, as on the
+//! device.
 //!
-//! Invariant: every byte of the mapping has its place on the disk, so that writing can't fail for want
-//! of room; only another program that cuts the file could make it fail.
+//! Invariant: every byte of the mapping has its place on the disk, so that writing can't fail for
+//! want of room; only another program that cuts the file could make it fail.
 
 use super::{Framebuffer, FramebufferError, Geometry, PIXEL_BYTES, PixelFormat, Target};
 use memmap2::{MmapOptions, MmapRaw};
@@ -102,8 +103,8 @@ impl Framebuffer for File {
         }
     }
 
-    /// The frame already is in the file, for every reader of it; this only makes sure that the file
-    /// still has room for the next one.
+    /// The frame already is in the file, for every reader of it; this only makes sure that the
+    /// file still has room for the next one.
     fn present(&mut self) -> Result<(), FramebufferError> {
         let (found, expected) = (length(&self.file, &self.path)?, self.map.len() as u64);
         if found < expected {
@@ -233,7 +234,8 @@ mod tests {
         fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
         // The superuser may write anything: this thread opens the file as nobody.
         const NOBODY: libc::uid_t = 65534;
-        // SAFETY: changes the identity that this thread's file accesses are checked by, nothing else.
+        // SAFETY: changes the identity that this thread's file accesses are checked by, nothing
+        // else.
         let user = unsafe { libc::setfsuid(NOBODY) };
         let opened = File::open(&path, Some(ODD));
         // SAFETY: as above; this puts the former identity back.

@@ -1,8 +1,8 @@
 //! Stores to a device's memory.
 //!
-//! Such memory may be write-combined, uncached and slow to read: it is written forward only, in the
-//! widest whole stores that the address allows, and never read. The C library's copy and fill won't
-//! do: on the PowerPC they may use dcbz, which faults on memory that is not cached.
+//! Such memory may be write-combined, uncached and slow to read: it is written forward only, in
+//! the widest whole stores that the address allows, and never read. The C library's copy and fill
+//! won't do: on the PowerPC they may use dcbz, which faults on memory that is not cached.
 
 use std::ptr;
 
@@ -52,7 +52,8 @@ unsafe fn store(
     };
     (0..head).for_each(single);
     for at in (head..words_end).step_by(WORD) {
-        // SAFETY: `at` is a multiple of a word from an aligned address, and the word ends in `bytes`.
+        // SAFETY: `at` is a multiple of a word from an aligned address, and the word ends in
+        // `bytes`.
         unsafe { to.add(at).cast::<u64>().write_volatile(word(at)) };
     }
     (words_end..bytes).for_each(single);

@@ -1,9 +1,9 @@
-//! Signals that end the program, as a flag for the frame loop: the screen and its console are put back
-//! on the ordinary way out.
+//! Signals that end the program, as a flag for the frame loop: the screen and its console are put
+//! back on the ordinary way out.
 //!
-//! A second signal ends the program at once, as it would by default, so that a frame loop which does
-//! not come round can still be stopped; the handler puts the screen back then.
-//! Invariant: without an [`Interrupted`] alive, the signals have their default effect.
+//! A second signal ends the program at once, as it would by default, so that a frame loop which
+//! does not come round can still be stopped; the handler puts the screen back then. Invariant:
+//! without an [`Interrupted`] alive, the signals have their default effect.
 
 use super::last_resort;
 use signal_hook::SigId;
@@ -23,13 +23,15 @@ static ALIVE: AtomicUsize = AtomicUsize::new(0);
 static COUNTING: Mutex<()> = Mutex::new(());
 /// The signal that came; 0 for none.
 static SIGNAL: AtomicI32 = AtomicI32::new(0);
-/// Holds one byte while [`SIGNAL`] is set, to wake whoever polls. Set once the handlers are in place.
+/// Holds one byte while [`SIGNAL`] is set, to wake whoever polls. Set once the handlers are in
+/// place.
 static WAKE: OnceLock<(PipeReader, PipeWriter)> = OnceLock::new();
 
 /// Makes SIGINT, SIGTERM, SIGHUP and SIGQUIT a request to stop, while it lives.
 ///
 /// All values share one state, as signals are the process's. A signal that the program was started
-/// with ignored (nohup) stays ignored. [`AsFd`] gives a descriptor that turns readable with the signal.
+/// with ignored (nohup) stays ignored. [`AsFd`] gives a descriptor that turns readable with the
+/// signal.
 #[derive(Debug)]
 pub struct Interrupted {
     wake: &'static PipeReader,
@@ -156,12 +158,13 @@ pub(super) mod tests {
 
     /// Runs `scenario` in a process of its own and gives its end as waitpid tells it.
     pub(in crate::framebuffer) fn in_child(scenario: fn() -> i32) -> i32 {
-        // SAFETY: the child runs `scenario` alone and leaves without returning to the test harness;
-        // no other test holds the locks of this module or of the signal registry.
+        // SAFETY: the child runs `scenario` alone and leaves without returning to the test
+        // harness; no other test holds the locks of this module or of the signal registry.
         let child = unsafe { libc::fork() };
         assert!(child >= 0);
         if child == 0 {
-            // What starts the tests may have ignored signals, as a shell does for what it runs behind.
+            // What starts the tests may have ignored signals, as a shell does for what it runs
+            // behind.
             for signal in SIGNALS {
                 if is_ignored(signal).expect("the action of a signal") {
                     // SAFETY: the default action is no handler of ours.

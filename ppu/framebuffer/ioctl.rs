@@ -1,6 +1,8 @@
-//! The kernel's framebuffer and console interface, as it is: structures, request numbers, constants.
+//! The kernel's framebuffer and console interface, as it is: structures, request numbers,
+//! constants.
 //!
-//! Names are the kernel's, from linux/fb.h, linux/kd.h and asm/ps3fb.h. Nothing here calls anything.
+//! Names are the kernel's, from linux/fb.h, linux/kd.h and asm/ps3fb.h. Nothing here calls
+//! anything.
 
 use std::mem::offset_of;
 
@@ -167,8 +169,8 @@ pub(super) struct FbFixScreeninfo {
     pub(super) reserved: [u16; 2],
 }
 
-/// The answer to PS3FB_IOCTL_SCREENINFO. Only `num_frames` is of use: the others describe the raster
-/// of the driver's first version.
+/// The answer to PS3FB_IOCTL_SCREENINFO. Only `num_frames` is of use: the others describe the
+/// raster of the driver's first version.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Ps3fbIoctlRes {

@@ -1,20 +1,20 @@
 //! What puts the screen back where nothing unwinds: at a second signal, at a fault, at `abort`.
 //!
-//! A place is promised the call that restores it for as long as a [`PutBack`] lives. [`put_back`] makes
-//! the calls promised, and then those of a [`LastResort`], by which a program restores what else it took:
-//! it takes no lock and allocates nothing, so signal handlers may call it.
-//! Invariant: whoever takes a promise out of its place makes its call or frees it, and no other does.
+//! A place is promised the call that restores it for as long as a [`PutBack`] lives. [`put_back`]
+//! makes the calls promised, and then those of a [`LastResort`], by which a program restores what
+//! else it took: it takes no lock and allocates nothing, so signal handlers may call it.
+//! Invariant: whoever takes a promise out of its place makes its call or frees it, and no other
+//! does.
 
 use super::ioctl::FbVarScreeninfo;
-use super::{interrupted, switching};
-use std::io;
 use std::mem::{self, MaybeUninit};
 use std::os::fd::{AsRawFd, BorrowedFd, RawFd};
 use std::ptr::{self, NonNull};
 use std::sync::Once;
 use std::sync::atomic::{AtomicPtr, Ordering};
 
-/// What can be put back, in the order in which it is: the console redraws a screen that is its own again.
+/// What can be put back, in the order in which it is: the console redraws a screen that is its own
+/// again.
 #[derive(Clone, Copy)]
 pub(super) enum Place {
     /// The part of a taller picture that the screen shows.
@@ -53,8 +53,8 @@ pub(super) struct PutBack {
 unsafe impl Send for PutBack {}
 
 impl PutBack {
-    /// Promises that `request` is made on `descriptor`, which must stay open while the value lives. A
-    /// promise made before for the same place is forgotten.
+    /// Promises that `request` is made on `descriptor`, which must stay open while the value
+    /// lives. A promise made before for the same place is forgotten.
     pub(super) fn promise(
         place: Place,
         descriptor: BorrowedFd<'_>,
@@ -81,8 +81,8 @@ impl Drop for PutBack {
             Ordering::SeqCst,
             Ordering::SeqCst,
         );
-        // Elsewhere a handler may be at it, in a program that is ending, or a later promise took the
-        // place: a few bytes stay allocated.
+        // Elsewhere a handler may be at it, in a program that is ending, or a later promise took
+        // the place: a few bytes stay allocated.
         if taken.is_ok() {
             // SAFETY: leaked from a box by `promise`, and nobody else can have found it since.
             drop(unsafe { Box::from_raw(call) });
@@ -92,9 +92,10 @@ impl Drop for PutBack {
 
 /// What a program has changed besides the screen, such as the terminal that it was started from.
 ///
-/// Once armed, it is put back by whatever ends the program without unwinding: a fault, `abort`, a signal that
-/// nobody has asked for, or the second of those that [`Interrupted`](super::Interrupted) makes a request of.
-/// Ctrl-Z puts it back too, and takes it again when the program goes on.
+/// Once armed, it is put back by whatever ends the program without unwinding: a fault, `abort`, a
+/// signal that nobody has asked for, or the second of those that
+/// [`Interrupted`](super::Interrupted) makes a request of. Ctrl-Z puts it back too, and takes it
+/// again when the program goes on.
 #[derive(Debug)]
 pub struct LastResort {
     /// Puts it back, unless it is not taken or was put back before.
@@ -107,22 +108,19 @@ pub struct LastResort {
 static ARMED: AtomicPtr<LastResort> = AtomicPtr::new(ptr::null_mut());
 
 impl LastResort {
-    /// Has it called from now on, in the place of one that was armed before.
+    /// Has it called by what ends the program, in the place of one that was armed before.
     ///
     /// # Safety
     ///
-    /// Both functions are called in signal handlers, on any thread, at any moment: they may use atomics and the
-    /// system calls that POSIX lets handlers make, and neither allocate, nor take a lock, nor panic.
-    pub unsafe fn arm(&'static self) -> io::Result<()> {
+    /// As [`LastResort::arm`].
+    pub(super) unsafe fn take_place(&'static self) {
         ARMED.store(ptr::from_ref(self).cast_mut(), Ordering::SeqCst);
         catch_ends();
-        interrupted::watch()?;
-        switching::watch()
     }
 
     /// The one that is armed, if one is.
     pub(super) fn armed() -> Option<&'static LastResort> {
-        // SAFETY: only `arm` sets it, to what lives for good.
+        // SAFETY: only `take_place` sets it, to what lives for good.
         unsafe { ARMED.load(Ordering::SeqCst).as_ref() }
     }
 }
@@ -131,7 +129,8 @@ impl LastResort {
 pub(crate) fn put_back() {
     for place in &PROMISED {
         let call = place.swap(ptr::null_mut(), Ordering::SeqCst);
-        // SAFETY: what is in a place was leaked from a box, and is not freed once it was taken out.
+        // SAFETY: what is in a place was leaked from a box, and is not freed once it was taken
+        // out.
         let Some(Call {
             descriptor,
             request,
@@ -141,8 +140,8 @@ pub(crate) fn put_back() {
             continue;
         };
         let (descriptor, request) = (*descriptor, *request as libc::Ioctl);
-        // SAFETY: the promise's owner keeps the descriptor open, and gave the argument that the request
-        // takes; the kernel writes to none of them (FBIOPAN_DISPLAY does, to a copy).
+        // SAFETY: the promise's owner keeps the descriptor open, and gave the argument that the
+        // request takes; the kernel writes to none of them (FBIOPAN_DISPLAY does, to a copy).
         unsafe {
             match argument {
                 Argument::Value(value) => libc::ioctl(descriptor, request, *value),
@@ -178,9 +177,9 @@ const ENDS: [i32; 15] = [
     libc::SIGPWR,
 ];
 
-/// How many of [`ENDS`], from the first, are faults whose instruction is done again, so that they go on to whoever
-/// handled them before: the Rust runtime says of a SIGSEGV that a stack is full, and ends the program. The others'
-/// handlers are let be.
+/// How many of [`ENDS`], from the first, are faults whose instruction is done again, so that they
+/// go on to whoever handled them before: the Rust runtime says of a SIGSEGV that a stack is full,
+/// and ends the program. The others' handlers are let be.
 const FAULTS: usize = 4;
 
 static BEFORE: [AtomicPtr<libc::sigaction>; ENDS.len()] =
@@ -207,8 +206,9 @@ fn catch_each_end() {
         }
         BEFORE[index].store(Box::leak(Box::new(before)), Ordering::SeqCst);
         let handler: extern "C" fn(i32, *mut libc::siginfo_t, *mut libc::c_void) = on_end;
-        // SAFETY: zeros are an action with an empty mask; `on_end` has the type that SA_SIGINFO asks
-        // for and uses atomics and calls that handlers may use. A full stack needs SA_ONSTACK.
+        // SAFETY: zeros are an action with an empty mask; `on_end` has the type that SA_SIGINFO
+        // asks for and uses atomics and calls that handlers may use. A full stack needs
+        // SA_ONSTACK.
         unsafe {
             let mut action: libc::sigaction = mem::zeroed();
             action.sa_sigaction = handler as libc::sighandler_t;
@@ -234,8 +234,9 @@ extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_vo
                 ptr::null_mut(),
             );
         } else {
-            // Sent, by a timer as it may be, so it has to be sent again, and waits until this handler has returned. The
-            // runtime's handler would let it pass for a fault that does not come again.
+            // Sent, by a timer as it may be, so it has to be sent again, and waits until this
+            // handler has returned. The runtime's handler would let it pass for a fault that does
+            // not come again.
             libc::signal(signal, libc::SIG_DFL);
             libc::raise(signal);
         }
@@ -324,7 +325,7 @@ mod tests {
         ];
         let _sharing = SHARING.lock().unwrap();
         for (scenario, signal, restored) in cases {
-            let (pipe, _writer) = io::pipe().unwrap();
+            let (pipe, _writer) = std::io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let status = in_child(scenario);
             assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
@@ -391,7 +392,7 @@ mod tests {
             (second, libc::SIGTERM, true),
             (first, libc::SIGKILL, false),
         ] {
-            let (pipe, _writer) = io::pipe().unwrap();
+            let (pipe, _writer) = std::io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let status = in_child(scenario);
             assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
@@ -410,7 +411,7 @@ mod tests {
             let handler: extern "C" fn(i32) = seven;
             // SAFETY: this process is the test's own.
             unsafe { libc::signal(libc::SIGUSR2, handler as libc::sighandler_t) };
-            let (pipe, _writer) = io::pipe().unwrap();
+            let (pipe, _writer) = std::io::pipe().unwrap();
             SHARED.store(pipe.as_raw_fd(), Ordering::SeqCst);
             let _promise = promise();
             // SAFETY: as above.

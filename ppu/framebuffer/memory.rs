@@ -57,6 +57,10 @@ impl Framebuffer for Memory {
         true
     }
 
+    fn picture(&self) -> Option<RgbImage> {
+        Some(self.rgb())
+    }
+
     fn describe(&self) -> String {
         format!(
             "memory, {}, stride {} bytes",

@@ -1,12 +1,15 @@
 //! Where frames go: the picture on the console's screen, a file in its place, or memory.
 //!
-//! Owns the geometry, pixel layout and addresses of the buffer a frame is written to, and the moment
-//! at which a finished frame is shown. Knows nothing of scenes or work units: the SPUs write finished
-//! rows by DMA through a [`Target`], then the frame loop calls [`Framebuffer::present`].
+//! Owns the geometry, pixel layout and addresses of the buffer a frame is written to, and the
+//! moment at which a finished frame is shown. Knows nothing of scenes or work units: the SPUs
+//! write finished rows by DMA through a [`Target`], then the frame loop calls
+//! [`Framebuffer::present`].
 //!
 //! Invariant: every [`Target`] satisfies the DMA rules stated at [`Target`], whatever the driver
-//! below offers; where a driver's own memory does not, the frame is made in private memory and copied.
+//! below offers; where a driver's own memory does not, the frame is made in private memory and
+//! copied.
 
+mod arming;
 mod buffer;
 mod console;
 mod corners;
@@ -22,10 +25,12 @@ mod ioctl;
 mod last_resort;
 mod memory;
 mod numbered;
+mod open;
 #[cfg(test)]
 mod pattern;
 mod pixel;
 mod png;
+mod raster;
 mod surface;
 mod switching;
 mod video_mode;
@@ -40,17 +45,16 @@ pub use last_resort::LastResort;
 pub(crate) use last_resort::put_back;
 pub use memory::Memory;
 pub use numbered::NumberedPath;
+pub use open::{open, open_with};
 pub use pixel::PixelFormat;
 pub use png::{Png, write_png};
-pub use video_mode::Raster;
+pub use raster::Raster;
 
 use std::fmt;
-use std::fs;
-use std::io;
-use std::os::unix::fs::FileTypeExt;
-use std::path::Path;
 use std::ptr::NonNull;
 use std::str::FromStr;
+
+use image::RgbImage;
 
 /// Bytes a pixel: only 32-bit formats exist here, as the PS3's driver has no other.
 pub const PIXEL_BYTES: u32 = 4;
@@ -74,11 +78,12 @@ impl Geometry {
     /// Largest width and height, which SPUs take too: keeps every byte offset within 32 bits, with
     /// room for padding.
     pub const MAX_SIDE: u32 = {
-        assert!(nff::MAX_SIDE == crate::work::layout::MAX_SIDE);
+        assert!(nff::MAX_SIDE == protocol::layout::MAX_SIDE);
         nff::MAX_SIDE
     };
 
-    /// A checked geometry: both sides 1 to [`Geometry::MAX_SIDE`], else [`FramebufferError::BadSize`].
+    /// A checked geometry: both sides 1 to [`Geometry::MAX_SIDE`], else
+    /// [`FramebufferError::BadSize`].
     pub fn new(width: u32, height: u32) -> Result<Geometry, FramebufferError> {
         let geometry = Geometry { width, height };
         geometry.check()?;
@@ -132,10 +137,11 @@ impl FromStr for Geometry {
 /// The buffer that the next frame is written to.
 ///
 /// - `base` is a multiple of [`DMA_ALIGN`], and so is `stride`.
-/// - `stride` is at least [`Geometry::written_row_bytes`], `bytes` at least `stride` times the height.
+/// - `stride` is at least [`Geometry::written_row_bytes`], `bytes` at least `stride` times the
+///   height.
 ///
-/// Writing through `base`, by the PPU or by DMA, is allowed from the [`Framebuffer::target`] call that
-/// gave it until the next call of any method on that framebuffer, or its drop.
+/// Writing through `base`, by the PPU or by DMA, is allowed from the [`Framebuffer::target`] call
+/// that gave it until the next call of any method on that framebuffer, or its drop.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
     /// First byte of the first row.
@@ -158,13 +164,19 @@ pub trait Framebuffer: Send {
     /// Where the next frame goes. With two buffers the address alternates, so ask for every frame.
     fn target(&mut self) -> Target;
 
-    /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be complete.
+    /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be
+    /// complete.
     fn present(&mut self) -> Result<(), FramebufferError>;
 
-    /// Whether nobody else writes to the targets at this time. What is written from one such answer to
-    /// the next is still there then.
+    /// Whether nobody else writes to the targets at this time. What is written from one such
+    /// answer to the next is still there then.
     fn keeps_contents(&self) -> bool {
         false
+    }
+
+    /// The frame that was shown last, where it can be read back.
+    fn picture(&self) -> Option<RgbImage> {
+        None
     }
 
     /// One line for people: what this is, its size, stride and how frames are shown.
@@ -176,10 +188,11 @@ pub trait Framebuffer: Send {
 pub struct Options {
     /// Size of the picture: a file needs one; a device has its own, and another is an error.
     pub size: Option<Geometry>,
-    /// The video mode that ps3fb is to be set to, until the framebuffer is dropped; an error elsewhere.
+    /// The video mode that ps3fb is to be set to, until the framebuffer is dropped; an error
+    /// elsewhere.
     pub raster: Option<Raster>,
-    /// Where a device's frames are made; `None` is [`Mode::Direct`] where the memory is known to be main
-    /// memory (mainline ps3fb) and laid out for DMA, else [`Mode::Shadow`].
+    /// Where a device's frames are made; `None` is [`Mode::Direct`] where the memory is known to
+    /// be main memory (mainline ps3fb) and laid out for DMA, else [`Mode::Shadow`].
     pub mode: Option<Mode>,
     /// Whether a device that has room for two frames shows one while the other is made.
     pub two_frames: bool,
@@ -199,64 +212,9 @@ impl Default for Options {
     }
 }
 
-/// Opens the framebuffer at `path` as suits it best: [`open_with`] the default options and `size`.
-pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-    open_with(
-        path,
-        Options {
-            size,
-            ..Options::default()
-        },
-    )
-}
-
-/// Opens the framebuffer at `path`: a character device by its driver, a regular file or a path that
-/// does not exist yet as a file in the device's place.
-pub fn open_with(path: &Path, options: Options) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-    let file = || -> Result<Box<dyn Framebuffer>, FramebufferError> {
-        match options.raster {
-            Some(raster) => Err(FramebufferError::NoVideoMode {
-                path: path.to_owned(),
-                raster,
-                why: "it is a file".to_owned(),
-            }),
-            None => Ok(Box::new(File::open(path, options.size)?)),
-        }
-    };
-    let kind = match fs::metadata(path) {
-        Ok(metadata) => metadata.file_type(),
-        Err(error) if error.kind() == io::ErrorKind::NotFound => {
-            return file();
-        }
-        Err(source) => return Err(FramebufferError::io("look at", path, source)),
-    };
-    if kind.is_char_device() {
-        Ok(Box::new(Device::open(path, options)?))
-    } else if kind.is_file() {
-        file()
-    } else {
-        let kind = if kind.is_dir() {
-            "a directory"
-        } else if kind.is_block_device() {
-            "a block device"
-        } else if kind.is_fifo() {
-            "a pipe"
-        } else {
-            "a socket"
-        };
-        Err(FramebufferError::NotAFramebuffer {
-            path: path.to_owned(),
-            kind,
-        })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use std::ffi::CString;
-    use std::os::unix::ffi::OsStrExt;
-    use std::os::unix::net::UnixListener;
 
     #[test]
     fn size_text_is_read_strictly() {
@@ -292,67 +250,5 @@ mod tests {
         for (width, bytes) in [(1, 16), (4, 16), (5, 32), (101, 416), (1124, 4496)] {
             assert_eq!(Geometry { width, height: 1 }.written_row_bytes(), bytes);
         }
-    }
-
-    #[test]
-    fn a_directory_pipe_or_socket_is_no_framebuffer() {
-        let folder = tempfile::tempdir().unwrap();
-        let size = Some(Geometry {
-            width: 4,
-            height: 4,
-        });
-        let socket = folder.path().join("socket");
-        let _listener = UnixListener::bind(&socket).unwrap();
-        let pipe = folder.path().join("pipe");
-        let name = CString::new(pipe.as_os_str().as_bytes()).unwrap();
-        // SAFETY: the name is a zero-terminated string.
-        assert_eq!(unsafe { libc::mkfifo(name.as_ptr(), 0o600) }, 0);
-        let kinds = [
-            (folder.path(), "a directory"),
-            (&socket, "a socket"),
-            (&pipe, "a pipe"),
-        ];
-        for (path, kind) in kinds {
-            match open(path, size).err().unwrap() {
-                FramebufferError::NotAFramebuffer { kind: found, .. } => assert_eq!(found, kind),
-                other => panic!("{other}"),
-            }
-        }
-    }
-
-    #[test]
-    fn another_character_device_is_refused_by_its_answer() {
-        let error = open(Path::new("/dev/null"), None).err().unwrap();
-        let text = error.to_string();
-        assert!(
-            text.contains("/dev/null") && text.contains("FBIOGET_VSCREENINFO"),
-            "{text}"
-        );
-    }
-
-    #[test]
-    fn an_absent_path_becomes_a_file() {
-        let folder = tempfile::tempdir().unwrap();
-        let path = folder.path().join("fb0");
-        let size = Geometry {
-            width: 101,
-            height: 57,
-        };
-        assert_eq!(open(&path, Some(size)).unwrap().geometry(), size);
-        assert_eq!(open(&path, Some(size)).unwrap().geometry(), size);
-        assert!(matches!(
-            open(&path, None).err().unwrap(),
-            FramebufferError::SizeNeeded { .. }
-        ));
-        let full = Options {
-            size: Some(size),
-            raster: Some(Raster::Full),
-            ..Options::default()
-        };
-        let text = open_with(&path, full).err().unwrap().to_string();
-        assert!(
-            text.contains("full-screen") && text.contains("file"),
-            "{text}"
-        );
     }
 }

@@ -1,5 +1,5 @@
-//! A test picture, written as an SPU writes: whole groups of four pixels, junk where a group passes
-//! the right edge, and the byte that no channel uses zero.
+//! A test picture, written as an SPU writes: whole groups of four pixels, junk where a group
+//! passes the right edge, and the byte that no channel uses zero.
 
 use super::{DMA_ALIGN, PIXEL_GROUP, Target};
 use image::RgbImage;

@@ -1,9 +1,10 @@
 //! Where the channels of a pixel stand.
 //!
-//! An SPU stores a pixel as one big-endian word; a driver describes it by bit offsets in the host's
-//! own word. The difference is settled here, once, when a framebuffer is opened.
+//! An SPU stores a pixel as one big-endian word; a driver describes it by bit offsets in the
+//! host's own word. The difference is settled here, once, when a framebuffer is opened.
 
-/// Position of the 8-bit channels in the big-endian 32-bit word that an SPU stores, as left shifts.
+/// Position of the 8-bit channels in the big-endian 32-bit word that an SPU stores, as left
+/// shifts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixelFormat {
     /// Left shift of red: 0, 8, 16 or 24.
@@ -15,7 +16,8 @@ pub struct PixelFormat {
 }
 
 impl PixelFormat {
-    /// Bytes A, R, G, B in memory, as ps3fb has them; also the order of files and of memory frames.
+    /// Bytes A, R, G, B in memory, as ps3fb has them; also the order of files and of memory
+    /// frames.
     pub const ARGB: PixelFormat = PixelFormat {
         red_shift: 16,
         green_shift: 8,

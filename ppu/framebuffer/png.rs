@@ -1,7 +1,7 @@
 //! Frames as PNG pictures.
 //!
-//! Invariant: at the picture's path there is either what was there before or a whole new picture. It
-//! is written beside its place under another name, made durable, then renamed.
+//! Invariant: at the picture's path there is either what was there before or a whole new picture.
+//! It is written beside its place under another name, made durable, then renamed.
 
 use super::{Framebuffer, FramebufferError, Geometry, Memory, Target};
 use image::codecs::png::PngEncoder;
@@ -15,7 +15,8 @@ use std::sync::atomic::{AtomicU32, Ordering};
 
 /// Writes `picture` to `path` as an 8-bit RGB PNG, replacing a picture that is there.
 ///
-/// A symbolic link is followed. Anything but a regular file at `path` is an error and stays as it is.
+/// A symbolic link is followed. Anything but a regular file at `path` is an error and stays as it
+/// is.
 pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), FramebufferError> {
     let place = replaceable(path)?;
     let partial = partial_beside(&place)?;
@@ -28,7 +29,8 @@ pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), FramebufferError
             .map_err(|source| FramebufferError::io("put a picture at", &place, source))
     });
     if placed.is_err() {
-        // The error to tell is the first one; a partial file that can't be removed is marked by its name.
+        // The error to tell is the first one; a partial file that can't be removed is marked by
+        // its name.
         let _ = fs::remove_file(&partial);
     }
     placed

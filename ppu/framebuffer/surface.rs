@@ -1,6 +1,7 @@
 //! What a driver says about its screen, checked and in our terms. Pure: no call is made here.
 //!
-//! Invariant: every frame offset given out has all shown pixels of a frame within the device's memory.
+//! Invariant: every frame offset given out has all shown pixels of a frame within the device's
+//! memory.
 
 use super::ioctl::{FB_TYPE_PACKED_PIXELS, FB_VISUAL_TRUECOLOR, FbFixScreeninfo, FbVarScreeninfo};
 use super::{DMA_ALIGN, FramebufferError, Geometry, PIXEL_BYTES, PixelFormat};
@@ -135,11 +136,12 @@ impl Surface {
         }
     }
 
-    /// Why SPUs can't write to the frame at `address`, `offset` bytes into the memory, if they can't.
+    /// Why SPUs can't write to the frame at `address`, `offset` bytes into the memory, if they
+    /// can't.
     pub(super) fn direct_obstacle(&self, address: usize, offset: u64) -> Option<String> {
         let line = self.line_length;
-        // Where both are multiples of a quadword, a line that holds the shown pixels also holds their
-        // last group of four.
+        // Where both are multiples of a quadword, a line that holds the shown pixels also holds
+        // their last group of four.
         if !address.is_multiple_of(DMA_ALIGN) {
             Some(format!(
                 "a frame starts at address {address:#x}, not on {DMA_ALIGN} bytes"
@@ -160,9 +162,10 @@ impl Surface {
         self.driver == PS3FB
     }
 
-    /// Whether ps3fb's memory is main memory, which SPUs reach and where its frames lie one after the
-    /// other. The mainline driver reserves whole MiB, 48 at most, and keeps 64 KiB of them for itself.
-    /// Patched drivers that map the video memory tell whole MiB; how their frames lie is not known.
+    /// Whether ps3fb's memory is main memory, which SPUs reach and where its frames lie one after
+    /// the other. The mainline driver reserves whole MiB, 48 at most, and keeps 64 KiB of them for
+    /// itself. Patched drivers that map the video memory tell whole MiB; how their frames lie is
+    /// not known.
     fn is_main_memory(&self) -> bool {
         const KEPT: usize = 64 << 10;
         const MIB: usize = 1 << 20;

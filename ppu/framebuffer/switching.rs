@@ -1,9 +1,9 @@
-//! Who may have the screen: the kernel's asking for it when the user changes to another terminal, its
-//! giving it back, and Ctrl-Z, as questions for the frame loop.
+//! Who may have the screen: the kernel's asking for it when the user changes to another terminal,
+//! its giving it back, and Ctrl-Z, as questions for the frame loop.
 //!
-//! Invariant: handlers only set flags and wake [`wait_until_back`]; without a [`Switching`] alive the
-//! kernel's two signals mean nothing, and Ctrl-Z stops the program as by default. What is armed as a
-//! [`LastResort`] is put back before the program stops.
+//! Invariant: handlers only set flags and wake [`wait_until_back`]; without a [`Switching`] alive
+//! the kernel's two signals mean nothing, and Ctrl-Z stops the program as by default. What is
+//! armed as a [`LastResort`] is put back before the program stops.
 
 use super::interrupted;
 use super::last_resort::LastResort;
@@ -70,8 +70,8 @@ impl Switching {
         BACK.store(false, Ordering::SeqCst);
     }
 
-    /// Sleeps until the screen is given back, and says whether it is; not when the program is asked to
-    /// end meanwhile.
+    /// Sleeps until the screen is given back, and says whether it is; not when the program is
+    /// asked to end meanwhile.
     pub(super) fn wait_until_back(&self) -> bool {
         loop {
             if BACK.swap(false, Ordering::SeqCst) {
@@ -91,7 +91,8 @@ impl Drop for Switching {
     }
 }
 
-/// Stops the program as Ctrl-Z does; returns when it is continued. May be called from a signal handler.
+/// Stops the program as Ctrl-Z does; returns when it is continued. May be called from a signal
+/// handler.
 pub(super) fn stop() {
     let armed = LastResort::armed();
     if let Some(armed) = armed {

@@ -1,14 +1,15 @@
-//! ps3fb's video modes: with borders, as televisions cut some of the picture, or of the whole screen.
+//! ps3fb's video modes: with borders, as televisions cut some of the picture, or of the whole
+//! screen.
 //!
-//! Invariant: a mode that was changed is put back when the [`Moded`] driver is dropped. The mode is not
-//! part of what the driver forgets when it is closed.
+//! Invariant: a mode that was changed is put back when the [`Moded`] driver is dropped. The mode
+//! is not part of what the driver forgets when it is closed.
 
 use super::FramebufferError;
 use super::driver::Driver;
 use super::ioctl::Encoding;
 use super::last_resort::{Argument, Place, PutBack};
+use super::raster::Raster;
 use super::surface::PS3FB;
-use std::fmt;
 use std::ops::{Deref, DerefMut};
 use std::path::Path;
 
@@ -18,24 +19,6 @@ const BASE: u32 = 0x0F;
 const LAST_TELEVISION: u32 = 10;
 /// Bit of a mode that fills the whole screen.
 const FULL: u32 = 0x80;
-
-/// How much of a television's picture ps3fb uses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Raster {
-    /// What every television shows, within black borders that the driver makes: 1124x644 of 720p.
-    Bordered,
-    /// All of it: 1280x720 of 720p.
-    Full,
-}
-
-impl fmt::Display for Raster {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Raster::Bordered => "a mode with borders",
-            Raster::Full => "a full-screen mode",
-        })
-    }
-}
 
 /// A driver whose video mode may have been changed.
 pub(super) struct Moded {
@@ -55,8 +38,8 @@ impl Moded {
         }
     }
 
-    /// Changes the mode of ps3fb, which `name` should be, to the one of the same lines and rate that has
-    /// `raster`, if it is another.
+    /// Changes the mode of ps3fb, which `name` should be, to the one of the same lines and rate
+    /// that has `raster`, if it is another.
     pub(super) fn set(
         &mut self,
         raster: Raster,

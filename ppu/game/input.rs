@@ -1,15 +1,16 @@
 //! What the player does: keys, mouse and pads, from frame to frame.
 //!
 //! Owns the state that [`InputEvent`]s add up to. Knows no device: who reads one makes the events.
-//! Invariants: the state depends on the events alone; every number in it is finite, axes are from -1 to 1.
+//! Invariants: the state depends on the events alone; every number in it is finite, axes are from
+//! -1 to 1.
 
 mod event;
 mod names;
 mod pad;
 
-pub use event::{InputEvent, PadId};
+pub use event::InputEvent;
 pub use names::{Axis, Button, Key, MouseButton};
-pub use pad::{Pad, Sensors};
+pub use pad::{Pad, PadId, Sensors};
 
 use names::Switches;
 
@@ -18,9 +19,11 @@ use names::Switches;
 pub struct Mouse {
     /// Where it points, in pixels from the picture's top left; nothing while it is elsewhere.
     pub position: Option<[f32; 2]>,
-    /// How far it was moved since the last frame, to the right and down, in its own unit: pixels for most.
+    /// How far it was moved since the last frame, to the right and down, in its own unit: pixels
+    /// for most.
     pub motion: [f32; 2],
-    /// By how many notches the wheel was turned since the last frame, to the right and away from the player.
+    /// By how many notches the wheel was turned since the last frame, to the right and away from
+    /// the player.
     pub wheel: [f32; 2],
 }
 
@@ -47,7 +50,8 @@ pub struct Input {
 }
 
 impl Input {
-    /// Begins a frame: what was pressed, released and moved in the last one is forgotten; what is held stays.
+    /// Begins a frame: what was pressed, released and moved in the last one is forgotten; what is
+    /// held stays.
     pub fn begin_frame(&mut self) {
         self.keys.begin_frame();
         self.buttons.begin_frame();
@@ -90,7 +94,8 @@ impl Input {
         }
     }
 
-    /// Whether keys began to go elsewhere in this frame: what counts as released by that, the player did not let go.
+    /// Whether keys began to go elsewhere in this frame: what counts as released by that, the
+    /// player did not let go.
     #[must_use]
     pub fn lost_focus(&self) -> bool {
         self.lost_focus

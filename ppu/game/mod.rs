@@ -1,9 +1,10 @@
-//! The user layer: a [`Game`] is called once a frame and changes its [`World`]; the engine traces it.
+//! The user layer: a [`Game`] is called once a frame and changes its [`World`]; the engine traces
+//! it.
 //!
-//! Owns what a game sees: the world, the input, the moment. Knows no window and no device: those who show a game
-//! bring a framebuffer and a source of [`Input`] to its [`Session`]. Invariant: what a game sees in a frame
-//! depends on the frames' times, sizes and inputs alone, but for [`Moment::last`], so that a recorded session
-//! is played back bit for bit.
+//! Owns what a game sees: the world, the input, the moment. Knows no window and no device: those
+//! who show a game bring a framebuffer and a source of [`Input`] to its [`Session`]. Invariant:
+//! what a game sees in a frame depends on the frames' times, sizes and inputs alone, but for
+//! [`Moment::last`], so that a recorded session is played back bit for bit.
 
 mod input;
 mod run;
@@ -85,7 +86,7 @@ pub struct Moment<'a> {
     pub input: &'a Input,
     /// Pixels across and down.
     pub size: (u32, u32),
-    /// What the SPUs said of the last frame; nothing in the first. It is another from run to run: to be shown,
-    /// not to be played by.
+    /// What the SPUs said of the last frame; nothing in the first. It is another from run to run:
+    /// to be shown, not to be played by.
     pub last: Option<&'a FrameStatistics>,
 }

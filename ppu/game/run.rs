@@ -1,8 +1,9 @@
 //! The frame loop: input, game, world, SPUs, picture; again.
 //!
-//! Owns the [`Session`] of a game. Invariant: the game is called in the thread that calls the session, once a
-//! frame, and sleeps there while SPUs trace; what it is told comes from the clock and the input source, or from
-//! a recording and from nothing else.
+//! Owns the [`Session`] of a game, which is stepped: events and time in, a frame out. Who steps it
+//! has the display, the devices and the clock; it has none of them. Invariant: the game is called
+//! in the thread that steps the session, once a frame, and sleeps there while SPUs trace; what it
+//! is told comes from that step, or from a recording, and from nothing else.
 
 mod clock;
 mod error;
@@ -10,53 +11,27 @@ mod frames;
 mod merge;
 mod pictures;
 mod recording;
+mod source;
 
 pub use clock::{Clock, FixedSteps, RealTime};
 pub use error::SessionError;
 pub use frames::{FrameRange, FrameRangeError};
 pub use pictures::{Made, Pictures};
 pub use recording::{Recording, RecordingError};
+pub use source::{InputSource, NoInput};
 
 use std::io::Write;
 use std::ops::ControlFlow;
 use std::time::Duration;
 
+use image::RgbImage;
+
 use self::recording::{FrameRecord, Header, Recorder};
 use super::{Game, Input, InputEvent, Moment, Start, World};
-use crate::framebuffer::{Framebuffer, Interrupted};
+use crate::engine::{Engine, EngineError, Settings};
+use crate::framebuffer::Framebuffer;
+use crate::report::{LoopTime, Report};
 use crate::spe::{Program, ProgramError};
-use crate::{Engine, EngineError, LoopTime, Report, Settings};
-
-/// Where input comes from.
-pub trait InputSource {
-    /// Appends what has happened since the last call; with [`ControlFlow::Break`] the session ends before the
-    /// frame at hand.
-    fn poll(&mut self, events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>>;
-
-    /// Told from time to time, while a frame is traced, which part of it is done, 0 to 1. A window answers its
-    /// system then.
-    fn tracing(&mut self, _part: f64) {}
-}
-
-/// No input at all.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct NoInput;
-
-impl InputSource for NoInput {
-    fn poll(&mut self, _events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>> {
-        Ok(ControlFlow::Continue(()))
-    }
-}
-
-/// No input, up to a signal.
-impl InputSource for Interrupted {
-    fn poll(&mut self, _events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>> {
-        Ok(match self.signal() {
-            Some(_) => ControlFlow::Break(()),
-            None => ControlFlow::Continue(()),
-        })
-    }
-}
 
 /// A game, its world and the SPUs that trace it.
 ///
@@ -66,28 +41,41 @@ impl InputSource for Interrupted {
 /// use cellray::Settings;
 /// use cellray::framebuffer::{Geometry, Memory};
 /// use cellray::game::{
-///     DVec3, FixedSteps, Game, Material, Moment, Session, Start, World, WorldError,
+///     DVec3, Game, InputEvent, Key, Material, Moment, ObjectId, Session, Start, World,
+///     WorldError,
 /// };
 ///
-/// struct Still;
+/// /// A ball that lies until somebody presses the space bar.
+/// struct Still(ObjectId);
 ///
 /// impl Game for Still {
 ///     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
 ///         let red = world.add_material(Material::matte(0.9, 0.2, 0.1))?;
-///         world.add_sphere(DVec3::ZERO, 1.0, red)?;
+///         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
 ///         Ok(())
 ///     }
-///     fn frame(&mut self, _: &mut World, _: &Moment<'_>) -> Result<(), WorldError> {
-///         Ok(())
+///     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+///         match moment.input.key_pressed(Key::Space) {
+///             true => world.move_to(self.0, DVec3::Y),
+///             false => Ok(()),
+///         }
 ///     }
 /// }
 ///
 /// let picture = Memory::new(Geometry::new(32, 16)?)?;
-/// let mut session = Session::start(Still, Settings::default(), Box::new(picture))?
-///     .with_clock(Box::new(FixedSteps(Duration::from_millis(40))));
-/// session.run(Some(3))?;
+/// let still = Still(ObjectId::default());
+/// let mut session = Session::start(still, Settings::default(), Box::new(picture))?;
+/// let step = Duration::from_millis(40);
+/// for _ in 0..3 {
+///     session.step(step, &mut Vec::new(), &mut |_| ())?;
+/// }
 /// // What stands still is traced once.
 /// assert_eq!(session.report().frames_traced, 1);
+///
+/// let before = session.picture();
+/// let space = InputEvent::Key { key: Key::Space, down: true };
+/// session.step(step, &mut vec![space], &mut |_| ())?;
+/// assert!(session.picture() != before);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub struct Session<G> {
@@ -99,21 +87,25 @@ pub struct Session<G> {
     size: (u32, u32),
     start: Option<Start>,
     seed: u64,
-    source: Box<dyn InputSource>,
-    clock: Box<dyn Clock>,
     recorder: Option<Recorder>,
     replay: Option<Recording>,
     input: Input,
     /// The frame at hand; its buffers serve for the next.
     record: FrameRecord,
+    /// Whether that is one of the recording that is played back, read and not yet stepped.
+    is_read: bool,
+    /// Room for the events of a frame that is asked for.
+    events: Vec<InputEvent>,
+    /// When the frame at hand began, if it was waited for.
+    began: Option<LoopTime>,
     frame: u64,
     time: Duration,
     report: Report,
 }
 
 impl<G: Game> Session<G> {
-    /// Starts the SPUs, with the game's own program if it has one. The game is set up at the first frame; until
-    /// something else is said there is no input, and at most sixty frames come a second.
+    /// Starts the SPUs, with the game's own program if it has one. The game is set up at the first
+    /// frame.
     pub fn start(
         game: G,
         mut settings: Settings,
@@ -124,7 +116,8 @@ impl<G: Game> Session<G> {
         }
         let geometry = framebuffer.geometry();
         let size = (geometry.width, geometry.height);
-        // It refuses what can't be: a number of SPUs for which there is no room in a report, either.
+        // It refuses what can't be: a number of SPUs for which there is no room in a report,
+        // either.
         let engine = Engine::start(settings, framebuffer)?;
         let report = Report::new(game.name(), size, settings.spus);
         Ok(Self {
@@ -135,28 +128,17 @@ impl<G: Game> Session<G> {
             size,
             start: None,
             seed: 0,
-            source: Box::new(NoInput),
-            clock: Box::new(RealTime::default()),
             recorder: None,
             replay: None,
             input: Input::default(),
             record: FrameRecord::default(),
+            is_read: false,
+            events: Vec::new(),
+            began: None,
             frame: 0,
             time: Duration::ZERO,
             report,
         })
-    }
-
-    /// Takes its input from there. With a recording that is played back, it is only asked whether to end.
-    #[must_use]
-    pub fn with_input(self, source: Box<dyn InputSource>) -> Self {
-        Self { source, ..self }
-    }
-
-    /// Takes the time from there.
-    #[must_use]
-    pub fn with_clock(self, clock: Box<dyn Clock>) -> Self {
-        Self { clock, ..self }
     }
 
     /// Gives the game another seed than 0.
@@ -174,8 +156,9 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// Plays a recording back: the game is told of the same seed, sizes, times and events, and after the last of
-    /// them the session ends. The framebuffer may be of another size; the game is told the recorded one.
+    /// Plays a recording back: the game is told of the same seed, sizes, times and events,
+    /// whatever it is stepped by, and after the last of them the session ends. The framebuffer may
+    /// be of another size; the game is told the recorded one.
     ///
     /// # Errors
     /// One of another game.
@@ -193,12 +176,17 @@ impl<G: Game> Session<G> {
         })
     }
 
-    /// Runs until the game is over, the input ends, the recording does or so many frames are shown, and
-    /// [finishes](Session::finish).
-    pub fn run(&mut self, frames: Option<u64>) -> Result<&Report, SessionError> {
+    /// Runs by a clock and a source of input until the game is over, the input ends, the recording
+    /// does or so many frames are shown, and [finishes](Session::finish).
+    pub fn run(
+        &mut self,
+        frames: Option<u64>,
+        clock: &mut dyn Clock,
+        source: &mut dyn InputSource,
+    ) -> Result<&Report, SessionError> {
         let mut left = frames;
         while left != Some(0) {
-            if self.frame()?.is_break() {
+            if self.frame(clock, source)?.is_break() {
                 break;
             }
             left = left.map(|left| left - 1);
@@ -207,8 +195,8 @@ impl<G: Game> Session<G> {
         Ok(&self.report)
     }
 
-    /// Writes what its recording still lacks. To be called after the last frame: where it isn't, what the disk
-    /// refuses then is told to nobody. The session may go on all the same.
+    /// Writes what its recording still lacks. To be called after the last frame: where it isn't,
+    /// what the disk refuses then is told to nobody. The session may go on all the same.
     pub fn finish(&mut self) -> Result<(), SessionError> {
         match &mut self.recorder {
             Some(recorder) => Ok(recorder.finish(&self.world)?),
@@ -216,33 +204,84 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// One frame, from the input to the picture; with [`ControlFlow::Break`], that the session is over. After the
-    /// last one comes [`Session::finish`].
-    pub fn frame(&mut self) -> Result<ControlFlow<()>, SessionError> {
-        let began = LoopTime::now();
-        let flow = self.next_frame();
+    /// One frame by a clock and a source of input; with [`ControlFlow::Break`], that the session
+    /// is over. After the last one comes [`Session::finish`].
+    pub fn frame(
+        &mut self,
+        clock: &mut dyn Clock,
+        source: &mut dyn InputSource,
+    ) -> Result<ControlFlow<()>, SessionError> {
+        let Some(step) = self.wait(clock)? else {
+            return Ok(ControlFlow::Break(()));
+        };
+        let mut events = std::mem::take(&mut self.events);
+        let heard = source.poll(&mut events).map_err(SessionError::Input)?;
+        let flow = match heard {
+            ControlFlow::Continue(()) => {
+                self.step(step, &mut events, &mut |part| source.tracing(part))
+            }
+            over => Ok(over),
+        };
+        self.events = events;
+        flow
+    }
+
+    /// Waits until it is time for the next frame; gives the time since the last one. A recording
+    /// that is played back has that time written down: after its last frame there is nothing.
+    pub fn wait(&mut self, clock: &mut dyn Clock) -> Result<Option<Duration>, SessionError> {
+        self.began = Some(LoopTime::now());
+        self.set_up()?;
+        if self.replay.is_none() {
+            return Ok(Some(clock.tick()));
+        }
+        if !self.read_recorded()? {
+            return Ok(None);
+        }
+        clock.pace(self.record.step());
+        Ok(Some(self.record.step()))
+    }
+
+    /// One frame: so much time after the last one the game hears of `events`, which are taken, and
+    /// what it makes of the world is traced and shown. `tracing` is told meanwhile, from time to
+    /// time, which part of that is done, 0 to 1. With [`ControlFlow::Break`] the session is over,
+    /// and if a recording that is played back is, there was no such frame.
+    pub fn step(
+        &mut self,
+        step: Duration,
+        events: &mut Vec<InputEvent>,
+        tracing: &mut dyn FnMut(f64),
+    ) -> Result<ControlFlow<()>, SessionError> {
+        let began = self.began.take().unwrap_or_else(LoopTime::now);
+        let flow = self.traced_step(step, events, tracing);
         self.report.add_time_since(began);
         flow
     }
 
-    /// One frame without its picture: the game is called, nothing is traced or shown. So a sequence of pictures
-    /// may begin in the middle of a game.
-    pub fn pass_over(&mut self) -> Result<ControlFlow<()>, SessionError> {
-        Ok(match self.next_moment()? {
+    /// [`Session::step`] without a picture: the game is called, nothing is traced or shown. So a
+    /// sequence of pictures may begin in the middle of a game.
+    pub fn pass_over(
+        &mut self,
+        step: Duration,
+        events: &mut Vec<InputEvent>,
+    ) -> Result<ControlFlow<()>, SessionError> {
+        self.began = None;
+        Ok(match self.play(step, events)? {
             ControlFlow::Continue(()) => self.end_frame(),
             over => over,
         })
     }
 
-    fn next_frame(&mut self) -> Result<ControlFlow<()>, SessionError> {
-        if self.next_moment()?.is_break() {
+    fn traced_step(
+        &mut self,
+        step: Duration,
+        events: &mut Vec<InputEvent>,
+        tracing: &mut dyn FnMut(f64),
+    ) -> Result<ControlFlow<()>, SessionError> {
+        if self.play(step, events)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
         let scene = self.world.scene(&self.settings.program)?;
-        let source = &mut self.source;
-        let statistics = self
-            .engine
-            .render(scene, &mut |part| source.tracing(part))?;
+        let statistics = self.engine.render(scene, tracing)?;
         self.report.add(statistics);
         Ok(self.end_frame())
     }
@@ -256,21 +295,21 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// From the input to the world of the frame at hand.
-    fn next_moment(&mut self) -> Result<ControlFlow<()>, SessionError> {
-        if self.start.is_none() {
-            self.set_up()?;
-        }
-        self.record.clear();
-        let flow = self.source.poll(&mut self.record.events);
-        if flow.map_err(SessionError::Input)?.is_break() {
-            return Ok(ControlFlow::Break(()));
-        }
-        // A game would not hear of others, and a recording has no word for them.
-        self.record.events.retain(InputEvent::is_finite);
-        merge::merge(&mut self.record.events);
-        if !self.find_moment()? {
-            return Ok(ControlFlow::Break(()));
+    /// The game makes the world what it is in the frame at hand.
+    fn play(
+        &mut self,
+        step: Duration,
+        events: &mut Vec<InputEvent>,
+    ) -> Result<ControlFlow<()>, SessionError> {
+        self.set_up()?;
+        if self.replay.is_some() {
+            events.clear();
+            if !self.read_recorded()? {
+                return Ok(ControlFlow::Break(()));
+            }
+            self.is_read = false;
+        } else {
+            self.take_down(step, events);
         }
         self.input.begin_frame();
         for event in &self.record.events {
@@ -292,7 +331,11 @@ impl<G: Game> Session<G> {
         Ok(ControlFlow::Continue(()))
     }
 
+    /// Has the game set up its world, if it has not.
     fn set_up(&mut self) -> Result<(), SessionError> {
+        if self.start.is_some() {
+            return Ok(());
+        }
         let replayed = self.replay.as_ref().map(Recording::start);
         let start = replayed.unwrap_or(Start {
             seed: self.seed,
@@ -306,27 +349,28 @@ impl<G: Game> Session<G> {
         Ok(())
     }
 
-    /// The time, size and events of the frame at hand; `false` where the recording has no more.
-    fn find_moment(&mut self) -> Result<bool, SessionError> {
-        match &mut self.replay {
-            Some(recording) => {
-                if !recording.next_frame(&mut self.record)? {
-                    return Ok(false);
-                }
-                self.clock.pace(self.record.step());
-            }
-            None => {
-                let step = self.clock.tick();
-                let step = if self.frame == 0 {
-                    Duration::ZERO
-                } else {
-                    step
-                };
-                self.record.set_step(step);
-                self.record.size = Some(self.size);
-            }
+    /// Has the recording's next frame as the one at hand; `false` where it has no more.
+    fn read_recorded(&mut self) -> Result<bool, SessionError> {
+        if let Some(recording) = self.replay.as_mut().filter(|_| !self.is_read) {
+            self.is_read = recording.next_frame(&mut self.record)?;
         }
-        Ok(true)
+        Ok(self.is_read)
+    }
+
+    /// Makes a frame of what has happened since the last one.
+    fn take_down(&mut self, step: Duration, events: &mut Vec<InputEvent>) {
+        let record = &mut self.record;
+        record.clear();
+        record.events.append(events);
+        // A game would not hear of others, and a recording has no word for them.
+        record.events.retain(InputEvent::is_finite);
+        merge::merge(&mut record.events);
+        record.set_step(if self.frame == 0 {
+            Duration::ZERO
+        } else {
+            step
+        });
+        record.size = Some(self.size);
     }
 
     /// Compares the world with the recorded one, or writes down what it is now.
@@ -353,6 +397,18 @@ impl<G: Game> Session<G> {
         Ok(before)
     }
 
+    /// The frame that is shown, where the framebuffer can be read back.
+    #[must_use]
+    pub fn picture(&self) -> Option<RgbImage> {
+        self.engine.picture()
+    }
+
+    /// Number of the frame that comes next, from 0.
+    #[must_use]
+    pub fn next_frame(&self) -> u64 {
+        self.frame
+    }
+
     /// What the frames so far have taken.
     #[must_use]
     pub fn report(&self) -> &Report {
@@ -365,8 +421,9 @@ impl<G: Game> Session<G> {
         &self.game
     }
 
-    /// The world, such as for a camera that the player moves beside the game. What is changed here is not in a
-    /// recording: one that is made meanwhile is found to be of another world when it is played back.
+    /// The world, such as for a camera that the player moves beside the game. What is changed here
+    /// is not in a recording: one that is made meanwhile is found to be of another world when it
+    /// is played back.
     pub fn world(&mut self) -> &mut World {
         &mut self.world
     }

@@ -1,6 +1,7 @@
 //! A scene that is turned before the eye.
 //!
-//! Invariant: the eye depends on the frame's number alone, and is the same on every machine: `libm`'s sines are.
+//! Invariant: the eye depends on the frame's number alone, and is the same on every machine:
+//! `libm`'s sines are.
 
 use glam::DVec3;
 use nff::View;

@@ -1,76 +1,48 @@
 //! The world: what a game changes from frame to frame, by handles.
 //!
-//! Owns the content: camera, background, lights, materials and objects, and the scene that is traced.
-//! Invariants: a handle is valid until what it stands for is removed, and is never another's; every number is
-//! one that the SPUs have room for; a world is traced as a scene of the same content would be.
+//! Owns the content: camera, background, lights, materials and objects, and the scene that is
+//! traced. Invariants: a handle is valid until what it stands for is removed, and is never
+//! another's; every number is one that the SPUs have room for; a world is traced as a scene of the
+//! same content would be.
 
 mod check;
 mod checksum;
+mod content;
+mod edits;
 mod error;
+mod ids;
 mod material;
+mod materials;
 mod objects;
 mod traced;
 
 pub use error::WorldError;
+pub use ids::{LightId, MaterialId, ObjectId};
 pub use material::{Light, Material};
 
 use glam::DVec3;
+use nff::View;
 use nff::depth::DepthShading;
-use nff::{Shape, View};
-use slotmap::{SecondaryMap, SlotMap, new_key_type};
+use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
-use self::traced::{Changes, Traced, Tracing};
+use self::content::{Lamp, Object, Stuff};
+use self::edits::{Edits, Traced};
 use crate::scene::Look;
-
-new_key_type! {
-    /// Handle of an object in a [`World`]; the default one is none's.
-    pub struct ObjectId;
-
-    /// Handle of a material in a [`World`]; the default one is none's.
-    pub struct MaterialId;
-
-    /// Handle of a light in a [`World`]; the default one is none's.
-    pub struct LightId;
-}
-
-struct Object {
-    /// In the file that it is from.
-    line: Option<u32>,
-    shape: Shape,
-    material: MaterialId,
-    visible: bool,
-    fixed: bool,
-    traced: Tracing,
-}
-
-struct Stuff {
-    /// In the file that it is from.
-    line: Option<u32>,
-    material: nff::Material,
-    /// Objects that are made of it.
-    users: u32,
-    traced: Tracing,
-}
-
-struct Lamp {
-    /// In the file that it is from.
-    line: Option<u32>,
-    light: Light,
-    traced: Tracing,
-}
 
 /// A scene that a game changes.
 ///
-/// What is changed costs what has changed: records are written in place and the trees above them fitted again;
-/// nothing is said of the rest, and where the eye stands still the [`Engine`](crate::Engine) traces only what the
-/// change shows in (`keeps_contents` of the framebuffer permitting):
+/// What is changed costs what has changed: records are written in place and the trees above them
+/// fitted again; nothing is said of the rest, and where the eye stands still the
+/// [`Engine`](crate::Engine) traces only what the change shows in (`keeps_contents` of the
+/// framebuffer permitting):
 ///
 /// - nothing changed: nothing is traced;
-/// - by depth shading: the tiles in which a changed sphere is or was seen; all, where the range of the shading has
-///   changed with them, which [`World::set_fade`] prevents;
-/// - by Whitted's model: the tiles in which a changed object is or was seen, and its shadows fall or fell, and
-///   those in which mirrors, glass and objects with a game's own shader are seen, in all of which it may show;
+/// - by depth shading: the tiles in which a changed sphere is or was seen; all, where the range of
+///   the shading has changed with them, which [`World::set_fade`] prevents;
+/// - by Whitted's model: the tiles in which a changed object is or was seen, and its shadows fall
+///   or fell, and those in which mirrors, glass and objects with a game's own shader are seen, in
+///   all of which it may show;
 /// - all, when a light, the ambient light, the background, the eye or the look has changed.
 ///
 /// The SPUs fetch the whole scene for each frame of which anything is traced.
@@ -102,8 +74,8 @@ pub struct World {
     objects: SlotMap<ObjectId, Object>,
     /// What was traced last.
     traced: Option<Traced>,
-    /// How the world differs from that.
-    changes: Changes,
+    /// What of the world has been touched since.
+    edits: Edits,
 }
 
 impl Default for World {
@@ -134,12 +106,12 @@ impl World {
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
             traced: None,
-            changes: Changes::default(),
+            edits: Edits::default(),
         }
     }
 
-    /// The world that a scene shows. Its objects, materials and lights are in the scene's order, and called by the
-    /// lines that they are in.
+    /// The world that a scene shows. Its objects, materials and lights are in the scene's order,
+    /// and called by the lines that they are in.
     pub fn from_nff(scene: &nff::Scene, look: Look) -> Result<Self, WorldError> {
         let at = |line| {
             move |source| WorldError::At {
@@ -224,7 +196,7 @@ impl World {
     /// Calls it so.
     pub fn set_name(&mut self, name: &str) {
         name.clone_into(&mut self.name);
-        self.changes.anew = true;
+        self.edits.anew = true;
     }
 
     /// The eye. Its resolution is not looked at: the picture is as large as the framebuffer.
@@ -244,10 +216,7 @@ impl World {
         }
         // Of any size: the camera's other conditions are the view's own.
         view.camera(2, 2)?;
-        if self.view != view {
-            self.view = view;
-            self.changes.view = true;
-        }
+        self.view = view;
         Ok(())
     }
 
@@ -269,10 +238,7 @@ impl World {
     /// Changes that colour.
     pub fn set_background(&mut self, colour: DVec3) -> Result<(), WorldError> {
         check::vector("background", colour)?;
-        if self.background != colour {
-            self.background = colour;
-            self.changes.background = true;
-        }
+        self.background = colour;
         Ok(())
     }
 
@@ -285,10 +251,7 @@ impl World {
     /// Changes that brightness.
     pub fn set_ambient(&mut self, brightness: DVec3) -> Result<(), WorldError> {
         check::vector("ambient light", brightness)?;
-        if self.ambient != brightness {
-            self.ambient = brightness;
-            self.changes.ambient = true;
-        }
+        self.ambient = brightness;
         Ok(())
     }
 
@@ -302,7 +265,7 @@ impl World {
     pub fn set_look(&mut self, look: Look) {
         if self.look != look {
             self.look = look;
-            self.changes.anew = true;
+            self.edits.anew = true;
         }
     }
 
@@ -312,21 +275,18 @@ impl World {
         self.fade
     }
 
-    /// Gives depth shading its distances. Without them (`None`) they are those of the nearest and the
-    /// farthest sphere, and the picture's brightness changes where these move.
+    /// Gives depth shading its distances. Without them (`None`) they are those of the nearest and
+    /// the farthest sphere, and the picture's brightness changes where these move.
     pub fn set_fade(&mut self, fade: Option<DepthShading>) -> Result<(), WorldError> {
         if let Some(DepthShading { near, far }) = fade {
             check::fade(near, far)?;
         }
-        if self.fade != fade {
-            self.fade = fade;
-            self.changes.spheres = true;
-        }
+        self.fade = fade;
         Ok(())
     }
 
-    /// A number that tells this world's content from another's, the same on every machine: of objects, materials
-    /// and lights in their order, the handles apart; of the look nothing.
+    /// A number that tells this world's content from another's, the same on every machine: of
+    /// objects, materials and lights in their order, the handles apart; of the look nothing.
     #[must_use]
     pub fn checksum(&self) -> u64 {
         let mut sum = Checksum::new();

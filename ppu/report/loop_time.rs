@@ -32,7 +32,8 @@ fn processor_time() -> Duration {
         tv_sec: 0,
         tv_nsec: 0,
     };
-    // SAFETY: the call writes to `time` alone. It fails for no thread's own clock; then the time is 0.
+    // SAFETY: the call writes to `time` alone. It fails for no thread's own clock; then the time
+    // is 0.
     unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) };
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }

@@ -12,8 +12,8 @@ use super::{Program, SpeError};
 #[derive(Debug)]
 pub struct Context(NonNull<sys::spe_context>);
 
-// SAFETY: libspe2 allows any thread to use a context, many at the same time; what the context points
-// to is the library's own and guarded by it or by the kernel.
+// SAFETY: libspe2 allows any thread to use a context, many at the same time; what the context
+// points to is the library's own and guarded by it or by the kernel.
 unsafe impl Send for Context {}
 // SAFETY: as above.
 unsafe impl Sync for Context {}
@@ -86,8 +86,8 @@ impl Context {
     /// Copies a program into local store.
     pub fn load(&self, program: &Program) -> Result<(), SpeError> {
         let mut handle = program.handle();
-        // SAFETY: the context lives; the handle points to a whole ELF file that lives for ever, and
-        // the library keeps no reference to the handle itself.
+        // SAFETY: the context lives; the handle points to a whole ELF file that lives for ever,
+        // and the library keeps no reference to the handle itself.
         let result = unsafe { sys::spe_program_load(self.as_ptr(), &raw mut handle) };
         if result == 0 {
             Ok(())
@@ -101,8 +101,8 @@ impl Context {
     pub fn run(&self, argument: usize) -> Ended {
         let mut entry = sys::SPE_DEFAULT_ENTRY;
         let mut info = sys::spe_stop_info_t::default();
-        // SAFETY: the context lives; entry and info are valid for writing; argp is a number to this
-        // program and to the SPU's, and libspe2 follows it only with SPE_RUN_USER_REGS.
+        // SAFETY: the context lives; entry and info are valid for writing; argp is a number to
+        // this program and to the SPU's, and libspe2 follows it only with SPE_RUN_USER_REGS.
         unsafe {
             sys::spe_context_run(
                 self.as_ptr(),
@@ -239,14 +239,14 @@ impl Context {
 
 impl Drop for Context {
     fn drop(&mut self) {
-        // SAFETY: the context lives and nobody else has it any more. An error could only mean that it
-        // did not exist.
+        // SAFETY: the context lives and nobody else has it any more. An error could only mean that
+        // it did not exist.
         unsafe { sys::spe_context_destroy(self.as_ptr()) };
     }
 }
 
-/// SPEs that libspe2 says a program may use. Linux counts other entries of a folder among them on some
-/// kernels, so a console may answer 7 or 8 with six SPEs.
+/// SPEs that libspe2 says a program may use. Linux counts other entries of a folder among them on
+/// some kernels, so a console may answer 7 or 8 with six SPEs.
 pub fn usable_spes() -> Result<u32, SpeError> {
     // SAFETY: takes no pointers.
     let count = unsafe { sys::spe_cpu_info_get(sys::SPE_COUNT_USABLE_SPES, -1) };

@@ -1,14 +1,15 @@
 //! What is read of an SPU program's ELF image before any SPU does.
 //!
-//! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in it.
+//! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in
+//! it.
 
 use std::ops::Range;
 
 use object::read::elf::{ElfFile32, FileHeader as _, ProgramHeader as _, SectionHeader as _};
 use object::{BigEndian, Object as _, ObjectSection as _, ObjectSymbol as _, SectionKind};
 
-use super::program::ProgramError;
-use crate::formulation::Formulations;
+use super::error::ProgramError;
+use protocol::formulation::Formulations;
 
 const LOCAL_STORE: u64 = 0x40000;
 /// An entry of the table of shaders, and where in it the name stands: `spu/include/shader.inc`.
@@ -109,7 +110,8 @@ fn malformed(error: object::Error) -> ProgramError {
 
 #[cfg(test)]
 mod tests {
-    use super::super::program::{Program, ProgramError};
+    use super::super::error::ProgramError;
+    use super::super::program::Program;
 
     /// The tracer's image with the first `from` in it replaced.
     fn changed(from: &[u8], to: &[u8]) -> Vec<u8> {

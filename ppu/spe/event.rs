@@ -33,7 +33,8 @@ impl Events {
             .ok_or_else(|| SpeError::last("spe_event_handler_create"))
     }
 
-    /// From now on, [`Events::wait`] tells of this context, which must live as long as the handler.
+    /// From now on, [`Events::wait`] tells of this context, which must live as long as the
+    /// handler.
     pub fn watch(&self, context: &Context, number: u32) -> Result<(), SpeError> {
         let mut unit = sys::spe_event_unit_t {
             events: sys::SPE_EVENT_OUT_INTR_MBOX | sys::SPE_EVENT_SPE_STOPPED,

@@ -5,13 +5,15 @@
 
 mod context;
 mod elf;
+mod error;
 mod event;
 mod program;
 mod sys;
 
 pub use context::{Context, Ended, Outcome, library_path, usable_spes};
+pub use error::ProgramError;
 pub use event::{Event, Events};
-pub use program::{Image, Program, ProgramError};
+pub use program::{Image, Program};
 
 /// A call of libspe2 that failed.
 #[derive(Debug, thiserror::Error)]

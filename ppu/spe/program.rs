@@ -2,14 +2,15 @@
 
 use std::ffi::c_void;
 use std::ops::Range;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::{fs, ptr};
 
 use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout};
 
 use super::elf;
+use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
-use crate::formulation::Formulations;
+use protocol::formulation::Formulations;
 
 /// Bytes aligned as the MFC likes its transfers.
 #[repr(C, align(128))]
@@ -19,57 +20,6 @@ pub struct Image<Bytes: ?Sized>(pub Bytes);
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
     image: &'static [u8],
-}
-
-/// Why an image is no program, or has not what is looked for.
-#[derive(Debug, thiserror::Error)]
-pub enum ProgramError {
-    /// A file can't be read.
-    #[error("{}: {source}", path.display())]
-    File {
-        /// The file.
-        path: PathBuf,
-        /// The system's error.
-        source: std::io::Error,
-    },
-    /// The bytes are no ELF file of 32 bits, big-endian, or point outside of themselves.
-    #[error("no SPU program: {0}")]
-    Malformed(String),
-    /// An ELF file for another machine.
-    #[error("no SPU program: it is for the ELF machine {0}, and an SPU's is 23")]
-    Machine(u16),
-    /// Something is loaded beyond the local store.
-    #[error("no SPU program: it is loaded up to {0:#x}, and the local store ends at 0x40000")]
-    TooLarge(u64),
-    /// There is no section `.shaders`.
-    #[error("the SPU program has no table of shaders: it has to be linked by linker/spu.ld")]
-    NoTable,
-    /// It does not say by which formulations it intersects.
-    #[error(
-        "the SPU program does not name its formulations: it has to be built by spu-build's `tracer`"
-    )]
-    NoFormulations,
-    /// There is no program of these formulations together.
-    #[error(
-        "no SPU program intersects by {0}: each sphere formulation is built with the standard ones of what it has no kernel for"
-    )]
-    NotBuilt(String),
-    /// It says so by names that are not known here.
-    #[error(
-        "the SPU program intersects by {0}, which this cellray does not know: one of them is too old"
-    )]
-    Formulations(String),
-    /// The table of shaders is not made of entries.
-    #[error("the SPU program's table of shaders is spoilt at entry {0}")]
-    Table(usize),
-    /// There is no shader of this name.
-    #[error("the SPU program has no shader {name}; it has {}", .known.join(", "))]
-    NoShader {
-        /// The name.
-        name: String,
-        /// Those that there are.
-        known: Vec<String>,
-    },
 }
 
 /// A piece of memory as the MFC likes it.
@@ -92,12 +42,20 @@ impl Program {
         }
     }
 
-    /// The tracer's own program that intersects by these formulations: one of [`Formulations::all`].
+    /// The tracer's own program that intersects by these formulations: one of
+    /// [`Formulations::shipped`].
     pub fn of(formulations: &Formulations) -> Result<Self, ProgramError> {
         let names = formulations.names();
         let built = TRACERS.iter().find(|(built, _)| *built == names);
-        let (_, image) = built.ok_or_else(|| ProgramError::NotBuilt(formulations.name()))?;
-        Ok(Self { image: &image.0 })
+        match built {
+            Some((_, image)) => Ok(Self { image: &image.0 }),
+            None => Err(ProgramError::NotShipped {
+                asked: formulations.name(),
+                sphere: formulations.named_sphere().name,
+                triangle: formulations.triangle.name,
+                shipped: TRACERS.iter().map(|(names, _)| names.join("-")).collect(),
+            }),
+        }
     }
 
     /// The formulations by which it intersects.
@@ -115,8 +73,8 @@ impl Program {
         Self { image }
     }
 
-    /// The program of an ELF image, which is checked. Its memory is kept to the end of the process, as
-    /// SPUs may always still be running it.
+    /// The program of an ELF image, which is checked. Its memory is kept to the end of the
+    /// process, as SPUs may always still be running it.
     pub fn from_image(image: &[u8]) -> Result<Self, ProgramError> {
         let lines = image.len().div_ceil(size_of::<Line>());
         let mut memory = vec![Line::new_zeroed(); lines];

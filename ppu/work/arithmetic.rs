@@ -1,19 +1,20 @@
-//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels find them,
-//! and random cameras and spheres.
+//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels
+//! find them, and random cameras and spheres.
 
 use glam::DVec3;
 use nff::{Camera, View};
-use oracle::twin::ball::Ball;
-use oracle::twin::sphere::{Axis, Constants, Eye as _, Perpendicular};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fnms, to_f64};
+use twins::ball::Ball;
+use twins::sphere::{Axis, Constants, Eye as _, Perpendicular};
 use zerocopy::big_endian::F32;
 
-use super::layout::Sphere;
-use crate::formulation::EyeRecord;
 use crate::scene;
+use crate::scene::random::{across, magnitude, unit};
+use protocol::formulation::EyeRecord;
+use protocol::layout::Sphere;
 
 /// A vector of the SPU's singles.
 pub type Singles = [u32; 3];
@@ -96,29 +97,6 @@ pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64
         ),
     };
     (!is_negative(found.outside) && !is_negative(found.t)).then(|| to_f64(found.t))
-}
-
-/// A number between 2^`from` and 2^`to`, as likely in each octave.
-pub fn magnitude(random: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
-    libm::exp2(random.random_range(from..to))
-}
-
-/// A random unit vector.
-pub fn unit(random: &mut ChaCha8Rng) -> DVec3 {
-    loop {
-        let vector = DVec3::from_array(std::array::from_fn(|_| random.random_range(-1.0..1.0)));
-        if (0.01..1.0).contains(&vector.length()) {
-            return vector.normalize();
-        }
-    }
-}
-
-/// A vector at right angles to a unit vector.
-pub fn across(random: &mut ChaCha8Rng, along: DVec3) -> DVec3 {
-    along
-        .cross(unit(random))
-        .try_normalize()
-        .unwrap_or_else(|| along.any_orthonormal_vector())
 }
 
 /// A camera that looks anywhere from near the origin, with a narrow or a wide picture.

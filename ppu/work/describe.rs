@@ -4,33 +4,15 @@ use nff::Camera;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
 
-use super::Units;
-use super::layout::{
+use super::policy::{Skip, Split};
+use super::units::Units;
+use crate::framebuffer::Target;
+use crate::scene::Scene;
+use crate::scene::single::singles;
+use protocol::layout::{
     FEATURE_CHECK_SHADERS, FEATURE_NO_SHADOWS, FEATURE_SPHERES, FEATURE_WHITTED, Frame, MAGIC,
     SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
-use crate::framebuffer::Target;
-use crate::scene::{Scene, singles};
-
-/// How a frame is split among SPUs.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, clap::ValueEnum)]
-pub enum Split {
-    /// Each SPU takes the next work unit when it has finished one.
-    #[default]
-    Units,
-    /// Each SPU has its own consecutive part of the picture, as in the paper.
-    Slices,
-}
-
-/// What need not be tested.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Skip {
-    /// What can't be hit.
-    #[default]
-    Misses,
-    /// Every ray is tested with every object, as in the paper.
-    Nothing,
-}
 
 /// Where the frame's records lie in main memory.
 #[derive(Clone, Copy, Debug)]

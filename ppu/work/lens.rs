@@ -2,23 +2,32 @@
 //! the SPUs make their rays from are off.
 //!
 //! All in f64, relative to the eye. Invariant: every answer is on the safe side: it counts the
-//! rounding of the SPU's rays, so a sphere that one of them could meet is never said to be elsewhere.
+//! rounding of the SPU's rays, so a sphere that one of them could meet is never said to be
+//! elsewhere.
 
 use std::ops::Range;
 
 use glam::DVec3;
 use nff::Camera;
 
-use super::layout::{TILE_HEIGHT, TILE_WIDTH};
-use super::spheres::seen_radius;
 use crate::framebuffer::Geometry;
+use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
-/// Error of a ray's direction as the SPU makes it, in parts of the sum of lengths it is made of: two
-/// fused steps of 2^-23, the rounding of their operands, and the scaling to length 1.
+/// Error of a ray's direction as the SPU makes it, in parts of the sum of lengths it is made of:
+/// two fused steps of 2^-23, the rounding of their operands, and the scaling to length 1.
 const DIRECTION_ERROR: f64 = 1.0 / (1 << 21) as f64;
 
 /// Pixels by which a sphere's bounds are widened: they are compared with pixel centres.
 const EDGE: f64 = 1.0;
+
+/// Radius, in parts of the distance, by which a sphere can seem larger to the kernels: that of the
+/// perpendicular from the centre to a ray.
+const PERPENDICULAR_ROUNDING: f64 = 1.0 / (1 << 20) as f64;
+
+/// Largest radius that a sphere can seem to have for the SPU's arithmetic.
+pub(super) fn seen_radius(distance: f64, radius: f64) -> f64 {
+    radius + PERPENDICULAR_ROUNDING * (distance + radius)
+}
 
 /// Pixels that a sphere may touch; empty if none.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -107,16 +116,17 @@ impl Lens {
         })
     }
 
-    /// Largest angle between the middle direction of a packet of 4x4 rays and a ray of it; infinite
-    /// if there is no bound below a right angle.
+    /// Largest angle between the middle direction of a packet of 4x4 rays and a ray of it;
+    /// infinite if there is no bound below a right angle.
     #[must_use]
     pub fn packet_spread(&self) -> f64 {
         let Some(axes) = self.axes else {
             return f64::INFINITY;
         };
         // The packet's middle is a pixel and a half from its outer rays both ways. A ray that ends
-        // within `away` of where the middle one ends is inside a cone about the middle one whose sine
-        // is `away` over the middle one's length, and that is no less than the plane's distance.
+        // within `away` of where the middle one ends is inside a cone about the middle one whose
+        // sine is `away` over the middle one's length, and that is no less than the plane's
+        // distance.
         let away = 1.5 * libm::hypot(axes.step[0], axes.step[1]) + 2.0 * axes.error;
         let sine = away / (axes.distance - axes.error);
         if (0.0..1.0).contains(&sine) {
@@ -126,7 +136,8 @@ impl Lens {
         }
     }
 
-    /// Pixels on which something may be seen that is within some balls and all that is straight between them.
+    /// Pixels on which something may be seen that is within some balls and all that is straight
+    /// between them.
     #[must_use]
     pub fn hull(&self, balls: impl IntoIterator<Item = (DVec3, f64)>) -> Rectangle {
         let Geometry { width, height } = self.geometry;
@@ -141,8 +152,8 @@ impl Lens {
                 continue;
             }
             let bounds = self.bounds(centre, radius);
-            // What is in front of the eye throughout is seen between the places of its balls, also of those that
-            // are beyond the picture's edge.
+            // What is in front of the eye throughout is seen between the places of its balls, also
+            // of those that are beyond the picture's edge.
             let both = |a: &Range<u32>, b: &Range<u32>| a.start.min(b.start)..a.end.max(b.end);
             found = Some(match found {
                 None => bounds,
@@ -162,8 +173,8 @@ impl Lens {
         }
     }
 
-    /// Pixels on which a sphere may be seen; all of them if the eye is inside or its plane cuts the
-    /// sphere.
+    /// Pixels on which a sphere may be seen; all of them if the eye is inside or its plane cuts
+    /// the sphere.
     #[must_use]
     pub fn bounds(&self, centre: DVec3, radius: f64) -> Rectangle {
         let Geometry { width, height } = self.geometry;

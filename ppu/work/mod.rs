@@ -3,22 +3,26 @@
 #[cfg(test)]
 mod arithmetic;
 mod describe;
-pub mod layout;
 mod lens;
 mod pages;
 mod plan;
+mod policy;
 mod refusal;
+mod shadow;
+mod shown;
 mod spheres;
 mod tiles;
 mod units;
-mod whitted;
 
-pub use describe::{Addresses, Order, Skip, Split, describe};
+pub use describe::{Addresses, Order, describe};
 pub use lens::{Lens, Rectangle};
-pub(crate) use plan::{Plan, Policy, Size};
+pub(crate) use plan::{Plan, Size};
+pub(crate) use policy::Policy;
+pub use policy::{Skip, Split};
 pub use refusal::Refusal;
 pub use spheres::EyeSpheres;
 pub use tiles::{tile_count, tile_pixels};
 pub use units::Units;
-pub use whitted::{BlockError, BlockOptions, SceneBlock};
-pub(crate) use whitted::{ShaderEntries, Shown};
+
+// What SPUs fetch of a scene is part of a work unit, though the scene keeps it.
+pub use crate::scene::{BlockError, BlockOptions, SceneBlock};

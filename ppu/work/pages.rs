@@ -1,18 +1,17 @@
 //! What the framebuffer's pages show, so that what has not changed is not traced again.
 //!
-//! Invariant: a page is known only while it shows a whole frame: from the moment it is to be written
-//! to until it is whole again, nothing is assumed of it.
+//! Invariant: a page is known only while it shows a whole frame: from the moment it is to be
+//! written to until it is whole again, nothing is assumed of it.
 
-use glam::DVec3;
 use nff::Camera;
-use nff::depth::DepthShading;
 
-use super::layout::{TILE_BLANK, UnitCost, WorkUnit};
 use super::lens::Lens;
+use super::shown::Shown;
 use super::tiles::TileSet;
-use super::{Shown, units};
+use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
-use crate::scene::{Look, Scene, Sphere};
+use crate::scene::Scene;
+use protocol::layout::{TILE_BLANK, UnitCost, WorkUnit};
 
 /// Most pages that are remembered: no framebuffer has more.
 const MOST: usize = 4;
@@ -23,7 +22,7 @@ pub struct Pages {
     pages: Vec<Page>,
     /// Number of the page that is being written to.
     open: usize,
-    /// What is to be seen there by Whitted's model.
+    /// What it is to show; once the page has taken that over, the room for the next.
     to_show: Shown,
 }
 
@@ -38,14 +37,8 @@ struct Place {
 
 struct Page {
     place: Place,
-    /// Whether it shows what is said below.
+    /// Whether it shows all of that.
     whole: bool,
-    camera: Camera,
-    background: DVec3,
-    depth: DepthShading,
-    look: Look,
-    spheres: Vec<Sphere>,
-    /// What is seen of a scene by Whitted's model.
     shown: Shown,
     /// Tiles that show nothing but the background.
     blank: TileSet,
@@ -57,8 +50,8 @@ impl Pages {
         self.pages.clear();
     }
 
-    /// Finds the tiles that differ between what a page shows and what it is to show; then it counts
-    /// as unknown until [`Pages::close`].
+    /// Finds the tiles that differ between what a page shows and what it is to show; then it
+    /// counts as unknown until [`Pages::close`].
     pub fn open(
         &mut self,
         target: &Target,
@@ -74,36 +67,26 @@ impl Pages {
             format: target.format,
         };
         changed.clear(target.geometry);
-        self.to_show.take(scene.block(), camera.eye);
-        let Some(found) = self.pages.iter().position(|page| page.place == place) else {
+        self.to_show.take(scene, camera);
+        let found = self.pages.iter().position(|page| page.place == place);
+        self.open = found.unwrap_or_else(|| {
             if self.pages.len() == MOST {
                 self.pages.clear();
             }
-            changed.add_all();
-            self.open = self.pages.len();
-            let mut page = Page::new(place, scene, camera);
-            page.show(scene, camera, &mut self.to_show);
-            page.blank.clear(target.geometry);
-            self.pages.push(page);
-            return;
-        };
-        self.open = found;
-        let page = &mut self.pages[found];
-        let same_view = page.camera == *camera
-            && page.background == scene.background()
-            && page.depth == scene.depth()
-            && page.look == scene.look();
-        if !page.whole || page.background != scene.background() {
+            self.pages.push(Page::new(place));
+            self.pages.len() - 1
+        });
+        let page = &mut self.pages[self.open];
+        if !page.whole || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
-        if page.whole && same_view {
-            page.changes(scene.spheres(), lens, changed);
-            let shadows = scene.look().shadows;
-            self.to_show.changes(&page.shown, shadows, lens, changed);
+        if page.whole {
+            self.to_show.changes(&page.shown, lens, changed);
         } else {
             changed.add_all();
         }
-        page.show(scene, camera, &mut self.to_show);
+        page.whole = false;
+        std::mem::swap(&mut page.shown, &mut self.to_show);
     }
 
     /// Tiles of the page opened last that show nothing but the background.
@@ -123,44 +106,13 @@ impl Pages {
 }
 
 impl Page {
-    fn new(place: Place, scene: &Scene, camera: &Camera) -> Self {
+    fn new(place: Place) -> Self {
         Self {
             place,
             whole: false,
-            camera: *camera,
-            background: scene.background(),
-            depth: scene.depth(),
-            look: scene.look(),
-            spheres: Vec::new(),
             shown: Shown::default(),
             blank: TileSet::default(),
         }
-    }
-
-    /// Adds the tiles that old and new spheres may be seen in, where they differ.
-    fn changes(&self, spheres: &[Sphere], lens: &Lens, changed: &mut TileSet) {
-        let mut add = |sphere: &Sphere| changed.add(&lens.bounds(sphere.centre, sphere.radius));
-        for (old, new) in self.spheres.iter().zip(spheres) {
-            if old != new {
-                add(old);
-                add(new);
-            }
-        }
-        let both = self.spheres.len().min(spheres.len());
-        self.spheres[both..].iter().for_each(&mut add);
-        spheres[both..].iter().for_each(&mut add);
-    }
-
-    /// Takes over what the page is to show; `to_show` becomes what it showed before.
-    fn show(&mut self, scene: &Scene, camera: &Camera, to_show: &mut Shown) {
-        self.whole = false;
-        self.camera = *camera;
-        self.background = scene.background();
-        self.depth = scene.depth();
-        self.look = scene.look();
-        std::mem::swap(&mut self.shown, to_show);
-        self.spheres.clear();
-        self.spheres.extend_from_slice(scene.spheres());
     }
 }
 

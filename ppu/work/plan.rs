@@ -1,33 +1,19 @@
 //! The plan of a frame: which tiles are traced, in which units, with which spheres.
 //!
-//! Owns all that is carried from one frame to the next: what the pages show and what tiles cost. Its
-//! buffers serve for every frame.
+//! Owns all that is carried from one frame to the next: what the pages show and what tiles cost.
+//! Its buffers serve for every frame.
 
 use nff::Camera;
 
 use super::lens::Lens;
 use super::pages::Pages;
+use super::policy::Policy;
+use super::spheres::EyeSpheres;
 use super::tiles::{TileSet, tile_count, tile_pixels};
-use super::units::TileCosts;
-use super::{EyeSpheres, Skip, Split, Units};
-use crate::formulation::EyeRecord;
+use super::units::{TileCosts, Units};
 use crate::framebuffer::{Geometry, Target};
 use crate::scene::Scene;
-use crate::work::layout::UnitCost;
-
-/// How frames are planned.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Policy {
-    pub spus: u32,
-    pub split: Split,
-    pub skip: Skip,
-    /// How the program takes spheres.
-    pub record: EyeRecord,
-    /// Whether pages keep what was written to them, so that the background need not be sent twice.
-    pub keeps: bool,
-    /// Whether what they show need not be traced again.
-    pub retain: bool,
-}
+use protocol::layout::UnitCost;
 
 /// Plans frames.
 #[derive(Default)]

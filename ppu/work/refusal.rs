@@ -4,7 +4,7 @@ use std::fmt;
 
 use zerocopy::IntoBytes as _;
 
-use super::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
+use protocol::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
 
 /// An SPU's answer other than "done".
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -19,8 +19,8 @@ pub struct Refusal {
     shader: Option<ShaderFault>,
 }
 
-/// What an SPU says of a shader. In the answer: the rule in the second lowest byte, then the register,
-/// then the shader.
+/// What an SPU says of a shader. In the answer: the rule in the second lowest byte, then the
+/// register, then the shader.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct ShaderFault {
     rule: u32,

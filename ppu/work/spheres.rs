@@ -1,36 +1,28 @@
 //! Sphere records: what the rays of one eye need to know of each sphere, nearest first.
 //!
-//! Everything is worked out in f64 relative to the eye and rounded once. Invariant: the bounds are on
-//! the safe side of the SPU's arithmetic: a ray or packet for which a kernel could find an entry
-//! passes the tests of the sphere, and no entry is found nearer than the record's `near`. So leaving
-//! tests out changes no picture.
+//! Everything is worked out in f64 relative to the eye and rounded once. Invariant: the bounds are
+//! on the safe side of the SPU's arithmetic: a ray or packet for which a kernel could find an
+//! entry passes the tests of the sphere, and no entry is found nearer than the record's `near`. So
+//! leaving tests out changes no picture.
 
 use std::f64::consts::PI;
 
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use super::Skip;
-use super::layout::Sphere;
-use super::lens::Lens;
-use crate::formulation::EyeRecord;
-use crate::scene::{self, singles};
+use super::lens::{Lens, seen_radius};
+use super::policy::Skip;
+use crate::scene;
+use crate::scene::single::{LARGEST, SMALLEST, down, singles, up};
+use protocol::formulation::EyeRecord;
+use protocol::layout::Sphere;
 
 /// Rounding of the SPU's tests, in parts of the distance of a sphere's centre.
 ///
-/// A dot product of three steps truncates each by up to 2^-23 of a sum of at most twice the distance,
-/// a unit direction is off by up to four units in the last place, the centre by half of one: 2^-20 in
-/// all. The distances of entries are off by as much again through the square root.
+/// A dot product of three steps truncates each by up to 2^-23 of a sum of at most twice the
+/// distance, a unit direction is off by up to four units in the last place, the centre by half of
+/// one: 2^-20 in all. The distances of entries are off by as much again through the square root.
 const ROUNDING: f64 = 1.0 / (1 << 18) as f64;
-
-/// Radius, in parts of the distance, by which a sphere can seem larger to the kernels: that of the
-/// perpendicular from the centre to a ray.
-const PERPENDICULAR_ROUNDING: f64 = 1.0 / (1 << 20) as f64;
-
-/// Largest radius that a sphere can seem to have for the SPU's arithmetic.
-pub(super) fn seen_radius(distance: f64, radius: f64) -> f64 {
-    radius + PERPENDICULAR_ROUNDING * (distance + radius)
-}
 
 /// The sphere records of a frame; its buffers serve for the next.
 #[derive(Default)]
@@ -94,7 +86,7 @@ fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
     let part = match form {
         EyeRecord::Centre => 1.0,
         // An eye in the very centre is inside, in parts of any distance.
-        EyeRecord::Axis => 1.0 / distance.max(scene::SMALLEST),
+        EyeRecord::Axis => 1.0 / distance.max(SMALLEST),
     };
     let seen = seen_radius(distance, radius);
     let rounding = ROUNDING * distance;
@@ -111,7 +103,7 @@ fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
         always
     };
     let plane_rounding = ROUNDING + 2.0 * lens.direction_error();
-    let size = (radius * part).clamp(scene::SMALLEST, scene::LARGEST);
+    let size = (radius * part).clamp(SMALLEST, LARGEST);
     Sphere {
         centre: singles(to_centre * part),
         radius_squared: F32::new((size * size) as f32),
@@ -122,21 +114,6 @@ fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
         colour: singles(sphere.colour),
         distance: F32::new(distance as f32),
     }
-}
-
-/// The largest single that is no larger.
-fn down(value: f64) -> F32 {
-    let nearest = value.clamp(f64::from(-f32::MAX), f64::from(f32::MAX)) as f32;
-    F32::new(if f64::from(nearest) > value {
-        nearest.next_down()
-    } else {
-        nearest
-    })
-}
-
-/// The smallest single that is no smaller; the largest there is for what is beyond it.
-pub(super) fn up(value: f64) -> F32 {
-    F32::new(-down(-value).get())
 }
 
 #[cfg(test)]

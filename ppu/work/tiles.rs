@@ -1,8 +1,8 @@
 //! The tiles of a picture: how many, how large, and sets of them.
 
-use super::layout::{TILE_HEIGHT, TILE_WIDTH};
 use super::lens::Rectangle;
 use crate::framebuffer::Geometry;
+use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
 /// Tiles in a picture.
 #[must_use]

@@ -1,31 +1,31 @@
 //! Cutting a frame into work units, so that all SPUs are done at the same time.
 //!
-//! Invariant: a cut has every tile that it is given exactly once, 1 to [`UNIT_TILES`] of them a unit.
+//! Invariant: a cut has every tile that it is given exactly once, 1 to [`UNIT_TILES`] of them a
+//! unit.
 
 use std::cmp::Reverse;
 
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-use super::Split;
-use super::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
-use super::tiles::TileSet;
+use super::policy::Split;
+use super::tiles::{TileSet, tile_count};
 use crate::framebuffer::Geometry;
-use crate::work::tile_count;
+use protocol::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
 
-/// Units an SPU where nothing is known of the tiles' costs, not counting the small ones at the end: few
-/// enough that taking one costs nothing.
+/// Units an SPU where nothing is known of the tiles' costs, not counting the small ones at the
+/// end: few enough that taking one costs nothing.
 const UNITS_AN_SPU: u32 = 24;
 
-/// A unit is at most one in this many parts of an SPU's share of what is left: so the last ones are
-/// small. Fewer would leave SPUs idle at the end, more would have them wait for the counter.
+/// A unit is at most one in this many parts of an SPU's share of what is left: so the last ones
+/// are small. Fewer would leave SPUs idle at the end, more would have them wait for the counter.
 const PARTS_OF_A_SHARE: u64 = 2;
 
 /// The same in tiles, where their costs are not known.
 const PARTS_OF_UNKNOWN_COST: usize = 4;
 
-/// No unit need be smaller than one in this many parts of an SPU's share of the frame: what SPUs then
-/// wait for each other at the end is less than what they would wait for the counter.
+/// No unit need be smaller than one in this many parts of an SPU's share of the frame: what SPUs
+/// then wait for each other at the end is less than what they would wait for the counter.
 const PARTS_OF_THE_WHOLE: u64 = 40;
 
 /// The work units of a frame; its buffers serve for the next.
@@ -39,8 +39,8 @@ pub struct Units {
 }
 
 impl Units {
-    /// Cuts `tiles`, whose numbers rise, into units for `spus` SPUs. `costs` has what each tile of the
-    /// picture took the last time; slices make no use of it.
+    /// Cuts `tiles`, whose numbers rise, into units for `spus` SPUs. `costs` has what each tile of
+    /// the picture took the last time; slices make no use of it.
     pub fn cut(&mut self, tiles: &[u32], spus: u32, split: Split, costs: Option<&[u32]>) {
         self.lines.clear();
         let spus = spus.max(1);
@@ -154,9 +154,9 @@ impl Units {
 /// Cheap tiles that come last, for each SPU.
 const CHEAP_AT_THE_END: usize = 4;
 
-/// The first `dear` of the tiles, with the others evenly between them, but for a few at the end: tiles
-/// that are only filled wait for main memory when many come together, but they are the smallest that
-/// there is to even out when the SPUs finish.
+/// The first `dear` of the tiles, with the others evenly between them, but for a few at the end:
+/// tiles that are only filled wait for main memory when many come together, but they are the
+/// smallest that there is to even out when the SPUs finish.
 fn spread(falling: &[u32], dear: usize, spus: usize) -> impl Iterator<Item = u32> {
     let (dear, cheap) = falling.split_at(dear);
     let between = cheap.len().saturating_sub(CHEAP_AT_THE_END * spus);

@@ -8,10 +8,8 @@
 #   In      $3 mask of tags
 #   Uses    $10-$13
         .set    mask,3
-        .set    before,10
-        .set    after,11
-        .set    all,12
-        .set    status,13
+        .set    NEXT,10
+        registers before,after,all,status
 
 function dma_wait
         rdch    $before,$SPU_RdDec

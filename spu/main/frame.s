@@ -69,7 +69,8 @@ identity:
         splat   \mask,\mask,$m_splat
 .endm
 
-# frame_fetch   fetches the descriptor, checks every field that could lead astray, sets up the frame
+# frame_fetch   fetches the descriptor, checks every field that could lead astray, sets up the
+# frame
 #   In      $4 and $5 effective address, high word first
 #   Out     $3 STATUS_ value
 #   Uses    $3-$7, $10-$27, the frame's driver registers

@@ -11,11 +11,8 @@
         .include "macros.inc"
         .include "driver.inc"
 
-        .set    high,10
-        .set    low,11
-        .set    either,12
-        .set    before,13
-        .set    after,14
+        .set    NEXT,10
+        registers high,low,either,before,after
 
         .section .bss
         .align  4

@@ -1,6 +1,6 @@
-# The pixels of a tile. Groups of sixteen packets are culled together; then the packets of all groups
-# go through the same stages, each stage a loop over all that have work to do there: long enough to
-# be pipelined, and no packet waits alone for its latencies.
+# The pixels of a tile. Groups of sixteen packets are culled together; then the packets of all
+# groups go through the same stages, each stage a loop over all that have work to do there: long
+# enough to be pipelined, and no packet waits alone for its latencies.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -64,8 +64,8 @@ origin_with_y:
         .set    quad,16
         .set    m_splat,17
 
-# pixels_prepare   what all tiles of the frame share: the background's pixels, the buffer of empty tiles
-# full of them, how many packets are filtered at once
+# pixels_prepare   what all tiles of the frame share: the background's pixels, the buffer of empty
+# tiles full of them, how many packets are filtered at once
 #   Uses    $3-$79, g_background, g_pitch
 function pixels_prepare
         enter
@@ -341,7 +341,8 @@ next_mask:
         leave
 endfunction tile_cull
 
-# seen_places   lists the packets in which something may be seen, and fills the groups of the others
+# seen_places   lists the packets in which something may be seen, and fills the groups of the
+# others
 #   Out     places, g_places
 #   Uses    $3-$6, $10-$37, g_left
 function seen_places
@@ -426,8 +427,8 @@ both:
         br      listed
 endfunction seen_pairs
 
-# pairs_test   looks for hits in the pairs of first spheres, then in those of further ones that are not
-# hidden
+# pairs_test   looks for hits in the pairs of first spheres, then in those of further ones that are
+# not hidden
 #   Out     no pairs
 #   Uses    $3-$79, g_first_end, g_again_end
 function pairs_test

@@ -1,10 +1,10 @@
 # The planes around a tile: all pass through the eye.
 #
-# D(x, y) = corner + x right + y down is the direction through a pixel, so the plane of column x0 has
-# the normal D(x0, .) x down = corner x down + x0 (right x down), and that of row y0 the normal
+# D(x, y) = corner + x right + y down is the direction through a pixel, so the plane of column x0
+# has the normal D(x0, .) x down = corner x down + x0 (right x down), and that of row y0 the normal
 # corner x right - y0 (right x down): one product and one sum a tile. Which side is inside depends
-# on the camera's handedness, the sign of V = (corner x down).right: the normal of column x0 has the
-# product V (x - x0) with D(x, y), that of row y0 has -V (y - y0).
+# on the camera's handedness, the sign of V = (corner x down).right: the normal of column x0 has
+# the product V (x - x0) with D(x, y), that of row y0 has -V (y - y0).
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -154,8 +154,8 @@ endfunction tile_trace
 #   In      $3 which of the tile buffers, $4 which of the lists and tags
 #   Uses    $3-$4, $10-$31
 #
-# One list command for all rows. The high word of the address is shared by a list's elements: a tile
-# that lies across a multiple of 4 GB goes row by row instead.
+# One list command for all rows. The high word of the address is shared by a list's elements: a
+# tile that lies across a multiple of 4 GB goes row by row instead.
         .set    a_buffer,3
         .set    list,4
         .set    offset,11

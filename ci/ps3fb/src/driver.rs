@@ -1,6 +1,7 @@
 //! ps3fb, as the kernel's source has it: video modes, frames, what is copied to the television.
 //!
-//! Invariant: every answer follows from the mode and the memory's size, by the driver's own arithmetic.
+//! Invariant: every answer follows from the mode and the memory's size, by the driver's own
+//! arithmetic.
 
 use super::Errno;
 use libc::c_void;
@@ -13,8 +14,8 @@ const COMMANDS: u32 = 64 << 10;
 const FULL: u32 = 0x80;
 const BASE: u32 = 0x0F;
 
-/// Pixels of each video mode, from number 1 on: within borders, and native. Those of monitors, from 11
-/// on, have no borders.
+/// Pixels of each video mode, from number 1 on: within borders, and native. Those of monitors,
+/// from 11 on, have no borders.
 const MODES: [[(u32, u32); 2]; 13] = [
     [(576, 384), (720, 480)],
     [(576, 384), (720, 480)],
@@ -107,7 +108,8 @@ impl Driver {
         note: &mut dyn FnMut(String),
     ) -> Result<(), Errno> {
         let words = argument.cast::<u32>();
-        // SAFETY: the caller's promise: each request's structure holds the words written or read here.
+        // SAFETY: the caller's promise: each request's structure holds the words written or read
+        // here.
         unsafe {
             match request {
                 // FBIOGET_VSCREENINFO
@@ -229,7 +231,8 @@ mod tests {
     fn driver(words: &str) -> Driver {
         let file = || {
             let name = c"ps3fb";
-            // SAFETY: the name is a zero-terminated string; the descriptor is new and nobody else's.
+            // SAFETY: the name is a zero-terminated string; the descriptor is new and nobody
+            // else's.
             unsafe { File::from_raw_fd(libc::memfd_create(name.as_ptr(), 0)) }
         };
         Driver::new(words, file(), file())

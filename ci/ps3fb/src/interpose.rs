@@ -41,7 +41,8 @@ pub unsafe extern "C" fn ioctl(
     request: c_ulong,
     argument: *mut c_void,
 ) -> c_int {
-    // SAFETY: the caller's promise; variable arguments that are addresses are passed as others are.
+    // SAFETY: the caller's promise; variable arguments that are addresses are passed as others
+    // are.
     match unsafe { super::ioctl(descriptor, request as u32, argument) } {
         Some(Ok(())) => 0,
         Some(Err(errno)) => {

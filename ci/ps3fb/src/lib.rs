@@ -1,5 +1,5 @@
-//! A stand-in for ps3fb and a virtual terminal: an object to preload into the console's program, which
-//! answers `open` and `ioctl` of one device and of /dev/tty as the kernel's drivers would.
+//! A stand-in for ps3fb and a virtual terminal: an object to preload into the console's program,
+//! which answers `open` and `ioctl` of one device and of /dev/tty as the kernel's drivers would.
 //!
 //! | variable | |
 //! | --- | --- |
@@ -9,8 +9,8 @@
 //! | `PS3FB_LOG` | file that gets a line for each call that changes something or waits |
 //! | `PS3FB` | which driver it is: words that `driver.rs` lists |
 //!
-//! Invariant: what is not opened by those two names goes to the C library untouched. Request numbers are
-//! those of PowerPC's kernel, so the program under test must be one for it.
+//! Invariant: what is not opened by those two names goes to the C library untouched. Request
+//! numbers are those of PowerPC's kernel, so the program under test must be one for it.
 
 mod driver;
 mod interpose;

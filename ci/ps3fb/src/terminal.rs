@@ -21,7 +21,8 @@ impl Terminal {
         argument: *mut c_void,
         note: &mut dyn FnMut(String),
     ) -> Result<(), Errno> {
-        // SAFETY: the caller's promise: each request's structure holds what is written or read here.
+        // SAFETY: the caller's promise: each request's structure holds what is written or read
+        // here.
         unsafe {
             match request {
                 // KDSETMODE takes a number.

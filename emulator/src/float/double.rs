@@ -1,9 +1,9 @@
 //! Double precision: IEEE with four rounding modes, denormal operands taken as zero.
 //!
 //! Denormal results are produced. Every NaN result is the default one. Functions take and give bit
-//! patterns, and give the flags that the instruction raises in its slice. Compares and `dftsv` belong
-//! to the double-precision extension, of whose flags and denormals no text was at hand: here they
-//! treat operands as the other instructions do.
+//! patterns, and give the flags that the instruction raises in its slice. Compares and `dftsv`
+//! belong to the double-precision extension, of whose flags and denormals no text was at hand:
+//! here they treat operands as the other instructions do.
 
 use super::fpscr::{Flags, Rounding};
 use super::softfloat::{DOUBLE, Format, Number, SINGLE, Value, unpack};

@@ -1,9 +1,9 @@
 //! The estimates and their interpolation.
 //!
 //! An estimate is a word with a sign, an exponent, 13 bits of base and 10 bits of step; `fi` moves
-//! from the base by a part of the step that the operand's low bits give. The architecture leaves the
-//! tables to the machine; these are the Cell's. Known weakness: prints of the hardware cover 10 of
-//! the 32 and 13 of the 64 entries, the rest agrees with one other emulator.
+//! from the base by a part of the step that the operand's low bits give. The architecture leaves
+//! the tables to the machine; these are the Cell's. Known weakness: prints of the hardware cover
+//! 10 of the 32 and 13 of the 64 entries, the rest agrees with one other emulator.
 
 use super::fpscr::Flags;
 use super::single::{EXPONENT, SIGN};
@@ -101,7 +101,8 @@ pub fn fi(a: u32, estimate: u32) -> u32 {
     fi_flagged(a, estimate).0
 }
 
-/// [`fi`] with its exceptions. `a` is no number here but a position in the step, so it raises none.
+/// [`fi`] with its exceptions. `a` is no number here but a position in the step, so it raises
+/// none.
 #[inline]
 #[must_use]
 pub fn fi_flagged(a: u32, estimate: u32) -> (u32, Flags) {

@@ -1,10 +1,10 @@
 //! Single precision for four lanes in which nothing special happens, as fast as the host allows.
 //!
 //! A word is ordinary if it is a zero or has an exponent field of 1 to 254. Where all operands and
-//! results are, the host's IEEE arithmetic reads and writes them as the SPU does and no exception is
-//! raised; what is left to do is truncation, for which errors of the host's rounding are found
-//! exactly. A function gives `None` if a lane is not ordinary, and may do so in some rare lanes that
-//! are: the answer then has to come from [`super::single`], [`super::estimate`] or
+//! results are, the host's IEEE arithmetic reads and writes them as the SPU does and no exception
+//! is raised; what is left to do is truncation, for which errors of the host's rounding are found
+//! exactly. A function gives `None` if a lane is not ordinary, and may do so in some rare lanes
+//! that are: the answer then has to come from [`super::single`], [`super::estimate`] or
 //! [`super::convert`]. Where it gives words, they are those that the full functions give, and the
 //! flags are none.
 //!
@@ -29,7 +29,8 @@ const LARGE: u32 = 0x7f00_0000;
 /// Scales at which every 32-bit integer other than 0 converts to an ordinary single.
 const SCALES: RangeInclusive<i32> = -90..=126;
 
-/// Ones where `x` is in `from..from + count`: a signed compare, as unsigned ones are rare in lanes.
+/// Ones where `x` is in `from..from + count`: a signed compare, as unsigned ones are rare in
+/// lanes.
 #[inline(always)]
 const fn within(x: u32, from: u32, count: u32) -> u32 {
     let lowest = i32::MIN as u32;

@@ -1,9 +1,10 @@
 //! Single precision: extended range, no NaN, no infinity, truncation, saturation, flush to zero.
 //!
-//! Operands widen to `f64`, where every product of two singles is exact. A sum is rounded there, but
-//! its rounding error is known exactly (Knuth's two-sum), so the sum can be turned into the truncated
-//! one; truncating that again to 24 bits is one truncation of the exact value. Widened values and
-//! their errors stay between 2^-310 and 2^260, so `f64` itself neither overflows nor underflows.
+//! Operands widen to `f64`, where every product of two singles is exact. A sum is rounded there,
+//! but its rounding error is known exactly (Knuth's two-sum), so the sum can be turned into the
+//! truncated one; truncating that again to 24 bits is one truncation of the exact value. Widened
+//! values and their errors stay between 2^-310 and 2^260, so `f64` itself neither overflows nor
+//! underflows.
 //!
 //! Rules: SPU ISA 1.2. That a sum is truncated exactly, whatever the distance of its operands, is
 //! inferred; no print of the hardware for that case is known.
@@ -43,8 +44,8 @@ pub fn to_f64(x: u32) -> f64 {
     f64::from_bits(u64::from(upper & not_zero) << 32 | u64::from(lower & not_zero))
 }
 
-/// The single nearest to `value` toward zero: above the largest the largest, below the smallest +0.
-/// An infinity or a NaN gives the largest with its sign.
+/// The single nearest to `value` toward zero: above the largest the largest, below the smallest
+/// +0. An infinity or a NaN gives the largest with its sign.
 #[inline]
 #[must_use]
 pub fn from_f64(value: f64) -> u32 {
@@ -73,8 +74,8 @@ const fn differs_from_ieee(x: u32) -> bool {
 /// What an operation gives in each of `N` lanes.
 pub type Lanes<const N: usize> = ([u32; N], [Flags; N]);
 
-/// Results from doubles that hold the exact values truncated to 53 bits, and whether that truncation
-/// lost anything. Operands' own reasons for `DIFFERENT` are not in the flags.
+/// Results from doubles that hold the exact values truncated to 53 bits, and whether that
+/// truncation lost anything. Operands' own reasons for `DIFFERENT` are not in the flags.
 #[inline]
 pub(super) fn finish<const N: usize>(truncated: [f64; N], inexact: [bool; N]) -> Lanes<N> {
     let upper = truncated.map(|value| (value.to_bits() >> 32) as u32);

@@ -1,8 +1,9 @@
 //! IEEE numbers in integers: unpacking, exact products and sums, one rounding.
 //!
-//! Invariant of [`Number`]: the significand's highest bit is bit 125; bit 0 may be sticky, standing
-//! for anything that was shifted out below. Sticky bits only come from aligning operands more than
-//! 20 exponents apart, so a subtraction cancels one bit at most and the rounding sees what it needs.
+//! Invariant of [`Number`]: the significand's highest bit is bit 125; bit 0 may be sticky,
+//! standing for anything that was shifted out below. Sticky bits only come from aligning operands
+//! more than 20 exponents apart, so a subtraction cancels one bit at most and the rounding sees
+//! what it needs.
 
 use super::fpscr::{Flags, Rounding};
 

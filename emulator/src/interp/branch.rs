@@ -4,8 +4,8 @@ use super::flow::{Flow, code_address, next};
 use super::quad::Quad;
 use super::spu::Spu;
 use crate::channel::Channels;
-use crate::isa::{Instruction, feature};
 use crate::stop::Stop;
+use spu_isa::{Instruction, feature};
 
 #[inline]
 fn relative(pc: u32, i: Instruction) -> Flow {

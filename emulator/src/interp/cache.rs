@@ -3,8 +3,8 @@
 //! Invariant: an entry's instruction is what its word decodes to. The word is compared with local
 //! store on every fetch, so code that was rewritten or brought by DMA is never run stale.
 
-use crate::isa::{Instruction, Machine};
 use crate::local_store::SIZE;
+use spu_isa::{Instruction, Machine};
 
 const ENTRIES: usize = SIZE as usize / 4;
 
@@ -32,7 +32,8 @@ impl DecodeCache {
         }
     }
 
-    /// The instruction in `word`, which was just fetched from `pc`; `None` if this machine has none.
+    /// The instruction in `word`, which was just fetched from `pc`; `None` if this machine has
+    /// none.
     #[inline]
     pub fn get(&mut self, pc: u32, word: u32) -> Option<Instruction> {
         let entry = &mut self.entries[pc as usize / 4 % ENTRIES];

@@ -4,8 +4,8 @@ use super::flow::{Flow, next};
 use super::quad::Quad;
 use super::spu::Spu;
 use crate::channel::Channels;
-use crate::isa::Instruction;
 use crate::stop::{Stop, Stopped};
+use spu_isa::Instruction;
 
 /// A stop of an instruction that did nothing and is to be run again.
 #[inline]

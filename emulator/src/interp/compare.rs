@@ -1,7 +1,7 @@
 //! Integer compares: a lane of ones where true, of zeros where false.
 
 use super::spu::Spu;
-use crate::isa::Instruction;
+use spu_isa::Instruction;
 
 #[inline]
 const fn word(condition: bool) -> u32 {

@@ -2,7 +2,7 @@
 
 use super::quad::Quad;
 use super::spu::Spu;
-use crate::isa::Instruction;
+use spu_isa::Instruction;
 
 /// The low half of the immediate, in both halves of a word.
 #[inline]

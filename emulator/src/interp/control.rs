@@ -3,8 +3,8 @@
 use super::flow::Flow;
 use super::quad::Quad;
 use super::spu::Spu;
-use crate::isa::Instruction;
 use crate::stop::Stop;
+use spu_isa::Instruction;
 use std::sync::atomic::{Ordering, fence};
 
 /// The code that `stopd` reports.

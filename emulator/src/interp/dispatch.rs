@@ -6,8 +6,8 @@ use super::{
     branch, channel, compare, constant, control, float, integer, load_store, shift_rotate,
 };
 use crate::channel::Channels;
-use crate::isa::{Instruction, Op, for_each_instruction};
 use crate::local_store::LocalStore;
+use spu_isa::{Instruction, Op, for_each_instruction};
 
 /// Calls a function with what the functions of its part take.
 macro_rules! call {

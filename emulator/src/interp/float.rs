@@ -5,7 +5,7 @@ use super::spu::Spu;
 use crate::float::fpscr::{Flags, Fpscr, Rounding};
 use crate::float::single::Lanes;
 use crate::float::{convert, double, estimate, ordinary, single};
-use crate::isa::Instruction;
+use spu_isa::Instruction;
 use std::array::from_fn;
 
 /// The fields that instructions on singles have: few enough to be passed in a register.

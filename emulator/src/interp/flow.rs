@@ -36,5 +36,5 @@ pub(super) const fn next(pc: u32) -> u32 {
 /// An address as the SPU fetches from it.
 #[inline]
 pub(super) const fn code_address(address: u32) -> u32 {
-    address & crate::local_store::LIMIT_MASK & !3
+    address & spu_isa::LIMIT_MASK & !3
 }

@@ -2,7 +2,7 @@
 
 use super::quad::Quad;
 use super::spu::Spu;
-use crate::isa::Instruction;
+use spu_isa::Instruction;
 use std::array::from_fn;
 
 #[inline]

@@ -4,8 +4,8 @@
 
 use super::quad::Quad;
 use super::spu::Spu;
-use crate::isa::Instruction;
 use crate::local_store::LocalStore;
+use spu_isa::Instruction;
 
 #[inline]
 fn displaced(spu: &Spu, i: Instruction) -> u32 {

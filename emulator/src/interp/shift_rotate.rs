@@ -1,11 +1,11 @@
 //! Shifts and rotates.
 //!
-//! Every count is masked, never checked: what lies past the lane's width gives zeros (or signs), and
-//! the right shifts take the count negated. Lanes are shifted within a type twice as wide, so that no
-//! count is too large for the host.
+//! Every count is masked, never checked: what lies past the lane's width gives zeros (or signs),
+//! and the right shifts take the count negated. Lanes are shifted within a type twice as wide, so
+//! that no count is too large for the host.
 
 use super::spu::Spu;
-use crate::isa::Instruction;
+use spu_isa::Instruction;
 
 #[inline]
 const fn left(a: u32, count: u32) -> u32 {

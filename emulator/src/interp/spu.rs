@@ -1,26 +1,10 @@
-//! The SPU's state and its run loop.
+//! The SPU's state.
 
 use super::cache::DecodeCache;
-use super::dispatch::execute;
-use super::flow::{Flow, code_address, next};
+use super::flow::code_address;
 use super::quad::Quad;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
-use crate::isa::Instruction;
-use crate::local_store::LocalStore;
-use crate::stop::{Stop, Stopped};
-
-/// Watches a program run: traces, memory logs, timing. The unit type watches nothing, and costs
-/// nothing.
-pub trait Observer {
-    /// The instruction at `spu.pc()` is about to run. Not called for an invalid one.
-    #[inline]
-    fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
-        let _ = (spu, instruction);
-    }
-}
-
-impl Observer for () {}
 
 /// One SPU without what is behind its channels.
 ///
@@ -30,10 +14,10 @@ pub struct Spu {
     pub registers: [Quad; 128],
     /// The floating-point status and control register.
     pub fpscr: Fpscr,
-    pc: u32,
-    interrupts_enabled: bool,
-    executed: u64,
-    decoded: DecodeCache,
+    pub(super) pc: u32,
+    pub(super) interrupts_enabled: bool,
+    pub(super) executed: u64,
+    pub(super) decoded: DecodeCache,
 }
 
 impl Default for Spu {
@@ -85,8 +69,8 @@ impl Spu {
         self.pc
     }
 
-    /// Sets the address of the next instruction; it wraps at the end of local store, and its two low
-    /// bits are dropped.
+    /// Sets the address of the next instruction; it wraps at the end of local store, and its two
+    /// low bits are dropped.
     pub fn set_pc(&mut self, address: u32) {
         self.pc = code_address(address);
     }
@@ -108,95 +92,5 @@ impl Spu {
     #[must_use]
     pub const fn executed(&self) -> u64 {
         self.executed
-    }
-
-    /// Runs until something stops the SPU.
-    pub fn run(&mut self, local_store: &LocalStore, channels: &mut impl Channels) -> Stopped {
-        loop {
-            if let Some(stopped) = self.run_limited(local_store, channels, u64::MAX) {
-                return stopped;
-            }
-        }
-    }
-
-    /// Runs one instruction; `None` if the SPU goes on.
-    pub fn step(
-        &mut self,
-        local_store: &LocalStore,
-        channels: &mut impl Channels,
-    ) -> Option<Stopped> {
-        self.run_limited(local_store, channels, 1)
-    }
-
-    /// Runs at most `limit` instructions; `None` if the SPU would go on.
-    pub fn run_limited(
-        &mut self,
-        local_store: &LocalStore,
-        channels: &mut impl Channels,
-        limit: u64,
-    ) -> Option<Stopped> {
-        self.run_observed(local_store, channels, limit, &mut ())
-    }
-
-    /// [`run_limited`](Self::run_limited) under the eyes of `observer`.
-    pub fn run_observed<C: Channels, O: Observer>(
-        &mut self,
-        local_store: &LocalStore,
-        channels: &mut C,
-        limit: u64,
-        observer: &mut O,
-    ) -> Option<Stopped> {
-        let mut pc = self.pc;
-        let mut left = limit;
-        let stopped = loop {
-            if left == 0 {
-                break None;
-            }
-            if self.interrupts_enabled && channels.external_condition() {
-                channels.set_srr0(pc);
-                self.set_interrupts_enabled(false, channels);
-                pc = 0;
-            }
-            self.pc = pc;
-            let word = local_store.load_word(pc);
-            let Some(instruction) = self.decoded.get(pc, word) else {
-                let reason = Stop::InvalidInstruction(word);
-                break Some(Stopped {
-                    reason,
-                    pc,
-                    npc: pc,
-                });
-            };
-            observer.before_instruction(self, instruction);
-            match execute(self, local_store, channels, pc, instruction) {
-                Flow::Next => {
-                    left -= 1;
-                    pc = next(pc);
-                    // Code without a branch comes round too.
-                    if pc != 0 {
-                        continue;
-                    }
-                }
-                Flow::Jump(target) => {
-                    left -= 1;
-                    pc = target;
-                }
-                Flow::Stop(stopped) => {
-                    left -= u64::from(stopped.npc != pc);
-                    break Some(stopped);
-                }
-            }
-            if channels.stop_requested() {
-                let reason = Stop::Requested;
-                break Some(Stopped {
-                    reason,
-                    pc,
-                    npc: pc,
-                });
-            }
-        };
-        self.pc = stopped.as_ref().map_or(pc, |stopped| stopped.npc);
-        self.executed += limit - left;
-        stopped
     }
 }

@@ -1,9 +1,9 @@
 //! MFC commands: opcodes, and the rules that a command must keep before it is carried out.
 //!
-//! What breaks a rule becomes a [`DmaError`] here and nowhere else. The result hint of the `putr` forms
-//! has no effect that a program could see.
+//! What breaks a rule becomes a [`DmaError`] here and nowhere else. The result hint of the `putr`
+//! forms has no effect that a program could see.
 
-use super::DmaError;
+use super::error::DmaError;
 use crate::memory::LINE;
 
 /// Most bytes of one transfer, and of one list.

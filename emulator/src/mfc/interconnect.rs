@@ -1,20 +1,19 @@
-//! What SPEs share: main memory, the clock, reservations, and the addresses of signal registers.
+//! What SPEs share: main memory, reservations, and the addresses of signal registers.
 //!
-//! Invariant: an atomic line command excludes every transfer (it holds the lock alone), so it sees a
-//! line before or after another unit's `put`, never half of it; and whoever writes a line breaks every
-//! reservation on it before the lock is free. Plain transfers run side by side. A line that the PPE
-//! writes by itself breaks no reservation, but the conditional put still fails, since it compares the
-//! line with what was read under the reservation.
+//! Invariant: an atomic line command excludes every transfer (it holds the lock alone), so it sees
+//! a line before or after another unit's `put`, never half of it; and whoever writes a line breaks
+//! every reservation on it before the lock is free. Plain transfers run side by side. A line that
+//! the PPE writes by itself breaks no reservation, but the conditional put still fails, since it
+//! compares the line with what was read under the reservation.
 
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, RwLock, Weak};
 
-use crate::decrementer::{Clock, HostClock};
+use super::timing::{Parcel, Peer, UnderWay};
 use crate::local_store::{LocalStore, SIZE};
+use crate::lock::{read_lock, write_lock};
 use crate::memory::{LINE, MainMemory, MemoryFault};
 use crate::signal::SignalRegister;
-use crate::simulated::{Parcel, Peer, Simulation};
-use crate::spe::lock::{read_lock, write_lock};
 
 /// No line has this address: it is not a multiple of 128.
 const NO_LINE: u64 = u64::MAX;
@@ -100,59 +99,26 @@ impl Members {
     }
 }
 
-/// The interconnect of one machine: every [`Spe`](crate::spe::Spe) is made on one.
-pub struct Interconnect {
+/// The interconnect of one machine.
+pub(crate) struct Interconnect {
     memory: Arc<dyn MainMemory>,
-    clock: Arc<dyn Clock>,
-    simulation: Option<Arc<Simulation>>,
+    /// Where data takes time from one local store to another.
+    under_way: Option<Arc<dyn UnderWay>>,
     members: RwLock<Members>,
 }
 
 impl Interconnect {
-    /// A machine with this memory, whose time base is the host's time.
-    #[must_use]
-    pub fn new(memory: Arc<dyn MainMemory>) -> Arc<Self> {
-        Self::with_clock(memory, Arc::new(HostClock))
-    }
-
-    /// A machine with this memory and time base.
-    #[must_use]
-    pub fn with_clock(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
-        Arc::new(Self {
+    pub(crate) fn new(memory: Arc<dyn MainMemory>, under_way: Option<Arc<dyn UnderWay>>) -> Self {
+        Self {
             memory,
-            clock,
-            simulation: None,
+            under_way,
             members: RwLock::default(),
-        })
-    }
-
-    /// A machine with this memory in simulated time, which no other machine may share.
-    pub(crate) fn with_simulation(
-        memory: Arc<dyn MainMemory>,
-        simulation: Arc<Simulation>,
-    ) -> Arc<Self> {
-        Arc::new(Self {
-            memory,
-            clock: Arc::new(HostClock),
-            simulation: Some(simulation),
-            members: RwLock::default(),
-        })
-    }
-
-    /// The machine's simulated time, if it has one.
-    #[must_use]
-    pub fn simulation(&self) -> Option<&Arc<Simulation>> {
-        self.simulation.as_ref()
+        }
     }
 
     /// The machine's main memory.
-    #[must_use]
-    pub fn memory(&self) -> &dyn MainMemory {
+    pub(crate) fn memory(&self) -> &dyn MainMemory {
         &*self.memory
-    }
-
-    pub(crate) fn clock(&self) -> &dyn Clock {
-        &*self.clock
     }
 
     pub(crate) fn attach(&self, unit: Weak<dyn Unit>) {
@@ -193,11 +159,11 @@ impl Interconnect {
 
     /// In simulated time: what is under way to these addresses is there now.
     fn await_parcels(&self, members: &Members, ea: u64, length: usize) {
-        if let Some(simulation) = &self.simulation
-            && simulation.has_parcels()
+        if let Some(under_way) = &self.under_way
+            && !under_way.is_empty()
             && let Some((store, address)) = members.local_store(ea, length)
         {
-            simulation.deliver_early(|parcel| parcel.meets(&store, address, length));
+            under_way.deliver_early(&store, address, length);
         }
     }
 

@@ -7,12 +7,30 @@ use std::collections::VecDeque;
 use std::sync::Mutex;
 
 use super::command::{Command, ELEMENT, MAX_TRANSFER, Operation, Order};
+use super::error::DmaError;
 use super::interconnect::{Interconnect, Unit};
-use super::{DmaError, Policy};
+use super::timing::{Movement, Parcel, Piece};
 use crate::local_store::LocalStore;
+use crate::lock::lock;
 use crate::memory::{LINE, MemoryFault};
-use crate::simulated::{Movement, Parcel, Piece};
-use crate::spe::lock::lock;
+
+/// Commands that the SPU's queue holds.
+pub const SPU_QUEUE_DEPTH: usize = 16;
+/// Commands that the proxy queue holds.
+pub const PROXY_QUEUE_DEPTH: usize = 8;
+
+/// When a queued command is carried out, of all the moments that the architecture allows.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Policy {
+    /// As soon as its ordering lets it, oldest first.
+    #[default]
+    AtOnce,
+    /// An adversary, which shows missing waits, fences and parameters: only when the program waits
+    /// for a tag (or asks a second time for its status), when the queue is full, when the SPU has
+    /// slept for some milliseconds, or when it stops; newest first where the order is free; and
+    /// the command's parameters don't outlive it.
+    AtLast,
+}
 
 /// What commands move between.
 #[derive(Clone, Copy)]
@@ -149,8 +167,8 @@ impl Queue {
         }
     }
 
-    /// The command to run next, one of `tags` before others. The adversary takes the newest, so that
-    /// commands that need an order and did not ask for it come in the wrong one.
+    /// The command to run next, one of `tags` before others. The adversary takes the newest, so
+    /// that commands that need an order and did not ask for it come in the wrong one.
     fn next(&self, tags: u32) -> Option<usize> {
         let pick = |mask: u32| {
             let mut candidates = (0..self.entries.len())

@@ -1,14 +1,14 @@
 //! The SPU's side of the MFC: parameters, tag status, stalled lists, atomic status.
 //!
-//! Only the thread that runs the SPU touches it. Where a channel would sleep, a method answers `None`
-//! and the caller sleeps. Events are returned as bits for the caller to raise.
+//! Only the thread that runs the SPU touches it. Where a channel would sleep, a method answers
+//! `None` and the caller sleeps. Events are returned as bits for the caller to raise.
 
 use super::command::{Command, Operation, Parameters, Side};
-use super::queue::{Path, Queue, Ran};
-use super::{DmaError, Policy, SPU_QUEUE_DEPTH};
+use super::error::DmaError;
+use super::queue::{Path, Policy, Queue, Ran, SPU_QUEUE_DEPTH};
+use super::timing::{Movement, TransferTimes};
 use crate::event;
 use crate::memory::LINE;
-use crate::simulated::{Movement, Transfers};
 
 const PUT_CONDITIONAL_DONE: u32 = 0;
 const PUT_CONDITIONAL_FAILED: u32 = 1;
@@ -33,7 +33,7 @@ pub(crate) struct SpuSide {
     pub parameters: Parameters,
     queue: Queue,
     /// What is not yet complete in simulated time, where there is such.
-    transfers: Option<Transfers>,
+    transfers: Option<Box<dyn TransferTimes>>,
     tag_mask: u32,
     awaited: Option<Condition>,
     tag_status: Option<u32>,
@@ -46,7 +46,7 @@ pub(crate) struct SpuSide {
 }
 
 impl SpuSide {
-    pub(crate) fn new(policy: Policy, transfers: Option<Transfers>) -> Self {
+    pub(crate) fn new(policy: Policy, transfers: Option<Box<dyn TransferTimes>>) -> Self {
         Self {
             parameters: Parameters::default(),
             queue: Queue::new(SPU_QUEUE_DEPTH, policy),
@@ -127,15 +127,15 @@ impl SpuSide {
     }
 
     /// The simulated side of the commands, where there is one.
-    pub(crate) fn transfers(&self) -> Option<&Transfers> {
-        self.transfers.as_ref()
+    pub(crate) fn transfers(&self) -> Option<&dyn TransferTimes> {
+        self.transfers.as_deref()
     }
 
     /// Lets `body` change the simulated side; tags and room may come of it.
-    pub(crate) fn change_transfers(&mut self, body: impl FnOnce(&mut Transfers)) {
+    pub(crate) fn change_transfers(&mut self, body: impl FnOnce(&mut dyn TransferTimes)) {
         let was_full = self.free_places() == 0;
         if let Some(transfers) = &mut self.transfers {
-            body(transfers);
+            body(&mut **transfers);
         }
         if was_full && self.free_places() > 0 {
             self.events |= event::QUEUE_ROOM;
@@ -144,7 +144,9 @@ impl SpuSide {
     }
 
     fn free_places(&self) -> usize {
-        let incomplete = self.transfers.as_ref().map_or(0, Transfers::len);
+        let incomplete = self
+            .transfers()
+            .map_or(0, |transfers| transfers.incomplete());
         self.queue.room().saturating_sub(incomplete)
     }
 
@@ -189,7 +191,9 @@ impl SpuSide {
     }
 
     fn idle(&self) -> u32 {
-        let incomplete = self.transfers.as_ref().map_or(0, Transfers::busy_tags);
+        let incomplete = self
+            .transfers()
+            .map_or(0, |transfers| transfers.busy_tags());
         self.tag_mask & !self.queue.busy_tags() & !incomplete
     }
 
@@ -224,7 +228,8 @@ impl SpuSide {
         self.tag_mask
     }
 
-    /// Channel 23. A condition replaces one that is still awaited; a status that was not read stays.
+    /// Channel 23. A condition replaces one that is still awaited; a status that was not read
+    /// stays.
     pub(crate) fn request_tag_status(
         &mut self,
         condition: u32,

@@ -10,7 +10,8 @@ use super::scan::{Text, scan};
 use super::stream::{Buffering, Stream, StreamInput, c_path};
 use super::va_list::VaList;
 use super::{Call, Errno, Library, calls};
-use crate::local_store::{LIMIT_MASK, SIZE};
+use crate::local_store::SIZE;
+use spu_isa::LIMIT_MASK;
 
 /// Handles are 1 to 3 for the standard streams, and up to 16 for those that are opened.
 const HANDLES: usize = 17;

@@ -3,7 +3,8 @@
 //! Invariant: no access leaves local store or takes unbounded time; addresses wrap, and no length
 //! exceeds local store.
 
-use crate::local_store::{LIMIT_MASK, LocalStore, SIZE};
+use crate::local_store::{LocalStore, SIZE};
+use spu_isa::LIMIT_MASK;
 
 /// Bytes of an argument cell: a register's image.
 pub(super) const CELL: u32 = 16;

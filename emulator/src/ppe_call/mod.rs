@@ -1,9 +1,10 @@
 //! PPE-assisted library calls: what SPU programs ask of the PPE by `stop 0x21xx`.
 //!
-//! The word after the stop holds an opcode and the address of a block of argument cells; [`Library`]
-//! carries the call out and puts the result into the block's first cell. The calls are those of
-//! libspe2 (C99 streams, POSIX.1, memory in effective address space), which newlib's functions use.
-//! Nothing here knows the SPU: it sees local store, and the host through [`Outside`] and [`Heap`].
+//! The word after the stop holds an opcode and the address of a block of argument cells;
+//! [`Library`] carries the call out and puts the result into the block's first cell. The calls are
+//! those of libspe2 (C99 streams, POSIX.1, memory in effective address space), which newlib's
+//! functions use. Nothing here knows the SPU: it sees local store, and the host through
+//! [`Outside`] and [`Heap`].
 //!
 //! Where libspe2 takes a guest's mistake for its own (a file handle that is not open, a null
 //! directory), the call fails with an error number instead.
@@ -13,6 +14,9 @@
 //! | 0x2100 | `c99`, over `stream`, `print` and `scan` |
 //! | 0x2101 | `posix` |
 //! | 0x2105 | `libea` |
+//!
+//! [`Library`] and the classes know each other: it finds the function that serves a call in a
+//! class's table, and the function works on what the library holds.
 
 mod arena;
 mod c99;
@@ -36,8 +40,8 @@ pub use errno::Errno;
 pub use guest::GuestMemory;
 pub use outside::{Heap, Outside, Process};
 
-use crate::local_store::LIMIT_MASK;
 use guest::{Block, Guest, Reply};
+use spu_isa::LIMIT_MASK;
 
 /// Bytes from the address that a call gets (that after the stop) to where the SPU goes on.
 pub const CALL_WORD: u32 = 4;
@@ -135,8 +139,8 @@ impl Library {
     }
 
     /// Carries out the call of class `number` whose opcode word is at `address`: the SPU's next
-    /// program counter, of which the lowest bit (interrupts enabled) does not count. The SPU goes on
-    /// [`CALL_WORD`] bytes further.
+    /// program counter, of which the lowest bit (interrupts enabled) does not count. The SPU goes
+    /// on [`CALL_WORD`] bytes further.
     pub fn serve(
         &mut self,
         number: u8,

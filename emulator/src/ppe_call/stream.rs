@@ -1,8 +1,8 @@
 //! C's streams: a descriptor with a buffer.
 //!
-//! Invariant: at most one of the two buffers holds something. Whoever turns from writing to reading
-//! finds everything written; whoever turns from reading to writing, the descriptor where reading
-//! stopped (if it can be moved).
+//! Invariant: at most one of the two buffers holds something. Whoever turns from writing to
+//! reading finds everything written; whoever turns from reading to writing, the descriptor where
+//! reading stopped (if it can be moved).
 
 use std::ffi::CString;
 

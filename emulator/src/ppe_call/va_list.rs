@@ -1,7 +1,7 @@
 //! The SPU's `va_list`: where the variadic arguments of a call lie.
 //!
-//! Each argument is a register's image in a cell of its own, its value at the cell's start. Those that
-//! came in registers were saved in a row; the rest lies beyond the caller's frame header.
+//! Each argument is a register's image in a cell of its own, its value at the cell's start. Those
+//! that came in registers were saved in a row; the rest lies beyond the caller's frame header.
 
 use super::guest::{CELL, Guest};
 

@@ -1,20 +1,21 @@
-//! Actors that may never act again: PPE threads between two calls, and SPEs that are loaded but not
-//! yet run.
+//! Actors that may never act again: PPE threads between two calls, and SPEs that are loaded but
+//! not yet run.
 //!
-//! Nobody tells whether a thread that is computing, or has gone to sleep in a call of its own, will
-//! come back, so whoever waits for it waits only so long in the host's time. This is the one place
-//! where the host's time has a say. A thread that is given up joins again at its own clock when it
-//! next calls; what it then does takes effect on SPEs that are ahead of it at their clocks.
+//! Nobody tells whether a thread that is computing, or has gone to sleep in a call of its own,
+//! will come back, so whoever waits for it waits only so long in the host's time. This is the one
+//! place where the host's time has a say. A thread that is given up joins again at its own clock
+//! when it next calls; what it then does takes effect on SPEs that are ahead of it at their
+//! clocks.
 
 use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-/// How often a waiter looks after a PPE thread that holds it up. A thread that sleeps outside (in a
-/// join, say) at two looks in a row, and did not run in between, is given up.
+/// How often a waiter looks after a PPE thread that holds it up. A thread that sleeps outside (in
+/// a join, say) at two looks in a row, and did not run in between, is given up.
 pub const LOOK_EVERY: Duration = Duration::from_millis(25);
-/// How long a PPE thread may compute between two calls, or an SPE that is loaded stay without a run,
-/// before it is given up.
+/// How long a PPE thread may compute between two calls, or an SPE that is loaded stay without a
+/// run, before it is given up.
 pub const LONGEST: Duration = Duration::from_secs(2);
 
 /// What Linux tells of a sleeping thread: how often it has gone to sleep.

@@ -6,35 +6,12 @@
 //! delivered in the order of arrival.
 
 use std::collections::BTreeMap;
+use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
-use std::sync::{Arc, Mutex};
 
-use super::turnstile::NEVER;
-use crate::local_store::LocalStore;
-use crate::spe::lock::lock;
-
-/// Bytes for a local store.
-pub(crate) struct Parcel {
-    pub store: Arc<LocalStore>,
-    pub address: u32,
-    pub bytes: Box<[u8]>,
-}
-
-impl Parcel {
-    fn deliver(&self) {
-        self.store.write(self.address, &self.bytes);
-    }
-
-    /// Whether some of its bytes go to `length` bytes at `address` of a store.
-    pub fn meets(&self, store: &LocalStore, address: u32, length: usize) -> bool {
-        let (first, end) = (
-            self.address as usize,
-            self.address as usize + self.bytes.len(),
-        );
-        let (from, to) = (address as usize, address as usize + length);
-        std::ptr::eq(&*self.store, store) && first < to && from < end
-    }
-}
+use super::time::NEVER;
+use crate::lock::lock;
+use crate::mfc::timing::Parcel;
 
 /// What is under way in one machine.
 pub(crate) struct Arrivals {
@@ -108,6 +85,8 @@ impl Arrivals {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::local_store::LocalStore;
+    use std::sync::Arc;
 
     fn parcel(store: &Arc<LocalStore>, address: u32, bytes: &[u8]) -> Parcel {
         Parcel {

@@ -1,7 +1,7 @@
 //! A resource that serves one line at a time: which of its slots are taken.
 //!
-//! Invariant: a slot is given out once. Slots before the newest request's time are forgotten in whole
-//! words: requests come in the order of simulated time.
+//! Invariant: a slot is given out once. Slots before the newest request's time are forgotten in
+//! whole words: requests come in the order of simulated time.
 
 use std::collections::VecDeque;
 

@@ -1,25 +1,17 @@
 //! PPE threads in the race: each host thread that uses the PPE's side of an SPE.
 //!
-//! A thread becomes an actor with its first call and leaves when it ends. Calls within a call are part
-//! of it: they cost nothing more and need no turn of their own.
+//! A thread becomes an actor with its first call and leaves when it ends. Calls within a call are
+//! part of it: they cost nothing more and need no turn of their own.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
+use super::race::WaitKey;
+use super::simulation::Simulation;
+use super::time::cycles;
 use super::turnstile::Actor;
-use super::{Simulation, WaitKey, cycles};
-
-/// Cycles of a PPE call that reaches an SPE, half a microsecond: a system call and an access to the
-/// SPE's registers. Estimate.
-pub const PPE_CALL_CYCLES: u64 = 1_600;
-/// Cycles from an SPE's act until the PPE thread that slept for it goes on, three microseconds: an
-/// interrupt and the scheduler. Estimate.
-pub const PPE_WAKE_CYCLES: u64 = 9_600;
-/// Cycles from the PPE's call until the SPU's first instruction, ten microseconds: the kernel loads
-/// the context onto an SPE. Estimate.
-pub const PPE_RUN_CYCLES: u64 = 32_000;
 
 /// This thread in one machine's race.
 pub(super) struct Thread {
@@ -66,12 +58,12 @@ impl Thread {
 impl Simulation {
     /// This thread; if it is new to the machine, in the race from `from` on.
     pub(super) fn this_thread(&self, from: Option<u64>) -> Rc<Thread> {
-        let machine = Arc::downgrade(&self.alive);
+        let machine = Arc::downgrade(self.alive());
         let own = |thread: &&Rc<Thread>| Weak::ptr_eq(&thread.machine, &machine);
         let new = || {
             Rc::new(Thread {
                 machine: machine.clone(),
-                actor: Actor::ppe(&self.turnstile, from),
+                actor: Actor::ppe(self.turnstile(), from),
                 calls_within: Cell::new(0),
                 owed: Cell::new(0),
             })
@@ -95,14 +87,16 @@ impl Simulation {
     pub fn act<T>(&self, body: impl FnOnce() -> T) -> T {
         let thread = self.this_thread(None);
         if thread.calls_within.get() == 0 {
-            thread.actor.turn(thread.resume() + PPE_CALL_CYCLES);
+            thread
+                .actor
+                .turn(thread.resume() + self.timing().ppe.call_cycles);
         }
         let _within = Within::enter(&thread.calls_within);
         body()
     }
 
-    /// A call that sleeps until `poll` yields, or until `limit` of simulated time has passed. It looks
-    /// again when somebody wakes `key`. A limit of no time makes it a look.
+    /// A call that sleeps until `poll` yields, or until `limit` of simulated time has passed. It
+    /// looks again when somebody wakes `key`. A limit of no time makes it a look.
     pub fn wait<T>(
         &self,
         key: WaitKey,
@@ -121,7 +115,7 @@ impl Simulation {
             let now = actor.sleep(key, end, limit);
             let found = poll();
             if found.is_some() {
-                thread.owed.set(PPE_WAKE_CYCLES);
+                thread.owed.set(self.timing().ppe.wake_cycles);
                 return found;
             }
             if end.is_some_and(|end| now >= end) {

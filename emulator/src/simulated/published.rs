@@ -1,8 +1,9 @@
 //! What an SPE shows of itself: the figures and the profile of one moment.
 
-use super::SpuClock;
-use super::report::{Commands, SpeReport};
-use crate::timing::profile::{Profile, ProgramId};
+use super::report::SpeReport;
+use super::spu_clock::SpuClock;
+use crate::mfc::Commands;
+use crate::profile::{Profile, ProgramId, ProgramProfile, SpeProfile};
 
 /// Invariant: the profile's cycles are those of the report's account.
 #[derive(Default)]
@@ -33,12 +34,15 @@ impl Published {
         &self.report
     }
 
-    /// The programs that ran.
-    pub fn programs(&self) -> impl Iterator<Item = (Option<ProgramId>, &Profile)> {
+    /// The profiles of the programs that ran.
+    pub fn profile(&self) -> SpeProfile {
         let programs = self.profiles.iter().flat_map(|profiles| &profiles.programs);
-        programs
-            .filter(|(_, profile)| !profile.entries().is_empty())
-            .map(|(id, profile)| (*id, profile))
+        let ran = programs.filter(|(_, profile)| !profile.entries().is_empty());
+        SpeProfile {
+            programs: ran
+                .map(|(id, profile)| ProgramProfile::new(*id, profile))
+                .collect(),
+        }
     }
 
     /// What is published from now on is of this program.

@@ -1,22 +1,11 @@
 //! Figures of SPEs in simulated time, as they can be read from outside.
 
-use crate::timing::Account;
+use spu_isa::timing::Account;
 
-/// MFC commands that an SPU gave, and bytes that they moved.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Commands {
-    /// Commands through the queue.
-    pub queued: u64,
-    /// Atomic commands, which bypass it.
-    pub atomic: u64,
-    /// Bytes into local store by queued commands.
-    pub bytes_in: u64,
-    /// Bytes out of local store by queued commands.
-    pub bytes_out: u64,
-}
+use crate::mfc::Commands;
 
-/// Cycles that an SPU slept in its channels, by what it slept for. The pipeline's account has the same
-/// cycles, as those of channels and of DMA.
+/// Cycles that an SPU slept in its channels, by what it slept for. The pipeline's account has the
+/// same cycles, as those of channels and of DMA.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Waits {
     /// For a mailbox, in either direction.
@@ -69,8 +58,8 @@ impl SpeReport {
 /// A machine.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// How often the race went on without a thread or an SPE that might still have acted: more than the
-    /// program's joins, and two runs may differ.
+    /// How often the race went on without a thread or an SPE that might still have acted: more
+    /// than the program's joins, and two runs may differ.
     pub absences: u64,
     /// Its SPEs, in the order of their making.
     pub spes: Vec<SpeReport>,

@@ -5,19 +5,18 @@ use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
-use super::memory_system::Peer;
 use super::published::Published;
-use super::turnstile::{Actor, Rank};
-use super::{Movement, PPE_CALL_CYCLES, PPE_RUN_CYCLES, PPE_WAKE_CYCLES};
-use super::{Simulation, SpuClock, Transfers, Wait, WaitKey};
-use crate::mfc::Interconnect;
+use super::race::{Rank, WaitKey};
+use super::simulation::Simulation;
+use super::spu_clock::{SpuClock, Wait};
+use super::transfers::SpuTransfers;
+use super::turnstile::Actor;
+use crate::lock::lock;
 use crate::mfc::command::{Command, Operation};
+use crate::mfc::interconnect::Interconnect;
 use crate::mfc::spu_side::SpuSide;
-use crate::spe::lock::lock;
-use crate::timing::profile::ProgramId;
-
-/// From the call that runs an SPE to its first instruction.
-const START_CYCLES: u64 = PPE_CALL_CYCLES + PPE_RUN_CYCLES;
+use crate::mfc::timing::{Movement, Peer, TransferTimes};
+use crate::profile::ProgramId;
 
 /// What an SPE keeps for simulated time beside its clock, which belongs to whoever runs the SPU.
 pub(crate) struct SpeSide {
@@ -37,7 +36,7 @@ impl SpeSide {
         let (number, published) = simulation.add_spe();
         Self {
             simulation: Arc::clone(simulation),
-            actor: Actor::spe(&simulation.turnstile, Rank::spe(number)),
+            actor: Actor::spe(simulation.turnstile(), Rank::spe(number)),
             ready: AtomicU64::new(0),
             key: simulation.new_key(),
             moved: Mutex::default(),
@@ -47,7 +46,21 @@ impl SpeSide {
 
     /// The SPU's clock at its start.
     pub fn new_clock(&self) -> SpuClock {
-        SpuClock::new(self.simulation.profiled)
+        SpuClock::new(
+            self.simulation.timing().rules,
+            self.simulation.is_profiled(),
+        )
+    }
+
+    /// Who times the SPU's MFC commands.
+    pub fn new_transfers(&self) -> Box<dyn TransferTimes> {
+        Box::new(SpuTransfers::new(&self.simulation))
+    }
+
+    /// Cycles from the call that runs an SPE to its first instruction.
+    fn start_cycles(&self) -> u64 {
+        let ppe = &self.simulation.timing().ppe;
+        ppe.call_cycles + ppe.run_cycles
     }
 
     pub fn key(&self) -> WaitKey {
@@ -58,15 +71,15 @@ impl SpeSide {
     pub fn expect(&self) {
         let ready = self.simulation.this_thread(None).resume();
         let ready = ready.max(self.ready.fetch_max(ready, SeqCst));
-        self.actor.expect(ready + START_CYCLES);
+        self.actor.expect(ready + self.start_cycles());
     }
 
-    /// This thread becomes the SPU. Its own clock counts, or, if it is new, the time since which the
-    /// SPE has been ready: not the host's time at which the thread happens to come.
+    /// This thread becomes the SPU. Its own clock counts, or, if it is new, the time since which
+    /// the SPE has been ready: not the host's time at which the thread happens to come.
     pub fn start(&self, clock: &RefCell<SpuClock>) {
         let ready = self.ready.load(SeqCst);
         let thread = self.simulation.this_thread(Some(ready));
-        let begins = ready.max(thread.resume()) + START_CYCLES;
+        let begins = ready.max(thread.resume()) + self.start_cycles();
         clock.borrow_mut().start(begins);
         thread.actor().give_way_to(&self.actor, begins);
     }
@@ -77,7 +90,7 @@ impl SpeSide {
         self.publish(clock, mfc);
         clock.borrow_mut().stop();
         announce();
-        let back = self.actor.clock() + PPE_WAKE_CYCLES;
+        let back = self.actor.clock() + self.simulation.timing().ppe.wake_cycles;
         self.ready.store(back, SeqCst);
         let thread = self.simulation.this_thread(Some(back));
         self.actor.give_way_to(thread.actor(), back);
@@ -105,14 +118,12 @@ impl SpeSide {
     pub fn time_movements(&self, mfc: &mut SpuSide, now: u64, interconnect: &Interconnect) {
         let moved = std::mem::take(&mut *lock(&self.moved));
         if !moved.is_empty() {
-            let mut memory = self.simulation.memory();
-            let arrivals = &self.simulation.turnstile.arrivals;
             mfc.change_transfers(|transfers| {
                 for movement in moved {
                     let Command { operation, ea, .. } = movement.command;
                     let mut peers = movement.pieces.iter().map(|piece| piece.peer);
                     let only_memory = peers.all(|peer| peer == Peer::Memory);
-                    let complete = transfers.add(movement, now, &mut memory, arrivals);
+                    let complete = transfers.add(movement, now);
                     if operation == Operation::SendSignal {
                         interconnect.signal_arrives(ea, complete);
                     } else if !only_memory {
@@ -126,8 +137,8 @@ impl SpeSide {
 
     /// Shows the figures as they are.
     pub fn publish(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide) {
-        let commands = mfc.transfers().map(Transfers::commands);
-        let commands = commands.copied().unwrap_or_default();
+        let commands = mfc.transfers().map(|transfers| transfers.commands());
+        let commands = commands.unwrap_or_default();
         lock(&self.published).publish(&mut clock.borrow_mut(), commands);
     }
 

@@ -6,11 +6,12 @@ use super::report::Waits;
 use super::turnstile::Actor;
 use crate::channel::Channels;
 use crate::interp::{Observer, Spu};
-use crate::isa::Instruction;
 use crate::local_store::LocalStore;
+use crate::profile::{Profile, Recording};
 use crate::stop::Stopped;
-use crate::timing::profile::{Profile, Recording};
-use crate::timing::{Cause, Timer};
+use crate::timer::Timer;
+use spu_isa::Instruction;
+use spu_isa::timing::{Cause, Pipeline, Rules};
 
 /// What an SPU sleeps for in a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -56,8 +57,9 @@ pub(crate) struct SpuClock {
 }
 
 impl SpuClock {
-    pub fn new(profiled: bool) -> Self {
+    pub fn new(rules: Rules, profiled: bool) -> Self {
         Self {
+            timer: Timer::new(Pipeline::new(rules)),
             recording: profiled.then(Recording::default),
             ..Self::default()
         }
@@ -123,12 +125,12 @@ impl<'a> Timed<'a> {
 }
 
 impl Timed<'_> {
-    /// Runs at most `limit` instructions, each after the clock and `observer` have seen it; `None` if
-    /// the SPU would go on. An interrupt shows one instruction that does not run.
+    /// Runs at most `limit` instructions, each after the clock and `observer` have seen it; `None`
+    /// if the SPU would go on. An interrupt shows one instruction that does not run.
     ///
-    /// Instruction by instruction, so that the interpreter's loop exists once in the program: beside a
-    /// second one, for this observer, the compiler no longer inlines the arithmetic into either, and
-    /// without simulated time the tracer takes 1.4 times as long.
+    /// Instruction by instruction, so that the interpreter's loop exists once in the program:
+    /// beside a second one, for this observer, the compiler no longer inlines the arithmetic into
+    /// either, and without simulated time the tracer takes 1.4 times as long.
     pub fn run<C: Channels, O: Observer>(
         &mut self,
         spu: &mut Spu,
@@ -144,7 +146,8 @@ impl Timed<'_> {
         }
     }
 
-    /// [`run`](Self::run), whose loop exists twice so that a profile costs nothing where there is none.
+    /// [`run`](Self::run), whose loop exists twice so that a profile costs nothing where there is
+    /// none.
     #[inline(never)]
     fn run_as<const RECORDED: bool, C: Channels, O: Observer>(
         &mut self,

@@ -5,28 +5,15 @@
 //! the simulated time. Ordering delays a command until those before it that it must follow are
 //! complete.
 
-use super::arrivals::{Arrivals, Parcel};
-use super::memory_system::{
-    COMMAND_CYCLES, Direction, LIST_ELEMENT_CYCLES, MemorySystem, Peer, Port,
-};
-use super::report::Commands;
+use std::sync::Arc;
+
+use super::arrivals::Arrivals;
+use super::figures::MemoryFigures;
+use super::memory_system::{Direction, MemorySystem, Port};
+use super::simulation::Simulation;
+use crate::mfc::Commands;
 use crate::mfc::command::{Command, Operation, Order, TAGS};
-
-/// One contiguous piece of what a command moved.
-pub(crate) struct Piece {
-    pub ea: u64,
-    pub size: u32,
-    pub peer: Peer,
-    /// The bytes, if they are still to be delivered.
-    pub parcel: Option<Parcel>,
-}
-
-/// What a command moved, or a list until it stalled.
-pub(crate) struct Movement {
-    pub command: Command,
-    pub pieces: Vec<Piece>,
-    pub stalled: bool,
-}
+use crate::mfc::timing::{Movement, TransferTimes};
 
 #[derive(Clone, Copy, Debug)]
 struct Outstanding {
@@ -35,7 +22,8 @@ struct Outstanding {
 }
 
 #[derive(Debug)]
-pub(crate) struct Transfers {
+struct Transfers {
+    figures: MemoryFigures,
     port: Port,
     outstanding: Vec<Outstanding>,
     /// Before which time no further command of each tag begins: barriers.
@@ -48,10 +36,11 @@ pub(crate) struct Transfers {
 }
 
 impl Transfers {
-    pub fn new() -> Self {
+    fn new(figures: MemoryFigures) -> Self {
         Self {
             atomic: 0,
-            port: Port::new(),
+            port: Port::new(&figures),
+            figures,
             outstanding: Vec::new(),
             held: [0; TAGS as usize],
             stalls: 0,
@@ -59,41 +48,21 @@ impl Transfers {
         }
     }
 
-    pub fn commands(&self) -> &Commands {
-        &self.commands
-    }
-
-    /// Forgets what is complete at `now`.
-    pub fn advance(&mut self, now: u64) {
+    fn advance(&mut self, now: u64) {
         self.outstanding.retain(|command| command.complete > now);
     }
 
-    pub fn busy_tags(&self) -> u32 {
+    fn busy_tags(&self) -> u32 {
         self.outstanding
             .iter()
             .fold(0, |tags, command| tags | 1 << command.tag)
     }
 
-    pub fn len(&self) -> usize {
-        self.outstanding.len()
-    }
-
-    /// When the next command will be complete.
-    pub fn next(&self) -> Option<u64> {
+    fn next(&self) -> Option<u64> {
         self.outstanding
             .iter()
             .map(|command| command.complete)
             .min()
-    }
-
-    /// When the SPU can be told of the lists that stall.
-    pub fn stalled_at(&self) -> u64 {
-        self.stalls
-    }
-
-    /// When the status of the last atomic command can be read.
-    pub fn atomic_at(&self) -> u64 {
-        self.atomic
     }
 
     fn last(&self, of: impl Fn(u8) -> bool) -> u64 {
@@ -107,7 +76,7 @@ impl Transfers {
 
     /// Times a movement that was made at `now`, and sends off what is to be delivered; says when
     /// it is complete.
-    pub fn add(
+    fn add(
         &mut self,
         movement: Movement,
         now: u64,
@@ -127,7 +96,7 @@ impl Transfers {
             return self.atomic;
         }
         let held = &self.held[usize::from(tag)];
-        let mut start = (now + COMMAND_CYCLES).max(*held);
+        let mut start = (now + self.figures.command_cycles).max(*held);
         match operation {
             Operation::QueueBarrier | Operation::Sync => start = start.max(self.last(|_| true)),
             _ if order != Order::Free => start = start.max(self.last(|other| other == tag)),
@@ -145,7 +114,7 @@ impl Transfers {
         let mut complete = start;
         for piece in movement.pieces {
             if operation.is_list() {
-                start += LIST_ELEMENT_CYCLES;
+                start += self.figures.list_element_cycles;
             }
             let what = (piece.ea, piece.size);
             let port = &mut self.port;
@@ -170,13 +139,67 @@ impl Transfers {
     }
 }
 
+/// The commands of one SPU in its machine's time.
+pub(super) struct SpuTransfers {
+    transfers: Transfers,
+    simulation: Arc<Simulation>,
+}
+
+impl SpuTransfers {
+    pub fn new(simulation: &Arc<Simulation>) -> Self {
+        Self {
+            transfers: Transfers::new(simulation.timing().memory),
+            simulation: Arc::clone(simulation),
+        }
+    }
+}
+
+impl TransferTimes for SpuTransfers {
+    fn add(&mut self, movement: Movement, now: u64) -> u64 {
+        let mut memory = self.simulation.memory();
+        let arrivals = &self.simulation.turnstile().arrivals;
+        self.transfers.add(movement, now, &mut memory, arrivals)
+    }
+
+    fn advance(&mut self, now: u64) {
+        self.transfers.advance(now);
+    }
+
+    fn incomplete(&self) -> usize {
+        self.transfers.outstanding.len()
+    }
+
+    fn busy_tags(&self) -> u32 {
+        self.transfers.busy_tags()
+    }
+
+    fn next(&self) -> Option<u64> {
+        self.transfers.next()
+    }
+
+    fn stalled_at(&self) -> u64 {
+        self.transfers.stalls
+    }
+
+    fn atomic_at(&self) -> u64 {
+        self.transfers.atomic
+    }
+
+    fn commands(&self) -> Commands {
+        self.transfers.commands
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::mfc::command::{Parameters, Side};
-    use crate::simulated::memory_system::{LINE_CYCLES, MEMORY_LATENCY};
+    use crate::mfc::timing::{Peer, Piece};
 
-    const LINE_TIME: u64 = COMMAND_CYCLES + LINE_CYCLES + MEMORY_LATENCY;
+    const FIGURES: MemoryFigures = MemoryFigures::CONSOLE;
+    const COMMAND_CYCLES: u64 = FIGURES.command_cycles;
+    const LINE_CYCLES: u64 = FIGURES.line_cycles;
+    const LINE_TIME: u64 = COMMAND_CYCLES + LINE_CYCLES + FIGURES.memory_latency;
 
     fn movement(word: u32, tag: u32) -> Movement {
         let parameters = Parameters {
@@ -197,7 +220,7 @@ mod tests {
     }
 
     fn times(commands: &[(u32, u32)]) -> Vec<u64> {
-        let (mut transfers, mut memory) = (Transfers::new(), MemorySystem::default());
+        let (mut transfers, mut memory) = (Transfers::new(FIGURES), MemorySystem::new(FIGURES));
         for &(word, tag) in commands {
             transfers.add(movement(word, tag), 3, &mut memory, &Arrivals::default());
         }
@@ -219,17 +242,23 @@ mod tests {
 
     #[test]
     fn a_tag_is_busy_until_its_last_command_is_complete() {
-        let (mut transfers, mut memory) = (Transfers::new(), MemorySystem::default());
+        let (mut transfers, mut memory) = (Transfers::new(FIGURES), MemorySystem::new(FIGURES));
         let arrivals = Arrivals::default();
         transfers.add(movement(0x40, 1), 0, &mut memory, &arrivals);
         transfers.add(movement(0x20, 5), 0, &mut memory, &arrivals);
-        assert_eq!((transfers.busy_tags(), transfers.len()), (0b10_0010, 2));
+        assert_eq!(
+            (transfers.busy_tags(), transfers.outstanding.len()),
+            (0b10_0010, 2)
+        );
         let first = transfers.next().unwrap();
         transfers.advance(first - 1);
-        assert_eq!(transfers.len(), 2);
+        assert_eq!(transfers.outstanding.len(), 2);
         transfers.advance(first);
-        assert_eq!((transfers.busy_tags(), transfers.len()), (0b10_0000, 1));
-        let commands = transfers.commands();
+        assert_eq!(
+            (transfers.busy_tags(), transfers.outstanding.len()),
+            (0b10_0000, 1)
+        );
+        let commands = &transfers.commands;
         assert_eq!(
             (commands.queued, commands.bytes_in, commands.bytes_out),
             (2, 128, 128)

@@ -1,141 +1,55 @@
 //! Who may act next: the actor with the smallest clock.
 //!
-//! An actor is an SPE or a PPE thread. It is outside the race, or it runs freely with a clock that is a
-//! lower bound of its next act, or it waits: for its turn at a time, and perhaps for somebody to wake it
-//! before. Invariant: an actor gets its turn only while no other free or waiting actor has a smaller
-//! (clock, rank), and it keeps the turn until it shows a larger clock, so acts never overlap; and
-//! nobody's clock runs back. Data that was sent to a local store lies there as soon as no clock is
-//! before its arrival.
+//! An actor is an SPE or a PPE thread. It is outside the race, or it runs freely with a clock that
+//! is a lower bound of its next act, or it waits: for its turn at a time, and perhaps for somebody
+//! to wake it before. Invariant: an actor gets its turn only while no other free or waiting actor
+//! has a smaller (clock, rank), and it keeps the turn until it shows a larger clock, so acts never
+//! overlap; and nobody's clock runs back. Data that was sent to a local store lies there as soon
+//! as no clock is before its arrival.
 
-use std::collections::BTreeMap;
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
 use std::sync::atomic::{AtomicBool, AtomicU64};
-use std::sync::{Arc, Condvar, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
 use super::absence::{LOOK_EVERY, Patience};
 use super::arrivals::Arrivals;
-use super::memory_system::LOCAL_STORE_DELAY;
-use crate::spe::lock::lock;
-
-/// No time at all: of a sleeper that only somebody else can wake.
-pub(super) const NEVER: u64 = u64::MAX;
+use super::race::{Entry, Race, Rank, Runner, Status, WaitKey};
+use super::time::NEVER;
+use crate::lock::lock;
 
 /// Cycles between two looks at the others' clocks: often enough not to hold them up, seldom enough
 /// to cost nothing.
 const CYCLES_A_LOOK: u64 = 1024;
 
-/// What a sleeper can be woken by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub struct WaitKey(u64);
-
-/// Decides between equal clocks: SPEs by number, then PPE threads in the order of their first calls.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) struct Rank(u64);
-
-const FIRST_PPE: u64 = 1 << 32;
-
-impl Rank {
-    pub fn spe(number: u64) -> Self {
-        Self(number)
-    }
-
-    fn ppe(number: u64) -> Self {
-        Self(FIRST_PPE + number)
-    }
-}
-
-#[derive(Default)]
-struct Runner {
-    clock: AtomicU64,
-    /// The clock from which on it may run no further without a look at the others.
-    limit: AtomicU64,
-    called: Condvar,
-}
-
-enum Status {
-    Outside,
-    /// Runs, or has the turn. With patience: may never come back.
-    Free(Option<Patience>),
-    Waiting {
-        /// When it acts, unless it is woken before.
-        wanted: u64,
-        /// Since when it sleeps; it can't be woken to an earlier time.
-        since: u64,
-        /// What may wake it; nothing may once it is awake.
-        key: Option<WaitKey>,
-    },
-}
-
-struct Entry {
-    runner: Arc<Runner>,
-    status: Status,
-}
-
-impl Entry {
-    /// Its place in the race, if it is in it.
-    fn place(&self) -> Option<u64> {
-        match self.status {
-            Status::Outside => None,
-            Status::Free(_) => Some(self.runner.clock.load(SeqCst)),
-            Status::Waiting { wanted, .. } => (wanted != NEVER).then_some(wanted),
-        }
-    }
-}
-
-#[derive(Default)]
-struct Race {
-    actors: BTreeMap<Rank, Entry>,
-    /// When the act that goes on, or was last, happens.
-    now: u64,
-    ppe_threads: u64,
-    keys: u64,
-    absences: u64,
-}
-
-impl Race {
-    fn leader(&self) -> Option<(u64, Rank)> {
-        self.actors
-            .iter()
-            .filter_map(|(&rank, entry)| Some((entry.place()?, rank)))
-            .min()
-    }
-
-    /// Whether `me` sleeps, and nobody else is in the race who could wake it.
-    fn sleeps_alone(&self, me: Rank) -> bool {
-        self.actors.iter().all(|(&rank, entry)| {
-            if rank == me {
-                matches!(entry.status, Status::Waiting { key: Some(_), .. })
-            } else {
-                entry.place().is_none()
-            }
-        })
-    }
-
-    fn set(&mut self, rank: Rank, status: Status) {
-        if let Some(entry) = self.actors.get_mut(&rank) {
-            entry.status = status;
-        }
-    }
-}
-
 /// The race of one machine.
-#[derive(Default)]
 pub(crate) struct Turnstile {
     race: Mutex<Race>,
     /// The smallest time at which somebody waits: whoever runs past it has to let go.
     impatient: AtomicU64,
     /// Whether runners run one at a time too, not only act so.
     serial: AtomicBool,
+    /// Cycles in which one SPU reaches another's local store at the earliest.
+    local_store_delay: u64,
     /// What was sent to local stores.
     pub arrivals: Arrivals,
 }
 
 impl Turnstile {
+    pub fn new(local_store_delay: u64) -> Self {
+        Self {
+            race: Mutex::default(),
+            impatient: AtomicU64::default(),
+            serial: AtomicBool::default(),
+            local_store_delay,
+            arrivals: Arrivals::default(),
+        }
+    }
+
     pub fn new_key(&self) -> WaitKey {
         let mut race = lock(&self.race);
         race.keys += 1;
-        WaitKey(race.keys)
+        WaitKey::new(race.keys)
     }
 
     /// How often the race went on without a PPE thread or an SPE that was expected.
@@ -148,8 +62,8 @@ impl Turnstile {
         self.serial.store(true, SeqCst);
     }
 
-    /// Moves sleepers on `key` to the cycle after the act that goes on: in the same cycle they would
-    /// overtake it if they come first by rank.
+    /// Moves sleepers on `key` to the cycle after the act that goes on: in the same cycle they
+    /// would overtake it if they come first by rank.
     pub fn wake(&self, key: WaitKey) {
         let mut race = lock(&self.race);
         let now = race.now;
@@ -169,7 +83,7 @@ impl Turnstile {
         }
         if woken && self.serial.load(SeqCst) {
             // The spell that goes on was given out without regard to who slept.
-            let soon = now + 1 + LOCAL_STORE_DELAY;
+            let soon = now + 1 + self.local_store_delay;
             for entry in race.actors.values() {
                 entry.runner.limit.fetch_min(soon, SeqCst);
             }
@@ -177,9 +91,9 @@ impl Turnstile {
         self.hand_on(&race);
     }
 
-    /// Says for how long runners need not look up, then calls the first waiter if it is its turn, or if
-    /// somebody is before it of whom nobody knows whether he comes back.
-    /// In this order: a runner shows its clock before it looks, so that one of the two sees the other.
+    /// Says for how long runners need not look up, then calls the first waiter if it is its turn,
+    /// or if somebody is before it of whom nobody knows whether he comes back. In this order: a
+    /// runner shows its clock before it looks, so that one of the two sees the other.
     fn hand_on(&self, race: &Race) {
         let leader = race.leader();
         self.arrivals
@@ -212,7 +126,7 @@ impl Turnstile {
         }
         let others = race.actors.iter().filter(|(rank, _)| **rank != me);
         let sent = others.filter_map(|(_, entry)| entry.place()).min();
-        let sent = sent.map_or(NEVER, |place| place.saturating_add(LOCAL_STORE_DELAY));
+        let sent = sent.map_or(NEVER, |place| place.saturating_add(self.local_store_delay));
         look.min(sent).min(self.arrivals.next())
     }
 
@@ -309,7 +223,8 @@ impl Actor {
         Self::new(turnstile, |_| rank, false, None)
     }
 
-    /// The calling thread as an actor: in the race from some time on, or outside until it first acts.
+    /// The calling thread as an actor: in the race from some time on, or outside until it first
+    /// acts.
     pub fn ppe(turnstile: &Arc<Turnstile>, from: Option<u64>) -> Self {
         let next = |race: &mut Race| {
             race.ppe_threads += 1;
@@ -355,9 +270,9 @@ impl Actor {
         self.turnstile.await_turn(race, self, None);
     }
 
-    /// Sleeps until somebody wakes `key` or until `limit`; gives the time of the turn that it has then.
-    /// With `pause`, somebody who is left alone in the race lets that much of the host's time pass
-    /// before its clock jumps to the limit.
+    /// Sleeps until somebody wakes `key` or until `limit`; gives the time of the turn that it has
+    /// then. With `pause`, somebody who is left alone in the race lets that much of the host's
+    /// time pass before its clock jumps to the limit.
     pub fn sleep(&self, key: WaitKey, limit: Option<u64>, pause: Option<Duration>) -> u64 {
         let since = self.clock();
         let mut race = lock(&self.turnstile.race);
@@ -442,6 +357,7 @@ impl Drop for Actor {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::simulated::MemoryFigures;
     use std::sync::atomic::AtomicUsize;
     use std::thread;
 
@@ -457,7 +373,7 @@ mod tests {
     fn acts_come_one_at_a_time_in_the_order_of_clock_and_rank() {
         const ACTORS: u64 = 5;
         const ACTS: u64 = 200;
-        let turnstile = Arc::<Turnstile>::default();
+        let turnstile = Arc::new(Turnstile::new(MemoryFigures::CONSOLE.local_store_delay()));
         let acts = Mutex::new(Vec::new());
         let acting = AtomicUsize::new(0);
         let actors: Vec<_> = (0..ACTORS).map(|n| free(&turnstile, n, 0)).collect();
@@ -483,7 +399,7 @@ mod tests {
 
     #[test]
     fn a_sleeper_wakes_after_the_act_that_wakes_it_and_not_before_it_slept() {
-        let turnstile = Arc::<Turnstile>::default();
+        let turnstile = Arc::new(Turnstile::new(MemoryFigures::CONSOLE.local_store_delay()));
         let key = turnstile.new_key();
         let (early, late) = (free(&turnstile, 0, 0), free(&turnstile, 1, 0));
         let other = free(&turnstile, 2, 0);

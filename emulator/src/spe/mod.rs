@@ -1,15 +1,18 @@
 //! One SPE: the SPU, its local store and MFC, and what the PPE reaches of them.
 //!
-//! An [`Spe`] is shared: one thread at a time runs the SPU ([`Spe::run`]), any thread uses the PPE's
-//! side. Whoever waits sleeps; a stop request wakes the SPU wherever it sleeps.
+//! An [`Spe`] is shared: one thread at a time runs the SPU ([`Spe::run`]), any thread uses the
+//! PPE's side. Whoever waits sleeps; a stop request wakes the SPU wherever it sleeps.
 //!
 //! Locks are taken in this order: the SPU's own state or the proxy queue, the interconnect, the
 //! problem state. No transfer is made under the problem state's lock.
+//!
+//! [`Spe`] knows the files of this folder and they know it, since they are its parts: `running`
+//! and `proxy` borrow the whole SPE while they work.
 
 mod channels;
-pub(crate) mod lock;
 mod problem_state;
 mod proxy;
+mod running;
 
 use std::cell::RefCell;
 use std::sync::{Arc, Mutex, Weak};
@@ -18,25 +21,20 @@ use std::time::Instant;
 use crate::event;
 use crate::interp::{Observer, Spu};
 use crate::local_store::LocalStore;
-use crate::mfc::interconnect::{Interconnect, Unit};
+use crate::lock::lock;
+use crate::machine::Machine;
+use crate::mfc::interconnect::Unit;
 use crate::mfc::{DmaError, Policy};
+use crate::profile::ProgramId;
 use crate::signal::{SignalMode, SignalRegister};
 use crate::simulated::{Simulation, SpeSide, SpuClock, Timed};
 use crate::stop::{Stop, Stopped};
-use crate::timing::profile::ProgramId;
-use channels::{RunningChannels, SpuState};
-use lock::lock;
 use problem_state::{ProblemState, State};
 use proxy::Proxy;
+use running::{RunningChannels, SpuState};
 
+pub use problem_state::Watcher;
 pub use proxy::{ProxyCommand, TagWait};
-
-/// Is told that something that the PPE can see of an SPE may have changed: a mailbox, a signal
-/// register, a proxy tag, a run that ended. It must return soon and must not call the SPE.
-pub trait Watcher: Send + Sync {
-    /// Look again.
-    fn changed(&self);
-}
 
 /// How an SPE is set up.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -56,7 +54,7 @@ struct Engine {
 /// A synergistic processor element.
 pub struct Spe {
     local_store: Arc<LocalStore>,
-    interconnect: Arc<Interconnect>,
+    machine: Arc<Machine>,
     problem_state: Arc<ProblemState>,
     engine: Mutex<Engine>,
     proxy: Mutex<Proxy>,
@@ -64,10 +62,10 @@ pub struct Spe {
 }
 
 impl Spe {
-    /// A new SPE on `interconnect`: local store and registers are 0.
+    /// A new SPE of `machine`: local store and registers are 0.
     #[must_use]
-    pub fn new(interconnect: &Arc<Interconnect>, config: Config) -> Arc<Self> {
-        let simulated = interconnect.simulation().map(SpeSide::new);
+    pub fn new(machine: &Arc<Machine>, config: Config) -> Arc<Self> {
+        let simulated = machine.simulation().map(SpeSide::new);
         let sleepers = simulated
             .as_ref()
             .map(|side| (Arc::clone(&side.simulation), side.key()));
@@ -76,16 +74,17 @@ impl Spe {
             None => config.policy,
         };
         let clock = simulated.as_ref().map(SpeSide::new_clock);
+        let transfers = simulated.as_ref().map(SpeSide::new_transfers);
         let problem_state = Arc::new(ProblemState::new(config.signal_modes, sleepers));
         let unit: Arc<dyn Unit> = problem_state.clone();
-        interconnect.attach(Arc::downgrade(&unit));
+        machine.interconnect().attach(Arc::downgrade(&unit));
         Arc::new(Self {
             local_store: Arc::new(LocalStore::new()),
-            interconnect: Arc::clone(interconnect),
+            machine: Arc::clone(machine),
             problem_state,
             engine: Mutex::new(Engine {
                 spu: Spu::default(),
-                state: SpuState::new(policy, simulated.is_some()),
+                state: SpuState::new(policy, transfers),
                 clock: RefCell::new(clock.unwrap_or_default()),
             }),
             proxy: Mutex::new(Proxy::new(policy)),
@@ -117,8 +116,8 @@ impl Spe {
         }
     }
 
-    /// Like [`run_prepared`](Self::run_prepared), under the eyes of `observer` and for at most `limit`
-    /// instructions; `None` if the SPU would go on after them.
+    /// Like [`run_prepared`](Self::run_prepared), under the eyes of `observer` and for at most
+    /// `limit` instructions; `None` if the SPU would go on after them.
     pub fn run_observed<O: Observer>(
         &self,
         entry: u32,
@@ -190,7 +189,7 @@ impl Spe {
     /// The simulated time that the SPE is in, if it is.
     #[must_use]
     pub fn simulation(&self) -> Option<&Arc<Simulation>> {
-        self.interconnect.simulation()
+        self.machine.simulation()
     }
 
     /// In simulated time: `body` as one call of a PPE thread, in its turn. Else just `body`.
@@ -201,15 +200,16 @@ impl Spe {
         }
     }
 
-    /// In simulated time: the SPE is loaded and is to be run soon by some thread, so the others are not
-    /// to run ahead of it.
+    /// In simulated time: the SPE is loaded and is to be run soon by some thread, so the others
+    /// are not to run ahead of it.
     pub fn expect_run(&self) {
         if let Some(side) = &self.simulated {
             side.expect();
         }
     }
 
-    /// In simulated time: what runs from now on is charged to this program, in the machine's profile.
+    /// In simulated time: what runs from now on is charged to this program, in the machine's
+    /// profile.
     pub fn profile_as(&self, program: ProgramId) {
         if let Some(side) = &self.simulated {
             side.load(program);
@@ -220,7 +220,7 @@ impl Spe {
     /// simulated time can tell transfers to it from those to memory.
     pub fn map_local_store(&self, ea: u64) {
         let store = Arc::downgrade(&self.local_store);
-        self.interconnect.map_local_store(ea, store);
+        self.machine.interconnect().map_local_store(ea, store);
     }
 
     /// A PPE thread looks at the problem state.
@@ -251,8 +251,8 @@ impl Spe {
         self.look(|state| state.inbound.room())
     }
 
-    /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline passed.
-    /// A deadline that has passed already makes it a try; none makes it wait for ever.
+    /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline
+    /// passed. A deadline that has passed already makes it a try; none makes it wait for ever.
     pub fn write_inbound(&self, word: u32, deadline: Option<Instant>) -> bool {
         let written = self.wait(deadline, |state| {
             let was_empty = state.inbound.waiting() == 0;
@@ -317,7 +317,7 @@ impl Spe {
     pub fn map_signal(&self, register: SignalRegister, ea: u64) {
         let unit: Arc<dyn Unit> = self.problem_state.clone();
         let unit: Weak<dyn Unit> = Arc::downgrade(&unit);
-        self.interconnect.map_signal(ea, unit, register);
+        self.machine.interconnect().map_signal(ea, unit, register);
     }
 
     /// Has `watcher` told of changes from now on.

@@ -1,20 +1,26 @@
 //! What both sides of an SPE reach: mailboxes, signals, events, the stop request.
 //!
-//! Invariant: every change that another thread may wait for is made under the lock and followed by a
-//! wake-up, so a sleeper never misses one; watchers are told after the lock is free.
+//! Invariant: every change that another thread may wait for is made under the lock and followed by
+//! a wake-up, so a sleeper never misses one; watchers are told after the lock is free.
 
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
 use std::time::{Duration, Instant};
 
-use super::Watcher;
-use super::lock::lock;
 use crate::event::{self, Events};
+use crate::lock::lock;
 use crate::mailbox::{INBOUND_DEPTH, Mailbox, OUTBOUND_DEPTH};
 use crate::mfc::DmaError;
 use crate::mfc::interconnect::{Reservation, Unit};
 use crate::signal::{Signal, SignalMode, SignalRegister};
 use crate::simulated::{Simulation, WaitKey};
+
+/// Is told that something that the PPE can see of an SPE may have changed: a mailbox, a signal
+/// register, a proxy tag, a run that ended. It must return soon and must not call the SPE.
+pub trait Watcher: Send + Sync {
+    /// Look again.
+    fn changed(&self);
+}
 
 pub(crate) struct State {
     pub inbound: Mailbox,

@@ -1,12 +1,12 @@
 //! The proxy queue: MFC commands that the PPE gives.
 //!
-//! The thread that calls carries the commands out, so nothing here waits for the SPU: on the console
-//! a proxy command of a context that does not run waits until it does. A command that fails while
-//! it runs stops the SPU, as the hardware's interrupt does. In simulated time a command takes as long as
-//! the call that gives it.
+//! The thread that calls carries the commands out, so nothing here waits for the SPU: on the
+//! console a proxy command of a context that does not run waits until it does. A command that
+//! fails while it runs stops the SPU, as the hardware's interrupt does. In simulated time a
+//! command takes as long as the call that gives it.
 
 use super::Spe;
-use super::lock::lock;
+use crate::lock::lock;
 use crate::mfc::command::{Command, Parameters, Side};
 use crate::mfc::queue::{Path, Queue};
 use crate::mfc::{DmaError, PROXY_QUEUE_DEPTH, Policy};
@@ -54,7 +54,7 @@ impl Spe {
     fn proxy_step(&self, proxy: &mut Proxy, tags: u32) -> bool {
         let path = Path {
             local_store: &self.local_store,
-            interconnect: &self.interconnect,
+            interconnect: self.machine.interconnect(),
             unit: &*self.problem_state,
             moved: None,
         };

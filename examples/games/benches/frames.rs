@@ -1,4 +1,5 @@
-//! Frames a second of each game in simulated time: six SPUs at 1280x720, the moments of the demonstrations.
+//! Frames a second of each game in simulated time: six SPUs at 1280x720, the moments of the
+//! demonstrations.
 //!
 //!     cargo bench -p games
 

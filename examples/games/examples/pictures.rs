@@ -1,6 +1,6 @@
 //! The pictures of `docs/games.md`.
 //!
-//!     cargo run --release -p games --example pictures -- FOLDER WIDTHxHEIGHT [NAME ...]
+//!     cargo run --release --example pictures -- FOLDER WIDTHxHEIGHT [NAME ...]
 
 use std::error::Error;
 use std::path::PathBuf;

@@ -1,14 +1,14 @@
 //! Balls that bounce off one another.
 //!
-//! Invariants: what two balls that meet have of momentum together they keep, and of energy they never get more;
-//! they part without overlap, the lighter one by more.
+//! Invariants: what two balls that meet have of momentum together they keep, and of energy they
+//! never get more; they part without overlap, the lighter one by more.
 
 use cellray::game::DVec3;
 
 use crate::steps::STEP;
 
-/// Overlap, of squares of distances and in parts of the whole, that is none: what parting two balls leaves of it is
-/// some 1e-16.
+/// Overlap, of squares of distances and in parts of the whole, that is none: what parting two
+/// balls leaves of it is some 1e-16.
 const ROUNDING: f64 = 1e-12;
 
 /// A ball that moves.
@@ -42,8 +42,8 @@ impl Body {
         self.mass * self.velocity.length_squared() / 2.0
     }
 
-    /// Turns it back at a wall that it has run into by `depth` and that faces along `normal`; whether it went
-    /// towards it.
+    /// Turns it back at a wall that it has run into by `depth` and that faces along `normal`;
+    /// whether it went towards it.
     pub fn rebound(&mut self, normal: DVec3, depth: f64, restitution: f64) -> bool {
         self.centre += normal * depth;
         let towards = -self.velocity.dot(normal);
@@ -70,8 +70,9 @@ impl Body {
 
 /// Lets two balls bounce off one another if they touch; whether they did.
 ///
-/// They are found when they overlap already, after a step. Which way they part is decided where they touched first:
-/// a step of a fast ball is so long that the line between their centres has turned by then.
+/// They are found when they overlap already, after a step. Which way they part is decided where
+/// they touched first: a step of a fast ball is so long that the line between their centres has
+/// turned by then.
 pub fn meet(a: &mut Body, b: &mut Body, restitution: f64) -> bool {
     let between = b.centre - a.centre;
     let reach = a.radius + b.radius;
@@ -114,9 +115,9 @@ fn line_between(a: &Body, b: &Body) -> (DVec3, f64) {
     (normal, distance)
 }
 
-/// Seconds since two balls that overlap touched first, by their ways: `between` is from the one to the other, which
-/// comes nearer by `closing` in a second. 0 where that was not within the last step: they lie on one another then,
-/// and no way of theirs brought them there.
+/// Seconds since two balls that overlap touched first, by their ways: `between` is from the one to
+/// the other, which comes nearer by `closing` in a second. 0 where that was not within the last
+/// step: they lie on one another then, and no way of theirs brought them there.
 fn since_contact(between: DVec3, closing: DVec3, reach: f64) -> f64 {
     // |between + closing t| = reach has one solution later than none, as they are nearer than that now.
     let (speed, along) = (closing.length_squared(), between.dot(closing));
@@ -182,8 +183,8 @@ mod tests {
         assert!(met > 1000, "{met}");
     }
 
-    /// Two of a pool ball's size: the one comes along x at a speed, with the other's middle off its way by so much, and
-    /// has touched it such a part of a step ago.
+    /// Two of a pool ball's size: the one comes along x at a speed, with the other's middle off
+    /// its way by so much, and has touched it such a part of a step ago.
     fn cut(speed: f64, offset: f64, part: f64) -> (Body, Body) {
         let radius = 0.0286;
         let contact = (4.0 * radius * radius - offset * offset).sqrt();

@@ -28,8 +28,9 @@ pub struct Orbit {
 }
 
 impl Orbit {
-    /// Moves it as the player does: the mouse dragged, the wheel, A, D, W, S, page keys, the right stick, and on a
-    /// pad R2 for nearer and L2 for farther. Whether the player does anything, be it at a bound.
+    /// Moves it as the player does: the mouse dragged, the wheel, A, D, W, S, page keys, the right
+    /// stick, and on a pad R2 for nearer and L2 for farther. Whether the player does anything, be
+    /// it at a bound.
     pub fn steer(&mut self, input: &Input, seconds: f64) -> bool {
         let mouse = input.mouse();
         let mut turn = f64::from(input.key_axis(Key::A, Key::D)) * A_SECOND * seconds;
@@ -78,8 +79,8 @@ pub fn stick(value: f32) -> f64 {
 /// Nearer, an eye is where it is to be: it can't be seen that it is not.
 const ARRIVED: f64 = 1e-5;
 
-/// Goes this part of the way. Who has arrived stays to the bit, however long the frames are: else a picture in which
-/// nothing moves would be traced again and again.
+/// Goes this part of the way. Who has arrived stays to the bit, however long the frames are: else
+/// a picture in which nothing moves would be traced again and again.
 #[must_use]
 pub fn follow(from: DVec3, to: DVec3, part: f64) -> DVec3 {
     let way = to - from;

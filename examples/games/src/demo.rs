@@ -1,4 +1,5 @@
-//! What a player does before the pictures of `docs/games.md` are taken, and before frames are measured.
+//! What a player does before the pictures of `docs/games.md` are taken, and before frames are
+//! measured.
 
 use cellray::game::{Entry, Input, InputEvent, Key, Moment, Start, World, WorldError};
 

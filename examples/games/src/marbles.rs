@@ -1,7 +1,8 @@
 //! Marbles on a mirror that the player tilts.
 //!
-//! The golden marble is the player's. Where it touches a gem, the gem is won and lies elsewhere; each one won lights a
-//! bead on the rim, and when all are alight they go out again, and the gems are worth the next round.
+//! The golden marble is the player's. Where it touches a gem, the gem is won and lies elsewhere;
+//! each one won lights a bead on the rim, and when all are alight they go out again, and the gems
+//! are worth the next round.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -365,7 +366,8 @@ impl Marbles {
             meet(a, b, 0.88);
         });
         for body in &mut self.bodies {
-            // Centres of unequal marbles are not at one height: what parts them would lift the larger one.
+            // Centres of unequal marbles are not at one height: what parts them would lift the
+            // larger one.
             body.centre.y = body.radius;
             body.velocity.y = 0.0;
             let height = DVec3::Y * 3.0;

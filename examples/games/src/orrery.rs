@@ -1,7 +1,8 @@
 //! The sun, its planets, moons and rings.
 //!
-//! Periods, eccentricities and inclinations are those of the sky, sizes and distances are drawn together until all is
-//! in one picture of 16:9 and nothing goes through anything else: an orrery, not a chart. A second is six days at first.
+//! Periods, eccentricities and inclinations are those of the sky, sizes and distances are drawn
+//! together until all is in one picture of 16:9 and nothing goes through anything else: an orrery,
+//! not a chart. A second is six days at first.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -47,7 +48,8 @@ pub const ENTRY: Entry = Entry {
 const STARS: usize = 300;
 /// How far the stars are.
 const SKY: f64 = 140.0;
-/// How far the eye is from the sun when it follows that, and how high: Neptune's orbit just fits in.
+/// How far the eye is from the sun when it follows that, and how high: Neptune's orbit just fits
+/// in.
 const OVERVIEW: f64 = 42.0;
 const OVERVIEW_RISE: f64 = 0.34;
 /// Least and greatest distance of the eye from what it follows, and least from the sun.
@@ -169,8 +171,9 @@ impl Orrery {
 
     fn add_sun(world: &mut World) -> Result<(), WorldError> {
         let glow = world.add_material(Material::flat(1.0, 0.84, 0.36))?;
-        // With a negative radius it is seen from within alone, as light goes: its own surface throws no shadow on
-        // what is outside. An eye outside sees the far side of it, which has the same outline.
+        // With a negative radius it is seen from within alone, as light goes: its own surface
+        // throws no shadow on what is outside. An eye outside sees the far side of it, which has
+        // the same outline.
         let sun = world.add_sphere(DVec3::ZERO, -SUN_RADIUS, glow)?;
         world.fix(sun)?;
         world.add_light(Light::at(DVec3::ZERO).coloured(1.0, 0.96, 0.88))?;
@@ -274,7 +277,8 @@ impl Orrery {
             0 => SUN_DISTANCE,
             _ => DISTANCES.0,
         };
-        // It comes from nearer where it followed a planet before: it goes out then, and does not leap.
+        // It comes from nearer where it followed a planet before: it goes out then, and does not
+        // leap.
         self.orbit.distances.0 = least.min(before);
         self.orbit.steer(input, seconds);
         // What the player did to the distance is done to where it goes, too.
@@ -283,8 +287,9 @@ impl Orrery {
         world.look_from(self.clear(self.orbit.from(self.at)), self.at)
     }
 
-    /// The place for the eye nearest to another that is outside the sun and all planets: what it follows may be behind
-    /// or before what it looks at, and it passes others on the way from one to the next.
+    /// The place for the eye nearest to another that is outside the sun and all planets: what it
+    /// follows may be behind or before what it looks at, and it passes others on the way from one
+    /// to the next.
     fn clear(&self, eye: DVec3) -> DVec3 {
         let radii = PLANETS.iter().map(|planet| planet.radius);
         let planets = self.places.iter().copied().zip(radii);
@@ -369,7 +374,8 @@ impl Ring {
     fn place(&self, stone: u32, days: f64) -> DVec3 {
         let turn = f64::from(stone) / f64::from(self.stones);
         let (sine, cosine) = libm::sincos(TAU * (turn + days / self.period));
-        // No ring is drawn with compasses: every stone keeps a way of its own, none like its neighbours'.
+        // No ring is drawn with compasses: every stone keeps a way of its own, none like its
+        // neighbours'.
         let own = (f64::from(stone) * 0.618_034).fract() * 2.0 - 1.0;
         let radius = self.distance + self.width * own;
         let (tilt_sine, tilt_cosine) = libm::sincos(self.tilt.to_radians());
@@ -438,7 +444,8 @@ mod tests {
         (ring.distance - stray, ring.distance + stray)
     }
 
-    /// What goes round a planet has shells of its own, the planet's first; how far the last one reaches.
+    /// What goes round a planet has shells of its own, the planet's first; how far the last one
+    /// reaches.
     fn reach(number: usize) -> f64 {
         let turns = (0..1000).map(|step| f64::from(step) / 1000.0);
         let moons = MOONS.iter().filter(|moon| moon.planet == number);

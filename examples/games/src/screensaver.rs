@@ -1,8 +1,9 @@
 //! Sixteen spheres that bounce in a room, for ever.
 //!
-//! At first by the paper's depth shading, spheres alone in the dark; at the press of a key by Whitted's model, in a
-//! room with light. Left to itself the eye goes round, and the colours go round their circle; no two minutes
-//! are the same, and nothing wears off: the spheres lose no energy.
+//! At first by the paper's depth shading, spheres alone in the dark; at the press of a key by
+//! Whitted's model, in a room with light. Left to itself the eye goes round, and the colours go
+//! round their circle; no two minutes are the same, and nothing wears off: the spheres lose no
+//! energy.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -183,7 +184,8 @@ impl Screensaver {
         Ok(())
     }
 
-    /// Where the eye goes by itself: round, up and down, nearer and farther, by periods without a common one.
+    /// Where the eye goes by itself: round, up and down, nearer and farther, by periods without a
+    /// common one.
     fn wander(&mut self, time: f64, seconds: f64) {
         let slowly = seconds / (seconds + 3.0);
         let rise = 0.26 + 0.24 * libm::sin(time * 0.113);

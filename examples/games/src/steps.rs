@@ -3,7 +3,8 @@
 /// Seconds of a step.
 pub const STEP: f64 = 1.0 / 480.0;
 
-/// Most seconds that a frame is given: where frames take longer, a game goes slower instead of leaping.
+/// Most seconds that a frame is given: where frames take longer, a game goes slower instead of
+/// leaping.
 const LONGEST: f64 = 0.25;
 
 /// Cuts frames' times into steps; what is left of one frame is the next one's.
@@ -15,7 +16,8 @@ pub struct Steps {
 impl Steps {
     /// Steps of a frame that comes so many seconds after the last one.
     pub fn of(&mut self, seconds: f64) -> u32 {
-        // Not by clamp: a frame of a time that is no number would take away what was left before it.
+        // Not by clamp: a frame of a time that is no number would take away what was left before
+        // it.
         if seconds > 0.0 {
             self.left += seconds.min(LONGEST);
         }

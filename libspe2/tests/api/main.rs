@@ -1,5 +1,5 @@
-//! The C API as programs call it, in the sets of the library's own test-suite. Every wait ends: what
-//! could sleep for ever runs on another thread, and the test gives up on it.
+//! The C API as programs call it, in the sets of the library's own test-suite. Every wait ends:
+//! what could sleep for ever runs on another thread, and the test gives up on it.
 
 #![expect(
     clippy::undocumented_unsafe_blocks,
@@ -8,6 +8,7 @@
 
 mod basic;
 mod event;
+mod exports;
 mod images;
 mod mfc;
 mod run;

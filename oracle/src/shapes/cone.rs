@@ -1,8 +1,8 @@
 //! Cylinders and cones, cut at right angles to the axis, without caps.
 //!
 //! With w from the base's centre to the ray's origin, both split into parts along the axis (a) and
-//! across it (c), and the radius at the height of the ray's point t being ρ + m t, the crossings are
-//! the roots of |w_c + t d_c|² = (ρ + m t)². A quarter of the discriminant is
+//! across it (c), and the radius at the height of the ray's point t being ρ + m t, the crossings
+//! are the roots of |w_c + t d_c|² = (ρ + m t)². A quarter of the discriminant is
 //! |ρ d_c - m w_c|² - |w_c x d_c|², which cancels only at the silhouette. The root -root/a enters the
 //! body, whatever the sign of a: so of the double cone nothing but the heights is to be excluded.
 
@@ -30,7 +30,8 @@ pub(crate) struct Cone {
 }
 
 impl Cone {
-    /// A cone between two discs, each a centre and a radius; negative radii turn its normal inwards.
+    /// A cone between two discs, each a centre and a radius; negative radii turn its normal
+    /// inwards.
     pub(super) fn new(base: (DVec3, f64), apex: (DVec3, f64), sides: Sides) -> Option<Self> {
         let axis = unit(apex.0 - base.0)?;
         let height = (apex.0 - base.0).dot(axis);

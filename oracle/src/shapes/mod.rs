@@ -1,9 +1,9 @@
 //! Where rays meet the shapes of a scene, in `f64`, from anywhere.
 //!
-//! What starts within [`rounding`] of a surface starts on it: a plane is then not met at all, and of
-//! a quadric only the crossing that is not the start. So a ray leaves a surface without an offset, at
-//! any scale, and without being told which object it leaves; a hit's point is put onto its surface
-//! first, to be that near.
+//! What starts within [`rounding`] of a surface starts on it: a plane is then not met at all, and
+//! of a quadric only the crossing that is not the start. So a ray leaves a surface without an
+//! offset, at any scale, and without being told which object it leaves; a hit's point is put onto
+//! its surface first, to be that near.
 //!
 //! Invariant: a distance found is finite, above 0 and below the limit; a normal has length 1.
 
@@ -66,8 +66,8 @@ pub(crate) struct Place {
 }
 
 impl Surface {
-    /// The surface of a shape; `transmits` makes it seen from both sides. Nothing where the shape is
-    /// none: a polygon without area, a cone without height or radius.
+    /// The surface of a shape; `transmits` makes it seen from both sides. Nothing where the shape
+    /// is none: a polygon without area, a cone without height or radius.
     pub(crate) fn new(shape: &Shape, transmits: bool) -> Option<Self> {
         let sides = if transmits { Sides::BOTH } else { Sides::FRONT };
         match shape {

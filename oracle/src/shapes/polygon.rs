@@ -1,10 +1,10 @@
 //! Polygons, convex or not, and patches.
 //!
 //! Inside is where a line crosses the edges an odd number of times, counted along the ray: the
-//! vertices are sheared so that the ray is the third axis, in the same way for all polygons, and an
-//! edge is taken from its lower end whichever polygon it belongs to (as in Woop, Benthin and Wald,
-//! JCGT 2(1) 2013). So two polygons that share an edge decide alike, and nothing leaks between them.
-//! Vertices that are off the polygon's plane are put onto it first.
+//! vertices are sheared so that the ray is the third axis, in the same way for all polygons, and
+//! an edge is taken from its lower end whichever polygon it belongs to (as in Woop, Benthin and
+//! Wald, JCGT 2(1) 2013). So two polygons that share an edge decide alike, and nothing leaks
+//! between them. Vertices that are off the polygon's plane are put onto it first.
 
 use glam::DVec3;
 use nff::{area_vector, triangles, unit};
@@ -16,8 +16,8 @@ use crate::tree::Bounds;
 /// Most vertices of a patch: its triangles take time with the square of them.
 pub(crate) const MAX_PATCH_VERTICES: usize = 512;
 
-/// How far off the plane a vertex is left, in parts of the farthest one's distance from the middle:
-/// that much comes of rounded numbers, and what is moved no longer meets its neighbours.
+/// How far off the plane a vertex is left, in parts of the farthest one's distance from the
+/// middle: that much comes of rounded numbers, and what is moved no longer meets its neighbours.
 const OFF_PLANE: f64 = 1.0 / 262_144.0;
 
 #[derive(Debug, Clone)]
@@ -138,7 +138,8 @@ impl Polygon {
             .smooth
             .iter()
             .filter_map(|facet| Some((facet, shares(facet)?)));
-        // Rounding may put a point on an inner edge outside of both: it is the least outside of one.
+        // Rounding may put a point on an inner edge outside of both: it is the least outside of
+        // one.
         let (facet, shares) =
             facets.max_by(|(_, a), (_, b)| a.min_element().total_cmp(&b.min_element()))?;
         let [a, b, c] = facet.normals;

@@ -160,8 +160,8 @@ fn cylinders_and_cones_are_open_sheets() {
         3.5,
         [-2.0, 0.0, 1.0],
     );
-    // From within, parallel to the generator on the left: the equation is linear, and the other nappe
-    // is not met.
+    // From within, parallel to the generator on the left: the equation is linear, and the other
+    // nappe is not met.
     close(
         hit(&pointed, [0.0, 0.0, 0.5], [1.0, 0.0, 2.0]),
         0.375 * 5f64.sqrt(),
@@ -347,7 +347,8 @@ fn rays_leave_surfaces_at_any_scale() {
         let moved = place.point.distance(ray.at(distance));
         // The first hit is off by roundings of its distance and of how far away the shape is.
         assert!(moved <= 1e-9 * (scale + away), "{shape:?}: {moved}");
-        // A plane is never met again; a quadric only as far away as its curvature has it, not nearby.
+        // A plane is never met again; a quadric only as far away as its curvature has it, not
+        // nearby.
         let way = random.direction();
         let again = surface.hit(&Ray::new(place.point, way), f64::INFINITY);
         left[usize::from(again.is_some())] += 1;

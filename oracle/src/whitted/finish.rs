@@ -5,8 +5,8 @@
 use glam::DVec3;
 use nff::{Material, Shader};
 
-/// By how much, in parts of a checker's cube, its faces are moved, so that what lies on a face of the
-/// grid but for rounding is of one colour.
+/// By how much, in parts of a checker's cube, its faces are moved, so that what lies on a face of
+/// the grid but for rounding is of one colour.
 const OFF_GRID: f64 = 1.0 / 1024.0;
 
 /// A material at a place.
@@ -33,8 +33,8 @@ pub(super) struct Finish {
 }
 
 impl Finish {
-    /// The material at a point, `distance` from where the ray started. A game's own shader counts for
-    /// nothing: who uses this has refused it.
+    /// The material at a point, `distance` from where the ray started. A game's own shader counts
+    /// for nothing: who uses this has refused it.
     pub(super) fn of(material: &Material, point: DVec3, distance: f64) -> Self {
         let plain = Self {
             colour: material.colour,

@@ -7,9 +7,9 @@ use glam::DVec3;
 
 use super::finish::Finish;
 
-/// By what the exponent of Phong's highlight is multiplied for Blinn's of about the same size: near
-/// the mirror direction the angle from the normal to the halfway vector is half of Phong's angle, and
-/// cos(x/2)^(4 n) is cos(x)^n up to the fourth order.
+/// By what the exponent of Phong's highlight is multiplied for Blinn's of about the same size:
+/// near the mirror direction the angle from the normal to the halfway vector is half of Phong's
+/// angle, and cos(x/2)^(4 n) is cos(x)^n up to the fourth order.
 const BLINN: f64 = 4.0;
 
 /// The direction thrown back by a mirror of this normal.
@@ -30,8 +30,8 @@ pub(super) fn refracted(direction: DVec3, normal: DVec3, ratio: f64) -> Option<(
     })
 }
 
-/// The share that a surface between media of this ratio reflects, by Schlick: `near` and `beyond` are
-/// the cosines on this side and on the other, of which the thinner medium's counts.
+/// The share that a surface between media of this ratio reflects, by Schlick: `near` and `beyond`
+/// are the cosines on this side and on the other, of which the thinner medium's counts.
 pub(super) fn schlick(ratio: f64, near: f64, beyond: f64) -> f64 {
     let head_on = ((1.0 - ratio) / (1.0 + ratio)).powi(2);
     let cosine = if ratio > 1.0 { beyond } else { near };
@@ -39,7 +39,8 @@ pub(super) fn schlick(ratio: f64, near: f64, beyond: f64) -> f64 {
 }
 
 /// What a surface sends back along `direction` of a light of brightness 1 in the direction
-/// `to_light`, in front of it: Lambert in the material's colour, and Blinn's highlight in the light's.
+/// `to_light`, in front of it: Lambert in the material's colour, and Blinn's highlight in the
+/// light's.
 pub(super) fn shine(finish: &Finish, normal: DVec3, direction: DVec3, to_light: DVec3) -> DVec3 {
     let lambert = finish.diffuse * normal.dot(to_light) * finish.colour;
     if finish.highlight == 0.0 {

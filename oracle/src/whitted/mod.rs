@@ -1,7 +1,7 @@
 //! Pictures by the model of Whitted (1980), as `docs/shading.md` writes it down.
 //!
-//! Owns the grid of eye rays and what becomes of their colours. Invariant: the same scene and options
-//! give the same picture and the same counts, however many threads there are.
+//! Owns the grid of eye rays and what becomes of their colours. Invariant: the same scene and
+//! options give the same picture and the same counts, however many threads there are.
 
 mod finish;
 mod light;
@@ -60,9 +60,8 @@ struct Sample {
 
 /// The picture of a scene with its silhouettes, and the rays that it took.
 ///
-/// # Errors
-/// A size that the view or a [`Picture`] can't have, a depth out of range, glass without an index of
-/// refraction, a patch of too many vertices and a game's own shader.
+/// # Errors A size that the view or a [`Picture`] can't have, a depth out of range, glass without
+/// an index of refraction, a patch of too many vertices and a game's own shader.
 pub fn trace(
     scene: &Scene,
     width: u32,

@@ -4,8 +4,8 @@ use std::ops::AddAssign;
 
 use serde::Serialize;
 
-/// Rays, by the Standard Procedural Databases' names. Eye, reflected and refracted rays are as many
-/// as those that hit and those that see the background.
+/// Rays, by the Standard Procedural Databases' names. Eye, reflected and refracted rays are as
+/// many as those that hit and those that see the background.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
     /// From the eye.

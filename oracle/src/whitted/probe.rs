@@ -38,8 +38,8 @@ impl<'a> Probe<'a> {
         })
     }
 
-    /// The colour that the ray through a place sees, each channel 0 to 1; the centre of the top left
-    /// pixel is (0, 0).
+    /// The colour that the ray through a place sees, each channel 0 to 1; the centre of the top
+    /// left pixel is (0, 0).
     #[must_use]
     pub fn colour(&self, x: f64, y: f64) -> DVec3 {
         let direction = self.camera.corner + x * self.camera.right + y * self.camera.down;

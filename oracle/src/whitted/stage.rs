@@ -1,8 +1,8 @@
 //! A scene made ready for rays, and the colour that a ray sees.
 //!
-//! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest depth;
-//! a ray that can't matter by its weight is not started and not counted, but by SPD's rule: then it
-//! changes nothing but the counts.
+//! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest
+//! depth; a ray that can't matter by its weight is not started and not counted, but by SPD's rule:
+//! then it changes nothing but the counts.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader, Shape};

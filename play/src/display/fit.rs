@@ -11,8 +11,8 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Fits a picture of this size to a display of that. What differs by less than a fiftieth, as by rounding,
-    /// fills the display.
+    /// Fits a picture of this size to a display of that. What differs by less than a fiftieth, as
+    /// by rounding, fills the display.
     #[must_use]
     pub fn new(picture: (u32, u32), display: (u32, u32)) -> Self {
         let ((pw, ph), (dw, dh)) = (picture, display);

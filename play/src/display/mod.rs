@@ -1,7 +1,8 @@
 //! Where a game is seen, and where keys and mouse are read.
 //!
-//! Owns what a display is to the frame loop. Invariants: what a display changed on the system is put back when
-//! it is dropped; the mouse is told in pixels of the picture, whatever its size on the display.
+//! Owns what a display is to the frame loop. Invariants: what a display changed on the system is
+//! put back when it is dropped; the mouse is told in pixels of the picture, whatever its size on
+//! the display.
 
 mod fit;
 mod nowhere;
@@ -22,8 +23,8 @@ use std::io;
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry};
 use cellray::game::InputEvent;
+use image::RgbImage;
 
-use crate::canvas::Picture;
 use crate::overlay::Overlay;
 
 /// Something that came from a display.
@@ -55,11 +56,12 @@ pub trait Display {
     /// Appends what has happened since the last call; does not wait.
     fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()>;
 
-    /// Brings the last frame before the player's eyes.
-    fn show(&mut self, overlay: Option<&Overlay>) -> io::Result<()>;
+    /// Whether frames are to be brought there by [`Display::show`]. Elsewhere the SPUs write to
+    /// what is seen.
+    fn draws(&self) -> bool;
 
-    /// The last frame, where it can be had.
-    fn picture(&self) -> Option<Picture>;
+    /// Brings a frame before the player's eyes.
+    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()>;
 }
 
 /// Why a display can't be had.

@@ -3,9 +3,9 @@
 use std::io;
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
+use image::RgbImage;
 
 use super::{Display, Happening};
-use crate::canvas::Picture;
 use crate::overlay::Overlay;
 
 /// A display that nobody sees.
@@ -36,11 +36,11 @@ impl Display for Nowhere {
         Ok(())
     }
 
-    fn show(&mut self, _overlay: Option<&Overlay>) -> io::Result<()> {
-        Ok(())
+    fn draws(&self) -> bool {
+        false
     }
 
-    fn picture(&self) -> Option<Picture> {
-        None
+    fn show(&mut self, _picture: &RgbImage, _overlay: Option<&Overlay>) -> io::Result<()> {
+        Ok(())
     }
 }

@@ -1,7 +1,7 @@
 //! Where a display's mouse points in a picture whose size changes.
 //!
-//! Invariant: the last place that was told is one in pixels of the picture at hand; where another picture lies
-//! under a mouse that rests, its place is told again.
+//! Invariant: the last place that was told is one in pixels of the picture at hand; where another
+//! picture lies under a mouse that rests, its place is told again.
 
 use cellray::game::InputEvent;
 

@@ -1,14 +1,15 @@
 //! The console's framebuffer: the SPUs write to it as they do for `cellray fb`.
 //!
-//! Known weakness: nothing is drawn over the picture and no picture is taken of it, as it is the driver's.
+//! Known weakness: nothing is drawn over the picture and no picture is taken of it, as it is the
+//! driver's.
 
 use std::io;
 use std::path::Path;
 
 use cellray::framebuffer::{self, Framebuffer, FramebufferError, Geometry};
+use image::RgbImage;
 
 use super::{Display, DisplayError, Happening};
-use crate::canvas::Picture;
 use crate::overlay::Overlay;
 use crate::talk::say;
 
@@ -50,11 +51,11 @@ impl Display for Screen {
         Ok(())
     }
 
-    fn show(&mut self, _overlay: Option<&Overlay>) -> io::Result<()> {
-        Ok(())
+    fn draws(&self) -> bool {
+        false
     }
 
-    fn picture(&self) -> Option<Picture> {
-        None
+    fn show(&mut self, _picture: &RgbImage, _overlay: Option<&Overlay>) -> io::Result<()> {
+        Ok(())
     }
 }

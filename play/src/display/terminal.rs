@@ -1,4 +1,5 @@
-//! A terminal with colours, such as one over ssh: each character shows two pixels, one above the other.
+//! A terminal with colours, such as one over ssh: each character shows two pixels, one above the
+//! other.
 //!
 //! Known weakness: most terminals don't tell when a key is released; see [`keys`].
 
@@ -12,9 +13,10 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::time::Instant;
 
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry};
+use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
 use cellray::game::{InputEvent, MouseButton};
 use crossterm::event::{self, Event, KeyCode, KeyModifiers, MouseEventKind};
+use image::RgbImage;
 use signal_hook::consts::SIGWINCH;
 use signal_hook::flag;
 
@@ -23,7 +25,6 @@ use self::events::Events;
 use self::keys::Keys;
 use self::restore::Taken;
 use super::{Display, DisplayError, Fit, Happening, Pointer};
-use crate::canvas::{Picture, Shown};
 use crate::overlay::Overlay;
 
 /// Where the system tells no size.
@@ -35,7 +36,6 @@ const CHARACTER: [f32; 2] = [8.0, 16.0];
 
 /// The terminal of the program.
 pub struct Terminal {
-    shown: Shown,
     /// Columns and rows.
     cells: (u16, u16),
     is_resized: Arc<AtomicBool>,
@@ -64,7 +64,8 @@ impl Terminal {
         Self::take(true)
     }
 
-    /// Takes its keys alone: what is seen is elsewhere, and no key is to be echoed or kept for the shell.
+    /// Takes its keys alone: what is seen is elsewhere, and no key is to be echoed or kept for the
+    /// shell.
     pub fn keys_only() -> Result<Self, DisplayError> {
         Self::take(false)
     }
@@ -85,7 +86,6 @@ impl Terminal {
         };
         let (taken, events) = opened().map_err(|error: io::Error| none(error.to_string()))?;
         Ok(Self {
-            shown: Shown::default(),
             cells: size(),
             is_resized,
             pointer: Pointer::default(),
@@ -171,7 +171,7 @@ impl Display for Terminal {
 
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
         self.refit((size.width, size.height));
-        Ok(Box::new(self.shown.canvas(size)?))
+        Ok(Box::new(Memory::new(size)?))
     }
 
     fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
@@ -206,17 +206,16 @@ impl Display for Terminal {
         Ok(())
     }
 
-    fn show(&mut self, overlay: Option<&Overlay>) -> io::Result<()> {
-        if !self.has_pictures {
-            return Ok(());
-        }
-        let shown = self.shown.clone();
-        let picture = shown.picture();
-        self.refit((picture.width, picture.height));
+    fn draws(&self) -> bool {
+        self.has_pictures
+    }
+
+    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
+        self.refit(picture.dimensions());
         let line = overlay.map(Overlay::line);
         let text = self
             .grid
-            .draw(&picture, self.pointer.fit(), self.cells, line.as_deref());
+            .draw(picture, self.pointer.fit(), self.cells, line.as_deref());
         let mut out = io::stdout().lock();
         match out.write_all(text).and_then(|()| out.flush()) {
             // What the system says of a terminal that has hung up.
@@ -226,10 +225,6 @@ impl Display for Terminal {
             }
             written => written,
         }
-    }
-
-    fn picture(&self) -> Option<Picture> {
-        self.has_pictures.then(|| self.shown.picture().clone())
     }
 }
 

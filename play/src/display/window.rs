@@ -1,7 +1,7 @@
 //! A window on a desktop.
 //!
-//! Invariants: every key and button of the window becomes an event, in order, however long a frame takes: the
-//! window's events are taken in while a frame is traced, too.
+//! Invariants: every key and button of the window becomes an event, in order, however long a frame
+//! takes: the window's events are taken in while a frame is traced, too.
 
 mod draw;
 mod keys;
@@ -12,8 +12,9 @@ use std::panic::{self, AssertUnwindSafe};
 use std::rc::Rc;
 use std::time::Duration;
 
-use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry};
+use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
 use cellray::game::{InputEvent, MouseButton};
+use image::RgbImage;
 use winit::application::ApplicationHandler;
 use winit::dpi::PhysicalSize;
 use winit::event::{DeviceEvent, DeviceId, ElementState, MouseScrollDelta, WindowEvent};
@@ -24,7 +25,6 @@ use winit::window::{Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
 use super::{Display, DisplayError, Fit, Happening, Pointer};
-use crate::canvas::{Picture, Shown};
 use crate::overlay::Overlay;
 
 /// What a touchpad scrolls for one notch of a wheel, in pixels.
@@ -38,7 +38,6 @@ type Surface = softbuffer::Surface<Rc<Winit>, Rc<Winit>>;
 pub struct Window {
     events: EventLoop<()>,
     state: State,
-    shown: Shown,
 }
 
 /// What the window's events are handed to.
@@ -106,11 +105,7 @@ impl Window {
         if state.open.is_none() || matches!(status, PumpStatus::Exit(_)) {
             return Err(refused("the display server has made none"));
         }
-        Ok(Self {
-            events,
-            state,
-            shown: Shown::default(),
-        })
+        Ok(Self { events, state })
     }
 }
 
@@ -226,7 +221,7 @@ impl Display for Window {
 
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
         self.state.refit((size.width, size.height));
-        Ok(Box::new(self.shown.canvas(size)?))
+        Ok(Box::new(Memory::new(size)?))
     }
 
     fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
@@ -241,9 +236,12 @@ impl Display for Window {
         Ok(())
     }
 
-    fn show(&mut self, overlay: Option<&Overlay>) -> io::Result<()> {
-        let picture = self.shown.picture();
-        self.state.refit((picture.width, picture.height));
+    fn draws(&self) -> bool {
+        true
+    }
+
+    fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
+        self.state.refit(picture.dimensions());
         let fit = self.state.pointer.fit();
         let State { open, area, .. } = &mut self.state;
         let Some((window, surface)) = open else {
@@ -256,16 +254,12 @@ impl Display for Window {
         };
         surface.resize(width, height).map_err(failed)?;
         let mut buffer = surface.buffer_mut().map_err(failed)?;
-        paint(&picture, fit, &mut buffer, area.width as usize);
+        paint(picture, fit, &mut buffer, area.width as usize);
         if let Some(overlay) = overlay {
             draw::draw(overlay, &mut buffer, area.width as usize);
         }
         window.pre_present_notify();
         buffer.present().map_err(failed)
-    }
-
-    fn picture(&self) -> Option<Picture> {
-        Some(self.shown.picture().clone())
     }
 }
 
@@ -289,8 +283,8 @@ fn server(value: impl Fn(&str) -> Option<String>) -> String {
     named.unwrap_or_else(|| "no display server is named by DISPLAY or WAYLAND_DISPLAY".to_owned())
 }
 
-/// Whether this is the number of a file that this program has open: whoever takes another one for a
-/// connection ends the program when it is closed.
+/// Whether this is the number of a file that this program has open: whoever takes another one for
+/// a connection ends the program when it is closed.
 fn is_open_file(number: &str) -> bool {
     // SAFETY: asks for the flags of whatever number, and changes nothing.
     let is_open = |number| unsafe { libc::fcntl(number, libc::F_GETFD) } != -1;
@@ -337,12 +331,13 @@ fn missing_library(
 }
 
 /// Paints the picture, each pixel as the one of the picture that lies there.
-fn paint(picture: &Picture, fit: Fit, pixels: &mut [u32], width: usize) {
+fn paint(picture: &RgbImage, fit: Fit, pixels: &mut [u32], width: usize) {
+    let colours = picture.as_chunks::<3>().0;
     let columns: Vec<_> = (0..width as u32).map(|x| fit.column(x)).collect();
     for (y, row) in (0..).zip(pixels.chunks_exact_mut(width)) {
         let source = fit.row(y).map(|y| {
-            let start = y as usize * picture.width as usize;
-            &picture.pixels[start..start + picture.width as usize]
+            let across = picture.width() as usize;
+            &colours[y as usize * across..][..across]
         });
         for (pixel, column) in row.iter_mut().zip(&columns) {
             let shown = source.zip(*column).map(|(row, x)| row[x as usize]);
@@ -432,11 +427,7 @@ mod tests {
 
     #[test]
     fn a_picture_is_painted_large_with_bars_beside_it() {
-        let picture = Picture {
-            width: 2,
-            height: 1,
-            pixels: vec![[1, 2, 3], [4, 5, 6]],
-        };
+        let picture = RgbImage::from_vec(2, 1, vec![1, 2, 3, 4, 5, 6]).expect("two pixels");
         let mut pixels = [7; 24];
         paint(&picture, Fit::new((2, 1), (4, 6)), &mut pixels, 4);
         let (left, right) = (0x0001_0203, 0x0004_0506);

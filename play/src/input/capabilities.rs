@@ -1,7 +1,8 @@
 //! What a device can tell of, as the kernel's sysfs has it.
 //!
-//! Sysfs and not EVIOCGBIT: that call fills an array of the kernel's long words, which on a big-endian machine is
-//! not the row of bytes that crates take it for. Sysfs writes the words as text, the same everywhere.
+//! Sysfs and not EVIOCGBIT: that call fills an array of the kernel's long words, which on a
+//! big-endian machine is not the row of bytes that crates take it for. Sysfs writes the words as
+//! text, the same everywhere.
 
 use std::fs;
 use std::io;
@@ -99,7 +100,8 @@ pub struct Capabilities {
 impl Capabilities {
     /// Reads them from a device's folder in sysfs, such as `/sys/class/input/event0/device`.
     pub fn read(folder: &Path) -> io::Result<Self> {
-        // The words are those of the kernel; a 64-bit program runs under no other kernel than a 64-bit one.
+        // The words are those of the kernel; a 64-bit program runs under no other kernel than a
+        // 64-bit one.
         let codes = |kind: &str| {
             let path = folder.join("capabilities").join(kind);
             let text = fs::read_to_string(&path)?;

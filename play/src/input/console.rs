@@ -1,8 +1,10 @@
-//! What is a terminal of this machine's own keyboard and screen: what is typed there is heard of its keyboard, too.
+//! What is a terminal of this machine's own keyboard and screen: what is typed there is heard of
+//! its keyboard, too.
 
 use std::os::fd::{AsRawFd as _, BorrowedFd};
 
-/// Whether a terminal is one of this machine's own keyboard and screen, and not one of a window or over ssh.
+/// Whether a terminal is one of this machine's own keyboard and screen, and not one of a window or
+/// over ssh.
 #[must_use]
 pub fn is_of_console(terminal: BorrowedFd<'_>) -> bool {
     /// KDGKBTYPE.

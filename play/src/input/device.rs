@@ -45,7 +45,8 @@ pub trait Device {
     /// The keys and buttons that are down now.
     fn held(&self) -> io::Result<Codes>;
 
-    /// Appends the events that have come since the last call; none is no error, a vanished device is one.
+    /// Appends the events that have come since the last call; none is no error, a vanished device
+    /// is one.
     fn read(&mut self, events: &mut Vec<RawEvent>) -> io::Result<()>;
 }
 
@@ -132,7 +133,8 @@ impl Device for EventDevice {
             flat: 0,
             resolution: 0,
         };
-        // SAFETY: the descriptor is open as long as the device is; EVIOCGABS writes one input_absinfo.
+        // SAFETY: the descriptor is open as long as the device is; EVIOCGABS writes one
+        // input_absinfo.
         if unsafe { libc::ioctl(self.0.as_raw_fd(), request, &raw mut info) } < 0 {
             return Err(io::Error::last_os_error());
         }
@@ -155,7 +157,8 @@ impl Device for EventDevice {
         type Words = [libc::c_ulong; (COUNT / BITS) as usize];
         let mut words = Words::default();
         let request = libc::_IOR::<Words>(u32::from(b'E'), KEYS);
-        // SAFETY: the descriptor is open as long as the device is; EVIOCGKEY writes as many bytes as it is told.
+        // SAFETY: the descriptor is open as long as the device is; EVIOCGKEY writes as many bytes
+        // as it is told.
         if unsafe { libc::ioctl(self.0.as_raw_fd(), request, words.as_mut_ptr()) } < 0 {
             return Err(io::Error::last_os_error());
         }

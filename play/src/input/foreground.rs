@@ -1,8 +1,9 @@
-//! Whether the player was elsewhere: on another virtual terminal, or at the shell while the program was stopped.
+//! Whether the player was elsewhere: on another virtual terminal, or at the shell while the
+//! program was stopped.
 //!
-//! Keyboards are read past the terminals, so what is typed elsewhere would be heard here, too. Invariant: a way
-//! there and back is seen, however short, and also where the program slept through it, as it does while another
-//! terminal has its screen.
+//! Keyboards are read past the terminals, so what is typed elsewhere would be heard here, too.
+//! Invariant: a way there and back is seen, however short, and also where the program slept
+//! through it, as it does while another terminal has its screen.
 
 use std::fs::File;
 use std::io::{self, Read as _, Seek as _};

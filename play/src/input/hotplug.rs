@@ -1,7 +1,7 @@
 //! The devices that are there: which are read, and which pad is which player's.
 //!
-//! Looks for new ones about once a second. A node that can't be opened is tried again then, as its permissions
-//! are often set a moment after it appears; that it can't is said once.
+//! Looks for new ones about once a second. A node that can't be opened is tried again then, as its
+//! permissions are often set a moment after it appears; that it can't is said once.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};

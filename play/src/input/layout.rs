@@ -1,7 +1,7 @@
 //! What the codes of pads and keyboards mean, as tables.
 //!
-//! Pads: the SIXAXIS has had two numberings, by the age of its driver; others follow one of them, the numbering
-//! of xpad or that of nameless joysticks. Keyboards and mice are all alike.
+//! Pads: the SIXAXIS has had two numberings, by the age of its driver; others follow one of them,
+//! the numbering of xpad or that of nameless joysticks. Keyboards and mice are all alike.
 
 use cellray::game::{Axis, Button, Key, MouseButton};
 use evdev::{AbsoluteAxisCode as Abs, KeyCode as Code};
@@ -24,7 +24,8 @@ pub fn of_pad(device: &Capabilities) -> Option<Layout> {
     let axis = |axis: Abs| device.absolute.has(axis.0);
     if has(Code::BTN_SOUTH) {
         let lower = device.name.to_ascii_lowercase();
-        // Its driver gives all its pads such axes, and triggers that are no buttons, whatever they are called.
+        // Its driver gives all its pads such axes, and triggers that are no buttons, whatever they
+        // are called.
         let is_like_xpad =
             axis(Abs::ABS_HAT0X) && axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && !has(Code::BTN_TL2);
         let is_xpad = lower.contains("x-box") || lower.contains("xbox") || is_like_xpad;

@@ -124,7 +124,8 @@ impl Mapping {
         }
     }
 
-    /// After events that the kernel has dropped: what has changed by them, as the device has it now.
+    /// After events that the kernel has dropped: what has changed by them, as the device has it
+    /// now.
     pub fn catch_up(
         &mut self,
         device: &dyn Device,

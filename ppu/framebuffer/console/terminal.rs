@@ -55,8 +55,8 @@ impl VirtualTerminal {
     /// A request that reads or writes a `T`.
     fn request<T>(&self, request: u32, argument: &mut T) -> io::Result<()> {
         let (terminal, request) = (self.file.as_raw_fd(), request as libc::Ioctl);
-        // SAFETY: the descriptor is open, and each caller passes the type that its request reads or
-        // writes, which outlives the call.
+        // SAFETY: the descriptor is open, and each caller passes the type that its request reads
+        // or writes, which outlives the call.
         answered(unsafe { libc::ioctl(terminal, request, argument as *mut T) })
     }
 

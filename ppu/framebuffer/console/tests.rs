@@ -308,7 +308,8 @@ mod switching {
             };
             raise(libc::SIGTSTP);
             assert_eq!(console.asked(), Some(Asked::Stop));
-            // SAFETY: waits for the child made here, which continues this process once it is stopped.
+            // SAFETY: waits for the child made here, which continues this process once it is
+            // stopped.
             unsafe {
                 let stopped = libc::getpid();
                 let shell = libc::fork();

@@ -1,4 +1,5 @@
-//! The device's logic against scripted drivers: the calls made, in order, and the pixels that arrive.
+//! The device's logic against scripted drivers: the calls made, in order, and the pixels that
+//! arrive.
 
 mod options;
 mod script;

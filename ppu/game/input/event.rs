@@ -3,14 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::names::{Axis, Button, Key, MouseButton};
-use super::pad::Sensors;
-
-/// Number of a pad, the player's: 0 for the first. Who makes the events gives the lowest that is free, so a pad
-/// that is plugged in again is its player's again.
-#[derive(
-    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
-)]
-pub struct PadId(pub u32);
+use super::pad::{PadId, Sensors};
 
 /// Something that happened to an input device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]

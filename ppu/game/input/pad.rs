@@ -2,8 +2,14 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::event::PadId;
 use super::names::{Axis, Button, Name as _, Switches};
+
+/// Number of a pad, the player's: 0 for the first. Who makes the events gives the lowest that is
+/// free, so a pad that is plugged in again is its player's again.
+#[derive(
+    Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
+)]
+pub struct PadId(pub u32);
 
 /// What the sensors of a pad say, such as a SIXAXIS'.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]

@@ -3,7 +3,8 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Longest that is waited for a recorded frame: a session that was asleep for a day is played back all the same.
+/// Longest that is waited for a recorded frame: a session that was asleep for a day is played back
+/// all the same.
 const LONGEST_PAUSE: Duration = Duration::from_secs(1);
 
 /// A source of time.
@@ -15,8 +16,8 @@ pub trait Clock {
     fn pace(&mut self, _step: Duration) {}
 }
 
-/// The time that passes, with a bound on the frames a second: what stands still is traced in no time, and would
-/// have the loop run for nothing.
+/// The time that passes, with a bound on the frames a second: what stands still is traced in no
+/// time, and would have the loop run for nothing.
 #[derive(Clone, Copy, Debug)]
 pub struct RealTime {
     least: Duration,

@@ -3,7 +3,8 @@
 use std::io;
 
 use super::recording::RecordingError;
-use crate::EngineError;
+use crate::engine::EngineError;
+use crate::framebuffer::FramebufferError;
 use crate::game::WorldError;
 use crate::spe::ProgramError;
 
@@ -19,6 +20,9 @@ pub enum SessionError {
     /// No frame came.
     #[error(transparent)]
     Engine(#[from] EngineError),
+    /// A picture can't be written.
+    #[error(transparent)]
+    Picture(#[from] FramebufferError),
     /// An input device failed.
     #[error("input: {0}")]
     Input(#[source] io::Error),

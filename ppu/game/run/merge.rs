@@ -1,12 +1,13 @@
 //! Moves of one frame, made one of each kind.
 //!
-//! Invariant: to a game the frame's input is the same as without it. A mouse or a pad's sensors may speak a
-//! thousand times a second; a frame that took long still is a line of a recording that can be read back.
+//! Invariant: to a game the frame's input is the same as without it. A mouse or a pad's sensors
+//! may speak a thousand times a second; a frame that took long still is a line of a recording that
+//! can be read back.
 
 use crate::game::InputEvent;
 
-/// Merges what says the same thing again: places are the last one's, ways are added up. Nothing is taken past a
-/// press, a release or whatever else is no move.
+/// Merges what says the same thing again: places are the last one's, ways are added up. Nothing is
+/// taken past a press, a release or whatever else is no move.
 pub(super) fn merge(events: &mut Vec<InputEvent>) {
     // Those that stay are in front; the moves since the last of them that is none begin at `run`.
     let (mut kept, mut run) = (0, 0);

@@ -1,29 +1,25 @@
 //! A game's frames as numbered pictures: those that are wanted and not there yet.
 //!
-//! Invariants: a frame's picture depends on the game, its seed, the recording, the size and the frame's number
-//! alone, not on which of them one run makes; a picture is whole as soon as it has its name.
+//! Invariants: a frame's picture depends on the game, its seed, the recording, the size and the
+//! frame's number alone, not on which of them one run makes; a picture is whole as soon as it has
+//! its name.
 
-use std::sync::Arc;
-use std::sync::atomic::{AtomicU64, Ordering};
-
-use super::{FrameRange, Session, SessionError};
-use crate::framebuffer::{
-    Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, Target, write_png,
-};
+use super::{Clock, FrameRange, InputSource, Session, SessionError};
+use crate::framebuffer::{FramebufferError, NumberedPath, write_png};
 use crate::game::Game;
 
 /// Pictures of frames, by the frames' numbers.
 ///
-/// Runs that make parts of them, on other machines too, make what one run would. The session's clock is to
-/// be one of [`FixedSteps`](super::FixedSteps).
+/// Runs that make parts of them, on other machines too, make what one run would, by a clock of
+/// [`FixedSteps`](super::FixedSteps).
 ///
 /// ```
 /// use std::time::Duration;
 ///
 /// use cellray::Settings;
-/// use cellray::framebuffer::{Geometry, NumberedPath};
+/// use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 /// use cellray::game::{
-///     FixedSteps, FrameRange, Game, Moment, Pictures, Session, Start, World, WorldError,
+///     FixedSteps, FrameRange, Game, Moment, NoInput, Pictures, Session, Start, World, WorldError,
 /// };
 ///
 /// struct Dusk;
@@ -40,10 +36,11 @@ use crate::game::Game;
 /// # let folder = tempfile::tempdir()?;
 /// # std::env::set_current_dir(folder.path())?;
 /// let pictures = Pictures::new(NumberedPath::new("dusk-%03d.png")?);
-/// let picture = pictures.framebuffer(Geometry::new(64, 36)?)?;
-/// let mut session = Session::start(Dusk, Settings::default(), picture)?
-///     .with_clock(Box::new(FixedSteps(Duration::from_millis(40))));
-/// let made = pictures.write(&mut session, "3..5".parse::<FrameRange>()?)?;
+/// let picture = Memory::new(Geometry::new(64, 36)?)?;
+/// let mut session = Session::start(Dusk, Settings::default(), Box::new(picture))?;
+/// let frames: FrameRange = "3..5".parse()?;
+/// let mut clock = FixedSteps(Duration::from_millis(40));
+/// let made = pictures.write(&mut session, frames, &mut clock, &mut NoInput)?;
 /// assert_eq!((made.written, made.kept), (2, 0));
 /// # assert!(std::path::Path::new("dusk-004.png").is_file());
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -51,8 +48,6 @@ use crate::game::Game;
 #[derive(Clone, Debug)]
 pub struct Pictures {
     paths: NumberedPath,
-    /// Number of the frame at hand, which the framebuffer is not told of otherwise.
-    number: Arc<AtomicU64>,
 }
 
 /// What became of the pictures that were wanted.
@@ -68,77 +63,50 @@ impl Pictures {
     /// Of these names.
     #[must_use]
     pub fn new(paths: NumberedPath) -> Self {
-        Self {
-            paths,
-            number: Arc::default(),
-        }
+        Self { paths }
     }
 
-    /// What the session that is to be written has to be started with.
-    pub fn framebuffer(&self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-        Ok(Box::new(Numbered {
-            memory: Memory::new(size)?,
-            pictures: self.clone(),
-        }))
-    }
-
-    /// Plays the session up to the end of a range, and writes those frames of the range that are not there. It
-    /// ends earlier where the session does.
+    /// Plays the session up to the end of a range, and writes those frames of the range that are
+    /// not there. It ends earlier where the session does, or the input.
+    ///
+    /// # Errors
+    /// A session on a framebuffer that can't be read back, unlike
+    /// [`Memory`](crate::framebuffer::Memory), too.
     pub fn write<G: Game>(
         &self,
         session: &mut Session<G>,
         frames: FrameRange,
+        clock: &mut dyn Clock,
+        input: &mut dyn InputSource,
     ) -> Result<Made, SessionError> {
         let mut made = Made::default();
-        while session.frame < frames.end {
-            let number = session.frame;
-            self.number.store(number, Ordering::SeqCst);
-            let is_wanted = number >= frames.first;
-            let is_there = is_wanted && self.paths.of(number).is_file();
-            let before = session.report.frames;
-            let flow = if is_wanted && !is_there {
-                session.frame()?
-            } else {
-                session.pass_over()?
+        let mut events = Vec::new();
+        while session.next_frame() < frames.end {
+            let number = session.next_frame();
+            let Some(step) = session.wait(clock)? else {
+                break;
             };
-            let is_passed = session.frame > number;
-            made.kept += u64::from(is_there && is_passed);
-            made.written += u64::from(session.report.frames - before);
+            let heard = input.poll(&mut events).map_err(SessionError::Input)?;
+            if heard.is_break() {
+                break;
+            }
+            let path = self.paths.of(number);
+            let is_wanted = number >= frames.first;
+            let flow = if !is_wanted || path.is_file() {
+                made.kept += u64::from(is_wanted);
+                session.pass_over(step, &mut events)?
+            } else {
+                let flow = session.step(step, &mut events, &mut |part| input.tracing(part))?;
+                let picture = session.picture().ok_or(FramebufferError::NoPicture)?;
+                write_png(&path, &picture)?;
+                made.written += 1;
+                flow
+            };
             if flow.is_break() {
                 break;
             }
         }
         session.finish()?;
         Ok(made)
-    }
-}
-
-/// A framebuffer whose frames become pictures of the numbers that they have in the game.
-struct Numbered {
-    memory: Memory,
-    pictures: Pictures,
-}
-
-impl Framebuffer for Numbered {
-    fn geometry(&self) -> Geometry {
-        self.memory.geometry()
-    }
-
-    fn target(&mut self) -> Target {
-        self.memory.target()
-    }
-
-    fn present(&mut self) -> Result<(), FramebufferError> {
-        let Pictures { paths, number } = &self.pictures;
-        let path = paths.of(number.load(Ordering::SeqCst));
-        write_png(&path, &self.memory.rgb())
-    }
-
-    fn keeps_contents(&self) -> bool {
-        self.memory.keeps_contents()
-    }
-
-    fn describe(&self) -> String {
-        format!("PNG pictures, {}", self.geometry())
     }
 }

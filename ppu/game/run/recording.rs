@@ -1,7 +1,7 @@
 //! Recorded sessions: JSON, one line for the session, then one for each frame.
 //!
-//! Invariant: what is read back is what was written, to the bit: times are whole nanoseconds, numbers are written
-//! so that they round to themselves.
+//! Invariant: what is read back is what was written, to the bit: times are whole nanoseconds,
+//! numbers are written so that they round to themselves.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read as _, Write};

@@ -1,13 +1,14 @@
 //! What a world takes: numbers that the SPUs have room for, shapes that are some.
 //!
-//! Invariant: of a world whose parts have all passed, no frame is refused for a number in it, but for those
-//! that come of others, such as the growth of a very flat cone.
+//! Invariant: of a world whose parts have all passed, no frame is refused for a number in it, but
+//! for those that come of others, such as the growth of a very flat cone.
 
 use glam::DVec3;
 use nff::{LightKind, Shader, Shape};
 
-use super::{Light, Material, WorldError};
-use crate::scene::{LARGEST, SMALLEST};
+use super::error::WorldError;
+use super::material::{Light, Material};
+use crate::scene::single::{LARGEST, SMALLEST};
 
 fn out_of_range(what: &'static str, value: f64, also: &'static str) -> WorldError {
     WorldError::OutOfRange { what, value, also }

@@ -1,10 +1,7 @@
-//! The materials and lights of a world.
+//! What materials and lights are.
 
 use glam::DVec3;
 use nff::{LightKind, Shader};
-
-use super::traced::Tracing;
-use super::{Lamp, LightId, MaterialId, Stuff, World, WorldError, check};
 
 /// How an object looks. The fields are those of NFF's `f` and `#cellray shader`.
 ///
@@ -132,7 +129,8 @@ impl From<&nff::Material> for Material {
 pub struct Light {
     /// Where it is.
     pub kind: LightKind,
-    /// Its colour; without one, a grey by the number of all lights (see [`nff::Scene::brightness`]).
+    /// Its colour; without one, a grey by the number of all lights (see
+    /// [`nff::Scene::brightness`]).
     pub colour: Option<DVec3>,
 }
 
@@ -161,127 +159,6 @@ impl Light {
         Self {
             colour: Some(DVec3::new(red, green, blue)),
             ..self
-        }
-    }
-}
-
-impl World {
-    /// Adds a material.
-    pub fn add_material(&mut self, material: Material) -> Result<MaterialId, WorldError> {
-        check::material(&material)?;
-        let id = self.materials.insert(Stuff {
-            line: None,
-            material: material.into_nff(0),
-            users: 0,
-            traced: Tracing::default(),
-        });
-        self.touch_material(id);
-        Ok(id)
-    }
-
-    /// A material.
-    pub fn material(&self, id: MaterialId) -> Result<Material, WorldError> {
-        let stuff = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
-        Ok((&stuff.material).into())
-    }
-
-    /// Changes a material, and all objects made of it.
-    pub fn set_material(&mut self, id: MaterialId, material: Material) -> Result<(), WorldError> {
-        check::material(&material)?;
-        let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
-        let material = material.into_nff(0);
-        if stuff.material == material {
-            return Ok(());
-        }
-        // Of what lets light through, both sides are seen.
-        let had_sides = stuff.material.transmittance > 0.0;
-        let other_sides = had_sides != (material.transmittance > 0.0);
-        stuff.material = material;
-        self.touch_material(id);
-        if other_sides {
-            for (object, known) in &mut self.objects {
-                if known.material == id {
-                    self.changes.object(object, &mut known.traced);
-                }
-            }
-        }
-        Ok(())
-    }
-
-    /// Changes a material's colour, and that of all objects made of it.
-    pub fn recolour(&mut self, id: MaterialId, colour: DVec3) -> Result<(), WorldError> {
-        check::vector("colour", colour)?;
-        let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
-        if stuff.material.colour != colour {
-            stuff.material.colour = colour;
-            self.touch_material(id);
-        }
-        Ok(())
-    }
-
-    /// Removes a material that no object is made of.
-    pub fn remove_material(&mut self, id: MaterialId) -> Result<(), WorldError> {
-        match self.materials.get(id) {
-            None => Err(WorldError::NoMaterial),
-            Some(&Stuff { users, .. }) if users > 0 => Err(WorldError::MaterialInUse { users }),
-            Some(_) => {
-                // Nothing shows it: what is traced may keep it.
-                self.materials.remove(id);
-                Ok(())
-            }
-        }
-    }
-
-    /// All materials.
-    pub fn materials(&self) -> impl Iterator<Item = MaterialId> {
-        self.materials.keys()
-    }
-
-    /// Adds a light.
-    pub fn add_light(&mut self, light: Light) -> Result<LightId, WorldError> {
-        check::light(&light)?;
-        // The others' brightness may depend on how many there are.
-        self.changes.anew = true;
-        Ok(self.lights.insert(Lamp {
-            line: None,
-            light,
-            traced: Tracing::default(),
-        }))
-    }
-
-    /// A light.
-    pub fn light(&self, id: LightId) -> Result<Light, WorldError> {
-        let lamp = self.lights.get(id).ok_or(WorldError::NoLight)?;
-        Ok(lamp.light)
-    }
-
-    /// Moves a light, or changes its colour.
-    pub fn set_light(&mut self, id: LightId, light: Light) -> Result<(), WorldError> {
-        check::light(&light)?;
-        let lamp = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
-        if lamp.light != light {
-            self.changes.anew |= lamp.light.colour.is_some() && light.colour.is_none();
-            lamp.light = light;
-            self.changes.light(id, &mut lamp.traced);
-        }
-        Ok(())
-    }
-
-    /// Removes a light.
-    pub fn remove_light(&mut self, id: LightId) -> Result<(), WorldError> {
-        self.lights.remove(id).ok_or(WorldError::NoLight)?;
-        self.changes.anew = true;
-        Ok(())
-    }
-
-    /// All lights.
-    pub fn lights(&self) -> impl Iterator<Item = LightId> {
-        self.lights.keys()
-    }
-
-    fn touch_material(&mut self, id: MaterialId) {
-        if let Some(stuff) = self.materials.get_mut(id) {
-            self.changes.material(id, &mut stuff.traced);
         }
     }
 }

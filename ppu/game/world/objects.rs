@@ -3,8 +3,9 @@
 use glam::DVec3;
 use nff::Shape;
 
-use super::traced::Tracing;
-use super::{MaterialId, Object, ObjectId, World, WorldError, check};
+use super::content::Object;
+use super::edits::Tracing;
+use super::{MaterialId, ObjectId, World, WorldError, check};
 
 impl World {
     /// Adds an object of any shape, visible.
@@ -44,11 +45,12 @@ impl World {
         self.add(Shape::Polygon { vertices }, material)
     }
 
-    /// Removes an object. Its handle is refused from then on, also when its place serves for another.
+    /// Removes an object. Its handle is refused from then on, also when its place serves for
+    /// another.
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
         let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
         self.unuse(object.material);
-        self.changes.removed(&object.traced);
+        self.edits.removed(&object.traced);
         Ok(())
     }
 
@@ -148,8 +150,8 @@ impl World {
         Ok(self.object(id)?.fixed)
     }
 
-    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and traced once is. It may
-    /// be made of another material, hidden and removed.
+    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and
+    /// traced once is. It may be made of another material, hidden and removed.
     pub fn fix(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = true;
         Ok(())
@@ -179,7 +181,7 @@ impl World {
 
     fn touch(&mut self, id: ObjectId) {
         if let Some(object) = self.objects.get_mut(id) {
-            self.changes.object(id, &mut object.traced);
+            self.edits.object(id, &mut object.traced);
         }
     }
 

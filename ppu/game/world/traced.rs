@@ -1,81 +1,18 @@
 //! The scene that is traced, kept in step with its world.
 //!
-//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but for the places of
-//! its records and the shape of its trees, which no picture shows. Where nothing was added, this takes no memory.
+//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but
+//! for the places of its records and the shape of its trees, which no picture shows. Where nothing
+//! was added, this takes no memory.
 
 use nff::Shape;
 
-use super::{LightId, MaterialId, Object, ObjectId, Stuff, World, WorldError};
+use super::content::{Object, Stuff};
+use super::edits::Traced;
+use super::{World, WorldError};
+use crate::scene::block::ShaderEntries;
 use crate::scene::{Scene, SceneError, Sphere};
 use crate::spe::Program;
-use crate::work::ShaderEntries;
-use crate::work::layout::MAX_SPHERES;
-
-/// What is known of the trace of something in the world.
-#[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Tracing {
-    /// Its number in the scene; nothing if it is not in there.
-    number: Option<usize>,
-    /// Whether it is among the changes.
-    is_changed: bool,
-}
-
-/// In what a world differs from what was traced of it.
-#[derive(Default)]
-pub(super) struct Changes {
-    /// Whether the scene has to be laid out anew.
-    pub anew: bool,
-    pub view: bool,
-    pub background: bool,
-    pub ambient: bool,
-    /// Whether spheres by depth shading differ, or their range.
-    pub spheres: bool,
-    objects: Vec<ObjectId>,
-    materials: Vec<MaterialId>,
-    lights: Vec<LightId>,
-    /// Numbers of objects that there are no more.
-    removed: Vec<usize>,
-}
-
-impl Changes {
-    pub fn object(&mut self, id: ObjectId, traced: &mut Tracing) {
-        self.spheres = true;
-        if !std::mem::replace(&mut traced.is_changed, true) {
-            self.objects.push(id);
-        }
-    }
-
-    pub fn material(&mut self, id: MaterialId, traced: &mut Tracing) {
-        self.spheres = true;
-        if !std::mem::replace(&mut traced.is_changed, true) {
-            self.materials.push(id);
-        }
-    }
-
-    pub fn light(&mut self, id: LightId, traced: &mut Tracing) {
-        if !std::mem::replace(&mut traced.is_changed, true) {
-            self.lights.push(id);
-        }
-    }
-
-    pub fn removed(&mut self, traced: &Tracing) {
-        self.spheres = true;
-        self.removed.extend(traced.number);
-    }
-
-    /// Forgets all, and keeps the memory.
-    fn clear(&mut self) {
-        self.anew = false;
-        self.view = false;
-        self.background = false;
-        self.ambient = false;
-        self.spheres = false;
-        self.objects.clear();
-        self.materials.clear();
-        self.lights.clear();
-        self.removed.clear();
-    }
-}
+use protocol::layout::MAX_SPHERES;
 
 impl Stuff {
     /// Gives it its number in the scene, by which messages call it.
@@ -85,28 +22,21 @@ impl Stuff {
     }
 }
 
-/// A scene that was traced.
-pub(super) struct Traced {
-    scene: Scene,
-    shaders: ShaderEntries,
-    /// Of which the shaders are.
-    program: Program,
-}
-
 impl World {
     /// The scene of the world as it is now, for an [`Engine`](crate::Engine) that runs `program`.
     ///
-    /// What has changed since the last call is changed in place: where objects were moved, shown or made of other
-    /// materials, and materials, lights or the eye changed, this takes no memory. Objects and materials that are
-    /// added find the room of those that were removed, or that is kept for them; without it the scene is laid out
-    /// anew. So it is when lights are added or removed, or the world is made to look otherwise.
+    /// What has changed since the last call is changed in place: where objects were moved, shown
+    /// or made of other materials, and materials, lights or the eye changed, this takes no memory.
+    /// Objects and materials that are added find the room of those that were removed, or that is
+    /// kept for them; without it the scene is laid out anew. So it is when lights are added or
+    /// removed, or the world is made to look otherwise.
     ///
     /// # Errors
     /// What does not fit the SPUs, and a shader that the program does not have.
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
         let is_whitted = self.look.is_whitted(self.lights.len());
         let traced = self.traced.take().filter(|traced| {
-            !self.changes.anew
+            !self.edits.anew
                 && std::ptr::eq(traced.program.image(), program.image())
                 && traced.scene.block().is_some() == is_whitted
         });
@@ -114,26 +44,27 @@ impl World {
             Some(mut traced) => self.change(&mut traced)?.then_some(traced),
             None => None,
         };
-        let traced = match changed {
+        let mut traced = match changed {
             Some(traced) => traced,
             None => self.lay_out(program)?,
         };
-        for id in &self.changes.objects {
+        traced.scene.write()?;
+        for id in &self.edits.objects {
             if let Some(object) = self.objects.get_mut(*id) {
-                object.traced.is_changed = false;
+                object.traced.is_touched = false;
             }
         }
-        for id in &self.changes.materials {
+        for id in &self.edits.materials {
             if let Some(stuff) = self.materials.get_mut(*id) {
-                stuff.traced.is_changed = false;
+                stuff.traced.is_touched = false;
             }
         }
-        for id in &self.changes.lights {
+        for id in &self.edits.lights {
             if let Some(lamp) = self.lights.get_mut(*id) {
-                lamp.traced.is_changed = false;
+                lamp.traced.is_touched = false;
             }
         }
-        self.changes.clear();
+        self.edits.clear();
         Ok(&self.traced.insert(traced).scene)
     }
 
@@ -157,7 +88,7 @@ impl World {
                 block.hide_object(number);
             }
         }
-        scene.set_view(&self.view)?;
+        scene.set_view(&self.view);
         if !is_whitted {
             self.set_spheres(&mut scene)?;
         }
@@ -171,21 +102,12 @@ impl World {
     /// Changes a scene to what the world is now; `false` if that does not fit.
     fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
         let Traced { scene, shaders, .. } = traced;
-        if self.changes.background {
-            scene.set_background(self.background)?;
+        scene.set_view(&self.view);
+        scene.set_background(self.background)?;
+        if scene.block().is_some() {
+            return self.change_whitted(scene, shaders);
         }
-        if scene.block().is_none() {
-            scene.set_view(&self.view)?;
-            if self.changes.spheres || self.changes.view {
-                self.set_spheres(scene)?;
-            }
-            return Ok(true);
-        }
-        if !self.change_whitted(scene, shaders)? {
-            return Ok(false);
-        }
-        // It writes what has changed, too.
-        scene.set_view(&self.view)?;
+        self.set_spheres(scene)?;
         Ok(true)
     }
 
@@ -219,19 +141,17 @@ impl World {
             return Ok(false);
         };
         let Self {
-            changes,
+            edits,
             objects,
             materials,
             lights,
             ..
         } = self;
-        if changes.ambient {
-            block.set_ambient(self.ambient).map_err(SceneError::from)?;
-        }
-        for number in &changes.removed {
+        block.set_ambient(self.ambient).map_err(SceneError::from)?;
+        for number in &edits.removed {
             block.remove_object(*number);
         }
-        for id in &changes.lights {
+        for id in &edits.lights {
             let Some(lamp) = lights.get(*id) else {
                 continue;
             };
@@ -244,7 +164,7 @@ impl World {
                 return Ok(false);
             }
         }
-        for id in &changes.materials {
+        for id in &edits.materials {
             let Some(stuff) = materials.get_mut(*id) else {
                 continue;
             };
@@ -258,7 +178,7 @@ impl World {
                 return Ok(false);
             }
         }
-        for id in &changes.objects {
+        for id in &edits.objects {
             let Some(object) = objects.get_mut(*id) else {
                 continue;
             };

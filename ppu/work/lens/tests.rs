@@ -1,12 +1,13 @@
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use super::super::Skip;
-use super::super::arithmetic::{camera, direction, entry, magnitude, sphere, unit, wide};
+use super::super::arithmetic::{camera, direction, entry, sphere, wide};
+use super::super::policy::Skip;
 use super::super::spheres::EyeSpheres;
 use super::*;
-use crate::formulation::EyeRecord;
 use crate::scene;
+use crate::scene::random::{magnitude, unit};
+use protocol::formulation::EyeRecord;
 
 const SIZE: Geometry = Geometry {
     width: 80,

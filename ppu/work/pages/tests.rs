@@ -14,7 +14,8 @@ const TILES: usize = 100;
 
 const HEAD: &str = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 640 160\n\
                     b 0 0 1\nf 1 0.5 0.25 1 0 0 0 1\n";
-/// Small spheres left, in the middle and right; the first and the last set the depth shading's range.
+/// Small spheres left, in the middle and right; the first and the last set the depth shading's
+/// range.
 const SPHERES: &str = "s -2 -5 0 0.1\ns 0 0 0 0.1\ns 5 5 0 0.1\n";
 
 fn scene(text: &str) -> Scene {
@@ -92,8 +93,8 @@ fn of_what_has_moved_old_and_new_place_are_traced() {
     for page in [0, 1] {
         screen.show(page, &before);
     }
-    // 160 rows are 20 degrees and 10 away, so 0.1 are some 4.5 pixels: around column 320 and row 80
-    // before, 27 columns further now.
+    // 160 rows are 20 degrees and 10 away, so 0.1 are some 4.5 pixels: around column 320 and row
+    // 80 before, 27 columns further now.
     let around_both = [44, 45, 54, 55];
     assert_eq!(screen.show(0, &after), around_both);
     assert!(screen.show(0, &after).is_empty());

@@ -2,11 +2,11 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use super::super::arithmetic::{
-    Singles, across, camera, direction, entry, form, is_above, is_outside, magnitude, sphere, unit,
-    wide,
+    Singles, camera, direction, entry, form, is_above, is_outside, sphere, wide,
 };
 use super::*;
 use crate::framebuffer::Geometry;
+use crate::scene::random::{across, magnitude, unit};
 use glam::DVec3;
 use nff::Camera;
 

@@ -104,7 +104,8 @@ whole_batch:
         bi      $lr
 endfunction flags_gather
 
-# surfaces_make   what the batch has hit; packets that have hit one object each have a shorter kernel
+# surfaces_make   what the batch has hit; packets that have hit one object each have a shorter
+# kernel
 #   Out     BATCH_SURFACES
 #   Uses    $3-$79, w_left, w_sites, w_first, w_here
         .set    run,10

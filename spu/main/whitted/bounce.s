@@ -1,5 +1,5 @@
-# What a batch of rays sends on: rays of the next depth, refracted ones first, then reflected ones, so
-# that each kind stays together.
+# What a batch of rays sends on: rays of the next depth, refracted ones first, then reflected ones,
+# so that each kind stays together.
 
         .include "work_unit.inc"
         .include "macros.inc"

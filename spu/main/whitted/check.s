@@ -6,15 +6,8 @@
         .include "checks.inc"
 
         .set    status,3
-        .set    a_frame,15
-        .set    value,16
-        .set    limit,17
-        .set    bad,18
-        .set    a_tree,19
-        .set    left,20
-        .set    quad,21
-        .set    scene_bytes,22
-        .set    batch,23
+        .set    NEXT,15
+        registers a_frame,value,limit,bad,a_tree,left,quad,scene_bytes,batch
 
 # Leaves unless a word of the tree, less `least`, is below `most`, unsigned.
 .macro  require_of_tree word:req, least:req, most:req

@@ -5,30 +5,20 @@
         .include "driver.inc"
         .include "whitted.inc"
 
-        .set    a_site,3
-        .set    mask,4
-        .set    value,5
-        .set    a_shadow,6
-        .set    amount,10
-        .set    t_sum,11
-        .set    t_add,12
-        .set    t_carry,13
-        .set    a_surfaces,14
-        .set    a_rays,15
-        .set    left,16
-        .set    flags,17
-        .set    step_surfaces,18
-        .set    step_rays,19
-        .set    site,20
-        .set    m_pair,21
-        .set    m_third,22
+        .set    NEXT,3
+        registers a_site,mask,value,a_shadow
+        .set    NEXT,10
+        registers amount
+        registers t_sum,t_add,t_carry,a_surfaces,a_rays,left,flags,step_surfaces,step_rays,site
+        registers m_pair,m_third
 
         .section .rodata
         .align  4
 pair:   .int    0x00010203,0x10111213,0x80808080,0x80808080
 third:  .int    0x00010203,0x04050607,0x10111213,0x80808080
 
-# sites_list   lists those surfaces of the batch whose flags have some of a mask's bits and some value
+# sites_list   lists those surfaces of the batch whose flags have some of a mask's bits and some
+# value
 #   In      $3 where the sites go, $4 mask, $5 what the flags are to be with it, $6 packet of shadow
 #           rays of the first site
 #   Out     $3 behind the last site

@@ -1,8 +1,8 @@
 # Rays that wait to be traced, a queue for each depth from the second on.
 #
-# Its room is proved: rays come to a depth only while the depth before it is traced, and that is done
-# only when no depth behind it has a whole batch. So there are less than a batch then, and a batch
-# sends on at most two rays each of its own: a queue never has three batches.
+# Its room is proved: rays come to a depth only while the depth before it is traced, and that is
+# done only when no depth behind it has a whole batch. So there are less than a batch then, and a
+# batch sends on at most two rays each of its own: a queue never has three batches.
 
         .include "work_unit.inc"
         .include "macros.inc"

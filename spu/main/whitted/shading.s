@@ -3,10 +3,8 @@
         .include "work_unit.inc"
         .include "macros.inc"
 
-        .set    a_frame,10
-        .set    value,11
-        .set    lights,12
-        .set    m_second,13
+        .set    NEXT,10
+        registers a_frame,value,lights,m_second
 
 # shading_prepare   fills the shaders' context
 #   Uses    $10-$13

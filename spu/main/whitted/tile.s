@@ -1,15 +1,13 @@
-# A tile by Whitted's model: its eye rays are traced batch by batch, and what they send on as soon as
-# there is a whole batch of it.
+# A tile by Whitted's model: its eye rays are traced batch by batch, and what they send on as soon
+# as there is a whole batch of it.
 
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
         .include "whitted.inc"
 
-        .set    a_sum,10
-        .set    zero,11
-        .set    left,12
-        .set    amount,13
+        .set    NEXT,10
+        registers a_sum,zero,left,amount
 
 # whitted_tile   makes the pixels of the tile at hand
 #   Uses    $3-$79, the tile's and Whitted's driver registers

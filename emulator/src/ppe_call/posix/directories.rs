@@ -1,7 +1,7 @@
 //! Directory streams.
 //!
-//! A directory is read when it is opened or rewound; a position is the number of entries before it.
-//! The guest's `DIR *` is a number that counts up, never a pointer of the host.
+//! A directory is read when it is opened or rewound; a position is the number of entries before
+//! it. The guest's `DIR *` is a number that counts up, never a pointer of the host.
 
 use std::collections::BTreeMap;
 use std::fs;

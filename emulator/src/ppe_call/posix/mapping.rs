@@ -1,7 +1,7 @@
 //! Files and fresh memory in effective address space.
 //!
-//! A mapping is an allocation that holds a copy of the file: nothing written to it comes to the file,
-//! so a writable shared mapping of a file is refused.
+//! A mapping is an allocation that holds a copy of the file: nothing written to it comes to the
+//! file, so a writable shared mapping of a file is refused.
 
 use super::super::errno::check;
 use super::super::guest::{Block, Reply};

@@ -70,7 +70,8 @@ impl Aim {
         FASTEST * self.power * (0.4 + 0.6 * self.power)
     }
 
-    /// Points it from a place to another, for a new turn: a cue that the mouse still draws back is let go.
+    /// Points it from a place to another, for a new turn: a cue that the mouse still draws back is
+    /// let go.
     pub fn point(&mut self, from: DVec3, to: DVec3) {
         self.let_go();
         self.turn = libm::atan2(to.z - from.z, to.x - from.x);

@@ -1,9 +1,9 @@
 //! How the balls run: they slide, roll, bounce and fall.
 //!
-//! Each ball has its way and its roll, the way that it would take if it rolled as it spins: where they differ it slides
-//! on the cloth, which brings them together. Follow and draw come of that. There is no spin about the upright axis.
-//! Invariants: energy never grows; on the bed all centres are at one height; balls at rest do not overlap by more
-//! than rounding.
+//! Each ball has its way and its roll, the way that it would take if it rolled as it spins: where
+//! they differ it slides on the cloth, which brings them together. Follow and draw come of that.
+//! There is no spin about the upright axis. Invariants: energy never grows; on the bed all centres
+//! are at one height; balls at rest do not overlap by more than rounding.
 
 use cellray::game::DVec3;
 use rand::seq::SliceRandom as _;
@@ -71,7 +71,8 @@ impl Ball {
                 ..Body::new(centre, RADIUS)
             },
             roll: DVec3::ZERO,
-            // Each another way up, all the same in every game: what is painted on them is seen by most.
+            // Each another way up, all the same in every game: what is painted on them is seen by
+            // most.
             axis: tipped(number),
             place: Place::Bed,
         }
@@ -96,7 +97,8 @@ impl Ball {
         let body = &mut self.body;
         let slip = body.velocity - self.roll;
         let (speed, grip) = (slip.length(), SLIDING * GRAVITY * STEP);
-        // The cloth slows the way by what it adds to the roll, which takes two and a half times as much.
+        // The cloth slows the way by what it adds to the roll, which takes two and a half times as
+        // much.
         if speed > 3.5 * grip {
             let push = slip * (grip / speed);
             body.velocity -= push;
@@ -248,8 +250,8 @@ impl Balls {
         on_bed.map(Ball::energy).sum()
     }
 
-    /// Strikes the cue ball: a speed in a direction, and how high, -1 to 1: above its middle it follows, below it is
-    /// drawn back.
+    /// Strikes the cue ball: a speed in a direction, and how high, -1 to 1: above its middle it
+    /// follows, below it is drawn back.
     pub fn strike(&mut self, direction: DVec3, speed: f64, height: f64) {
         let ball = &mut self.0[0];
         ball.body.velocity = direction * speed;
@@ -321,14 +323,16 @@ impl Balls {
     }
 }
 
-/// Seconds since a ball touched a cushion that it overlaps, by how far it was from it how many seconds ago; 0 where that
-/// was more than a step ago. Off an end of a line it bounces by where it was then: it turns a jaw's corner within a step.
+/// Seconds since a ball touched a cushion that it overlaps, by how far it was from it how many
+/// seconds ago; 0 where that was more than a step ago. Off an end of a line it bounces by where it
+/// was then: it turns a jaw's corner within a step.
 fn since_contact(distance_before: impl Fn(f64) -> f64) -> f64 {
     let (mut within, mut out) = (0.0, STEP);
     if distance_before(out) < RADIUS {
         return 0.0;
     }
-    // Along a straight way the distance from a line has one valley: there is one moment to be found.
+    // Along a straight way the distance from a line has one valley: there is one moment to be
+    // found.
     for _ in 0..HALVINGS {
         let middle = (within + out) / 2.0;
         if distance_before(middle) < RADIUS {

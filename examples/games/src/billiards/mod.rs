@@ -1,8 +1,9 @@
 //! Eight-ball for two on a table with six pockets.
 //!
-//! A sphere on the rail says whose turn it is: yellow or blue; it lies by the rail where that player's balls are laid
-//! when pocketed, full ones in front and striped ones behind, or at the foot of the table while nobody has a group.
-//! It is red after a foul, and changes its colour when a game is won. The rules are in [`rules`].
+//! A sphere on the rail says whose turn it is: yellow or blue; it lies by the rail where that
+//! player's balls are laid when pocketed, full ones in front and striped ones behind, or at the
+//! foot of the table while nobody has a group. It is red after a foul, and changes its colour when
+//! a game is won. The rules are in [`rules`].
 //!
 //! | | keyboard | mouse | pad |
 //! |---|---|---|---|

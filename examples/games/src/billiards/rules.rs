@@ -1,10 +1,11 @@
 //! Eight-ball, as it is played where nobody has the rule book at hand.
 //!
-//! Who pockets the first ball after the break has its group, full or striped; who pockets one of their own plays on.
-//! It is a foul to pocket the cue ball, to touch nothing, or to touch first what is not one's own; the other player's
-//! turn comes then, and a pocketed cue ball is put back on the head spot. Who pockets the eight in a later shot than
-//! the last of their group, without a foul, has won; who pockets it earlier has lost. On the break it wins; the break
-//! is the first shot that touches a ball.
+//! Who pockets the first ball after the break has its group, full or striped; who pockets one of
+//! their own plays on. It is a foul to pocket the cue ball, to touch nothing, or to touch first
+//! what is not one's own; the other player's turn comes then, and a pocketed cue ball is put back
+//! on the head spot. Who pockets the eight in a later shot than the last of their group, without a
+//! foul, has won; who pockets it earlier has lost. On the break it wins; the break is the first
+//! shot that touches a ball.
 
 /// Number of the ball that decides.
 pub const EIGHT: usize = 8;

@@ -1,7 +1,9 @@
-//! What is seen of a game of billiards: the table, the balls and what is painted on them, the cue, the marker.
+//! What is seen of a game of billiards: the table, the balls and what is painted on them, the cue,
+//! the marker.
 //!
-//! Shapes have one material each and no picture on them. A ball's stripe is what two white caps leave free: spheres a
-//! little smaller than the ball and off its middle, so that they stand out by less than a hair.
+//! Shapes have one material each and no picture on them. A ball's stripe is what two white caps
+//! leave free: spheres a little smaller than the ball and off its middle, so that they stand out
+//! by less than a hair.
 
 use cellray::game::{
     DVec3, Light, Material, MaterialId, ObjectId, Shader, Shape, World, WorldError,

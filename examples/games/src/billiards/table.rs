@@ -1,7 +1,7 @@
 //! The table: where its cushions and pockets are, in metres; x is along it, y up from the bed.
 //!
-//! Invariant: a ball that is not in a pocket's reach can't be past the cushions: their noses and jaws leave no way but
-//! into one.
+//! Invariant: a ball that is not in a pocket's reach can't be past the cushions: their noses and
+//! jaws leave no way but into one.
 
 use cellray::game::DVec3;
 
@@ -58,7 +58,8 @@ const fn side(z: f64) -> Pocket {
     }
 }
 
-/// A cushion: its nose, from left to right as seen from the bed's middle, and where its jaws end at the rail.
+/// A cushion: its nose, from left to right as seen from the bed's middle, and where its jaws end
+/// at the rail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cushion {
     /// The nose's ends.
@@ -91,7 +92,8 @@ const fn long(x: f64, z: f64) -> Cushion {
     let (nose, back) = (z * HALF.1, z * (HALF.1 + CUSHION));
     let far = [x * (HALF.0 - CORNER.0), x * (HALF.0 - CORNER.0 + CORNER.1)];
     let near = [x * SIDE.0, x * (SIDE.0 - SIDE.1)];
-    // Seen from the middle, x grows to the right where z is negative and to the left where it is positive.
+    // Seen from the middle, x grows to the right where z is negative and to the left where it is
+    // positive.
     let [left, right] = if x * z > 0.0 {
         [far, near]
     } else {

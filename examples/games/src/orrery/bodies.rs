@@ -1,8 +1,9 @@
 //! What goes round the sun, as a table.
 //!
-//! Invariant: nothing goes through anything else, ever. Whatever belongs to a planet, and every ring of the sun's, has a
-//! shell round the sun of its own: the planet's ellipse and as far on both sides as its moons and rings reach; within
-//! it, each moon and ring has a shell round the planet.
+//! Invariant: nothing goes through anything else, ever. Whatever belongs to a planet, and every
+//! ring of the sun's, has a shell round the sun of its own: the planet's ellipse and as far on
+//! both sides as its moons and rings reach; within it, each moon and ring has a shell round the
+//! planet.
 
 /// The sun's radius.
 pub(super) const SUN_RADIUS: f64 = 1.4;
@@ -73,7 +74,8 @@ macro_rules! moons {
     };
 }
 
-/// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; Triton, which goes backwards.
+/// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; Triton, which goes
+/// backwards.
 pub(super) const MOONS: &[Moon; 9] = moons! {
     2 0.07  0.56  27.32 0.9;
     3 0.03  0.39   0.32 0.0;

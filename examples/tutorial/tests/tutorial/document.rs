@@ -93,7 +93,7 @@ fn what_is_to_be_typed_is_understood() {
     let mut typed = 0;
     let joined = TUTORIAL.replace("\\\n", "");
     for line in joined.lines() {
-        let Some(line) = line.strip_prefix("    cargo run --release -p tutorial --bin ") else {
+        let Some(line) = line.strip_prefix("    cargo run --release --bin ") else {
             continue;
         };
         let mut words = words(line.split(" #").next().unwrap()).into_iter();

@@ -1,12 +1,13 @@
 //! Pictures as characters: the upper half block, its own colour above, the background's below.
 //!
-//! Invariant: only what differs from what the terminal shows already is written, so that a picture that hardly
-//! changes takes little of a line.
+//! Invariant: only what differs from what the terminal shows already is written, so that a picture
+//! that hardly changes takes little of a line.
 
 use std::io::Write as _;
 
+use image::RgbImage;
+
 use super::super::Fit;
-use crate::canvas::Picture;
 
 const HALF: &str = "\u{2580}";
 const WHITE: [u8; 3] = [255; 3];
@@ -101,7 +102,7 @@ impl Grid {
     /// What to write so that the terminal shows the picture, and a line of text at its foot.
     pub fn draw(
         &mut self,
-        picture: &Picture,
+        picture: &RgbImage,
         fit: Fit,
         (columns, rows): (u16, u16),
         line: Option<&str>,
@@ -115,7 +116,9 @@ impl Grid {
         }
         let colour = |x: u16, y: u32| {
             let place = fit.column(u32::from(x)).zip(fit.row(y));
-            let pixel = place.map(|(x, y)| picture.at(x, y)).unwrap_or_default();
+            let pixel = place
+                .map(|(x, y)| picture.get_pixel(x, y).0)
+                .unwrap_or_default();
             self.colours.shown(pixel)
         };
         let mut letters = line.unwrap_or_default().chars();
@@ -172,15 +175,12 @@ impl Grid {
 mod tests {
     use super::*;
 
-    fn picture(pixels: &[[u8; 3]]) -> Picture {
-        Picture {
-            width: 2,
-            height: pixels.len() as u32 / 2,
-            pixels: pixels.to_vec(),
-        }
+    fn picture(pixels: &[[u8; 3]]) -> RgbImage {
+        let bytes = pixels.as_flattened().to_vec();
+        RgbImage::from_vec(2, pixels.len() as u32 / 2, bytes).expect("whole rows")
     }
 
-    fn draw(grid: &mut Grid, picture: &Picture, line: Option<&str>) -> String {
+    fn draw(grid: &mut Grid, picture: &RgbImage, line: Option<&str>) -> String {
         let fit = Fit::new((2, 4), (2, 4));
         let text = grid.draw(picture, fit, (2, 2), line);
         String::from_utf8(text.to_vec()).expect("text")
@@ -200,7 +200,7 @@ mod tests {
              \x1b[2;1H\x1b[48;2;200;0;0m\u{2580}\x1b[38;2;0;0;99m\x1b[48;2;0;0;99m\u{2580}"
         );
         assert_eq!(draw(&mut grid, &shown, None), "");
-        shown.pixels[7] = RED;
+        shown.put_pixel(1, 3, image::Rgb(RED));
         let changed = draw(&mut grid, &shown, None);
         assert_eq!(
             changed,

@@ -1,11 +1,11 @@
 //! The terminal's events, read by a thread of their own.
 //!
-//! A read waits where bytes have come that are no whole event, such as Alt and a bracket, and one of a terminal
-//! that has hung up comes back empty for ever. Invariant: the frame loop waits for neither, and the thread holds
-//! nothing that the program needs to end.
+//! A read waits where bytes have come that are no whole event, such as Alt and a bracket, and one
+//! of a terminal that has hung up comes back empty for ever. Invariant: the frame loop waits for
+//! neither, and the thread holds nothing that the program needs to end.
 //!
-//! Known weakness: a terminal that hangs up in the midst of an event, under a program that goes on without it,
-//! keeps the thread busy.
+//! Known weakness: a terminal that hangs up in the midst of an event, under a program that goes on
+//! without it, keeps the thread busy.
 
 use std::io;
 use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
@@ -30,7 +30,8 @@ impl Events {
         Ok(Self(events))
     }
 
-    /// The next, if one has come. An error where the terminal has hung up, so that there will be none.
+    /// The next, if one has come. An error where the terminal has hung up, so that there will be
+    /// none.
     pub fn next(&self) -> io::Result<Option<Event>> {
         match self.0.try_recv() {
             Ok(event) => Ok(Some(event)),

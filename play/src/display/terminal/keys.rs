@@ -1,8 +1,9 @@
 //! Keys of a terminal.
 //!
-//! Terminals that know the kitty protocol tell of releases. Others tell of a key again and again while it is held:
-//! there it counts as released when nothing has been heard of it for a while. The pause before the first
-//! repetition is longer than that, so a key that is held is let go of for a moment once.
+//! Terminals that know the kitty protocol tell of releases. Others tell of a key again and again
+//! while it is held: there it counts as released when nothing has been heard of it for a while.
+//! The pause before the first repetition is longer than that, so a key that is held is let go of
+//! for a moment once.
 
 use std::time::{Duration, Instant};
 

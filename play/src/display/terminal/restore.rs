@@ -1,8 +1,9 @@
 //! The terminal's state, taken over and put back.
 //!
-//! Invariant: it is put back when a [`Taken`] is dropped, before a panic is told, by whatever else ends the program
-//! or stops it, as far as the library's [`LastResort`] hears of it, and taken again when the program goes on. Those
-//! run in signal handlers: by system calls alone. SIGKILL and SIGSTOP can't be heard of.
+//! Invariant: it is put back when a [`Taken`] is dropped, before a panic is told, by whatever else
+//! ends the program or stops it, as far as the library's [`LastResort`] hears of it, and taken
+//! again when the program goes on. Those run in signal handlers: by system calls alone. SIGKILL
+//! and SIGSTOP can't be heard of.
 
 use std::io;
 use std::mem::MaybeUninit;
@@ -12,8 +13,8 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use cellray::framebuffer::LastResort;
 
-/// Other screen, no cursor, no line wrap; focus and mouse are told, where that is known also without a button held;
-/// keys with their releases, where that is.
+/// Other screen, no cursor, no line wrap; focus and mouse are told, where that is known also
+/// without a button held; keys with their releases, where that is.
 const BEGIN: &str =
     "\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J\x1b[?1004h\x1b[?1002h\x1b[?1003h\x1b[?1006h\x1b[>11u";
 const END: &str =
@@ -52,7 +53,8 @@ struct States {
 pub struct Taken(());
 
 impl Taken {
-    /// Takes the terminal over: keys come one by one, and no one else's text is shown if pictures are.
+    /// Takes the terminal over: keys come one by one, and no one else's text is shown if pictures
+    /// are.
     pub fn take(has_pictures: bool) -> io::Result<Self> {
         let found = modes()?;
         STATES.get_or_init(|| {
@@ -75,14 +77,16 @@ impl Taken {
                 has_pictures,
             }
         });
-        // SAFETY: both functions use atomics, a cell that is set by now, and calls that handlers may make.
+        // SAFETY: both functions use atomics, a cell that is set by now, and calls that handlers
+        // may make.
         unsafe { LAST_RESORT.arm()? };
         let taken = Self(());
         take()?;
         Ok(taken)
     }
 
-    /// Whether it was put back and taken again since the last call: nothing that was shown is there any more.
+    /// Whether it was put back and taken again since the last call: nothing that was shown is
+    /// there any more.
     pub fn is_back(&self) -> bool {
         IS_BACK.swap(false, Ordering::SeqCst)
     }
@@ -120,15 +124,16 @@ fn take() -> io::Result<()> {
     Ok(())
 }
 
-/// Puts the terminal back, once, and says whether it was taken. May be called from a signal handler.
+/// Puts the terminal back, once, and says whether it was taken. May be called from a signal
+/// handler.
 fn put_back() -> bool {
     let was_taken = IS_TAKEN.swap(false, Ordering::SeqCst);
     if let Some(states) = STATES.get().filter(|_| was_taken) {
         if states.has_pictures {
             write(END);
         }
-        // What was typed and not read was for us, not for the shell.
-        // SAFETY: both calls take a descriptor, and the second a valid termios, which is not changed any more.
+        // What was typed and not read was for us, not for the shell. SAFETY: both calls take a
+        // descriptor, and the second a valid termios, which is not changed any more.
         unsafe {
             libc::tcflush(libc::STDIN_FILENO, libc::TCIFLUSH);
             libc::tcsetattr(libc::STDIN_FILENO, libc::TCSANOW, &raw const states.found);

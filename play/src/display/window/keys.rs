@@ -87,14 +87,14 @@ pub fn key(code: KeyCode) -> Option<Key> {
     })
 }
 
-/// Keys that were down as the window came to the front: pressed elsewhere, so not pressed here until they are let
-/// go of. The first of their repetitions is not marked as one.
+/// Keys that were down as the window came to the front: pressed elsewhere, so not pressed here
+/// until they are let go of. The first of their repetitions is not marked as one.
 #[derive(Debug, Default)]
 pub struct HeldElsewhere(Vec<Key>);
 
 impl HeldElsewhere {
-    /// Whether an event is a press in the window, or a release. `is_synthetic` are those that tell what is down as
-    /// the window comes to the front, and let go of all as it goes to the back.
+    /// Whether an event is a press in the window, or a release. `is_synthetic` are those that tell
+    /// what is down as the window comes to the front, and let go of all as it goes to the back.
     pub fn is_news(&mut self, key: Key, down: bool, is_repeat: bool, is_synthetic: bool) -> bool {
         if !down {
             self.0.retain(|held| *held != key);

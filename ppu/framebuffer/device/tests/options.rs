@@ -1,4 +1,5 @@
-//! What is asked of a device beyond showing frames: video modes, fewer frames, a screen for others.
+//! What is asked of a device beyond showing frames: video modes, fewer frames, a screen for
+//! others.
 
 use super::super::super::Raster;
 use super::script::Call::{Fsel, Getmode, Off, On, Screeninfo, Setmode, Vsync};

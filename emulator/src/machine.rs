@@ -1,0 +1,84 @@
+//! A machine: main memory, a time base, and what its SPEs share.
+
+use std::sync::Arc;
+
+use crate::decrementer::{Clock, HostClock};
+use crate::memory::MainMemory;
+use crate::mfc::interconnect::Interconnect;
+use crate::mfc::timing::UnderWay;
+use crate::simulated::{Simulation, Timing};
+
+/// What every [`Spe`](crate::spe::Spe) is made on.
+pub struct Machine {
+    interconnect: Interconnect,
+    clock: Arc<dyn Clock>,
+    simulation: Option<Arc<Simulation>>,
+}
+
+impl Machine {
+    /// A machine with this memory, whose time base is the host's time.
+    #[must_use]
+    pub fn new(memory: Arc<dyn MainMemory>) -> Arc<Self> {
+        Self::with_clock(memory, Arc::new(HostClock))
+    }
+
+    /// A machine with this memory and time base.
+    #[must_use]
+    pub fn with_clock(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
+        Arc::new(Self {
+            interconnect: Interconnect::new(memory, None),
+            clock,
+            simulation: None,
+        })
+    }
+
+    /// A machine with this memory, in simulated time of these figures.
+    ///
+    /// # Panics
+    ///
+    /// If by these figures no transfer would ever end: without cycles for a line, or without a
+    /// line under way.
+    #[must_use]
+    pub fn simulated(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
+        Self::with_simulation(memory, Simulation::new(timing, false))
+    }
+
+    /// The same that keeps the [profile](Simulation::profile).
+    ///
+    /// # Panics
+    ///
+    /// As [`simulated`](Self::simulated) does.
+    #[must_use]
+    pub fn profiled(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
+        Self::with_simulation(memory, Simulation::new(timing, true))
+    }
+
+    fn with_simulation(memory: Arc<dyn MainMemory>, simulation: Arc<Simulation>) -> Arc<Self> {
+        let under_way: Arc<dyn UnderWay> = simulation.clone();
+        Arc::new(Self {
+            interconnect: Interconnect::new(memory, Some(under_way)),
+            clock: Arc::new(HostClock),
+            simulation: Some(simulation),
+        })
+    }
+
+    /// The machine's simulated time, if it has one.
+    #[must_use]
+    pub fn simulation(&self) -> Option<&Arc<Simulation>> {
+        self.simulation.as_ref()
+    }
+
+    /// The machine's main memory.
+    #[must_use]
+    pub fn memory(&self) -> &dyn MainMemory {
+        self.interconnect.memory()
+    }
+
+    pub(crate) fn interconnect(&self) -> &Interconnect {
+        &self.interconnect
+    }
+
+    pub(crate) fn clock(&self) -> &dyn Clock {
+        &*self.clock
+    }
+}

@@ -1,0 +1,7 @@
+//! The interpreter, instruction by instruction.
+
+mod control;
+pub mod machine;
+mod shifts;
+mod shuffle;
+mod vectors;

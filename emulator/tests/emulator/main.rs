@@ -1,0 +1,11 @@
+//! The emulator's tests: one program, since most of the time that a test program takes is its
+//! linking.
+
+mod float;
+mod instructions;
+mod machine;
+mod program;
+mod random;
+mod simulated;
+mod spu_calls;
+mod timer;

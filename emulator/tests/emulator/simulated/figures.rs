@@ -1,0 +1,81 @@
+//! Other figures than the console's: each changes the cycles that it says it changes. What shifts
+//! a transfer's beginning is a multiple of a line's 16 cycles here, since it waits for the next
+//! slot.
+
+use spu_emulator::simulated::{MemoryFigures, PpeFigures, SpeReport, Timing};
+use spu_isa::timing::{Cause, Rules};
+
+use super::support::Machine;
+
+/// A line from memory, an atomic line, and nine branches of ten taken unforeseen.
+const PROGRAM: &str = "
+        command GET, 0x10000, $3, 128, 3
+        wait_tags 1<<3
+        command GETLLAR, 0x10000, $3, 128, 0
+        rdch    $12,$ch27
+        il      $5,10
+again:  ai      $5,$5,-1
+        brnz    $5,again
+        stop    0x2000
+";
+
+fn time(timing: Timing) -> SpeReport {
+    Machine::with(timing).run_all(1, PROGRAM).remove(0)
+}
+
+#[test]
+fn the_default_is_the_console() {
+    let timing = Timing::default();
+    assert_eq!(timing.rules, Rules::default());
+    assert_eq!(timing.memory, MemoryFigures::CONSOLE);
+    assert_eq!(timing.ppe, PpeFigures::CONSOLE);
+    assert_eq!(Machine::with(timing).simulation().timing(), &timing);
+    assert_eq!(time(timing), Machine::new().run_all(1, PROGRAM).remove(0));
+}
+
+#[test]
+fn rules_of_the_pipelines() {
+    let console = time(Timing::default());
+    let mut timing = Timing::default();
+    timing.rules.miss_cycles = 19;
+    let slower = time(timing);
+    let misses = |spe: &SpeReport| spe.account.waited(Cause::BranchMiss);
+    assert_eq!(misses(&console), 9 * 18);
+    assert_eq!(misses(&slower), 9 * 19);
+    assert_eq!(slower.clock, console.clock + 9);
+}
+
+#[test]
+fn figures_of_the_memory_system() {
+    let console = time(Timing::default());
+    let with = |change: fn(&mut MemoryFigures)| {
+        let mut timing = Timing::default();
+        change(&mut timing.memory);
+        time(timing)
+    };
+    let latency = with(|memory| memory.memory_latency += 100);
+    assert_eq!(latency.waits.tag, console.waits.tag + 100);
+    let command = with(|memory| memory.command_cycles += 16);
+    assert_eq!(command.waits.tag, console.waits.tag + 16);
+    let atomic = with(|memory| memory.atomic_cycles += 50);
+    assert_eq!(atomic.waits.atomic, console.waits.atomic + 50);
+    assert_eq!(atomic.clock, console.clock + 50);
+}
+
+#[test]
+fn figures_of_the_ppe() {
+    let console = time(Timing::default());
+    let mut timing = Timing::default();
+    timing.ppe.run_cycles += 1600;
+    let later = time(timing);
+    assert_eq!(later.stopped, console.stopped + 1600);
+    assert_eq!(later.account, console.account);
+}
+
+#[test]
+#[should_panic(expected = "no line would ever arrive")]
+fn memory_that_gives_nothing_is_refused() {
+    let mut timing = Timing::default();
+    timing.memory.outstanding_lines = 0;
+    Machine::with(timing);
+}

@@ -1,0 +1,242 @@
+//! PPE threads in the race: mails, looks, sleeps, and threads that never come back.
+
+use std::sync::{Arc, Barrier, mpsc};
+use std::thread;
+use std::time::{Duration, Instant};
+
+use spu_emulator::simulated::absence::LONGEST;
+use spu_emulator::simulated::{PpeFigures, Simulation, ticks};
+
+use super::support::{Disturbance, Load, Machine, PATIENCE, assemble, register, start};
+
+const PPE_CALL_CYCLES: u64 = PpeFigures::CONSOLE.call_cycles;
+const PPE_WAKE_CYCLES: u64 = PpeFigures::CONSOLE.wake_cycles;
+
+/// Tells the time at which its mail came, and sends it back.
+const ECHO: &str = "
+        il      $6,-1
+        wrch    $ch7,$6
+again:  rdch    $5,$ch29
+        brz     $5,over
+        rdch    $6,$ch8
+        wrch    $ch28,$5
+        br      again
+over:   stop    0x2000
+";
+
+fn simulation(machine: &Machine) -> &Arc<Simulation> {
+    machine.simulation()
+}
+
+#[test]
+fn mails_come_one_call_after_the_other() {
+    let machine = Machine::new();
+    let image = assemble(ECHO);
+    let spes: Vec<_> = (0..6).map(|_| machine.loaded(&image)).collect();
+    let running: Vec<_> = spes
+        .iter()
+        .map(|(spe, entry)| start(spe, *entry, 0, Duration::ZERO))
+        .collect();
+    let settle = Some(Duration::from_micros(100));
+    let key = simulation(&machine).new_key();
+    assert!(
+        simulation(&machine)
+            .wait(key, settle, || None::<()>)
+            .is_none()
+    );
+    for (spe, _) in &spes {
+        spe.write_inbound(1, None);
+    }
+    for (spe, _) in &spes {
+        assert_eq!(spe.read_outbound(None), Some(1));
+        spe.write_inbound(0, None);
+    }
+    machine.depart();
+    for one in running {
+        one.end();
+    }
+    let times: Vec<u32> = spes.iter().map(|(spe, _)| register(spe, 6)).collect();
+    for pair in times.windows(2) {
+        let between = u64::from(pair[0].wrapping_sub(pair[1]));
+        assert!(between.abs_diff(ticks(PPE_CALL_CYCLES)) <= 1, "{times:?}");
+    }
+}
+
+#[test]
+fn a_thread_that_looks_again_and_again_sees_the_same_in_every_run() {
+    let image = assemble(
+        "
+        ila     $6,40000
+work:   ai      $6,$6,-1
+        brnz    $6,work
+        wrch    $ch28,$6
+        stop    0x2000
+",
+    );
+    let looks = |disturbance: &Disturbance| {
+        let machine = Machine::new();
+        let (spe, entry) = machine.loaded(&image);
+        let running = start(&spe, entry, 0, disturbance.delay());
+        let mut looks = 0;
+        while spe.outbound_waiting() == 0 {
+            looks += 1;
+            if looks % 64 == 0 {
+                disturbance.sleep();
+            }
+        }
+        assert_eq!(spe.read_outbound(None), Some(0));
+        machine.depart();
+        running.end();
+        (looks, machine.report().spes)
+    };
+    let first = looks(&Disturbance::new(1));
+    // 40,000 rounds of about 21 cycles, in steps of a call.
+    assert!((450..600).contains(&first.0), "{}", first.0);
+    let _load = Load::new(2);
+    assert_eq!(looks(&Disturbance::new(2)), first);
+}
+
+#[test]
+fn a_limit_is_simulated_time() {
+    let machine = Machine::new();
+    let image = assemble("        br _start\n");
+    let (spe, entry) = machine.loaded(&image);
+    let running = start(&spe, entry, 0, Duration::ZERO);
+    let key = simulation(&machine).new_key();
+    let limit = Duration::from_millis(1);
+    assert!(
+        simulation(&machine)
+            .wait(key, Some(limit), || None::<()>)
+            .is_none()
+    );
+    let now = || Some(Instant::now());
+    let room = (0..9).take_while(|word| spe.write_inbound(*word, now()));
+    assert_eq!(room.count(), 4);
+    spe.request_stop();
+    machine.depart();
+    assert!(running.stopped());
+    // Three million cycles passed while it ran; how long it takes to hear of the request is the
+    // host's affair.
+    assert!(machine.report().spes[0].clock >= 3_192_000);
+}
+
+#[test]
+fn a_sleeper_that_is_left_alone_lets_the_hosts_time_pass_too() {
+    let machine = Machine::new();
+    let key = simulation(&machine).new_key();
+    let limit = Duration::from_millis(50);
+    let start = Instant::now();
+    assert!(
+        simulation(&machine)
+            .wait(key, Some(limit), || None::<()>)
+            .is_none()
+    );
+    assert!(start.elapsed() >= limit);
+}
+
+#[test]
+fn threads_that_do_not_come_back_hold_nobody_up_for_long() {
+    let machine = Machine::new();
+    let image = assemble(ECHO);
+    let (spe, entry) = machine.loaded(&image);
+    let running = start(&spe, entry, 0, Duration::ZERO);
+    // This thread mails, and then sleeps in a call that the machine knows nothing of.
+    spe.write_inbound(0, None);
+    let start_of_sleep = Instant::now();
+    running.end();
+    assert!(start_of_sleep.elapsed() < LONGEST);
+    assert!(machine.report().absences >= 1);
+}
+
+#[test]
+fn a_thread_that_ran_one_spe_and_then_waits_for_another_is_given_up() {
+    // SPE 0 issues in pairs, which keeps the host busy; SPE 1 stalls most of the time, so that it
+    // is far ahead and waits to act when SPE 0 stops.
+    let image = assemble(
+        "
+        brnz    $4,act
+        ila     $6,20000
+work:
+        .rept   64
+        nop
+        lnop
+        .endr
+        ai      $6,$6,-1
+        brnz    $6,work
+        stop    0x2000
+act:    ila     $6,60000
+delay:  dfa     $7,$7,$7
+        dfa     $7,$7,$7
+        ai      $6,$6,-1
+        brnz    $6,delay
+        wrch    $ch28,$6
+        stop    0x2000
+",
+    );
+    let machine = Machine::new();
+    let spes = [machine.loaded(&image), machine.loaded(&image)];
+    let later = start(&spes[1].0, spes[1].1, 1, Duration::ZERO);
+    let (tell, told) = mpsc::channel();
+    thread::spawn(move || {
+        let (spe, entry) = &spes[0];
+        spe.run(*entry);
+        later.end();
+        tell.send(()).unwrap();
+    });
+    machine.depart();
+    told.recv_timeout(2 * PATIENCE).unwrap();
+    let clocks: Vec<u64> = machine.report().spes.iter().map(|spe| spe.clock).collect();
+    assert!(clocks[1] > clocks[0] + PPE_WAKE_CYCLES, "{clocks:?}");
+}
+
+#[test]
+fn an_spe_that_is_loaded_and_never_run_holds_nobody_up_for_good() {
+    let machine = Machine::new();
+    let image = assemble(ECHO);
+    let never_run = machine.loaded(&image);
+    let (spe, entry) = machine.loaded(&image);
+    let running = start(&spe, entry, 0, Duration::ZERO);
+    let begin = Instant::now();
+    spe.write_inbound(5, None);
+    assert_eq!(spe.read_outbound(None), Some(5));
+    assert!(begin.elapsed() < LONGEST + PATIENCE / 4);
+    spe.write_inbound(0, None);
+    machine.depart();
+    running.end();
+    drop(never_run);
+}
+
+#[test]
+fn several_ppe_threads_and_a_full_mailbox() {
+    let machine = Machine::new();
+    let image = assemble(
+        "
+        ila     $5,4000
+again:  rdch    $6,$ch29
+        a       $7,$7,$6
+        ai      $5,$5,-1
+        brnz    $5,again
+        stop    0x2000
+",
+    );
+    let (spe, entry) = machine.loaded(&image);
+    let running = start(&spe, entry, 0, Duration::ZERO);
+    let ready = Arc::new(Barrier::new(4));
+    let (tell, told) = mpsc::channel();
+    for _ in 0..4 {
+        let (spe, ready, tell) = (Arc::clone(&spe), Arc::clone(&ready), tell.clone());
+        thread::spawn(move || {
+            ready.wait();
+            for _ in 0..1000 {
+                assert!(spe.write_inbound(3, None));
+            }
+            tell.send(()).unwrap();
+        });
+    }
+    machine.depart();
+    for _ in 0..4 {
+        told.recv_timeout(PATIENCE).unwrap();
+    }
+    running.end();
+    assert_eq!(register(&spe, 7), 12_000);
+}

@@ -1,0 +1,191 @@
+//! The timer on the interpreter: what ran is what is timed, and timing changes nothing.
+//!
+//! Provenance: `model`, derived by hand beside each figure.
+
+use spu_emulator::channel::Channels;
+use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::local_store::LocalStore;
+use spu_emulator::stop::{Stop, Stopped};
+use spu_emulator::timer::Timer;
+use spu_isa::timing::Cause;
+use spu_isa::{Instruction, Op};
+
+/// Channels that never block.
+#[derive(Default)]
+struct Open {
+    /// Looks at the external condition after which it holds.
+    quiet: Option<u32>,
+}
+
+impl Channels for Open {
+    fn read(&mut self, _: u8) -> Result<u32, Stop> {
+        Ok(7)
+    }
+    fn write(&mut self, _: u8, _: u32) -> Result<(), Stop> {
+        Ok(())
+    }
+    fn count(&mut self, _: u8) -> Result<u32, Stop> {
+        Ok(1)
+    }
+    fn external_condition(&mut self) -> bool {
+        match &mut self.quiet {
+            Some(0) => true,
+            Some(looks) => {
+                *looks -= 1;
+                false
+            }
+            None => false,
+        }
+    }
+    fn stop_requested(&self) -> bool {
+        false
+    }
+    fn set_interrupts_enabled(&mut self, _: bool) {}
+    fn srr0(&self) -> u32 {
+        0
+    }
+    fn set_srr0(&mut self, _: u32) {}
+}
+
+fn i(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
+    Instruction {
+        op,
+        rt,
+        ra,
+        rb: 0,
+        rc: 0,
+        branch_distance: 0,
+        immediate,
+    }
+}
+
+fn run(code: &[Instruction], spu: &mut Spu, channels: &mut Open) -> (Timer, Stopped) {
+    let local_store = LocalStore::new();
+    for (address, instruction) in (0u32..).step_by(4).zip(code) {
+        local_store.write(address, &instruction.encode().to_be_bytes());
+    }
+    let mut timer = Timer::default();
+    let stopped = spu
+        .run_observed(&local_store, channels, 10_000, &mut timer)
+        .expect("the program stops");
+    (timer, stopped)
+}
+
+/// `passes` times round a loop of nine nops, `ai` and `brnz`.
+fn counted(passes: i32, hint: Option<Instruction>) -> (Timer, u64) {
+    let nop = i(Op::Nop, 127, 0, 0);
+    let mut code = vec![i(Op::Il, 3, 0, passes), i(Op::Il, 4, 0, 0x10)];
+    code.push(hint.unwrap_or(nop));
+    code.push(nop);
+    // 0x10: the loop; its branch stands at 0x10 + 40 = 0x38.
+    code.extend([nop; 8]);
+    code.push(i(Op::Ai, 3, 3, -1));
+    code.push(nop);
+    code.push(i(Op::Brnz, 3, 0, -0x28));
+    code.push(i(Op::Stop, 0, 0, 0));
+    let mut spu = Spu::new();
+    let (timer, stopped) = run(&code, &mut spu, &mut Open::default());
+    assert_eq!((stopped.reason, stopped.pc), (Stop::Signal(0), 0x3c));
+    (timer, spu.executed())
+}
+
+#[test]
+fn each_taken_branch_misses_without_a_hint() {
+    let (timer, executed) = counted(10, None);
+    let account = timer.pipeline.account();
+    assert_eq!(executed, 4 + 10 * 11 + 1);
+    assert_eq!(account.instructions(), executed);
+    // Nine of ten are taken. A pass: eight nops, ai at 8, nop at 9, brnz at 10 (ai's result is
+    // there).
+    assert_eq!(account.waited(Cause::BranchMiss), 9 * 18);
+    assert_eq!(timer.pipeline.clock(), 4 + 10 * 11 + 9 * 18 + 1);
+}
+
+#[test]
+fn a_hint_saves_all_but_the_last_pass() {
+    let relative = Instruction {
+        branch_distance: 0x38 - 8,
+        ..i(Op::Hbrr, 0, 0, 8)
+    };
+    // From an hbr the timer learns the target out of the register, which must be there: il at 1.
+    let register = Instruction {
+        branch_distance: 0x38 - 8,
+        ..i(Op::Hbr, 0, 4, 0)
+    };
+    // The hint issues at 2 (hbr: at 3, waiting for il); it works at 17 (18). The first brnz comes
+    // at 4 + 10 = 14 (15): it waits 3 cycles. Leaving the loop misses.
+    for (hint, late) in [(relative, 0), (register, 1)] {
+        let (timer, executed) = counted(10, Some(hint));
+        let account = timer.pipeline.account();
+        assert_eq!(account.waited(Cause::HintWait), 3);
+        assert_eq!(account.waited(Cause::BranchMiss), 18);
+        assert_eq!(timer.pipeline.clock(), executed + 3 + 18 + late);
+    }
+}
+
+#[test]
+fn a_hint_whose_register_is_wrong_misses_always() {
+    // $5 is 0, not 0x10: hinted elsewhere when taken, and hinted but not taken at the end.
+    let wrong = Instruction {
+        branch_distance: 0x38 - 8,
+        ..i(Op::Hbr, 0, 5, 0)
+    };
+    let (timer, _) = counted(10, Some(wrong));
+    assert_eq!(timer.pipeline.account().waited(Cause::BranchMiss), 10 * 18);
+}
+
+#[test]
+fn an_interrupt_is_a_miss() {
+    // `bie $3` enables interrupts and jumps to 0x10; the interrupt goes to 0.
+    let nop = i(Op::Nop, 127, 0, 0);
+    let stop = i(Op::Stop, 0, 0, 5);
+    let code = [stop, nop, i(Op::Bi, 0, 3, 1), nop, nop, nop, nop];
+    // At once: bi at 0, the way to the handler 18, stop. Two nops later: bi, 18, nops, 18, stop.
+    for (looks, cycles) in [(0, 1 + 18 + 1), (2, 1 + 18 + 2 + 18 + 1)] {
+        let mut spu = Spu::new();
+        spu.set_register(3, Quad::splat(0x10));
+        spu.set_pc(8);
+        let mut channels = Open { quiet: Some(looks) };
+        let (timer, stopped) = run(&code, &mut spu, &mut channels);
+        assert_eq!((stopped.reason, stopped.pc), (Stop::Signal(5), 0));
+        assert_eq!(timer.pipeline.clock(), cycles);
+    }
+}
+
+#[test]
+fn timing_changes_nothing() {
+    let code = [
+        i(Op::Il, 3, 0, 5),
+        i(Op::Rdch, 4, 29, 0),
+        i(Op::Ai, 3, 4, 3),
+        i(Op::Stop, 0, 0, 1),
+    ];
+    let (mut plain, mut timed) = (Spu::new(), Spu::new());
+    run(&code, &mut timed, &mut Open::default());
+    let local_store = LocalStore::new();
+    for (address, instruction) in (0u32..).step_by(4).zip(&code) {
+        local_store.write(address, &instruction.encode().to_be_bytes());
+    }
+    plain.run(&local_store, &mut Open::default());
+    assert_eq!(plain.registers, timed.registers);
+    assert_eq!(plain.executed(), timed.executed());
+}
+
+#[test]
+fn a_channel_instruction_that_is_run_again_issues_once() {
+    use spu_emulator::interp::Observer;
+    let mut spu = Spu::new();
+    let mut timer = Timer::default();
+    let read = i(Op::Rdch, 4, 29, 0);
+    for _ in 0..3 {
+        timer.before_instruction(&spu, read);
+    }
+    timer.pipeline.stall_until(50, Cause::Channel);
+    spu.set_pc(4);
+    timer.before_instruction(&spu, i(Op::Ai, 3, 4, 1));
+    let account = timer.pipeline.account();
+    assert_eq!(account.instructions(), 2);
+    // As if issued at 49: its reader goes at 55.
+    assert_eq!(timer.pipeline.clock(), 56);
+    assert_eq!(account.waited(Cause::BranchMiss), 0);
+}

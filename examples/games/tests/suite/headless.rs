@@ -1,0 +1,198 @@
+//! Every game as it is run: without a player, with any player at all, twice, and without taking
+//! memory.
+
+use std::io;
+use std::ops::ControlFlow;
+use std::time::Duration;
+
+use cellray::Settings;
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::game::{
+    Axis, Button, Clock, FixedSteps, Game, InputEvent, InputSource, Key, MouseButton, NoInput,
+    PadId, Sensors, Session,
+};
+use games::{GAMES, find};
+use rand::seq::IndexedRandom as _;
+use rand::{Rng as _, SeedableRng as _};
+use rand_xoshiro::Xoshiro256PlusPlus;
+
+const FRAMES: u64 = 300;
+
+/// Who presses anything, turns to other windows, and has a pad that comes loose.
+struct Anyone {
+    rng: Xoshiro256PlusPlus,
+    begun: bool,
+}
+
+impl Anyone {
+    /// What a broken device may say.
+    fn number(&mut self) -> f32 {
+        let odd = [f32::NAN, f32::INFINITY, 1e30, -1e30, f32::MAX, f32::MIN];
+        if self.rng.random_ratio(1, 6) {
+            *odd.choose(&mut self.rng).unwrap()
+        } else {
+            self.rng.random_range(-40.0..40.0)
+        }
+    }
+}
+
+impl InputSource for Anyone {
+    fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
+        let pad = PadId(0);
+        let connected = || InputEvent::PadConnected {
+            pad,
+            name: "a pad".to_owned(),
+        };
+        if !self.begun {
+            self.begun = true;
+            events.push(connected());
+        }
+        for _ in 0..self.rng.random_range(0..4) {
+            let by = [self.number(), self.number()];
+            let [x, y, z, turn] = std::array::from_fn(|_| self.number());
+            let rng = &mut self.rng;
+            let down = rng.random();
+            events.push(match rng.random_range(0..40) {
+                // Some things happen seldom.
+                0 => InputEvent::FocusLost,
+                1 => InputEvent::PadDisconnected { pad },
+                2..4 => connected(),
+                4 => InputEvent::MouseLeft,
+                5 => InputEvent::MouseMoved { to: by },
+                kind => match kind % 7 {
+                    0 => InputEvent::Key {
+                        key: *Key::ALL.choose(rng).unwrap(),
+                        down,
+                    },
+                    1 => InputEvent::MouseMotion { by },
+                    2 => InputEvent::Wheel {
+                        by: by.map(|part| part / 20.0),
+                    },
+                    3 => InputEvent::MouseButton {
+                        button: *MouseButton::ALL.choose(rng).unwrap(),
+                        down,
+                    },
+                    4 => InputEvent::PadButton {
+                        pad,
+                        button: *Button::ALL.choose(rng).unwrap(),
+                        down,
+                    },
+                    5 => InputEvent::PadAxis {
+                        pad,
+                        axis: *Axis::ALL.choose(rng).unwrap(),
+                        value: x / 40.0,
+                    },
+                    _ => InputEvent::PadSensors {
+                        pad,
+                        sensors: Sensors {
+                            acceleration: [x, y, z],
+                            turn,
+                        },
+                    },
+                },
+            });
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}
+
+/// Time as it passes on a machine that has other things to do.
+struct AnyTime(Xoshiro256PlusPlus);
+
+impl Clock for AnyTime {
+    fn tick(&mut self) -> Duration {
+        let micros = match self.0.random_range(0..20) {
+            0 => 0,
+            1 => self.0.random_range(1_000_000..20_000_000),
+            2 => 86_400_000_000,
+            _ => self.0.random_range(1_000..100_000),
+        };
+        Duration::from_micros(micros)
+    }
+}
+
+fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
+    let settings = Settings {
+        spus: 2,
+        ..Settings::default()
+    };
+    let picture = Memory::new(Geometry::new(size.0, size.1).unwrap()).unwrap();
+    Session::start((find(name).unwrap().new)(), settings, Box::new(picture))
+        .unwrap()
+        .with_seed(seed)
+}
+
+/// Frames in which nobody does anything.
+fn run(session: &mut Session<Box<dyn Game>>, frames: u64) {
+    let mut clock = FixedSteps(Duration::from_millis(40));
+    session.run(Some(frames), &mut clock, &mut NoInput).unwrap();
+}
+
+/// Where nobody plays nothing moves, and nothing is traced again, however long the frames take.
+#[test]
+fn a_table_at_rest_is_traced_once() {
+    let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(5));
+    let mut session = session("billiards", 7, (32, 18));
+    let report = session.run(Some(200), &mut clock, &mut NoInput).unwrap();
+    assert_eq!((report.frames, report.frames_traced), (200, 1));
+}
+
+/// The world after some frames with that player.
+fn played(name: &str, seed: u64, player: u64) -> u64 {
+    let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
+    let mut player = Anyone {
+        rng: Xoshiro256PlusPlus::seed_from_u64(player),
+        begun: false,
+    };
+    let mut session = session(name, seed, (32, 18));
+    let report = session.run(Some(FRAMES), &mut clock, &mut player).unwrap();
+    assert_eq!(u64::from(report.frames), FRAMES);
+    session.world().checksum()
+}
+
+#[test]
+fn every_game_takes_any_player_and_is_the_same_twice() {
+    for game in GAMES {
+        let first = played(game.name, 1, 2);
+        assert_eq!(played(game.name, 1, 2), first, "{}", game.name);
+        assert_ne!(played(game.name, 1, 3), first, "{}", game.name);
+    }
+}
+
+#[test]
+fn seeds_give_other_worlds() {
+    for game in GAMES {
+        let world = |seed| {
+            let mut session = session(game.name, seed, (32, 18));
+            run(&mut session, 2);
+            session.world().checksum()
+        };
+        assert_ne!(world(1), world(2), "{}", game.name);
+    }
+}
+
+#[test]
+fn frames_take_no_memory() {
+    for game in GAMES {
+        let mut session = session(game.name, 1, (48, 27));
+        run(&mut session, 10);
+        for frame in 0..40 {
+            let asked = allocations::during(|| run(&mut session, 1));
+            assert!(
+                asked.is_empty(),
+                "{}, frame {frame}: {}",
+                game.name,
+                asked[0]
+            );
+        }
+    }
+}
+
+#[test]
+fn games_are_found_by_the_name_they_have() {
+    for game in GAMES {
+        assert_eq!((game.new)().name(), game.name);
+        assert!(!game.line.is_empty() && !game.controls.is_empty());
+    }
+    assert!(find("chess").is_none());
+}

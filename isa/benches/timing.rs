@@ -1,0 +1,66 @@
+//! Instructions a second of the pipeline model alone, on the wall clock: recorded, not gated.
+//!
+//! Streams of one loop each, fed as the interpreter would: a branch every sixteen instructions.
+
+use spu_isa::timing::{Pipeline, Rules};
+use spu_isa::{Instruction, Op};
+use std::time::Instant;
+
+const ROUNDS: u32 = 2_000_000;
+
+/// An instruction on a few registers, so that some have to wait.
+fn instruction(op: Op, number: u8) -> Instruction {
+    Instruction {
+        op,
+        rt: 10 + number % 7,
+        ra: 10 + (number + 3) % 7,
+        rb: 20,
+        rc: 10 + (number + 1) % 7,
+        branch_distance: 0,
+        immediate: 0,
+    }
+}
+
+fn measure(name: &str, rules: Rules, ops: [Op; 5]) {
+    let body: Vec<Instruction> = (0..15)
+        .map(|number| instruction(ops[usize::from(number) % ops.len()], number))
+        .collect();
+    let branch = instruction(Op::Brnz, 15);
+    let mut pipeline = Pipeline::new(rules);
+    let start = Instant::now();
+    for _ in 0..ROUNDS {
+        for (pc, &instruction) in (0..).step_by(4).zip(&body) {
+            pipeline.issue(pc, instruction);
+        }
+        pipeline.issue(60, branch);
+        pipeline.branched(60, Some(0));
+    }
+    let seconds = start.elapsed().as_secs_f64();
+    let instructions = pipeline.account().instructions();
+    println!(
+        "{name:12} {:6.0} million instructions/s ({:.2} cycles each)",
+        instructions as f64 / seconds / 1e6,
+        pipeline.clock() as f64 / instructions as f64
+    );
+}
+
+fn main() {
+    let rules = Rules::default();
+    let prefetch = Rules {
+        inline_prefetch: true,
+        ..rules
+    };
+    let mixed = [Op::A, Op::Lqd, Op::Fma, Op::Shufb, Op::Mpy];
+    measure(
+        "integer",
+        rules,
+        [Op::A, Op::Shufb, Op::Xor, Op::Lnop, Op::Ceq],
+    );
+    measure(
+        "float",
+        rules,
+        [Op::Fa, Op::Fma, Op::Fi, Op::Frest, Op::Fcgt],
+    );
+    measure("mixed", rules, mixed);
+    measure("prefetch", prefetch, mixed);
+}

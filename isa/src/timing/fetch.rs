@@ -1,0 +1,101 @@
+//! Inline prefetch: how straight-line code comes from local store (see `Rules::inline_prefetch`).
+//!
+//! The local store has one port. A load, a store or a hint's fetch takes it for a cycle; in any
+//! other cycle the next line is asked for if the buffer has room. After a branch the target's line
+//! and the one behind it are there: the branch's own cost covers them. Everything but the line's
+//! size and the order of priorities is a guess.
+
+use super::rules::{INLINE_LINES, LINE_BYTES, LINE_CYCLES};
+
+const LINE_INSTRUCTIONS: u32 = LINE_BYTES / 4;
+const CAPACITY: u32 = INLINE_LINES * LINE_INSTRUCTIONS;
+
+/// The buffer ahead of issue.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct InlineBuffer {
+    /// Instructions that wait in it.
+    buffered: u32,
+    /// When the line that was asked for comes.
+    arrival: Option<u64>,
+    /// The cycle that is going on, and whether its port is taken.
+    cycle: u64,
+    port_taken: bool,
+}
+
+/// As after a branch to the start of a line.
+impl Default for InlineBuffer {
+    fn default() -> Self {
+        Self {
+            buffered: CAPACITY,
+            arrival: None,
+            cycle: 0,
+            port_taken: false,
+        }
+    }
+}
+
+impl InlineBuffer {
+    /// The first cycle from `cycle` on in which the next instruction is there.
+    pub fn available(&mut self, cycle: u64) -> u64 {
+        self.advance(cycle);
+        if self.buffered > 0 {
+            return cycle;
+        }
+        // Nothing issues, so nothing else takes the port.
+        let asked = cycle + u64::from(self.port_taken);
+        let arrival = self.arrival.unwrap_or(asked + LINE_CYCLES);
+        self.advance(arrival);
+        arrival
+    }
+
+    /// An instruction left the buffer in `cycle`.
+    pub fn issued(&mut self, cycle: u64, takes_port: bool) {
+        self.advance(cycle);
+        self.buffered = self.buffered.saturating_sub(1);
+        self.port_taken |= takes_port;
+    }
+
+    /// Issue goes on at `target`.
+    pub fn redirected(&mut self, target: u32) {
+        self.buffered = CAPACITY - target % LINE_BYTES / 4;
+        self.arrival = None;
+    }
+
+    /// Lets time pass up to, not including, `cycle`.
+    fn advance(&mut self, cycle: u64) {
+        while self.cycle < cycle {
+            if self.arrival.is_some_and(|arrival| arrival <= self.cycle) {
+                self.receive();
+            }
+            let room = self.buffered + LINE_INSTRUCTIONS <= CAPACITY;
+            if self.arrival.is_none() && room && !self.port_taken {
+                self.arrival = Some(self.cycle + LINE_CYCLES);
+            }
+            // Between this cycle and the line's arrival nothing changes.
+            let next = self.cycle + 1;
+            self.cycle = match self.arrival {
+                Some(arrival) => arrival.clamp(next, cycle.max(next)),
+                None if self.port_taken => next,
+                None => cycle,
+            };
+            self.port_taken = false;
+        }
+        if self.arrival.is_some_and(|arrival| arrival <= self.cycle) {
+            self.receive();
+        }
+    }
+
+    fn receive(&mut self) {
+        self.arrival = None;
+        self.buffered += LINE_INSTRUCTIONS;
+    }
+
+    /// The state as seen from `clock`, for comparing states.
+    pub fn relative(&self, clock: u64) -> Self {
+        Self {
+            arrival: self.arrival.map(|arrival| arrival.saturating_sub(clock)),
+            cycle: clock.saturating_sub(self.cycle),
+            ..*self
+        }
+    }
+}

@@ -1,0 +1,71 @@
+//! Whether hints stand far enough before their branches, on straight-line code.
+
+use super::hint::hinted_branch;
+use super::rules::{HINT_CYCLES, HINT_MINIMUM_INSTRUCTIONS};
+use super::schedule::Line;
+
+/// What becomes of a hint if nothing branches between it and its branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// The branch is free.
+    Free,
+    /// The branch waits this many cycles.
+    Waits(u64),
+    /// The branch comes too soon to see the hint.
+    NotSeen,
+    /// The hint at this address takes its place before the branch comes.
+    Replaced(u32),
+}
+
+/// A hint and the way to its branch.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct HintDistance {
+    /// Address of the hint.
+    pub address: u32,
+    /// Address of the branch.
+    pub branch: u32,
+    /// Instructions between them.
+    pub instructions: u64,
+    /// Cycles from the hint's issue to the branch's, before any wait for the hint.
+    pub cycles: u64,
+    /// What that means.
+    pub verdict: Verdict,
+}
+
+/// The hints in a function's schedule whose branches stand behind them in it.
+#[must_use]
+pub fn hint_distances(lines: &[Line]) -> Vec<HintDistance> {
+    let distance = |(at, line): (usize, &Line)| {
+        let (instruction, issue) = line.issued?;
+        let branch = hinted_branch(line.address, instruction)?;
+        let behind = &lines[at + 1..];
+        let instructions = behind.iter().position(|line| line.address == branch)?;
+        let (_, branch_issue) = behind[instructions].issued?;
+        let cycles = branch_issue.cycle - issue.cycle;
+        let hints = |line: &&Line| {
+            let hint = line
+                .issued
+                .and_then(|(i, _)| hinted_branch(line.address, i));
+            hint.is_some()
+        };
+        let later = behind[..instructions].iter().find(hints);
+        let instructions = instructions as u64;
+        let verdict = if let Some(later) = later {
+            Verdict::Replaced(later.address)
+        } else if instructions < HINT_MINIMUM_INSTRUCTIONS {
+            Verdict::NotSeen
+        } else if cycles < HINT_CYCLES {
+            Verdict::Waits(HINT_CYCLES - cycles)
+        } else {
+            Verdict::Free
+        };
+        Some(HintDistance {
+            address: line.address,
+            branch,
+            instructions,
+            cycles,
+            verdict,
+        })
+    };
+    lines.iter().enumerate().filter_map(distance).collect()
+}

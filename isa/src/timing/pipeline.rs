@@ -1,0 +1,340 @@
+//! The issue rules: in order, two pipes, pairs by address.
+//!
+//! Invariant: the account's cycles are the clock, after every call.
+
+use super::account::{Account, Cause};
+use super::fetch::InlineBuffer;
+use super::hint::{Hint, Prediction, reserves_prefetch};
+use super::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE, REFETCH_CYCLES, Rules};
+use crate::address::LIMIT_MASK;
+use crate::instructions::{Class, Instruction, Op, Pipe, Target};
+
+/// How an instruction issued.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Issue {
+    /// In which cycle, from 0.
+    pub cycle: u64,
+    /// Into which pipe.
+    pub pipe: Pipe,
+    /// Whether it joined the instruction before it in one cycle.
+    pub dual: bool,
+    /// Whether it would have, had it been ready.
+    pub missed_dual: bool,
+    /// What kept it longest, if anything did.
+    pub waited: Option<Cause>,
+    /// Cycles in which nothing issued because of it. 0 with a cause: it only missed its partner.
+    pub waited_cycles: u64,
+    /// The register that it waited for, if [`waited`](Self::waited) is an operand.
+    pub waited_register: Option<u8>,
+    /// First cycle in which a reader of its result can issue; for a hint, in which the hint works.
+    pub ready_cycle: u64,
+}
+
+/// The pipelines of one SPU.
+#[derive(Clone, Debug)]
+pub struct Pipeline {
+    rules: Rules,
+    /// First cycle that is not yet accounted for.
+    clock: u64,
+    issued: u64,
+    /// Address of the instruction that may join the one issued in the last cycle.
+    partner: Option<u32>,
+    /// First cycle in which each register can be read, and the class of what writes it.
+    ready: [u64; 128],
+    producer: [Class; 128],
+    /// Cycle in which the last FP7 instruction holds the unit that FP6 needs.
+    float_unit_taken: Option<u64>,
+    /// When all loads, stores and channel instructions so far are done.
+    memory_done: u64,
+    /// First cycle in which a channel instruction may issue.
+    channel_free: u64,
+    /// The target of the channel instruction that issued last, while nothing has issued since.
+    channel_result: Option<u8>,
+    hint: Option<Hint>,
+    prediction: Prediction,
+    inline_buffer: InlineBuffer,
+    account: Account,
+}
+
+/// Everything in a pipeline that bears on the future, counted from its clock: two equal phases go
+/// on alike.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Phase {
+    ready: [u64; 128],
+    partner: Option<u32>,
+    float_unit_taken: bool,
+    memory_done: u64,
+    channel_free: u64,
+    hint: Option<Hint>,
+    inline_buffer: Option<InlineBuffer>,
+}
+
+/// An instruction's way to its issue cycle.
+struct Wait {
+    cycle: u64,
+    longest: u64,
+    cause: Option<Cause>,
+}
+
+impl Default for Pipeline {
+    fn default() -> Self {
+        Self::new(Rules::default())
+    }
+}
+
+impl Pipeline {
+    /// Pipelines at cycle 0 with every register ready.
+    #[must_use]
+    pub fn new(rules: Rules) -> Self {
+        Self {
+            rules,
+            clock: 0,
+            issued: 0,
+            partner: None,
+            ready: [0; 128],
+            producer: [Class::Nop; 128],
+            float_unit_taken: None,
+            memory_done: 0,
+            channel_free: 0,
+            channel_result: None,
+            hint: None,
+            prediction: Prediction::NotTaken,
+            inline_buffer: InlineBuffer::default(),
+            account: Account::default(),
+        }
+    }
+
+    /// Cycles so far: the first in which the next instruction can issue, unless it joins the last.
+    #[inline]
+    #[must_use]
+    pub const fn clock(&self) -> u64 {
+        self.clock
+    }
+
+    /// Where the cycles went.
+    #[inline]
+    #[must_use]
+    pub const fn account(&self) -> &Account {
+        &self.account
+    }
+
+    /// Issues the next instruction of the executed stream, which stands at `pc`.
+    pub fn issue(&mut self, pc: u32, instruction: Instruction) -> Issue {
+        let class = instruction.op.row().class;
+        let pipe = class.pipe();
+        let may_join = pipe == Pipe::Odd && self.partner == Some(pc);
+        let start = self.clock - u64::from(may_join);
+        let mut wait = Wait {
+            cycle: start,
+            longest: 0,
+            cause: None,
+        };
+
+        if self.rules.inline_prefetch {
+            let there = self.inline_buffer.available(start);
+            self.hold(&mut wait, there, Cause::Fetch);
+        }
+        if class == Class::Spr {
+            self.hold(&mut wait, self.channel_free, Cause::Channel);
+        }
+        let mut waited_register = None;
+        if let Some((register, ready)) = self.last_operand(instruction)
+            && ready > wait.cycle
+        {
+            waited_register = Some(register);
+            let producer = self.producer[usize::from(register)];
+            self.hold(&mut wait, ready, Cause::Operand(producer));
+        }
+        self.prediction = Prediction::NotTaken;
+        match class {
+            Class::Fp6
+                if self.rules.float_conflict && self.float_unit_taken == Some(wait.cycle) =>
+            {
+                let free = wait.cycle + 1;
+                self.hold(&mut wait, free, Cause::FloatConflict);
+            }
+            Class::Br if matches!(instruction.op, Op::Sync | Op::Dsync) => {
+                self.hold(&mut wait, self.memory_done, Cause::Synchronise);
+            }
+            Class::Br if self.rules.hints => {
+                if let Some(hint) = self.hint
+                    && let Some((prediction, ready)) = hint.for_branch(pc, self.issued)
+                {
+                    self.prediction = prediction;
+                    self.hold(&mut wait, ready, Cause::HintWait);
+                }
+            }
+            _ => {}
+        }
+
+        let cycle = wait.cycle;
+        let dual = may_join && cycle == start;
+        let waited_cycles = cycle.saturating_sub(self.clock);
+        if dual {
+            self.account.join();
+        } else {
+            self.account.add_single();
+            self.clock = cycle + 1;
+        }
+        let ready_cycle = cycle + self.rules.latency(class);
+        self.take_effect(pc, instruction, class, cycle, ready_cycle);
+        self.issued += 1;
+        Issue {
+            cycle,
+            pipe,
+            dual,
+            missed_dual: may_join && !dual,
+            waited: wait.cause,
+            waited_cycles,
+            waited_register: waited_register
+                .filter(|_| matches!(wait.cause, Some(Cause::Operand(_)))),
+            ready_cycle,
+        }
+    }
+
+    /// Where the branch at `pc`, which issued last, went: `None` if straight on. Also for what an
+    /// interrupt or a restart does to the stream: nothing predicted it, so it costs a miss.
+    pub fn branched(&mut self, pc: u32, target: Option<u32>) {
+        let right = match self.prediction {
+            Prediction::NotTaken => target.is_none(),
+            Prediction::To(predicted) => target == Some(predicted),
+            Prediction::Right => target.is_some(),
+        };
+        self.prediction = Prediction::NotTaken;
+        if right && target.is_none() {
+            return;
+        }
+        let continues = target.unwrap_or(pc.wrapping_add(4) & LIMIT_MASK);
+        self.inline_buffer.redirected(continues);
+        if !right {
+            self.stall(self.clock + self.rules.miss_cycles, Cause::BranchMiss);
+        }
+    }
+
+    /// Tells the target of the `hbr` that issued last, a register's value. Without this the hint
+    /// counts as right.
+    pub fn hint_target(&mut self, target: u32) {
+        if let Some(hint) = &mut self.hint
+            && hint.is_number(self.issued.wrapping_sub(1))
+        {
+            hint.set_target(target);
+        }
+    }
+
+    /// Nothing issues before `cycle`, for what happens outside the pipelines. If a channel
+    /// instruction issued last, it is what was held up: it gives its result as though it had
+    /// issued in the cycle before.
+    pub fn stall_until(&mut self, cycle: u64, cause: Cause) {
+        if cycle <= self.clock {
+            return;
+        }
+        let done = cycle - 1 + self.rules.latency(Class::Spr);
+        if let Some(register) = self.channel_result.take() {
+            self.ready[usize::from(register)] = done;
+            self.memory_done = self.memory_done.max(done);
+        }
+        self.stall(cycle, cause);
+    }
+
+    /// The state without its absolute times.
+    pub(super) fn phase(&self) -> Phase {
+        let clock = self.clock;
+        Phase {
+            ready: self.ready.map(|ready| ready.saturating_sub(clock)),
+            partner: self.partner,
+            float_unit_taken: self.float_unit_taken == Some(clock),
+            memory_done: self.memory_done.saturating_sub(clock),
+            channel_free: self.channel_free.saturating_sub(clock),
+            hint: self.hint.map(|hint| hint.relative(clock, self.issued)),
+            inline_buffer: self
+                .rules
+                .inline_prefetch
+                .then(|| self.inline_buffer.relative(clock)),
+        }
+    }
+
+    /// The source register that is ready last, and when.
+    #[inline]
+    fn last_operand(&self, i: Instruction) -> Option<(u8, u64)> {
+        if reserves_prefetch(i) {
+            return None;
+        }
+        let fields = i.op.row().reads.iter();
+        let registers = fields.map(|&field| i.register(field) & 127);
+        let times = registers.map(|register| (register, self.ready[usize::from(register)]));
+        times.max_by_key(|&(_, ready)| ready)
+    }
+
+    /// Moves an instruction's issue to `until`; the cycles that nothing else issues in are its
+    /// cause's.
+    #[inline]
+    fn hold(&mut self, wait: &mut Wait, until: u64, cause: Cause) {
+        if until <= wait.cycle {
+            return;
+        }
+        // The cycle that it could have shared with its partner is not empty.
+        let empty = until.saturating_sub(wait.cycle.max(self.clock));
+        if empty > 0 {
+            self.account.add_wait(cause, empty);
+        }
+        if wait.cause.is_none() || empty > wait.longest {
+            wait.longest = empty;
+            wait.cause = Some(cause);
+        }
+        wait.cycle = until;
+    }
+
+    fn stall(&mut self, until: u64, cause: Cause) {
+        self.account.add_wait(cause, until - self.clock);
+        self.clock = until;
+        self.partner = None;
+    }
+
+    /// What the instruction does to those behind it.
+    #[inline]
+    fn take_effect(&mut self, pc: u32, i: Instruction, class: Class, cycle: u64, ready: u64) {
+        let row = i.op.row();
+        self.channel_result = None;
+        let register = usize::from(i.rt & 127);
+        let written = row.target == Target::Rt;
+        if written {
+            self.ready[register] = ready;
+            self.producer[register] = class;
+        } else if row.target == Target::False && self.rules.false_targets {
+            // A `nop` has no latency of its own; as if written, its target comes as an FX2's does.
+            let ready = ready.max(cycle + self.rules.latency(Class::Fx2));
+            // The value stays that of the last real write, which may come later.
+            if ready > self.ready[register] {
+                self.ready[register] = ready;
+                self.producer[register] = class;
+            }
+        }
+        let blocks = class == Class::Fpd && !self.rules.double_extension;
+        let leads = class.pipe() == Pipe::Even && pc & 4 == 0;
+        self.partner = leads.then_some(pc.wrapping_add(4));
+        if self.rules.inline_prefetch {
+            let fetches = class == Class::Hb && !reserves_prefetch(i);
+            self.inline_buffer
+                .issued(cycle, class == Class::Ls || fetches);
+        }
+        match class {
+            Class::Fpd if blocks => self.stall(cycle + DOUBLE_INTERVAL, Cause::DoubleStall),
+            Class::Fp7 => self.float_unit_taken = Some(cycle + FLOAT_CONFLICT_DISTANCE),
+            Class::Ls => self.memory_done = self.memory_done.max(ready),
+            Class::Spr => {
+                self.memory_done = self.memory_done.max(ready);
+                self.channel_free = cycle + self.rules.channel_interval;
+                self.channel_result = written.then_some(i.rt & 127);
+            }
+            Class::Hb if self.rules.hints => {
+                if let Some(hint) = Hint::new(pc, i, cycle, self.issued) {
+                    self.hint = Some(hint);
+                }
+            }
+            Class::Br if i.op == Op::Sync => {
+                self.stall(self.clock + REFETCH_CYCLES, Cause::Synchronise);
+            }
+            _ => {}
+        }
+    }
+}

@@ -1,7 +1,0 @@
-# The entry that an image must have. Nobody starts the image of the kernels alone: they are called by
-# name, one by one.
-        .section .text.start,"ax",@progbits
-        .align  3
-        .global _start
-_start:
-        stop    0x1ffd

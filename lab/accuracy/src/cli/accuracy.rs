@@ -1,0 +1,96 @@
+//! `cellray-bench accuracy`: run time against error.
+
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use accuracy::document;
+use accuracy::output::{self, Document, Origin};
+use accuracy::plots::{self, Format};
+use accuracy::run::{self, Extent, Order};
+use clap::Args;
+
+use super::Outcome;
+
+/// Measure run time against error of every formulation.
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub struct Arguments {
+    /// Folder for results.json, the tables as CSV and the plots
+    #[arg(long, default_value = "target/accuracy", value_name = "DIR")]
+    out: PathBuf,
+    /// Write the results as JSON to a file, or - for standard output, and nothing else
+    #[arg(long, value_name = "F.json", conflicts_with_all = ["out", "write"])]
+    json: Option<PathBuf>,
+    /// Leave out the host: its name, its time and the command. What is left is the same on every
+    /// host
+    #[arg(long)]
+    no_host_time: bool,
+    /// Write the document too, with its plots beside it
+    #[arg(long, value_name = "F.md")]
+    write: Option<PathBuf>,
+    /// Seed of the random rays
+    #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
+    seed: u64,
+    /// Some thousand rays, without pictures and roots: some seconds
+    #[arg(long, conflicts_with = "full")]
+    quick: bool,
+    /// Sixteen times as many rays, and pictures of 1280x720
+    #[arg(long)]
+    full: bool,
+    /// Trace no pictures
+    #[arg(long)]
+    no_pictures: bool,
+    /// Measure these formulations alone
+    #[arg(long, value_name = "NAME", value_delimiter = ',')]
+    only: Vec<String>,
+}
+
+const EXAMPLES: &str = "\
+Examples:
+  cellray-bench accuracy
+  cellray-bench accuracy --only paper,perpendicular --no-pictures
+  cellray-bench accuracy --full --write docs/accuracy.md
+  cellray-bench accuracy --quick --no-host-time --json -";
+
+pub fn run(arguments: &Arguments) -> Outcome {
+    let extent = match (arguments.quick, arguments.full) {
+        (true, _) => Extent::Quick,
+        (false, true) => Extent::Full,
+        (false, false) => Extent::Standard,
+    };
+    let order = Order {
+        extent,
+        seed: arguments.seed,
+        only: arguments.only.clone(),
+        pictures: !(arguments.quick || arguments.no_pictures),
+        host_time: !arguments.no_host_time,
+    };
+    // Before the minutes of measuring, not after.
+    if arguments.json.is_none() {
+        output::folder(&arguments.out)?;
+    }
+    let results = run::run(&order, |next| eprintln!("cellray-bench: {next}"))?;
+    let document = Document {
+        origin: order.host_time.then(Origin::here),
+        results,
+    };
+    if let Some(file) = &arguments.json {
+        output::json(&document, file)?;
+        return Ok(ExitCode::SUCCESS);
+    }
+    output::write(&document, &arguments.out)?;
+    plots::write(
+        &document.results,
+        &arguments.out,
+        "",
+        &[Format::Svg, Format::Png],
+    )?;
+    eprintln!("cellray-bench: {}", arguments.out.display());
+    if let Some(file) = &arguments.write {
+        let beside = file.parent().unwrap_or(Path::new("."));
+        plots::write(&document.results, beside, document::PREFIX, &[Format::Svg])?;
+        document::write(&document, file)?;
+        eprintln!("cellray-bench: {}", file.display());
+    }
+    Ok(ExitCode::SUCCESS)
+}

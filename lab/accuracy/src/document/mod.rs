@@ -1,0 +1,336 @@
+//! The document of the results: tables, plots and what is not beaten, as Markdown.
+//!
+//! Invariant: every number in it is one of the results that it is written from.
+
+mod table;
+#[cfg(test)]
+mod tests;
+
+use std::fmt::Write as _;
+use std::fs;
+use std::path::Path;
+
+use crate::families::{FAMILIES, Form, triangles};
+use crate::figures::{Figures, WELL_CONDITIONED};
+use crate::file::OutputError;
+use crate::metrics::Summary;
+use crate::output::Document;
+use crate::pictures::{PictureRow, SCENES};
+use crate::plots::{self, Plot, worst_distance, wrong_far_off};
+use crate::run::{KernelRow, Results};
+use crate::spheres::SphereRow;
+use table::{Table, figure, option};
+
+/// What stands in front of the plots' names beside the document.
+pub const PREFIX: &str = "accuracy-";
+
+/// Writes the document; its plots are expected beside it.
+///
+/// # Errors
+///
+/// A file that can't be written.
+pub fn write(document: &Document, path: &Path) -> Result<(), OutputError> {
+    fs::write(path, text(document)).map_err(OutputError::of(path.display()))
+}
+
+/// The document.
+pub fn text(document: &Document) -> String {
+    let results = &document.results;
+    let plots = plots::plots(results);
+    let mut text = head(document);
+    text.push_str(READING);
+    text.push_str(&formulations(results));
+    for form in Form::ALL {
+        text.push_str(&spheres(results, &plots, form));
+    }
+    text.push_str(&families(results));
+    text.push_str(&flat(results));
+    text.push_str(&roots(results, &plots));
+    text.push_str(&pictures(results, &plots));
+    text
+}
+
+fn head(document: &Document) -> String {
+    let mut text = "# Run time against error\n\n".to_owned();
+    text.push_str(
+        "Ways to intersect rays with spheres and triangles, each a kernel of its own: what they cost, and how\n\
+         far off they are. The tracer is linked with one of each (`protocol/src/formulation.rs`).\n\n",
+    );
+    let results = &document.results;
+    if let Some(origin) = &document.origin {
+        let command = &origin.command;
+        _ = writeln!(text, "Written by `{command}`.\n");
+        _ = writeln!(
+            text,
+            "Machine: {}. Commit: {}. Seed: {}. Rays of each family: {}.",
+            origin.machine,
+            origin.commit,
+            results.seed,
+            results.spheres.first().map_or(0, |row| row.figures.rays)
+        );
+    }
+    text
+}
+
+const READING: &str = "
+## How to read it
+
+- *Truth* is exact for the very singles that a kernel is given: double precision that carries a bound of its
+  own rounding, and numbers of any length where that leaves a verdict or 1/64 ulp open. A distance is counted
+  along the direction at length 1.
+- *ulps*: spacings of singles at the true distance; of a point, at its largest coordinate from the ray's
+  origin; of a normal, at 1. The SPU truncates: half of an ulp is what rounding to nearest would give at best.
+- *cycles*: of the timing model (`timing.md`), for one ray and one sphere in a long list. *host*: nanoseconds
+  of this machine's interpreter for the same.
+- *wrong hits, wrong misses*: the kernel says the other thing than exact arithmetic.
+- *condition*: ulps that the true distance moves when each number given moves by half an ulp, all at their
+  worst. A family is well-conditioned if that is small in the mean: an error there is the formulation's own.
+- *not beaten*: no other is at least as good in run time and in error, and better in one.
+";
+
+fn formulations(results: &Results) -> String {
+    let table = Table::of(
+        &results.kernels,
+        &[
+            ("formulation", |row| row.formulation.clone()),
+            ("for", |row| row.form.clone()),
+            ("what it computes", |row| row.doc.clone()),
+            ("cycles", |row| figure(row.cycles_a_ray)),
+            ("host, ns", |row| option(row.host_ns_a_ray)),
+        ],
+    );
+    format!("\n## Formulations\n\n{table}")
+}
+
+fn most(summary: Option<Summary>) -> String {
+    option(summary.map(|summary| summary.max))
+}
+
+fn p999(summary: Option<Summary>) -> String {
+    option(summary.map(|summary| summary.p999))
+}
+
+fn mean(summary: Option<Summary>) -> String {
+    option(summary.map(|summary| summary.mean))
+}
+
+/// A plot with what is not beaten in it.
+fn shown(plots: &[Plot], name: &str) -> String {
+    let Some(plot) = plots.iter().find(|plot| plot.name == name) else {
+        return String::new();
+    };
+    let mut text = format!("\n![{}]({PREFIX}{name}.svg)\n", plot.title);
+    if !plot.front.is_empty() {
+        _ = writeln!(text, "\nNot beaten: {}.", plot.front.join(", "));
+    }
+    text
+}
+
+/// A kernel and all its rows.
+type Kernel<'a> = (&'a KernelRow, Vec<&'a SphereRow>);
+
+/// The largest of a figure over the well-conditioned families.
+fn largest((_, rows): &Kernel<'_>, of: fn(&Figures) -> Option<f64>) -> String {
+    let sound = rows.iter().filter_map(|row| row.figures.sound(of)?);
+    option(sound.reduce(f64::max))
+}
+
+fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
+    let title = match form {
+        Form::Eye => "Spheres, rays from the eye",
+        Form::General => "Spheres, rays from anywhere",
+    };
+    let kernels: Vec<Kernel<'_>> = results
+        .kernels_of(form.name())
+        .map(|kernel| (kernel, results.spheres_of(form, &kernel.formulation)))
+        .collect();
+    let table = Table::of(
+        &kernels,
+        &[
+            ("formulation", |(kernel, _)| kernel.formulation.clone()),
+            ("cycles", |(kernel, _)| figure(kernel.cycles_a_ray)),
+            ("host, ns", |(kernel, _)| option(kernel.host_ns_a_ray)),
+            ("distance: largest, ulps", |(_, rows)| {
+                option(worst_distance(rows))
+            }),
+            ("99.9 %", |of| {
+                largest(of, |of| Some(of.distance_ulps?.p999))
+            }),
+            ("mean", |of| largest(of, |of| Some(of.distance_ulps?.mean))),
+            ("point: largest", |of| {
+                largest(of, |of| Some(of.point_ulps?.max))
+            }),
+            ("wrong at 4096, %", |(_, rows)| option(wrong_far_off(rows))),
+        ],
+    );
+    let mut text = format!(
+        "\n## {title}\n\nOf each number the largest of all well-conditioned families.\n\n{table}"
+    );
+    for plot in ["distance", "verdicts", "ratio"] {
+        text.push_str(&shown(plots, &format!("{plot}-{}", form.name())));
+    }
+    text.push_str("\nLargest error of the distance, in ulps, and behind it wrong hits and wrong misses, if any:\n\n");
+    text.push_str(&by_family(form, &kernels).to_string());
+    text
+}
+
+/// Families down, formulations across.
+fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
+    let names = kernels
+        .iter()
+        .map(|(kernel, _)| kernel.formulation.as_str());
+    let mut table = Table::new(std::iter::once("family").chain(names));
+    for family in FAMILIES
+        .iter()
+        .filter(|family| family.forms.contains(&form))
+    {
+        let cell = |(_, rows): &Kernel<'_>| {
+            let Some(row) = rows.iter().find(|row| row.family == family.name) else {
+                return String::new();
+            };
+            let of = &row.figures;
+            let off = most(of.distance_ulps);
+            match (of.wrong_hits, of.wrong_misses) {
+                (0, 0) => off,
+                (hits, misses) => format!("{off} ({hits}, {misses})"),
+            }
+        };
+        let name = std::iter::once(family.name.to_owned());
+        table.row(name.chain(kernels.iter().map(cell)));
+    }
+    table
+}
+
+fn families(results: &Results) -> String {
+    let all = Form::ALL
+        .into_iter()
+        .flat_map(|form| FAMILIES.iter().map(move |family| (form, family)));
+    let rows = all.filter_map(|(form, family)| {
+        let of = |row: &&SphereRow| row.form == form && row.family == family.name;
+        Some((family, results.spheres.iter().find(of)?))
+    });
+    let table = Table::of(
+        rows,
+        &[
+            ("family", |(family, _)| family.name.to_owned()),
+            ("for", |(_, row)| row.form.name().to_owned()),
+            ("what is in it", |(family, _)| match family.ratio {
+                Some(_) => format!("distance/radius as named, {}", family.doc),
+                None => family.doc.to_owned(),
+            }),
+            ("condition: mean", |(_, row)| mean(row.figures.condition)),
+            ("largest", |(_, row)| most(row.figures.condition)),
+            ("well-conditioned", |(_, row)| {
+                if row.figures.well_conditioned {
+                    "yes"
+                } else {
+                    "no"
+                }
+                .to_owned()
+            }),
+        ],
+    );
+    format!(
+        "\n## Families of spheres\n\nWell-conditioned: the mean is at most {WELL_CONDITIONED}.\n\n{table}"
+    )
+}
+
+fn flat(results: &Results) -> String {
+    if results.triangles.is_empty() {
+        return String::new();
+    }
+    let table = Table::of(
+        &results.triangles,
+        &[
+            ("formulation", |row| row.formulation.clone()),
+            ("family", |row| row.family.clone()),
+            ("rays", |row| row.figures.rays.to_string()),
+            ("wrong hits", |row| row.figures.wrong_hits.to_string()),
+            ("wrong misses", |row| row.figures.wrong_misses.to_string()),
+            ("distance: largest, ulps", |row| {
+                most(row.figures.distance_ulps)
+            }),
+            ("99.9 %", |row| p999(row.figures.distance_ulps)),
+            ("mean", |row| mean(row.figures.distance_ulps)),
+            ("point: largest", |row| most(row.figures.point_ulps)),
+            ("condition: mean", |row| mean(row.figures.condition)),
+        ],
+    );
+    let mut text = format!("\n## Triangles\n\n{table}\n");
+    for family in triangles::FAMILIES {
+        _ = writeln!(text, "- {}: {}.", family.name, family.doc);
+    }
+    text.push_str(
+        "\nA wrong miss at a shared edge is a leak: the ray passes between two triangles that touch there.\n",
+    );
+    text
+}
+
+fn roots(results: &Results, plots: &[Plot]) -> String {
+    if results.roots.is_empty() {
+        return String::new();
+    }
+    let table = Table::of(
+        &results.roots,
+        &[
+            ("kernel", |row| row.kernel.clone()),
+            ("computes", |row| row.quantity.clone()),
+            ("cycles", |row| figure(row.cycles_an_operand)),
+            ("host, ns", |row| option(row.host_ns_an_operand)),
+            ("largest, ulps", |row| figure(row.ulps.max)),
+            ("99.9 %", |row| figure(row.ulps.p999)),
+            ("mean", |row| figure(row.ulps.mean)),
+            ("worst operand", |row| format!("`{}`", row.worst)),
+        ],
+    );
+    format!(
+        "\n## Reciprocals and roots\n\nOver every fraction that an operand can have: an octave, or two for roots.\n\n{table}{}",
+        shown(plots, "roots")
+    )
+}
+
+fn pictures(results: &Results, plots: &[Plot]) -> String {
+    if results.pictures.is_empty() {
+        return String::new();
+    }
+    let mut text = "\n## Whole pictures\n\nOn six SPUs, in simulated time, against the reference in double \
+                    precision (`oracle/`). A pixel is wrong if a channel\nis off by more than 1/255.\n"
+        .to_owned();
+    for scene in SCENES {
+        let of = |row: &&PictureRow| row.scene == scene.name;
+        let rows: Vec<&PictureRow> = results.pictures.iter().filter(of).collect();
+        let Some(PictureRow { width, height, .. }) = rows.last() else {
+            continue;
+        };
+        let table = Table::of(
+            rows.iter().copied(),
+            &[
+                ("formulation", |row| row.formulation.clone()),
+                ("frames/s", |row| figure(row.frames_per_second)),
+                ("RMSE, 1/255", |row| figure(row.rmse)),
+                ("largest, 1/255", |row| row.max_error.to_string()),
+                ("off silhouettes", |row| {
+                    row.max_error_off_silhouette.to_string()
+                }),
+                ("wrong pixels", |row| row.wrong_pixels.to_string()),
+                ("off silhouettes", |row| {
+                    row.wrong_off_silhouette.to_string()
+                }),
+            ],
+        );
+        _ = write!(
+            text,
+            "\n### {}\n\n{}, {width}x{height}.\n\n{table}{}",
+            scene.name,
+            capital(scene.doc),
+            shown(plots, &format!("picture-{}", scene.name))
+        );
+    }
+    text
+}
+
+fn capital(text: &str) -> String {
+    let mut letters = text.chars();
+    let first = letters.next().map(|first| first.to_ascii_uppercase());
+    first.into_iter().chain(letters).collect()
+}

@@ -1,0 +1,39 @@
+//! The document says what the results say.
+
+use super::*;
+use crate::output::Origin;
+use crate::run::{Order, run};
+
+#[test]
+fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
+    let document = Document {
+        origin: Some(Origin {
+            machine: "some machine".to_owned(),
+            commit: "0123456789ab".to_owned(),
+            command: "cellray-bench accuracy".to_owned(),
+        }),
+        results: run(&Order::short(77), |_| ()).unwrap(),
+    };
+    let text = text(&document);
+    for part in [
+        "some machine",
+        "0123456789ab",
+        "Seed: 77",
+        "`cellray-bench accuracy`",
+    ] {
+        assert!(text.contains(part), "{part}");
+    }
+    assert!(text.contains(
+        "![Run time against error of the distance: rays from the eye](accuracy-distance-eye.svg)"
+    ));
+    assert!(text.contains("Not beaten: perpendicular."));
+    let row = &document.results.spheres[0];
+    let cell = figure(row.figures.distance_ulps.unwrap().max);
+    let line = text
+        .lines()
+        .find(|line| line.starts_with("| ratio 2 "))
+        .unwrap();
+    assert!(line.contains(&cell), "{line}");
+    // Nothing was traced, and nothing is said of it.
+    assert!(!text.contains("Whole pictures"));
+}

@@ -1,0 +1,167 @@
+//! How each family's spheres and rays are made.
+
+use crate::generator::Generator;
+use rand::Rng as _;
+use spu_emulator::float::single::to_f64;
+use twins::ball::Ray;
+
+use super::{Form, PACKETS, Shot};
+use crate::space::{
+    across, along, direction, fresh, in_ball, in_cube, less, nearest, on_disc, point, unit,
+};
+use crate::truth::Vector;
+
+/// How far from 0 origins are, in radii.
+const AROUND: f64 = 8.0;
+
+/// A radius of its order of magnitude.
+fn radius(random: &mut Generator) -> f64 {
+    random.random_range(0.5..2.0)
+}
+
+/// Where rays of a form start, within a cube of that half side.
+fn origin(form: Form, half: f64, random: &mut Generator) -> Vector {
+    match form {
+        Form::Eye => [0.0; 3],
+        Form::General => in_cube(half, random).map(rounded),
+    }
+}
+
+/// The value of the nearest single, so that rays are aimed from where they really start.
+fn rounded(value: f64) -> f64 {
+    to_f64(nearest(value))
+}
+
+fn ray(origin: Vector, direction: Vector) -> Ray {
+    fresh(point(origin), point(direction))
+}
+
+/// A ray to a point.
+fn ray_to(target: Vector, from: Vector) -> Ray {
+    ray(from, unit(less(target, from)))
+}
+
+/// A sphere, and packets of rays that `aim` gives.
+fn shot(
+    centre: Vector,
+    radius: f64,
+    random: &mut Generator,
+    mut aim: impl FnMut(&mut Generator) -> Ray,
+) -> Shot {
+    let packet = |_| std::array::from_fn(|_| aim(random));
+    Shot {
+        centre: point(centre),
+        radius: nearest(radius),
+        packets: (0..PACKETS).map(packet).collect(),
+    }
+}
+
+/// Where rays start, an axis, and the centre of a sphere so far away along it.
+fn ahead(from: Vector, distance: f64, random: &mut Generator) -> [Vector; 3] {
+    let axis = direction(random);
+    [from, axis, along(from, distance, axis)]
+}
+
+/// Rays from a point over the disc within 2 radii of a sphere.
+fn over([from, axis, centre]: [Vector; 3], radius: f64, random: &mut Generator) -> Shot {
+    shot(centre, radius, random, |random| {
+        ray_to(on_disc(centre, axis, 2.0 * radius, random), from)
+    })
+}
+
+pub(super) fn at_ratio(random: &mut Generator, form: Form, ratio: f64) -> Shot {
+    let radius = radius(random);
+    let from = origin(form, AROUND * radius, random);
+    let places = ahead(from, ratio * radius, random);
+    over(places, radius, random)
+}
+
+pub(super) fn tiny(random: &mut Generator, form: Form, size: f64) -> Shot {
+    let from = origin(form, 1.0, random);
+    let radius = size * radius(random);
+    // By its ratio, as the others are.
+    let ratio = 1e3 / radius;
+    let places = ahead(from, ratio * radius, random);
+    over(places, radius, random)
+}
+
+pub(super) fn grazing(random: &mut Generator, form: Form, ratio: f64) -> Shot {
+    let radius = radius(random);
+    let from = origin(form, AROUND * radius, random);
+    let [_, axis, centre] = ahead(from, ratio * radius, random);
+    shot(centre, radius, random, |random| {
+        let sine = random.random_range(0.999..1.001) / ratio;
+        let sideways = unit(less(on_disc([0.0; 3], axis, 1.0, random), [0.0; 3]));
+        let cosine = (1.0 - sine * sine).sqrt();
+        let towards = along(axis.map(|component| cosine * component), sine, sideways);
+        ray(from, unit(towards))
+    })
+}
+
+pub(super) fn inside(random: &mut Generator, _: Form, scale: f64) -> Shot {
+    let radius = scale * radius(random);
+    let centre = in_cube(radius, random);
+    shot(centre, radius, random, |random| {
+        let from = along(centre, 1.0, in_ball(0.5 * radius, random));
+        ray(from, direction(random))
+    })
+}
+
+pub(super) fn ground(random: &mut Generator, form: Form, radius: f64) -> Shot {
+    let from = origin(form, 100.0, random);
+    let up = direction(random);
+    let height = random.random_range(1.0..100.0);
+    let centre = along(from, -(radius + height), up);
+    shot(centre, radius, random, |random| {
+        let below = along(from, -height, up);
+        let target = on_disc(below, up, 20.0 * height, random);
+        ray_to(target, from)
+    })
+}
+
+pub(super) fn coherent(random: &mut Generator, _: Form, ratio: f64) -> Shot {
+    let radius = radius(random);
+    let centre = in_cube(AROUND * radius, random);
+    let packet = |_| {
+        let axis = direction(random);
+        let from = along(centre, -ratio * radius, axis).map(rounded);
+        let [right, down] = across(axis);
+        let middle = on_disc(centre, axis, 2.0 * radius, random);
+        std::array::from_fn(|lane| {
+            let step = |at: usize| (at as f64 - 1.5) * 0.02 * radius;
+            let target = along(along(middle, step(lane % 4), right), step(lane / 4), down);
+            ray_to(target, from)
+        })
+    };
+    Shot {
+        packets: (0..PACKETS).map(packet).collect(),
+        centre: point(centre),
+        radius: nearest(radius),
+    }
+}
+
+pub(super) fn incoherent(random: &mut Generator, _: Form, _: f64) -> Shot {
+    let radius = radius(random);
+    let centre = in_cube(AROUND * radius, random);
+    shot(centre, radius, random, |random| {
+        let doublings = random.random_range(1..7);
+        let ratio = f64::from(1_u32 << doublings) * random.random_range(1.0..2.0);
+        let axis = direction(random);
+        let from = along(centre, -ratio * radius, axis).map(rounded);
+        let target = on_disc(centre, axis, 2.0 * radius, random);
+        ray_to(target, from)
+    })
+}
+
+pub(super) fn lengths(random: &mut Generator, form: Form, ratio: f64) -> Shot {
+    let radius = radius(random);
+    let from = origin(form, AROUND * radius, random);
+    let [_, axis, centre] = ahead(from, ratio * radius, random);
+    shot(centre, radius, random, |random| {
+        let target = on_disc(centre, axis, 2.0 * radius, random);
+        let doublings = random.random_range(0..8);
+        let length = f64::from(1_u32 << doublings) / 16.0 * random.random_range(1.0..2.0);
+        let towards = unit(less(target, from));
+        ray(from, towards.map(|component| length * component))
+    })
+}

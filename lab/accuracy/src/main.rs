@@ -1,0 +1,15 @@
+//! The command line of the benchmarks of accuracy and stability.
+
+mod cli;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    // SAFETY: this is the first statement of a program that has one thread.
+    unsafe { accuracy::pictures::simulate_time() };
+    if let Err(error) = kernels::set::Kernels::here() {
+        eprintln!("cellray-bench: error: {error}");
+        return ExitCode::FAILURE;
+    }
+    cli::main()
+}

@@ -1,0 +1,71 @@
+//! Where results come from: the host, the commit, the command.
+
+use std::fs;
+use std::process::Command;
+use std::thread;
+
+use crate::output::Origin;
+
+/// What can't be found out.
+const UNKNOWN: &str = "unknown";
+
+impl Origin {
+    /// Of results that this process measures now.
+    pub fn here() -> Self {
+        Self {
+            machine: machine(),
+            commit: commit().unwrap_or_else(|| UNKNOWN.to_owned()),
+            command: std::iter::once("cellray-bench".to_owned())
+                .chain(std::env::args().skip(1))
+                .collect::<Vec<_>>()
+                .join(" "),
+        }
+    }
+}
+
+/// The host's processor, as Linux names it.
+fn machine() -> String {
+    let processors = thread::available_parallelism().map_or(1, usize::from);
+    let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let model = cpuinfo.lines().find_map(|line| {
+        let (key, value) = line.split_once(':')?;
+        ["model name", "cpu", "Model"]
+            .contains(&key.trim())
+            .then(|| value.trim().to_owned())
+    });
+    let model = model.unwrap_or_else(|| UNKNOWN.to_owned());
+    format!(
+        "{model} ({}), {processors} processors",
+        std::env::consts::ARCH
+    )
+}
+
+/// The commit of the sources that this was built from, if they are still there.
+fn commit() -> Option<String> {
+    let described = Command::new("git")
+        .args(["-C", env!("CARGO_MANIFEST_DIR")])
+        .args(["describe", "--always", "--dirty", "--abbrev=12"])
+        .output()
+        .ok()?;
+    let text = String::from_utf8(described.stdout).ok()?;
+    (described.status.success() && !text.trim().is_empty()).then(|| text.trim().to_owned())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn nothing_of_an_origin_is_empty() {
+        let Origin {
+            machine,
+            commit,
+            command,
+        } = Origin::here();
+        assert!(machine.contains(std::env::consts::ARCH), "{machine}");
+        let hex = |c: char| c.is_ascii_hexdigit();
+        let known = commit.trim_end_matches("-dirty").chars().all(hex);
+        assert!(commit == UNKNOWN || known, "{commit}");
+        assert!(command.starts_with("cellray-bench"), "{command}");
+    }
+}

@@ -1,0 +1,315 @@
+//! Whole pictures by each formulation of spheres: frames a second, in simulated time, against the
+//! picture's error.
+//!
+//! Weakness: Whitted's reference takes powers from the host's library, so its last bits are the
+//! host's own.
+
+use std::error::Error;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
+use cellray::scene::{Look, Model};
+use cellray::spe::Program;
+use cellray::{Engine, Report, Scene, Settings};
+use image::RgbImage;
+use kernels::set;
+use oracle::{Picture, Reference, whitted};
+use protocol::formulation::{Formulations, SPHERES, SphereFormulation};
+use serde::{Deserialize, Serialize};
+
+use crate::families::Form;
+
+/// A picture of a formulation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct PictureRow {
+    /// The formulation.
+    pub formulation: String,
+    /// The scene.
+    pub scene: String,
+    /// Pixels across.
+    pub width: u32,
+    /// Pixels down.
+    pub height: u32,
+    /// Frames a second by the SPUs' clock.
+    pub frames_per_second: f64,
+    /// Root of the mean square error of all channels, in 1/255.
+    pub rmse: f64,
+    /// Largest error of a channel, in 1/255.
+    pub max_error: u8,
+    /// The same of pixels that are not on a silhouette.
+    pub max_error_off_silhouette: u8,
+    /// Pixels of which a channel is off by more than 1.
+    pub wrong_pixels: u64,
+    /// Of these, those that are not on a silhouette.
+    pub wrong_off_silhouette: u64,
+}
+
+/// A scene that pictures are traced of.
+#[derive(Clone, Copy, Debug)]
+pub struct Subject {
+    /// Its name.
+    pub name: &'static str,
+    /// What it is.
+    pub doc: &'static str,
+    text: &'static str,
+    model: Model,
+}
+
+/// The scenes.
+pub const SCENES: &[Subject] = &[
+    Subject {
+        name: "paper16",
+        doc: "depth shading, 16 spheres 5 to 27 radii away",
+        text: include_str!("../../../scenes/paper16.nff"),
+        model: Model::Depth,
+    },
+    Subject {
+        name: "far",
+        doc: "depth shading, the same spheres through a telephoto lens, 1862 to 9102 radii away",
+        text: include_str!("../../../scenes/far.nff"),
+        model: Model::Depth,
+    },
+    Subject {
+        name: "whitted16",
+        doc: "Whitted's model, 16 spheres on a ground",
+        text: include_str!("../../../scenes/whitted16.nff"),
+        model: Model::Whitted,
+    },
+    Subject {
+        name: "far-whitted",
+        doc: "Whitted's model, the same scene through a telephoto lens, 4096 away",
+        text: include_str!("../../../scenes/far-whitted.nff"),
+        model: Model::Whitted,
+    },
+];
+
+/// How large pictures are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Sizes {
+    /// By depth shading.
+    pub depth: (u32, u32),
+    /// By Whitted's model.
+    pub whitted: (u32, u32),
+}
+
+/// Why there is no picture: the scene, an SPU program, the engine or the reference say it.
+pub type PictureError = Box<dyn Error + Send + Sync>;
+
+/// Makes libspe2 run in simulated time, in which frames a second are counted.
+///
+/// # Safety
+///
+/// No other thread may run yet.
+pub unsafe fn simulate_time() {
+    // SAFETY: the caller says that nobody else looks at the environment now.
+    unsafe { std::env::set_var("LIBSPE2_TIMING", "1") };
+}
+
+/// Name of the row of the standard formulations, where these are more than one.
+pub const STANDARD: &str = "default";
+
+impl Subject {
+    /// Whose rays a formulation is needed for.
+    fn form(&self) -> Form {
+        match self.model {
+            Model::Depth => Form::Eye,
+            Model::Scene | Model::Whitted => Form::General,
+        }
+    }
+
+    /// What it is traced by: each formulation that has a kernel for its rays, by name; and the
+    /// standard ones, where mirrors' rays are not intersected as the eye's.
+    fn formulations(&self) -> Vec<(&'static str, Formulations)> {
+        let standard = Formulations::standard();
+        let has_kernel =
+            |formulation: &&SphereFormulation| self.form().kernel(formulation).is_some();
+        let alone = SPHERES.iter().filter(has_kernel).map(|formulation| {
+            let formulations = Formulations::of(formulation, standard.triangle);
+            (formulation.name, formulations)
+        });
+        let mixed = self.form() == Form::General && standard.seen != standard.bounced;
+        alone.chain(mixed.then_some((STANDARD, standard))).collect()
+    }
+
+    fn size(&self, sizes: &Sizes) -> (u32, u32) {
+        match self.form() {
+            Form::Eye => sizes.depth,
+            Form::General => sizes.whitted,
+        }
+    }
+
+    fn look(&self) -> Look {
+        Look {
+            model: self.model,
+            ..Look::default()
+        }
+    }
+
+    fn reference(&self, scene: &nff::Scene, size: (u32, u32)) -> Result<Reference, oracle::Error> {
+        match self.form() {
+            Form::Eye => oracle::trace(scene, size.0, size.1),
+            Form::General => {
+                let options = whitted::Options::default();
+                Ok(whitted::trace(scene, size.0, size.1, &options)?.0)
+            }
+        }
+    }
+}
+
+/// Traces every scene by each of the formulations whose names are chosen.
+///
+/// # Errors
+///
+/// Scenes or sizes that can't be traced, SPUs that fail.
+pub fn measure(
+    chosen: impl Fn(&str) -> bool,
+    sizes: &Sizes,
+    mut progress: impl FnMut(&str),
+) -> Result<Vec<PictureRow>, PictureError> {
+    let mut rows = Vec::new();
+    for subject in SCENES {
+        let limits = nff::Limits::default();
+        let scene = nff::parse(subject.text.as_bytes(), subject.name, &limits)?;
+        let size = subject.size(sizes);
+        let mut reference = None;
+        for (name, formulations) in subject.formulations() {
+            if !chosen(name) {
+                continue;
+            }
+            progress(&format!("{} by {name}", subject.name));
+            let program = program(formulations)?;
+            let reference = match &mut reference {
+                Some(reference) => reference,
+                none => none.insert(subject.reference(&scene, size)?),
+            };
+            let (picture, frames_per_second) = trace(subject, &scene, size, program)?;
+            let compared = oracle::compare(&picture, reference)?;
+            rows.push(PictureRow {
+                formulation: name.to_owned(),
+                scene: subject.name.to_owned(),
+                width: size.0,
+                height: size.1,
+                frames_per_second,
+                rmse: rmse(&picture, &reference.picture),
+                max_error: compared.max_error,
+                max_error_off_silhouette: compared.max_error_off_silhouette,
+                wrong_pixels: compared.wrong_pixels,
+                wrong_off_silhouette: compared.wrong_off_silhouette,
+            });
+        }
+    }
+    Ok(rows)
+}
+
+/// Traces a scene twice: the first frame has to find out what its parts cost, the second counts.
+fn trace(
+    subject: &Subject,
+    scene: &nff::Scene,
+    (width, height): (u32, u32),
+    program: Program,
+) -> Result<(Picture, f64), PictureError> {
+    let settings = Settings {
+        retain: false,
+        program,
+        ..Settings::default()
+    };
+    let scene = Scene::new(scene, subject.look(), &program)?;
+    let shown = Shown::default();
+    let framebuffer = Kept {
+        memory: Memory::new(Geometry::new(width, height)?)?,
+        shown: Arc::clone(&shown),
+    };
+    let mut report = Report::new(subject.name, (width, height), settings.spus);
+    let mut engine = Engine::start(settings, Box::new(framebuffer))?;
+    engine.render(&scene, &mut |_| ())?;
+    report.add(engine.render(&scene, &mut |_| ())?);
+    let mut picture = Picture::black(width, height)?;
+    let shown = shown.lock().unwrap_or_else(PoisonError::into_inner);
+    for (to, from) in picture.pixels_mut().iter_mut().zip(shown.pixels()) {
+        *to = from.0;
+    }
+    Ok((picture, report.frames_per_second))
+}
+
+/// The SPU program of these formulations: what `cellray` carries, else one that is built.
+fn program(formulations: Formulations) -> Result<Program, PictureError> {
+    match Program::of(&formulations) {
+        Ok(program) => Ok(program),
+        Err(_) => Ok(Program::from_image(&set::tracer(formulations)?)?),
+    }
+}
+
+/// Root of the mean square error of all channels, in 1/255.
+fn rmse(picture: &Picture, reference: &Picture) -> f64 {
+    let pairs = picture.pixels().iter().zip(reference.pixels());
+    let channels = pairs.flat_map(|(found, expected)| found.iter().zip(expected));
+    // Whole numbers: the sum is exact.
+    let sum: u64 = channels
+        .map(|(found, expected)| u64::from(found.abs_diff(*expected)).pow(2))
+        .sum();
+    (sum as f64 / (3 * picture.pixels().len()) as f64).sqrt()
+}
+
+type Shown = Arc<Mutex<RgbImage>>;
+
+/// A framebuffer whose last frame can be looked at from outside of the engine.
+struct Kept {
+    memory: Memory,
+    shown: Shown,
+}
+
+impl Framebuffer for Kept {
+    fn geometry(&self) -> Geometry {
+        self.memory.geometry()
+    }
+
+    fn target(&mut self) -> Target {
+        self.memory.target()
+    }
+
+    fn present(&mut self) -> Result<(), FramebufferError> {
+        *self.shown.lock().unwrap_or_else(PoisonError::into_inner) = self.memory.rgb();
+        Ok(())
+    }
+
+    fn keeps_contents(&self) -> bool {
+        self.memory.keeps_contents()
+    }
+
+    fn describe(&self) -> String {
+        self.memory.describe()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_of_the_mean_square_is_of_all_channels() {
+        let black = Picture::black(2, 2).unwrap();
+        let mut picture = black.clone();
+        picture.pixels_mut()[3] = [3, 0, 0];
+        picture.pixels_mut()[1] = [0, 0, 255];
+        let expected = ((9.0 + 65025.0) / 12.0_f64).sqrt();
+        assert_eq!(rmse(&picture, &black), expected);
+        assert_eq!(rmse(&black, &black), 0.0);
+    }
+
+    #[test]
+    fn the_default_formulation_draws_all_scenes_as_the_reference_has_them() {
+        let sizes = Sizes {
+            depth: (160, 90),
+            whitted: (64, 36),
+        };
+        let standard = Formulations::standard();
+        let default = |name: &str| name == standard.eye.name || name == STANDARD;
+        let rows = measure(default, &sizes, |_| ()).unwrap();
+        assert_eq!(rows.len(), SCENES.len());
+        for row in &rows {
+            let pixels = u64::from(row.width * row.height);
+            assert!(row.wrong_pixels <= pixels / 50, "{row:?}");
+            assert!(row.rmse < 8.0, "{row:?}");
+        }
+    }
+}

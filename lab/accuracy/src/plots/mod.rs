@@ -1,0 +1,289 @@
+//! Plots of results, each as SVG and PNG.
+//!
+//! Owns which plots there are ([`plots`]); how they look is in `chart`. Invariant: a plot shows
+//! numbers of the results and no others.
+
+mod chart;
+mod labels;
+mod scale;
+
+use std::fs;
+use std::path::Path;
+
+use image::RgbImage;
+use plotters::prelude::{BitMapBackend, IntoDrawingArea as _, SVGBackend};
+use protocol::formulation::SPHERES;
+
+use crate::families::{FAR, Form};
+use crate::file::OutputError;
+
+use crate::pictures::{PictureRow, SCENES};
+use crate::roots::RootRow;
+use crate::run::{KernelRow, Results};
+use crate::spheres::SphereRow;
+use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
+use scale::Kind;
+
+/// What PNGs are drawn at, so many times as large.
+const ZOOM: u32 = 2;
+
+/// A plot.
+pub struct Plot {
+    /// Its file's name, without folder and ending.
+    pub name: String,
+    /// What it shows.
+    pub title: String,
+    /// Those that are not beaten in cost and error, the cheapest first, where the plot is of both.
+    pub front: Vec<String>,
+    chart: Chart,
+}
+
+/// All plots that results are enough for.
+pub fn plots(results: &Results) -> Vec<Plot> {
+    let mut charts = Vec::new();
+    for form in Form::ALL {
+        charts.push((format!("distance-{}", form.name()), distance(results, form)));
+        charts.push((format!("verdicts-{}", form.name()), verdicts(results, form)));
+        charts.push((format!("ratio-{}", form.name()), ratio(results, form)));
+    }
+    charts.push(("roots".to_owned(), roots(results)));
+    for scene in SCENES {
+        let name = format!("picture-{}", scene.name);
+        charts.push((name, picture(results, scene.name)));
+    }
+    let plots = charts.into_iter().filter_map(|(name, chart)| {
+        let rivals = chart.groups.iter().filter_map(Group::rivals);
+        let fronts = rivals.flat_map(|points| {
+            let front = not_beaten(&chart.x, points).into_iter();
+            front.map(|at| points[at].name.clone())
+        });
+        let front = fronts.collect();
+        chart.has_points().then_some(Plot {
+            name,
+            title: chart.title.clone(),
+            front,
+            chart,
+        })
+    });
+    plots.collect()
+}
+
+/// What plots are written as.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Lines and text, for documents.
+    Svg,
+    /// Pixels.
+    Png,
+}
+
+/// Writes all plots into a folder, their names behind a prefix.
+///
+/// # Errors
+///
+/// Files that can't be written.
+pub fn write(
+    results: &Results,
+    folder: &Path,
+    prefix: &str,
+    formats: &[Format],
+) -> Result<(), OutputError> {
+    for plot in plots(results) {
+        for format in formats {
+            let ending = match format {
+                Format::Svg => "svg",
+                Format::Png => "png",
+            };
+            let path = folder.join(format!("{prefix}{}.{ending}", plot.name));
+            let failed = OutputError::of(path.display());
+            use_font().map_err(&failed)?;
+            match format {
+                Format::Svg => {
+                    let text = svg(&plot.chart).map_err(failed)?;
+                    fs::write(&path, text).map_err(OutputError::of(path.display()))?;
+                }
+                Format::Png => {
+                    let picture = bitmap(&plot.chart).map_err(failed)?;
+                    picture
+                        .save(&path)
+                        .map_err(OutputError::of(path.display()))?;
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+fn svg(chart: &Chart) -> Result<String, String> {
+    let mut text = String::new();
+    let area = SVGBackend::with_string(&mut text, SIZE).into_drawing_area();
+    chart.draw(&area, 1).map_err(|error| error.to_string())?;
+    drop(area);
+    Ok(text)
+}
+
+fn bitmap(chart: &Chart) -> Result<RgbImage, String> {
+    let (width, height) = (ZOOM * SIZE.0, ZOOM * SIZE.1);
+    let mut picture = RgbImage::new(width, height);
+    let area = BitMapBackend::with_buffer(&mut picture, (width, height)).into_drawing_area();
+    chart.draw(&area, ZOOM).map_err(|error| error.to_string())?;
+    drop(area);
+    Ok(picture)
+}
+
+/// A formulation has one colour in all plots.
+fn colour(formulation: &str) -> usize {
+    let place = SPHERES.iter().position(|known| known.name == formulation);
+    place.unwrap_or(SPHERES.len())
+}
+
+fn axis(label: impl Into<String>, kind: Kind) -> Axis {
+    Axis {
+        label: label.into(),
+        kind,
+        rising: false,
+    }
+}
+
+fn whose(form: Form) -> &'static str {
+    match form {
+        Form::Eye => "rays from the eye",
+        Form::General => "rays from anywhere",
+    }
+}
+
+/// The largest error of the distance over the well-conditioned families, in ulps.
+pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
+    let sound = rows
+        .iter()
+        .filter_map(|row| row.figures.sound(|of| Some(of.distance_ulps?.max))?);
+    sound.reduce(f64::max)
+}
+
+/// What kernels of a form cost against something of their rows.
+fn against(
+    results: &Results,
+    form: Form,
+    [what, note, axis_label]: [&str; 3],
+    value: fn(&[&SphereRow]) -> Option<f64>,
+) -> Chart {
+    let point = |kernel: &KernelRow| {
+        Some(Point {
+            name: kernel.formulation.clone(),
+            x: kernel.cycles_a_ray,
+            y: value(&results.spheres_of(form, &kernel.formulation))?,
+            colour: colour(&kernel.formulation),
+        })
+    };
+    let points = results.kernels_of(form.name()).filter_map(point);
+    Chart {
+        title: format!("Run time against {what}: {}", whose(form)),
+        note: format!("{note}; ringed and joined: not beaten in both"),
+        x: axis("cycles a ray and sphere (simulated)", Kind::Log),
+        y: axis(axis_label, Kind::Log),
+        groups: vec![Group::Rivals(points.collect())],
+    }
+}
+
+fn distance(results: &Results, form: Form) -> Chart {
+    let words = [
+        "error of the distance",
+        "Largest error over all well-conditioned families",
+        "largest error of the distance, ulps",
+    ];
+    against(results, form, words, worst_distance)
+}
+
+/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per
+/// cent.
+pub(crate) fn wrong_far_off(rows: &[&SphereRow]) -> Option<f64> {
+    let row = rows.iter().find(|row| row.family == FAR)?;
+    Some(row.figures.wrong())
+}
+
+fn verdicts(results: &Results, form: Form) -> Chart {
+    let words = [
+        "wrong hits and misses",
+        "At distance/radius 4096, rays over the disc within 2 radii",
+        "wrong hits and misses, % of the rays",
+    ];
+    against(results, form, words, wrong_far_off)
+}
+
+fn ratio(results: &Results, form: Form) -> Chart {
+    let course = |kernel: &KernelRow| {
+        let rows = results.spheres_of(form, &kernel.formulation).into_iter();
+        let points = rows.filter_map(|row| {
+            Some(Point {
+                name: row.formulation.clone(),
+                x: row.ratio?,
+                y: row.figures.distance_ulps?.max,
+                colour: colour(&row.formulation),
+            })
+        });
+        Group::Course(points.collect())
+    };
+    Chart {
+        title: format!(
+            "Error of the distance against distance/radius: {}",
+            whose(form)
+        ),
+        note: "Largest error of the rays within 0.9 radii that the kernel lets hit".to_owned(),
+        x: axis("distance / radius", Kind::Log),
+        y: axis("largest error of the distance, ulps", Kind::Log),
+        groups: results.kernels_of(form.name()).map(course).collect(),
+    }
+}
+
+fn roots(results: &Results) -> Chart {
+    let quantities = ["1/x", "1/sqrt(x)", "sqrt(x)"];
+    let group = |(colour, quantity): (usize, &str)| {
+        let rows = results.roots.iter().filter(|row| row.quantity == quantity);
+        let point = |row: &RootRow| Point {
+            name: row.kernel.clone(),
+            x: row.cycles_an_operand,
+            y: row.ulps.max,
+            colour: [0, 1, 4][colour],
+        };
+        Group::Rivals(rows.map(point).collect())
+    };
+    Chart {
+        title: "Run time against error of reciprocals and roots".to_owned(),
+        note:
+            "Largest error over every fraction of an operand; ringed and joined: not beaten in both"
+                .to_owned(),
+        x: axis("cycles an operand (simulated)", Kind::Log),
+        y: axis("largest error, ulps", Kind::Log),
+        groups: quantities.into_iter().enumerate().map(group).collect(),
+    }
+}
+
+fn picture(results: &Results, scene: &str) -> Chart {
+    let rows = results.pictures.iter().filter(|row| row.scene == scene);
+    let rows: Vec<&PictureRow> = rows.collect();
+    let point = |row: &&PictureRow| Point {
+        name: row.formulation.clone(),
+        x: row.frames_per_second,
+        y: row.rmse,
+        colour: colour(&row.formulation),
+    };
+    let size = rows
+        .first()
+        .map_or_else(String::new, |row| format!("{}x{}, ", row.width, row.height));
+    Chart {
+        title: format!("Frames a second against the picture's error: {scene}"),
+        note: format!("{size}six SPUs; ringed and joined: not beaten in both"),
+        x: Axis {
+            rising: true,
+            ..axis("frames a second (simulated)", Kind::Linear)
+        },
+        y: axis("root of the mean square error, 1/255", Kind::Log),
+        groups: vec![Group::Rivals(rows.iter().map(point).collect())],
+    }
+}
+
+impl Chart {
+    fn has_points(&self) -> bool {
+        self.groups.iter().any(|group| !group.points().is_empty())
+    }
+}

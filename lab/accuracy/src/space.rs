@@ -1,0 +1,97 @@
+//! Vectors, rays, and random ones, by basic arithmetic and roots alone, which give the same on
+//! every host.
+
+pub use kernels::vector::{cross, dot, in_cube, less, unit};
+use rand::Rng;
+use twins::ball::Ray;
+use twins::triangle::Triangle;
+use twins::triangle_pairs::TriangleObject;
+use twins::{FARTHEST, Single};
+
+use crate::truth::Vector;
+
+/// A ray that has hit nothing.
+pub fn fresh(origin: [Single; 3], direction: [Single; 3]) -> Ray {
+    Ray {
+        origin,
+        direction,
+        t: FARTHEST,
+        object: 0,
+    }
+}
+
+/// A triangle that is seen from both sides.
+pub fn two_sided(vertices: Triangle) -> TriangleObject {
+    TriangleObject {
+        vertices,
+        both: true,
+    }
+}
+
+/// A vector's length.
+pub fn length(vector: Vector) -> f64 {
+    dot(vector, vector).sqrt()
+}
+
+/// The largest magnitude of a vector's components.
+pub fn largest(vector: Vector) -> f64 {
+    vector.map(f64::abs).into_iter().fold(0.0, f64::max)
+}
+
+/// a + scale b.
+pub fn along(a: Vector, scale: f64, b: Vector) -> Vector {
+    std::array::from_fn(|axis| a[axis] + scale * b[axis])
+}
+
+/// The single that is nearest; 0 for what is too small for one.
+pub fn nearest(value: f64) -> Single {
+    (value as f32).to_bits()
+}
+
+/// The point of nearest singles.
+pub fn point(vector: Vector) -> [Single; 3] {
+    vector.map(nearest)
+}
+
+/// Within the ball of that radius.
+pub fn in_ball(radius: f64, random: &mut impl Rng) -> Vector {
+    loop {
+        let vector = in_cube(1.0, random);
+        if dot(vector, vector) < 1.0 {
+            return vector.map(|component| radius * component);
+        }
+    }
+}
+
+/// A direction, all alike.
+pub fn direction(random: &mut impl Rng) -> Vector {
+    loop {
+        let vector = in_ball(1.0, random);
+        // Too near to 0 the quotient would lose digits.
+        if dot(vector, vector) > 1e-4 {
+            return unit(vector);
+        }
+    }
+}
+
+/// Two directions across a third and each other.
+pub fn across(axis: Vector) -> [Vector; 2] {
+    let least = (0..3)
+        .min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs()))
+        .unwrap_or(0);
+    let mut other = [0.0; 3];
+    other[least] = 1.0;
+    let first = unit(along(other, -dot(other, axis), axis));
+    [first, cross(axis, first)]
+}
+
+/// Within the disc of that radius about a point, across an axis.
+pub fn on_disc(centre: Vector, axis: Vector, radius: f64, random: &mut impl Rng) -> Vector {
+    let [first, second] = across(axis);
+    loop {
+        let [x, y] = [(); 2].map(|()| random.random_range(-1.0..1.0));
+        if x * x + y * y < 1.0 {
+            return along(along(centre, radius * x, first), radius * y, second);
+        }
+    }
+}

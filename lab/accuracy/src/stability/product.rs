@@ -1,0 +1,234 @@
+//! Objects as a scene has them and as the PPU sends them: the records that rays of a frame meet.
+
+use cellray::work::{BlockOptions, SceneBlock};
+use glam::DVec3;
+use kernels::single::bits;
+use nff::{LightKind, Shape};
+use protocol::layout::{Cone, Material, Object, Rectangle, SCENE_ADDRESS, Triangle};
+use spu_emulator::float::single::to_f64;
+use twins::Single;
+use zerocopy::FromBytes as _;
+use zerocopy::big_endian::F32;
+
+use crate::space::{along, cross, dot, less};
+use crate::truth::Vector;
+
+/// A shape that SPUs know.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// A sphere.
+    Sphere,
+    /// A parallelogram.
+    Rectangle,
+    /// A triangle.
+    Triangle,
+    /// An open cone or cylinder.
+    Cone,
+}
+
+impl Kind {
+    /// Its place among a block's trees, and the bytes of its record.
+    const fn record(self) -> (usize, usize) {
+        match self {
+            Self::Sphere => (0, size_of::<Object>()),
+            Self::Rectangle => (1, size_of::<Rectangle>()),
+            Self::Triangle => (2, size_of::<Triangle>()),
+            Self::Cone => (3, size_of::<Cone>()),
+        }
+    }
+
+    /// Words of its record.
+    pub const fn words(self) -> usize {
+        self.record().1 / 4
+    }
+
+    /// The kernel that finds hits with it.
+    pub const fn kernel(self) -> &'static str {
+        match self {
+            Self::Sphere => "isect_ball_pairs_r16",
+            Self::Rectangle => "isect_rectangle_pairs_r16",
+            Self::Triangle => "isect_triangle_pairs_r16",
+            Self::Cone => "isect_cone_pairs_r16",
+        }
+    }
+}
+
+/// An object's record and its material's.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Product {
+    /// What it is.
+    pub kind: Kind,
+    /// Its record; the address of its material is yet to be put in.
+    pub object: Vec<u8>,
+    /// The material's record.
+    pub material: Vec<u8>,
+}
+
+/// What a surface is made of.
+#[derive(Clone, Copy, Debug)]
+pub struct Stuff {
+    /// Share that is reflected.
+    pub mirror: f64,
+    /// Share that is let through.
+    pub transmittance: f64,
+    /// Index of refraction.
+    pub index: f64,
+}
+
+/// What all records begin with.
+pub struct Head {
+    /// Where it is.
+    pub centre: Vector,
+    /// Where it stands.
+    pub axis: Vector,
+    /// The signed radius of a sphere.
+    pub offset: f64,
+    /// Of the normal, the part across the axis.
+    pub gain: f64,
+    /// Of the normal, the part along the axis.
+    pub slope: f64,
+}
+
+impl Product {
+    /// What the PPU sends of a shape to an eye at the origin; nothing of one that it does not send
+    /// as this kind.
+    pub fn of(kind: Kind, shape: Shape, stuff: Stuff) -> Option<Self> {
+        let scene = nff::Scene {
+            name: String::new(),
+            view: nff::View {
+                from: DVec3::ZERO,
+                at: DVec3::NEG_Z,
+                up: DVec3::Y,
+                angle: 45.0,
+                hither: 1.0,
+                resolution: (64, 64),
+            },
+            background: DVec3::ZERO,
+            ambient: DVec3::ZERO,
+            lights: vec![nff::Light {
+                line: 0,
+                kind: LightKind::Directional { to_light: DVec3::Z },
+                colour: None,
+            }],
+            materials: vec![nff::Material {
+                line: 0,
+                colour: DVec3::ONE,
+                diffuse: 0.5,
+                specular: stuff.mirror,
+                shine: 10.0,
+                transmittance: stuff.transmittance,
+                refraction_index: stuff.index,
+                shader: nff::Shader::Phong,
+            }],
+            objects: vec![nff::Object {
+                line: 0,
+                material: 0,
+                shape,
+            }],
+        };
+        let block = SceneBlock::new(&scene, BlockOptions::default(), &|_| None).ok()?;
+        let (tree, size) = kind.record();
+        let tree = &block.trees()[tree];
+        if tree.objects.get() != 1 {
+            return None;
+        }
+        let record = |address: u32, size: usize| {
+            let start = (address - SCENE_ADDRESS) as usize;
+            block.bytes()[start..start + size].to_vec()
+        };
+        let object = record(tree.roots.get(), size);
+        let (head, _) = Object::ref_from_prefix(&object).ok()?;
+        let material = record(head.material.get(), size_of::<Material>());
+        Some(Self {
+            kind,
+            object,
+            material,
+        })
+    }
+
+    /// All of it, as words.
+    pub fn words(&self) -> impl Iterator<Item = u32> {
+        let bytes = self.object.as_chunks().0.iter();
+        let words = bytes.chain(self.material.as_chunks().0);
+        words.map(|word| u32::from_be_bytes(*word))
+    }
+
+    /// The object of these words, which are as many as it has.
+    pub fn from_words(kind: Kind, words: &[u32]) -> Self {
+        let (object, material) = words.split_at(kind.words());
+        let bytes = |words: &[u32]| words.iter().flat_map(|word| word.to_be_bytes()).collect();
+        Self {
+            kind,
+            object: bytes(object),
+            material: bytes(material),
+        }
+    }
+
+    /// Words of an object of this kind.
+    pub const fn word_count(kind: Kind) -> usize {
+        kind.words() + size_of::<Material>() / 4
+    }
+
+    /// The head of its record, in double precision.
+    pub fn head(&self) -> Head {
+        let (head, _) = Object::ref_from_prefix(&self.object).expect("records begin with a head");
+        Head {
+            centre: head.centre.map(exactly),
+            axis: head.axis.map(exactly),
+            offset: exactly(head.offset),
+            gain: exactly(head.gain),
+            slope: exactly(head.slope),
+        }
+    }
+
+    /// The record behind its head, by words.
+    pub fn rest(&self) -> Vec<Single> {
+        let words = self.object[size_of::<Object>()..].as_chunks().0.iter();
+        words.map(|word| u32::from_be_bytes(*word)).collect()
+    }
+}
+
+/// What a record of the SPUs has there, in double precision.
+pub fn exactly(single: F32) -> f64 {
+    to_f64(bits(single))
+}
+
+/// Where a ray that starts within a body, or on the outer side of it, meets it next, in f64 for
+/// the record's very singles; nothing if it does not.
+pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<f64> {
+    let head = product.head();
+    let from = less(origin, head.centre);
+    match product.kind {
+        // A plane is not met again by what leaves it.
+        Kind::Rectangle | Kind::Triangle => None,
+        Kind::Sphere => {
+            let b = dot(from, direction);
+            let l = along(from, -b, direction);
+            let disc = head.offset * head.offset - dot(l, l);
+            (disc >= 0.0).then(|| disc.sqrt() - b).filter(|t| *t > 0.0)
+        }
+        Kind::Cone => {
+            let rest = product.rest();
+            let [radius, growth, height] = [0, 1, 2].map(|word| to_f64(rest[word]));
+            let split = |vector: Vector| {
+                let height = dot(vector, head.axis);
+                (height, along(vector, -height, head.axis))
+            };
+            let ((h, c), (rise, e)) = (split(from), split(direction));
+            let (k, m) = (radius + growth * h, growth * rise);
+            let (a, b) = (dot(e, e) - m * m, dot(c, e) - k * m);
+            let v = along(e.map(|x| k * x), -m, c);
+            let turn = cross(c, e);
+            let disc = dot(v, v) - dot(turn, turn);
+            let root = disc.max(0.0).sqrt();
+            let q = if b < 0.0 { b - root } else { b + root };
+            let out = dot(c, c) - k * k;
+            let crossings = [-q / a, -out / q].into_iter();
+            let on_body = |t: &f64| *t > 0.0 && (0.0..=height).contains(&(h + t * rise));
+            crossings
+                .filter(|_| disc > 0.0)
+                .filter(on_body)
+                .reduce(f64::min)
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! Random numbers whose bits are the same on every host: no logarithm, no power, no sine.
+
+use crate::generator::{Generator, generator};
+use rand::Rng as _;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::Single;
+
+use crate::space::{cross, direction, dot, less, unit};
+use crate::truth::Vector;
+
+/// The random numbers of one round of a family: whoever tries it.
+pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> Generator {
+    generator(seed, &[family, subject], round)
+}
+
+/// 2^exponent.
+pub fn power_of_two(exponent: i32) -> f64 {
+    assert!((-1022..=1023).contains(&exponent), "2^{exponent}");
+    f64::from_bits(((exponent + 1023) as u64) << 52)
+}
+
+/// A number from 2^low to below 2^high, all powers equally likely.
+pub fn magnitude(low: i32, high: i32, random: &mut Generator) -> f64 {
+    power_of_two(random.random_range(low..high)) * random.random_range(1.0..2.0)
+}
+
+/// Two directions across a third and one another.
+pub fn across(axis: Vector, random: &mut Generator) -> [Vector; 2] {
+    loop {
+        let across = cross(axis, direction(random));
+        if dot(across, across) > 0.01 {
+            let first = unit(across);
+            return [first, cross(axis, first)];
+        }
+    }
+}
+
+/// The vector as singles have it.
+pub fn rounded(vector: Vector) -> Vector {
+    vector.map(|x| to_f64(from_f64(x)))
+}
+
+/// The direction from a place to another; a third if they are too near to one another for one.
+pub fn towards(from: Vector, to: Vector, otherwise: Vector) -> Vector {
+    let way = less(to, from);
+    if dot(way, way) > 0.0 {
+        unit(way)
+    } else {
+        otherwise
+    }
+}
+
+/// This number, or as far below 0.
+pub fn either_side(number: f64, random: &mut Generator) -> f64 {
+    if random.random() { number } else { -number }
+}
+
+/// Singles nearest to a vector, half of them one ulp off it.
+pub fn nearby(vector: Vector, random: &mut Generator) -> [Single; 3] {
+    vector.map(|x| {
+        let single = from_f64(x);
+        if single == 0 || random.random() {
+            single
+        } else {
+            single.wrapping_add_signed(random.random_range(-1..=1))
+        }
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn powers_are_exact() {
+        for n in [-300, -126, -1, 0, 1, 127, 300] {
+            assert_eq!(power_of_two(n), 2_f64.powi(n));
+        }
+    }
+
+    #[test]
+    fn rounds_differ_and_repeat() {
+        let first = |family, round| of_round(7, family, "k", round).random::<u64>();
+        assert_eq!(first("a", 3), first("a", 3));
+        assert_ne!(first("a", 3), first("a", 4));
+        assert_ne!(first("a", 3), first("b", 3));
+    }
+
+    #[test]
+    fn magnitudes_keep_their_range() {
+        let mut random = of_round(1, "a", "b", 0);
+        for _ in 0..1000 {
+            assert!((0.125..4.0).contains(&magnitude(-3, 2, &mut random)));
+        }
+    }
+}

@@ -1,0 +1,202 @@
+//! Inputs that were the worst of their family once: they are tried again each time.
+//!
+//! A file a family, `regressions/<family>.json`, of words in hex; those of the repository are part
+//! of the program.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use serde::{Deserialize, Serialize};
+use thiserror::Error;
+
+use super::report::Report;
+use crate::file::OutputError;
+
+/// Kept inputs by family and what they are tried on.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Regressions {
+    inputs: BTreeMap<(String, String), Vec<Vec<u32>>>,
+}
+
+/// Kept inputs can't be read or written.
+#[derive(Debug, Error)]
+pub enum RegressionsError {
+    /// A file is not of the form.
+    #[error("kept inputs of {family}: {error}")]
+    Form {
+        /// The family whose file it is.
+        family: String,
+        /// What is the matter.
+        error: serde_json::Error,
+    },
+    /// A word is no hexadecimal number of 32 bits.
+    #[error("kept inputs of {family}: \"{word}\" is no hexadecimal word")]
+    Word {
+        /// The family whose file it is.
+        family: String,
+        /// The word.
+        word: String,
+    },
+    /// A file can't be written.
+    #[error(transparent)]
+    Write(#[from] OutputError),
+}
+
+impl RegressionsError {
+    fn form(family: &str) -> impl FnOnce(serde_json::Error) -> Self {
+        let family = family.to_owned();
+        |error| Self::Form { family, error }
+    }
+}
+
+/// A family's file.
+#[derive(Deserialize, Serialize)]
+struct File {
+    inputs: Vec<Input>,
+}
+
+#[derive(Deserialize, Serialize)]
+struct Input {
+    /// What it is tried on.
+    subject: String,
+    /// Where its error is counted, how large it was when it was kept.
+    worst: f64,
+    /// The case.
+    words: String,
+}
+
+/// The files of the repository.
+macro_rules! files {
+    ($($family:literal)*) => {
+        const FILES: &[(&str, &str)] = &[$((
+            $family,
+            include_str!(concat!("../../regressions/", $family, ".json")),
+        )),*];
+    };
+}
+
+files! {
+    "estimate-borders"
+    "extreme-words"
+    "leave-cones"
+    "leave-rectangles"
+    "leave-spheres"
+    "leave-thin-cones"
+    "leave-triangles"
+    "mesh-far-out"
+    "mesh-lattice"
+    "mesh-lumpy"
+    "mesh-thin"
+    "mirror-chain"
+    "refract-critical"
+    "refract-grazing"
+    "shadow-spheres"
+    "shadow-triangles"
+    "sphere-grazing"
+    "sphere-nearest"
+    "sphere-scales"
+    "sphere-surface"
+    "triangle-degenerate"
+    "triangle-edges"
+    "triangle-needles"
+}
+
+impl Regressions {
+    /// Those of the repository.
+    ///
+    /// # Errors
+    /// A file is not of the form.
+    pub fn kept() -> Result<Self, RegressionsError> {
+        let mut kept = Self::default();
+        for (family, text) in FILES {
+            kept.add(family, text)?;
+        }
+        Ok(kept)
+    }
+
+    /// Those of one family's file.
+    ///
+    /// # Errors
+    /// The file is not of the form.
+    pub fn of_file(family: &str, text: &str) -> Result<Self, RegressionsError> {
+        let mut kept = Self::default();
+        kept.add(family, text)?;
+        Ok(kept)
+    }
+
+    /// Adds those of a family's file.
+    fn add(&mut self, family: &str, text: &str) -> Result<(), RegressionsError> {
+        let file: File = serde_json::from_str(text).map_err(RegressionsError::form(family))?;
+        for input in file.inputs {
+            let words = input.words.split_whitespace().map(|word| {
+                u32::from_str_radix(word, 16).map_err(|_| RegressionsError::Word {
+                    family: family.to_owned(),
+                    word: word.to_owned(),
+                })
+            });
+            let words = words.collect::<Result<Vec<u32>, _>>()?;
+            let key = (family.to_owned(), input.subject);
+            self.inputs.entry(key).or_default().push(words);
+        }
+        Ok(())
+    }
+
+    /// The kept inputs of a family for what it is tried on.
+    pub fn of(&self, family: &str, subject: &str) -> impl Iterator<Item = &[u32]> {
+        let key = (family.to_owned(), subject.to_owned());
+        let inputs = self.inputs.get(&key).map_or(&[][..], Vec::as_slice);
+        inputs.iter().map(Vec::as_slice)
+    }
+}
+
+/// Writes the worst inputs of a report, a file a family, over those that are there.
+///
+/// # Errors
+/// A file can't be written.
+pub fn keep(report: &Report, folder: &Path) -> Result<(), RegressionsError> {
+    let mut files: BTreeMap<&str, File> = BTreeMap::new();
+    for row in report.rows.iter().filter(|row| !row.tally.input.is_empty()) {
+        let file = files
+            .entry(row.family)
+            .or_insert(File { inputs: Vec::new() });
+        file.inputs.push(Input {
+            subject: row.subject.clone(),
+            worst: row.tally.worst,
+            words: row.hex().join(" "),
+        });
+    }
+    std::fs::create_dir_all(folder).map_err(OutputError::of(folder.display()))?;
+    for (family, file) in files {
+        let path = folder.join(format!("{family}.json"));
+        let text = serde_json::to_string_pretty(&file).map_err(RegressionsError::form(family))?;
+        std::fs::write(&path, text + "\n").map_err(OutputError::of(path.display()))?;
+    }
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_file_says_inputs_by_subject() {
+        let text = r#"{"inputs": [
+            {"subject": "a", "worst": 1.5, "words": "3f800000 00000001"},
+            {"subject": "b", "worst": 0.0, "words": "ffffffff"}
+        ]}"#;
+        let kept = Regressions::of_file("family", text).expect("a good file");
+        let of = |subject| kept.of("family", subject).collect::<Vec<_>>();
+        assert_eq!(of("a"), [&[0x3f80_0000, 1][..]]);
+        assert_eq!(of("b"), [&[u32::MAX][..]]);
+        assert!(of("c").is_empty());
+    }
+
+    #[test]
+    fn bad_files_are_refused_by_what_is_bad() {
+        let text = r#"{"inputs": [{"subject": "a", "worst": 1, "words": "3f80000g"}]}"#;
+        let error = Regressions::of_file("family", text).expect_err("no hexadecimal word");
+        assert!(error.to_string().contains("3f80000g"), "{error}");
+        let error = Regressions::of_file("family", "[]").expect_err("no file");
+        assert!(error.to_string().contains("family"), "{error}");
+    }
+}

@@ -1,0 +1,247 @@
+//! What the suite has found: a table to read, and JSON.
+
+use std::fmt;
+
+use serde_json::{Value, json};
+
+use super::Size;
+use super::family::{Family, Tally};
+use super::statement::Bound;
+
+/// A part of the report.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Section {
+    /// Kernels under stress.
+    Stress,
+    /// What holds of scenes.
+    Guarantees,
+}
+
+impl Section {
+    /// All of them, in the report's order.
+    pub const ALL: [Self; 2] = [Self::Stress, Self::Guarantees];
+
+    fn title(self) -> &'static str {
+        match self {
+            Self::Stress => "Stress",
+            Self::Guarantees => "Guarantees",
+        }
+    }
+}
+
+/// What was found of a family.
+#[derive(Clone, Debug)]
+pub struct Row {
+    /// Where it belongs.
+    pub section: Section,
+    /// The family.
+    pub family: &'static str,
+    /// What it was tried on.
+    pub subject: String,
+    /// What the error is counted in.
+    pub unit: &'static str,
+    /// What it is held to.
+    pub bound: Bound,
+    /// Kept inputs that were tried.
+    pub replayed: u64,
+    /// All that was tried.
+    pub tally: Tally,
+}
+
+/// All that was found.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// Seed of the random inputs.
+    pub seed: u64,
+    /// How many there were.
+    pub size: Size,
+    /// A family and what it was tried on, each.
+    pub rows: Vec<Row>,
+}
+
+impl Row {
+    /// The row of a family, of what was kept and what is new.
+    pub fn new(section: Section, family: Family, replayed: Tally, tally: Tally) -> Self {
+        let mut all = replayed;
+        let replayed = all.cases;
+        all.append(tally);
+        Self {
+            section,
+            family: family.name,
+            subject: family.subject,
+            unit: family.unit,
+            bound: family.bound,
+            replayed,
+            tally: all,
+        }
+    }
+
+    /// Whether the bound holds.
+    pub fn held(&self) -> bool {
+        self.tally.holds(&self.bound)
+    }
+
+    /// The worst input's words.
+    pub fn hex(&self) -> Vec<String> {
+        let words = self.tally.input.iter();
+        words.map(|word| format!("{word:08x}")).collect()
+    }
+
+    fn record(&self) -> Value {
+        json!({
+            "section": self.section.title(),
+            "family": self.family,
+            "subject": self.subject,
+            "cases": self.tally.cases,
+            "counted": self.tally.counted,
+            "replayed": self.replayed,
+            "wrong": self.tally.wrong,
+            "worst": self.tally.worst,
+            "unit": self.unit,
+            "bound": self.bound.value,
+            "source": self.bound.source,
+            "held": self.held(),
+            "input": self.hex(),
+        })
+    }
+}
+
+impl Report {
+    /// Whether all bounds hold, and there were any.
+    pub fn held(&self) -> bool {
+        !self.rows.is_empty() && self.rows.iter().all(Row::held)
+    }
+
+    /// The report for programs: nothing in it depends on the host.
+    pub fn json(&self) -> Value {
+        let rows: Vec<Value> = self.rows.iter().map(Row::record).collect();
+        json!({ "seed": self.seed, "size": self.size, "held": self.held(), "rows": rows })
+    }
+}
+
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        for section in Section::ALL {
+            let rows: Vec<&Row> = self.rows.iter().filter(|r| r.section == section).collect();
+            if rows.is_empty() {
+                continue;
+            }
+            writeln!(f, "{}\n", section.title())?;
+            table(f, &rows)?;
+            writeln!(f)?;
+        }
+        for row in self.rows.iter().filter(|row| !row.held()) {
+            let (family, subject, hex) = (row.family, &row.subject, row.hex().join(" "));
+            writeln!(f, "FAILED {family}, {subject}: {hex}")?;
+        }
+        Ok(())
+    }
+}
+
+/// What stands over a column, whether its cells stand to the left, and what is in them.
+type Column = (&'static str, bool, fn(&Row) -> String);
+
+const COLUMNS: [Column; 9] = [
+    ("family", true, |row| row.family.to_owned()),
+    ("of", true, |row| row.subject.clone()),
+    ("cases", false, |row| row.tally.cases.to_string()),
+    ("counted", false, |row| row.tally.counted.to_string()),
+    ("wrong", false, |row| row.tally.wrong.to_string()),
+    ("worst", false, |row| short(row.tally.worst)),
+    ("bound", false, |row| short(row.bound.value)),
+    ("in, by", true, |row| {
+        format!("{}; {}", row.unit, row.bound.source)
+    }),
+    ("", true, |row| {
+        (if row.held() { "ok" } else { "FAILED" }).to_owned()
+    }),
+];
+
+/// The rows with columns as wide as they need.
+fn table(f: &mut fmt::Formatter<'_>, rows: &[&Row]) -> fmt::Result {
+    let mut lines = vec![String::new(); rows.len() + 1];
+    for (title, left, cell) in COLUMNS {
+        let cells = rows.iter().map(|row| cell(row));
+        let cells: Vec<String> = std::iter::once(title.to_owned()).chain(cells).collect();
+        let widths = cells.iter().map(|cell| cell.chars().count());
+        let width = widths.max().unwrap_or(0);
+        for (line, cell) in lines.iter_mut().zip(cells) {
+            line.push_str(&if left {
+                format!("{cell:<width$}  ")
+            } else {
+                format!("{cell:>width$}  ")
+            });
+        }
+    }
+    lines
+        .iter()
+        .try_for_each(|line| writeln!(f, "{}", line.trim_end()))
+}
+
+/// A number in few digits.
+fn short(value: f64) -> String {
+    if value == 0.0 || (0.01..100_000.0).contains(&value) {
+        format!("{value:.2}")
+    } else {
+        format!("{value:.1e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn row(worst: f64, wrong: u64) -> Row {
+        Row {
+            section: Section::Stress,
+            family: "a family",
+            subject: "a kernel".to_owned(),
+            unit: "ulp of t",
+            bound: Bound {
+                value: 2.0,
+                source: "a test".to_owned(),
+            },
+            replayed: 1,
+            tally: Tally {
+                cases: 9,
+                counted: 8,
+                wrong,
+                worst,
+                input: vec![0x3f80_0000, 1],
+            },
+        }
+    }
+
+    fn report(rows: Vec<Row>) -> Report {
+        Report {
+            seed: 7,
+            size: Size::Quick,
+            rows,
+        }
+    }
+
+    #[test]
+    fn what_fails_is_said_with_its_input() {
+        let report = report(vec![row(1.5, 0), row(2.5, 0), row(0.5, 1)]);
+        assert!(!report.held());
+        let text = report.to_string();
+        assert_eq!(text.matches(" ok").count(), 1, "{text}");
+        let said = "FAILED a family, a kernel: 3f800000 00000001";
+        assert_eq!(text.matches(said).count(), 2, "{text}");
+    }
+
+    #[test]
+    fn json_says_the_same() {
+        let report = report(vec![row(1.5, 0)]);
+        assert!(report.held());
+        let value = report.json();
+        assert_eq!(value["held"], true);
+        assert_eq!(value["rows"][0]["worst"], 1.5);
+        assert_eq!(value["rows"][0]["input"][0], "3f800000");
+    }
+
+    #[test]
+    fn no_rows_hold_nothing() {
+        assert!(!report(Vec::new()).held());
+    }
+}

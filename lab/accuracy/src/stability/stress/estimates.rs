@@ -1,0 +1,89 @@
+//! Reciprocals and square roots where tables meet: the first and the last fraction of every entry,
+//! those next to them, with every exponent and either sign.
+
+use crate::generator::Generator;
+use kernels::Bench;
+use kernels::cases::math::error::ulps;
+use kernels::cases::math::{self, FUNCTIONS, Function};
+use rand::Rng as _;
+use twins::Single;
+
+use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
+use crate::stability::statement::Bound;
+
+/// Bits of a fraction behind those that choose an entry of a table.
+const POSITION: u32 = 18;
+/// Entries for one exponent.
+const ENTRIES: u32 = 1 << (23 - POSITION);
+/// Quadwords of a call.
+const QUADWORDS: usize = 64;
+
+struct Estimates(&'static Function);
+
+/// A family for each function.
+pub fn families() -> Families {
+    let family = |function: &'static Function| {
+        Ok(Family {
+            name: "estimate-borders",
+            subject: function.kernel.to_owned(),
+            unit: "ulp",
+            bound: Bound::of(function.kernel)?,
+            rounds: 400,
+            cases: Box::new(Estimates(function)),
+        })
+    };
+    FUNCTIONS.iter().map(family).collect()
+}
+
+/// A fraction at a border of an entry, and up to two ulps within; any exponent and sign.
+fn operand(random: &mut Generator) -> Single {
+    let first = random.random_range(0..ENTRIES) << POSITION;
+    let within = random.random_range(0..3);
+    let last = (1 << POSITION) - 1;
+    let fraction = first
+        | if random.random() {
+            within
+        } else {
+            last - within
+        };
+    let exponent: u32 = match random.random_range(0..4) {
+        0 => random.random_range(0..4),
+        1 => random.random_range(252..256),
+        _ => random.random_range(0..256),
+    };
+    let sign = u32::from(random.random_ratio(1, 4));
+    sign << 31 | exponent << 23 | fraction
+}
+
+impl Estimates {
+    fn try_operands(&self, bench: &mut Bench, operands: &[[Single; 4]], tally: &mut Tally) {
+        let Self(function) = self;
+        let results = math::call(bench, function.kernel, operands, 0, false);
+        for (x, found) in operands.as_flattened().iter().zip(results.as_flattened()) {
+            let input = || vec![*x];
+            let magnitude = x & 0x7fff_ffff;
+            let [low, high] = function.domain;
+            let negative = x >> 31 != 0 && !function.quantity.takes_negative();
+            if *found != (function.twin)(*x) {
+                tally.wrong(input);
+            } else if !(low..=high).contains(&magnitude) || negative {
+                tally.uncounted();
+            } else {
+                tally.error(ulps(function, *x, *found), input);
+            }
+        }
+    }
+}
+
+impl Cases for Estimates {
+    fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
+        let operands = [(); QUADWORDS].map(|()| [(); 4].map(|()| operand(random)));
+        self.try_operands(bench, &operands, tally);
+    }
+
+    fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
+        need(1, words)?;
+        self.try_operands(bench, &[[words[0]; 4]], tally);
+        Ok(())
+    }
+}

@@ -1,0 +1,23 @@
+//! Kernels under stress: the inputs that single precision is worst at.
+
+mod chains;
+mod estimates;
+mod extremes;
+mod refraction;
+pub mod spheres;
+pub mod triangles;
+
+use super::family::Families;
+
+/// The families of this section.
+pub fn families() -> Families {
+    let parts = [
+        spheres::families()?,
+        triangles::families()?,
+        refraction::families()?,
+        chains::families()?,
+        estimates::families()?,
+        extremes::families(),
+    ];
+    Ok(parts.into_iter().flatten().collect())
+}

@@ -1,0 +1,107 @@
+//! The stress suite and the guarantees: all bounds hold, kept inputs are tried, figures repeat;
+//! and the command line says what is wrong with what it is given.
+
+use ::accuracy::stability::regressions::{Regressions, keep};
+use ::accuracy::stability::{Size, run};
+
+/// Seed of the tests' run, another than that of the kept inputs.
+const SEED: u64 = 7;
+
+fn kept() -> Regressions {
+    Regressions::kept().expect("the repository's kept inputs")
+}
+
+#[test]
+fn all_bounds_hold_and_kept_inputs_are_tried() {
+    let report = run(Size::Quick, SEED, None, &kept()).expect("the suite runs");
+    assert!(report.held(), "{report}");
+    for row in &report.rows {
+        let (family, subject) = (row.family, &row.subject);
+        assert!(row.replayed > 0, "nothing is kept of {family}, {subject}");
+        let tried = row.tally.cases - row.replayed;
+        assert!(tried >= 100, "{tried} cases of {family}, {subject}");
+    }
+}
+
+#[test]
+fn figures_depend_on_the_seed_alone() {
+    let figures = |seed| {
+        let report = run(
+            Size::Quick,
+            seed,
+            Some("mirror-chain"),
+            &Regressions::default(),
+        );
+        report.expect("the family runs").json()
+    };
+    assert_eq!(figures(1), figures(1));
+    assert_ne!(figures(1), figures(2));
+}
+
+/// What is kept of one run is the worst of the next one with the same seed, and with another at
+/// least as bad.
+#[test]
+fn what_is_kept_is_the_worst_again() {
+    let family = Some("sphere-grazing");
+    let first = run(Size::Quick, 1, family, &Regressions::default()).expect("the family runs");
+    let folder = tempfile::tempdir().expect("a folder");
+    keep(&first, folder.path()).expect("a file");
+    let text = std::fs::read_to_string(folder.path().join("sphere-grazing.json"));
+    let kept = Regressions::of_file("sphere-grazing", &text.expect("the family's file"));
+    let kept = kept.expect("a good file");
+    let second = run(Size::Quick, 2, family, &kept).expect("the family runs");
+    for (first, second) in first.rows.iter().zip(&second.rows) {
+        assert!(second.tally.worst >= first.tally.worst);
+        assert!(second.replayed > 0);
+    }
+}
+
+#[test]
+fn a_kept_input_of_another_length_is_refused() {
+    let text = r#"{"inputs": [{"subject": "refract_r16", "worst": 0.0, "words": "3f800000"}]}"#;
+    let kept = Regressions::of_file("refract-critical", text).expect("a good file");
+    let error = run(Size::Quick, 1, Some("refract-critical"), &kept).expect_err("a short input");
+    let text = error.to_string();
+    assert!(text.contains("1 words, where a case has 9"), "{text}");
+}
+
+fn bench(arguments: &[&str]) -> std::process::Output {
+    super::bench("stability", arguments)
+}
+
+#[test]
+fn the_command_prints_a_table_and_writes_json() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let file = folder.path().join("report.json");
+    let path = file.to_str().expect("a path");
+    let output = bench(&["--quick", "--only", "triangle-needles", "--json", path]);
+    let text = String::from_utf8_lossy(&output.stdout);
+    assert!(output.status.success(), "{text}");
+    assert!(
+        text.contains("triangle-needles") && text.contains(" ok"),
+        "{text}"
+    );
+    let json = std::fs::read(&file).expect("the report");
+    let json: serde_json::Value = serde_json::from_slice(&json).expect("JSON");
+    assert_eq!(json["held"], true);
+    assert_eq!(json["rows"].as_array().map(Vec::len), Some(1));
+}
+
+#[test]
+fn what_can_not_be_is_said_by_its_value() {
+    let nowhere = "/no/such/folder/report.json";
+    for (arguments, said) in [
+        (&["--only", "spherical-cows"][..], "spherical-cows"),
+        (&["--seed", "seven"], "seven"),
+        (&["--quick", "--full"], "--full"),
+        (
+            &["--quick", "--only", "mesh-thin", "--json", nowhere],
+            nowhere,
+        ),
+    ] {
+        let output = bench(arguments);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert!(!output.status.success(), "{arguments:?}");
+        assert!(error.contains(said), "{arguments:?}: {error}");
+    }
+}

@@ -1,0 +1,362 @@
+//! Calls one kernel as a hostile caller would.
+//!
+//! Every register that the ABI lets a caller leave anything in holds junk, also the words of
+//! scalar arguments beyond the preferred one; registers that the kernel must keep hold marks;
+//! buffers lie between guards; local store that is nobody's is full of a `stop` that nobody else
+//! uses. What a kernel breaks of that is reported by name.
+//!
+//! A kernel is called in both images, from the same state, and the two have to leave the same: so
+//! whatever is checked of its plain version holds of the scheduled one.
+
+use std::time::{Duration, Instant};
+
+use rand::{RngCore as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::channel::NoChannels;
+use spu_emulator::elf::Image;
+use spu_emulator::interp::{Observer, Quad, Spu};
+use spu_emulator::local_store::{LocalStore, SIZE};
+use spu_emulator::stop::Stop;
+use zerocopy::{FromBytes, Immutable, IntoBytes};
+
+use crate::set::Kernels;
+use crate::source::Source;
+use crate::time::{Time, Watch};
+
+/// Where a kernel returns to.
+const RETURN: u16 = 0x1fff;
+/// What a program that lost its way runs into.
+const LOST: u16 = 0x1ffe;
+/// Top of the stack: below it the arena, above it nothing.
+const STACK: u32 = 0x3f000;
+/// Where the arena ends, and what kernels may put below the stack begins.
+const ARENA_END: u32 = STACK - 0x1000;
+/// Where the `stop` stands that a kernel returns to.
+pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
+const ARENA: u32 = 0x30000;
+const GUARD: usize = 64;
+const GUARD_BYTE: u8 = 0xa5;
+const LIMIT: u64 = 10_000_000;
+
+/// Seed of the random inputs: `CELLRAY_SEED`, else always the same.
+#[must_use]
+pub fn random() -> ChaCha8Rng {
+    let seed = std::env::var("CELLRAY_SEED")
+        .ok()
+        .and_then(|text| text.parse().ok())
+        .unwrap_or(SEED);
+    println!("CELLRAY_SEED={seed}");
+    ChaCha8Rng::seed_from_u64(seed)
+}
+
+/// The seed of what has to come out the same each time.
+pub const SEED: u64 = 2026;
+
+/// A version of the kernels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Version {
+    /// As written by hand.
+    Plain,
+    /// Scheduled for the two pipes.
+    Scheduled,
+}
+
+/// A place in local store that the kernel was given.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Its address.
+    pub address: u32,
+    size: usize,
+}
+
+/// What a call gave.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Returned {
+    /// `$3`, the preferred word.
+    pub value: u32,
+    /// Instructions of the plain version.
+    pub instructions: u64,
+}
+
+/// The kernels in one version, in an emulated local store.
+struct Machine {
+    store: LocalStore,
+    image: Image<'static>,
+    spu: Spu,
+}
+
+impl Machine {
+    fn new(image: &'static [u8]) -> Self {
+        Self {
+            store: LocalStore::new(),
+            image: Image::parse(image).expect("an SPU program"),
+            spu: Spu::new(),
+        }
+    }
+
+    /// Fills what is nobody's, and loads the kernels.
+    fn load(&self) {
+        self.desert(0, SIZE);
+        self.image.load(&self.store, 0);
+        self.store
+            .write(RETURN_ADDRESS, &u32::from(RETURN).to_be_bytes());
+    }
+
+    /// Fills local store from `start` to `end` with what no program should run into.
+    fn desert(&self, start: u32, end: u32) {
+        let words = (end - start) as usize / 4;
+        let lost = u32::from(LOST).to_be_bytes().repeat(words);
+        self.store.write(start, &lost);
+    }
+
+    fn run(&mut self, kernel: &str, registers: &[Quad; 128], observer: &mut impl Observer) -> u64 {
+        self.spu.registers = *registers;
+        let entry = self.image.symbol(kernel);
+        self.spu
+            .set_pc(entry.unwrap_or_else(|| panic!("no kernel {kernel}")));
+        let executed = self.spu.executed();
+        let stopped = self
+            .spu
+            .run_observed(&self.store, &mut NoChannels, LIMIT, observer)
+            .unwrap_or_else(|| panic!("{kernel} does not come to an end"));
+        assert_eq!(stopped.reason, Stop::Signal(RETURN), "{kernel}: {stopped}");
+        for number in std::iter::once(1).chain(80..128) {
+            let (found, kept) = (self.spu.registers[number], registers[number]);
+            assert_eq!(found, kept, "{kernel} lost ${number}, which it must keep");
+        }
+        // All but the `stop` that it returned to.
+        self.spu.executed() - executed - 1
+    }
+
+    /// The arena up to `end`, where the last place is.
+    fn arena(&self, end: u32) -> Vec<u8> {
+        let mut bytes = vec![0; (end - ARENA) as usize];
+        self.store.read(ARENA, &mut bytes);
+        bytes
+    }
+}
+
+/// Both versions of the kernels, and the places that the next call is given.
+pub struct Bench {
+    sources: Vec<Source>,
+    plain: Machine,
+    scheduled: Machine,
+    places: Vec<Place>,
+    free: u32,
+    junk: ChaCha8Rng,
+}
+
+impl Default for Bench {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Bench {
+    /// A bench with an empty arena, for [`Kernels::here`].
+    ///
+    /// # Panics
+    ///
+    /// If there are no kernels: whoever can do without them has asked [`Kernels::here`] before.
+    #[must_use]
+    pub fn new() -> Self {
+        let kernels = Kernels::here().unwrap_or_else(|error| panic!("{error}"));
+        Self::of(kernels.clone())
+    }
+
+    /// The same for any kernels.
+    ///
+    /// # Panics
+    ///
+    /// If an image is no SPU program.
+    #[must_use]
+    pub fn of(kernels: Kernels) -> Self {
+        let bench = Self {
+            sources: kernels.sources,
+            plain: Machine::new(kernels.plain),
+            scheduled: Machine::new(kernels.scheduled),
+            places: Vec::new(),
+            free: ARENA,
+            junk: ChaCha8Rng::seed_from_u64(1),
+        };
+        for machine in [&bench.plain, &bench.scheduled] {
+            machine.load();
+        }
+        bench
+    }
+
+    /// Empties the arena.
+    pub fn reset(&mut self) {
+        for machine in [&self.plain, &self.scheduled] {
+            machine.desert(ARENA, self.free);
+        }
+        self.places.clear();
+        self.free = ARENA;
+    }
+
+    /// A buffer with guards around it.
+    pub fn place(&mut self, bytes: &[u8]) -> Place {
+        let place = Place {
+            address: self.free + GUARD as u32,
+            size: bytes.len(),
+        };
+        let end = place.address + place.size as u32;
+        self.free = (end + GUARD as u32).next_multiple_of(128);
+        assert!(self.free <= ARENA_END, "the arena is full");
+        for store in [&self.plain.store, &self.scheduled.store] {
+            store.write(place.address - GUARD as u32, &[GUARD_BYTE; GUARD]);
+            store.write(place.address, bytes);
+            store.write(end, &[GUARD_BYTE; GUARD]);
+        }
+        self.places.push(place);
+        place
+    }
+
+    /// A buffer of junk for a kernel to write into.
+    pub fn junk<T: FromBytes + IntoBytes + Immutable>(&mut self) -> Place {
+        let mut bytes = vec![0; size_of::<T>()];
+        self.junk.fill_bytes(&mut bytes);
+        self.place(&bytes)
+    }
+
+    /// A record as it stands in local store now.
+    ///
+    /// # Panics
+    ///
+    /// If the place is not of the record's size.
+    #[must_use]
+    pub fn read<T: FromBytes + IntoBytes>(&self, place: Place) -> T {
+        assert_eq!(place.size, size_of::<T>());
+        let mut record = T::new_zeroed();
+        self.plain.store.read(place.address, record.as_mut_bytes());
+        record
+    }
+
+    /// The records that fill a place, as they stand in local store now.
+    ///
+    /// # Panics
+    ///
+    /// If the place does not hold whole records.
+    #[must_use]
+    pub fn read_all<T: FromBytes + IntoBytes>(&self, place: Place) -> Vec<T> {
+        assert_eq!(place.size % size_of::<T>(), 0);
+        let starts = (place.address..).step_by(size_of::<T>());
+        let records = starts.take(place.size / size_of::<T>()).map(|start| {
+            let mut record = T::new_zeroed();
+            self.plain.store.read(start, record.as_mut_bytes());
+            record
+        });
+        records.collect()
+    }
+
+    /// All words of `$3` as the last call left them.
+    #[must_use]
+    pub fn returned_vector(&self) -> [u32; 4] {
+        self.plain.spu.registers[3].0
+    }
+
+    /// Calls a kernel with words in the preferred slots of `$3` on.
+    ///
+    /// # Panics
+    ///
+    /// If the kernel breaks a rule of the ABI, writes beside its places, does not return, or if
+    /// its versions disagree.
+    pub fn call(&mut self, kernel: &str, arguments: &[u32]) -> Returned {
+        let mut sources = self.sources.iter();
+        let source = *sources
+            .find(|source| source.name == kernel)
+            .unwrap_or_else(|| panic!("no kernel {kernel}"));
+        let registers = self.registers(arguments);
+        let instructions = self.plain.run(kernel, &registers, &mut ());
+        let value = self.plain.spu.registers[3].0[0];
+        self.check_guards(kernel);
+        self.scheduled.run(kernel, &registers, &mut ());
+        self.compare(&source);
+        Returned {
+            value,
+            instructions,
+        }
+    }
+
+    /// Times a call of one version, without the checks. What it writes stays.
+    ///
+    /// # Panics
+    ///
+    /// If the kernel does not return.
+    pub fn time(&mut self, version: Version, kernel: &str, arguments: &[u32]) -> Time {
+        let registers = self.registers(arguments);
+        let machine = match version {
+            Version::Plain => &mut self.plain,
+            Version::Scheduled => &mut self.scheduled,
+        };
+        let mut watch = Watch::default();
+        machine.run(kernel, &registers, &mut watch);
+        watch.time()
+    }
+
+    /// Runs one version of a kernel, without the checks, for the host's time that its instructions
+    /// take. What it writes stays.
+    ///
+    /// # Panics
+    ///
+    /// If the kernel does not return.
+    pub fn host_time(&mut self, version: Version, kernel: &str, arguments: &[u32]) -> Duration {
+        let registers = self.registers(arguments);
+        let machine = match version {
+            Version::Plain => &mut self.plain,
+            Version::Scheduled => &mut self.scheduled,
+        };
+        let start = Instant::now();
+        machine.run(kernel, &registers, &mut ());
+        start.elapsed()
+    }
+
+    /// Junk but for the arguments, the stack and the return address.
+    fn registers(&mut self, arguments: &[u32]) -> [Quad; 128] {
+        let mut registers = [Quad::ZERO; 128];
+        for register in &mut registers {
+            *register = Quad(std::array::from_fn(|_| self.junk.next_u32()));
+        }
+        registers[0].0[0] = RETURN_ADDRESS;
+        registers[1] = Quad::splat(STACK);
+        for (register, argument) in registers[3..].iter_mut().zip(arguments) {
+            register.0[0] = *argument;
+        }
+        registers
+    }
+
+    fn check_guards(&self, kernel: &str) {
+        for place in &self.places {
+            for (side, address) in [
+                ("before", place.address - GUARD as u32),
+                ("after", place.address + place.size as u32),
+            ] {
+                let mut guard = [0; GUARD];
+                self.plain.store.read(address, &mut guard);
+                assert!(
+                    guard.iter().all(|byte| *byte == GUARD_BYTE),
+                    "{kernel} wrote {side} the buffer at {:#x}",
+                    place.address
+                );
+            }
+        }
+    }
+
+    /// Holds the scheduled version to what the plain one left.
+    fn compare(&self, source: &Source) {
+        let kernel = source.name;
+        let (plain, scheduled) = (self.plain.arena(self.free), self.scheduled.arena(self.free));
+        if let Some(offset) = plain.iter().zip(&scheduled).position(|(p, s)| p != s) {
+            panic!(
+                "{kernel}: plain and scheduled differ at {:#x}: {:02x} and {:02x}",
+                ARENA as usize + offset,
+                plain[offset],
+                scheduled[offset]
+            );
+        }
+        let words = source.header().map_or(0, |header| header.returned_words());
+        let [plain, scheduled] =
+            [&self.plain, &self.scheduled].map(|machine| &machine.spu.registers[3].0[..words]);
+        assert_eq!(plain, scheduled, "{kernel}: plain and scheduled return");
+    }
+}

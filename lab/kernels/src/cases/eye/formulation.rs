@@ -1,0 +1,212 @@
+//! Spheres as the eye sees them, by the kernels of all formulations: records, cases, the truth in
+//! f64, errors.
+
+use std::fmt::Debug;
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::ball::Ball;
+use twins::sphere::{
+    Axis, Constants, Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Refined, Stable,
+    Unnormalised,
+};
+
+use super::error::NO_HITS;
+use super::{PACKETS, call, isect_pairs};
+use crate::bench::Bench;
+use crate::cases::ball::{any_direction, ball, ulp};
+use crate::cases::formulation::ForTheEye;
+use crate::cases::spheres::EyeSphere;
+use crate::catalogue::{Case, Kernel};
+use crate::eye_records::{self, Vectors};
+use crate::vector::{Vector, dot, magnitude, unit};
+use protocol::layout::Sphere;
+
+/// How near to its outline a sphere may be passed, as disc / r^2, for a hit or a miss that counts;
+/// nearer, the direction's own rounding decides.
+const TANGENT: f64 = 1e-3;
+
+/// What a formulation takes of a sphere of the eye's.
+pub trait Seen: Copy + Debug {
+    /// A sphere with its centre there.
+    fn at(centre: Vector, radius: f64) -> Self;
+    /// Centre and radius squared of the very sphere that is described.
+    fn exact(&self) -> (Vector, f64);
+    /// As the record holds it.
+    fn words(&self) -> EyeSphere;
+    /// Any bits at all.
+    fn junk(random: &mut ChaCha8Rng) -> Self;
+
+    /// The record.
+    fn record(&self) -> Sphere {
+        self.words().record()
+    }
+}
+
+impl Seen for Ball {
+    fn at(centre: Vector, radius: f64) -> Self {
+        ball(centre, radius)
+    }
+
+    fn exact(&self) -> (Vector, f64) {
+        (self.centre.map(to_f64), to_f64(self.radius_squared))
+    }
+
+    fn words(&self) -> EyeSphere {
+        EyeSphere::Centre {
+            centre: self.centre,
+            radius_squared: self.radius_squared,
+        }
+    }
+
+    fn junk(random: &mut ChaCha8Rng) -> Self {
+        Self {
+            centre: random.random(),
+            radius_squared: random.random(),
+        }
+    }
+}
+
+impl Seen for Axis {
+    fn at(centre: Vector, radius: f64) -> Self {
+        // A centre at the eye has no direction: with a tiny distance the eye is inside, as it
+        // should be.
+        let distance = dot(centre, centre).sqrt().max(radius * 2_f64.powi(-60));
+        Self {
+            axis: centre.map(|component| from_f64(component / distance)),
+            k: from_f64((radius / distance).powi(2)),
+            distance: from_f64(distance),
+        }
+    }
+
+    fn exact(&self) -> (Vector, f64) {
+        let distance = to_f64(self.distance);
+        let centre = unit(self.axis.map(to_f64)).map(|component| component * distance);
+        (centre, to_f64(self.k) * distance * distance)
+    }
+
+    fn words(&self) -> EyeSphere {
+        EyeSphere::Axis {
+            axis: self.axis,
+            k: self.k,
+            distance: self.distance,
+        }
+    }
+
+    fn junk(random: &mut ChaCha8Rng) -> Self {
+        Self {
+            axis: random.random(),
+            k: random.random(),
+            distance: random.random(),
+        }
+    }
+}
+
+/// The kernels of the formulations beside the one that the eye's rays go through.
+pub const KERNELS: &[Kernel] = &[
+    row::<Paper>(),
+    row::<Estimate>(),
+    row::<Interpolated>(),
+    row::<Newton2>(),
+    row::<Stable>(),
+    row::<Factored>(),
+    row::<Constants>(),
+    row::<Refined>(),
+    row::<Unnormalised>(),
+    row::<InDouble>(),
+];
+
+/// The row of a formulation's kernel.
+pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
+    Kernel {
+        name: F::EYE,
+        rays: 16,
+        cases: const {
+            &[
+                Case {
+                    name: "all miss",
+                    objects: PACKETS,
+                    place: |bench, count| {
+                        let beside = F::Sphere::at([9.0, 0.0, -5.0], 1.0);
+                        isect_pairs(bench, &[beside.record(); 4], count)
+                    },
+                },
+                Case {
+                    name: "all hit, each nearer",
+                    objects: PACKETS,
+                    place: |bench, count| {
+                        let nearer = [20.0, 15.0, 10.0, 5.0];
+                        let sphere = |distance: f64| F::Sphere::at([0.0, 0.0, -distance], 1.0);
+                        isect_pairs(
+                            bench,
+                            &nearer.map(|distance| sphere(distance).record()),
+                            count,
+                        )
+                    },
+                },
+            ]
+        },
+        error: Some(error::<F>),
+    }
+}
+
+/// A sphere within a formulation's domain, and rays within its outline and around it.
+#[must_use]
+pub fn around_a_sphere<F: ForTheEye<Sphere: Seen>>(
+    random: &mut ChaCha8Rng,
+) -> (Vectors, F::Sphere) {
+    let radius = random.random_range(0.1..10.0);
+    let distance = radius * magnitude(F::DOMAIN.eye, random);
+    let centre = any_direction(random).map(|component| component * distance);
+    let sphere = F::Sphere::at(centre, radius);
+    let rays = std::array::from_fn(|_| {
+        let towards = centre.map(|component| component + radius * random.random_range(-0.9..0.9));
+        let length = if F::DOMAIN.lengths.is_empty() {
+            1.0
+        } else {
+            magnitude(F::DOMAIN.lengths, random)
+        };
+        unit(towards).map(|component| from_f64(component * length))
+    });
+    (rays, sphere)
+}
+
+/// Largest error of t in its ulps; infinite if a hit is missed or made up.
+fn error<F: ForTheEye<Sphere: Seen>>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..4000 {
+        let (rays, sphere) = around_a_sphere::<F>(random);
+        let (centre, radius_squared) = sphere.exact();
+        let packet = eye_records::packet(&rays, &NO_HITS);
+        let (packets, _) =
+            call::isect_pairs(bench, F::EYE, &[packet], &[sphere.record()], &[[0, 0]]);
+        for (direction, hit) in rays.iter().zip(eye_records::hits(&packets[0])) {
+            let direction = direction.map(to_f64);
+            let length = dot(direction, direction).sqrt();
+            let direction = unit(direction);
+            let b = dot(centre, direction);
+            let l: Vector = std::array::from_fn(|axis| centre[axis] - b * direction[axis]);
+            let disc = radius_squared - dot(l, l);
+            let depth = disc / radius_squared;
+            let found = (hit.object != 0).then(|| to_f64(hit.t));
+            // Where directions have any length, t is in parts of it.
+            let part = if F::DOMAIN.lengths.is_empty() {
+                1.0
+            } else {
+                length
+            };
+            let truth = (disc >= 0.0).then(|| (b - disc.sqrt()) / part);
+            match (found, truth) {
+                (Some(found), Some(t)) if depth > F::DOMAIN.outline => {
+                    worst = worst.max((found - t).abs() / ulp(t, t));
+                }
+                (None, Some(_)) | (Some(_), None) if depth.abs() > TANGENT => {
+                    worst = f64::INFINITY;
+                }
+                _ => {}
+            }
+        }
+    }
+    worst
+}

@@ -1,0 +1,115 @@
+//! What the kernels of each formulation of spheres are measured on, as their headers state it.
+
+use std::fmt::Debug;
+use std::ops::Range;
+
+use twins::sphere::{
+    Constants, Estimate, Eye, Factored, General, InDouble, Interpolated, Newton2, Paper,
+    Perpendicular, Refined, Stable, Unnormalised,
+};
+
+/// Rays and spheres for which a formulation is honest.
+#[derive(Clone, Debug)]
+pub struct Domain {
+    /// Distance of the eye from the centre, in radii.
+    pub eye: Range<f64>,
+    /// The largest distance of other origins outside, in radii.
+    pub farthest: f64,
+    /// How near to its outline a sphere may be passed, as disc / r^2, for a root that counts.
+    pub outline: f64,
+    /// How near to the surface, in radii, another origin may be.
+    pub surface: f64,
+    /// Lengths of directions.
+    pub lengths: Range<f64>,
+    /// Whether a ray is sure to touch a sphere where nothing but roots and quotients has to be
+    /// rounded.
+    pub touches: bool,
+    /// The relative error that is no surprise in rays from where no digits are lost.
+    pub rough: f64,
+}
+
+const PERPENDICULAR: Domain = Domain {
+    eye: 1.5..30.0,
+    farthest: 30.0,
+    outline: 0.01,
+    surface: 1e-5,
+    lengths: 1.0..1.0,
+    touches: true,
+    rough: 1e-6,
+};
+
+/// A formulation with its domain.
+pub trait Formulation: Copy + Debug + 'static {
+    /// The domain.
+    const DOMAIN: Domain = PERPENDICULAR;
+}
+
+impl Formulation for Perpendicular {}
+impl Formulation for Newton2 {}
+impl Formulation for Stable {}
+
+impl Formulation for Factored {
+    const DOMAIN: Domain = Domain {
+        touches: false,
+        ..PERPENDICULAR
+    };
+}
+
+impl Formulation for Paper {
+    const DOMAIN: Domain = Domain {
+        eye: 1.5..3.0,
+        farthest: 3.0,
+        ..PERPENDICULAR
+    };
+}
+
+impl Formulation for Estimate {
+    const DOMAIN: Domain = Domain {
+        surface: 0.1,
+        rough: 0.05,
+        ..PERPENDICULAR
+    };
+}
+
+impl Formulation for Interpolated {
+    const DOMAIN: Domain = Domain {
+        surface: 1e-3,
+        rough: 4e-4,
+        ..PERPENDICULAR
+    };
+}
+
+impl Formulation for Refined {
+    const DOMAIN: Domain = Domain {
+        eye: 2.0..1e6,
+        outline: 0.19,
+        ..PERPENDICULAR
+    };
+}
+
+impl Formulation for Constants {
+    const DOMAIN: Domain = Refined::DOMAIN;
+}
+
+impl Formulation for InDouble {
+    const DOMAIN: Domain = Domain {
+        eye: 1.5..1e6,
+        ..PERPENDICULAR
+    };
+}
+
+impl Formulation for Unnormalised {
+    const DOMAIN: Domain = Domain {
+        lengths: 1e-6..1e6,
+        touches: false,
+        ..PERPENDICULAR
+    };
+}
+
+/// A formulation that has a kernel for rays from anywhere.
+pub trait ForAnyRay: Formulation + General {}
+impl<F: Formulation + General> ForAnyRay for F {}
+
+/// A formulation that has a kernel for the eye's rays.
+pub trait ForTheEye: Formulation + Eye {}
+impl<F: Formulation + Eye> ForTheEye for F {}

@@ -1,0 +1,206 @@
+//! The kernels of the room math: reciprocals, square roots and their reciprocals, each from the
+//! bare estimate to two Newton steps.
+
+pub mod error;
+
+use std::ops::RangeInclusive;
+
+use rand::{Rng, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{LARGEST, SMALLEST};
+use twins::{Single, math};
+use zerocopy::big_endian::U32;
+
+use crate::bench::{Bench, Place, SEED};
+use crate::cases::eye::call::put;
+use crate::catalogue::{Case, Kernel, Objects};
+
+/// Short arrays of quadwords, and long ones.
+const QUADWORDS: Objects = Objects::List(32, 128);
+/// Quadwords that a pass takes: arrays are rounded up to it.
+const PASS: usize = 4;
+
+/// What is computed of an operand.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Quantity {
+    /// 1/x.
+    Reciprocal,
+    /// 1/sqrt(x).
+    ReciprocalRoot,
+    /// sqrt(x).
+    Root,
+}
+
+/// A kernel of the room.
+#[derive(Clone, Copy, Debug)]
+pub struct Function {
+    /// The kernel.
+    pub kernel: &'static str,
+    /// What it computes.
+    pub quantity: Quantity,
+    /// What it does to a lane.
+    pub twin: fn(Single) -> Single,
+    /// Magnitudes of operands for which its error is stated.
+    pub domain: [Single; 2],
+}
+
+impl Quantity {
+    /// What is so.
+    #[must_use]
+    pub fn exactly(self, x: f64) -> f64 {
+        match self {
+            Self::Reciprocal => 1.0 / x,
+            Self::ReciprocalRoot => 1.0 / x.sqrt(),
+            Self::Root => x.sqrt(),
+        }
+    }
+
+    /// Operands of which all others differ by an exponent that changes no digit of the result:
+    /// those from 1 on, to below 2, or for roots below 4.
+    #[must_use]
+    pub const fn all_fractions(self) -> RangeInclusive<Single> {
+        match self {
+            Self::Reciprocal => 0x3f80_0000..=0x3fff_ffff,
+            Self::ReciprocalRoot | Self::Root => 0x3f80_0000..=0x407f_ffff,
+        }
+    }
+
+    /// Whether operands below 0 belong to the domain.
+    #[must_use]
+    pub const fn takes_negative(self) -> bool {
+        matches!(self, Self::Reciprocal)
+    }
+}
+
+/// Whose reciprocals are normal, but for 2^126 itself, of which the estimate is 0.
+const RECIPROCAL: [Single; 2] = [SMALLEST, 0x7e7f_ffff];
+const NORMAL: [Single; 2] = [SMALLEST, LARGEST];
+/// Where what remains of the operand after the root's square is not flushed to 0.
+const WITH_REMAINDER: [Single; 2] = [0x0b80_0000, LARGEST];
+
+const fn function(
+    kernel: &'static str,
+    quantity: Quantity,
+    twin: fn(Single) -> Single,
+    domain: [Single; 2],
+) -> Function {
+    Function {
+        kernel,
+        quantity,
+        twin,
+        domain,
+    }
+}
+
+/// All of them: for each quantity the cheapest first.
+pub const FUNCTIONS: [Function; 12] = {
+    use Quantity::{Reciprocal, ReciprocalRoot, Root};
+    [
+        function(
+            "recip_estimate",
+            Reciprocal,
+            math::recip_estimate,
+            RECIPROCAL,
+        ),
+        function(
+            "recip_interpolated",
+            Reciprocal,
+            math::recip_interpolated,
+            RECIPROCAL,
+        ),
+        function("recip_newton1", Reciprocal, math::reciprocal, RECIPROCAL),
+        function("recip_newton2", Reciprocal, math::recip_newton2, RECIPROCAL),
+        function(
+            "rsqrt_estimate",
+            ReciprocalRoot,
+            math::rsqrt_estimate,
+            NORMAL,
+        ),
+        function(
+            "rsqrt_interpolated",
+            ReciprocalRoot,
+            math::rsqrt_interpolated,
+            NORMAL,
+        ),
+        function("rsqrt_newton1", ReciprocalRoot, math::rsqrt, NORMAL),
+        function("rsqrt_newton2", ReciprocalRoot, math::rsqrt_newton2, NORMAL),
+        function("sqrt_estimate", Root, math::sqrt_estimate, NORMAL),
+        function("sqrt_interpolated", Root, math::sqrt_interpolated, NORMAL),
+        function("sqrt_newton1", Root, math::sqrt, WITH_REMAINDER),
+        function("sqrt_newton2", Root, math::sqrt_newton2, WITH_REMAINDER),
+    ]
+};
+
+const fn row<const NUMBER: usize>() -> Kernel {
+    Kernel {
+        name: FUNCTIONS[NUMBER].kernel,
+        rays: 4,
+        cases: &[Case {
+            name: "any operands",
+            objects: QUADWORDS,
+            place: |bench, count| {
+                let mut random = ChaCha8Rng::seed_from_u64(SEED);
+                let operands: Vec<[Single; 4]> = (0..count).map(|_| random.random()).collect();
+                let [operands, results] = put_operands(bench, &operands, 0);
+                vec![operands.address, results.address, count]
+            },
+        }],
+        error: Some(|bench, random| error::largest(bench, random, &FUNCTIONS[NUMBER])),
+    }
+}
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[
+    row::<0>(),
+    row::<1>(),
+    row::<2>(),
+    row::<3>(),
+    row::<4>(),
+    row::<5>(),
+    row::<6>(),
+    row::<7>(),
+    row::<8>(),
+    row::<9>(),
+    row::<10>(),
+    row::<11>(),
+];
+
+/// Places operands, with `anything` in the rest of the last pass, and room for the results.
+fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -> [Place; 2] {
+    let padded = operands.len().next_multiple_of(PASS);
+    let mut words: Vec<[U32; 4]> = operands
+        .iter()
+        .map(|quadword| quadword.map(U32::new))
+        .collect();
+    words.resize(padded, [U32::new(anything); 4]);
+    let operands = put(bench, &words);
+    let results = bench.place(&vec![0x55; size_of::<[U32; 4]>() * padded]);
+    [operands, results]
+}
+
+/// A kernel's results, those of the operands' rest in the last pass with them, which are
+/// `anything`. With `in_place` the results take the operands' place.
+pub fn call(
+    bench: &mut Bench,
+    kernel: &str,
+    operands: &[[Single; 4]],
+    anything: Single,
+    in_place: bool,
+) -> Vec<[Single; 4]> {
+    bench.reset();
+    let [from, to] = put_operands(bench, operands, anything);
+    let to = if in_place { from } else { to };
+    bench.call(kernel, &[from.address, to.address, operands.len() as u32]);
+    let results: Vec<[U32; 4]> = bench.read_all(to);
+    results
+        .into_iter()
+        .map(|quadword| quadword.map(U32::get))
+        .collect()
+}
+
+/// An operand of the domain, its exponent and fraction as likely as any other.
+pub fn operand(random: &mut impl Rng, function: &Function) -> Single {
+    let [least, most] = function.domain;
+    let sign = function.quantity.takes_negative() && random.random();
+    random.random_range(least..=most) | u32::from(sign) << 31
+}

@@ -1,0 +1,328 @@
+//! `refract_r16` and `reflect_r16`: cases, hits of their domain, and what they give against f64.
+
+use rand::{Rng, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::bounce::{Bounce, Queued};
+use zerocopy::{FromZeros as _, IntoBytes};
+
+use crate::bench::{Bench, Place, SEED};
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::flat_records::point;
+use crate::single::{bits, single};
+use crate::vector::{Vector, dot, in_cube, unit};
+use protocol::layout::{QueuedRay, RayPacket, Site, Surfaces};
+
+/// A short list of sites, and a long one.
+const SITES: Objects = Objects::List(2, 8);
+/// Packets that an error is measured over.
+const PACKETS: u32 = 1000;
+/// The least cosine on the far side for which `refract_r16` states its error.
+pub const STEEP: f64 = 0.1;
+/// How near to the surface, by its cosine, rounding may decide which normal is taken.
+pub const ALONG: f64 = 1e-5;
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        name: "refract_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "glass",
+                objects: SITES,
+                place: |bench, count| case(bench, count, 1.0),
+            },
+            Case {
+                name: "nothing lets through",
+                objects: SITES,
+                place: |bench, count| case(bench, count, 0.0),
+            },
+        ],
+        error: Some(|bench, random| worst(bench, random, "refract_r16", refracted)),
+    },
+    Kernel {
+        name: "reflect_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "mirrors",
+                objects: SITES,
+                place: |bench, count| case(bench, count, 1.0),
+            },
+            Case {
+                name: "nothing reflects",
+                objects: SITES,
+                place: |bench, count| case(bench, count, 0.0),
+            },
+        ],
+        error: Some(|bench, random| worst(bench, random, "reflect_r16", reflected)),
+    },
+];
+
+/// Hits that all have this share to reflect and to let through.
+fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
+    let mut random = ChaCha8Rng::seed_from_u64(SEED);
+    let packet = |_| {
+        std::array::from_fn(|_| Bounce {
+            mirror: from_f64(share),
+            transmittance: from_f64(share),
+            ..hit(&mut random)
+        })
+    };
+    let packets: Vec<[Bounce; 16]> = (0..count).map(packet).collect();
+    Sites::put(bench, &packets, &mut random).arguments(0)
+}
+
+/// Sites placed for a call, and the queue for their rays.
+pub struct Sites {
+    sites: Place,
+    surfaces: Vec<Place>,
+    queue: Place,
+}
+
+impl Sites {
+    /// Places the records of hits; what the kernels don't read is junk.
+    pub fn put(bench: &mut Bench, packets: &[[Bounce; 16]], random: &mut impl Rng) -> Self {
+        let mut surfaces = Vec::new();
+        let sites: Vec<Site> = packets
+            .iter()
+            .map(|packet| {
+                let (surface, rays) = records(packet, random);
+                let surface = bench.place(surface.as_bytes());
+                let rays = bench.place(rays.as_bytes());
+                surfaces.push(surface);
+                Site {
+                    surfaces: surface.address.into(),
+                    rays: rays.address.into(),
+                    shadow: random.random::<u32>().into(),
+                    unused: random.random::<u32>().into(),
+                }
+            })
+            .collect();
+        let sites = bench.place(sites.as_bytes());
+        let mut queue = vec![0; (16 * packets.len() + 1) * size_of::<QueuedRay>()];
+        random.fill_bytes(&mut queue);
+        Self {
+            sites,
+            surfaces,
+            queue: bench.place(&queue),
+        }
+    }
+
+    /// What a kernel is given, with the least weight of a ray that is sent on.
+    #[must_use]
+    pub fn arguments(&self, least: u32) -> Vec<u32> {
+        let count = self.surfaces.len() as u32;
+        vec![self.sites.address, count, self.queue.address, least]
+    }
+
+    /// The rays that a kernel has appended, by the end that it returned.
+    ///
+    /// # Panics
+    ///
+    /// If that is no end of whole rays within the queue.
+    #[must_use]
+    pub fn queued(&self, bench: &Bench, end: u32) -> Vec<Queued> {
+        let bytes = end - self.queue.address;
+        let size = size_of::<QueuedRay>() as u32;
+        assert_eq!(bytes % size, 0, "part of a ray");
+        let mut rays = bench.read_all::<QueuedRay>(self.queue);
+        assert!(bytes / size < rays.len() as u32, "more rays than lanes");
+        rays.truncate((bytes / size) as usize);
+        let queued = rays.iter().map(|ray| Queued {
+            origin: ray.origin.map(bits),
+            weight: bits(ray.weight),
+            direction: ray.direction.map(bits),
+            pixel: ray.pixel.get(),
+        });
+        queued.collect()
+    }
+
+    /// The surfaces as they stand now.
+    #[must_use]
+    pub fn surfaces(&self, bench: &Bench) -> Vec<Surfaces> {
+        let read = |place: &Place| bench.read(*place);
+        self.surfaces.iter().map(read).collect()
+    }
+}
+
+/// The records of sixteen hits, in what the kernels read of them; the rest is junk.
+fn records(packet: &[Bounce; 16], random: &mut impl Rng) -> (Surfaces, RayPacket) {
+    let mut surfaces = Surfaces::new_zeroed();
+    let mut rays = RayPacket::new_zeroed();
+    random.fill_bytes(surfaces.as_mut_bytes());
+    random.fill_bytes(rays.as_mut_bytes());
+    for (lane, hit) in packet.iter().enumerate() {
+        let vectors = [
+            (
+                &mut surfaces.point_x,
+                &mut surfaces.point_y,
+                &mut surfaces.point_z,
+                hit.point,
+            ),
+            (
+                &mut surfaces.normal_x,
+                &mut surfaces.normal_y,
+                &mut surfaces.normal_z,
+                hit.normal,
+            ),
+            (
+                &mut surfaces.plane_x,
+                &mut surfaces.plane_y,
+                &mut surfaces.plane_z,
+                hit.plane,
+            ),
+            (
+                &mut rays.direction_x,
+                &mut rays.direction_y,
+                &mut rays.direction_z,
+                hit.direction,
+            ),
+        ];
+        for (x, y, z, vector) in vectors {
+            [x[lane], y[lane], z[lane]] = vector.map(single);
+        }
+        surfaces.leave[lane] = single(hit.leave);
+        surfaces.mirror[lane] = single(hit.mirror);
+        surfaces.transmittance[lane] = single(hit.transmittance);
+        surfaces.ratio[lane] = single(hit.ratio);
+        surfaces.schlick[lane] = single(hit.schlick);
+        surfaces.grazing[lane] = single(hit.grazing);
+        rays.weight[lane] = single(hit.weight);
+        rays.pixel[lane] = hit.pixel.into();
+    }
+    (surfaces, rays)
+}
+
+/// A hit of the stated domain: any incidence, half of them on patches, whose normals lean by up to
+/// a half; glass, mirrors and neither.
+pub fn hit(random: &mut impl Rng) -> Bounce {
+    let (direction, plane) = loop {
+        let [direction, plane] = [(); 2].map(|()| unit(in_cube(1.0, random)));
+        if dot(direction, plane) < -1e-3 {
+            break (direction, plane);
+        }
+    };
+    let lean = if random.random() { 0.5 } else { 0.0 };
+    let offset = in_cube(1.0, random);
+    let leaning = unit(std::array::from_fn(|axis| {
+        plane[axis] + lean * offset[axis]
+    }));
+    let normal = if dot(direction, leaning) < -1e-3 {
+        leaning
+    } else {
+        plane
+    };
+    let index = random.random_range(0.25..4.0_f64);
+    let head_on = ((1.0 - index) / (1.0 + index)).powi(2);
+    let [schlick, grazing] = if random.random() {
+        [head_on, 1.0 - head_on]
+    } else {
+        [0.0; 2]
+    };
+    let mut share = || random.random_range(-0.5..1.0_f64).max(0.0);
+    let (mirror, transmittance) = (share(), share());
+    Bounce {
+        direction: point(direction),
+        weight: from_f64(random.random_range(0.0..1.0)),
+        pixel: random.random(),
+        point: point(in_cube(10.0, random)),
+        normal: point(normal),
+        plane: point(plane),
+        leave: from_f64(random.random_range(1e-6..1e-2)),
+        mirror: from_f64(mirror),
+        transmittance: from_f64(transmittance),
+        ratio: from_f64(index),
+        schlick: from_f64(schlick),
+        grazing: from_f64(grazing),
+    }
+}
+
+/// A direction in f64 for the very singles that a kernel is given, and its share of the ray's
+/// weight; nothing if there is none, or if it is not within the stated domain.
+type Truth = fn(&Bounce) -> Option<(Vector, f64)>;
+
+/// What a mirror throws back.
+#[must_use]
+pub fn reflected(hit: &Bounce) -> Option<(Vector, f64)> {
+    let [direction, normal, plane] =
+        [hit.direction, hit.normal, hit.plane].map(|v| unit(v.map(to_f64)));
+    let mirrored = |normal: Vector| -> Vector {
+        let along = dot(direction, normal);
+        unit(std::array::from_fn(|axis| {
+            direction[axis] - 2.0 * along * normal[axis]
+        }))
+    };
+    let by_normal = mirrored(normal);
+    let off = dot(by_normal, plane);
+    let share = to_f64(hit.mirror);
+    let decided = off.abs() > ALONG && share > 0.0;
+    let taken = if off > 0.0 {
+        by_normal
+    } else {
+        mirrored(plane)
+    };
+    decided.then_some((taken, share))
+}
+
+/// What glass lets through.
+#[must_use]
+pub fn refracted(hit: &Bounce) -> Option<(Vector, f64)> {
+    let [direction, normal, plane] =
+        [hit.direction, hit.normal, hit.plane].map(|v| unit(v.map(to_f64)));
+    let [ratio, schlick, grazing] = [hit.ratio, hit.schlick, hit.grazing].map(to_f64);
+    let through = |normal: Vector| -> Option<(Vector, f64)> {
+        let along = dot(direction, normal);
+        let sine: Vector =
+            std::array::from_fn(|axis| ratio * (direction[axis] - along * normal[axis]));
+        let squared = 1.0 - dot(sine, sine);
+        let cosine = squared.max(0.0).sqrt();
+        let vector = std::array::from_fn(|axis| sine[axis] - cosine * normal[axis]);
+        (cosine > STEEP).then_some((vector, cosine))
+    };
+    let (first, _) = through(normal)?;
+    let off = dot(first, plane);
+    let (taken, beyond) = if off < 0.0 {
+        through(normal)
+    } else {
+        through(plane)
+    }?;
+    let near = -dot(direction, normal);
+    let cosine = if ratio > 1.0 { beyond } else { near };
+    let reflected = schlick + grazing * (1.0 - cosine).clamp(0.0, 1.0).powi(5);
+    let share = to_f64(hit.transmittance) * (1.0 - reflected);
+    (off.abs() > ALONG && share > 0.0).then_some((taken, share))
+}
+
+/// Largest error of a direction's component in ulps of 1; infinite if a ray is missing.
+fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        // One at a time: the rays in the queue don't say whose they are, but for the pixel.
+        let packet: [Bounce; 16] = std::array::from_fn(|lane| Bounce {
+            pixel: lane as u32,
+            ..hit(random)
+        });
+        bench.reset();
+        let sites = Sites::put(bench, &[packet], random);
+        let end = bench.call(kernel, &sites.arguments(0)).value;
+        let queued = sites.queued(bench, end);
+        for (pixel, hit) in (0..).zip(&packet) {
+            let Some((exact, _)) = truth(hit) else {
+                continue;
+            };
+            let found = queued.iter().find(|ray| ray.pixel == pixel);
+            worst = worst.max(found.map_or(f64::INFINITY, |ray| off(ray, exact)));
+        }
+    }
+    worst
+}
+
+/// Ulps of 1 by which the worst component of a ray's direction is off.
+#[must_use]
+pub fn off(ray: &Queued, exact: Vector) -> f64 {
+    let found = ray.direction.map(to_f64).into_iter().zip(exact);
+    let errors = found.map(|(found, exact)| (found - exact).abs() * 2_f64.powi(23));
+    errors.fold(0.0, f64::max)
+}

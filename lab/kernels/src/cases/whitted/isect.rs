@@ -1,0 +1,107 @@
+//! The intersectors that run through candidates: what they all are called with.
+
+pub mod ball;
+pub mod call;
+pub mod cone;
+pub mod error;
+pub mod rectangle;
+pub mod shape;
+pub mod triangle;
+pub mod triangle_mt;
+
+use twins::FARTHEST;
+use twins::ball::Ray;
+use twins::sphere::{
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
+    Unnormalised,
+};
+
+use crate::bench::Bench;
+use crate::cases::ball::case_rays;
+use crate::cases::eye::call::put;
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::flat_records::Shears;
+use ball::By;
+use cone::ConeObject;
+use rectangle::RectangleObject;
+use shape::Shape;
+use triangle::TriangleObject;
+use triangle_mt::MoellerTrumbore;
+
+/// A short list of candidates, and a long one.
+const CANDIDATES: Objects = Objects::List(16, 64);
+/// Packets to be sheared: as many as there is room for.
+const PACKETS: Objects = Objects::List(8, 24);
+
+/// The row of a shape's kernel: past objects that are missed, and through some that are hit.
+const fn row<S: Shape>() -> Kernel {
+    Kernel {
+        name: S::KERNEL,
+        rays: 16,
+        cases: const {
+            &[
+                Case {
+                    name: "all miss",
+                    objects: CANDIDATES,
+                    place: |bench, count| candidates(bench, &[S::ahead(9.0, 5.0); 4], count),
+                },
+                Case {
+                    name: "all hit, each nearer",
+                    objects: CANDIDATES,
+                    place: |bench, count| {
+                        let nearer = [20.0, 15.0, 10.0, 5.0];
+                        candidates(
+                            bench,
+                            &nearer.map(|distance| S::ahead(0.0, distance)),
+                            count,
+                        )
+                    },
+                },
+            ]
+        },
+        error: Some(error::nearest::<S>),
+    }
+}
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[
+    row::<By<Perpendicular>>(),
+    row::<By<Paper>>(),
+    row::<By<Estimate>>(),
+    row::<By<Interpolated>>(),
+    row::<By<Newton2>>(),
+    row::<By<Stable>>(),
+    row::<By<Factored>>(),
+    row::<By<Refined>>(),
+    row::<By<Unnormalised>>(),
+    row::<By<InDouble>>(),
+    row::<RectangleObject>(),
+    Kernel {
+        name: "shear_packets_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let packets = put(bench, &vec![call::packet(&case_rays(), 0); count as usize]);
+                let shears = bench.place(&vec![0x55; size_of::<Shears>() * count as usize]);
+                vec![packets.address, count, shears.address]
+            },
+        }],
+        error: Some(error::shear_packets),
+    },
+    row::<TriangleObject>(),
+    row::<MoellerTrumbore>(),
+    row::<ConeObject>(),
+];
+
+/// Each of the objects with sixteen packets.
+fn candidates<S: Shape>(bench: &mut Bench, objects: &[S; 4], count: u32) -> Vec<u32> {
+    let rays = case_rays().map(|ray| Ray { t: FARTHEST, ..ray });
+    let packets = [call::packet(&rays, 0); 16];
+    let list: Vec<[usize; 2]> = (0..count as usize)
+        .map(|number| [number / 16, number % 16])
+        .collect();
+    let placed = call::place(bench, &packets, objects, &list, 0);
+    vec![placed.candidates, count]
+}

@@ -1,0 +1,46 @@
+//! Triangles as objects of a scene, for the kernel that meets them Möller and Trumbore's way.
+
+use rand_chacha::ChaCha8Rng;
+use twins::ball::Ray;
+use twins::triangle_mt_pairs::isect_triangle;
+
+use super::shape::{Shape, Truth};
+use super::triangle::{TriangleObject, truth};
+use protocol::layout;
+
+/// How near to an edge, in barycentric coordinates, a point may be on either side.
+const EDGE: f64 = 2e-4;
+
+/// A triangle, met Möller and Trumbore's way.
+#[derive(Clone, Copy, Debug)]
+pub struct MoellerTrumbore(pub TriangleObject);
+
+impl Shape for MoellerTrumbore {
+    const KERNEL: &'static str = "isect_triangle_mt_pairs_r16";
+    type Record = layout::Triangle;
+
+    fn record(&self, anything: u32) -> layout::Triangle {
+        self.0.record(anything)
+    }
+
+    fn twin(&self, ray: Ray, object: u32) -> Ray {
+        isect_triangle(ray, &self.0, object)
+    }
+
+    fn truth(&self, ray: &Ray) -> Truth {
+        truth(&self.0, ray, EDGE)
+    }
+
+    fn ahead(x: f64, distance: f64) -> Self {
+        Self(TriangleObject::ahead(x, distance))
+    }
+
+    fn around(random: &mut ChaCha8Rng, scale: f64) -> (Self, [Ray; 16]) {
+        let (triangle, rays) = TriangleObject::around(random, scale);
+        (Self(triangle), rays)
+    }
+
+    fn junk(random: &mut ChaCha8Rng) -> Self {
+        Self(TriangleObject::junk(random))
+    }
+}

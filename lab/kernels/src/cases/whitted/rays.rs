@@ -1,0 +1,196 @@
+//! The kernels that make packets of rays, and those that leave out what no ray of a packet meets.
+
+pub mod call;
+pub mod faces;
+pub mod fans;
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::from_f64;
+use twins::bound::{Bound, bound};
+use twins::cull_faces::Face;
+use twins::eye_rays::{Ray, View};
+use twins::load_rays::Queued;
+use twins::ray_setup::Basis;
+use twins::{FARTHEST, ONE, ZERO};
+
+use crate::bench::Bench;
+use crate::cases::ball::unit;
+use crate::cases::eye::error::{camera, error_of_directions};
+use crate::catalogue::{Case, Kernel, Objects};
+use call::{Ball, Child, Point};
+
+/// A packet, and a batch of them.
+const PACKETS: Objects = Objects::List(1, 8);
+/// A short list of candidates, and a long one.
+const NODES: Objects = Objects::List(16, 64);
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        name: "eye_rays_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let corners: Vec<[u32; 2]> = (0..count).map(|packet| [4 * packet, 0]).collect();
+                call::put_eye_rays(bench, &view(), &corners, 0).1
+            },
+        }],
+        error: Some(eye_rays_error),
+    },
+    Kernel {
+        name: "load_rays_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let queue = vec![QUEUED; 16 * count as usize];
+                call::put_queue(bench, &queue, 16 * count, 0, 0).1
+            },
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "bound_origins_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| {
+                let bounds = vec![bound(&rays()); count as usize];
+                call::put_for_bounds(bench, &vec![rays(); count as usize], &bounds).1
+            },
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "bound_fan_r16",
+        rays: 16,
+        cases: &[Case {
+            name: "packets",
+            objects: PACKETS,
+            place: |bench, count| call::put_for_fans(bench, &vec![rays(); count as usize], &EYE).1,
+        }],
+        error: None,
+    },
+    Kernel {
+        name: "cull_faces",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| cull_faces(bench, -1.0, count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| cull_faces(bench, 1.0, count),
+            },
+        ],
+        error: None,
+    },
+    Kernel {
+        name: "cull_nodes",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| cull_nodes(bench, [0.0, 50.0, -50.0], count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| cull_nodes(bench, [0.0, 0.0, -50.0], count),
+            },
+        ],
+        error: None,
+    },
+];
+
+/// The camera of the cases: along -z.
+fn view() -> View {
+    View {
+        basis: Basis {
+            corner: [-0.5, 0.5, -1.0].map(from_f64),
+            right: [0.001, 0.0, 0.0].map(from_f64),
+            down: [0.0, -0.001, 0.0].map(from_f64),
+        },
+        background: 0,
+        width: 1000,
+        height: 1000,
+    }
+}
+
+/// A ray that waits.
+const QUEUED: Queued = Queued {
+    origin: [ONE; 3],
+    weight: ONE,
+    direction: [ZERO, ZERO, ONE],
+    pixel: 0,
+};
+
+/// Where those of the cases come from.
+const EYE: Point = Point {
+    place: [ZERO; 3],
+    near: ZERO,
+    along: ONE,
+};
+
+/// Rays about -z.
+fn rays() -> [Ray; 16] {
+    std::array::from_fn(|lane| {
+        let step = |at: usize| (at as f64 - 1.5) * 0.01;
+        Ray {
+            origin: [ZERO; 3],
+            direction: unit([step(lane % 4), step(lane / 4), -1.0]).map(from_f64),
+            t: FARTHEST,
+            object: 0,
+            weight: ONE,
+            pixel: 0,
+        }
+    })
+}
+
+/// Candidates of nodes with four equal children and one packet.
+fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
+    let child = Child {
+        ball: Ball {
+            centre: centre.map(from_f64),
+            radius: ONE,
+        },
+        address: 0,
+    };
+    let bounds: [Bound; 1] = [bound(&rays())];
+    let pairs = vec![[0, 0]; count as usize];
+    call::put_candidates(bench, &[[child; 4]], &bounds, &pairs).arguments
+}
+
+/// Candidates of a face before the rays, whose normal has this z, and one packet.
+fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
+    let face = Face {
+        point: [0.0, 0.0, -5.0].map(from_f64),
+        normal: [0.0, 0.0, z].map(from_f64),
+        leave: ZERO,
+        both: false,
+    };
+    let bounds: [Bound; 1] = [bound(&rays())];
+    let pairs = vec![[0, 0]; count as usize];
+    faces::put(bench, &[face], &bounds, &pairs, ONE).arguments
+}
+
+/// Largest error of a direction's component, in ulps of 1.
+fn eye_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let errors = (0..1000).map(|_| {
+        let basis = camera(random);
+        let corner = [0; 2].map(|_: u32| random.random_range(0..2048) * 4);
+        let packets = call::eye_rays(bench, &View { basis, ..view() }, &[corner], 0);
+        let directions = packets[0].map(|ray| ray.direction);
+        error_of_directions(&basis, corner, &directions)
+    });
+    errors.fold(0.0, f64::max)
+}

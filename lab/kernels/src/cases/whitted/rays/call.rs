@@ -1,0 +1,375 @@
+//! Calls of these kernels with what their twins take.
+
+use twins::bound::Bound;
+use twins::eye_rays::{Ray, View};
+use twins::load_rays::Queued;
+use twins::{ONE, Single};
+use zerocopy::FromZeros as _;
+use zerocopy::big_endian::F32;
+
+use crate::bench::{Bench, Place};
+use crate::cases::eye::call::{address, put, put_places};
+use crate::eye_records;
+use crate::single::{bits, single};
+use protocol::layout::{self, Candidate, Node, QueuedRay, RayPacket};
+
+/// Fills what has no meaning.
+const ANYTHING: u32 = 0x7fff_ffff;
+
+/// A bounding sphere.
+#[derive(Clone, Copy, Debug)]
+pub struct Ball {
+    /// Its centre.
+    pub centre: [Single; 3],
+    /// Its radius, with the rounding of the test.
+    pub radius: Single,
+}
+
+/// A child of a node.
+#[derive(Clone, Copy, Debug)]
+pub struct Child {
+    /// What it is within.
+    pub ball: Ball,
+    /// Address of its record.
+    pub address: u32,
+}
+
+/// The record of a packet.
+#[must_use]
+pub fn packet(rays: &[Ray; 16]) -> RayPacket {
+    let mut record = RayPacket::new_zeroed();
+    for (lane, ray) in rays.iter().enumerate() {
+        [
+            record.origin_x[lane],
+            record.origin_y[lane],
+            record.origin_z[lane],
+        ] = ray.origin.map(single);
+        [
+            record.direction_x[lane],
+            record.direction_y[lane],
+            record.direction_z[lane],
+        ] = ray.direction.map(single);
+        record.t[lane] = single(ray.t);
+        record.object[lane] = ray.object.into();
+        record.weight[lane] = single(ray.weight);
+        record.pixel[lane] = ray.pixel.into();
+    }
+    record
+}
+
+/// The rays of a record.
+#[must_use]
+pub fn rays(record: &RayPacket) -> [Ray; 16] {
+    let vector = |axes: [[F32; 16]; 3], lane: usize| axes.map(|axis| bits(axis[lane]));
+    std::array::from_fn(|lane| Ray {
+        origin: vector([record.origin_x, record.origin_y, record.origin_z], lane),
+        direction: vector(
+            [record.direction_x, record.direction_y, record.direction_z],
+            lane,
+        ),
+        t: bits(record.t[lane]),
+        object: record.object[lane].get(),
+        weight: bits(record.weight[lane]),
+        pixel: record.pixel[lane].get(),
+    })
+}
+
+fn splat(value: Single) -> [F32; 4] {
+    [single(value); 4]
+}
+
+/// The record of a bound; `anything` fills what has no meaning.
+#[must_use]
+pub fn bound_record(bound: &Bound, anything: u32) -> layout::Bound {
+    let [apex_x, apex_y, apex_z] = bound.apex.map(splat);
+    let [axis_x, axis_y, axis_z] = bound.axis.map(splat);
+    layout::Bound {
+        apex_x,
+        apex_y,
+        apex_z,
+        axis_x,
+        axis_y,
+        axis_z,
+        cosine: splat(bound.cosine),
+        sine: splat(bound.sine),
+        radius: splat(bound.radius),
+        farthest: splat(bound.farthest),
+        apex: first_words(bound.apex, anything),
+        axis: first_words(bound.axis, anything),
+        limits: first_words([bound.sine, bound.radius, anything], anything),
+    }
+}
+
+/// A quadword of three words and anything.
+fn first_words([x, y, z]: [Single; 3], anything: u32) -> [F32; 4] {
+    [x, y, z, anything].map(single)
+}
+
+/// The bound of a record.
+///
+/// # Panics
+///
+/// If its lanes differ, or what it has twice.
+#[must_use]
+pub fn bound(record: &layout::Bound) -> Bound {
+    let one = |lanes: [F32; 4]| {
+        let lanes = lanes.map(bits);
+        assert_eq!(lanes, [lanes[0]; 4], "lanes of a bound");
+        lanes[0]
+    };
+    let bound = Bound {
+        apex: [record.apex_x, record.apex_y, record.apex_z].map(one),
+        axis: [record.axis_x, record.axis_y, record.axis_z].map(one),
+        cosine: one(record.cosine),
+        sine: one(record.sine),
+        radius: one(record.radius),
+        farthest: one(record.farthest),
+    };
+    assert_eq!(record.apex.map(bits)[..3], bound.apex, "apex");
+    assert_eq!(record.axis.map(bits)[..3], bound.axis, "axis");
+    let limits = [bound.sine, bound.radius];
+    assert_eq!(record.limits.map(bits)[..2], limits, "limits");
+    bound
+}
+
+/// The record of a node.
+#[must_use]
+pub fn node(children: &[Child; 4]) -> Node {
+    let [x, y, z] = [0, 1, 2].map(|axis| children.map(|child| single(child.ball.centre[axis])));
+    Node {
+        x,
+        y,
+        z,
+        radius: children.map(|child| single(child.ball.radius)),
+        child: children.map(|child| child.address.into()),
+    }
+}
+
+/// Places what `eye_rays_r16` takes: packets whose top left pixels are at `corners`, each with its
+/// sum a tile's row from the one before; gives the packets and the arguments.
+pub fn put_eye_rays(
+    bench: &mut Bench,
+    view: &View,
+    corners: &[[u32; 2]],
+    pixels: u32,
+) -> (Vec<Place>, Vec<u32>) {
+    let basis = put(bench, &[eye_records::basis(&view.basis)]);
+    let packets: Vec<Place> = corners.iter().map(|_| bench.junk::<RayPacket>()).collect();
+    let places = put_places(bench, &packets, |number| {
+        let [x, y] = corners[number];
+        [sum_of(pixels, number), x, y]
+    });
+    let arguments = vec![
+        places.address,
+        corners.len() as u32,
+        basis.address,
+        view.background,
+        view.width as u32,
+        view.height as u32,
+    ];
+    (packets, arguments)
+}
+
+/// The address of the sum of a packet's top left pixel, as [`put_eye_rays`] has it.
+#[must_use]
+pub fn sum_of(pixels: u32, packet: usize) -> u32 {
+    pixels.wrapping_add(packet as u32 * 1024)
+}
+
+/// `eye_rays_r16`.
+pub fn eye_rays(
+    bench: &mut Bench,
+    view: &View,
+    corners: &[[u32; 2]],
+    pixels: u32,
+) -> Vec<[Ray; 16]> {
+    bench.reset();
+    let (packets, arguments) = put_eye_rays(bench, view, corners, pixels);
+    bench.call("eye_rays_r16", &arguments);
+    let packets = packets.iter().map(|packet| rays(&bench.read(*packet)));
+    packets.collect()
+}
+
+/// Places what `load_rays_r16` takes: `count` rays, and in `queue` also what is behind them; gives
+/// the packets and the arguments.
+pub fn put_queue(
+    bench: &mut Bench,
+    queue: &[Queued],
+    count: u32,
+    background: u32,
+    dummy: u32,
+) -> (Place, Vec<u32>) {
+    let packets = queue.len() / 16;
+    let queue: Vec<QueuedRay> = queue
+        .iter()
+        .map(|queued| QueuedRay {
+            origin: queued.origin.map(single),
+            weight: single(queued.weight),
+            direction: queued.direction.map(single),
+            pixel: queued.pixel.into(),
+        })
+        .collect();
+    let queue = put(bench, &queue);
+    let packets = put(bench, &vec![RayPacket::new_zeroed(); packets]);
+    let arguments = vec![queue.address, count, packets.address, background, dummy];
+    (packets, arguments)
+}
+
+/// `load_rays_r16`.
+pub fn load_rays(
+    bench: &mut Bench,
+    queue: &[Queued],
+    count: u32,
+    background: u32,
+    dummy: u32,
+) -> Vec<[Ray; 16]> {
+    bench.reset();
+    let (packets, arguments) = put_queue(bench, queue, count, background, dummy);
+    bench.call("load_rays_r16", &arguments);
+    bench.read_all(packets).iter().map(rays).collect()
+}
+
+/// A point that rays start or end at.
+#[derive(Clone, Copy, Debug)]
+pub struct Point {
+    /// Where it is.
+    pub place: [Single; 3],
+    /// How near to it the rays' ends are.
+    pub near: Single,
+    /// 1 if they start there, -1 if they end there.
+    pub along: Single,
+}
+
+/// Places packets and bounds; gives the bounds' place and the arguments of `bound_origins_r16`.
+pub fn put_for_bounds(
+    bench: &mut Bench,
+    packets: &[[Ray; 16]],
+    bounds: &[Bound],
+) -> (Place, Vec<u32>) {
+    let records: Vec<RayPacket> = packets.iter().map(packet).collect();
+    let records = put(bench, &records);
+    let bounds: Vec<layout::Bound> = bounds
+        .iter()
+        .map(|bound| bound_record(bound, ANYTHING))
+        .collect();
+    let bounds = put(bench, &bounds);
+    let arguments = vec![records.address, packets.len() as u32, bounds.address];
+    (bounds, arguments)
+}
+
+/// Places what `bound_fan_r16` takes; gives the bounds' place and the arguments.
+pub fn put_for_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> (Place, Vec<u32>) {
+    let records: Vec<RayPacket> = packets.iter().map(packet).collect();
+    let records = put(bench, &records);
+    let bounds = put(bench, &vec![layout::Bound::new_zeroed(); packets.len()]);
+    let light = layout::Light {
+        position: point.place.map(single),
+        directional: ANYTHING.into(),
+        brightness: [ANYTHING; 3].map(single),
+        near: single(point.near),
+    };
+    let light = put(bench, &[light]);
+    let arguments = vec![
+        records.address,
+        packets.len() as u32,
+        bounds.address,
+        light.address,
+        point.along,
+    ];
+    (bounds, arguments)
+}
+
+/// `bound_fan_r16`.
+pub fn fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Bound> {
+    bench.reset();
+    let (bounds, arguments) = put_for_fans(bench, packets, point);
+    bench.call("bound_fan_r16", &arguments);
+    bench.read_all(bounds).iter().map(bound).collect()
+}
+
+/// `bound_fan_r16` of any point, then `bound_origins_r16`.
+pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
+    let point = Point {
+        place: [ANYTHING; 3],
+        near: ANYTHING,
+        along: ONE,
+    };
+    let fans = fans(bench, packets, &point);
+    bench.reset();
+    let (bounds, arguments) = put_for_bounds(bench, packets, &fans);
+    bench.call("bound_origins_r16", &arguments);
+    bench.read_all(bounds).iter().map(bound).collect()
+}
+
+/// What `cull_nodes` is given.
+pub struct Candidates {
+    /// Its arguments.
+    pub arguments: Vec<u32>,
+    /// The candidates.
+    pub given: Vec<Candidate>,
+    /// Where the list goes.
+    pub room: Place,
+}
+
+/// Places what `cull_nodes` takes: the pairs of a node and a bound, both by number.
+pub fn put_candidates(
+    bench: &mut Bench,
+    nodes: &[[Child; 4]],
+    bounds: &[Bound],
+    pairs: &[[usize; 2]],
+) -> Candidates {
+    let nodes: Vec<Node> = nodes.iter().map(node).collect();
+    let nodes = put(bench, &nodes);
+    let bounds: Vec<layout::Bound> = bounds
+        .iter()
+        .map(|bound| bound_record(bound, ANYTHING))
+        .collect();
+    let bounds = put(bench, &bounds);
+    let candidate = |(number, &[node, bound]): (usize, &[usize; 2])| Candidate {
+        object: address::<Node>(nodes, node).into(),
+        packet: (0x5000_0000 + number as u32).into(),
+        bound: address::<layout::Bound>(bounds, bound).into(),
+        shear: (0x6000_0000 + number as u32).into(),
+    };
+    let given: Vec<Candidate> = pairs.iter().enumerate().map(candidate).collect();
+    let list = put(bench, &given);
+    let room = put(bench, &vec![Candidate::new_zeroed(); 4 * pairs.len() + 1]);
+    Candidates {
+        arguments: vec![list.address, pairs.len() as u32, room.address],
+        given,
+        room,
+    }
+}
+
+/// The words of candidates: object, packet, bound, shear.
+#[must_use]
+pub fn words(candidate: &Candidate) -> [u32; 4] {
+    let &Candidate {
+        object,
+        packet,
+        bound,
+        shear,
+    } = candidate;
+    [object, packet, bound, shear].map(zerocopy::big_endian::U32::get)
+}
+
+/// `cull_nodes`: what it was given, and the words of what it listed.
+///
+/// # Panics
+///
+/// If the end is none of a list.
+pub fn cull_nodes(
+    bench: &mut Bench,
+    nodes: &[[Child; 4]],
+    bounds: &[Bound],
+    pairs: &[[usize; 2]],
+) -> (Vec<Candidate>, Vec<[u32; 4]>) {
+    bench.reset();
+    let candidates = put_candidates(bench, nodes, bounds, pairs);
+    let end = bench.call("cull_nodes", &candidates.arguments).value;
+    let mut list: Vec<Candidate> = bench.read_all(candidates.room);
+    let ends =
+        (0..=4 * pairs.len()).find(|number| address::<Candidate>(candidates.room, *number) == end);
+    list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
+    (candidates.given, list.iter().map(words).collect())
+}

@@ -1,0 +1,308 @@
+//! Calls of the surface kernels with what their twins take.
+
+use twins::accumulate::Share;
+use twins::surfaces::{Material, Object, Ray, Surface};
+use twins::{Single, shadow_rays};
+use zerocopy::FromZeros as _;
+use zerocopy::big_endian::{F32, U32};
+
+use super::records::{self, PacketRay};
+use crate::bench::{self, Bench};
+use crate::cases::eye::call::{address, put};
+use crate::eye_records::pixel_shuffle;
+use crate::single::{bits, single};
+use protocol::layout::{self, RayPacket, Surfaces, TILE_WIDTH};
+
+/// What a lane's ray has hit: number of an object, of which the first is the background's.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// The ray.
+    pub ray: Ray,
+    /// The object's number.
+    pub object: usize,
+}
+
+/// `kernel` on packets of hits of these objects, each of the material of that number; gives the
+/// surfaces, the materials' addresses and the count of rays that hit something in each lane.
+pub fn surfaces(
+    bench: &mut Bench,
+    kernel: &str,
+    hits: &[[Hit; 16]],
+    objects: &[(Object, usize)],
+    materials: &[Material],
+) -> (Vec<Surfaces>, Vec<u32>, [u32; 4]) {
+    bench.reset();
+    let records: Vec<layout::Material> = materials.iter().map(records::material).collect();
+    let material_place = put(bench, &records);
+    let materials: Vec<u32> = (0..materials.len())
+        .map(|number| address::<layout::Material>(material_place, number))
+        .collect();
+    let records: Vec<layout::Object> = objects
+        .iter()
+        .map(|(object, material)| records::object(object, materials[*material]))
+        .collect();
+    let objects = put(bench, &records);
+    let packets: Vec<RayPacket> = hits
+        .iter()
+        .map(|packet| {
+            records::rays(&packet.map(|hit| PacketRay {
+                ray: hit.ray,
+                object: address::<layout::Object>(objects, hit.object),
+                // No part of it.
+                weight: u32::MAX,
+                pixel: u32::MAX,
+            }))
+        })
+        .collect();
+    let rays = put(bench, &packets);
+    let found = bench.place(&vec![0x55; size_of::<Surfaces>() * hits.len()]);
+    let count = hits.len() as u32;
+    let background = objects.address;
+    bench.call(kernel, &[rays.address, count, found.address, background]);
+    (bench.read_all(found), materials, bench.returned_vector())
+}
+
+/// Sixteen hits that are to be lit.
+#[derive(Clone, Debug)]
+pub struct Site {
+    /// The surfaces.
+    pub surfaces: [Surface; 16],
+    /// The normals that shade.
+    pub normals: [[Single; 3]; 16],
+    /// Directions of the rays that see them.
+    pub directions: [[Single; 3]; 16],
+    /// Shadow rays, and whether something has blocked each.
+    pub shadow: [(Ray, bool); 16],
+}
+
+/// Sites in local store.
+pub struct PlacedSites {
+    list: bench::Place,
+    surfaces: Vec<bench::Place>,
+    shadow: Vec<bench::Place>,
+    background: bench::Place,
+}
+
+/// What is no part of a record's meaning here.
+const ANYTHING: u32 = 0x5555_5555;
+
+fn packet_ray(ray: Ray, object: u32) -> PacketRay {
+    PacketRay {
+        ray,
+        object,
+        weight: ANYTHING,
+        pixel: ANYTHING,
+    }
+}
+
+/// Puts sites into local store, each record between guards.
+pub fn put_sites(bench: &mut Bench, sites: &[Site]) -> PlacedSites {
+    let background = put(bench, &[layout::Object::new_zeroed()]);
+    let blocked = background.address + 1;
+    let mut placed = PlacedSites {
+        list: background,
+        surfaces: Vec::new(),
+        shadow: Vec::new(),
+        background,
+    };
+    let mut list = Vec::new();
+    for site in sites {
+        let surfaces = records::surfaces(&site.surfaces, &site.normals, [ANYTHING; 16]);
+        let surfaces = put(bench, &[surfaces]);
+        let seen = site.directions.map(|direction| Ray {
+            origin: [ANYTHING; 3],
+            direction,
+            t: ANYTHING,
+        });
+        let rays = put(bench, &[records::rays(&seen.map(|ray| packet_ray(ray, 0)))]);
+        let shadow = site.shadow.map(|(ray, is_blocked)| {
+            packet_ray(
+                ray,
+                if is_blocked {
+                    blocked
+                } else {
+                    background.address
+                },
+            )
+        });
+        let shadow = put(bench, &[records::rays(&shadow)]);
+        list.push(layout::Site {
+            surfaces: surfaces.address.into(),
+            rays: rays.address.into(),
+            shadow: shadow.address.into(),
+            unused: ANYTHING.into(),
+        });
+        placed.surfaces.push(surfaces);
+        placed.shadow.push(shadow);
+    }
+    placed.list = put(bench, &list);
+    placed
+}
+
+/// A light's record.
+#[must_use]
+pub fn light_record(place: &shadow_rays::Place, brightness: [Single; 3]) -> layout::Light {
+    layout::Light {
+        position: place.position.map(single),
+        directional: if place.directional { u32::MAX } else { 0 }.into(),
+        brightness: brightness.map(single),
+        near: single(ANYTHING),
+    }
+}
+
+/// The arguments of the kernels that go through sites with a light.
+pub fn site_arguments(
+    bench: &mut Bench,
+    placed: &PlacedSites,
+    place: &shadow_rays::Place,
+    brightness: [Single; 3],
+) -> Vec<u32> {
+    let light = put(bench, &[light_record(place, brightness)]);
+    let count = placed.surfaces.len() as u32;
+    let background = placed.background.address;
+    vec![placed.list.address, count, light.address, background]
+}
+
+/// `shadow_rays_r16`: the rays to a light, and the count of them in each lane.
+///
+/// # Panics
+///
+/// If a ray's object is not the background's, or its weight or pixel were changed.
+pub fn shadow_rays(
+    bench: &mut Bench,
+    sites: &[Site],
+    place: &shadow_rays::Place,
+) -> (Vec<[Ray; 16]>, [u32; 4]) {
+    bench.reset();
+    let placed = put_sites(bench, sites);
+    let arguments = site_arguments(bench, &placed, place, [ANYTHING; 3]);
+    bench.call("shadow_rays_r16", &arguments);
+    let background = placed.background.address;
+    let rays = placed.shadow.iter().map(|shadow| {
+        let packet: RayPacket = bench.read(*shadow);
+        records::packet_rays(&packet).map(|lane| {
+            let others = (lane.object, lane.weight, lane.pixel);
+            assert_eq!(others, (background, ANYTHING, ANYTHING));
+            lane.ray
+        })
+    });
+    (rays.collect(), bench.returned_vector())
+}
+
+/// `kernel`, `light_r16` or `lambert_r16`: the surfaces after a light of this brightness.
+pub fn light(
+    bench: &mut Bench,
+    kernel: &str,
+    sites: &[Site],
+    brightness: [Single; 3],
+) -> Vec<Surfaces> {
+    bench.reset();
+    let placed = put_sites(bench, sites);
+    let nowhere = shadow_rays::Place {
+        position: [ANYTHING; 3],
+        directional: false,
+    };
+    let arguments = site_arguments(bench, &placed, &nowhere, brightness);
+    bench.call(kernel, &arguments);
+    let surfaces = placed.surfaces.iter().map(|place| bench.read(*place));
+    surfaces.collect()
+}
+
+/// `ambient_r16`: the surfaces after light of this brightness from everywhere.
+pub fn ambient(bench: &mut Bench, sites: &[Site], [x, y, z]: [Single; 3]) -> Vec<Surfaces> {
+    bench.reset();
+    let records: Vec<Surfaces> = sites
+        .iter()
+        .map(|site| records::surfaces(&site.surfaces, &site.normals, [ANYTHING; 16]))
+        .collect();
+    let surfaces = put(bench, &records);
+    let brightness = put(bench, &[[x, y, z, ANYTHING].map(single)]);
+    let count = sites.len() as u32;
+    let arguments = [surfaces.address, count, brightness.address];
+    bench.call("ambient_r16", &arguments);
+    bench.read_all(surfaces)
+}
+
+/// `accumulate_r16` on packets of shares; the sums before and after.
+pub fn accumulate(
+    bench: &mut Bench,
+    packets: &[[Share; 16]],
+    sums: &[[Single; 3]],
+) -> Vec<[Single; 3]> {
+    bench.reset();
+    let quadwords: Vec<[F32; 4]> = sums
+        .iter()
+        .map(|&[x, y, z]| [x, y, z, ANYTHING].map(single))
+        .collect();
+    let place = put(bench, &quadwords);
+    let ray = Ray {
+        origin: [ANYTHING; 3],
+        direction: [ANYTHING; 3],
+        t: ANYTHING,
+    };
+    let mut rays = Vec::new();
+    let mut surfaces = Vec::new();
+    for shares in packets {
+        rays.push(records::rays(&shares.map(|share| PacketRay {
+            ray,
+            object: ANYTHING,
+            weight: share.weight,
+            pixel: address::<[F32; 4]>(place, share.pixel),
+        })));
+        surfaces.push(records::lit_surfaces(&shares.map(|share| share.lit)));
+    }
+    let rays = put(bench, &rays);
+    let surfaces = put(bench, &surfaces);
+    let arguments = [rays.address, surfaces.address, packets.len() as u32];
+    bench.call("accumulate_r16", &arguments);
+    let after: Vec<[F32; 4]> = bench.read_all(place);
+    let colours = after.iter().map(|&[x, y, z, _]| [x, y, z].map(bits));
+    colours.collect()
+}
+
+/// `pack_sums`: the words of rows of sums, each of as many pixels, a multiple of four.
+///
+/// # Panics
+///
+/// If a row is longer than a tile.
+pub fn pack_sums(bench: &mut Bench, rows: &[Vec<[Single; 3]>], shifts: [u32; 3]) -> Vec<u32> {
+    bench.reset();
+    let mut sums = vec![[single(ANYTHING); 4]; rows.len() * TILE_WIDTH as usize];
+    for (row, sums) in rows.iter().zip(sums.chunks_mut(TILE_WIDTH as usize)) {
+        assert!(row.len() <= sums.len(), "a row of {} pixels", row.len());
+        for (&[x, y, z], sum) in row.iter().zip(sums) {
+            *sum = [x, y, z, ANYTHING].map(single);
+        }
+    }
+    let sums = put(bench, &sums);
+    let row_bytes = 4 * rows[0].len();
+    let pixels = bench.place(&vec![0x55; row_bytes * rows.len()]);
+    let shuffle = put(bench, &[pixel_shuffle(shifts)]);
+    let arguments = [
+        sums.address,
+        pixels.address,
+        rows.len() as u32,
+        row_bytes as u32,
+        shuffle.address,
+    ];
+    bench.call("pack_sums", &arguments);
+    let words: Vec<U32> = bench.read_all(pixels);
+    words.iter().map(|word| word.get()).collect()
+}
+
+/// `same_objects_r16`: its bits for packets with these objects.
+pub fn same_objects(bench: &mut Bench, packets: &[[u32; 16]]) -> u32 {
+    bench.reset();
+    let ray = Ray {
+        origin: [ANYTHING; 3],
+        direction: [ANYTHING; 3],
+        t: ANYTHING,
+    };
+    let records: Vec<RayPacket> = packets
+        .iter()
+        .map(|objects| records::rays(&objects.map(|object| packet_ray(ray, object))))
+        .collect();
+    let rays = put(bench, &records);
+    let arguments = [rays.address, packets.len() as u32];
+    bench.call("same_objects_r16", &arguments).value
+}

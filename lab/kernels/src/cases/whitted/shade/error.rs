@@ -1,0 +1,323 @@
+//! Errors of the surface kernels against f64, over random inputs of their domains.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::Single;
+use twins::accumulate::Share;
+use twins::shadow_rays::{Place, shadow_ray};
+use twins::surfaces::{Material, Object, Surface, surface};
+
+use super::call::{self, Hit, Site};
+use super::records;
+use super::shapes::Shape;
+use crate::bench::Bench;
+use crate::cases::ball::any_direction;
+use crate::single::bits;
+use crate::vector::{dot, less, magnitude, ulps, unit};
+use protocol::layout::Surfaces;
+
+/// Packets that an error is measured over.
+const PACKETS: u32 = 1000;
+
+/// A material of anything that a scene may ask for.
+pub fn any_material(random: &mut ChaCha8Rng) -> Material {
+    let mut share = || from_f64(random.random_range(0.0..1.0));
+    let colour = [(); 3].map(|()| share());
+    let [diffuse, highlight, mirror, transmittance, schlick, grazing] = [(); 6].map(|()| share());
+    let emission = [(); 3].map(|()| share());
+    let index = random.random_range(0.5..2.0);
+    Material {
+        colour,
+        diffuse,
+        highlight,
+        exponent: from_f64(random.random_range(0.0..1000.0)),
+        mirror,
+        transmittance,
+        inverse_index: from_f64(1.0 / index),
+        index: from_f64(index),
+        schlick,
+        grazing,
+        emission,
+        flags: 1 << random.random_range(0..5),
+    }
+}
+
+/// Sixteen shapes and their objects behind the background's, and a packet of rays that hit them.
+pub fn any_hits(random: &mut ChaCha8Rng) -> ([Shape; 16], Vec<(Object, usize)>, [Hit; 16]) {
+    let shapes: [Shape; 16] = std::array::from_fn(|_| Shape::any(random));
+    let background = Shape::plane([0.0; 3], [0.0, 0.0, 1.0]);
+    let objects = std::iter::once(&background).chain(&shapes);
+    let objects = objects.map(|shape| (shape.object(), 0)).collect();
+    let hits = std::array::from_fn(|lane| Hit {
+        ray: shapes[lane].any_ray(random),
+        object: lane + 1,
+    });
+    (shapes, objects, hits)
+}
+
+/// Largest distance of a point from its surface, against what it says a ray has to leave it by.
+pub fn surfaces(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let (shapes, objects, hits) = any_hits(random);
+        let materials = [any_material(random)];
+        let (found, ..) = call::surfaces(bench, "surfaces_r16", &[hits], &objects, &materials);
+        for (lane, shape) in shapes.iter().enumerate() {
+            worst = worst.max(off_surface(&found[0], lane, shape));
+        }
+    }
+    worst
+}
+
+/// A light that is near, far, or infinitely far.
+pub fn any_light(random: &mut ChaCha8Rng) -> Place {
+    let directional = random.random_ratio(1, 4);
+    let distance = if directional {
+        1.0
+    } else {
+        magnitude(1.0..1000.0, random)
+    };
+    Place {
+        position: any_direction(random).map(|x| from_f64(distance * x)),
+        directional,
+    }
+}
+
+/// Hits of any shapes, with the normals that shade turned off the surfaces', and their shadow rays
+/// to a light, half of them blocked. Exponents are below the one given.
+pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
+    let (_, objects, hits) = any_hits(random);
+    let surfaces: [Surface; 16] = std::array::from_fn(|lane| {
+        let mut material = any_material(random);
+        material.exponent = from_f64(match random.random_range(0..8) {
+            0 => 0.0,
+            1 => exponent,
+            _ => magnitude(0.25..exponent, random),
+        });
+        surface(&hits[lane].ray, &objects[lane + 1].0, &material)
+    });
+    let directions = hits.map(|hit| hit.ray.direction);
+    let normals = std::array::from_fn(|lane| {
+        let plane = surfaces[lane].plane.map(to_f64);
+        let off = any_direction(random);
+        let normal = unit(std::array::from_fn(|k| plane[k] + 0.3 * off[k]));
+        if dot(normal, directions[lane].map(to_f64)) < 0.0 {
+            normal.map(from_f64)
+        } else {
+            surfaces[lane].plane
+        }
+    });
+    let shadow = std::array::from_fn(|lane| {
+        let ray = shadow_ray(&surfaces[lane], normals[lane], light);
+        (ray, random.random())
+    });
+    Site {
+        surfaces,
+        normals,
+        directions,
+        shadow,
+    }
+}
+
+/// The same, of which half are to shine as much as can be: the light stands nearly in the mirror's
+/// direction.
+pub fn any_shining_site(random: &mut ChaCha8Rng, exponent: f64) -> Site {
+    let light = any_light(random);
+    let mut site = any_site(random, &light, exponent);
+    for lane in 0..16 {
+        if random.random() {
+            let normal = site.normals[lane].map(to_f64);
+            let direction = site.directions[lane].map(to_f64);
+            let along = dot(normal, direction);
+            let off = any_direction(random);
+            let spread = magnitude(1e-4..1.0, random);
+            let to =
+                std::array::from_fn(|k| direction[k] - 2.0 * along * normal[k] + spread * off[k]);
+            let to = unit(to);
+            if dot(normal, to) > 0.0 {
+                let (ray, _) = &mut site.shadow[lane];
+                (ray.direction, ray.t) = (to.map(from_f64), from_f64(1.0));
+            }
+        }
+    }
+    site
+}
+
+/// Largest error of a component of a direction to a light, in ulps of 1; infinite if t is off by
+/// more than the header says.
+pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let light = any_light(random);
+        let site = any_site(random, &light, 100.0);
+        let (found, _) = call::shadow_rays(bench, std::slice::from_ref(&site), &light);
+        for (ray, surface) in found[0].iter().zip(&site.surfaces) {
+            let point = surface.point.map(to_f64);
+            let position = light.position.map(to_f64);
+            let to = if light.directional {
+                position
+            } else {
+                less(position, point)
+            };
+            let distance = dot(to, to).sqrt();
+            let exact = to.map(|component| component / distance);
+            for (found, exact) in ray.direction.iter().zip(exact) {
+                worst = worst.max((to_f64(*found) - exact).abs() * 2_f64.powi(23));
+            }
+            let t = to_f64(ray.t);
+            if t >= 0.0 && !light.directional && (t - distance).abs() > distance * 2_f64.powi(-21) {
+                worst = f64::INFINITY;
+            }
+        }
+    }
+    worst
+}
+
+/// What a surface sends back, in f64 by the model's own formula.
+fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> [f64; 3] {
+    let surface = &site.surfaces[lane];
+    let (ray, blocked) = &site.shadow[lane];
+    let lit = surface.lit.map(to_f64);
+    if *blocked || to_f64(ray.t) < 0.0 {
+        return lit;
+    }
+    let normal = site.normals[lane].map(to_f64);
+    let to = ray.direction.map(to_f64);
+    let half = unit(less(to, site.directions[lane].map(to_f64)));
+    let cosine = dot(normal, half).clamp(0.0, 1.0);
+    let shine = if shines {
+        to_f64(surface.highlight) * libm::pow(cosine, to_f64(surface.exponent))
+    } else {
+        0.0
+    };
+    let diffuse = to_f64(surface.diffuse) * dot(normal, to);
+    std::array::from_fn(|k| lit[k] + brightness[k] * (diffuse * to_f64(surface.colour[k]) + shine))
+}
+
+/// Largest error of a channel that a light of brightness 1 has added to, exponents up to the one
+/// given.
+pub fn light_up_to(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, exponent: f64) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let site = any_shining_site(random, exponent);
+        let sites = std::slice::from_ref(&site);
+        let found = call::light(bench, kernel, sites, [from_f64(1.0); 3]);
+        for (lane, found) in records::lit(&found[0]).into_iter().enumerate() {
+            let exact = exact_light(&site, lane, [1.0; 3], kernel == "light_r16");
+            for (found, exact) in found.into_iter().zip(exact) {
+                worst = worst.max((to_f64(found) - exact).abs());
+            }
+        }
+    }
+    worst
+}
+
+/// Largest error of a channel, in thousandths of a brightness of 1, exponents up to 1000.
+pub fn light(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    1e3 * light_up_to(bench, random, "light_r16", 1000.0)
+}
+
+/// Largest error of a channel, in ulps of a brightness of 1.
+pub fn lambert(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    light_up_to(bench, random, "lambert_r16", 1.0) * 2_f64.powi(23)
+}
+
+/// The same.
+pub fn ambient(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let light = any_light(random);
+        let site = any_site(random, &light, 100.0);
+        let found = call::ambient(bench, std::slice::from_ref(&site), [from_f64(1.0); 3]);
+        for (found, surface) in records::lit(&found[0]).iter().zip(&site.surfaces) {
+            for (k, found) in found.iter().enumerate() {
+                let added = to_f64(surface.diffuse) * to_f64(surface.colour[k]);
+                let exact = to_f64(surface.lit[k]) + added;
+                worst = worst.max((to_f64(*found) - exact).abs() * 2_f64.powi(23));
+            }
+        }
+    }
+    worst
+}
+
+/// Packets of shares of so many pixels, any two of which may be of the same one.
+pub fn any_shares(random: &mut ChaCha8Rng, packets: usize, pixels: usize) -> Vec<[Share; 16]> {
+    let mut share = || Share {
+        pixel: random.random_range(0..pixels),
+        weight: from_f64(random.random_range(0.0..1.0)),
+        lit: [(); 3].map(|()| from_f64(random.random_range(0.0..1.0))),
+    };
+    (0..packets)
+        .map(|_| std::array::from_fn(|_| share()))
+        .collect()
+}
+
+/// Largest error of a sum, in ulps of it, an addition.
+pub fn accumulate(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let pixels = random.random_range(4..40);
+        let packets = any_shares(random, 4, pixels);
+        let found = call::accumulate(bench, &packets, &vec![[0; 3]; pixels]);
+        let mut exact = vec![[0.0; 3]; pixels];
+        let mut additions = vec![0_u32; pixels];
+        for share in packets.iter().flatten() {
+            additions[share.pixel] += 1;
+            for (sum, channel) in exact[share.pixel].iter_mut().zip(share.lit) {
+                *sum += to_f64(channel) * to_f64(share.weight);
+            }
+        }
+        for ((found, exact), additions) in found.iter().zip(&exact).zip(additions) {
+            for (found, exact) in found.iter().zip(exact).filter(|(_, exact)| **exact > 0.0) {
+                worst = worst.max(ulps(to_f64(*found), *exact) / f64::from(additions));
+            }
+        }
+    }
+    worst
+}
+
+/// Largest error of a pixel's channel, of 255.
+pub fn pack_sums(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for shifts in [[16_u32, 8, 0], [8, 16, 24]] {
+        for _ in 0..100 {
+            let mut channel = || from_f64(random.random_range(-0.25..1.25));
+            let row: Vec<[Single; 3]> = (0..64).map(|_| [(); 3].map(|()| channel())).collect();
+            let words = call::pack_sums(bench, std::slice::from_ref(&row), shifts);
+            for (colour, word) in row.iter().zip(words) {
+                for (channel, shift) in colour.iter().zip(shifts) {
+                    let exact = to_f64(*channel).clamp(0.0, 1.0) * 255.0;
+                    worst = worst.max((f64::from(word >> shift & 255) - exact).abs());
+                }
+            }
+        }
+    }
+    worst
+}
+
+/// As [`surfaces`], of packets whose rays have all hit the same object.
+pub fn surfaces_same(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let shape = Shape::any(random);
+        let hits = std::array::from_fn(|_| Hit {
+            ray: shape.any_ray(random),
+            object: 0,
+        });
+        let objects = [(shape.object(), 0)];
+        let materials = [any_material(random)];
+        let (found, ..) = call::surfaces(bench, "surfaces_same_r16", &[hits], &objects, &materials);
+        for lane in 0..16 {
+            worst = worst.max(off_surface(&found[0], lane, &shape));
+        }
+    }
+    worst
+}
+
+/// Distance of a point from its surface, against its `leave`.
+fn off_surface(found: &Surfaces, lane: usize, shape: &Shape) -> f64 {
+    let point = [found.point_x, found.point_y, found.point_z];
+    let (height, _) = shape.at(point.map(|row| to_f64(bits(row[lane]))));
+    height.abs() / to_f64(bits(found.leave[lane]))
+}

@@ -1,0 +1,224 @@
+//! The kernel of smooth normals: patches, hits on them, its case and its error.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::to_f64;
+use twins::FARTHEST;
+use twins::ball::Ray;
+use twins::smooth::Patch;
+use zerocopy::big_endian::U32;
+
+use super::isect::ball::FRONT;
+use super::isect::call;
+use super::isect::error::SCALES;
+use super::isect::shape::head_words;
+use crate::bench::{Bench, Place};
+use crate::cases::ball::any_direction;
+use crate::cases::eye::call::{address, put};
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::flat_records::{Point, point, quad};
+use crate::single::{bits, single};
+use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use protocol::layout::{self, SIDES_SMOOTH, Surfaces};
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[Kernel {
+    name: "smooth_r16",
+    rays: 16,
+    cases: &[Case {
+        name: "a packet",
+        objects: Objects::Fixed(1),
+        place: |bench, _| {
+            let hit = Hit {
+                patch: Patch {
+                    vertices: [[-1.0, -1.0, -5.0], [1.0, -1.0, -5.0], [0.0, 1.0, -5.0]].map(point),
+                    normals: [[0.0, 0.0, 1.0]; 3].map(point),
+                },
+                smooth: true,
+                point: point([0.0, 0.0, -5.0]),
+                plane: point([0.0, 0.0, 1.0]),
+                direction: point([0.0, 0.0, -1.0]),
+            };
+            place(bench, &[hit; 16], 0).0
+        },
+    }],
+    error: Some(error),
+}];
+
+/// Where a ray has hit a triangle.
+#[derive(Clone, Copy, Debug)]
+pub struct Hit {
+    /// The triangle, with normals.
+    pub patch: Patch,
+    /// Whether the normals count.
+    pub smooth: bool,
+    /// The point hit.
+    pub point: Point,
+    /// The triangle's own normal on the ray's side.
+    pub plane: Point,
+    /// The ray's direction.
+    pub direction: Point,
+}
+
+fn record(hit: &Hit, anything: u32) -> layout::Patch {
+    let [a, b, c] = hit.patch.vertices.map(|vertex| quad(vertex, anything));
+    let [normal_a, normal_b, normal_c] = hit.patch.normals.map(|normal| quad(normal, anything));
+    let smooth = if hit.smooth { SIDES_SMOOTH } else { 0 };
+    let bits = anything & !SIDES_SMOOTH | smooth;
+    let mut object = head_words([anything; 3], [anything; 3], anything, FRONT, anything);
+    object[11] = U32::new(bits);
+    let triangle = layout::Triangle { object, a, b, c };
+    layout::Patch {
+        triangle: zerocopy::transmute!(triangle),
+        normal_a,
+        normal_b,
+        normal_c,
+    }
+}
+
+/// The surfaces where these hits are; `anything` is what no lane's normal is yet, and all else.
+#[must_use]
+pub fn surfaces(hits: &[Hit; 16], anything: u32) -> Surfaces {
+    let words = [U32::new(anything); size_of::<Surfaces>() / 4];
+    let mut surfaces: Surfaces = zerocopy::transmute!(words);
+    for (lane, hit) in hits.iter().enumerate() {
+        [
+            surfaces.point_x[lane],
+            surfaces.point_y[lane],
+            surfaces.point_z[lane],
+        ] = hit.point.map(single);
+        [
+            surfaces.plane_x[lane],
+            surfaces.plane_y[lane],
+            surfaces.plane_z[lane],
+        ] = hit.plane.map(single);
+    }
+    surfaces
+}
+
+/// Places the hits' patches, rays and surfaces; gives the arguments, of which the last is the
+/// surfaces' place, too.
+fn place(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> (Vec<u32>, Place) {
+    let records = hits.map(|hit| record(&hit, anything));
+    let records = put(bench, &records);
+    let rays = std::array::from_fn(|lane| Ray {
+        origin: [anything; 3],
+        direction: hits[lane].direction,
+        t: FARTHEST,
+        object: address::<layout::Patch>(records, lane),
+    });
+    let rays = put(bench, &[call::packet(&rays, anything)]);
+    let surfaces = put(bench, &[surfaces(hits, anything)]);
+    (vec![rays.address, surfaces.address], surfaces)
+}
+
+/// `smooth_r16` on these hits: the surfaces then.
+pub fn smooth(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> Surfaces {
+    bench.reset();
+    let (arguments, surfaces) = place(bench, hits, anything);
+    bench.call("smooth_r16", &arguments);
+    bench.read(surfaces)
+}
+
+/// The normals that shade.
+#[must_use]
+pub fn normals(surfaces: &Surfaces) -> [Point; 16] {
+    let axes = [surfaces.normal_x, surfaces.normal_y, surfaces.normal_z];
+    std::array::from_fn(|lane| axes.map(|axis| bits(axis[lane])))
+}
+
+/// A hit of the stated domain, of a scene so many times as large.
+pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
+    let distance = magnitude(1.0..100.0, random);
+    let size = distance * magnitude(0.01..1.0, random);
+    let middle = any_direction(random).map(|component| component * distance);
+    let corners = loop {
+        let corners: [Vector; 3] = std::array::from_fn(|_| {
+            let offset = in_cube(size, random);
+            std::array::from_fn(|axis| scale * (middle[axis] + offset[axis]))
+        });
+        let [a, b, c] = corners;
+        let edges = [less(b, a), less(c, b), less(a, c)];
+        let lengths = edges.map(|edge| dot(edge, edge).sqrt());
+        let area = cross(edges[0], edges[1]);
+        let longest = lengths.into_iter().fold(0.0, f64::max);
+        // No sliver: a point's own rounding would move it from vertex to vertex.
+        if longest > scale * size && dot(area, area).sqrt() > 0.3 * longest * longest {
+            break corners;
+        }
+    };
+    let [a, b, c] = corners;
+    let outward = unit(cross(less(b, a), less(c, a)));
+    let normals = std::array::from_fn(|_| {
+        loop {
+            let normal = any_direction(random);
+            if dot(normal, outward) > 0.5 {
+                break point(normal);
+            }
+        }
+    });
+    let weights: Vector = std::array::from_fn(|_| random.random_range(0.01..1.0));
+    let sum: f64 = weights.iter().sum();
+    let at = std::array::from_fn(|axis| {
+        (weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]) / sum
+    });
+    let direction = any_direction(random);
+    let way = if dot(direction, outward) < 0.0 {
+        1.0
+    } else {
+        -1.0
+    };
+    Hit {
+        patch: Patch {
+            vertices: corners.map(point),
+            normals,
+        },
+        smooth: random.random_range(0..4) > 0,
+        point: point(at),
+        plane: point(outward.map(|component| way * component)),
+        direction: point(direction),
+    }
+}
+
+/// The normal in f64, and how far it points to the ray: below 0 it is the plane's.
+#[must_use]
+pub fn truth(hit: &Hit) -> (Vector, f64) {
+    let [a, b, c] = hit
+        .patch
+        .vertices
+        .map(|vertex| less(vertex.map(to_f64), hit.point.map(to_f64)));
+    let plane = hit.plane.map(to_f64);
+    let part = |from: Vector, to: Vector| dot(cross(from, to), plane);
+    let parts = [part(b, c), part(c, a), part(a, b)];
+    let normals = hit.patch.normals.map(|normal| normal.map(to_f64));
+    let normal = unit(std::array::from_fn(|axis| {
+        (0..3)
+            .map(|corner| parts[corner] * normals[corner][axis])
+            .sum()
+    }));
+    let towards = -dot(normal, hit.direction.map(to_f64));
+    (if towards > 0.0 { normal } else { plane }, towards)
+}
+
+/// Largest error of a component, of 1.
+fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+    /// How near to 0 the cosine to the ray may be for a normal that counts.
+    const EDGE_ON: f64 = 1e-4;
+    let mut worst = 0.0_f64;
+    for _ in 0..500 {
+        for scale in SCALES {
+            let hits: [Hit; 16] = std::array::from_fn(|_| any_hit(random, scale));
+            let surfaces = smooth(bench, &hits, random.random());
+            for (hit, found) in hits.iter().zip(normals(&surfaces)) {
+                let (normal, towards) = truth(hit);
+                if !hit.smooth || towards.abs() < EDGE_ON {
+                    continue;
+                }
+                for (found, exact) in found.iter().zip(normal) {
+                    worst = worst.max((to_f64(*found) - exact).abs());
+                }
+            }
+        }
+    }
+    worst
+}

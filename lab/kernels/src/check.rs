@@ -1,0 +1,165 @@
+//! All that is to be known of a kernel after an edit, in seconds: its schedule, the rules of the
+//! ABI, its error, its time, and the tests that compare it with its twin.
+
+use std::io::{self, Write};
+use std::process::Command;
+
+use rand::SeedableRng as _;
+use rand_chacha::ChaCha8Rng;
+use thiserror::Error;
+
+use crate::bench::{Bench, SEED};
+use crate::catalogue::{self, Kernel};
+use crate::measure::time;
+use crate::set::Kernels;
+use crate::source::Source;
+use crate::workshop::{Workshop, WorkshopError};
+
+/// What is wrong with a kernel.
+#[derive(Debug, Error)]
+pub enum CheckError {
+    /// It can't be built, or its schedule in the repository is not what the scheduler makes.
+    #[error(transparent)]
+    Workshop(#[from] WorkshopError),
+    /// Notes of the schedule are not what the model says.
+    #[error("{kernel}: {differences}")]
+    Notes {
+        /// The kernel.
+        kernel: &'static str,
+        /// A line for each.
+        differences: String,
+    },
+    /// It is further off than its header says.
+    #[error("{kernel}: an error of {measured:.2}, and its header states {stated}")]
+    Error {
+        /// The kernel.
+        kernel: &'static str,
+        /// Measured now.
+        measured: f64,
+        /// By the header.
+        stated: f64,
+    },
+    /// The header does not state an error, and one is measured.
+    #[error("{0}: its header states no error")]
+    Unstated(&'static str),
+    /// A test has failed.
+    #[error("{kernel}: a test has failed: {command}")]
+    Tests {
+        /// The kernel.
+        kernel: &'static str,
+        /// The command that ran them.
+        command: String,
+    },
+    /// The tests could not be run, or the report not be written.
+    #[error("{0}")]
+    Run(#[from] io::Error),
+}
+
+/// Checks kernels, and says of each step what it found.
+///
+/// # Panics
+///
+/// If a kernel breaks a rule of the ABI; see [`Bench::call`].
+pub fn check(kernels: &[&Kernel], out: &mut impl Write) -> Result<(), CheckError> {
+    let workshop = Workshop::here()?;
+    let set = Kernels::here()?;
+    let mut bench = Bench::of(set.clone());
+    for kernel in kernels {
+        let source = Source::find(kernel.name).expect("every kernel has a source");
+        writeln!(out, "{} ({})", kernel.name, source.file)?;
+        schedule(&workshop, source, out)?;
+        for case in kernel.cases {
+            bench.reset();
+            let arguments = (case.place)(&mut bench, case.objects.first());
+            bench.call(kernel.name, &arguments);
+        }
+        writeln!(
+            out,
+            "  ABI       {} cases keep it, written and scheduled alike",
+            kernel.cases.len()
+        )?;
+        error(kernel, source, &mut bench, out)?;
+        for timed in time(&mut bench, kernel) {
+            writeln!(
+                out,
+                "  time      {:.2} cycles a ray, {:.2} as written: {}, {} objects",
+                timed.cycles_a_test(&timed.scheduled),
+                timed.cycles_a_test(&timed.plain),
+                timed.case,
+                timed.objects,
+            )?;
+        }
+        tests(kernel, out)?;
+    }
+    Ok(())
+}
+
+fn schedule(workshop: &Workshop, source: &Source, out: &mut impl Write) -> Result<(), CheckError> {
+    workshop.check(&[*source])?;
+    let schedule = workshop.schedule(source)?;
+    for (label, outcome) in &schedule.loops {
+        match outcome {
+            Ok(cycles) => writeln!(
+                out,
+                "  loop      {label}: {} cycles a pass, no less than {} possible",
+                cycles.interval, cycles.bound
+            )?,
+            Err(why) => writeln!(out, "  loop      {label}: passes do not overlap: {why}")?,
+        }
+    }
+    let outcome = workshop.notes(source)?;
+    if !outcome.differences.is_empty() {
+        let lines = outcome.differences.iter().map(ToString::to_string);
+        return Err(CheckError::Notes {
+            kernel: source.name,
+            differences: lines.collect::<Vec<_>>().join("\n"),
+        });
+    }
+    writeln!(
+        out,
+        "  schedule  up to date; {} notes agree with the model",
+        outcome.notes
+    )?;
+    Ok(())
+}
+
+fn error(
+    kernel: &Kernel,
+    source: &Source,
+    bench: &mut Bench,
+    out: &mut impl Write,
+) -> Result<(), CheckError> {
+    let Some(error) = kernel.error else {
+        return Ok(());
+    };
+    let stated = source.header().and_then(|header| header.stated_error());
+    let stated = stated.ok_or(CheckError::Unstated(kernel.name))?;
+    let measured = error(bench, &mut ChaCha8Rng::seed_from_u64(SEED));
+    if measured > stated {
+        return Err(CheckError::Error {
+            kernel: kernel.name,
+            measured,
+            stated,
+        });
+    }
+    writeln!(out, "  error     {measured:.2}, at most {stated} stated")?;
+    Ok(())
+}
+
+/// Runs the tests of the kernel's family: those with a twin are in files of their own.
+fn tests(kernel: &Kernel, out: &mut impl Write) -> Result<(), CheckError> {
+    let tests = catalogue::tests(kernel.name);
+    out.flush()?;
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(["test", "--quiet", "--offline", "-p", "kernels"]);
+    command.args(["--test", "suite", "--"]).args(tests);
+    if !command.status()?.success() {
+        return Err(CheckError::Tests {
+            kernel: kernel.name,
+            command: format!("{command:?}"),
+        });
+    }
+    writeln!(out, "  tests     {} pass", tests.join(" and "))?;
+    Ok(())
+}

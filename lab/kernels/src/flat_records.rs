@@ -1,0 +1,187 @@
+//! Records of the flat shapes' kernels, as `spu/include/flat.inc` lays them out; a test compares
+//! the two.
+
+use rand::Rng;
+use spu_emulator::float::single::from_f64;
+use twins::flat::FlatHit;
+use twins::triangle::Shear;
+use twins::{FARTHEST, Single};
+use zerocopy::big_endian::{F32, U32};
+use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Unaligned};
+
+use crate::single::{bits, single};
+use crate::vector::Vector;
+pub use protocol::layout::Shear as Shears;
+
+/// A point or a direction in singles.
+pub type Point = [Single; 3];
+
+/// The singles nearest to a vector.
+#[must_use]
+pub fn point(vector: Vector) -> Point {
+    vector.map(from_f64)
+}
+
+/// A vector of a record: its fourth word counts for nothing.
+#[must_use]
+pub fn quad([x, y, z]: Point, anything: u32) -> [F32; 4] {
+    [x, y, z, anything].map(single)
+}
+
+/// A ray and what it has hit so far.
+#[derive(Clone, Copy, Debug)]
+pub struct Ray {
+    /// Where it begins.
+    pub origin: Point,
+    /// Where it goes.
+    pub direction: Point,
+    /// What it has hit.
+    pub hit: FlatHit,
+}
+
+/// The hit of a ray that has hit nothing.
+pub const NO_HIT: FlatHit = FlatHit {
+    t: FARTHEST,
+    object: 0,
+    u: 0,
+    v: 0,
+};
+
+impl Ray {
+    /// A ray that has hit nothing.
+    #[must_use]
+    pub fn new(origin: Point, direction: Point) -> Self {
+        Self {
+            origin,
+            direction,
+            hit: NO_HIT,
+        }
+    }
+
+    /// Any bits at all.
+    pub fn junk(random: &mut impl Rng) -> Self {
+        Self {
+            origin: random.random(),
+            direction: random.random(),
+            hit: FlatHit {
+                t: random.random(),
+                object: random.random(),
+                u: random.random(),
+                v: random.random(),
+            },
+        }
+    }
+}
+
+/// Sixteen rays, with where they hit.
+#[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
+#[repr(C)]
+pub struct Rays {
+    /// Origins, an axis after the other.
+    pub origin: [[F32; 16]; 3],
+    /// Directions.
+    pub direction: [[F32; 16]; 3],
+    /// The farthest distance that counts; then the nearest hit's.
+    pub t: [F32; 16],
+    /// Number of the object hit.
+    pub object: [U32; 16],
+    /// Where on it: first coordinate.
+    pub u: [F32; 16],
+    /// Second coordinate.
+    pub v: [F32; 16],
+}
+
+impl Rays {
+    /// The record of these rays.
+    #[must_use]
+    pub fn pack(rays: &[Ray; 16]) -> Self {
+        let mut packed = Self::new_zeroed();
+        for (lane, ray) in rays.iter().enumerate() {
+            for axis in 0..3 {
+                packed.origin[axis][lane] = single(ray.origin[axis]);
+                packed.direction[axis][lane] = single(ray.direction[axis]);
+            }
+            packed.t[lane] = single(ray.hit.t);
+            packed.object[lane] = ray.hit.object.into();
+            packed.u[lane] = single(ray.hit.u);
+            packed.v[lane] = single(ray.hit.v);
+        }
+        packed
+    }
+
+    /// What the rays of the record have hit.
+    #[must_use]
+    pub fn hits(&self) -> [FlatHit; 16] {
+        std::array::from_fn(|lane| FlatHit {
+            t: bits(self.t[lane]),
+            object: self.object[lane].get(),
+            u: bits(self.u[lane]),
+            v: bits(self.v[lane]),
+        })
+    }
+}
+
+/// One ray. Of the last four fields the first word counts.
+#[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
+#[repr(C)]
+pub struct OneRay {
+    /// Origin: x, y, z, anything.
+    pub origin: [F32; 4],
+    /// Direction: x, y, z, anything.
+    pub direction: [F32; 4],
+    /// The farthest distance that counts; then the nearest hit's.
+    pub t: [F32; 4],
+    /// Number of the object hit.
+    pub object: [U32; 4],
+    /// Where on it: first coordinate.
+    pub u: [F32; 4],
+    /// Second coordinate.
+    pub v: [F32; 4],
+}
+
+impl OneRay {
+    /// The record of a ray; `random` fills what has no meaning.
+    pub fn new(ray: &Ray, random: &mut impl Rng) -> Self {
+        let mut record = Self::new_zeroed();
+        random.fill(record.as_mut_bytes());
+        record.origin = quad(ray.origin, random.random());
+        record.direction = quad(ray.direction, random.random());
+        record.t[0] = single(ray.hit.t);
+        record.object[0] = ray.hit.object.into();
+        record.u[0] = single(ray.hit.u);
+        record.v[0] = single(ray.hit.v);
+        record
+    }
+
+    /// What the ray of the record has hit.
+    #[must_use]
+    pub fn hit(&self) -> FlatHit {
+        FlatHit {
+            t: bits(self.t[0]),
+            object: self.object[0].get(),
+            u: bits(self.u[0]),
+            v: bits(self.v[0]),
+        }
+    }
+}
+
+/// The shear of a lane's ray, of those in a record.
+///
+/// # Panics
+///
+/// If its axes are no components of a vertex.
+#[must_use]
+pub fn shear(record: &Shears, lane: usize) -> Shear {
+    // The shuffle of component k takes bytes 4k to 4k + 3.
+    let axes = [record.axis_x, record.axis_y, record.axis_z];
+    let axes = axes.map(|axis| axis.as_flattened()[lane].get());
+    for axis in axes {
+        assert_eq!(axis, 0x0001_0203 + 0x0101_0101 * (axis >> 24), "{axis:x}");
+    }
+    Shear {
+        axes: axes.map(|axis| (axis >> 24) as usize / 4),
+        origin: [record.origin_x, record.origin_y, record.origin_z].map(|axis| bits(axis[lane])),
+        slopes: [record.slope_x, record.slope_y].map(|axis| bits(axis[lane])),
+        minus_per_z: bits(record.minus_per_z[lane]),
+    }
+}

@@ -1,0 +1,192 @@
+//! Times and checks the kernels of the SPU program, makes their schedules, and keeps their table
+//! in the document.
+
+use std::io;
+use std::path::PathBuf;
+use std::process::ExitCode;
+
+use clap::builder::PossibleValuesParser;
+use clap::{Args, Parser, Subcommand};
+use kernels::catalogue::{self, Kernel};
+use kernels::check::{CheckError, check};
+use kernels::document::{self, DocumentError};
+use kernels::measure::{MeasureError, measure_all};
+use kernels::set::{self, Kernels};
+use kernels::source::Source;
+use kernels::table::markdown;
+use kernels::workshop::{Workshop, WorkshopError};
+use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
+use thiserror::Error;
+
+/// The laboratory of the SPU program's kernels.
+#[derive(Debug, Parser)]
+#[command(version)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Time kernels by the emulator's pipelines and measure their errors
+    Measure(Measure),
+    /// Make the schedules of kernels that cellray ships, and write them to spu/scheduled
+    Schedule {
+        /// Kernels to schedule; all if none is named
+        #[arg(value_name = "NAME")]
+        names: Vec<String>,
+        /// Write nothing, and fail if a file is not what would be written
+        #[arg(long)]
+        check: bool,
+    },
+    /// Check all of a kernel: schedule, ABI, error, time, and its tests against its twin
+    Check {
+        /// The kernels
+        #[arg(value_name = "NAME", required = true)]
+        names: Vec<String>,
+    },
+    /// Build the tracer's SPU program with other formulations, for cellray's --program
+    Image {
+        /// How rays are intersected with spheres
+        #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
+        sphere: String,
+        /// How rays are intersected with triangles
+        #[arg(long, value_name = "FORMULATION", default_value = Formulations::standard().triangle.name, value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
+        triangle: String,
+        /// The file to write
+        #[arg(long, value_name = "F.elf")]
+        out: PathBuf,
+    },
+    /// Fill a folder with all images, for a machine that has neither sources nor an SPU assembler:
+    /// the variable CELLRAY_KERNELS names it there
+    Pack {
+        /// The folder
+        folder: PathBuf,
+    },
+}
+
+#[derive(Debug, Args)]
+struct Measure {
+    /// Kernels to measure; all if none is named
+    #[arg(value_name = "NAME")]
+    names: Vec<String>,
+    /// Print JSON instead of the table
+    #[arg(long)]
+    json: bool,
+    /// Write the table into a document, between its markers
+    #[arg(long, value_name = "FILE", conflicts_with = "json")]
+    write: Option<PathBuf>,
+    /// Fail if the document's table is not what is measured now
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["json", "write"])]
+    check: Option<PathBuf>,
+}
+
+#[derive(Debug, Error)]
+enum Failure {
+    #[error("there is no kernel {name}; there are {known}")]
+    Unknown { name: String, known: String },
+    #[error(transparent)]
+    Measure(#[from] MeasureError),
+    #[error(transparent)]
+    Workshop(#[from] WorkshopError),
+    #[error(transparent)]
+    Check(#[from] CheckError),
+    #[error(transparent)]
+    Document(#[from] DocumentError),
+    #[error("the table as JSON: {0}")]
+    Json(#[from] serde_json::Error),
+    #[error("{}: {source}", path.display())]
+    File { path: PathBuf, source: io::Error },
+}
+
+fn main() -> ExitCode {
+    match run(Arguments::parse().command) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("kernels: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(command: Command) -> Result<(), Failure> {
+    match command {
+        Command::Measure(arguments) => measure(&arguments),
+        Command::Schedule { names, check } => {
+            let workshop = Workshop::here()?;
+            let mut shipped = workshop.sources()?;
+            shipped.retain(Source::shipped);
+            let sources = named(&names, &shipped)?;
+            if check {
+                Ok(workshop.check(&sources)?)
+            } else {
+                Ok(workshop.write(&sources)?)
+            }
+        }
+        Command::Check { names } => {
+            let kernels = chosen(&names)?;
+            let mut out = io::stdout().lock();
+            Ok(check(&kernels, &mut out)?)
+        }
+        Command::Image {
+            sphere,
+            triangle,
+            out,
+        } => {
+            let sphere = formulation::sphere(&sphere).expect("clap has looked");
+            let triangle = formulation::triangle(&triangle).expect("clap has looked");
+            let image = set::tracer(Formulations::of(sphere, triangle))?;
+            std::fs::write(&out, image).map_err(|source| Failure::File { path: out, source })
+        }
+        Command::Pack { folder } => Ok(set::pack_into(&folder)?),
+    }
+}
+
+fn measure(arguments: &Measure) -> Result<(), Failure> {
+    let measured = measure_all(chosen(&arguments.names)?)?;
+    if let Some(file) = &arguments.write {
+        document::write(file, &markdown(&measured))?;
+    } else if let Some(file) = &arguments.check {
+        document::check(file, &markdown(&measured))?;
+    } else if arguments.json {
+        println!("{}", serde_json::to_string_pretty(&measured)?);
+    } else {
+        print!("{}", markdown(&measured));
+    }
+    Ok(())
+}
+
+/// The kernels of these names, or all.
+fn chosen(names: &[String]) -> Result<Vec<&'static Kernel>, Failure> {
+    Kernels::here()?;
+    if names.is_empty() {
+        return Ok(catalogue::kernels().collect());
+    }
+    let find = |name: &String| {
+        let known = || catalogue::kernels().map(|kernel| kernel.name).collect();
+        catalogue::kernels()
+            .find(|kernel| kernel.name == name)
+            .ok_or_else(|| unknown(name, known()))
+    };
+    names.iter().map(find).collect()
+}
+
+/// The sources of these names, or all.
+fn named(names: &[String], sources: &[Source]) -> Result<Vec<Source>, Failure> {
+    if names.is_empty() {
+        return Ok(sources.to_vec());
+    }
+    let find = |name: &String| {
+        let known = || sources.iter().map(|source| source.name).collect();
+        let found = sources.iter().find(|source| source.name == name);
+        found.copied().ok_or_else(|| unknown(name, known()))
+    };
+    names.iter().map(find).collect()
+}
+
+fn unknown(name: &str, known: Vec<&str>) -> Failure {
+    Failure::Unknown {
+        name: name.to_owned(),
+        known: known.join(", "),
+    }
+}

@@ -1,0 +1,19 @@
+//! All tests of the kernels: one program, as linking many takes longer than running them.
+
+mod ball;
+mod bounce;
+mod catalogue;
+mod command_line;
+mod document;
+mod eye;
+mod flat;
+mod harness;
+mod math;
+mod measured;
+mod pairs;
+mod rays;
+mod schedule;
+mod shaders;
+mod spheres;
+mod surfaces;
+mod tracer;

@@ -1,0 +1,262 @@
+//! Reciprocals, square roots and their reciprocals: bit for bit against their twins, and the twins
+//! against what is exact, for every fraction that an operand can have.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::math::error::{accuracy, ulps};
+use kernels::cases::math::{FUNCTIONS, Function, Quantity, call, operand};
+use kernels::source::Source;
+use rand::Rng as _;
+use spu_emulator::float::single::{LARGEST, SMALLEST, from_f64, to_f64};
+use twins::Single;
+use twins::math::{reciprocal, rsqrt};
+
+/// Quadwords: around a pass, and some more, as a scheduled loop takes other paths for few passes.
+const COUNTS: [usize; 12] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 33, 100];
+
+/// The signs of a word.
+const SIGN: u32 = 1 << 31;
+
+/// Runs a kernel and compares with its twin, also in the rest of the last pass.
+fn check(
+    bench: &mut Bench,
+    function: &Function,
+    operands: &[[Single; 4]],
+    anything: Single,
+    in_place: bool,
+) {
+    let kernel = function.kernel;
+    let results = call(bench, kernel, operands, anything, in_place);
+    assert_eq!(results.len(), operands.len().next_multiple_of(4));
+    let anything = [anything; 4];
+    let rest = std::iter::repeat(&anything);
+    for (quadword, found) in operands.iter().chain(rest).zip(&results) {
+        let expected = quadword.map(function.twin);
+        assert_eq!(*found, expected, "{kernel} of {quadword:x?}");
+    }
+}
+
+/// The same of any number of operands.
+fn check_all(bench: &mut Bench, function: &Function, operands: &[Single]) {
+    let (whole, rest) = operands.as_chunks();
+    for quadwords in whole.chunks(1000) {
+        check(bench, function, quadwords, 0, false);
+    }
+    for operand in rest {
+        check(bench, function, &[[*operand; 4]], 0, false);
+    }
+}
+
+/// What a header states: the largest error, and the operand that has it.
+fn stated(function: &Function) -> (f64, Single) {
+    let header = Source::find(function.kernel).and_then(Source::header);
+    let header = header.expect("a header");
+    let largest = header.stated_error().expect("an error");
+    let worst = header.error.split_once("0x").expect("a worst operand").1;
+    let worst = Single::from_str_radix(&worst[..8], 16).expect("a worst operand");
+    (largest, worst)
+}
+
+#[test]
+fn arrays_of_any_length_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for function in &FUNCTIONS {
+        for count in COUNTS {
+            for in_place in [false, true] {
+                let operands: Vec<[Single; 4]> = (0..count)
+                    .map(|_| std::array::from_fn(|_| operand(&mut random, function)))
+                    .collect();
+                let anything = random.random();
+                check(&mut bench, function, &operands, anything, in_place);
+            }
+        }
+    }
+}
+
+#[test]
+fn any_bits_at_all_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for function in &FUNCTIONS {
+        for _ in 0..100 {
+            let operands: Vec<[Single; 4]> = (0..200).map(|_| random.random()).collect();
+            check(&mut bench, function, &operands, 0, false);
+        }
+    }
+}
+
+/// Where the estimate takes another entry of its table or another exponent.
+#[test]
+fn borders_of_the_estimates_tables_equal_the_twin() {
+    let mut bench = Bench::new();
+    let mut operands = Vec::new();
+    for exponent in [
+        0, 1, 2, 3, 26, 27, 28, 126, 127, 128, 251, 252, 253, 254, 255,
+    ] {
+        for entry in 0..32 {
+            let border: Single = (exponent << 5 | entry) << 18;
+            for beside in -2..=2 {
+                let operand = border.wrapping_add_signed(beside);
+                operands.extend([operand, operand ^ SIGN]);
+            }
+        }
+    }
+    for function in &FUNCTIONS {
+        check_all(&mut bench, function, &operands);
+    }
+}
+
+/// The largest error is the one that the header states, not more and hardly less, and the operand
+/// that it names has it.
+#[test]
+fn errors_over_all_fractions_are_those_that_headers_state() {
+    let mut bench = Bench::new();
+    for function in &FUNCTIONS {
+        let found = accuracy(function);
+        println!("{}: {found:x?}", function.kernel);
+        let (largest, worst) = stated(function);
+        assert!(found.largest <= largest, "{}", function.kernel);
+        let near = largest * 0.999 - 0.01;
+        assert!(found.largest > near, "{} is better", function.kernel);
+        assert_eq!(found.worst, worst, "{}: {worst:x}", function.kernel);
+        let result = call(&mut bench, function.kernel, &[[worst; 4]], 0, false)[0][0];
+        let error = ulps(function, worst, result);
+        assert!((error - found.largest).abs() < 1e-9, "{}", function.kernel);
+        assert!(found.mean < found.most && found.most <= found.largest);
+    }
+}
+
+/// At the ends of the domain nothing is flushed or saturated that counts.
+#[test]
+fn errors_hold_to_the_ends_of_the_domains() {
+    for function in &FUNCTIONS {
+        let all = function.quantity.all_fractions();
+        let span = all.end() - all.start();
+        let [least, most] = function.domain;
+        let (stated, _) = stated(function);
+        for operand in (least..least + span).chain(most - span..=most).step_by(3) {
+            let error = ulps(function, operand, (function.twin)(operand));
+            assert!(
+                error <= stated,
+                "{} of {operand:x}: {error}",
+                function.kernel
+            );
+        }
+    }
+}
+
+/// Each step is worth its cycles: the mean error shrinks from one to the next.
+#[test]
+fn every_step_lowers_the_error() {
+    let all: Vec<f64> = FUNCTIONS
+        .iter()
+        .map(|function| accuracy(function).mean)
+        .collect();
+    for steps in all.chunks(4) {
+        println!("{steps:?}");
+        assert!(
+            steps.is_sorted_by(|before, after| before > after),
+            "{steps:?}"
+        );
+    }
+}
+
+/// The manual: with one Newton step the reciprocal is the truncated one or the single below, that
+/// of the root at most one single off.
+#[test]
+fn one_step_is_as_near_as_the_manual_says() {
+    for operand in Quantity::Reciprocal.all_fractions() {
+        let exact = from_f64(1.0 / to_f64(operand));
+        let below = exact.wrapping_sub(reciprocal(operand));
+        assert!(below <= 1, "1/{operand:x} is {below} below");
+    }
+    for operand in Quantity::ReciprocalRoot.all_fractions() {
+        let exact = from_f64(1.0 / to_f64(operand).sqrt());
+        let off = exact.abs_diff(rsqrt(operand));
+        assert!(off <= 1, "1/sqrt({operand:x}) is {off} off");
+    }
+}
+
+/// Zeros, also those that would be denormal elsewhere.
+const ZEROS: [Single; 5] = [0, SIGN, 1, SMALLEST - 1, SIGN | 0x0012_3456];
+
+/// 2^128.
+const ENORMOUS: Single = 0x7f80_0000;
+
+#[test]
+fn zero_has_no_root_but_zero_and_an_enormous_reciprocal() {
+    for function in &FUNCTIONS {
+        for zero in ZEROS {
+            let found = (function.twin)(zero);
+            let as_stated = match function.quantity {
+                Quantity::Root => found == 0,
+                Quantity::Reciprocal => found & SIGN == zero & SIGN && found & !SIGN >= ENORMOUS,
+                Quantity::ReciprocalRoot => found & SIGN == 0 && found >= ENORMOUS,
+            };
+            assert!(as_stated, "{} of {zero:x}: {found:x}", function.kernel);
+        }
+    }
+    for function in &FUNCTIONS[2..4] {
+        let found = [0, SIGN].map(function.twin);
+        assert_eq!(found, [LARGEST, LARGEST | SIGN], "{}", function.kernel);
+    }
+}
+
+#[test]
+fn reciprocals_of_enormous_operands_are_zero() {
+    for function in &FUNCTIONS[..4] {
+        for operand in [0x7e80_0000, 0x7f12_3456, LARGEST] {
+            for operand in [operand, operand | SIGN] {
+                let found = to_f64((function.twin)(operand));
+                assert!(found == 0.0, "{} of {operand:x}", function.kernel);
+            }
+        }
+    }
+}
+
+/// But for Newton's steps, which make nothing of it, roots are those of the magnitude.
+#[test]
+fn unrefined_roots_of_negative_operands_are_those_of_their_magnitudes() {
+    let mut random = random();
+    for function in [&FUNCTIONS[4..6], &FUNCTIONS[8..10]].into_iter().flatten() {
+        let sign = if function.quantity == Quantity::Root {
+            SIGN
+        } else {
+            0
+        };
+        for _ in 0..10_000 {
+            let operand = operand(&mut random, function);
+            let negative = (function.twin)(operand | SIGN);
+            assert_eq!(negative, (function.twin)(operand) | sign, "{operand:x}");
+        }
+    }
+}
+
+/// Below the domain of the refined roots.
+#[test]
+fn roots_of_tiny_operands_lose_what_is_flushed() {
+    let largest = |function: &Function, power: i32, end: i32| {
+        let [first, end] = [power, end].map(|power| ((power + 127) as Single) << 23);
+        let operands = (first..end).step_by(7);
+        let errors = operands.map(|operand| ulps(function, operand, (function.twin)(operand)));
+        errors.fold(0.0, f64::max)
+    };
+    for function in &FUNCTIONS[10..] {
+        let stated = stated(function).0;
+        assert!(
+            largest(function, -104, -102) <= stated,
+            "{}",
+            function.kernel
+        );
+        let at_106 = largest(function, -106, -104);
+        assert!(
+            (stated..=4.0).contains(&at_106),
+            "{}: {at_106}",
+            function.kernel
+        );
+        for operand in (SMALLEST..=0x05ff_ffff).step_by(7) {
+            let unrefined = (FUNCTIONS[9].twin)(operand);
+            assert_eq!((function.twin)(operand), unrefined, "{operand:x}");
+        }
+    }
+}

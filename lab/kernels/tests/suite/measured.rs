@@ -1,0 +1,104 @@
+//! What is measured now: it stands in `docs/kernels.md`, and keeps within its bounds.
+
+use std::path::Path;
+use std::sync::OnceLock;
+
+use kernels::catalogue;
+use kernels::document::check;
+use kernels::loops::Form;
+use kernels::measure::{Measured, Timed, measure_all};
+use kernels::set::Kernels;
+use kernels::table::markdown;
+use spu_isa::timing::{Rules, find_loops};
+use spu_scheduler::code::Code;
+
+fn measured() -> &'static [Measured] {
+    static MEASURED: OnceLock<Vec<Measured>> = OnceLock::new();
+    MEASURED.get_or_init(|| {
+        let measured = measure_all(catalogue::kernels());
+        measured.unwrap_or_else(|error| panic!("{error}"))
+    })
+}
+
+fn timed(kernel: &str, case: &str) -> &'static Timed {
+    let mut kernels = measured().iter();
+    let found = kernels.find(|measured| measured.kernel == kernel);
+    let mut cases = found.expect("a kernel").cases.iter();
+    cases.find(|timed| timed.case == case).expect("a case")
+}
+
+/// Cycles of the scheduled version for one more object.
+fn in_stream(kernel: &str, case: &str) -> f64 {
+    let stream = timed(kernel, case).scheduled.stream.expect("a list");
+    stream.time.cycles as f64 / f64::from(stream.objects)
+}
+
+#[test]
+fn the_document_is_up_to_date() {
+    let document = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/kernels.md");
+    check(&document, &markdown(measured())).unwrap_or_else(|error| panic!("{error}"));
+}
+
+#[test]
+fn loops_reach_nine_tenths_of_their_bounds() {
+    let mut loops = 0;
+    for kernel in measured() {
+        for found in &kernel.loops {
+            loops += 1;
+            let at = format!("{}: {}", kernel.kernel, found.name);
+            let cycles = found.form.cycles();
+            let cycles = cycles.unwrap_or_else(|| panic!("{at}: {:?}", found.form));
+            assert!(cycles.reached() >= 0.9, "{at}: {cycles:?}");
+            assert!(
+                cycles.bound >= cycles.even.max(cycles.odd),
+                "{at}: {cycles:?}"
+            );
+        }
+    }
+    assert!(loops >= 13, "only {loops} loops");
+}
+
+/// The intervals that the scheduler tells are those of the images.
+#[test]
+fn the_model_finds_the_same_intervals() {
+    let kernels = Kernels::here().unwrap_or_else(|error| panic!("{error}"));
+    let code = Code::parse(kernels.scheduled).expect("an image");
+    for kernel in measured() {
+        let functions = code.functions();
+        let mut functions = functions.iter();
+        let function = functions.find(|function| function.name == kernel.kernel);
+        let function = function.expect("a function");
+        let words = code.words(function.start, function.end);
+        let steady: Vec<f64> = find_loops(&words, Rules::default())
+            .iter()
+            .filter_map(|found| Some(found.steady.as_ref()?.cycles_a_pass()))
+            .collect();
+        for found in &kernel.loops {
+            if let Form::Pipelined(cycles) = found.form {
+                assert!(
+                    steady.contains(&(cycles.interval as f64)),
+                    "{}: {found:?}, {steady:?}",
+                    kernel.kernel
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn eye_ray_kernels_keep_their_bounds() {
+    let filter = in_stream("filter_spheres_r16", "all miss");
+    assert!(filter <= 24.0, "{filter} cycles a packet and sphere");
+    let pairs = in_stream("isect_pairs_r16", "all hit, each nearer");
+    assert!(pairs <= 80.0, "{pairs} cycles a packet");
+    for case in ["all outside", "all within"] {
+        let frustum = in_stream("frustum_spheres", case);
+        assert!(frustum <= 16.0, "{frustum} cycles a sphere, {case}");
+        let plain = timed("frustum_spheres", case).plain.stream.expect("a list");
+        let instructions = (plain.time.even + plain.time.odd) as f64 / f64::from(plain.objects);
+        assert!(
+            instructions <= 21.0,
+            "{instructions} instructions a sphere, {case}"
+        );
+    }
+}

@@ -1,0 +1,216 @@
+//! `isect_rectangle_pairs_r16`, `shear_packets_r16`, `isect_triangle_pairs_r16` and
+//! `isect_triangle_mt_pairs_r16`.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::ball::ray;
+use kernels::cases::flat::rectangle;
+use kernels::cases::whitted::isect::call;
+use kernels::cases::whitted::isect::rectangle::RectangleObject;
+use kernels::cases::whitted::isect::shape::Shape;
+use kernels::cases::whitted::isect::triangle::TriangleObject;
+use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
+use kernels::flat_records::{self, Shears, point};
+use kernels::vector::{cross, dot, in_cube, less, unit};
+use rand::Rng as _;
+use twins::FARTHEST;
+use twins::ball::Ray;
+use twins::triangle::shear;
+
+use super::{COUNTS, check, straight};
+
+/// Whether an object is hit by sixteen rays alike.
+fn is_hit<S: Shape>(bench: &mut Bench, ray: Ray, object: S) -> bool {
+    // Bits of the sides that mean nothing here.
+    let [none, all] = [0, u32::MAX].map(|anything| {
+        let (rays, objects) = check(bench, &[[ray; 16]], &[object], &[[0, 0]], anything);
+        rays[0].map(|ray| ray.object == objects[0])
+    });
+    assert_eq!(none, all, "other sides matter");
+    assert!(none.iter().all(|hit| *hit == none[0]));
+    none[0]
+}
+
+/// The scene turned with the ray, along each axis and either way.
+fn turned(from: [f64; 3], turn: usize, way: f64) -> [f64; 3] {
+    let mut to = [0.0; 3];
+    for axis in 0..3 {
+        to[(axis + turn) % 3] = from[axis] * way;
+    }
+    to
+}
+
+#[test]
+fn from_before_and_from_behind() {
+    let mut bench = Bench::new();
+    for turn in 0..3 {
+        // Point reflection turns the order of the vertices round.
+        for (way, front) in [(1.0, true), (-1.0, true), (1.0, false), (-1.0, false)] {
+            for both in [false, true] {
+                let place = |point: [f64; 3]| turned(point, turn, way);
+                let (first, second) = ([2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
+                // Seen along -z, counter-clockwise is from x to y.
+                let (first, second) = if front {
+                    (first, second)
+                } else {
+                    (second, first)
+                };
+                let corner = [-0.9, -0.9, -5.0];
+                let behind = [-0.9, -0.9, 5.0];
+                let straight = ray(place([0.0; 3]), place([0.0, 0.0, -1.0]), FARTHEST);
+                let vertex = |edge: [f64; 3]| {
+                    point(place(std::array::from_fn(|axis| corner[axis] + edge[axis])))
+                };
+                let vertices = [[0.0; 3], first, second].map(vertex);
+                let seen = front == (way > 0.0) || both;
+                let [first, second] = [first, second].map(place);
+                // The normal is first x second: a reflection keeps it while all else turns round.
+                let shape = |corner| RectangleObject {
+                    rectangle: rectangle(place(corner), first, second),
+                    both,
+                };
+                assert_eq!(is_hit(&mut bench, straight, shape(corner)), seen);
+                assert!(!is_hit(&mut bench, straight, shape(behind)));
+                let triangle = TriangleObject { vertices, both };
+                let other = MoellerTrumbore(triangle);
+                assert_eq!(is_hit(&mut bench, straight, triangle), seen);
+                assert_eq!(is_hit(&mut bench, straight, other), seen);
+                let away = Ray {
+                    direction: point(place([0.0, 0.0, 1.0])),
+                    ..straight
+                };
+                assert!(!is_hit(&mut bench, away, triangle));
+                assert!(!is_hit(&mut bench, away, other));
+            }
+        }
+    }
+}
+
+#[test]
+fn along_the_plane_and_from_within_it_is_no_hit() {
+    let mut bench = Bench::new();
+    let corner = [-1.0, -1.0, -5.0];
+    let flat = rectangle(corner, [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
+    let vertices = [corner, [1.0, -1.0, -5.0], [-1.0, 1.0, -5.0]].map(point);
+    for (origin, direction) in [
+        ([-3.0, 0.0, -5.0], [1.0, 0.0, 0.0]),
+        ([-0.5, -0.5, -5.0], [0.0, 0.0, -1.0]),
+        ([-0.5, -0.5, -5.0], [0.0, 0.0, 1.0]),
+    ] {
+        for both in [false, true] {
+            let ray = ray(origin, direction, FARTHEST);
+            let rectangle = RectangleObject {
+                rectangle: flat,
+                both,
+            };
+            assert!(!is_hit(&mut bench, ray, rectangle));
+            let triangle = TriangleObject { vertices, both };
+            assert!(!is_hit(&mut bench, ray, triangle));
+            assert!(!is_hit(&mut bench, ray, MoellerTrumbore(triangle)));
+        }
+    }
+}
+
+#[test]
+fn an_edge_belongs_to_both_triangles_and_to_the_rectangle() {
+    let mut bench = Bench::new();
+    let straight = ray([0.0; 3], [0.0, 0.0, -1.0], FARTHEST);
+    let [a, b] = [[0.0, -1.0, -5.0], [0.0, 1.0, -5.0]];
+    for vertices in [[a, b, [-1.0, 0.0, -5.0]], [a, [1.0, 0.0, -5.0], b]] {
+        let triangle = TriangleObject {
+            vertices: vertices.map(point),
+            both: false,
+        };
+        assert!(is_hit(&mut bench, straight, triangle));
+        assert!(is_hit(&mut bench, straight, MoellerTrumbore(triangle)));
+    }
+    let rectangle = RectangleObject {
+        rectangle: rectangle(a, [1.0, 0.0, 0.0], [0.0, 2.0, 0.0]),
+        both: false,
+    };
+    assert!(is_hit(&mut bench, straight, rectangle));
+}
+
+#[test]
+fn shears_of_packets_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for round in 0..100 {
+        for count in COUNTS.into_iter().map(|count| count.min(24)) {
+            let packets: Vec<[Ray; 16]> = (0..count)
+                .map(|_| match round % 2 {
+                    0 => straight().map(|ray| Ray {
+                        origin: random.random(),
+                        direction: random.random(),
+                        ..ray
+                    }),
+                    _ => TriangleObject::around(&mut random, 1.0).1,
+                })
+                .collect();
+            let records: Vec<_> = packets
+                .iter()
+                .map(|rays| call::packet(rays, random.random()))
+                .collect();
+            bench.reset();
+            let placed = call::place::<TriangleObject>(&mut bench, &records, &[], &[], 0);
+            let shears: Vec<Shears> = bench.read_all(placed.shears.expect("triangles take shears"));
+            for (shears, rays) in shears.iter().zip(packets) {
+                for (lane, ray) in rays.iter().enumerate() {
+                    let expected = shear(ray.origin, ray.direction);
+                    assert_eq!(flat_records::shear(shears, lane), expected, "{ray:x?}");
+                }
+            }
+        }
+    }
+}
+
+/// The faces of a tetrahedron by its vertices, each counter-clockwise as seen from within.
+const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
+
+#[test]
+fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let list: Vec<[usize; 2]> = (0..FACES.len()).map(|face| [face, 0]).collect();
+    for round in 0..4000 {
+        let far = if round % 2 == 0 { 0.0 } else { 1e5 };
+        let corners = loop {
+            let corners: [[f64; 3]; 4] = std::array::from_fn(|_| {
+                in_cube(10.0, &mut random).map(|component| component + far)
+            });
+            let [a, b, c, d] = corners;
+            let volume = dot(cross(less(b, a), less(c, a)), less(d, a));
+            if volume > 100.0 {
+                break corners;
+            }
+        };
+        let middle = std::array::from_fn(|axis| {
+            corners.iter().map(|corner| corner[axis]).sum::<f64>() / 4.0
+        });
+        let faces = FACES.map(|mut face| {
+            face.rotate_left(random.random_range(0..3));
+            TriangleObject {
+                vertices: face.map(|corner| point(corners[corner])),
+                both: false,
+            }
+        });
+        // To vertices, to middles of edges, and to anywhere on them.
+        let rays = std::array::from_fn(|lane| {
+            let [from, to] = [lane % 4, (lane + 1 + lane / 8) % 4].map(|corner| corners[corner]);
+            let along = match lane / 4 {
+                0 => 0.0,
+                1 => 0.5,
+                _ => random.random_range(0.0..1.0),
+            };
+            let target: [f64; 3] =
+                std::array::from_fn(|axis| from[axis] + along * (to[axis] - from[axis]));
+            ray(middle, unit(less(target, middle)), FARTHEST)
+        });
+        let (rays, objects) = check(&mut bench, &[rays], &faces, &list, 0);
+        for ray in rays[0] {
+            assert!(
+                objects.contains(&ray.object),
+                "{ray:x?} leaks out of {faces:x?}"
+            );
+        }
+    }
+}

@@ -1,0 +1,270 @@
+//! The intersectors that run through candidates: what is asked of all of them, bit for bit against
+//! their twins, and a file for what each shape has of its own.
+
+mod ball;
+mod cone;
+mod flat;
+mod smooth;
+
+use std::collections::BTreeSet;
+
+use kernels::bench::{Bench, random};
+use kernels::cases::ball::case_rays;
+use kernels::cases::whitted::isect::ball::By;
+use kernels::cases::whitted::isect::call;
+use kernels::cases::whitted::isect::cone::ConeObject;
+use kernels::cases::whitted::isect::error::SCALES;
+use kernels::cases::whitted::isect::rectangle::RectangleObject;
+use kernels::cases::whitted::isect::shape::Shape;
+use kernels::cases::whitted::isect::triangle::TriangleObject;
+use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
+use protocol::layout::RayPacket;
+use rand::Rng as _;
+use spu_emulator::float::single::from_f64;
+use twins::FARTHEST;
+use twins::ball::Ray;
+use twins::sphere::{
+    Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
+    Unnormalised,
+};
+use zerocopy::IntoBytes as _;
+
+/// Lengths of lists: a scheduled loop takes other paths for the short ones.
+const COUNTS: [usize; 7] = [0, 1, 2, 3, 7, 16, 40];
+
+/// The object of a ray that has hit nothing.
+const NOTHING: u32 = 0x0002_9000;
+
+/// The -1 of a ray that is not there.
+const ABSENT: u32 = 0xbf80_0000;
+
+/// Runs the kernel, compares with the twin candidate by candidate, nothing else being written, and
+/// gives the rays and the objects' addresses.
+fn check<S: Shape>(
+    bench: &mut Bench,
+    packets: &[[Ray; 16]],
+    objects: &[S],
+    list: &[[usize; 2]],
+    anything: u32,
+) -> (Vec<[Ray; 16]>, Vec<u32>) {
+    let before: Vec<RayPacket> = packets
+        .iter()
+        .map(|rays| call::packet(rays, anything))
+        .collect();
+    let (after, addresses) = call::pairs(bench, &before, objects, list, anything);
+    let mut expected = packets.to_vec();
+    for &[object, packet] in list {
+        for ray in &mut expected[packet] {
+            *ray = objects[object].twin(*ray, addresses[object]);
+        }
+    }
+    for (after, expected) in after.iter().zip(&expected) {
+        for (found, expected) in call::rays(after).iter().zip(expected) {
+            assert_eq!(found, expected, "{}: {objects:x?}, {list:?}", S::KERNEL);
+        }
+        let whole = call::packet(expected, anything);
+        assert_eq!(after.as_bytes(), whole.as_bytes(), "{}", S::KERNEL);
+    }
+    (expected, addresses)
+}
+
+/// How far from a tangent a ray of this lane is, by the sine: by ulps, or by more, for
+/// formulations that lose digits.
+fn around_a_tangent(lane: usize) -> f64 {
+    let step = if lane.is_multiple_of(2) { -26 } else { -20 };
+    (lane as f64 - 8.0) * 2_f64.powi(step)
+}
+
+/// The rays of the cases, of which nothing has been hit.
+fn straight() -> [Ray; 16] {
+    case_rays().map(|ray| Ray {
+        t: FARTHEST,
+        object: NOTHING,
+        ..ray
+    })
+}
+
+fn lists_of_any_length<S: Shape>() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut hit = BTreeSet::new();
+    for _ in 0..30 {
+        for count in COUNTS {
+            let objects: Vec<S> = (0..12)
+                .map(|_| {
+                    S::ahead(
+                        random.random_range(-1.0..1.0),
+                        random.random_range(2.0..9.0),
+                    )
+                })
+                .collect();
+            let packets: Vec<[Ray; 16]> = (0..random.random_range(1..5))
+                .map(|_| {
+                    let farthest = from_f64(random.random_range(1.0..20.0));
+                    straight().map(|ray| Ray { t: farthest, ..ray })
+                })
+                .collect();
+            let list: Vec<[usize; 2]> = (0..count)
+                .map(|_| [objects.len(), packets.len()].map(|end| random.random_range(0..end)))
+                .collect();
+            let (rays, addresses) = check(&mut bench, &packets, &objects, &list, random.random());
+            for ray in rays.iter().flatten() {
+                hit.extend(addresses.iter().position(|address| *address == ray.object));
+            }
+        }
+    }
+    assert_eq!(hit.len(), 12, "only {hit:?} were hit");
+}
+
+fn a_packet_in_candidate_after_candidate_keeps_its_nearest_hit<S: Shape>() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let objects: Vec<S> = (0..40)
+        .map(|step| S::ahead(0.0, 5.0 + f64::from(step)))
+        .collect();
+    for count in COUNTS.into_iter().filter(|count| *count > 0) {
+        let farther: Vec<[usize; 2]> = (0..count).map(|object| [object, 0]).collect();
+        let nearer: Vec<[usize; 2]> = farther.iter().rev().copied().collect();
+        for list in [farther, nearer] {
+            let (rays, addresses) = check(&mut bench, &[straight()], &objects, &list, 0);
+            assert!(rays[0].iter().all(|ray| ray.object == addresses[0]));
+        }
+        // In runs of random length, among other packets.
+        let mut packet = 0;
+        let list: Vec<[usize; 2]> = (0..count)
+            .map(|_| {
+                if random.random_range(0..3) == 0 {
+                    packet = random.random_range(0..3);
+                }
+                [random.random_range(0..objects.len()), packet]
+            })
+            .collect();
+        check(&mut bench, &[straight(); 3], &objects, &list, 0);
+    }
+}
+
+fn the_first_of_equally_near_objects_stays<S: Shape>() {
+    let mut bench = Bench::new();
+    let objects = [S::ahead(0.0, 5.0); 3];
+    let list = [[1, 0], [0, 0], [2, 0]];
+    let (rays, addresses) = check(&mut bench, &[straight()], &objects, &list, 0);
+    assert!(rays[0].iter().all(|ray| ray.object == addresses[1]));
+}
+
+fn a_ray_that_is_not_there_stays_so<S: Shape>() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut hits = 0;
+    for _ in 0..200 {
+        for scale in SCALES {
+            let (object, mut rays) = S::around(&mut random, scale);
+            for ray in rays.iter_mut().step_by(3) {
+                ray.t = ABSENT;
+                ray.object = NOTHING;
+            }
+            // Whatever it is made of.
+            rays[3].origin = random.random();
+            rays[3].direction = random.random();
+            let anything = random.random();
+            let (after, _) = check(&mut bench, &[rays], &[object], &[[0, 0]], anything);
+            for (before, after) in rays.iter().zip(&after[0]).step_by(3) {
+                assert_eq!(before, after);
+            }
+            hits += rays.iter().zip(&after[0]).filter(|(b, a)| b != a).count();
+        }
+    }
+    assert!(hits > 500, "only {hits} hits");
+}
+
+fn sensible_rays_equal_the_twin<S: Shape>() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let (mut hits, mut rays_of_all) = (0, 0);
+    for _ in 0..300 {
+        for scale in SCALES {
+            let (object, mut rays) = S::around(&mut random, scale);
+            // Some limits on either side of the hit.
+            for ray in rays.iter_mut().step_by(2) {
+                if let Some(t) = object.truth(ray).t {
+                    ray.t = from_f64(t * random.random_range(0.5..1.5));
+                }
+            }
+            let anything = random.random();
+            let (after, _) = check(&mut bench, &[rays], &[object], &[[0, 0]], anything);
+            hits += rays.iter().zip(&after[0]).filter(|(b, a)| b != a).count();
+            rays_of_all += 16;
+        }
+    }
+    println!("{}: {hits} of {rays_of_all} rays hit", S::KERNEL);
+    assert!(
+        (rays_of_all / 16..rays_of_all * 7 / 8).contains(&hits),
+        "{hits} of {rays_of_all}"
+    );
+}
+
+fn any_bits_at_all_equal_the_twin<S: Shape>() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut hits = 0;
+    for _ in 0..1000 {
+        let packets: [[Ray; 16]; 2] = std::array::from_fn(|_| {
+            std::array::from_fn(|_| Ray {
+                origin: random.random(),
+                direction: random.random(),
+                t: random.random(),
+                object: NOTHING,
+            })
+        });
+        let objects: [S; 4] = std::array::from_fn(|_| S::junk(&mut random));
+        let list: Vec<[usize; 2]> = (0..8).map(|pair| [pair % 4, pair / 4]).collect();
+        let (after, _) = check(&mut bench, &packets, &objects, &list, random.random());
+        hits += after
+            .iter()
+            .flatten()
+            .filter(|ray| ray.object != NOTHING)
+            .count();
+    }
+    println!("{}: junk hit {hits} times", S::KERNEL);
+}
+
+/// What is asked of every shape.
+macro_rules! asked_of_all {
+    ($module:ident, $shape:ty: $($test:ident)*) => {
+        mod $module {
+            use super::*;
+            $(
+                #[test]
+                fn $test() {
+                    super::$test::<$shape>();
+                }
+            )*
+        }
+    };
+    ($($module:ident: $shape:ty;)*) => {
+        $(asked_of_all! { $module, $shape:
+            lists_of_any_length
+            a_packet_in_candidate_after_candidate_keeps_its_nearest_hit
+            the_first_of_equally_near_objects_stays
+            a_ray_that_is_not_there_stays_so
+            sensible_rays_equal_the_twin
+            any_bits_at_all_equal_the_twin
+        })*
+    };
+}
+
+asked_of_all! {
+    all_of_balls: By<Perpendicular>;
+    all_of_balls_by_paper: By<Paper>;
+    all_of_balls_by_estimate: By<Estimate>;
+    all_of_balls_by_interpolated: By<Interpolated>;
+    all_of_balls_by_newton2: By<Newton2>;
+    all_of_balls_by_stable: By<Stable>;
+    all_of_balls_by_factored: By<Factored>;
+    all_of_balls_by_refined: By<Refined>;
+    all_of_balls_by_unnormalised: By<Unnormalised>;
+    all_of_balls_in_double: By<InDouble>;
+    all_of_rectangles: RectangleObject;
+    all_of_triangles: TriangleObject;
+    all_of_triangles_mt: MoellerTrumbore;
+    all_of_cones: ConeObject;
+}

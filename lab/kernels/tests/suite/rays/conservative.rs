@@ -1,0 +1,201 @@
+//! What bounds rays and `cull_nodes` together: no child is left out that a ray of the packet
+//! meets, by f64 from the singles of the records.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::ball::any_direction;
+use kernels::cases::whitted::rays::call::{self, Ball, Child, Point};
+use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
+use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::bound::Bound;
+use twins::eye_rays::Ray;
+use twins::{ONE, ZERO};
+
+/// What a child's radius has to be more than its ball's, as a share of |c| + R.
+const SLACK: f64 = 1.0 / (1 << 18) as f64;
+/// More than the rounding of a radius to a single takes away.
+const ROUNDING: f64 = 1.0 + 1.0 / (1 << 22) as f64;
+const NODES: usize = 16;
+const PACKETS: usize = 300;
+
+/// What the kernels made of one packet's children.
+#[derive(Clone, Copy, Debug, Default)]
+struct Outcome {
+    tested: usize,
+    kept: usize,
+    met: usize,
+    /// Met, but not kept.
+    lost: usize,
+}
+
+fn at(from: Vector, direction: Vector, distance: f64) -> Vector {
+    std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
+}
+
+/// A ball that may be about a ray of the packet: its edge a hair off the ray, off its origin or
+/// its end, or anywhere.
+fn ball(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
+    let ray = rays[random.random_range(0..rays.len())];
+    let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));
+    let radius = scale * magnitude(1e-4..30.0, random);
+    let hair = magnitude(1e-9..1e-1, random);
+    let edge = radius
+        * if random.random() {
+            1.0 - hair
+        } else {
+            1.0 + hair
+        };
+    let end = to_f64(ray.t).min(scale * 1000.0);
+    let along = end
+        * random
+            .random_range(0.0..1.0_f64)
+            .powi(random.random_range(1..8));
+    let across = unit(cross(direction, any_direction(random)));
+    let centre = match random.random_range(0..5) {
+        0 => at(origin, direction, -edge),
+        1 => at(origin, direction, end + edge),
+        2 => at(origin, in_cube(1.0, random), 100.0 * scale),
+        _ => at(at(origin, direction, along), across, edge),
+    };
+    (centre, radius)
+}
+
+/// Whether a ray has a point in a ball, up to its t.
+fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
+    let to_centre = less(centre, ray.origin.map(to_f64));
+    let direction = unit(ray.direction.map(to_f64));
+    let nearest = dot(to_centre, direction).clamp(0.0, to_f64(ray.t));
+    let apart = at(to_centre, direction, -nearest);
+    dot(apart, apart) <= radius * radius
+}
+
+/// Rays, and what bounds them.
+type Bounded = ([Ray; 16], Vec<Bound>);
+
+/// Makes rays of a scene of some scale.
+type Source<'a> = &'a dyn Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded;
+
+/// From anywhere.
+fn anywhere(fan: Fan) -> impl Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded {
+    move |bench, scale, random| {
+        let packet = fans::packet(fan, scale, random);
+        (packet, call::bounds(bench, &[packet]))
+    }
+}
+
+/// From the eye.
+fn from_eye(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
+    let packet = fans::packet(Fan::Eye, scale, random);
+    let eye = Point {
+        place: [ZERO; 3],
+        near: ZERO,
+        along: ONE,
+    };
+    (packet, call::fans(bench, &[packet], &eye))
+}
+
+/// To a light.
+fn to_light(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
+    let (packet, light) = fans::to_light(scale, random);
+    (packet, call::fans(bench, &[packet], &light))
+}
+
+fn outcome(bench: &mut Bench, source: Source<'_>, slack: f64, random: &mut ChaCha8Rng) -> Outcome {
+    let scale = magnitude(SCALES, random);
+    let (packet, bound) = source(bench, scale, random);
+    let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
+    let mut outcome = Outcome::default();
+    if rays.is_empty() {
+        return outcome;
+    }
+    let mut met = Vec::new();
+    let nodes: [[Child; 4]; NODES] = std::array::from_fn(|_| {
+        std::array::from_fn(|_| {
+            let (centre, radius) = ball(&rays, scale, random);
+            let centre = centre.map(from_f64);
+            let stored = centre.map(to_f64);
+            met.push(rays.iter().any(|ray| meets(ray, stored, radius)));
+            let slack = slack * (dot(stored, stored).sqrt() + radius);
+            Child {
+                ball: Ball {
+                    centre,
+                    radius: from_f64((radius + slack) * ROUNDING),
+                },
+                address: met.len() as u32 - 1,
+            }
+        })
+    });
+    let pairs: [[usize; 2]; NODES] = std::array::from_fn(|node| [node, 0]);
+    let (_, found) = call::cull_nodes(bench, &nodes, &bound, &pairs);
+    let mut kept = [false; 4 * NODES];
+    for [child, ..] in &found {
+        kept[*child as usize] = true;
+    }
+    for (met, kept) in met.iter().zip(kept) {
+        outcome.tested += 1;
+        outcome.met += usize::from(*met);
+        outcome.kept += usize::from(kept);
+        outcome.lost += usize::from(*met && !kept);
+    }
+    outcome
+}
+
+fn sum(name: &str, source: Source<'_>, slack: f64) -> Outcome {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut sum = Outcome::default();
+    for _ in 0..PACKETS {
+        let one = outcome(&mut bench, source, slack, &mut random);
+        sum.tested += one.tested;
+        sum.kept += one.kept;
+        sum.met += one.met;
+        sum.lost += one.lost;
+    }
+    println!("{name}, slack {slack:.1e}: {sum:?}");
+    sum
+}
+
+#[test]
+fn no_child_that_a_ray_meets_is_left_out() {
+    let check = |name: &str, source: Source<'_>| {
+        let sum = sum(name, source, SLACK);
+        assert_eq!(sum.lost, 0, "{name}");
+        assert!(sum.met > sum.tested / 10, "{name}: {sum:?}");
+    };
+    for fan in FANS {
+        check(&format!("{fan:?}"), &anywhere(fan));
+    }
+    check("from the eye", &from_eye);
+    check("to a light", &to_light);
+}
+
+/// The balls are near enough to the rays, and the bounds to both, that little less would not do.
+#[test]
+fn with_radii_a_hair_too_small_some_are_left_out() {
+    let check = |name: &str, source: Source<'_>| {
+        let sum = sum(name, source, -SLACK / 4.0);
+        assert!(sum.lost > sum.met / 1000, "{name}: {sum:?}");
+    };
+    for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
+        check(&format!("{fan:?}"), &anywhere(fan));
+    }
+    check("from the eye", &from_eye);
+}
+
+/// Where rays go about one way, much of what they miss is left out, though most of these balls all
+/// but touch a ray.
+#[test]
+fn much_of_what_coherent_rays_miss_is_left_out() {
+    let check = |name: &str, source: Source<'_>| {
+        let sum = sum(name, source, SLACK);
+        let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
+        assert!(3 * left_out > missed, "{name}: {sum:?}");
+    };
+    for fan in [Fan::Eye, Fan::Coherent, Fan::Shadow, Fan::One, Fan::Half] {
+        check(&format!("{fan:?}"), &anywhere(fan));
+    }
+    check("from the eye", &from_eye);
+    check("to a light", &to_light);
+}

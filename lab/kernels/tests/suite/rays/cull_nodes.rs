@@ -1,0 +1,141 @@
+//! `cull_nodes` against its twin.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::whitted::rays::call::{self, Ball, Child};
+use kernels::cases::whitted::rays::fans::{self, FANS};
+use kernels::vector::{in_cube, magnitude};
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::from_f64;
+use twins::bound::{Bound, NOTHING, bound};
+use twins::cull_nodes::may_meet;
+
+use super::COUNTS;
+
+const NODES: usize = 8;
+const BOUNDS: usize = 4;
+
+/// Checks the kernel; gives how many children it kept.
+fn check(bench: &mut Bench, nodes: &[[Child; 4]], bounds: &[Bound], pairs: &[[usize; 2]]) -> usize {
+    let (given, found) = call::cull_nodes(bench, nodes, bounds, pairs);
+    let mut expected = Vec::new();
+    for (candidate, &[node, bound]) in given.iter().zip(pairs) {
+        let [_, packet, a_bound, shear] = call::words(candidate);
+        let children = nodes[node].iter();
+        let kept =
+            children.filter(|child| may_meet(&bounds[bound], child.ball.centre, child.ball.radius));
+        expected.extend(kept.map(|child| [child.address, packet, a_bound, shear]));
+    }
+    assert_eq!(found, expected, "{nodes:x?} {bounds:x?} {pairs:?}");
+    found.len()
+}
+
+fn pairs(count: usize, random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
+    let pair = |_| {
+        [
+            random.random_range(0..NODES),
+            random.random_range(0..BOUNDS),
+        ]
+    };
+    (0..count).map(pair).collect()
+}
+
+/// A child about the eye, or none.
+fn child(random: &mut ChaCha8Rng) -> Child {
+    let radius = match random.random_range(0..5) {
+        0 => NOTHING,
+        _ => from_f64(magnitude(0.01..20.0, random)),
+    };
+    Child {
+        ball: Ball {
+            centre: in_cube(20.0, random).map(from_f64),
+            radius,
+        },
+        address: random.random(),
+    }
+}
+
+#[test]
+fn candidates_equal_the_twin_in_lists_of_any_length() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let (mut tested, mut kept) = (0, 0);
+    for _ in 0..50 {
+        for count in COUNTS {
+            let nodes: [[Child; 4]; NODES] =
+                std::array::from_fn(|_| std::array::from_fn(|_| child(&mut random)));
+            let bounds: [Bound; BOUNDS] = std::array::from_fn(|_| {
+                let fan = FANS[random.random_range(0..FANS.len())];
+                bound(&fans::packet(fan, 1.0, &mut random))
+            });
+            let pairs = pairs(count, &mut random);
+            kept += check(&mut bench, &nodes, &bounds, &pairs);
+            tested += 4 * count;
+        }
+    }
+    assert!(
+        kept > tested / 10 && kept < tested * 9 / 10,
+        "{kept} of {tested}"
+    );
+}
+
+#[test]
+fn any_bits_at_all_equal_the_twin() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let mut kept = 0;
+    for _ in 0..500 {
+        let nodes: [[Child; 4]; NODES] = std::array::from_fn(|_| {
+            std::array::from_fn(|_| Child {
+                ball: Ball {
+                    centre: random.random(),
+                    radius: random.random(),
+                },
+                address: random.random(),
+            })
+        });
+        let bounds: [Bound; BOUNDS] = std::array::from_fn(|_| Bound {
+            apex: random.random(),
+            axis: random.random(),
+            cosine: random.random(),
+            sine: random.random(),
+            radius: random.random(),
+            farthest: random.random(),
+        });
+        kept += check(&mut bench, &nodes, &bounds, &pairs(7, &mut random));
+    }
+    assert!(kept > 100, "{kept}");
+}
+
+#[test]
+fn no_candidate_gives_no_list() {
+    let mut bench = Bench::new();
+    let mut random = random();
+    let node = std::array::from_fn(|_| child(&mut random));
+    let bound = bound(&fans::packet(FANS[0], 1.0, &mut random));
+    assert_eq!(check(&mut bench, &[node], &[bound], &[]), 0);
+}
+
+/// Neither a lane without a child nor a bound without rays has anything to meet.
+#[test]
+fn nothing_meets_nothing() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..2000 {
+        let fan = FANS[random.random_range(0..FANS.len())];
+        let rays = fans::packet(fan, 1.0, &mut random);
+        let absent = rays.map(|ray| twins::eye_rays::Ray {
+            t: twins::eye_rays::ABSENT,
+            ..ray
+        });
+        let nobody: [Child; 4] = std::array::from_fn(|_| {
+            let mut child = child(&mut random);
+            child.ball.radius = NOTHING;
+            child
+        });
+        let anybody = std::array::from_fn(|_| child(&mut random));
+        let bounds = [bound(&rays), bound(&absent)];
+        let pairs = [[0, 0], [0, 1], [1, 1]];
+        assert_eq!(check(&mut bench, &[nobody, anybody], &bounds, &pairs), 0);
+    }
+}

@@ -1,0 +1,258 @@
+//! `shadow_rays_r16`, `lambert_r16`, `light_r16`, `ambient_r16`.
+
+use kernels::bench::{Bench, random};
+use kernels::cases::whitted::shade::call::{self, Site};
+use kernels::cases::whitted::shade::error::{any_light, any_shining_site, any_site, light_up_to};
+use kernels::cases::whitted::shade::records;
+use protocol::layout::Surfaces;
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::light::{ambient, highlight, light};
+use twins::shadow_rays::{NOT_THERE, Place, shadow_ray};
+use twins::surfaces::{Ray, Surface};
+use twins::{FARTHEST, Single};
+
+use super::{COUNTS, any_bits_of_a_surface, assert_same};
+
+/// The material addresses that calls give.
+const MATERIALS: [u32; 16] = [0x5555_5555; 16];
+
+fn check_shadow_rays(bench: &mut Bench, sites: &[Site], place: &Place) -> u32 {
+    let (found, counts) = call::shadow_rays(bench, sites, place);
+    let mut expected_counts = [0; 4];
+    for (site, found) in sites.iter().zip(&found) {
+        for (lane, found) in found.iter().enumerate() {
+            let expected = shadow_ray(&site.surfaces[lane], site.normals[lane], place);
+            assert_eq!(
+                (found.origin, found.direction, found.t),
+                (expected.origin, expected.direction, expected.t),
+                "{:x?}, {place:x?}",
+                site.surfaces[lane]
+            );
+            expected_counts[lane % 4] += u32::from(expected.t != NOT_THERE);
+        }
+    }
+    assert_eq!(counts, expected_counts, "shadow rays");
+    counts.iter().sum()
+}
+
+/// Compares the whole records: nothing but what is sent back may change.
+fn check_lit(found: &[Surfaces], sites: &[Site], expected: impl Fn(&Site, usize) -> [Single; 3]) {
+    for (site, found) in sites.iter().zip(found) {
+        let lanes = std::array::from_fn(|lane| Surface {
+            lit: expected(site, lane),
+            ..site.surfaces[lane]
+        });
+        let record = records::surfaces(&lanes, &site.normals, MATERIALS);
+        assert_same(found, &record, &format!("{site:x?}"));
+    }
+}
+
+fn check_light(bench: &mut Bench, sites: &[Site], brightness: [Single; 3]) {
+    for kernel in ["light_r16", "lambert_r16"] {
+        let found = call::light(bench, kernel, sites, brightness);
+        check_lit(&found, sites, |site, lane| {
+            let (ray, blocked) = &site.shadow[lane];
+            let shines = kernel == "light_r16";
+            light(
+                &site.surfaces[lane],
+                site.normals[lane],
+                shines.then_some(site.directions[lane]),
+                ray.direction,
+                *blocked || ray.t >> 31 != 0,
+                brightness,
+            )
+        });
+    }
+    let found = call::ambient(bench, sites, brightness);
+    check_lit(&found, sites, |site, lane| {
+        ambient(&site.surfaces[lane], brightness)
+    });
+}
+
+#[test]
+fn sites_equal_the_twins_in_lists_of_any_length() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    let (mut rays, mut lanes) = (0, 0);
+    for _ in 0..20 {
+        for count in COUNTS {
+            let place = any_light(&mut random);
+            let mut site = || {
+                let mut site = any_site(&mut random, &place, 4096.0);
+                for surface in &mut site.surfaces {
+                    if random.random_ratio(1, 4) {
+                        (surface.diffuse, surface.highlight) = (0, 0);
+                    }
+                }
+                site
+            };
+            let sites: Vec<Site> = (0..count).map(|_| site()).collect();
+            rays += check_shadow_rays(&mut bench, &sites, &place);
+            lanes += 16 * count as u32;
+            let shining: Vec<Site> = (0..count)
+                .map(|_| any_shining_site(&mut random, 4096.0))
+                .collect();
+            let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
+            check_light(&mut bench, &shining, brightness);
+        }
+    }
+    assert!(rays > lanes / 10 && rays < lanes / 2, "{rays} of {lanes}");
+}
+
+fn any_bits_of_a_site(random: &mut ChaCha8Rng) -> Site {
+    Site {
+        surfaces: std::array::from_fn(|_| any_bits_of_a_surface(random)),
+        normals: random.random(),
+        directions: random.random(),
+        shadow: std::array::from_fn(|_| {
+            let ray = Ray {
+                origin: random.random(),
+                direction: random.random(),
+                t: random.random(),
+            };
+            (ray, random.random())
+        }),
+    }
+}
+
+#[test]
+fn any_bits_at_all_equal_the_twins() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..500 {
+        let sites = [(); 2].map(|()| any_bits_of_a_site(&mut random));
+        let place = Place {
+            position: random.random(),
+            directional: random.random(),
+        };
+        check_shadow_rays(&mut bench, &sites, &place);
+        check_light(&mut bench, &sites, random.random());
+    }
+}
+
+/// A surface in the eye's way that faces it.
+fn facing() -> Surface {
+    Surface {
+        point: [0.0, 0.0, -4.0].map(from_f64),
+        plane: [0.0, 0.0, 1.0].map(from_f64),
+        leave: from_f64(0.001),
+        colour: [from_f64(1.0); 3],
+        diffuse: from_f64(0.5),
+        highlight: from_f64(0.25),
+        exponent: from_f64(20.0),
+        mirror: 0,
+        transmittance: 0,
+        ratio: 0,
+        schlick: 0,
+        grazing: 0,
+        lit: [0; 3],
+        flags: 0,
+    }
+}
+
+#[test]
+fn there_is_a_shadow_ray_only_to_a_light_ahead() {
+    let surface = facing();
+    let normal = surface.plane;
+    let at = |position: [f64; 3]| Place {
+        position: position.map(from_f64),
+        directional: false,
+    };
+    let there = |surface: &Surface, normal, place: &Place| {
+        shadow_ray(surface, normal, place).t != NOT_THERE
+    };
+    assert!(there(&surface, normal, &at([0.0; 3])));
+    assert!(!there(&surface, normal, &at([1.0, 2.0, -4.0])), "beside");
+    assert!(!there(&surface, normal, &at([0.0, 0.0, -5.0])), "behind");
+    assert!(
+        !there(&surface, normal, &at([0.0, 0.0, -4.0])),
+        "at the point"
+    );
+    let turned = [-1.0, 0.0, 0.0].map(from_f64);
+    let light = at([1.0, 0.0, 0.0]);
+    assert!(!there(&surface, turned, &light), "behind the normal");
+    let behind = Surface {
+        plane: turned,
+        ..surface
+    };
+    assert!(!there(&behind, normal, &light), "behind the plane");
+    let dark = Surface {
+        diffuse: 0,
+        highlight: 0,
+        ..surface
+    };
+    assert!(!there(&dark, normal, &at([0.0; 3])), "not lit");
+    for share in [
+        Surface {
+            diffuse: 0,
+            ..surface
+        },
+        Surface {
+            highlight: 0,
+            ..surface
+        },
+    ] {
+        assert!(there(&share, normal, &at([0.0; 3])));
+    }
+    let sun = Place {
+        position: [0.0, 0.6, 0.8].map(from_f64),
+        directional: true,
+    };
+    let ray = shadow_ray(&surface, normal, &sun);
+    assert_eq!((ray.t, ray.direction), (FARTHEST, sun.position));
+    assert_eq!(to_f64(ray.origin[2]), to_f64(from_f64(-4.0 + 0.001)));
+}
+
+#[test]
+fn without_a_highlight_both_kernels_give_the_same_bits() {
+    let mut random = random();
+    let mut bench = Bench::new();
+    for _ in 0..100 {
+        let mut site = any_shining_site(&mut random, 100.0);
+        for surface in &mut site.surfaces {
+            surface.highlight = 0;
+        }
+        let brightness = [(); 3].map(|()| from_f64(random.random_range(0.0..2.0)));
+        let [a, b] = ["light_r16", "lambert_r16"]
+            .map(|kernel| call::light(&mut bench, kernel, std::slice::from_ref(&site), brightness));
+        assert_same(&a[0], &b[0], &format!("{site:x?}"));
+    }
+}
+
+#[test]
+fn highlights_are_powers_of_the_cosine() {
+    let normal = [0.0, 0.0, 1.0].map(from_f64);
+    let eye = [0.0, 0.0, -1.0];
+    let power = |cosine: f64, exponent: f64| {
+        // H halves the angle between the light and the eye.
+        let (sin, cos) = libm::sincos(2.0 * libm::acos(cosine));
+        let to = [sin, 0.0, cos].map(from_f64);
+        to_f64(highlight(normal, eye.map(from_f64), to, from_f64(exponent)))
+    };
+    for exponent in [0.25, 1.0, 2.0, 10.0, 100.0, 1000.0, 4096.0] {
+        for step in 0..=1000 {
+            let cosine = f64::from(step) / 1000.0 * (1.0 - 0.001) + 0.001;
+            let error = (power(cosine, exponent) - libm::pow(cosine, exponent)).abs();
+            let bound = if exponent > 1000.0 { 0.0015 } else { 0.0006 };
+            assert!(error <= bound, "{cosine}^{exponent}: {error}");
+        }
+    }
+    // 0^0 = 1, and what lies behind the normal has a cosine of 0.
+    let behind = [0.0, 0.0, -1.0].map(from_f64);
+    let of = |exponent: f64| {
+        let power = highlight(behind, eye.map(from_f64), normal, from_f64(exponent));
+        to_f64(power)
+    };
+    assert!((of(0.0) - 1.0).abs() <= 0.001);
+    assert!(of(0.25) <= 0.001 && of(1.0) <= 0.001);
+}
+
+#[test]
+fn the_highest_exponents_keep_their_bound() {
+    let mut bench = Bench::new();
+    let worst = light_up_to(&mut bench, &mut random(), "light_r16", 4096.0);
+    println!("exponents to 4096: {worst:.5}");
+    assert!(worst <= 0.0015, "{worst}");
+}

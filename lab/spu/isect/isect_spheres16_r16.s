@@ -1,0 +1,67 @@
+# isect_spheres16_r16   nearest hit of sixteen rays with sixteen spheres
+#   C       void isect_spheres16_r16(struct rays *, const struct ball *, int first_object);
+#   In      $3 rays, $4 sixteen spheres, $5 object number of the first; pointers 16-aligned
+#   Out     rays: t, object, where a hit is at 0 < t < the t that was there
+#   Uses    $3-$5, $10-$67   Saves  -   Stack  0   Calls  -
+#   Domain  |d| = 1 within 4 ulp; radius > 0; coordinates and radius below 2^62; t not below 0 (0
+#           leaves the ray alone)
+#   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#           0.995 r of it
+#   Twin    lab/twins/src/ball.rs
+#
+# Of equal hits the first counts. The rays stay in registers; the steps are in ball_tmpl.inc.
+
+        .include "work_unit.inc"
+        .include "macros.inc"
+        .include "ball_tmpl.inc"
+
+        .set    NEXT,3
+        registers a_rays,a_ball,object
+        # loop
+        .set    NEXT,10
+        registers count
+        # constants
+        registers m_x,m_y,m_z,m_radius2,k_half,k_one,m_sign,a_merges
+        # the sphere
+        registers ball,cx,cy,cz,radius2
+        # the rays: rows 0 to 3
+        registers ox
+        .set    oy,28
+        .set    oz,32
+        .set    dx,36
+        .set    dy,40
+        .set    dz,44
+        .set    t_best,48                               # of the nearest hit so far: -t
+        .set    nearest,52
+        # temporaries
+        .set    NEXT,56
+        registers fx,fy,fz,b,disc,out,y,s,e,t,hit,merge
+
+        ball_merges
+
+function isect_spheres16_r16
+        ball_masks
+        ball_nearest_constants
+        shufb   $object,$object,$object,$m_x
+        ball_rays $a_rays
+    .irp row, 0,1,2,3
+        lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
+        ball_turn_t \row
+    .endr
+        il      $count,16
+next_ball:
+        ball_splat $a_ball
+    .irp row, 0,1,2,3
+        ball_nearest \row, $object
+    .endr
+        ai      $object,$object,1
+        ai      $a_ball,$a_ball,BALL_SIZE
+        ai      $count,$count,-1
+        brnz    $count,next_ball
+    .irp row, 0,1,2,3
+        ball_turn_t \row
+        stqd    $t_best+\row,RAYS_t+16*\row($a_rays)
+        stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
+    .endr
+        bi      $lr
+endfunction isect_spheres16_r16

@@ -1,0 +1,27 @@
+# recip_interpolated   reciprocals: estimate and interpolation
+#   C       void recip_interpolated(const vec_float4 *in, vec_float4 *out, int count);
+#   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
+#           up to fours, and so many are done
+#   Out     the results
+#   Uses    $3-$5, $12-$15, $32-$35   Saves  -   Stack  0   Calls  -
+#   Domain  2^-126 <= |x| < 2^126; from there on the result is 0, of 0 it is 2^128 or more
+#           with the sign of x
+#   Error   2163.2 ulp of the SPU's format, worst at 0x3f860600; over all of an octave
+#   Twin    lab/twins/src/math.rs
+
+        .include "macros.inc"
+        .include "reciprocal.inc"
+        .include "operands_tmpl.inc"
+
+function recip_interpolated
+        begin_operands
+next_operand:
+        load_operands
+    .irp n, 0,1,2,3
+        recip_interpolated_f4 $out+\n,$x+\n
+    .endr
+        store_operands
+        next_operands next_operand
+        bi      $lr
+endfunction recip_interpolated

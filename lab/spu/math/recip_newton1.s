@@ -1,0 +1,28 @@
+# recip_newton1   reciprocals: estimate, interpolation and one Newton step
+#   C       void recip_newton1(const vec_float4 *in, vec_float4 *out, int count);
+#   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
+#           up to fours, and so many are done
+#   Out     the results
+#   Uses    $3-$5, $11-$19, $24-$27, $32-$35   Saves  -   Stack  0   Calls  -
+#   Domain  2^-126 <= |x| < 2^126; from there on the result is 0, of 0 it is the largest single,
+#           with the sign of x
+#   Error   1.438 ulp of the SPU's format, worst at 0x3fd7fffb; over all of an octave
+#   Twin    lab/twins/src/math.rs
+
+        .include "macros.inc"
+        .include "reciprocal.inc"
+        .include "operands_tmpl.inc"
+
+function recip_newton1
+        begin_operands
+        ilhu    $k_one,0x3f80
+next_operand:
+        load_operands
+    .irp n, 0,1,2,3
+        reciprocal_f4 $out+\n,$x+\n,$y+\n,$t_e+\n,$k_one
+    .endr
+        store_operands
+        next_operands next_operand
+        bi      $lr
+endfunction recip_newton1

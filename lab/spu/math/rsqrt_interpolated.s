@@ -1,0 +1,26 @@
+# rsqrt_interpolated   reciprocals of square roots: estimate and interpolation
+#   C       void rsqrt_interpolated(const vec_float4 *in, vec_float4 *out, int count);
+#   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
+#           up to fours, and so many are done
+#   Out     the results
+#   Uses    $3-$5, $12-$15, $32-$35   Saves  -   Stack  0   Calls  -
+#   Domain  2^-126 <= x; of 0 the result is one of 2^128 or more, of x below 0 that of |x|
+#   Error   2242.63 ulp of the SPU's format, worst at 0x3f93f400; over all of two octaves
+#   Twin    lab/twins/src/math.rs
+
+        .include "macros.inc"
+        .include "math.inc"
+        .include "operands_tmpl.inc"
+
+function rsqrt_interpolated
+        begin_operands
+next_operand:
+        load_operands
+    .irp n, 0,1,2,3
+        rsqrt_interpolated_f4 $out+\n,$x+\n
+    .endr
+        store_operands
+        next_operands next_operand
+        bi      $lr
+endfunction rsqrt_interpolated

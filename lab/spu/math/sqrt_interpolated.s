@@ -1,0 +1,27 @@
+# sqrt_interpolated   square roots: the operand times the interpolated estimate
+#   C       void sqrt_interpolated(const vec_float4 *in, vec_float4 *out, int count);
+#   In      $3 operands, $4 where the results go (the operands' own place will do), $5 count of
+#           quadwords (0 is none); pointers 16-aligned. Both arrays have room for a count rounded
+#           up to fours, and so many are done
+#   Out     the results
+#   Uses    $3-$5, $12-$19, $32-$35   Saves  -   Stack  0   Calls  -
+#   Domain  0 <= x; exactly 0 for 0, of x below 0 less the root of |x|
+#   Error   2124.52 ulp of the SPU's format, worst at 0x400bdf97; over all of two octaves
+#   Twin    lab/twins/src/math.rs
+
+        .include "macros.inc"
+        .include "math.inc"
+        .include "operands_tmpl.inc"
+
+function sqrt_interpolated
+        begin_operands
+next_operand:
+        load_operands
+    .irp n, 0,1,2,3
+        rsqrt_interpolated_f4 $y+\n,$x+\n
+        fm      $out+\n,$x+\n,$y+\n
+    .endr
+        store_operands
+        next_operands next_operand
+        bi      $lr
+endfunction sqrt_interpolated

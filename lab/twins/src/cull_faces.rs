@@ -1,0 +1,40 @@
+//! Twin of `spu/plain/isect/cull_faces.s`: whether a ray of a packet may meet a seen side of a
+//! flat object.
+
+use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
+
+use super::bound::Bound;
+use super::{ONE, Single, ZERO, below_zero};
+
+/// What there is to know of a flat object.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    /// A point of the plane.
+    pub point: [Single; 3],
+    /// Its unit normal.
+    pub normal: [Single; 3],
+    /// What the object's own numbers add to `leave`.
+    pub leave: Single,
+    /// Whether it is seen from behind, too.
+    pub both: bool,
+}
+
+/// Whether a ray of the bound may meet the face; `along` is 1, or -1 if the rays go against the
+/// bound's axis.
+#[must_use]
+pub fn may_meet(bound: &Bound, face: &Face, along: Single) -> bool {
+    let dot_normal = |vector: [Single; 3]| {
+        let [x, y, z] = std::array::from_fn(|k| fm(vector[k], face.normal[k]));
+        fa(fa(x, z), fa(y, ZERO))
+    };
+    let g = dot_normal(bound.axis);
+    let h = dot_normal(std::array::from_fn(|k| fs(bound.apex[k], face.point[k])));
+    let sine = fa(ZERO, bound.sine);
+    let near = fma(face.leave, ONE, bound.radius);
+    let (with, before) = (fnms(g, along, sine), fnms(h, along, near));
+    let (against, behind) = (fma(g, along, sine), fma(h, along, near));
+    let within = |of_front: Single, of_both: Single| {
+        below_zero(of_front) && (!face.both || below_zero(of_both))
+    };
+    !(within(with, before) || within(behind, against))
+}

@@ -1,0 +1,61 @@
+//! Twins of the SPU's kernels: the same operations in the same order, on the SPU's own arithmetic,
+//! one lane at a time. A kernel's test compares with its twin bit for bit; the twin, being Rust,
+//! is also the clear statement of what the kernel computes.
+//!
+//! Singles are bit patterns here, as in [`spu_emulator::float`]: the host's `f32` is another
+//! format.
+
+pub mod accumulate;
+pub mod ball;
+pub mod ball_pairs;
+pub mod bounce;
+pub mod bound;
+pub mod cone;
+pub mod cull;
+pub mod cull_faces;
+pub mod cull_nodes;
+pub mod eye_rays;
+pub mod flat;
+pub mod isect_pairs;
+pub mod light;
+pub mod lists;
+pub mod load_rays;
+pub mod math;
+pub mod pack;
+pub mod pairs;
+pub mod ray_setup;
+pub mod rectangle;
+pub mod rectangle_pairs;
+pub mod reflect;
+pub mod refract;
+pub mod shade_depth;
+pub mod shader;
+pub mod shadow_rays;
+pub mod smooth;
+pub mod sphere;
+pub mod surfaces;
+pub mod triangle;
+pub mod triangle_mt_pairs;
+pub mod triangle_pairs;
+
+/// Bit pattern of a single.
+pub type Single = u32;
+
+/// The single 0.
+pub const ZERO: Single = 0;
+/// The single 1/2.
+pub const HALF: Single = 0x3f00_0000;
+/// The single 1.
+pub const ONE: Single = 0x3f80_0000;
+/// The largest single: the distance of no hit.
+pub const FARTHEST: Single = 0x7fff_ffff;
+
+/// What the select after a compare does: `chosen` where the compare was true.
+fn select(otherwise: u32, chosen: u32, condition: bool) -> u32 {
+    if condition { chosen } else { otherwise }
+}
+
+/// Whether a single's sign is set, which is all that a mask of signs asks for: -0 is below 0.
+const fn below_zero(value: Single) -> bool {
+    value >> 31 != 0
+}

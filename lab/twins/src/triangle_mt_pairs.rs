@@ -1,0 +1,50 @@
+//! Twin of `spu/plain/isect/isect_triangle_mt_pairs_r16.s`: a ray from anywhere and a triangle,
+//! Möller and Trumbore's way.
+
+use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
+
+use super::ball::Ray;
+use super::flat::SIGN;
+use super::math::reciprocal;
+use super::pairs::nearer;
+use super::triangle_pairs::TriangleObject;
+use super::{ONE, Single, ZERO, below_zero};
+
+type Vector = [Single; 3];
+
+fn less(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|axis| fs(a[axis], b[axis]))
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    std::array::from_fn(|axis| {
+        let [x, y] = [(axis + 1) % 3, (axis + 2) % 3];
+        fms(a[x], b[y], fm(a[y], b[x]))
+    })
+}
+
+fn dot(a: Vector, b: Vector) -> Single {
+    fma(a[2], b[2], fma(a[1], b[1], fm(a[0], b[0])))
+}
+
+fn minus_dot(a: Vector, b: Vector) -> Single {
+    fnms(a[2], b[2], fnms(a[1], b[1], fnms(a[0], b[0], ZERO)))
+}
+
+/// The ray after its test with a triangle, whose record is at `object`.
+#[must_use]
+pub fn isect_triangle(ray: Ray, shape: &TriangleObject, object: u32) -> Ray {
+    let [a, b, c] = shape.vertices;
+    let (e1, e2) = (less(b, a), less(c, a));
+    let s = less(ray.origin, a);
+    let p = cross(e2, ray.direction);
+    let q = cross(e1, s);
+    let det = dot(e1, p);
+    let inverse = reciprocal(det);
+    let u = fm(dot(s, p), inverse);
+    let v = fm(dot(ray.direction, q), inverse);
+    let n = fm(minus_dot(e2, q), inverse);
+    let w = fs(fs(ONE, u), v);
+    let seen = shape.both || below_zero(det);
+    nearer(ray, n ^ SIGN, object, below_zero(u | v | w) || !seen)
+}

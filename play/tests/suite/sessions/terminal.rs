@@ -1,0 +1,180 @@
+//! What ends, stops or confuses a program on a terminal, and how the terminal is left.
+
+use std::fs;
+use std::os::unix::process::ExitStatusExt as _;
+use std::process::Command;
+use std::thread;
+use std::time::Duration;
+
+use super::pty::{self, Pty};
+use super::{GAME, SCENE, in_terminal};
+
+const HALF: char = '\u{2580}';
+
+/// The screen is a file, keys are the terminal's.
+fn on_framebuffer(device: &str) -> Pty {
+    let mut command = super::program();
+    command.args(["play", GAME, "--display", "fb", "--device", device]);
+    command.args(["--size", "64x36"]);
+    let pty = Pty::start(command, 80, 24);
+    pty.wait_until_taken(true);
+    pty
+}
+
+#[test]
+fn a_terminal_that_hangs_up_ends_the_session() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // The second time no signal tells of it.
+    for trap in ["", "trap '' HUP; "] {
+        let talk = folder.path().join("talk");
+        let script = format!("{trap}exec \"$0\" view \"$1\" --display terminal 2>\"$2\"");
+        let mut command = Command::new("sh");
+        command
+            .args(["-c", &script, env!("CARGO_BIN_EXE_cellray-play"), SCENE])
+            .arg(&talk);
+        let mut pty = Pty::start(command, 64, 24);
+        pty.wait_for(&HALF.to_string());
+        pty.hang_up();
+        assert_eq!(pty.end().code(), Some(128 + libc::SIGHUP), "{trap}");
+        let talk = fs::read_to_string(talk).expect("what was said");
+        assert!(talk.contains("ended by signal 1"), "{talk}");
+    }
+}
+
+#[test]
+fn half_an_event_keeps_no_one_waiting() {
+    let folder = tempfile::tempdir().expect("a folder");
+    // Alt and a bracket; a letter of Latin-1.
+    for (number, typed) in [&b"\x1b["[..], b"\xe9"].into_iter().enumerate() {
+        let mut pty = in_terminal(&folder.path().join(number.to_string()));
+        pty.wait_for(&HALF.to_string());
+        pty.type_in(typed);
+        thread::sleep(Duration::from_millis(300));
+        pty.resize(100, 40);
+        pty.wait_for("\x1b[40;");
+        pty::signal(pty.process(), libc::SIGTERM);
+        assert_eq!(pty.end().code(), Some(128 + libc::SIGTERM), "{typed:?}");
+        pty.assert_restored();
+    }
+}
+
+#[test]
+fn whatever_ends_the_program_the_terminal_is_put_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let (hangup, interrupt, term) = (libc::SIGHUP, libc::SIGINT, libc::SIGTERM);
+    for (number, signals) in [
+        &[hangup, term][..],
+        &[hangup, interrupt],
+        &[libc::SIGUSR1],
+        &[libc::SIGALRM],
+        &[libc::SIGABRT],
+        &[libc::SIGSEGV],
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let mut pty = in_terminal(&folder.path().join(number.to_string()));
+        pty.wait_for(&HALF.to_string());
+        // All are there when it goes on: the frame loop has no time to come round.
+        for &signal in [&[libc::SIGSTOP], signals, &[libc::SIGCONT]]
+            .concat()
+            .iter()
+        {
+            pty::signal(pty.process(), signal);
+        }
+        let status = pty.end();
+        let signal = status.signal().expect("a signal's end");
+        assert!(signals.contains(&signal), "{signals:?}: {status}");
+        pty.assert_restored();
+    }
+}
+
+#[test]
+fn a_stopped_program_leaves_the_terminal_and_takes_it_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut pty = in_terminal(&folder.path().join("session"));
+    pty.wait_for(&HALF.to_string());
+    pty::signal(pty.process(), libc::SIGTSTP);
+    pty.wait_until_taken(false);
+    pty.wait_for("\x1b[?1049l");
+    pty.assert_restored();
+    let shown = pty.seen().matches(HALF).count();
+    pty::signal(pty.process(), libc::SIGCONT);
+    pty.wait_until_taken(true);
+    // All of it is drawn again.
+    pty.wait_until(|seen| seen.matches(HALF).count() >= shown + 64 * 23);
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+    pty.assert_restored();
+}
+
+#[test]
+fn a_terminal_of_another_size_for_a_moment_is_drawn_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let mut pty = in_terminal(&folder.path().join("session"));
+    pty.wait_for("SPUs");
+    let shown = pty.seen().matches(HALF).count();
+    // Between two frames.
+    pty::signal(pty.process(), libc::SIGSTOP);
+    pty.resize(40, 10);
+    pty.resize(64, 24);
+    pty::signal(pty.process(), libc::SIGCONT);
+    pty.wait_until(|seen| seen.matches(HALF).count() >= shown + 64 * 23);
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+}
+
+#[test]
+fn a_mouse_moves_and_keys_held_as_the_focus_goes_are_pressed_again() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let record = folder.path().join("session");
+    let mut pty = in_terminal(&record);
+    pty.wait_for("SPUs");
+    let shown = pty.seen().matches(HALF).count();
+    // No button is held.
+    pty.type_in("\x1b[<35;10;5M\x1b[<35;12;4M");
+    // Of the kitty protocol: a pressed and released, b pressed; the focus goes and comes; b
+    // pressed.
+    pty.type_in("\x1b[97;1:1u\x1b[97;1:3u\x1b[98;1:1u\x1b[O\x1b[I\x1b[98;1:1u\x1b[98;1:3u");
+    // F1 comes after them, and the last line is the picture's again.
+    pty.type_in("\x1bOP");
+    pty.wait_until(|seen| seen.matches(HALF).count() >= shown + 64);
+    pty.type_in("q");
+    assert_eq!(pty.end().code(), Some(0));
+    let recorded = fs::read_to_string(&record).expect("a recording");
+    let count = |text: &str| recorded.matches(text).count();
+    assert_eq!(
+        count("\"mouse-motion\":{\"by\":[16.0,-16.0]}"),
+        1,
+        "{recorded}"
+    );
+    assert_eq!(count("\"key\":\"b\",\"down\":true"), 2, "{recorded}");
+    assert_eq!(count("focus-lost"), 1, "{recorded}");
+}
+
+#[test]
+fn ctrl_c_ends_a_framebuffers_session_and_puts_the_terminal_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let device = folder.path().join("fb");
+    let mut pty = on_framebuffer(device.to_str().expect("text"));
+    pty.type_in("\x03");
+    assert_eq!(pty.end().code(), Some(128 + libc::SIGINT));
+    assert!(!pty.is_taken(), "{:?}", pty.seen());
+}
+
+#[test]
+fn a_framebuffers_file_that_is_cut_is_named_and_the_terminal_put_back() {
+    let folder = tempfile::tempdir().expect("a folder");
+    let path = folder.path().join("fb");
+    let device = path.to_str().expect("text");
+    let mut pty = on_framebuffer(device);
+    pty.wait_for("stride");
+    let file = fs::OpenOptions::new().write(true).open(&path);
+    let file = file.expect("the file");
+    // By a byte: what is in the same page of memory can still be written to.
+    let length = file.metadata().expect("its length").len();
+    file.set_len(length - 1).expect("a shorter file");
+    assert_eq!(pty.end().code(), Some(1), "{:?}", pty.seen());
+    assert!(pty.seen().contains(device), "{:?}", pty.seen());
+    assert!(!pty.is_taken());
+}

@@ -1,0 +1,112 @@
+//! What the SPUs reach by address.
+
+use zerocopy::{FromZeros as _, IntoBytes as _};
+
+use crate::framebuffer::Framebuffer;
+use crate::scene::Scene;
+use crate::shared::SharedMemory;
+use crate::work::{Addresses, Plan, tile_count};
+use protocol::layout::{
+    Frame, MAX_SPHERES, MAX_SPUS, SCENE_ROOM, Sphere, Statistics, UnitCost, UnitCounter, WorkUnit,
+};
+
+/// Memory that must outlive the SPUs.
+pub(super) struct Records {
+    frame: SharedMemory,
+    spheres: SharedMemory,
+    scene: SharedMemory,
+    unit_counter: SharedMemory,
+    statistics: SharedMemory,
+    /// Room for as many units as there may be.
+    units: SharedMemory,
+    costs: SharedMemory,
+    pub framebuffer: Box<dyn Framebuffer>,
+}
+
+impl Records {
+    /// Room for frames there.
+    pub fn new(framebuffer: Box<dyn Framebuffer>) -> Self {
+        let [units, costs] = units_and_costs(framebuffer.as_ref());
+        Self {
+            frame: SharedMemory::new(size_of::<Frame>()),
+            spheres: SharedMemory::new(MAX_SPHERES as usize * size_of::<Sphere>()),
+            scene: SharedMemory::new(SCENE_ROOM as usize),
+            unit_counter: SharedMemory::new(size_of::<UnitCounter>()),
+            statistics: SharedMemory::new(MAX_SPUS as usize * size_of::<Statistics>()),
+            units,
+            costs,
+            framebuffer,
+        }
+    }
+
+    /// Takes another framebuffer, and room for its frames; gives the one that there was.
+    pub fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Box<dyn Framebuffer> {
+        [self.units, self.costs] = units_and_costs(framebuffer.as_ref());
+        std::mem::replace(&mut self.framebuffer, framebuffer)
+    }
+
+    /// Where they lie.
+    pub fn addresses(&self) -> Addresses {
+        Addresses {
+            spheres: self.spheres.address(),
+            scene: self.scene.address(),
+            unit_counter: self.unit_counter.address(),
+            statistics: self.statistics.address(),
+            units: self.units.address(),
+            costs: self.costs.address(),
+        }
+    }
+
+    /// Writes what a planned frame of the scene is made of, and that no unit has cost anything as
+    /// yet: what one takes is not 0, which shows that it is finished. `costs` is room for that.
+    pub fn write(&mut self, scene: &Scene, plan: &Plan, costs: &mut Vec<UnitCost>) {
+        self.spheres.write(0, plan.spheres().bytes());
+        if let Some(block) = scene.block() {
+            self.scene.write(0, block.bytes());
+        }
+        self.units.write(0, plan.units().bytes());
+        costs.clear();
+        costs.resize(plan.units().lines().len(), UnitCost::new_zeroed());
+        self.costs.write(0, costs.as_bytes());
+    }
+
+    /// Writes a descriptor, the counter and these lines for the statistics; gives the descriptor's
+    /// address.
+    pub fn write_frame(&mut self, frame: &Frame, lines: &[Statistics]) -> u64 {
+        self.frame.write(0, frame.as_bytes());
+        let counter = UnitCounter::new_zeroed();
+        self.unit_counter.write(0, counter.as_bytes());
+        self.statistics.write(0, lines.as_bytes());
+        self.frame.address()
+    }
+
+    /// Reads the SPUs' statistics.
+    pub fn read_statistics(&self, lines: &mut [Statistics]) {
+        self.statistics.read(0, lines.as_mut_bytes());
+    }
+
+    /// Reads what units have cost.
+    pub fn read_costs(&self, costs: &mut [UnitCost]) {
+        self.costs.read(0, costs.as_mut_bytes());
+    }
+
+    /// How often SPUs have taken a unit of the frame from the counter, which they do not by
+    /// slices, and how many units they have finished, which a frame of other records than these
+    /// does not tell.
+    pub fn units_done(&self, frame: &Frame) -> (u32, u32) {
+        let units = frame.unit_count.get();
+        let mut finished = 0;
+        if frame.costs.get() == self.costs.address() {
+            let lines = 0..units as usize;
+            let line = |number| self.costs.peek_word(number * size_of::<UnitCost>());
+            finished = lines.filter(|&number| line(number) != 0).count() as u32;
+        }
+        (self.unit_counter.peek_word(0), finished)
+    }
+}
+
+/// Room for most units that a picture there is cut into, of one tile each, and for their costs.
+fn units_and_costs(framebuffer: &dyn Framebuffer) -> [SharedMemory; 2] {
+    let most = tile_count(framebuffer.geometry()) as usize;
+    [size_of::<WorkUnit>(), size_of::<UnitCost>()].map(|size| SharedMemory::new(most * size))
+}

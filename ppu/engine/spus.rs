@@ -1,0 +1,228 @@
+//! The SPUs, each on a thread of its own, and the mails by which they hear of a frame and answer.
+
+use std::sync::Arc;
+use std::thread::{self, JoinHandle};
+use std::time::{Duration, Instant};
+
+use super::error::EngineError;
+use super::records::Records;
+use super::settings::Settings;
+use super::silence::{Doing, Pause, Silence, Watch};
+use super::unchecked::Unchecked;
+use crate::spe::{Context, Ended, Event, Events, SpeError};
+use crate::work::Refusal;
+use protocol::layout::{FEATURE_WHITTED, Frame, MAX_SPUS};
+
+/// How long an SPU that is made to stop is waited for: it does so with its next instruction, if
+/// there is one.
+const UNTIL_HALTED: Duration = Duration::from_secs(1);
+
+struct Spu {
+    context: Arc<Context>,
+    thread: Option<JoinHandle<Ended>>,
+}
+
+/// SPUs that wait for frames; they are ended when this is dropped.
+pub(super) struct Spus {
+    // Dropped first: it knows the contexts.
+    events: Events,
+    spus: Vec<Spu>,
+    pause: Pause,
+}
+
+impl Spus {
+    /// Creates the SPE contexts, loads the program into each and starts it on a thread of its own.
+    pub fn start(settings: &Settings) -> Result<Self, EngineError> {
+        let mut started = Self {
+            events: Events::create()?,
+            spus: Vec::new(),
+            pause: Pause::new(),
+        };
+        for number in 0..settings.spus {
+            let context = Arc::new(Context::create()?);
+            context.load(&settings.program)?;
+            started.events.watch(&context, number)?;
+            let runner = Arc::clone(&context);
+            let thread = thread::Builder::new()
+                .name(format!("spu{number}"))
+                .spawn(move || runner.run(number as usize))
+                .map_err(|source| SpeError {
+                    call: "thread for spe_context_run",
+                    source,
+                })?;
+            started.spus.push(Spu {
+                context,
+                thread: Some(thread),
+            });
+        }
+        Ok(started)
+    }
+
+    /// Mails an address as that of `frame`, and waits for the answers.
+    pub fn exchange(
+        &mut self,
+        address: u64,
+        frame: &Frame,
+        records: &Records,
+        settings: &Settings,
+        progress: &mut dyn FnMut(f64),
+    ) -> Result<(), EngineError> {
+        if self.spus.iter().any(|spu| spu.thread.is_none()) {
+            return Err(EngineError::Lost);
+        }
+        for spu in &self.spus {
+            spu.context.mail([(address >> 32) as u32, address as u32])?;
+        }
+        let is_whitted = frame.features.get() & FEATURE_WHITTED != 0;
+        let unchecked = || Unchecked::of(settings, is_whitted);
+        let mut watch = Watch::start(settings.timeout);
+        let mut waiting = [false; MAX_SPUS as usize];
+        waiting[..self.spus.len()].fill(true);
+        let mut first_error = None;
+        // All SPUs are waited for, also after an error: they write to the frame's memory until
+        // then.
+        while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
+            let left = watch.left();
+            if left.is_zero() {
+                let silence = self.silence(slowest, settings, frame, records);
+                let (spu, unchecked) = (slowest as u32, unchecked());
+                return Err(EngineError::Silent {
+                    spu,
+                    silence,
+                    unchecked,
+                });
+            }
+            let began = Instant::now();
+            let Some((number, event)) = self.events.wait(self.pause.length(left))? else {
+                self.pause.slept(began.elapsed());
+                let (taken, finished) = records.units_done(frame);
+                watch.saw(u64::from(taken) + u64::from(finished));
+                progress(part(taken.max(finished), frame));
+                continue;
+            };
+            watch.heard();
+            let spu = &mut self.spus[number as usize];
+            let error = match event {
+                Event::Answer => {
+                    let Some(answer) = spu.context.answer()? else {
+                        continue;
+                    };
+                    // Looked up for what was refused alone: it takes memory. An image without the
+                    // table has no names either.
+                    let shaders = match answer {
+                        0 => Vec::new(),
+                        _ => settings.program.shaders().unwrap_or_default(),
+                    };
+                    Refusal::of(answer, frame, address, &shaders).map(|refusal| {
+                        let unchecked = match refusal.names_shader() {
+                            true => Unchecked::default(),
+                            false => unchecked(),
+                        };
+                        EngineError::Refused {
+                            spu: number,
+                            refusal,
+                            unchecked,
+                        }
+                    })
+                }
+                Event::Stopped => {
+                    spu.context.take_stop_record()?;
+                    // The thread is on its way out: libspe2 wrote the record just before.
+                    let ended = spu.thread.take().and_then(|thread| thread.join().ok());
+                    ended.map(|ended| EngineError::Ended {
+                        spu: number,
+                        ended,
+                        unchecked: unchecked(),
+                    })
+                }
+            };
+            waiting[number as usize] = false;
+            first_error = first_error.or(error);
+        }
+        first_error.map_or(Ok(()), Err)
+    }
+
+    /// What can be told of an SPU that does not answer. It is stopped to learn where it is: it is
+    /// lost anyway.
+    fn silence(
+        &mut self,
+        number: usize,
+        settings: &Settings,
+        frame: &Frame,
+        records: &Records,
+    ) -> Silence {
+        let (taken, finished) = records.units_done(frame);
+        let program = settings.program;
+        let doing = if self.spus[number].context.has_unread_mail() {
+            Doing::HasMail
+        } else {
+            self.spus[number].context.halt(&program);
+            match self.until_ended(number) {
+                Some(ended) => {
+                    let address = ended.npc.wrapping_sub(4);
+                    let function = program.name_of(address);
+                    Doing::Ran { address, function }
+                }
+                None => Doing::Waited,
+            }
+        };
+        let units = frame.unit_count.get();
+        Silence {
+            waited: settings.timeout,
+            // An SPU that finds none left has counted, too.
+            begun: taken.max(finished).min(units),
+            units,
+            doing,
+        }
+    }
+
+    /// Waits a while for the end of an SPU's program; nobody waits for what the others say any
+    /// more.
+    fn until_ended(&mut self, number: usize) -> Option<Ended> {
+        let asked = Instant::now();
+        while asked.elapsed() < UNTIL_HALTED {
+            let event = self.events.wait(self.pause.length(UNTIL_HALTED)).ok()?;
+            let Some((of, event)) = event else {
+                continue;
+            };
+            let spu = &mut self.spus[of as usize];
+            if event == Event::Answer {
+                spu.context.answer().ok()?;
+                continue;
+            }
+            spu.context.take_stop_record().ok()?;
+            let ended = spu.thread.take().and_then(|thread| thread.join().ok());
+            if of as usize == number {
+                return ended;
+            }
+        }
+        None
+    }
+
+    /// Gives the SPUs up. libspe2 has no call that stops one: its thread and its context are left
+    /// to the end of the process.
+    pub fn abandon(&mut self) {
+        for spu in self.spus.drain(..) {
+            std::mem::forget(spu);
+        }
+    }
+}
+
+impl Drop for Spus {
+    fn drop(&mut self) {
+        for spu in &mut self.spus {
+            let Some(thread) = spu.thread.take() else {
+                continue;
+            };
+            // Address 0 ends the program. If it can't be mailed, waiting would be for ever.
+            if spu.context.mail([0, 0]).is_ok() {
+                let _ = thread.join();
+            }
+        }
+    }
+}
+
+/// The part of a frame's units.
+fn part(done: u32, frame: &Frame) -> f64 {
+    (f64::from(done) / f64::from(frame.unit_count.get().max(1))).min(1.0)
+}

@@ -1,0 +1,192 @@
+//! How long a chain of rays can get, and from which weight on a ray is worth sending.
+//!
+//! The weight of a ray is its share in its pixel's colour: the product of what the surfaces on its
+//! way reflect or let through. What it can add to the pixel is at most its weight times the
+//! greatest brightness that any ray sees. Where that is less than [`LEAST_CHANGE`] of a byte's
+//! step, the ray is not sent on; and no ray is sent deeper than the shares of the scene's
+//! materials let such weights come. `docs/numerics.md` has the bound.
+//!
+//! A game's own shader may do what its material does not tell: with one in the scene nothing is
+//! bounded. Nor is it where rays are counted by SPD's rule, which knows no weights.
+
+use nff::{Material, Shader};
+use zerocopy::big_endian::F32;
+
+use super::options::BlockOptions;
+use protocol::layout::{self, MAX_DEPTH};
+
+/// The part of a byte's step that a ray has to be able to add to its pixel, to be sent on.
+const LEAST_CHANGE: f64 = 1.0 / 16.0;
+/// Steps of a byte from black to white.
+const STEPS: f64 = 255.0;
+/// By how much singles may be off the products of shares here.
+const ROUNDING: f64 = 1e-5;
+
+/// What the chains of a scene are held to.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Chains {
+    /// Most rays in a chain, the eye's counted.
+    pub ray_depth: u32,
+    /// Least weight of a ray that is sent on.
+    pub least_weight: f32,
+}
+
+/// What a material can do to a chain.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sends {
+    /// Share of a ray's weight that all rays have which it sends on.
+    share: f64,
+    emission: f64,
+    diffuse: f64,
+    highlight: f64,
+    is_own: bool,
+}
+
+impl Sends {
+    /// Of a material and its record.
+    pub fn of(record: &layout::Material, material: &Material) -> Self {
+        let single = |share: F32| f64::from(share.get());
+        let colour = match material.shader {
+            Shader::Checker { other, .. } => material.colour.max(other),
+            _ => material.colour,
+        };
+        let emission = match material.shader {
+            // Full in front.
+            Shader::Depth { .. } => material.colour.max_element(),
+            _ => greatest(&record.emission),
+        };
+        Self {
+            share: single(record.mirror) + single(record.transmittance),
+            emission,
+            diffuse: single(record.diffuse) * colour.max_element(),
+            highlight: single(record.highlight),
+            is_own: matches!(material.shader, Shader::Own { .. }),
+        }
+    }
+
+    /// Whether rays may go on from it.
+    pub fn goes_on(&self) -> bool {
+        self.share > 0.0 || self.is_own
+    }
+}
+
+/// The greatest channel of a colour.
+pub(super) fn greatest(colour: &[F32]) -> f64 {
+    let channels = colour.iter().map(|channel| f64::from(channel.get()));
+    channels.fold(0.0, f64::max)
+}
+
+impl Chains {
+    /// Of a scene that nothing is known of.
+    pub const UNBOUNDED: Self = Self {
+        ray_depth: MAX_DEPTH,
+        least_weight: 0.0,
+    };
+
+    /// Of a scene of these materials, whose background, ambient light and lights together are at
+    /// most so bright.
+    pub(super) fn of(
+        options: BlockOptions,
+        materials: impl Iterator<Item = Sends> + Clone,
+        [background, ambient, lights]: [f64; 3],
+    ) -> Self {
+        let (mut share, mut is_bounded) = (0.0_f64, true);
+        for sends in materials.clone() {
+            share = share.max(sends.share);
+            is_bounded &= !sends.is_own;
+        }
+        if options.spd_rays || !is_bounded {
+            return Self {
+                ray_depth: options.ray_depth,
+                ..Self::UNBOUNDED
+            };
+        }
+        // What a ray sees at most if so many follow it: a surface's own light, and what they see
+        // by its share.
+        let mut seen = 0.0;
+        for _ in 0..options.ray_depth {
+            let surfaces = materials.clone().map(|sends| {
+                let lit = sends.diffuse * (ambient + lights) + sends.highlight * lights;
+                sends.emission + lit + sends.share * seen
+            });
+            seen = surfaces.fold(background, f64::max);
+        }
+        let least = LEAST_CHANGE / (STEPS * seen.max(f64::from(f32::MIN_POSITIVE)));
+        let (mut ray_depth, mut weight) = (1, share * (1.0 + ROUNDING));
+        while ray_depth < options.ray_depth && weight > 0.0 && weight >= least {
+            ray_depth += 1;
+            weight *= share * (1.0 + ROUNDING);
+        }
+        Self {
+            ray_depth,
+            least_weight: least as f32,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sends(share: f64, diffuse: f64) -> Sends {
+        Sends {
+            share,
+            emission: 0.0,
+            diffuse,
+            highlight: 0.0,
+            is_own: false,
+        }
+    }
+
+    fn to(ray_depth: u32) -> BlockOptions {
+        BlockOptions {
+            ray_depth,
+            ..BlockOptions::default()
+        }
+    }
+
+    #[test]
+    fn a_scene_that_reflects_nothing_has_chains_of_one_ray() {
+        let chains = Chains::of(to(16), [sends(0.0, 1.0)].into_iter(), [0.5, 0.0, 1.0]);
+        assert_eq!(chains.ray_depth, 1);
+    }
+
+    #[test]
+    fn weak_mirrors_end_chains_early() {
+        let chains = |share| Chains::of(to(16), [sends(share, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
+        let weak = chains(0.1);
+        // 1 / (16 * 255 * 1.11...): 0.1^3 is above, 0.1^4 below.
+        assert_eq!(weak.ray_depth, 4);
+        assert!((weak.least_weight - 2.2e-4).abs() < 1e-5, "{weak:?}");
+        assert_eq!(chains(1.0).ray_depth, 16);
+    }
+
+    #[test]
+    fn counting_by_spds_rule_bounds_nothing() {
+        let options = BlockOptions {
+            spd_rays: true,
+            ..to(6)
+        };
+        let chains = Chains::of(options, [sends(0.1, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
+        assert_eq!((chains.ray_depth, chains.least_weight), (6, 0.0));
+    }
+
+    #[test]
+    fn an_own_shader_bounds_nothing() {
+        let own = Sends {
+            is_own: true,
+            ..sends(0.0, 1.0)
+        };
+        let chains = Chains::of(to(7), [sends(0.0, 1.0), own].into_iter(), [0.0, 0.0, 1.0]);
+        assert_eq!((chains.ray_depth, chains.least_weight), (7, 0.0));
+    }
+
+    #[test]
+    fn the_brighter_a_scene_the_lighter_the_rays_that_are_sent() {
+        let least = |lights| {
+            Chains::of(to(5), [sends(0.5, 1.0)].into_iter(), [0.0, 0.0, lights]).least_weight
+        };
+        assert!(least(2.0) < least(1.0));
+        assert!(least(0.0) > 1e30);
+    }
+}

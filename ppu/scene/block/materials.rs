@@ -1,0 +1,266 @@
+//! Materials and lights in the SPUs' form.
+//!
+//! Invariant: a material's flags say all that its shares can do.
+
+use glam::DVec3;
+use nff::{LightKind, Material, Shader, unit};
+use zerocopy::{FromZeros as _, IntoBytes as _};
+
+use super::chains::greatest;
+use super::error::BlockError;
+use super::objects::taxicab;
+use super::options::BlockOptions;
+use super::range::Place;
+use crate::scene::single::{single, singles};
+use protocol::layout::{
+    self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
+};
+
+/// By what the exponent of Phong's highlight is multiplied for Blinn's.
+const BLINN: f64 = 4.0;
+
+/// What `cull_nodes` takes of an apex's coordinates for its own rounding, and as much again.
+const SLACK: f64 = 2.0 / (1 << 18) as f64;
+
+/// The share of a ray that is sent only to be counted: above 0 to the SPUs, and nothing beside any
+/// other.
+const COUNTED: f64 = f32::MIN_POSITIVE as f64;
+
+/// Names of the shaders that are the SPUs' own.
+const CHECKER: &str = "checker";
+const DEPTH: &str = "depth";
+
+/// What becomes of a material that is not said by its shares.
+#[derive(Default)]
+struct Shading<'a> {
+    /// The shader that SPUs run, if any, and what it is told.
+    shader: Option<(&'a str, [f64; 4])>,
+    emission: DVec3,
+    /// Whether lights, mirror and glass count.
+    shares: bool,
+    /// Whether there is a highlight.
+    shines: bool,
+}
+
+impl<'a> Shading<'a> {
+    fn of(material: &'a Material) -> Self {
+        let phong = Self {
+            shares: true,
+            shines: true,
+            ..Self::default()
+        };
+        match &material.shader {
+            Shader::Phong => phong,
+            Shader::Lambert => Self {
+                shines: false,
+                ..phong
+            },
+            Shader::Flat => Self {
+                emission: material.colour,
+                ..Self::default()
+            },
+            Shader::Checker { other, size } => Self {
+                shader: Some((CHECKER, [other.x, other.y, other.z, size.recip()])),
+                ..phong
+            },
+            Shader::Depth { far, near } => Self {
+                shader: Some((DEPTH, [*far, (far - near).recip(), 0.0, 0.0])),
+                ..Self::default()
+            },
+            Shader::Own { name, parameters } => Self {
+                shader: Some((name, *parameters)),
+                ..phong
+            },
+        }
+    }
+}
+
+/// What a scene's background is made of.
+pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, BlockError> {
+    let place = Place { file, line: None };
+    place.vector("background", colour)?;
+    Ok(layout::Material {
+        emission: singles(colour),
+        ..layout::Material::new_zeroed()
+    })
+}
+
+/// The record of a material; `entry` knows the SPUs' shaders by name.
+pub(super) fn record(
+    file: &str,
+    material: &Material,
+    options: BlockOptions,
+    entry: &dyn Fn(&str) -> Option<u32>,
+) -> Result<layout::Material, BlockError> {
+    let &Material {
+        line,
+        colour,
+        diffuse,
+        specular,
+        shine,
+        transmittance,
+        refraction_index,
+        shader: _,
+    } = material;
+    let place = Place {
+        file,
+        line: Some(line),
+    };
+    place.vector("colour", colour)?;
+    for (what, value) in [
+        ("Kd", diffuse),
+        ("Ks", specular),
+        ("shine", shine),
+        ("T", transmittance),
+    ] {
+        place.number(what, value)?;
+    }
+    // What lets nothing through has no index, whatever the file says.
+    let index = if transmittance > 0.0 {
+        if refraction_index == 0.0 {
+            let file = file.to_owned();
+            return Err(BlockError::RefractionIndex { file, line });
+        }
+        place.size("index of refraction", refraction_index)?;
+        refraction_index
+    } else {
+        1.0
+    };
+    let shading = Shading::of(material);
+    let mut shader = 0;
+    let mut parameters = [0.0; 4];
+    if let Some((name, given)) = shading.shader {
+        shader = entry(name).ok_or_else(|| BlockError::UnknownShader {
+            file: file.to_owned(),
+            line,
+            name: name.to_owned(),
+        })?;
+        for value in given {
+            place.number("number of the shader", value)?;
+        }
+        parameters = given;
+    }
+    let share = |share: f64| if shading.shares { share } else { 0.0 };
+    let (diffuse, mirror, transmittance) = (share(diffuse), share(specular), share(transmittance));
+    let highlight = if shading.shines { mirror } else { 0.0 };
+    let (schlick, grazing) = if options.fresnel && transmittance > 0.0 {
+        let head_on = (1.0 - index) / (1.0 + index);
+        let head_on = head_on * head_on;
+        (head_on, 1.0 - head_on)
+    } else {
+        (0.0, 0.0)
+    };
+    let is_counted = options.spd_rays && shading.shares;
+    let counted = |share: f64| {
+        if is_counted {
+            share.max(COUNTED)
+        } else {
+            share
+        }
+    };
+    let mirror = if transmittance > 0.0 {
+        counted(mirror)
+    } else {
+        mirror
+    };
+    let diffuse = if highlight > 0.0 {
+        diffuse
+    } else {
+        counted(diffuse)
+    };
+    let flag = |set: bool, flag: u32| if set { flag } else { 0 };
+    let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)
+        // What lets through reflects where it does so totally.
+        | flag(mirror > 0.0 || transmittance > 0.0, MATERIAL_MIRRORS)
+        | flag(diffuse > 0.0 || highlight > 0.0, MATERIAL_LIT)
+        | flag(highlight > 0.0, MATERIAL_SHINES)
+        | flag(shading.shader.is_some(), MATERIAL_SHADED);
+    Ok(layout::Material {
+        colour: singles(colour),
+        diffuse: single(diffuse),
+        highlight: single(highlight),
+        exponent: single(BLINN * shine),
+        mirror: single(mirror),
+        transmittance: single(transmittance),
+        inverse_index: single(index.recip()),
+        index: single(index),
+        schlick: single(schlick),
+        grazing: single(grazing),
+        emission: singles(shading.emission),
+        flags: flags.into(),
+        parameters: parameters.map(single),
+        shader: shader.into(),
+        ..layout::Material::new_zeroed()
+    })
+}
+
+/// A light as it stands in the scene, with its record but for the place.
+#[derive(Clone, Debug)]
+pub(crate) struct Light {
+    kind: LightKind,
+    record: layout::Light,
+}
+
+impl Light {
+    /// A light of a scene.
+    pub(super) fn of(
+        kind: LightKind,
+        brightness: DVec3,
+        place: Place<'_>,
+    ) -> Result<Self, BlockError> {
+        if let LightKind::Point { position } = kind {
+            place.vector("light", position)?;
+        }
+        place.vector("brightness", brightness)?;
+        let record = layout::Light {
+            brightness: singles(brightness),
+            ..layout::Light::new_zeroed()
+        };
+        Ok(Self { kind, record })
+    }
+
+    /// The same light elsewhere.
+    pub(super) fn moved(&self, kind: LightKind, place: Place<'_>) -> Result<Self, BlockError> {
+        if let LightKind::Point { position } = kind {
+            place.vector("light", position)?;
+        }
+        Ok(Self {
+            kind,
+            record: self.record,
+        })
+    }
+
+    /// Its greatest channel.
+    pub fn brightness(&self) -> f64 {
+        greatest(&self.record.brightness)
+    }
+
+    pub fn kind(&self) -> LightKind {
+        self.kind
+    }
+
+    /// Whether it lights everything as another does.
+    pub fn lights_as(&self, other: &Self) -> bool {
+        self.kind == other.kind && self.record.as_bytes() == other.record.as_bytes()
+    }
+
+    /// Its record as seen from `eye`; `leave` is the largest that an object has.
+    ///
+    /// A shadow ray goes to the light from the point on the surface, but starts off it: it passes
+    /// the light by as much, at most three times `leave`, and by the rounding of its direction and
+    /// length, four units in the last place of the distance. That is at most twice `leave` more,
+    /// and a quarter of the slack of 2^-18 that `cull_nodes` takes of the light's coordinates.
+    pub fn record(&self, eye: DVec3, leave: f64) -> layout::Light {
+        let (position, directional) = match self.kind {
+            LightKind::Point { position } => (position - eye, 0),
+            // A direction of 0, which no file has, lights nothing.
+            LightKind::Directional { to_light } => (unit(to_light).unwrap_or_default(), u32::MAX),
+        };
+        layout::Light {
+            position: singles(position),
+            directional: directional.into(),
+            near: single(SLACK * taxicab(position) + 8.0 * leave),
+            ..self.record
+        }
+    }
+}

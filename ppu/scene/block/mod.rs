@@ -1,0 +1,425 @@
+//! The scene of Whitted's model as SPUs take it: one block of records that lies at `SCENE_ADDRESS`
+//! of every local store.
+//!
+//! What is where in the block is settled once, when the scene is loaded: all addresses, the
+//! materials and the trees. For each eye only what lies somewhere is written anew, relative to the
+//! eye, in `f64` and rounded once; so a scene far from its origin loses nothing near the eye. The
+//! block begins with the background's object, for rays that hit nothing.
+//!
+//! The block of a scene that changes has room for more, and is edited in place.
+//!
+//! Invariant: a block fits the local store with the rays that wait; all its addresses lie within
+//! it. What it does not keep is the order of the file: of equally near surfaces any may be hit.
+
+mod ball;
+mod bytes;
+mod chains;
+mod demand;
+mod edit;
+mod error;
+mod form;
+mod materials;
+mod objects;
+mod options;
+mod planted;
+mod polygons;
+mod range;
+mod seen;
+mod tree;
+
+use std::ops::Range;
+
+use glam::DVec3;
+use nff::Scene;
+use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::{F32, U32};
+
+use self::bytes::Block;
+use self::chains::{Sends, greatest};
+use self::demand::Demand;
+use self::form::Kind;
+use self::objects::Object;
+use self::planted::Planted;
+use self::range::Place;
+use crate::scene::single::singles;
+use protocol::layout::{
+    self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
+};
+
+pub(crate) use ball::Ball;
+pub(crate) use chains::Chains;
+pub use error::BlockError;
+pub(crate) use materials::Light;
+pub use options::BlockOptions;
+pub(crate) use options::ShaderEntries;
+pub(crate) use seen::Seen;
+pub(crate) use tree::widened;
+
+/// Rays that wait at each depth from the second on, in parts of those that are traced together.
+const QUEUES: usize = 3;
+/// Rays of a packet.
+const PACKET: usize = 16;
+
+/// A scene's block; its buffers serve for every eye.
+#[derive(Clone, Debug)]
+pub struct SceneBlock {
+    file: String,
+    options: BlockOptions,
+    /// The greatest channel of the background's colour.
+    background: f64,
+    ambient: [F32; 4],
+    lights: Vec<Light>,
+    light_address: u32,
+    /// By their numbers in the scene; nothing for those that no object is made of.
+    materials: Vec<Option<Surface>>,
+    /// Addresses of room for further materials.
+    material_room: Vec<u32>,
+    planted: [Planted; 4],
+    /// What the scene's objects have become: for each by its number the range of its pieces, and
+    /// these.
+    objects: Vec<Range<usize>>,
+    pieces: Vec<Piece>,
+    chains: Chains,
+    block: Block,
+    /// The eye that it is written for.
+    eye: Option<DVec3>,
+}
+
+/// A material in the block.
+#[derive(Clone, Copy, Debug)]
+struct Surface {
+    address: u32,
+    sends: Sends,
+}
+
+/// An object, or a part of one, as the SPUs know it.
+#[derive(Clone, Copy, Debug)]
+struct Piece {
+    kind: Kind,
+    /// Number of its plot.
+    plot: usize,
+}
+
+/// Room for what a scene does not have as yet.
+#[derive(Clone, Copy, Debug, Default)]
+struct Spare {
+    materials: usize,
+    objects: [usize; 4],
+}
+
+impl SceneBlock {
+    /// Lays out a scene and writes it as its own view sees it. `shader` gives the entries of the
+    /// SPU program's shaders by their names.
+    ///
+    /// # Errors A scene that does not fit, numbers that the SPU's format has no room for, glass
+    /// without an index of refraction, a shader that there is not, and a ray depth out of range.
+    pub fn new(
+        scene: &Scene,
+        options: BlockOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+    ) -> Result<Self, BlockError> {
+        Self::with_spare(scene, options, shader, Spare::default())
+    }
+
+    fn with_spare(
+        scene: &Scene,
+        options: BlockOptions,
+        shader: &dyn Fn(&str) -> Option<u32>,
+        spare: Spare,
+    ) -> Result<Self, BlockError> {
+        if !(1..=MAX_DEPTH).contains(&options.ray_depth) {
+            return Err(BlockError::RayDepth(options.ray_depth));
+        }
+        let mut block = Block::default();
+        add_background(scene, &mut block)?;
+        let ambient = ambient(&scene.name, scene.ambient)?;
+        let lights = lights(scene)?;
+        let light_address = block.reserve(lights.len() * size_of::<layout::Light>());
+
+        let Found {
+            found,
+            objects,
+            mut pieces,
+        } = Found::of(scene, options.ray_depth)?;
+        let mut materials = vec![None; scene.materials.len()];
+        for object in found.iter().flatten() {
+            let index = object.material as usize;
+            if materials[index].is_none() {
+                let material = &scene.materials[index];
+                let record = materials::record(&scene.name, material, options, shader)?;
+                materials[index] = Some(Surface {
+                    address: block.append(record.as_bytes()),
+                    sends: Sends::of(&record, material),
+                });
+            }
+        }
+        let material_room = (0..spare.materials)
+            .map(|_| block.reserve(size_of::<layout::Material>()))
+            .collect();
+        let material = |object: &Object| {
+            let surface = materials[object.material as usize];
+            U32::new(surface.map_or(SCENE_ADDRESS, |surface| surface.address))
+        };
+        let mut plots = Kind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
+        let planted = Kind::ALL.map(|kind| {
+            let (found, plots) = (&found[kind as usize], &mut plots[kind as usize]);
+            let number = |index: usize, plot: usize| plots[index] = plot;
+            let spare = spare.objects[kind as usize];
+            Planted::new(kind, found, spare, material, number, &mut block)
+        });
+        for piece in &mut pieces {
+            piece.plot = plots[piece.kind as usize][piece.plot];
+        }
+        block.finish();
+
+        let mut scene_block = Self {
+            file: scene.name.clone(),
+            options,
+            background: scene.background.max_element(),
+            ambient,
+            lights,
+            light_address,
+            materials,
+            material_room,
+            planted,
+            objects,
+            pieces,
+            chains: Chains::UNBOUNDED,
+            block,
+            eye: None,
+        };
+        scene_block.bound_chains();
+        scene_block.check_room()?;
+        scene_block.write_for(scene.view.from)?;
+        Ok(scene_block)
+    }
+
+    /// Writes the block as an eye sees it: what has changed since it was written last, and all of
+    /// it for another eye.
+    ///
+    /// # Errors
+    /// An eye out of range; the block is then the last one's.
+    pub fn write_for(&mut self, eye: DVec3) -> Result<(), BlockError> {
+        let place = Place {
+            file: &self.file,
+            line: None,
+        };
+        place.vector("eye", eye)?;
+        let is_other_eye = self.eye.replace(eye) != Some(eye);
+        for planted in &mut self.planted {
+            planted.write(eye, is_other_eye, &mut self.block);
+        }
+        let leave = self.planted.iter().map(Planted::leave);
+        let leave = leave.fold(0.0, f64::max);
+        let size = size_of::<layout::Light>();
+        let places = (self.light_address..).step_by(size);
+        for (address, light) in places.zip(&self.lights) {
+            let record = light.record(eye, leave);
+            self.block
+                .at(address, size)
+                .copy_from_slice(record.as_bytes());
+        }
+        Ok(())
+    }
+
+    /// The block as it goes to local store, whole lines.
+    #[must_use]
+    pub fn bytes(&self) -> &[u8] {
+        self.block.bytes()
+    }
+
+    /// Spheres, parallelograms, triangles and cones.
+    #[must_use]
+    pub fn trees(&self) -> [Tree; 4] {
+        self.planted.each_ref().map(Planted::tree)
+    }
+
+    /// Brightness of the light that is everywhere.
+    #[must_use]
+    pub fn ambient(&self) -> [F32; 4] {
+        self.ambient
+    }
+
+    /// Address of the first light.
+    #[must_use]
+    pub fn light_address(&self) -> u32 {
+        self.light_address
+    }
+
+    /// How many lights there are.
+    #[must_use]
+    pub fn light_count(&self) -> u32 {
+        self.lights.len() as u32
+    }
+
+    /// Most rays in a chain: at most as many as were asked for, fewer where the scene has nothing
+    /// that would be worth sending one on.
+    #[must_use]
+    pub fn ray_depth(&self) -> u32 {
+        self.chains.ray_depth
+    }
+
+    /// Least weight of a ray that is sent on.
+    #[must_use]
+    pub fn least_weight(&self) -> f32 {
+        self.chains.least_weight
+    }
+
+    /// Packets that are traced together: as many as there is room for.
+    #[must_use]
+    pub fn batch(&self) -> u32 {
+        self.batch_at(self.ray_depth()).unwrap_or(1)
+    }
+
+    /// Packets for which there is room if chains have so many rays.
+    fn batch_at(&self, ray_depth: u32) -> Option<u32> {
+        let fits = |batch: &u32| self.bytes().len() <= room(*batch, ray_depth);
+        (1..=MAX_BATCH).rev().find(fits)
+    }
+
+    /// Works out how long chains may get by what the scene is made of now: to be called when that
+    /// has changed. Tells whether there is room for their rays.
+    pub(crate) fn bound_chains(&mut self) -> bool {
+        let lights = self.lights.iter().map(Light::brightness).sum();
+        let bright = [self.background, greatest(&self.ambient), lights];
+        let materials = self.materials.iter().flatten();
+        let sends = materials.map(|surface| surface.sends);
+        self.chains = Chains::of(self.options, sends, bright);
+        self.batch_at(self.ray_depth()).is_some()
+    }
+
+    fn check_room(&self) -> Result<(), BlockError> {
+        let (needed, room) = (self.bytes().len(), room(1, self.ray_depth()));
+        if needed <= room {
+            return Ok(());
+        }
+        let objects = self.planted.each_ref();
+        let objects = objects.map(|planted| (planted.count(), planted.size()));
+        let materials = self.materials.iter().flatten().count();
+        let demand = Demand::new(objects, materials, self.lights.len());
+        Err(BlockError::TooLarge {
+            file: self.file.clone(),
+            needed,
+            room,
+            ray_depth: self.ray_depth(),
+            takers: demand.takers(),
+            fits: demand.fits(room),
+        })
+    }
+}
+
+/// Bytes for a scene beside the rays that wait.
+fn room(batch: u32, ray_depth: u32) -> usize {
+    let waiting = QUEUES * PACKET * size_of::<QueuedRay>();
+    (SCENE_ROOM as usize).saturating_sub(waiting * (batch * (ray_depth - 1)) as usize)
+}
+
+/// Begins a block with what rays hit that hit nothing.
+fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
+    let material = materials::background(&scene.name, scene.background)?;
+    let size = size_of::<layout::Object>();
+    let address = block.reserve(size);
+    let object = objects::background(block.append(material.as_bytes()));
+    block.at(address, size).copy_from_slice(object.as_bytes());
+    Ok(())
+}
+
+fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
+    let place = Place { file, line: None };
+    place.vector("ambient light", brightness)?;
+    let [red, green, blue] = singles(brightness);
+    Ok([red, green, blue, F32::ZERO])
+}
+
+fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
+    if let Some(light) = scene.lights.get(MAX_LIGHTS as usize) {
+        return Err(BlockError::TooManyLights {
+            file: scene.name.clone(),
+            line: light.line,
+        });
+    }
+    let light = |light: &nff::Light| {
+        let place = Place {
+            file: &scene.name,
+            line: Some(light.line),
+        };
+        Light::of(light.kind, scene.brightness(light), place)
+    };
+    scene.lights.iter().map(light).collect()
+}
+
+/// What the objects of a scene become.
+#[derive(Default)]
+struct Found {
+    /// Of each kind.
+    found: [Vec<Object>; 4],
+    /// The range of each object's pieces, and these; for a plot the place in `found`.
+    objects: Vec<Range<usize>>,
+    pieces: Vec<Piece>,
+}
+
+impl Found {
+    fn of(scene: &Scene, ray_depth: u32) -> Result<Self, BlockError> {
+        let Self {
+            mut found,
+            mut objects,
+            mut pieces,
+        } = Self::default();
+        let most = MAX_OBJECTS as usize;
+        let mut counts = [0; 4];
+        // The first object that is one too many, and its kind.
+        let mut too_many = None;
+        for object in &scene.objects {
+            let first = pieces.len();
+            if let Some(material) = scene.materials.get(object.material as usize) {
+                let place = Place {
+                    file: &scene.name,
+                    line: Some(object.line),
+                };
+                let (kind, about) = objects::about(&object.shape);
+                // What is too many is still counted, but no longer cut: that takes time.
+                if about > most || counts[kind as usize] > most {
+                    counts[kind as usize] += about;
+                    too_many.get_or_insert((place, kind));
+                    continue;
+                }
+                objects::of_shape(&object.shape, material, place, &mut |form, sides| {
+                    let kind = form.kind();
+                    let found = &mut found[kind as usize];
+                    counts[kind as usize] += 1;
+                    if found.len() == most {
+                        too_many.get_or_insert((place, kind));
+                        return Ok(());
+                    }
+                    pieces.push(Piece {
+                        kind,
+                        plot: found.len(),
+                    });
+                    found.push(Object {
+                        form,
+                        sides,
+                        material: object.material,
+                    });
+                    Ok(())
+                })?;
+            }
+            objects.push(first..pieces.len());
+        }
+        if let Some((place, kind)) = too_many {
+            return Err(BlockError::TooManyObjects {
+                place: place.to_string(),
+                what: kind.name(),
+                count: counts[kind as usize],
+                fits: Demand::of(scene, counts).fits(room(1, ray_depth)),
+            });
+        }
+        Ok(Self {
+            found,
+            objects,
+            pieces,
+        })
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,279 @@
+//! Objects: what the shapes of a scene become, and their records.
+//!
+//! Invariant: an object's numbers are in range; its record is rounded once, from numbers that are
+//! relative to the eye.
+
+use glam::DVec3;
+use nff::{Material, Shape, unit};
+use zerocopy::IntoBytes as _;
+use zerocopy::big_endian::{F32, U32};
+
+use super::error::BlockError;
+use super::form::{Form, Kind};
+use super::polygons::{self, check_vertices};
+use super::range::Place;
+use crate::scene::single::{single, singles};
+use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
+
+/// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
+/// their magnitudes.
+///
+/// A point's height over the surface is a sum of products of them, each of which is truncated by
+/// up to 2^-23: eight roundings of them all.
+pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
+
+/// An object where the scene has it.
+#[derive(Clone, Debug)]
+pub(super) struct Object {
+    pub form: Form,
+    /// `SIDES_` bits.
+    pub sides: u32,
+    /// Index of the material in the scene.
+    pub material: u32,
+}
+
+/// What [`layout::Object`] says of a surface.
+struct Head {
+    centre: DVec3,
+    gain: f64,
+    axis: DVec3,
+    slope: f64,
+    offset: f64,
+    /// How far the surface reaches from its centre, where the offset does not say.
+    extent: f64,
+}
+
+/// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons
+/// whose edges cross or that have parts without area.
+pub(super) fn about(shape: &Shape) -> (Kind, usize) {
+    match shape {
+        Shape::Sphere { .. } => (Kind::Sphere, 1),
+        Shape::Cone { .. } => (Kind::Cone, 1),
+        Shape::Polygon { vertices } if polygons::rectangle(vertices).is_some() => {
+            (Kind::Rectangle, 1)
+        }
+        Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+            (Kind::Triangle, vertices.len().saturating_sub(2))
+        }
+    }
+}
+
+/// Hands `found` the objects of a shape, none if it has no surface.
+pub(super) fn of_shape(
+    shape: &Shape,
+    material: &Material,
+    place: Place<'_>,
+    found: &mut impl FnMut(Form, u32) -> Result<(), BlockError>,
+) -> Result<(), BlockError> {
+    let both = if material.transmittance > 0.0 {
+        SIDES_BOTH
+    } else {
+        0
+    };
+    match shape {
+        &Shape::Sphere { centre, radius } => {
+            place.vector("centre", centre)?;
+            place.size("radius", radius)?;
+            let exit = if radius < 0.0 { SIDES_EXIT } else { 0 };
+            let sides = if both != 0 { both } else { exit };
+            found(Form::Sphere { centre, radius }, sides)
+        }
+        &Shape::Cone {
+            base,
+            base_radius,
+            apex,
+            apex_radius,
+        } => {
+            place.vector("base", base)?;
+            place.vector("apex", apex)?;
+            place.number("base radius", base_radius)?;
+            place.number("apex radius", apex_radius)?;
+            let Some(axis) = unit(apex - base) else {
+                return Ok(());
+            };
+            let height = (apex - base).dot(axis);
+            place.size("height", height)?;
+            let form = Form::Cone {
+                base,
+                axis,
+                height,
+                radii: [base_radius.abs(), apex_radius.abs()],
+                hollow: base_radius.min(apex_radius) < 0.0,
+            };
+            let sides = if both != 0 || base_radius.max(apex_radius) > 0.0 {
+                SIDES_BOTH
+            } else {
+                SIDES_EXIT
+            };
+            place.number("growth of the radius", form.growth())?;
+            found(form, sides)
+        }
+        Shape::Polygon { vertices } => {
+            check_vertices(vertices, place)?;
+            match polygons::rectangle(vertices) {
+                Some(rectangle) => found(rectangle, both),
+                None => polygons::triangles(vertices, None, place, |form| found(form, both)),
+            }
+        }
+        Shape::Patch { vertices, normals } => {
+            check_vertices(vertices, place)?;
+            polygons::triangles(vertices, Some(normals), place, |form| {
+                let is_smooth = matches!(
+                    form,
+                    Form::Triangle {
+                        smooth: Some(_),
+                        ..
+                    }
+                );
+                found(form, if is_smooth { both | SIDES_SMOOTH } else { both })
+            })
+        }
+    }
+}
+
+impl Head {
+    fn of(form: &Form) -> Self {
+        match *form {
+            Form::Sphere { centre, radius } => Self {
+                centre,
+                gain: radius.signum(),
+                axis: DVec3::ZERO,
+                slope: 0.0,
+                offset: radius,
+                extent: 0.0,
+            },
+            Form::Rectangle {
+                corner,
+                edges: [u, v],
+                normal,
+                ..
+            } => {
+                let reach = [u, v, u + v].map(taxicab);
+                Self::of_plane(corner, normal, reach.into_iter().fold(0.0, f64::max))
+            }
+            Form::Triangle {
+                vertices: [a, b, c],
+                normal,
+                ..
+            } => Self::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a))),
+            Form::Cone {
+                base,
+                axis,
+                height,
+                radii,
+                hollow,
+            } => {
+                let growth = form.growth();
+                let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
+                Self {
+                    centre: base,
+                    gain,
+                    axis,
+                    slope: -gain * growth,
+                    offset: gain * radii[0],
+                    extent: height + radii[0].max(radii[1]),
+                }
+            }
+        }
+    }
+
+    fn of_plane(corner: DVec3, normal: DVec3, extent: f64) -> Self {
+        Self {
+            centre: corner,
+            gain: 0.0,
+            axis: normal,
+            slope: 1.0,
+            offset: 0.0,
+            extent,
+        }
+    }
+}
+
+impl Object {
+    /// How far off its surface a ray has to start for the object's own numbers, as seen from
+    /// `eye`. No coordinate of a point on it adds more than `leave` to that.
+    pub fn leave(&self, eye: DVec3) -> f64 {
+        let Head {
+            centre,
+            offset,
+            extent,
+            ..
+        } = Head::of(&self.form);
+        LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
+    }
+
+    /// Writes the record, as seen from `eye`, to where it lies; `material` is its material's
+    /// address.
+    pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
+        let Head {
+            centre,
+            gain,
+            axis,
+            slope,
+            offset,
+            ..
+        } = Head::of(&self.form);
+        let centre = centre - eye;
+        let head = layout::Object {
+            centre: singles(centre),
+            gain: single(gain),
+            axis: singles(axis),
+            slope: single(slope),
+            offset: single(offset),
+            leave: single(self.leave(eye)),
+            material,
+            sides: self.sides.into(),
+        };
+        let (first, rest) = bytes.split_at_mut(size_of::<layout::Object>());
+        first.copy_from_slice(head.as_bytes());
+        match self.form {
+            Form::Sphere { .. } => {}
+            Form::Rectangle { duals, .. } => put(rest, &duals.map(quadword)),
+            Form::Triangle {
+                vertices, smooth, ..
+            } => {
+                let corners = vertices.map(|vertex| quadword(vertex - eye));
+                let (triangle, normals) = rest.split_at_mut(size_of_val(&corners));
+                put(triangle, &corners);
+                if let Some(smooth) = smooth {
+                    put(normals, &smooth.map(quadword));
+                }
+            }
+            Form::Cone { height, radii, .. } => {
+                put(
+                    rest,
+                    &[[radii[0], self.form.growth(), height, 0.0].map(single)],
+                );
+            }
+        }
+    }
+}
+
+/// What a ray hits that hits nothing: a plane through the eye.
+pub(super) fn background(material: u32) -> layout::Object {
+    layout::Object {
+        centre: singles(DVec3::ZERO),
+        gain: F32::ZERO,
+        axis: singles(DVec3::Z),
+        slope: single(1.0),
+        offset: F32::ZERO,
+        leave: F32::ZERO,
+        material: material.into(),
+        sides: SIDES_BOTH.into(),
+    }
+}
+
+/// Fills `bytes` with quadwords.
+fn put(bytes: &mut [u8], quadwords: &[[F32; 4]]) {
+    bytes.copy_from_slice(quadwords.as_bytes());
+}
+
+fn quadword(vector: DVec3) -> [F32; 4] {
+    let [x, y, z] = singles(vector);
+    [x, y, z, F32::ZERO]
+}
+
+/// The sum of a vector's magnitudes.
+pub(super) fn taxicab(vector: DVec3) -> f64 {
+    vector.abs().element_sum()
+}

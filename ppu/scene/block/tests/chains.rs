@@ -1,0 +1,62 @@
+//! How deep rays can go in a scene, and in one that changes.
+
+use nff::{Material as NffMaterial, Shader};
+
+use super::*;
+use crate::scene::block::ShaderEntries;
+
+const MATT: &str = "l 0 9 0\nf 1 1 1 1 0 0 0 1\n";
+
+/// Its number: the view comes with a material of its own.
+const MATERIAL: usize = 1;
+
+/// A block with room for more, and the material that its spheres are made of.
+fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
+    let scene = scene(&(MATT.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
+    let shaders = ShaderEntries::new(vec!["rings".to_owned()]);
+    let block = SceneBlock::with_room(&scene, BlockOptions::default(), &shaders).unwrap();
+    (block, scene.materials[MATERIAL].clone(), shaders)
+}
+
+#[test]
+fn a_scene_that_reflects_nothing_has_eye_rays_alone() {
+    let (block, ..) = changing(1);
+    assert_eq!(block.ray_depth(), 1);
+    assert_eq!(block.batch(), MAX_BATCH);
+}
+
+#[test]
+fn chains_get_longer_when_a_material_becomes_a_mirror() {
+    let (mut block, matt, shaders) = changing(1);
+    let mirror = NffMaterial {
+        specular: 1.0,
+        ..matt.clone()
+    };
+    for (material, ray_depth) in [(&mirror, 5), (&matt, 1)] {
+        assert!(block.set_material(MATERIAL, material, &shaders).unwrap());
+        assert!(block.bound_chains());
+        assert_eq!(block.ray_depth(), ray_depth);
+    }
+    let own = NffMaterial {
+        shader: Shader::Own {
+            name: "rings".to_owned(),
+            parameters: [0.0; 4],
+        },
+        ..matt
+    };
+    assert!(block.set_material(MATERIAL, &own, &shaders).unwrap());
+    assert!(block.bound_chains());
+    assert_eq!((block.ray_depth(), block.least_weight()), (5, 0.0));
+}
+
+#[test]
+fn a_scene_that_leaves_longer_chains_no_room_says_so() {
+    // More than fit with the rays of depth 5 that wait, fewer than fit without.
+    let (mut block, matt, shaders) = changing(880);
+    let mirror = NffMaterial {
+        specular: 1.0,
+        ..matt
+    };
+    assert!(block.set_material(MATERIAL, &mirror, &shaders).unwrap());
+    assert!(!block.bound_chains());
+}

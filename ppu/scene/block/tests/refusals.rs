@@ -1,0 +1,239 @@
+//! What does not fit, and how it is said.
+
+use super::*;
+
+/// A light, and a material that reflects all: with it chains are as long as they may be.
+const MIRROR: &str = "l 0 9 0\nf 1 1 1 1 1 0 0 1\n";
+
+fn refusal(rest: &str) -> String {
+    refusal_at(rest, 5)
+}
+
+fn refusal_at(rest: &str, ray_depth: u32) -> String {
+    let options = BlockOptions {
+        ray_depth,
+        ..Default::default()
+    };
+    match SceneBlock::new(&scene(rest), options, &entry) {
+        Ok(_) => panic!("accepted"),
+        Err(error) => error.to_string(),
+    }
+}
+
+#[test]
+fn numbers_out_of_range() {
+    let cases = [
+        (
+            "s 5e18 0 0 1",
+            "9: centre 5e18 is out of range: its magnitude must be at most 2^62",
+        ),
+        (
+            "s 0 0 0 -1e-20",
+            "9: radius -1e-20 is out of range: its magnitude must be at most 2^62 and at least 2^-62",
+        ),
+        ("p 3\n0 0 0\n1 0 0\n0 -1e30 0", "9: vertex -1e30 is out"),
+        (
+            "pp 3\n0 0 0 0 0 1\n1 0 1e30 0 0 1\n0 1 0 0 0 1",
+            "9: vertex 1e30 is out",
+        ),
+        ("c\n1e30 0 0 1\n0 0 0 1", "9: base 1e30 is out"),
+        ("c\n0 0 0 1\n0 1e30 0 1", "9: apex 1e30 is out"),
+        ("c\n0 0 0 1e30\n0 1 0 1", "9: base radius 1e30 is out"),
+        ("c\n0 0 0 1\n0 1e-30 0 1", "9: height 1e-30 is out"),
+        ("c\n0 0 0 1\n0 1e-10 0 1e10", "9: growth of the radius"),
+        ("l 0 1e30 0", "9: light 1e30 is out"),
+        ("l 0 0 0 1 1e30 1", "9: brightness 1e30 is out"),
+        ("#cellray sun 0 0 1 1 1e30 1", "9: brightness 1e30 is out"),
+        ("#cellray ambient 0 0 1e30", ": ambient light 1e30 is out"),
+        (
+            "#cellray shader depth 1e30 0\ns 0 0 0 1",
+            "8: number of the shader 1e30 is out",
+        ),
+        (
+            "#cellray shader checker 1 1 1 1e-30\ns 0 0 0 1",
+            "8: number of the shader ",
+        ),
+        (
+            "#cellray shader wood\ns 0 0 0 1",
+            "8: the SPU program has no shader `wood`",
+        ),
+        ("b 0 0 1e30", ": background 1e30 is out"),
+        ("f 1 1e30 1 1 0 0 0 1\ns 0 0 0 1", "9: colour 1e30 is out"),
+        ("f 1 1 1 1 1e30 0 0 1\ns 0 0 0 1", "9: Ks 1e30 is out"),
+        ("f 1 1 1 1 0 1e30 0 1\ns 0 0 0 1", "9: shine 1e30 is out"),
+        (
+            "f 1 1 1 1 0 0 1 1e-30\ns 0 0 0 1",
+            "9: index of refraction 1e-30 is out",
+        ),
+        (
+            "f 1 1 1 1 0 0 1 0\ns 0 0 0 1",
+            "9: an index of refraction of 0 refracts nothing (T is above 0)",
+        ),
+    ];
+    for (rest, message) in cases {
+        let found = refusal(rest);
+        let wanted = match message.strip_prefix(':') {
+            Some(rest) => format!("t.nff:{rest}"),
+            None => format!("t.nff:{message}"),
+        };
+        assert!(found.starts_with(&wanted), "{rest}: {found}");
+    }
+    let mut block = block("s 0 0 0 1\n");
+    let before = block.bytes().to_vec();
+    for eye in [DVec3::NAN, DVec3::INFINITY, DVec3::splat(1e30)] {
+        let error = block.write_for(eye).expect_err("no eye").to_string();
+        assert!(error.starts_with("t.nff: eye "), "{error}");
+    }
+    assert_eq!(block.bytes(), before);
+    // A parallelogram so small that its own numbers would be out of range is two triangles.
+    let small = self::block("p 4\n0 0 0\n1e-19 0 0\n1e-19 1e-19 0\n0 1e-19 0\n");
+    assert_eq!(small.leaves(Kind::Rectangle).len(), 0);
+}
+
+#[test]
+fn more_than_there_is_room_for() {
+    let spheres = |count: usize| "s 0 0 0 1\n".repeat(count);
+    for (count, fit) in [(1025, 841), (3000, 845)] {
+        let message = format!(
+            "t.nff:1033: more than 1024 spheres: the scene has about {count}; about {fit} of its {count} \
+             spheres fit"
+        );
+        assert_eq!(refusal(&spheres(count)), message);
+    }
+    let fan = |count: usize| {
+        let corner = |index: usize| {
+            let angle = index as f64 / count as f64 * std::f64::consts::TAU;
+            format!("{} {} 0\n", libm::cos(angle), libm::sin(angle))
+        };
+        let corners: String = (0..count).map(corner).collect();
+        format!("p {count}\n{corners}")
+    };
+    for (text, line, count) in [
+        (fan(1027), 9, 1025),
+        (fan(100_000), 9, 99_998),
+        // The last is a parallelogram.
+        (format!("{}{}{}", fan(802), fan(502), fan(4)), 812, 1300),
+    ] {
+        let found = refusal(&text);
+        let message = format!(
+            "t.nff:{line}: more than 1024 triangles: the scene has about {count}; about 51"
+        );
+        assert!(found.starts_with(&message), "{found}");
+        assert!(
+            found.ends_with(&format!(" of its {count} triangles fit")),
+            "{found}"
+        );
+    }
+    let star: String = (0..101)
+        .map(|index| {
+            let angle = f64::from(index * 50 % 101) / 101.0 * std::f64::consts::TAU;
+            format!("{} {} 0\n", libm::cos(angle), libm::sin(angle))
+        })
+        .collect();
+    assert_eq!(
+        refusal(&format!("p 101\n{star}")),
+        "t.nff:9: a polygon of 101 vertices takes more than 1024 triangles"
+    );
+    assert_eq!(
+        refusal(&"l 0 0 0\n".repeat(65)),
+        "t.nff:73: more than 64 lights"
+    );
+    assert_eq!(block(&"l 0 0 0\n".repeat(64)).light_count(), 64);
+    for depth in [0, 17, u32::MAX] {
+        let message = format!("ray depth {depth}: must be 1 to 16");
+        assert_eq!(refusal_at("s 0 0 0 1\n", depth), message);
+    }
+}
+
+#[test]
+fn a_scene_that_is_too_large_says_how_much_would_fit() {
+    let triangles = |count: usize| {
+        let each = |index: usize| format!("p 3\n{index} 0 0\n{index} 1 0\n{index} 0 1\n");
+        MIRROR.to_owned() + &(0..count).map(each).collect::<String>()
+    };
+    let message = refusal(&triangles(1000));
+    let [needed, room, fit] = numbers_of(&message);
+    assert!(needed > room);
+    assert!(
+        message.contains(
+            "that wait); of them take 1000 triangles 122640, 1 material 96, 1 light 32; "
+        ),
+        "{message}"
+    );
+    assert_eq!(room, SCENE_ROOM as usize - 3 * 16 * 32 * 4);
+    // About: within some per cent.
+    let fewer = fit - fit / 50;
+    assert_eq!(block(&triangles(fewer)).leaves(Kind::Triangle).len(), fewer);
+    let more = refusal(&triangles(fit + fit / 50));
+    assert!(more.contains(" triangles fit"), "{more}");
+}
+
+#[test]
+fn what_takes_the_room_is_named() {
+    let each_its_own = |count: usize, object: &str| {
+        let material = |index: usize| format!("f 0 0 {index} 1 0 0 0 1\n{object}");
+        (0..count).map(material).collect::<String>()
+    };
+    // The spheres alone would fit: it is their materials that do not.
+    let message = refusal(&each_its_own(700, "s 0 0 0 1\n"));
+    let (before, fit) = message.rsplit_once("; about ").expect("an estimate");
+    assert!(
+        before.contains("take 700 materials 67200, 700 spheres "),
+        "{message}"
+    );
+    let fit = fit
+        .strip_suffix(" of its 700 materials fit")
+        .expect("of what");
+    let fit: usize = fit.parse().expect("a number");
+    let with_materials = |count: usize| {
+        let shared = "s 0 0 0 1\n".repeat(700 - count);
+        format!("{}{shared}", each_its_own(count, "s 0 0 0 1\n"))
+    };
+    block(&with_materials(fit - fit / 50 - 1));
+    assert!(refusal(&with_materials(fit + fit / 50 + 2)).contains("spheres fit"));
+    // Neither would fit without the other.
+    let cone = "c\n0 0 0 1\n0 1 0 1\n";
+    let message = refusal(&each_its_own(900, cone));
+    let (before, part) = message.rsplit_once("; about ").expect("an estimate");
+    assert!(
+        before.contains("take 900 materials 86400, 900 cones "),
+        "{message}"
+    );
+    let part = part.strip_suffix(" % of all that fits").expect("of what");
+    let part: usize = part.parse().expect("a number");
+    block(&each_its_own(9 * (part - 1), cone));
+    refusal(&each_its_own(9 * (part + 2), cone));
+}
+
+/// Bytes needed, bytes there and objects that fit, of a message about 1000 of them.
+fn numbers_of(message: &str) -> [usize; 3] {
+    let words = message.split(|c: char| !c.is_ascii_digit());
+    let numbers: Vec<usize> = words.filter_map(|digits| digits.parse().ok()).collect();
+    let [needed, room, .., fit, 1000] = numbers[..] else {
+        panic!("{message}");
+    };
+    [needed, room, fit]
+}
+
+#[test]
+fn the_batch_is_as_large_as_fits() {
+    let waiting = 3 * 16 * 32;
+    for ray_depth in 1..=16 {
+        for spheres in [0, 200, 400, 500, 600] {
+            let scene = scene(&(MIRROR.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
+            let options = BlockOptions {
+                ray_depth,
+                ..Default::default()
+            };
+            let block = of(&scene, options);
+            let deepest = if spheres == 0 { 1 } else { ray_depth };
+            assert_eq!(block.ray_depth(), deepest);
+            let taken =
+                |batch: u32| block.bytes().len() + waiting * (batch * (deepest - 1)) as usize;
+            let batch = block.batch();
+            assert!((1..=MAX_BATCH).contains(&batch));
+            assert!(taken(batch) <= SCENE_ROOM as usize);
+            assert!(batch == MAX_BATCH || taken(batch + 1) > SCENE_ROOM as usize);
+        }
+    }
+}

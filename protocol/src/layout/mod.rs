@@ -1,0 +1,308 @@
+//! The work-unit layout: the one definition that the PPU program, the SPU assembler and
+//! `docs/work-unit.md` all follow.
+//!
+//! All records are big-endian whatever the host, with the byte order in the field types. [`crate::assembler`]
+//! writes every size, offset and constant into `work_unit.inc` for the SPU's sources; a test
+//! compares the tables in the document.
+
+/// A record's shape, as the assembler and the document see it.
+#[derive(Clone, Copy, Debug)]
+pub struct Record {
+    /// Prefix of the assembler's names.
+    pub name: &'static str,
+    /// What the record is.
+    pub doc: &'static str,
+    /// Bytes.
+    pub size: usize,
+    /// All fields, in order.
+    pub fields: &'static [Field],
+}
+
+/// One field of a [`Record`].
+#[derive(Clone, Copy, Debug)]
+pub struct Field {
+    /// Name, in Rust as in the assembler.
+    pub name: &'static str,
+    /// Type, as written here.
+    pub kind: &'static str,
+    /// Bytes from the start of the record.
+    pub offset: usize,
+    /// Bytes.
+    pub size: usize,
+    /// What it says.
+    pub doc: &'static str,
+}
+
+macro_rules! record {
+    (
+        #[doc = $doc:literal]
+        $name:ident as $prefix:literal {
+            $( #[doc = $field_doc:literal] $field:ident: $kind:ty, )*
+        }
+    ) => {
+        #[doc = $doc]
+        #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
+        #[repr(C)]
+        pub struct $name {
+            $( #[doc = $field_doc] pub $field: $kind, )*
+        }
+
+        impl $name {
+            /// Shape of the record.
+            pub const RECORD: Record = Record {
+                name: $prefix,
+                doc: $doc,
+                size: size_of::<$name>(),
+                fields: &[ $( Field {
+                    name: stringify!($field),
+                    kind: stringify!($kind),
+                    offset: std::mem::offset_of!($name, $field),
+                    size: size_of::<$kind>(),
+                    doc: $field_doc,
+                }, )* ],
+            };
+        }
+    };
+}
+
+macro_rules! constants {
+    ( $( #[doc = $doc:literal] $name:ident = $value:expr; )* ) => {
+        $( #[doc = $doc] pub const $name: u32 = $value; )*
+
+        /// Every constant above: name, value, meaning.
+        pub const CONSTANTS: &[(&str, u32, &str)] = &[ $( (stringify!($name), $name, $doc), )* ];
+    };
+}
+
+constants! {
+    /// `CRAY`, the first word of a frame descriptor.
+    MAGIC = 0x4352_4159;
+    /// Version of this layout; raised by every change that an older SPU program would misread.
+    VERSION = 5;
+    /// Alignment in bytes of every record in main memory: the line of the MFC's atomic commands.
+    LINE = 128;
+    /// Feature bit: the scene has spheres.
+    FEATURE_SPHERES = 1;
+    /// Feature bit: Whitted's model; the scene is the one that `scene` has, and there are no sphere records.
+    FEATURE_WHITTED = 2;
+    /// Feature bit: with Whitted's model, all lights shine through everything.
+    FEATURE_NO_SHADOWS = 4;
+    /// Feature bit: every call of a shader is checked for what it must keep.
+    FEATURE_CHECK_SHADERS = 8;
+    /// All feature bits that this version knows.
+    FEATURES_KNOWN = 15;
+    /// `split`: every SPU takes the next work unit from the shared counter.
+    SPLIT_UNITS = 0;
+    /// `split`: every SPU has a fixed share of consecutive work units, as in the paper.
+    SPLIT_SLICES = 1;
+    /// `skip`: every ray is tested with every object, as in the paper.
+    SKIP_NOTHING = 0;
+    /// `skip`: what can't be hit is not tested.
+    SKIP_MISSES = 1;
+    /// Most SPUs that share a frame; `slices` has one entry more.
+    MAX_SPUS = 16;
+    /// Most pixels across and down.
+    MAX_SIDE = 8192;
+    /// Most bytes from one row to the next: it is multiplied in 16 bits.
+    MAX_STRIDE = 65520;
+    /// Most spheres of a scene: what the local store has room for.
+    MAX_SPHERES = 1024;
+    /// Pixels across a tile: groups side by side.
+    TILE_WIDTH = 64;
+    /// Pixels down a tile: one group.
+    TILE_HEIGHT = 16;
+    /// Pixels across and down a group: sixteen packets of 4x4 rays that are culled together.
+    GROUP_SIDE = 16;
+    /// Most tiles of a work unit: what its line has room for.
+    UNIT_TILES = 31;
+    /// With a tile's number in a unit: the framebuffer shows the background there. With a tile's cost: it does now.
+    TILE_BLANK = 0x8000_0000;
+    /// Largest position of a colour channel in the pixel word.
+    MAX_SHIFT = 24;
+    /// Most bytes of one DMA transfer.
+    MAX_TRANSFER = 16384;
+    /// Where in local store the buffers begin that depth shading and Whitted's model each use in their way.
+    ARENA_ADDRESS = 0x1b600;
+    /// Where in local store the scene of Whitted's model lies: first the background's `OBJECT`.
+    SCENE_ADDRESS = 0x2e000;
+    /// Bytes for the scene and the rays that wait.
+    SCENE_ROOM = 0x10f80;
+    /// Most objects of one shape.
+    MAX_OBJECTS = 1024;
+    /// Most lights.
+    MAX_LIGHTS = 64;
+    /// Most nodes at the top of a tree.
+    MAX_ROOTS = 4;
+    /// Most levels of nodes.
+    MAX_LEVELS = 6;
+    /// Most rays in a chain, the eye's counted.
+    MAX_DEPTH = 16;
+    /// Most packets that are traced together.
+    MAX_BATCH = 8;
+    /// Which of the frame's trees has spheres.
+    TREE_BALLS = 0;
+    /// Which has parallelograms.
+    TREE_RECTANGLES = 1;
+    /// Which has triangles.
+    TREE_TRIANGLES = 2;
+    /// Which has cones.
+    TREE_CONES = 3;
+    /// Trees of a frame.
+    TREES = 4;
+    /// In `sides`: both sides are seen.
+    SIDES_BOTH = 0x4000_0000;
+    /// In `sides`: of a sphere or cone, only where a ray leaves it.
+    SIDES_EXIT = 0x8000_0000;
+    /// In `sides`: a triangle with normals at its vertices.
+    SIDES_SMOOTH = 0x2000_0000;
+    /// In `flags` of a material: something is let through.
+    MATERIAL_TRANSMITS = 1;
+    /// In `flags`: something is reflected.
+    MATERIAL_MIRRORS = 2;
+    /// In `flags`: it shows the light of lights.
+    MATERIAL_LIT = 4;
+    /// In `flags`: it has a highlight.
+    MATERIAL_SHINES = 8;
+    /// In `flags`: it has a shader of its own.
+    MATERIAL_SHADED = 16;
+    /// With the status `Shader`, times 256: there is no shader of this number; the number times 2^24, at most 255.
+    RULE_KNOWN = 1;
+    /// The same: the shader changed a register; its number times 2^16.
+    RULE_REGISTER = 2;
+    /// The same: it wrote below its stack.
+    RULE_STACK = 3;
+    /// The same: it changed a surface that it is not to shade.
+    RULE_LANES = 4;
+}
+
+mod frame;
+mod local;
+mod whitted;
+
+pub use frame::*;
+pub use local::*;
+pub use whitted::*;
+
+/// All records, in the order of the document.
+pub const RECORDS: &[Record] = &[
+    Frame::RECORD,
+    Sphere::RECORD,
+    UnitCounter::RECORD,
+    WorkUnit::RECORD,
+    UnitCost::RECORD,
+    Statistics::RECORD,
+    Packet::RECORD,
+    Basis::RECORD,
+    Place::RECORD,
+    Pair::RECORD,
+    Frustum::RECORD,
+    Depth::RECORD,
+    Colours::RECORD,
+    PixelShuffle::RECORD,
+    Object::RECORD,
+    Rectangle::RECORD,
+    Triangle::RECORD,
+    Patch::RECORD,
+    Cone::RECORD,
+    Material::RECORD,
+    Light::RECORD,
+    Node::RECORD,
+    Tree::RECORD,
+    RayPacket::RECORD,
+    QueuedRay::RECORD,
+    Bound::RECORD,
+    Candidate::RECORD,
+    Shear::RECORD,
+    Surfaces::RECORD,
+    Site::RECORD,
+    ShaderContext::RECORD,
+];
+
+macro_rules! statuses {
+    ( $( #[doc = $doc:literal] $name:ident = $value:literal, $field:literal; )* ) => {
+        /// An SPU's answer to a frame: 0, or what it refused.
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum Status {
+            $( #[doc = $doc] $name = $value, )*
+        }
+
+        impl Status {
+            /// Every status: assembler's name, status, the field that it is about, rule.
+            pub const ALL: &[(&str, Status, &str, &str)] =
+                &[ $( (stringify!($name), Status::$name, $field, $doc), )* ];
+        }
+    };
+}
+
+statuses! {
+    /// The frame is done.
+    Done = 0, "";
+    /// The mailed address must be a multiple of 128.
+    Address = 1, "address";
+    /// The first word must be `MAGIC`.
+    Magic = 2, "magic";
+    /// Must be `VERSION`.
+    Version = 3, "version";
+    /// Must be the size of the frame descriptor.
+    Size = 4, "size";
+    /// Only known feature bits may be set.
+    Features = 5, "features";
+    /// Must be 1 to 16, and more than this SPU's number.
+    Spus = 6, "spus";
+    /// Must be a known way to split.
+    Split = 7, "split";
+    /// Must be 1 to 8192.
+    Width = 8, "width";
+    /// Must be 1 to 8192.
+    Height = 9, "height";
+    /// Must be a multiple of 16, at most 65520, and hold a row in whole groups of four pixels.
+    Stride = 10, "stride";
+    /// Must be a multiple of 16.
+    Framebuffer = 11, "framebuffer";
+    /// Must be a multiple of 128.
+    Spheres = 12, "spheres";
+    /// Must be a multiple of 128.
+    UnitCounter = 13, "unit_counter";
+    /// Must be a multiple of 128.
+    Statistics = 14, "statistics";
+    /// Must be at most 1024, and 0 without `FEATURE_SPHERES`.
+    SphereCount = 15, "sphere_count";
+    /// Shifts must be 0, 8, 16 or 24, and differ.
+    PixelFormat = 16, "red_shift, green_shift, blue_shift";
+    /// Must be a multiple of 128.
+    Units = 17, "units";
+    /// Must be a multiple of 128.
+    Costs = 18, "costs";
+    /// Must be at most the tiles of the picture.
+    UnitCount = 19, "unit_count";
+    /// Must be a known way to skip.
+    Skip = 20, "skip";
+    /// A unit's tiles must be 1 to 31, each within the picture.
+    Tile = 21, "tiles";
+    /// Must be a multiple of 128.
+    Scene = 22, "scene";
+    /// Must be a multiple of 128 and leave room in `SCENE_ROOM` for the rays that wait: three times 16 `batch` at each depth from the second on.
+    SceneBytes = 23, "scene_bytes, ray_depth, batch";
+    /// Must be 1 to 16.
+    RayDepth = 24, "ray_depth";
+    /// Must be 1 to 8.
+    Batch = 25, "batch";
+    /// Must be at most 64 lights on quadwords of the scene.
+    LightCount = 26, "lights, light_count";
+    /// Must have at most 4 nodes at the top, 6 levels of them and 1024 objects, and lie in the scene.
+    Trees = 27, "trees";
+    /// There must be one of this number, and it must keep $1 and $80 to $127, its stack within 1 KB and the lanes that it is not to shade.
+    Shader = 28, "shader";
+}
+
+const _: () = {
+    assert!(std::mem::offset_of!(Frame, trees) % 16 == 0);
+    assert!(size_of::<Frame>() == 384);
+    assert!(size_of::<Sphere>() == 48);
+    assert!(size_of::<UnitCounter>() == LINE as usize);
+    assert!(size_of::<WorkUnit>() == LINE as usize);
+    assert!(size_of::<UnitCost>() == LINE as usize);
+    assert!(size_of::<Statistics>() == 2 * LINE as usize);
+    assert!(std::mem::offset_of!(Frame, corner) % 16 == 0);
+    assert!(std::mem::offset_of!(Frame, framebuffer) % 8 == 0);
+};

@@ -1,0 +1,197 @@
+//! What has to issue before what, and by how many cycles.
+//!
+//! An edge says `cycle(to) >= cycle(from) + latency - distance * interval`, the interval being the
+//! cycles from pass to pass of a loop. Results of instructions are right in any order that keeps
+//! the edges, since the pipelines wait by themselves; their latencies only make a schedule good.
+
+use super::function::{Node, Reference, Registers};
+use super::memory::Memory;
+use super::values::{Source, Values};
+use spu_isa::{Class, Field, Op, Pipe};
+
+/// Something that has to issue before something.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    pub from: usize,
+    pub to: usize,
+    pub latency: i64,
+    /// Passes from the one to the other.
+    pub distance: i64,
+    /// If it only keeps a register from being overwritten: the value that `from` reads there.
+    pub keeps: Option<Source>,
+}
+
+/// Least cycles between two instructions if the first has to stand before the second in the code.
+pub(super) fn in_order(before: &Node, behind: &Node) -> i64 {
+    i64::from(!(before.pipe() == Pipe::Even && behind.pipe() == Pipe::Odd))
+}
+
+struct Graph<'a> {
+    nodes: &'a [Node],
+    edges: Vec<Edge>,
+}
+
+impl Graph<'_> {
+    fn order(&mut self, from: usize, to: usize, distance: i64) {
+        self.keep(from, to, distance, None);
+    }
+
+    fn keep(&mut self, from: usize, to: usize, distance: i64, keeps: Option<Source>) {
+        if from == to {
+            return;
+        }
+        self.edges.push(Edge {
+            from,
+            to,
+            latency: in_order(&self.nodes[from], &self.nodes[to]),
+            distance,
+            keeps,
+        });
+    }
+
+    fn flow(&mut self, from: usize, to: usize, distance: i64) {
+        self.edges.push(Edge {
+            from,
+            to,
+            latency: i64::from(self.nodes[from].class().latency()),
+            distance,
+            keeps: None,
+        });
+    }
+
+    fn memory(&mut self, memory: &Memory, in_loop: bool) {
+        for to in 0..self.nodes.len() {
+            for from in 0..to {
+                if memory.conflict(from, to, in_loop) {
+                    self.order(from, to, 0);
+                }
+            }
+        }
+    }
+}
+
+/// The edges of a block that is run once. With `renaming`, registers of the pool are taken for as
+/// many as needed, but for the values in `live`, which stay where they are.
+pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<Edge> {
+    let values = Values::of(nodes);
+    let memory = Memory::of(nodes, &values);
+    let kept = values.kept(nodes, live);
+    let mut graph = Graph {
+        nodes,
+        edges: Vec::new(),
+    };
+    let mut readers: Vec<Vec<(usize, Source)>> = vec![Vec::new(); 256];
+    let mut writer: [Option<usize>; 256] = [None; 256];
+    let mut barrier = None;
+    for (at, node) in nodes.iter().enumerate() {
+        for &(_, source) in &values.reads[at] {
+            if let Source::Node(from) = source {
+                graph.flow(from, at, 0);
+            }
+        }
+        if let Some(register) = node.writes() {
+            let slot = usize::from(register);
+            let stays = |&source: &Source| match source {
+                Source::Node(from) => !renaming || kept[from],
+                Source::Entry(_) => true,
+            };
+            let replaced = values.replaced(nodes, at);
+            for &(reader, source) in &readers[slot] {
+                let overwritten = (!renaming || kept[at]) && stays(&source);
+                if overwritten || replaced == Some(source) {
+                    graph.order(reader, at, 0);
+                }
+            }
+            if !renaming || kept[at] {
+                if let Some(before) = writer[slot] {
+                    graph.order(before, at, 0);
+                }
+                writer[slot] = Some(at);
+            }
+        }
+        for &(_, source) in &values.reads[at] {
+            let register = match source {
+                Source::Node(from) => nodes[from].i.rt,
+                Source::Entry(register) => register,
+            };
+            readers[usize::from(register)].push((at, source));
+        }
+        if let Some(before) = barrier {
+            graph.order(before, at, 0);
+        }
+        if let Some(Reference::Hint { late: true, .. }) = node.reference {
+            for before in 0..at {
+                graph.order(before, at, 0);
+            }
+        }
+        if node.is_barrier() || node.ends_block() {
+            for (before, earlier) in nodes[..at].iter().enumerate() {
+                graph.order(before, at, 0);
+                if earlier.class() == Class::Hb {
+                    graph.flow(before, at, 0);
+                }
+            }
+            barrier = Some(at);
+        }
+    }
+    graph.memory(&memory, false);
+    graph.edges
+}
+
+/// The edges of a loop's body, without its branch back, for passes that overlap.
+///
+/// Each register holds a value until the next pass makes its own; edges with
+/// [`keeps`](Edge::keeps) see to that.
+pub(super) fn cyclic(nodes: &[Node]) -> Vec<Edge> {
+    let values = Values::of(nodes);
+    let memory = Memory::of(nodes, &values);
+    let mut graph = Graph {
+        nodes,
+        edges: Vec::new(),
+    };
+    for at in 0..nodes.len() {
+        for &(_, source) in &values.reads[at] {
+            let (from, distance) = match source {
+                Source::Node(from) => (from, 0),
+                Source::Entry(register) => match values.last[usize::from(register)] {
+                    Some(from) => (from, 1),
+                    None => continue,
+                },
+            };
+            graph.flow(from, at, distance);
+            graph.keep(at, from, 1 - distance, Some(source));
+        }
+    }
+    graph.memory(&memory, true);
+    for from in 0..nodes.len() {
+        for to in 0..nodes.len() {
+            if let Some(distance) = memory.passes_to_conflict(from, to) {
+                graph.order(from, to, distance);
+            }
+        }
+    }
+    graph.edges
+}
+
+/// Why the body of a loop can't be pipelined, if so.
+pub(super) fn obstacle(body: &[Node]) -> Option<String> {
+    let values = Values::of(body);
+    let bad = |at: &usize| body[*at].is_barrier() || values.replaced(body, *at).is_some();
+    let node = &body[(0..body.len()).find(bad)?];
+    let mnemonic = node.i.op.row().mnemonic;
+    let why = if node.is_barrier() {
+        "nothing moves past it"
+    } else {
+        "it changes its own target"
+    };
+    Some(format!("`{mnemonic}` at line {}: {why}", node.line))
+}
+
+/// The node that counts down a loop which ends when its counter is 0.
+pub(super) fn counter(body: &[Node], register: u8) -> Option<usize> {
+    let mut writers = (0..body.len()).filter(|&at| body[at].writes() == Some(register));
+    let at = writers.next()?;
+    let i = body[at].i;
+    let counts = i.op == Op::Ai && i.register(Field::Ra) == register && i.immediate == -1;
+    (counts && writers.next().is_none()).then_some(at)
+}

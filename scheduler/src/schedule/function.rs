@@ -1,0 +1,329 @@
+//! A function as blocks of instructions, and which registers are live between them.
+//!
+//! Blocks stand in the order of the code; one without a branch at its end goes on in the next.
+//! Register numbers from 128 on are virtual: a pass that makes them also removes them.
+
+use std::collections::BTreeMap;
+
+use spu_isa::{Class, Field, Instruction, Op, Pipe, Target};
+
+/// Names a block, whatever its place.
+pub(super) type BlockId = usize;
+
+/// A set of the registers 0 to 127, a bit each.
+pub(super) type Registers = u128;
+
+/// What a leaf function may use without saving.
+pub(super) const POOL: std::ops::RangeInclusive<u8> = 2..=79;
+
+const LINK: u8 = 0;
+/// Link, stack pointer and the registers that a callee saves.
+const KEPT: Registers = !0 << 80 | 0b11;
+
+/// An address that an operand names.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) enum Reference {
+    /// The start of a block.
+    Block(BlockId),
+    /// What the linker places.
+    Symbol(Symbol),
+    /// Of a hint: the branch that ends a block, and the block that it goes to unless to a
+    /// register.
+    Hint {
+        branch: BlockId,
+        target: Option<BlockId>,
+        /// Whether it stands behind what precedes it in the block, for the branch to be in reach.
+        late: bool,
+    },
+}
+
+/// What the linker places.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(super) struct Symbol {
+    /// A name, bytes behind it, and which part of the address is meant.
+    pub name: String,
+    pub addend: i64,
+    pub part: &'static str,
+    /// The section, or the symbol if it is another file's.
+    pub place: String,
+    /// Bytes behind the start of that.
+    pub offset: i64,
+}
+
+impl Symbol {
+    /// As the assembler takes it.
+    pub fn text(&self) -> String {
+        let Self {
+            name, addend, part, ..
+        } = self;
+        match addend {
+            0 => format!("{name}{part}"),
+            1.. => format!("{name}+{addend}{part}"),
+            _ => format!("{name}{addend}{part}"),
+        }
+    }
+}
+
+/// An instruction of the function.
+#[derive(Clone, Debug)]
+pub(super) struct Node {
+    /// With the schedule's registers.
+    pub i: Instruction,
+    /// With the registers that the source names.
+    pub plain: Instruction,
+    pub reference: Option<Reference>,
+    /// Line of the source; 0 for what the scheduler added.
+    pub line: u64,
+    /// Where it stands in the plain object; nowhere if the scheduler added it.
+    pub origin: Option<u32>,
+    /// A store whose line says that it may overlap any other access.
+    pub may_alias: bool,
+    /// An access to memory that stays behind all those before it, and before all behind it: the
+    /// passes of a loop may meet in ways that registers no longer show.
+    pub in_order: bool,
+    /// Of a pipelined loop: how many passes before this one it belongs to.
+    pub stage: u32,
+    /// What the scheduler added it for.
+    pub reason: &'static str,
+}
+
+impl Node {
+    /// An instruction that the scheduler adds.
+    pub fn added(i: Instruction, reference: Option<Reference>, reason: &'static str) -> Self {
+        Self {
+            i,
+            plain: i,
+            reference,
+            line: 0,
+            origin: None,
+            may_alias: false,
+            in_order: false,
+            stage: 0,
+            reason,
+        }
+    }
+
+    pub fn class(&self) -> Class {
+        self.i.op.row().class
+    }
+
+    pub fn pipe(&self) -> Pipe {
+        self.class().pipe()
+    }
+
+    /// Fields and registers that are read.
+    pub fn reads(&self) -> impl Iterator<Item = (Field, u8)> + use<'_> {
+        let fields = self.i.op.row().reads.iter();
+        fields.map(|&field| (field, self.i.register(field)))
+    }
+
+    /// The register that is written.
+    pub fn writes(&self) -> Option<u8> {
+        (self.i.op.row().target == Target::Rt).then_some(self.i.rt)
+    }
+
+    pub fn is_load(&self) -> bool {
+        self.class() == Class::Ls && self.writes().is_some()
+    }
+
+    pub fn is_store(&self) -> bool {
+        self.class() == Class::Ls && self.writes().is_none()
+    }
+
+    /// Whether nothing moves past it: channels, synchronisation, floating-point status.
+    pub fn is_barrier(&self) -> bool {
+        self.class() == Class::Spr
+            || matches!(self.i.op, Op::Sync | Op::Dsync | Op::Fscrrd | Op::Fscrwr)
+    }
+
+    /// Whether it is the last of its block: branches, stops and halts.
+    pub fn ends_block(&self) -> bool {
+        let halts = self.class() == Class::Fx2 && self.i.op.row().target == Target::False;
+        halts || self.class() == Class::Br && !self.is_barrier()
+    }
+
+    pub fn is_return(&self) -> bool {
+        self.i.op == Op::Bi && self.i.ra == LINK
+    }
+
+    /// Sets the register of a field that is read, or the target.
+    pub fn set_register(&mut self, field: Field, register: u8) {
+        *self.i.register_mut(field) = register;
+    }
+}
+
+/// How code goes on behind a block.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) struct Flow {
+    pub branch: Option<BlockId>,
+    pub falls_through: bool,
+    pub leaves: Leaves,
+}
+
+/// Whether code may leave the function.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Leaves {
+    No,
+    Return,
+    /// To where every register may be looked at.
+    Anywhere,
+}
+
+/// Instructions that are run from the first to the last.
+#[derive(Clone, Debug)]
+pub(super) struct Block {
+    pub id: BlockId,
+    /// The label.
+    pub name: Option<String>,
+    pub nodes: Vec<Node>,
+    /// The cycle of each node, if they are scheduled already.
+    pub cycles: Option<Vec<u64>>,
+}
+
+impl Block {
+    pub fn flow(&self) -> Flow {
+        let straight = Flow {
+            branch: None,
+            falls_through: true,
+            leaves: Leaves::No,
+        };
+        let Some(last) = self.nodes.last().filter(|node| node.ends_block()) else {
+            return straight;
+        };
+        let branch = match last.reference {
+            Some(Reference::Block(id)) => Some(id),
+            _ => None,
+        };
+        let outside = match branch {
+            Some(_) => Leaves::No,
+            None => Leaves::Anywhere,
+        };
+        let indirect = if last.i.ra == LINK {
+            Leaves::Return
+        } else {
+            Leaves::Anywhere
+        };
+        let (falls_through, leaves) = match last.i.op {
+            Op::Br | Op::Bra => (false, outside),
+            Op::Brz | Op::Brnz | Op::Brhz | Op::Brhnz => (true, outside),
+            Op::Bi => (false, indirect),
+            Op::Biz | Op::Binz | Op::Bihz | Op::Bihnz => (true, indirect),
+            Op::Iret => (false, Leaves::Anywhere),
+            _ => (true, Leaves::Anywhere),
+        };
+        Flow {
+            branch,
+            falls_through,
+            leaves,
+        }
+    }
+}
+
+/// A function.
+#[derive(Clone, Debug)]
+pub(super) struct Function {
+    pub name: String,
+    pub blocks: Vec<Block>,
+    /// Registers whose values the caller looks at.
+    pub results: Registers,
+    /// How often each instruction of the plain code stands in the schedule, by its place there:
+    /// all that are not here stand there once.
+    pub copies: BTreeMap<u32, usize>,
+}
+
+/// Registers that are live at the start and the end of each block, by position.
+pub(super) struct Liveness {
+    pub start: Vec<Registers>,
+    pub end: Vec<Registers>,
+}
+
+pub(super) const fn bit(register: u8) -> Registers {
+    1 << (register & 127)
+}
+
+impl Function {
+    pub fn position(&self, id: BlockId) -> usize {
+        let found = self.blocks.iter().position(|block| block.id == id);
+        found.expect("references name blocks of the function")
+    }
+
+    /// A name for a new block.
+    pub fn new_id(&self) -> BlockId {
+        self.blocks
+            .iter()
+            .map(|block| block.id + 1)
+            .max()
+            .unwrap_or(0)
+    }
+
+    /// How many branches name a block.
+    pub fn branches_to(&self, id: BlockId) -> usize {
+        let flows = self.blocks.iter().map(Block::flow);
+        flows.filter(|flow| flow.branch == Some(id)).count()
+    }
+
+    pub fn liveness(&self) -> Liveness {
+        let count = self.blocks.len();
+        let mut start: Vec<Registers> = vec![0; count];
+        let mut end: Vec<Registers> = vec![0; count];
+        loop {
+            let mut changed = false;
+            for at in (0..count).rev() {
+                let flow = self.blocks[at].flow();
+                let mut live = match flow.leaves {
+                    Leaves::No => 0,
+                    Leaves::Return => KEPT | self.results,
+                    Leaves::Anywhere => !0,
+                };
+                if let Some(id) = flow.branch {
+                    live |= start[self.position(id)];
+                }
+                if flow.falls_through {
+                    // Behind the last block nothing is known.
+                    live |= start.get(at + 1).copied().unwrap_or(!0);
+                }
+                let before = live_before(&self.blocks[at].nodes, live);
+                changed |= before != start[at] || live != end[at];
+                (start[at], end[at]) = (before, live);
+            }
+            if !changed {
+                return Liveness { start, end };
+            }
+        }
+    }
+
+    /// Notes that an instruction stands in the schedule `times` as often as before.
+    pub fn copied(&mut self, node: &Node, times: usize) {
+        if let Some(origin) = node.origin {
+            *self.copies.entry(origin).or_insert(1) *= times;
+        }
+    }
+
+    /// Joins blocks that always follow each other.
+    pub fn fuse(&mut self) {
+        let mut at = 0;
+        while at + 1 < self.blocks.len() {
+            let (this, next) = (&self.blocks[at], &self.blocks[at + 1]);
+            let ends = this.nodes.last().is_some_and(Node::ends_block);
+            let scheduled = this.cycles.is_some() || next.cycles.is_some();
+            let named = self.branches_to(next.id) > 0 || next.name.is_some();
+            if ends || scheduled || named {
+                at += 1;
+                continue;
+            }
+            let next = self.blocks.remove(at + 1);
+            self.blocks[at].nodes.extend(next.nodes);
+        }
+    }
+}
+
+/// Registers that are live before `nodes` if `live` are so behind them.
+pub(super) fn live_before(nodes: &[Node], live: Registers) -> Registers {
+    nodes.iter().rev().fold(live, |live, node| {
+        let written = node.writes().map_or(0, bit);
+        let read = node
+            .reads()
+            .fold(0, |set, (_, register)| set | bit(register));
+        live & !written | read
+    })
+}

@@ -1,0 +1,81 @@
+//! Instructions into pairs of words, and what the model makes of them.
+//!
+//! Two instructions of one cycle stand at 0 and 4 mod 8. Others follow each other as they come:
+//! the pipelines wait by themselves. Where an odd number of them stands before a pair, a
+//! no-operation fills its word.
+
+use super::function::Node;
+use spu_isa::timing::{Pipeline, Rules};
+use spu_isa::{Class, Instruction, Op, Pipe};
+
+/// What GCC names in its padding, so that no register in use is encoded as a target.
+const UNUSED_TARGET: u8 = 127;
+
+/// Cycles from the first instruction of a block, which stands at 0 mod 8, up to its end.
+pub(super) fn cost(nodes: &[Node], cycles: &[u64]) -> u64 {
+    let mut pipeline = Pipeline::new(Rules::default());
+    let words = fill(nodes, cycles);
+    for (address, node) in (0..).step_by(4).zip(&words) {
+        pipeline.issue(address, node.i);
+    }
+    pipeline.clock()
+}
+
+/// The block with no-operations, an even number of words.
+pub(super) fn fill(nodes: &[Node], cycles: &[u64]) -> Vec<Node> {
+    let mut words: Vec<Node> = Vec::with_capacity(nodes.len() * 2);
+    let mut at = 0;
+    while at < nodes.len() {
+        let paired = at + 1 < nodes.len()
+            && cycles[at] == cycles[at + 1]
+            && nodes[at].pipe() != nodes[at + 1].pipe();
+        if paired {
+            complete(&mut words);
+            words.push(nodes[at].clone());
+            at += 1;
+        }
+        words.push(nodes[at].clone());
+        at += 1;
+    }
+    complete(&mut words);
+    words
+}
+
+/// Brings the words to a multiple of 8 bytes without taking a cycle.
+fn complete(words: &mut Vec<Node>) {
+    if words.len().is_multiple_of(2) {
+        return;
+    }
+    let last = words.len() - 1;
+    let node = &words[last];
+    if node.pipe() == Pipe::Even {
+        words.push(no_operation(Op::Lnop, node.stage));
+    } else {
+        let filler = no_operation(Op::Nop, node.stage);
+        words.insert(last, filler);
+    }
+}
+
+fn no_operation(op: Op, stage: u32) -> Node {
+    let rt = if op.row().class == Class::Nop {
+        UNUSED_TARGET
+    } else {
+        0
+    };
+    let mut node = Node::added(plain(op, rt, 0, 0), None, "pairing");
+    node.stage = stage;
+    node
+}
+
+/// An instruction of registers and a constant.
+pub(super) fn plain(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
+    Instruction {
+        op,
+        rt,
+        ra,
+        rb: 0,
+        rc: 0,
+        branch_distance: 0,
+        immediate,
+    }
+}

@@ -1,0 +1,119 @@
+//! A scheduler for SPU assembly: plain code in, the same code for both pipes out.
+//!
+//! It takes an object and the source that it was assembled from, and writes the source again with
+//! each function scheduled: blocks by list scheduling, counted loops by software pipelining, all
+//! with the notes that `spu time --check` holds to the model. What it takes for granted of memory
+//! and registers is in `docs/schedule.md`. It knows the instruction table and the pipelines,
+//! nothing of what code computes. Invariant: the same input gives the same bytes.
+
+mod allocate;
+mod colour;
+mod copies;
+mod dependence;
+mod error;
+mod function;
+mod layout;
+mod list;
+mod memory;
+mod modulo;
+mod names;
+mod object;
+mod pipelined;
+mod random;
+mod source;
+mod text;
+mod values;
+mod verify;
+mod words;
+
+use std::collections::BTreeMap;
+use std::error::Error;
+
+pub use error::{ScheduleError, Unschedulable};
+use names::Names;
+use object::Plain;
+pub use pipelined::{Figures, LoopReport, Outcome};
+use source::Source;
+
+/// A scheduled source.
+#[derive(Clone, Debug)]
+pub struct Scheduled {
+    /// The new source.
+    pub text: String,
+    /// What became of its loops.
+    pub loops: Vec<LoopReport>,
+}
+
+/// Schedules all functions of a source. `object` is what the assembler makes of it with `-g` and
+/// without `--strip-local-absolute`; `path` names the source in messages and in the line table.
+/// `assemble` gives the object of a text in the same way: the schedule's own is held to the plain
+/// one, so that an instruction or an operand that is lost is an error.
+pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
+    object: &[u8],
+    path: &str,
+    source: &str,
+    assemble: impl FnOnce(&str) -> Result<Vec<u8>, E>,
+) -> Result<Scheduled, ScheduleError> {
+    let at = |(line, what): (u64, Unschedulable)| ScheduleError::At {
+        file: path.to_owned(),
+        line,
+        what,
+    };
+    let plain = Plain::parse(object)?;
+    if !plain.comes_from(path) {
+        return Err(ScheduleError::NotInTable(path.to_owned()));
+    }
+    let source = Source::new(source);
+    let functions = source.functions().map_err(at)?;
+    let numbers = plain.numbers();
+    let given = source.register_names(&functions, &numbers);
+    let mut names = Names::new(given, plain.names());
+    let mut loops = Vec::new();
+    let mut bodies = Vec::new();
+    let mut used = BTreeMap::new();
+    let mut written = Vec::new();
+    for lines in &functions {
+        let Some(stretch) = plain.stretch(&lines.name, path).map_err(at)? else {
+            continue;
+        };
+        let mut function = plain.function(&stretch).map_err(at)?;
+        source.check(lines).map_err(at)?;
+        // Without a line on it every register may be a result.
+        function.results = source.results(lines).unwrap_or(!0);
+        for block in &mut function.blocks {
+            for node in block.nodes.iter_mut().filter(|node| node.is_store()) {
+                node.may_alias = source.comment(node.line).contains("may alias");
+            }
+        }
+        function.fuse();
+        loops.extend(pipelined::pipeline(&mut function));
+        function.fuse();
+        let (words, body) = words::lay_out(&mut function, &mut names, &source);
+        verify::instructions(&stretch, &function, &words).map_err(at)?;
+        if let Some(line) = source.uses(lines) {
+            *used.entry(line).or_insert(0) |= words::written(&words);
+        }
+        let inside = (lines.first as u64 + 1, lines.end as u64 + 1);
+        bodies.push((lines, names.take_made(inside), body));
+        written.push((lines, words));
+    }
+    if bodies.is_empty() {
+        return Err(ScheduleError::NoFunction);
+    }
+    let mut text = String::new();
+    let mut copied = 0;
+    for (lines, made, body) in bodies {
+        source.copy(copied..lines.first + 1, path, &used, &mut text);
+        text.push_str(&text::names(&made));
+        text.push_str(&body);
+        copied = lines.end;
+    }
+    source.copy(copied..source.lines.len(), path, &used, &mut text);
+    let made = assemble(&text).map_err(|error| ScheduleError::Assembler(error.into()))?;
+    let made = Plain::parse(&made)?;
+    for (lines, words) in written {
+        let stretch = made.stretch(&lines.name, path).map_err(at)?;
+        verify::text(lines, &words, stretch.as_ref(), &made).map_err(at)?;
+    }
+    Ok(Scheduled { text, loops })
+}

@@ -1,0 +1,298 @@
+//! Iterative modulo scheduling (Rau 1994): every pass starts `interval` cycles after the one
+//! before.
+//!
+//! Instructions are placed by the length of the chain that they head. One that finds no free place
+//! takes one and throws out whom it disturbs; these are placed again, until all stand or the
+//! budget is used up. Invariant of a result: all edges hold, no pipe is taken twice, no FP6 falls
+//! into the cycle behind an FP7, and the branch stands in the last cycle of its pass.
+
+use super::dependence::Edge;
+use super::function::Node;
+use super::random::Random;
+use spu_isa::timing::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE};
+use spu_isa::{Class, Pipe};
+
+/// Placements for each instruction, on average, before an attempt is given up.
+const BUDGET: usize = 24;
+
+/// A loop to be scheduled: the last node is the branch back.
+pub(super) struct Problem<'a> {
+    nodes: &'a [Node],
+    interval: i64,
+    before: Vec<Vec<Edge>>,
+    behind: Vec<Vec<Edge>>,
+    heights: Vec<i64>,
+    /// Earliest and latest cycles by which the branch stays in its place.
+    bounds: Vec<(i64, i64)>,
+}
+
+/// A cycle of edges that no schedule of this interval keeps; `None` if there is none.
+pub(super) fn impossible(count: usize, edges: &[Edge], interval: i64) -> Option<Vec<Edge>> {
+    let mut time = vec![0i64; count];
+    let mut cause: Vec<Option<Edge>> = vec![None; count];
+    let mut moved = None;
+    for _ in 0..=count {
+        moved = None;
+        for edge in edges {
+            let least = time[edge.from] + edge.latency - interval * edge.distance;
+            if least > time[edge.to] {
+                time[edge.to] = least;
+                cause[edge.to] = Some(*edge);
+                moved = Some(edge.to);
+            }
+        }
+        moved?;
+    }
+    // After as many steps back as there are nodes one stands in the cycle.
+    let mut at = moved?;
+    for _ in 0..count {
+        at = cause[at]?.from;
+    }
+    let mut cycle = Vec::new();
+    let start = at;
+    loop {
+        let edge = cause[at]?;
+        cycle.push(edge);
+        at = edge.from;
+        if at == start {
+            return Some(cycle);
+        }
+    }
+}
+
+/// Longest chains of edges: `forward` from `seeds` on, else up to them. The edges have no
+/// [`impossible`] cycle.
+pub(super) fn longest(edges: &[Edge], interval: i64, seeds: Vec<i64>, forward: bool) -> Vec<i64> {
+    let mut length = seeds;
+    loop {
+        let mut changed = false;
+        for edge in edges {
+            let (from, to) = if forward {
+                (edge.from, edge.to)
+            } else {
+                (edge.to, edge.from)
+            };
+            let reached = length[from].saturating_add(edge.latency - interval * edge.distance);
+            if length[from] > UNREACHED && reached > length[to] {
+                length[to] = reached;
+                changed = true;
+            }
+        }
+        if !changed {
+            return length;
+        }
+    }
+}
+
+/// The length of a chain that does not exist.
+const UNREACHED: i64 = i64::MIN / 2;
+
+impl<'a> Problem<'a> {
+    /// The edges have no [`impossible`] cycle at this interval.
+    pub fn new(nodes: &'a [Node], edges: &[Edge], interval: i64) -> Self {
+        let count = nodes.len();
+        let mut before = vec![Vec::new(); count];
+        let mut behind = vec![Vec::new(); count];
+        for edge in edges {
+            before[edge.to].push(*edge);
+            behind[edge.from].push(*edge);
+        }
+        let mut seeds = vec![UNREACHED; count];
+        seeds[count - 1] = 0;
+        let from_branch = longest(edges, interval, seeds.clone(), true);
+        let to_branch = longest(edges, interval, seeds, false);
+        let bound = |at: usize| {
+            let earliest = (interval - 1 + from_branch[at]).max(0);
+            let latest = match to_branch[at] {
+                UNREACHED => i64::MAX,
+                length => interval - 1 - length,
+            };
+            (earliest, latest)
+        };
+        Self {
+            nodes,
+            interval,
+            heights: longest(edges, interval, vec![0; count], false),
+            bounds: (0..count).map(bound).collect(),
+            before,
+            behind,
+        }
+    }
+
+    /// The cycle of each node; `None` if this attempt finds no place for all.
+    pub fn attempt(&self, number: u64) -> Option<Vec<i64>> {
+        let count = self.nodes.len();
+        if self
+            .bounds
+            .iter()
+            .any(|&(earliest, latest)| earliest > latest)
+        {
+            return None;
+        }
+        let mut random = Random::new(number + 1);
+        let noise = 1 + number % 16;
+        let priorities: Vec<i64> = self
+            .heights
+            .iter()
+            .map(|height| height + random.below(noise) as i64)
+            .collect();
+        let mut table = Table::new(self.nodes, self.interval);
+        table.put(count - 1, self.interval - 1);
+        let mut last: Vec<Option<i64>> = vec![None; count];
+        let mut left: Vec<usize> = (0..count - 1).collect();
+        for _ in 0..count * BUDGET {
+            let urgent = |&(_, &at): &(usize, &usize)| (priorities[at], std::cmp::Reverse(at));
+            let Some((place, &at)) = left.iter().enumerate().max_by_key(urgent) else {
+                return Some(table.times.iter().flatten().copied().collect());
+            };
+            left.swap_remove(place);
+            let cycle = self.choose(&table, at, last[at])?;
+            last[at] = Some(cycle);
+            let mut out = table.in_the_way(at, cycle);
+            out.extend(self.disturbed(&table, at, cycle));
+            out.sort_unstable();
+            out.dedup();
+            if out.contains(&(count - 1)) {
+                return None;
+            }
+            for other in out {
+                table.take(other);
+                left.push(other);
+            }
+            table.put(at, cycle);
+        }
+        None
+    }
+
+    /// A free cycle if there is one between those that stand, else one by force.
+    fn choose(&self, table: &Table<'_>, at: usize, last: Option<i64>) -> Option<i64> {
+        let interval = self.interval;
+        let (floor, ceiling) = self.bounds[at];
+        let before = self.before[at].iter().filter_map(|edge| {
+            Some(table.times[edge.from]? + edge.latency - interval * edge.distance)
+        });
+        let behind = self.behind[at].iter().filter_map(|edge| {
+            Some(table.times[edge.to]? - edge.latency + interval * edge.distance)
+        });
+        let earliest = before.fold(floor, i64::max).min(ceiling);
+        let latest = behind.fold(ceiling, i64::min).min(earliest + interval - 1);
+        let free = (earliest..=latest).find(|&cycle| table.in_the_way(at, cycle).is_empty());
+        if free.is_some() {
+            return free;
+        }
+        let pinned = self.nodes.len() - 1;
+        let again = last.map_or(earliest, |last| last + 1).max(earliest);
+        let mut tries = (again..again + interval).chain(earliest..earliest + interval);
+        tries.find(|&cycle| cycle <= ceiling && !table.in_the_way(at, cycle).contains(&pinned))
+    }
+
+    /// Nodes to which an edge would not hold.
+    fn disturbed(&self, table: &Table<'_>, at: usize, cycle: i64) -> Vec<usize> {
+        let interval = self.interval;
+        let before = self.before[at].iter().filter_map(|edge| {
+            let least = table.times[edge.from]? + edge.latency - interval * edge.distance;
+            (edge.from != at && least > cycle).then_some(edge.from)
+        });
+        let behind = self.behind[at].iter().filter_map(|edge| {
+            let least = cycle + edge.latency - interval * edge.distance;
+            (edge.to != at && least > table.times[edge.to]?).then_some(edge.to)
+        });
+        before.chain(behind).collect()
+    }
+
+    /// Moves loads and constants behind, to where their values are first needed, so that they hold
+    /// their registers for less long.
+    pub fn sink(&self, times: &mut [i64]) {
+        let mut table = Table::new(self.nodes, self.interval);
+        for (at, &cycle) in times.iter().enumerate() {
+            table.put(at, cycle);
+        }
+        let end = times
+            .iter()
+            .max()
+            .map_or(0, |last| last / self.interval + 1)
+            * self.interval;
+        let mut order: Vec<usize> = (0..times.len() - 1).collect();
+        order.sort_by_key(|&at| std::cmp::Reverse((times[at], at)));
+        for at in order {
+            let node = &self.nodes[at];
+            if !node.is_load() && node.reads().next().is_some() {
+                continue;
+            }
+            let (_, ceiling) = self.bounds[at];
+            let behind = self.behind[at].iter().filter(|edge| edge.to != at);
+            let limit = behind
+                .map(|edge| times[edge.to] - edge.latency + self.interval * edge.distance)
+                .fold(ceiling.min(end - 1), i64::min);
+            table.take(at);
+            let latest = (times[at]..=limit)
+                .rev()
+                .find(|&cycle| table.in_the_way(at, cycle).is_empty());
+            times[at] = latest.unwrap_or(times[at]);
+            table.put(at, times[at]);
+        }
+    }
+}
+
+/// Which instruction takes which pipe in which cycle of the interval.
+struct Table<'a> {
+    nodes: &'a [Node],
+    times: Vec<Option<i64>>,
+    rows: Vec<[Option<usize>; 2]>,
+}
+
+impl<'a> Table<'a> {
+    fn new(nodes: &'a [Node], interval: i64) -> Self {
+        Self {
+            nodes,
+            times: vec![None; nodes.len()],
+            rows: vec![[None; 2]; interval as usize],
+        }
+    }
+
+    fn row(&self, cycle: i64) -> usize {
+        cycle.rem_euclid(self.rows.len() as i64) as usize
+    }
+
+    /// The rows and pipes that a node takes.
+    fn cells(&self, at: usize, cycle: i64) -> Vec<(usize, usize)> {
+        let node = &self.nodes[at];
+        if node.class() == Class::Fpd {
+            let rows = (0..DOUBLE_INTERVAL as i64).map(|later| self.row(cycle + later));
+            return rows.flat_map(|row| [(row, 0), (row, 1)]).collect();
+        }
+        vec![(self.row(cycle), usize::from(node.pipe() == Pipe::Odd))]
+    }
+
+    /// Who stands where the node would, or in conflict with it.
+    fn in_the_way(&self, at: usize, cycle: i64) -> Vec<usize> {
+        let cells = self.cells(at, cycle).into_iter();
+        let mut others: Vec<usize> = cells
+            .filter_map(|(row, pipe)| self.rows[row][pipe])
+            .collect();
+        let distance = FLOAT_CONFLICT_DISTANCE as i64;
+        let (neighbour, class) = match self.nodes[at].class() {
+            Class::Fp6 => (cycle - distance, Class::Fp7),
+            Class::Fp7 => (cycle + distance, Class::Fp6),
+            _ => return others,
+        };
+        let neighbour = self.rows[self.row(neighbour)][0];
+        others.extend(neighbour.filter(|&other| self.nodes[other].class() == class));
+        others
+    }
+
+    fn put(&mut self, at: usize, cycle: i64) {
+        for (row, pipe) in self.cells(at, cycle) {
+            self.rows[row][pipe] = Some(at);
+        }
+        self.times[at] = Some(cycle);
+    }
+
+    fn take(&mut self, at: usize) {
+        if let Some(cycle) = self.times[at].take() {
+            for (row, pipe) in self.cells(at, cycle) {
+                self.rows[row][pipe] = None;
+            }
+        }
+    }
+}

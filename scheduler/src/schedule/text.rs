@@ -1,0 +1,144 @@
+//! The schedule as assembly, on the house's grid and with its notes.
+
+use std::collections::BTreeMap;
+use std::fmt::Write as _;
+
+use super::function::{BlockId, Node, Reference};
+use super::names::Names;
+use super::source::Source;
+use crate::check::Slot;
+use spu_isa::{Field, Op, Operand};
+
+/// Columns, counted from 0.
+const MNEMONIC: usize = 8;
+/// Of all but the longest.
+const MNEMONIC_WIDTH: usize = 7;
+const NOTES: usize = 56;
+const WIDTH: usize = 100;
+/// Further to the right is what belongs to an earlier pass.
+const INDENT: usize = 4;
+/// From here on constants read better in hexadecimal.
+const LARGE: i32 = 1024;
+
+/// A word of the schedule.
+pub(super) struct Word {
+    pub node: Node,
+    pub address: u32,
+    /// When it issues, as the model counts it.
+    pub slot: Slot,
+    /// Labels that stand before it.
+    pub labels: Vec<String>,
+}
+
+/// Names that are given to registers, as many in a line as there is room for.
+pub(super) fn names(made: &[(String, u8)]) -> String {
+    let mut text = String::new();
+    let mut column = WIDTH;
+    for (name, number) in made {
+        let given = format!(".set {name},{number}");
+        if column + "; ".len() + given.len() < WIDTH {
+            text.push_str("; ");
+            column += "; ".len() + given.len();
+        } else {
+            if !text.is_empty() {
+                text.push('\n');
+            }
+            text.push_str(&" ".repeat(MNEMONIC));
+            column = MNEMONIC + given.len();
+        }
+        text.push_str(&given);
+    }
+    if !text.is_empty() {
+        text.push('\n');
+    }
+    text
+}
+
+/// Writes a function's words.
+pub(super) fn write(
+    words: &[Word],
+    labels: &BTreeMap<BlockId, String>,
+    branches: &BTreeMap<BlockId, String>,
+    names: &mut Names<'_>,
+    source: &Source<'_>,
+) -> String {
+    let mut text = String::new();
+    for word in words {
+        for label in &word.labels {
+            // Writing to a string does not fail.
+            let _ = writeln!(text, "{label}:");
+        }
+        let indent = if word.node.stage > 0 { INDENT } else { 0 };
+        let mut line = format!("{:1$}", "", MNEMONIC + indent);
+        let operands = operands(&word.node, labels, branches, names);
+        let mnemonic = word.node.i.mnemonic();
+        let _ = write!(line, "{mnemonic:<MNEMONIC_WIDTH$} {operands}");
+        let line = line.trim_end();
+        let own = match source.comment(word.node.line) {
+            "" => word.node.reason,
+            comment => comment,
+        };
+        let note = format!("{line:<NOTES$} # {}", word.slot).replacen("  #", " #", 1);
+        let room = WIDTH.saturating_sub(note.len() + 1);
+        let mut kept = String::new();
+        for part in own.split_whitespace() {
+            if kept.len() + part.len() + usize::from(!kept.is_empty()) > room {
+                break;
+            }
+            if !kept.is_empty() {
+                kept.push(' ');
+            }
+            kept.push_str(part);
+        }
+        let _ = writeln!(text, "{}", format!("{note} {kept}").trim_end());
+    }
+    text
+}
+
+fn operands(
+    node: &Node,
+    labels: &BTreeMap<BlockId, String>,
+    branches: &BTreeMap<BlockId, String>,
+    names: &mut Names<'_>,
+) -> String {
+    let i = node.i;
+    let mut register =
+        |field: Field| names.register(i.register(field), node.plain.register(field), node.line);
+    let label = |id: &BlockId| labels.get(id).cloned().unwrap_or_default();
+    let named = match &node.reference {
+        Some(Reference::Block(id)) => Some(label(id)),
+        Some(Reference::Symbol(symbol)) => Some(symbol.text()),
+        Some(Reference::Hint { target, .. }) => target.as_ref().map(label),
+        None => None,
+    };
+    let constant = |masked: i32| match &named {
+        Some(named) => named.clone(),
+        None if masked >= LARGE => format!("{masked:#x}"),
+        None => masked.to_string(),
+    };
+    let operands = i.op.row().operands.iter().map(|operand| match operand {
+        Operand::Rt => register(Field::Rt),
+        Operand::Ra => register(Field::Ra),
+        Operand::Rb => register(Field::Rb),
+        Operand::Rc => register(Field::Rc),
+        Operand::Channel => format!("$ch{}", i.ra),
+        Operand::Special => format!("$sp{}", i.ra),
+        Operand::Unsigned16 => constant(i.immediate & 0xffff),
+        Operand::Displacement7 | Operand::Displacement14 => {
+            let base = register(Field::Ra);
+            format!("{}({base})", constant(i.immediate))
+        }
+        Operand::HintedBranch => match &node.reference {
+            Some(Reference::Hint { branch, .. }) => {
+                branches.get(branch).cloned().unwrap_or_default()
+            }
+            _ => String::new(),
+        },
+        _ => constant(i.immediate),
+    });
+    let mut operands: Vec<String> = operands.collect();
+    if i.op == Op::Nop {
+        operands = vec![format!("${}", i.rt)];
+    }
+    operands.join(",")
+}

@@ -1,0 +1,266 @@
+//! The machine of `spu run`: one SPE, main memory, and who answers the program.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::process::ExitCode;
+use std::sync::Arc;
+
+use spu_emulator::elf::Image;
+use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::local_store::{LocalStore, SIZE};
+use spu_emulator::machine;
+use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
+use spu_emulator::ppe_call::{Arena, CALL_WORD, CallError, Class, Library, Process};
+use spu_emulator::simulated::Timing;
+use spu_emulator::spe::{Config, Spe};
+use spu_emulator::stop::{Stop, Stopped};
+use spu_isa::LIMIT_MASK;
+use spu_reports::Figures;
+
+use super::arguments;
+use super::bench::Bench;
+use super::error::RunError;
+use super::map::{HEAP_EA, IMAGE_EA, LOCAL_STORE_EA};
+use super::options::Options;
+use super::output::{json, write_file, write_text};
+use super::status::Status;
+use crate::failure::Failure;
+use crate::image::{instruction_text, place};
+
+/// Where libspe2 leaves the zero back chain, and so the first stack pointer.
+const STACK_TOP: u32 = SIZE - 16;
+const FIRST_ARGUMENT: u8 = 3;
+
+/// How a run ended.
+pub enum End {
+    /// `stop 0x20xx`
+    Exit(u8),
+    /// Something that the program should not have done.
+    Fault(Stopped),
+    /// A library call that nobody serves, and where.
+    Call(CallError, u32),
+    /// The instruction limit was reached here.
+    Limit(u32),
+    /// It sleeps here and nobody will wake it.
+    Asleep(u32, &'static str),
+}
+
+pub struct Machine {
+    spe: Arc<Spe>,
+    memory: Arc<RegisteredMemory>,
+    library: Library,
+    entry: u32,
+    arguments: Vec<Quad>,
+}
+
+impl Machine {
+    /// A machine with the program loaded and everything in place that the options name.
+    pub fn new(options: &Options, bytes: &[u8], image: &Image<'_>) -> Result<Self, Failure> {
+        let memory = Arc::new(RegisteredMemory::new());
+        let register = |what: &str, ea, bytes, access| {
+            let what = what.to_owned();
+            let registered = memory.register(ea, bytes, access);
+            registered.map_err(|error| RunError::Region { what, error })
+        };
+        register(
+            "the program's file",
+            IMAGE_EA,
+            bytes.to_vec(),
+            Access::ReadOnly,
+        )?;
+        let machine = match options.timing {
+            None => machine::Machine::new(memory.clone()),
+            Some(_) => machine::Machine::simulated(memory.clone(), Timing::default()),
+        };
+        let spe = Spe::new(&machine, Config::default());
+        memory
+            .register_local_store(LOCAL_STORE_EA, Arc::clone(spe.local_store()))
+            .map_err(|error| RunError::Region {
+                what: "local store".into(),
+                error,
+            })?;
+        for region in &options.main_memory {
+            let what = format!("--main-memory {}@{:#x}", region.size.0, region.ea);
+            register(&what, region.ea, vec![0; region.size.0], Access::ReadWrite)?;
+        }
+        let heap = Arena::new(&memory, HEAP_EA, options.heap.0).map_err(|error| {
+            let what = format!("--heap {}", options.heap.0);
+            RunError::Region { what, error }
+        })?;
+        image.load(spe.local_store(), IMAGE_EA);
+        if let Some(toe) = image.toe() {
+            spe.local_store().write(toe, &IMAGE_EA.to_be_bytes());
+        }
+        let arguments = arguments::prepare(options, &memory)?;
+        let machine = Self {
+            spe,
+            memory,
+            library: Library::new(Box::new(Process), Box::new(heap)),
+            entry: image.entry(),
+            arguments,
+        };
+        machine.load_files(options)?;
+        Ok(machine)
+    }
+
+    pub fn local_store(&self) -> &LocalStore {
+        self.spe.local_store()
+    }
+
+    fn load_files(&self, options: &Options) -> Result<(), Failure> {
+        for file in &options.load_ls {
+            let bytes = fs::read(&file.path).map_err(Failure::file(&file.path))?;
+            let end = file.address.saturating_add(bytes.len() as u64);
+            if end > u64::from(SIZE) {
+                return Err(RunError::OutsideLocalStore {
+                    path: file.path.clone(),
+                    address: file.address,
+                    size: bytes.len(),
+                }
+                .into());
+            }
+            self.local_store().write(file.address as u32, &bytes);
+        }
+        for file in &options.load_mem {
+            let bytes = fs::read(&file.path).map_err(Failure::file(&file.path))?;
+            let written = self.memory.write(file.address, &bytes);
+            written.map_err(|error| RunError::Memory {
+                what: format!("--load-mem {}", file.path.display()),
+                error,
+            })?;
+        }
+        Ok(())
+    }
+
+    /// The registers as libspe2 leaves them; the top of local store holds the zero back chain.
+    fn prepare(&self, spu: &mut Spu) {
+        self.local_store().write(STACK_TOP, &[0; 16]);
+        spu.set_register(1, Quad::scalar(STACK_TOP));
+        spu.set_register(2, Quad::ZERO);
+        spu.set_register(6, Quad::from_doublewords([LOCAL_STORE_EA, 0]));
+        for (register, &value) in (FIRST_ARGUMENT..).zip(&self.arguments) {
+            spu.set_register(register, value);
+        }
+    }
+
+    /// Runs until the program ends, serving its library calls.
+    pub fn run(&mut self, options: &Options, image: &Image<'_>) -> Result<End, Failure> {
+        let spe = Arc::clone(&self.spe);
+        let mut bench = Bench::new(options, image, &spe)?;
+        let mut left = options.max_instructions.unwrap_or(u64::MAX);
+        let mut at = self.entry;
+        let mut first = true;
+        let end = loop {
+            let before = self.spe.with_spu(Spu::executed);
+            let stopped = self.spe.run_observed(at, left, &mut bench, |spu| {
+                if first {
+                    self.prepare(spu);
+                }
+            });
+            first = false;
+            self.spe.with_spu(|spu| bench.stopped(spu));
+            left -= self.spe.with_spu(Spu::executed) - before;
+            let Some(stopped) = stopped else {
+                break End::Limit(self.spe.with_spu(Spu::pc));
+            };
+            match stopped.reason {
+                Stop::Signal(code @ 0x2000..=0x20ff) => break End::Exit(code as u8),
+                Stop::Signal(code @ 0x2100..=0x21ff) => {
+                    if let Err(error) = self.call(code as u8, stopped.npc, &mut bench) {
+                        break End::Call(error, stopped.pc);
+                    }
+                    at = stopped.npc.wrapping_add(CALL_WORD) & LIMIT_MASK;
+                }
+                Stop::Requested => break End::Asleep(stopped.pc, bench.why_asleep()),
+                _ => break End::Fault(stopped),
+            }
+            if left == 0 {
+                break End::Limit(at);
+            }
+        };
+        if let Err(errno) = self.library.flush() {
+            return Err(Failure::Output(io::Error::from_raw_os_error(errno.0)));
+        }
+        bench.finish()?;
+        Ok(end)
+    }
+
+    fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {
+        let opcode = (self.local_store().load_word(address) >> 24) as u8;
+        let name = Class::of(number).and_then(|class| class.function(opcode));
+        bench.called(name.unwrap_or("unknown"));
+        let spe = Arc::clone(&self.spe);
+        self.library
+            .serve(number, spe.local_store().as_ref(), address)
+    }
+
+    /// Writes what is asked for at the end.
+    pub fn dump(&self, options: &Options) -> Result<(), Failure> {
+        if let Some(path) = &options.dump_ls {
+            let mut bytes = vec![0; SIZE as usize];
+            self.local_store().read(0, &mut bytes);
+            write_file(path, &bytes)?;
+        }
+        if let Some(path) = &options.dump_regs {
+            let text = self.spe.with_spu(registers);
+            write_text(path.as_deref(), &text)?;
+        }
+        if let (Some(path), Some(simulation)) = (&options.timing, self.spe.simulation()) {
+            let mut figures = Figures::default();
+            for spe in &simulation.report().spes {
+                figures.add(spe);
+            }
+            let text = if options.json {
+                json(&figures)
+            } else {
+                figures.table()
+            };
+            write_text(path.as_deref(), &text)?;
+        }
+        for file in &options.dump_mem {
+            let mut bytes = vec![0; file.size.0];
+            let read = self.memory.read(file.ea, &mut bytes);
+            read.map_err(|error| RunError::Memory {
+                what: format!("--dump-mem {}", file.path.display()),
+                error,
+            })?;
+            write_file(&file.path, &bytes)?;
+        }
+        Ok(())
+    }
+}
+
+/// Each register's four words; program counter and FPSCR first.
+fn registers(spu: &Spu) -> String {
+    let mut text = format!("pc    {:#07x}\n", spu.pc());
+    for (number, quad) in spu.registers.iter().enumerate() {
+        let [a, b, c, d] = quad.0;
+        text += &format!("${number:<4} {a:08x} {b:08x} {c:08x} {d:08x}\n");
+    }
+    text
+}
+
+impl End {
+    /// Names a fault on standard error; the status to exit with.
+    pub fn tell(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
+        let (message, at, status) = match self {
+            Self::Exit(code) => return (*code).into(),
+            Self::Fault(stopped) => (
+                stopped.to_string(),
+                stopped.pc,
+                Status::from(&stopped.reason),
+            ),
+            Self::Call(error, at) => (error.to_string(), *at, Status::UnknownStop),
+            Self::Limit(at) => ("instruction limit reached".into(), *at, Status::Limit),
+            Self::Asleep(at, why) => (format!("sleeps for ever: {why}"), *at, Status::Limit),
+        };
+        let instruction = instruction_text(store.load_word(at), at);
+        let place = place(image, at);
+        // Who closed standard error sees the status.
+        let _ = writeln!(
+            io::stderr(),
+            "spu: {message}\n     at {place}: {instruction}"
+        );
+        status.into()
+    }
+}

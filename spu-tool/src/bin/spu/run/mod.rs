@@ -1,0 +1,32 @@
+//! `spu run`: one SPU program on an emulated SPE, with a test bench round it.
+
+mod arguments;
+mod bench;
+mod error;
+mod machine;
+mod mailboxes;
+mod map;
+mod options;
+mod output;
+mod sleep;
+mod statistics;
+mod status;
+mod trace;
+
+use std::process::ExitCode;
+
+use crate::failure::Failure;
+use crate::image;
+use machine::Machine;
+pub use options::Options;
+
+/// Runs the program to its end. The answer is the status to exit with; what was asked for besides
+/// is written whatever end it was.
+pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    let bytes = image::read(&options.program)?;
+    let image = image::parse(&options.program, &bytes)?;
+    let mut machine = Machine::new(options, &bytes, &image)?;
+    let end = machine.run(options, &image)?;
+    machine.dump(options)?;
+    Ok(end.tell(&image, machine.local_store()))
+}

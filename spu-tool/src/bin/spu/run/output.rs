@@ -1,0 +1,33 @@
+//! Where what was asked for besides is written.
+
+use std::fs;
+use std::io::{self, Write as _};
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::failure::Failure;
+
+/// Into a file.
+pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
+    fs::write(path, bytes).map_err(Failure::file(path))
+}
+
+/// Into a file, or to standard error.
+pub fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
+    match path {
+        Some(path) => write_file(path, text.as_bytes()),
+        None => {
+            let path = Path::new("standard error");
+            io::stderr()
+                .write_all(text.as_bytes())
+                .map_err(Failure::file(path))
+        }
+    }
+}
+
+/// Pretty JSON with an end of line. Maps with text keys and numbers can always be written.
+pub fn json(value: &impl Serialize) -> String {
+    let json = serde_json::to_string_pretty(value).unwrap_or_default();
+    format!("{json}\n")
+}

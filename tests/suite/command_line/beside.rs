@@ -1,0 +1,42 @@
+//! Commands that are programs of their own.
+
+use std::os::unix::fs::symlink;
+use std::process::Command;
+
+use crate::command_line::support::text;
+
+#[test]
+fn commands_are_handed_over_to_their_programs() {
+    for (command, program, expected) in [
+        ("bench", "cellray-bench", "accuracy --seed x y --help\n"),
+        ("play", "cellray-play", "play accuracy --seed x y --help\n"),
+        ("view", "cellray-play", "view accuracy --seed x y --help\n"),
+    ] {
+        // Links, and on one file system: a program that is being written can't be run.
+        let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
+        let elsewhere = tempfile::tempdir().unwrap();
+        let cellray = folder.path().join("cellray");
+        std::fs::hard_link(env!("CARGO_BIN_EXE_cellray"), &cellray).unwrap();
+        let run = || {
+            Command::new(&cellray)
+                .args([command, "accuracy", "--seed", "x y", "--help"])
+                .env("PATH", elsewhere.path())
+                .output()
+                .unwrap()
+        };
+        let output = run();
+        let err = text(&output.stderr);
+        assert!(!output.status.success());
+        assert!(
+            err.contains(program) && err.contains("cargo build"),
+            "{err}"
+        );
+        // One on PATH, then one beside cellray, which goes before it.
+        symlink("/bin/false", elsewhere.path().join(program)).unwrap();
+        assert_eq!(run().status.code(), Some(1));
+        symlink("/bin/echo", folder.path().join(program)).unwrap();
+        let output = run();
+        assert!(output.status.success(), "{}", text(&output.stderr));
+        assert_eq!(text(&output.stdout), expected);
+    }
+}

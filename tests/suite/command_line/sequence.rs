@@ -1,0 +1,160 @@
+//! Numbered pictures, in parts, as batch engines ask for them.
+
+use std::fs;
+use std::os::unix::process::ExitStatusExt as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+use crate::command_line::support::{bad, good, text};
+
+const SCENE: &str = "scenes/paper16.nff";
+
+fn pattern(folder: &Path) -> String {
+    folder.join("f-%03d.png").to_str().unwrap().to_owned()
+}
+
+/// Pictures of the scene's frames, once around in eight.
+fn render(folder: &Path, frames: &str) -> String {
+    let out = pattern(folder);
+    let (_, talk) = good(&[
+        "render", SCENE, "--size", "64x36", "--turn", "8", "--frames", frames, "--out", &out,
+    ]);
+    talk
+}
+
+fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
+    let mut files: Vec<_> = fs::read_dir(folder)
+        .unwrap()
+        .map(|entry| {
+            let path = entry.unwrap().path();
+            (path.file_name().unwrap().into(), fs::read(&path).unwrap())
+        })
+        .collect();
+    files.sort();
+    files
+}
+
+#[test]
+fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
+    let [whole, parts, still] = [(); 3].map(|()| tempfile::tempdir().unwrap());
+    let talk = render(whole.path(), "0..9");
+    assert!(
+        talk.contains("9 picture(s) written, 0 there already"),
+        "{talk}"
+    );
+    let pictures = files(whole.path());
+    assert_eq!(pictures.len(), 9);
+    // The eye turns, and is back after eight.
+    for pair in pictures.windows(2) {
+        assert!(pair[0].1 != pair[1].1, "{:?}", pair[0].0);
+    }
+    assert!(pictures[0].1 == pictures[8].1);
+
+    render(parts.path(), "6..9");
+    render(parts.path(), "0..2");
+    fs::write(parts.path().join("f-003.png"), "kept").unwrap();
+    let talk = render(parts.path(), "0..9");
+    assert!(
+        talk.contains("3 picture(s) written, 6 there already"),
+        "{talk}"
+    );
+    fs::remove_file(parts.path().join("f-003.png")).unwrap();
+    render(parts.path(), "3..4");
+    assert!(files(parts.path()) == pictures, "parts are others");
+
+    // The first is the scene as it is.
+    let picture = still.path().join("f-000.png");
+    let picture = picture.to_str().unwrap();
+    good(&["render", SCENE, "--size", "64x36", "--out", picture]);
+    assert!(files(still.path())[0].1 == pictures[0].1);
+}
+
+#[test]
+fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
+    let folder = tempfile::tempdir().unwrap();
+    // In blocks of 512 bytes: room for an emulated SPU's local store, and for no picture of this
+    // size.
+    let output = Command::new("sh")
+        .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
+        .arg(env!("CARGO_BIN_EXE_cellray"))
+        .args([
+            "render",
+            SCENE,
+            "--size",
+            "1920x1080",
+            "--frames",
+            "0..3",
+            "--out",
+        ])
+        .arg(pattern(folder.path()))
+        .current_dir(env!("CARGO_MANIFEST_DIR"))
+        .output()
+        .unwrap();
+    let talk = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{talk}");
+    assert!(
+        talk.contains("f-000.png") && talk.contains("too large"),
+        "{talk}"
+    );
+    assert_eq!(files(folder.path()), []);
+}
+
+#[test]
+fn signals_end_it_between_two_pictures() {
+    for signal in [libc::SIGINT, libc::SIGTERM] {
+        let folder = tempfile::tempdir().unwrap();
+        // What starts the tests may have signals ignored; then they would be here, too.
+        let mut child = Command::new("env")
+            .arg("--default-signal")
+            .arg(env!("CARGO_BIN_EXE_cellray"))
+            .args([
+                "render",
+                SCENE,
+                "--size",
+                "64x36",
+                "--frames",
+                "0..1000000",
+                "--out",
+            ])
+            .arg(pattern(folder.path()))
+            .current_dir(env!("CARGO_MANIFEST_DIR"))
+            .stderr(Stdio::null())
+            .spawn()
+            .unwrap();
+        let begun = Instant::now();
+        while files(folder.path()).len() < 3 {
+            assert!(begun.elapsed() < Duration::from_secs(60), "no pictures");
+            std::thread::sleep(Duration::from_millis(20));
+        }
+        // SAFETY: the child is this test's own and has not been waited for.
+        unsafe { libc::kill(child.id() as libc::pid_t, signal) };
+        let status = child.wait().unwrap();
+        assert_eq!(status.signal(), Some(signal), "{status}");
+        for (name, _) in files(folder.path()) {
+            image::open(folder.path().join(&name)).unwrap();
+        }
+    }
+}
+
+#[test]
+fn what_makes_no_sequence_is_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = pattern(folder.path());
+    let refused = |more: &[&str], parts: &[&str]| {
+        let mut arguments = vec!["render", SCENE];
+        arguments.extend(more);
+        bad(&arguments, parts);
+        assert_eq!(files(folder.path()), []);
+    };
+    let one = folder.path().join("p.png");
+    let one = one.to_str().unwrap();
+    refused(&["--frames", "4..4", "--out", &out], &["4..4", "no frames"]);
+    refused(&["--frames", "x", "--out", &out], &["--frames", "\"x\""]);
+    refused(&["--frames", "2..4", "--out", one], &["%05d"]);
+    refused(&["--frames", "2..4"], &["%05d"]);
+    refused(&["--frames", "0", "--out", one], &["no frames"]);
+    refused(&["--out", "f-%5d.png"], &["f-%5d.png", "%05d"]);
+    refused(&["--corners", "--out", &out], &["--corners"]);
+    refused(&["--turn", "0", "--out", &out], &["--turn"]);
+}

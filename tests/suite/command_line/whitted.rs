@@ -1,0 +1,170 @@
+//! The options of Whitted's model, and what does not fit.
+
+use std::fs;
+
+use crate::command_line::support::{VIEW, bad, bad_scene, cellray, good};
+
+#[test]
+fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
+    let arguments = ["render", "sphereflake:1", "--size", "16x16"];
+    let (_, err) = good(&[&arguments[..], &["--model", "depth"]].concat());
+    for part in [
+        "polygons are not drawn by depth shading (1",
+        "lights are not drawn by depth shading (3",
+        "sphereflake",
+    ] {
+        assert!(err.contains(part), "no {part:?} in: {err}");
+    }
+    for model in [&[][..], &["--model", "whitted"], &["--model", "scene"]] {
+        let (_, err) = good(&[&arguments[..], model].concat());
+        assert!(!err.contains("not drawn"), "{model:?}: {err}");
+    }
+    // Without lights a scene is the paper's, unless asked for otherwise.
+    let scene = format!("{VIEW}p 3\n0 0 0\n1 0 0\n0 1 0\n");
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("dark.nff");
+    fs::write(&path, scene).unwrap();
+    let path = path.to_str().unwrap();
+    let (_, err) = good(&["render", path]);
+    assert!(err.contains("dark.nff:9: polygons are not drawn"), "{err}");
+    let (_, err) = good(&["render", path, "--model", "whitted"]);
+    assert!(!err.contains("not drawn"), "{err}");
+}
+
+/// A picture with options, and its statistics.
+fn traced(scene: &str, options: &[&str]) -> (Vec<u8>, serde_json::Value) {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("p.png");
+    let arguments = ["render", scene, "--size", "96x54", "--stats", "-", "--out"];
+    let name = [picture.to_str().unwrap()];
+    let (out, _) = good(&[&arguments[..], &name, options].concat());
+    (
+        fs::read(picture).unwrap(),
+        serde_json::from_str(&out).unwrap(),
+    )
+}
+
+/// The numbers of rays under the names of the Standard Procedural Databases, which must add up.
+fn rays(stats: &serde_json::Value) -> [u64; 7] {
+    let names = [
+        "eye",
+        "eye_hit",
+        "reflected",
+        "refracted",
+        "shadow",
+        "hit",
+        "background",
+    ];
+    let rays = names.map(|name| stats["rays"][name].as_u64().unwrap());
+    let [eye, eye_hit, reflected, refracted, _, hit, background] = rays;
+    assert_eq!(eye + reflected + refracted, hit + background);
+    assert!(eye_hit <= hit && eye_hit <= eye);
+    rays
+}
+
+#[test]
+fn each_option_of_whitteds_model_changes_what_it_says() {
+    let scene = "scenes/whitted16.nff";
+    let (plain, stats) = traced(scene, &[]);
+    let [eye, eye_hit, reflected, refracted, shadow, ..] = rays(&stats);
+    assert_eq!(eye, 96 * 54);
+    assert!(reflected > eye_hit / 2 && refracted > 100 && shadow > eye_hit);
+
+    let (picture, stats) = traced(scene, &["--ray-depth", "1"]);
+    assert_eq!(rays(&stats)[1..4], [eye_hit, 0, 0]);
+    assert!(picture != plain);
+    let (_, stats) = traced(scene, &["--ray-depth", "16"]);
+    let deep = rays(&stats);
+    assert!(deep[2] > reflected && deep[3] > refracted);
+    assert!(traced(scene, &["--ray-depth", "5"]).0 == plain);
+
+    let (picture, stats) = traced(scene, &["--no-shadows"]);
+    let [_, _, bounced, _, shadows, ..] = rays(&stats);
+    assert_eq!((bounced, shadows), (reflected, 0));
+    assert!(picture != plain);
+
+    let (picture, stats) = traced(scene, &["--fresnel"]);
+    assert_eq!(rays(&stats)[3], refracted);
+    assert!(picture != plain);
+
+    let (picture, _) = traced(scene, &["--check-shaders"]);
+    assert!(picture == plain);
+
+    let (picture, stats) = traced(scene, &["--corners"]);
+    assert_eq!(rays(&stats)[0], 97 * 55);
+    let size = image::load_from_memory(&picture).unwrap();
+    assert_eq!((size.width(), size.height()), (96, 54));
+    assert!(picture != plain);
+
+    let (picture, stats) = traced(scene, &["--model", "depth"]);
+    assert_eq!(rays(&stats)[2..5], [0, 0, 0]);
+    assert!(picture != plain);
+}
+
+#[test]
+fn rays_that_are_not_seen_are_sent_if_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("glass.nff");
+    // The glass mirrors nothing.
+    let glass = "l 9 9 9\nf 1 1 1 0.2 0 0 0.8 1.1\ns 0 0 0 1\n";
+    fs::write(&path, format!("{VIEW}{glass}")).unwrap();
+    let path = path.to_str().unwrap();
+    let (plain, seen) = traced(path, &[]);
+    let (picture, all) = traced(path, &["--spd-rays"]);
+    let [eye, eye_hit, reflected, refracted, ..] = rays(&seen);
+    assert!(eye_hit > 0);
+    let [all_eye, all_hit, all_reflected, all_refracted, ..] = rays(&all);
+    assert_eq!((all_eye, all_hit), (eye, eye_hit));
+    assert!(all_reflected > 2 * reflected && all_refracted > refracted);
+    assert!(picture == plain);
+}
+
+#[test]
+fn shapes_other_than_spheres_are_drawn() {
+    let (_, stats) = traced("tetra:3", &[]);
+    let [_, eye_hit, reflected, refracted, shadow, ..] = rays(&stats);
+    assert!(eye_hit > 96 * 54 / 10 && shadow > eye_hit / 2);
+    assert_eq!((reflected, refracted), (0, 0));
+}
+
+#[test]
+fn a_scene_that_is_too_large_says_how_much_of_it_fits() {
+    let parts = [
+        "sphereflake",
+        "more than 1024 spheres: the scene has about 7381; about ",
+        " of its 7381 spheres fit",
+    ];
+    bad(&["render", "sphereflake:4", "--size", "16x16"], &parts);
+    bad(
+        &["render", "tetra:5", "--size", "16x16"],
+        &[
+            "tetra",
+            "more than 1024 triangles: the scene has about 4096; about ",
+            " of its 4096 triangles fit",
+        ],
+    );
+    let parts = [
+        "bytes of local store",
+        // No ray that is worth sending gets as deep as 16.
+        "with rays of depth 13",
+        "spheres fit",
+    ];
+    bad(
+        &[
+            "render",
+            "sphereflake:3",
+            "--size",
+            "16x16",
+            "--ray-depth",
+            "16",
+        ],
+        &parts,
+    );
+    let output = cellray(&["render", "sphereflake:4", "--size", "16x16"]);
+    assert_eq!(output.status.code(), Some(1));
+    let many = "l 0 0 9\n".repeat(65);
+    bad_scene(
+        &format!("{VIEW}{many}s 0 0 0 1\n"),
+        &["bad.nff:73: more than 64 lights"],
+    );
+}

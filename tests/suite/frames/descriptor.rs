@@ -1,0 +1,68 @@
+//! A good frame descriptor of 64x32 pixels, and the bytes that it points to.
+
+use cellray::Scene;
+use cellray::Settings;
+use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
+use cellray::work::{self, Addresses, EyeSpheres, Lens, Order, Skip, Split, Units};
+use protocol::layout::Frame;
+
+/// Pixels across and down: two tiles.
+pub const SIZE: (u32, u32) = (64, 32);
+
+/// A frame, less the addresses of what it points to in main memory, which are 0.
+pub struct Descriptor {
+    pub frame: Frame,
+    pub spheres: Vec<u8>,
+    /// The scene of Whitted's model; a line of zeros without one.
+    pub block: Vec<u8>,
+    /// Each SPU's share is a slice of these.
+    pub units: Vec<u8>,
+    /// Where the picture goes: of this the frame has the address.
+    pub framebuffer: Memory,
+}
+
+impl Descriptor {
+    pub fn of(scene: &nff::Scene, spus: u32) -> Self {
+        let scene = Scene::from_nff(scene).unwrap();
+        let (width, height) = SIZE;
+        let mut framebuffer = Memory::new(Geometry { width, height }).unwrap();
+        let target = framebuffer.target();
+        let camera = scene.camera(width, height).unwrap();
+        let mut records = EyeSpheres::default();
+        let lens = Lens::new(&camera, target.geometry);
+        let program = Settings::default().program.formulations().unwrap();
+        records.look(scene.spheres(), &lens, Skip::Misses, program.eye.record);
+        let mut units = Units::default();
+        units.cut(&[0, 1], spus, Split::Slices, None);
+        let frame = work::describe(&Order {
+            scene: &scene,
+            camera: &camera,
+            target: &target,
+            addresses: Addresses {
+                spheres: 0,
+                scene: 0,
+                unit_counter: 0,
+                statistics: 0,
+                units: 0,
+                costs: 0,
+            },
+            sphere_count: records.records().len() as u32,
+            units: &units,
+            number: 1,
+            spus,
+            split: Split::Slices,
+            skip: Skip::Misses,
+            check_shaders: false,
+        });
+        let block = scene
+            .block()
+            .map_or(vec![0; 128], |block| block.bytes().to_vec());
+        Self {
+            frame,
+            spheres: records.bytes().to_vec(),
+            block,
+            units: units.bytes().to_vec(),
+            framebuffer,
+        }
+    }
+}

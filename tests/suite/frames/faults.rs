@@ -1,0 +1,281 @@
+//! SPU programs that go wrong: each becomes an error that says which SPU, where and why, in time,
+//! and no picture is passed off as whole.
+
+use std::fs;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use crate::recorder::nff_scene;
+use cellray::framebuffer::{Geometry, Png};
+use cellray::spe::Program;
+use cellray::{Engine, EngineError, Scene, Settings};
+use spu_build::{Image, Tools};
+
+/// Assembles a program whose frame loop is `body`: it has taken a mail when it gets there.
+fn program(body: &str) -> Program {
+    let taking = "        rdch $3,$SPU_RdInMbox\n        rdch $4,$SPU_RdInMbox\n        or $5,$3,$4\n        \
+                  brz $5,quit\n";
+    assemble(&format!(
+        "{taking}{body}\n        br _start\nquit:\n        stop 0x2000\n"
+    ))
+}
+
+/// Assembles a program of these instructions.
+fn assemble(source: &str) -> Program {
+    let folder = tempfile::tempdir().unwrap();
+    let source = format!(
+        "        .include \"work_unit.inc\"\n        .text\n        .global _start\n_start:\n{source}"
+    );
+    fs::write(folder.path().join("fault.s"), source).unwrap();
+    let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/suite/frames/program.ld");
+    let elf = folder.path().join("fault.elf");
+    Image::from_folder(folder.path(), &script)
+        .and_then(|image| {
+            let image = image.constants();
+            image.build(&Tools::find()?, folder.path(), &elf)
+        })
+        .unwrap();
+    let image = fs::read(elf).unwrap().leak();
+    // SAFETY: the linker made it.
+    unsafe { Program::from_elf(image) }
+}
+
+/// Renders with a program that goes wrong; gives the error after checking that it came in time and
+/// that nothing was written.
+fn render(body: &str, timeout: Duration) -> EngineError {
+    render_with(program(body), timeout)
+}
+
+fn render_with(program: Program, timeout: Duration) -> EngineError {
+    let folder = tempfile::tempdir().unwrap();
+    let picture = folder.path().join("picture.png");
+    let framebuffer = Png::new(
+        &picture,
+        Geometry {
+            width: 64,
+            height: 64,
+        },
+    )
+    .unwrap();
+    let settings = Settings {
+        spus: 3,
+        timeout,
+        program,
+        ..Settings::default()
+    };
+    let mut engine = Engine::start(settings, Box::new(framebuffer)).unwrap();
+    let scene = Scene::from_nff(&nff_scene("paper16.nff")).unwrap();
+    let start = Instant::now();
+    let error = engine.render(&scene, &mut |_| ()).unwrap_err();
+    drop(engine);
+    assert!(
+        start.elapsed() < timeout + Duration::from_secs(20),
+        "{error} took its time"
+    );
+    let left: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
+    assert!(
+        left.is_empty(),
+        "{left:?} is left of a picture that never was"
+    );
+    error
+}
+
+fn check(body: &str, parts: &[&str]) {
+    let error = render(body, Duration::from_secs(60));
+    assert!(matches!(error, EngineError::Ended { .. }), "{error}");
+    let text = error.to_string();
+    for part in parts {
+        assert!(text.contains(part), "no {part:?} in: {text}");
+    }
+}
+
+const DMA: &str = "
+        il $10,0x1000
+        wrch $MFC_LSA,$10
+        wrch $MFC_EAH,$3
+        wrch $MFC_EAL,$4
+        il $11,0
+        wrch $MFC_TagID,$11";
+
+#[test]
+fn an_unknown_stop_code() {
+    check(
+        "        stop 0x1234",
+        &["SPU ", "unknown code 0x1234", "0x00010", "0x00001234"],
+    );
+}
+
+#[test]
+fn an_exit_in_the_middle() {
+    check("        stop 0x2007", &["exited with code 7"]);
+}
+
+#[test]
+fn a_halt() {
+    check("        heq $3,$3", &["halt"]);
+}
+
+#[test]
+fn an_invalid_instruction() {
+    check("        .long 0x00800000", &["invalid instruction"]);
+}
+
+#[test]
+fn a_dma_of_an_impossible_size() {
+    let body = format!(
+        "{DMA}\n        il $12,24\n        wrch $MFC_Size,$12\n        il $13,0x40\n        wrch $MFC_Cmd,$13"
+    );
+    check(&body, &["DMA alignment", "0x0008"]);
+}
+
+#[test]
+fn a_dma_over_16_kb() {
+    let body = format!(
+        "{DMA}\n        ila $12,0x8000\n        wrch $MFC_Size,$12\n        il $13,0x40\n        wrch $MFC_Cmd,$13"
+    );
+    check(&body, &["DMA alignment"]);
+}
+
+#[test]
+fn an_unknown_dma_command() {
+    let body = format!(
+        "{DMA}\n        il $12,16\n        wrch $MFC_Size,$12\n        il $13,0x13\n        wrch $MFC_Cmd,$13"
+    );
+    check(&body, &["invalid DMA command", "0x0800"]);
+}
+
+#[test]
+fn a_dma_to_memory_that_is_not_there() {
+    let body = format!(
+        "{DMA}\n        il $10,64\n        wrch $MFC_LSA,$10\n        wrch $MFC_EAH,$11\n        \
+         wrch $MFC_EAL,$10\n        il $12,16\n        wrch $MFC_Size,$12\n        \
+         wrch $MFC_TagID,$11\n        il $13,0x20\n        wrch $MFC_Cmd,$13\n        \
+         il $14,1\n        wrch $MFC_WrTagMask,$14\n        il $14,2\n        \
+         wrch $MFC_WrTagUpdate,$14\n        rdch $15,$MFC_RdTagStat"
+    );
+    check(&body, &["memory that is not there", "0x0040"]);
+}
+
+/// What is said of SPUs that do not answer for a second.
+fn silence(program: Program) -> String {
+    let error = render_with(program, Duration::from_secs(1));
+    assert!(
+        matches!(error, EngineError::Silent { spu: 0, .. }),
+        "{error}"
+    );
+    let text = error.to_string();
+    let begin = "SPU 0 has not answered, and for 1 s no SPU has taken or finished any work (0 of 4 work units";
+    assert!(
+        text.starts_with(begin) && text.contains("--timeout"),
+        "{text}"
+    );
+    text
+}
+
+#[test]
+fn a_program_that_sleeps() {
+    let text = silence(program("        rdch $5,$SPU_RdSigNotify1"));
+    assert!(text.contains("waited for a channel"), "{text}");
+}
+
+#[test]
+fn a_program_that_goes_round_in_circles() {
+    let text = silence(program("        nop\ncircle: nop\n        br circle"));
+    // The mail takes four instructions.
+    let places = ["was at 0x00014, circle;", "was at 0x00018, circle+0x4;"];
+    assert!(places.iter().any(|place| text.contains(place)), "{text}");
+}
+
+#[test]
+fn a_program_that_does_not_look_at_its_mail() {
+    let text = silence(assemble("        br _start\n"));
+    assert!(text.contains("has not read its mailbox"), "{text}");
+}
+
+/// Takes six units, each after 0.4 s by the decrementer, and answers that all is done: longer than
+/// a second in all, but never a second without a unit taken.
+const SLOWLY: &str = "
+        ila $10,0x1000
+        wrch $MFC_LSA,$10
+        wrch $MFC_EAH,$3
+        wrch $MFC_EAL,$4
+        il $11,0
+        wrch $MFC_TagID,$11
+        il $12,FRAME_SIZE
+        wrch $MFC_Size,$12
+        il $13,0x40
+        wrch $MFC_Cmd,$13
+        il $14,1
+        wrch $MFC_WrTagMask,$14
+        il $14,2
+        wrch $MFC_WrTagUpdate,$14
+        rdch $15,$MFC_RdTagStat
+        lqa $20,0x1000 + (FRAME_unit_counter & -16)
+        rotqbyi $20,$20,FRAME_unit_counter & 15
+        rotqbyi $21,$20,4
+        il $30,6
+        ilhu $31,0x1e7
+next:   il $16,-1
+        wrch $SPU_WrDec,$16
+wait:   rdch $17,$SPU_RdDec
+        sf $17,$17,$16
+        clgt $18,$17,$31
+        brz $18,wait
+take:   ila $10,0x2000
+        wrch $MFC_LSA,$10
+        wrch $MFC_EAH,$20
+        wrch $MFC_EAL,$21
+        il $13,0xd0
+        wrch $MFC_Cmd,$13
+        rdch $15,$MFC_RdAtomicStat
+        lqa $22,0x2000
+        ai $22,$22,1
+        stqa $22,0x2000
+        wrch $MFC_LSA,$10
+        wrch $MFC_EAH,$20
+        wrch $MFC_EAL,$21
+        il $13,0xb4
+        wrch $MFC_Cmd,$13
+        rdch $15,$MFC_RdAtomicStat
+        brnz $15,take
+        ai $30,$30,-1
+        brnz $30,next
+        il $6,0
+        wrch $SPU_WrOutIntrMbox,$6";
+
+#[test]
+fn a_program_that_is_slow_is_waited_for() {
+    let began = Instant::now();
+    let error = render(SLOWLY, Duration::from_secs(1));
+    let incomplete = matches!(error, EngineError::Incomplete { .. });
+    assert!(incomplete, "{error}");
+    assert!(began.elapsed() > Duration::from_secs(2), "it was not slow");
+}
+
+#[test]
+fn an_answer_that_means_nothing() {
+    let error = render(
+        "        il $6,999\n        wrch $SPU_WrOutIntrMbox,$6",
+        Duration::from_secs(60),
+    );
+    assert!(error.to_string().contains("unknown status 999"), "{error}");
+}
+
+#[test]
+fn a_program_that_says_done_and_has_done_nothing() {
+    let error = render(
+        "        il $6,0\n        wrch $SPU_WrOutIntrMbox,$6",
+        Duration::from_secs(60),
+    );
+    assert!(
+        matches!(
+            error,
+            EngineError::Incomplete {
+                traced: 0,
+                wanted: 4096,
+                ..
+            }
+        ),
+        "{error}"
+    );
+}

@@ -1,0 +1,11 @@
+//! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that go wrong,
+//! and shaders of games.
+
+mod descriptor;
+mod faults;
+mod long_frames;
+mod pictures;
+mod protocol;
+mod random;
+mod retained;
+mod shaders;

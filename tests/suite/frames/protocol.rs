@@ -1,0 +1,422 @@
+//! The SPU's side of the work-unit protocol: what it refuses, and that it goes on afterwards.
+
+use std::time::Duration;
+
+use crate::frames::descriptor::Descriptor;
+use crate::recorder::{Recorder, nff_scene};
+use cellray::framebuffer::Memory;
+use cellray::{Engine, EngineError, Settings, SharedMemory, work};
+use protocol::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter, WorkUnit};
+use zerocopy::big_endian::U32;
+use zerocopy::{FromZeros as _, IntoBytes as _};
+
+/// Makes one field of a descriptor wrong.
+type Spoil = fn(&mut Frame);
+
+const WHITTED: &[u8] = b"\
+v
+from 0.6 -14.2 3.7
+at 0.25 0 1.15
+up 0 0 1
+angle 31
+hither 0.01
+resolution 64 32
+b 0.4 0.6 0.8
+l -26 -36 50
+f 0.8 0.7 0.7 0.8 0.2 20 0 1
+s 0 1 1.9 1.9
+p 4
+9 -4 0
+9 9 0
+-9 9 0
+-9 -4 0
+p 3
+-3 -3 0
+-1 -3 0
+-2 -3 2
+c
+3 0 0 1
+3 0 2 0
+";
+
+/// An engine, and a good frame descriptor with all that it points to.
+struct Fixture {
+    engine: Engine,
+    frame: Frame,
+    units: SharedMemory,
+    _memory: Vec<SharedMemory>,
+    _framebuffer: Memory,
+}
+
+/// A frame by depth shading.
+fn fixture(spus: u32) -> Fixture {
+    fixture_of(&nff_scene("paper13.nff"), spus)
+}
+
+/// A frame by Whitted's model: spheres, parallelograms, triangles and a cone.
+fn whitted_fixture(spus: u32) -> Fixture {
+    let scene = nff::parse(WHITTED, "all shapes", &nff::Limits::default()).unwrap();
+    fixture_of(&scene, spus)
+}
+
+fn fixture_of(scene: &nff::Scene, spus: u32) -> Fixture {
+    let Descriptor {
+        mut frame,
+        spheres,
+        block,
+        units,
+        framebuffer,
+    } = Descriptor::of(scene, spus);
+    let shared = |bytes: &[u8]| {
+        let mut memory = SharedMemory::new(bytes.len());
+        memory.write(0, bytes);
+        memory
+    };
+    let costs = SharedMemory::new(units.len());
+    let [spheres, whitted, units] = [spheres, block, units].map(|bytes| shared(&bytes));
+    let unit_counter = SharedMemory::new(size_of::<UnitCounter>());
+    let statistics = SharedMemory::new(size_of::<Statistics>() * spus as usize);
+    frame.spheres = spheres.address().into();
+    frame.scene = whitted.address().into();
+    frame.unit_counter = unit_counter.address().into();
+    frame.statistics = statistics.address().into();
+    frame.units = units.address().into();
+    frame.costs = costs.address().into();
+    let settings = Settings {
+        spus,
+        timeout: Duration::from_secs(30),
+        ..Settings::default()
+    };
+    let (recorder, _) = Recorder::pair(4, 4);
+    Fixture {
+        engine: Engine::start(settings, recorder).unwrap(),
+        frame,
+        units,
+        _memory: vec![spheres, whitted, unit_counter, statistics, costs],
+        _framebuffer: framebuffer,
+    }
+}
+
+impl Fixture {
+    fn submit(&mut self, frame: &Frame) -> Result<(), EngineError> {
+        // SAFETY: every address is either one of the fixture's memory, which lives on, or one that
+        // the SPUs must refuse without using it, which is what is tested.
+        unsafe { self.engine.submit(frame, &mut |_| ()) }.map(|_| ())
+    }
+
+    fn refused(&mut self, frame: &Frame) -> work::Refusal {
+        match self.submit(frame) {
+            Err(EngineError::Refused { refusal, .. }) => refusal,
+            Ok(()) => panic!("accepted {frame:?}"),
+            Err(error) => panic!("{error}"),
+        }
+    }
+
+    /// Tries each wrong field, whose name and a part of whose message the case has, and the good
+    /// frame after it.
+    fn refuses(&mut self, cases: &[(&str, &str, Spoil)]) {
+        let good = self.frame;
+        for (field, part, spoil) in cases {
+            let mut frame = good;
+            spoil(&mut frame);
+            let refusal = self.refused(&frame);
+            let text = refusal.to_string();
+            assert!(
+                refusal.field.split(", ").any(|name| name == *field),
+                "{field}: {text}"
+            );
+            assert!(text.contains(part), "{field}: {text}");
+            self.submit(&good)
+                .unwrap_or_else(|error| panic!("after {field}: {error}"));
+        }
+    }
+}
+
+#[test]
+fn every_wrong_field_is_refused_by_name_and_the_next_frame_is_traced() {
+    let cases: [(&str, &str, Spoil); 32] = [
+        ("magic", "0x43524119", |frame| {
+            frame.magic = (0x4352_4159_u32 ^ 0x40).into()
+        }),
+        ("version", "1 (0x1)", |frame| frame.version = 1.into()),
+        ("size", "256 (0x100)", |frame| frame.size = 256.into()),
+        ("features", "2147483649", |frame| {
+            frame.features = 0x8000_0001_u32.into()
+        }),
+        ("spus", "0 (0x0)", |frame| frame.spus = 0.into()),
+        ("spus", "17 (0x11)", |frame| frame.spus = 17.into()),
+        ("spus", "1 (0x1)", |frame| frame.spus = 1.into()),
+        ("split", "2 (0x2)", |frame| frame.split = 2.into()),
+        ("width", "0 (0x0)", |frame| frame.width = 0.into()),
+        ("width", "8193 (0x2001)", |frame| frame.width = 8193.into()),
+        ("height", "0 (0x0)", |frame| frame.height = 0.into()),
+        ("height", "4294967295", |frame| {
+            frame.height = u32::MAX.into()
+        }),
+        ("stride", "260 (0x104)", |frame| frame.stride = 260.into()),
+        ("stride", "240 (0xf0)", |frame| frame.stride = 240.into()),
+        ("stride", "65536 (0x10000)", |frame| {
+            frame.stride = 65536.into()
+        }),
+        ("framebuffer", "8)", |frame| {
+            frame.framebuffer = (frame.framebuffer.get() + 8).into()
+        }),
+        ("spheres", "", |frame| {
+            frame.spheres = (frame.spheres.get() + 64).into()
+        }),
+        ("unit_counter", "", |frame| {
+            frame.unit_counter = (frame.unit_counter.get() + 4).into()
+        }),
+        ("units", "", |frame| {
+            frame.units = (frame.units.get() + 64).into()
+        }),
+        ("costs", "", |frame| {
+            frame.costs = (frame.costs.get() + 8).into()
+        }),
+        ("unit_count", "3 (0x3)", |frame| frame.unit_count = 3.into()),
+        ("unit_count", "4294967295", |frame| {
+            frame.unit_count = u32::MAX.into()
+        }),
+        ("skip", "2 (0x2)", |frame| frame.skip = 2.into()),
+        ("statistics", "", |frame| {
+            frame.statistics = (frame.statistics.get() + 16).into()
+        }),
+        ("sphere_count", "2049 (0x801)", |frame| {
+            frame.sphere_count = 2049.into()
+        }),
+        ("sphere_count", "1073741824", |frame| {
+            frame.sphere_count = 0x4000_0000.into()
+        }),
+        ("sphere_count", "13 (0xd)", |frame| {
+            frame.features = 0.into()
+        }),
+        ("red_shift", "8 (0x8)", |frame| frame.red_shift = 8.into()),
+        ("green_shift", "4 (0x4)", |frame| {
+            frame.green_shift = 4.into()
+        }),
+        ("red_shift", "25 (0x19)", |frame| {
+            frame.red_shift = 25.into()
+        }),
+        ("green_shift", "25 (0x19)", |frame| {
+            frame.green_shift = 25.into()
+        }),
+        ("blue_shift", "4294967295", |frame| {
+            frame.blue_shift = u32::MAX.into()
+        }),
+    ];
+    fixture(2).refuses(&cases);
+}
+
+#[test]
+fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
+    let cases: [(&str, &str, Spoil); 26] = [
+        ("scene", "must be a multiple of 128", |frame| {
+            frame.scene = (frame.scene.get() + 64).into()
+        }),
+        (
+            "scene_bytes",
+            "must be a multiple of 128 and leave",
+            |frame| frame.scene_bytes = (frame.scene_bytes.get() + 64).into(),
+        ),
+        ("scene_bytes", "leave room", |frame| {
+            frame.scene_bytes = (SCENE_ROOM + 128).into()
+        }),
+        ("scene_bytes", "4294967168", |frame| {
+            frame.scene_bytes = 0xffff_ff80.into()
+        }),
+        ("scene_bytes", "4294967295", |frame| {
+            frame.scene_bytes = u32::MAX.into()
+        }),
+        // Fifteen depths of three batches of eight packets wait in 184320 bytes.
+        (
+            "ray_depth",
+            "16 (0x10), 8 (0x8): must be a multiple",
+            |frame| {
+                frame.ray_depth = 16.into();
+                frame.batch = 8.into();
+            },
+        ),
+        ("ray_depth", "0 (0x0): must be 1 to 16", |frame| {
+            frame.ray_depth = 0.into()
+        }),
+        ("ray_depth", "17 (0x11): must be 1 to 16", |frame| {
+            frame.ray_depth = 17.into()
+        }),
+        ("ray_depth", "4294967295", |frame| {
+            frame.ray_depth = u32::MAX.into()
+        }),
+        ("batch", "0 (0x0): must be 1 to 8", |frame| {
+            frame.batch = 0.into()
+        }),
+        ("batch", "9 (0x9): must be 1 to 8", |frame| {
+            frame.batch = 9.into()
+        }),
+        ("light_count", "65 (0x41): must be at most 64", |frame| {
+            frame.light_count = 65.into()
+        }),
+        ("lights", "on quadwords of the scene", |frame| {
+            frame.lights = (SCENE_ADDRESS - 16).into()
+        }),
+        ("lights", "on quadwords of the scene", |frame| {
+            frame.lights = (frame.lights.get() + 8).into()
+        }),
+        ("lights", "on quadwords of the scene", |frame| {
+            frame.lights = (SCENE_ADDRESS + frame.scene_bytes.get() - 16).into()
+        }),
+        ("light_count", "4294967295", |frame| {
+            frame.light_count = u32::MAX.into()
+        }),
+        ("sphere_count", "1 (0x1)", |frame| {
+            frame.sphere_count = 1.into()
+        }),
+        // The scene is too short for what is said to be in it.
+        ("trees", "lie in the scene", |frame| {
+            frame.scene_bytes = 0.into();
+            frame.lights = SCENE_ADDRESS.into();
+            frame.light_count = 0.into();
+        }),
+        ("trees", "1024 objects", |frame| {
+            frame.trees[0].objects = 1025.into()
+        }),
+        ("trees", "1024 objects", |frame| {
+            frame.trees[3].objects = u32::MAX.into()
+        }),
+        ("trees", "at most 4 nodes at the top", |frame| {
+            frame.trees[1].root_count = 0.into()
+        }),
+        ("trees", "at most 4 nodes at the top", |frame| {
+            frame.trees[2].root_count = 5.into()
+        }),
+        ("trees", "6 levels", |frame| {
+            frame.trees[0].levels = 7.into()
+        }),
+        ("trees", "lie in the scene", |frame| {
+            frame.trees[1].roots = (SCENE_ADDRESS - 128).into()
+        }),
+        ("trees", "lie in the scene", |frame| {
+            frame.trees[2].roots = (SCENE_ADDRESS + frame.scene_bytes.get()).into()
+        }),
+        ("trees", "lie in the scene", |frame| {
+            frame.trees[3].roots = (frame.trees[3].roots.get() + 8).into()
+        }),
+    ];
+    whitted_fixture(2).refuses(&cases);
+}
+
+#[test]
+fn what_whitteds_model_may_say_at_most_is_traced() {
+    let mut fixture = whitted_fixture(1);
+    let good = fixture.frame;
+    let most: [Spoil; 4] = [
+        |frame| {
+            frame.ray_depth = 16.into();
+            frame.batch = 1.into();
+        },
+        |frame| {
+            frame.ray_depth = 1.into();
+            frame.batch = 8.into();
+        },
+        |frame| frame.light_count = 0.into(),
+        // A tree of no objects is not looked at.
+        |frame| {
+            frame.trees[0].objects = 0.into();
+            frame.trees[0].roots = u32::MAX.into();
+        },
+    ];
+    for change in most {
+        let mut frame = good;
+        change(&mut frame);
+        fixture.submit(&frame).unwrap();
+    }
+}
+
+#[test]
+fn a_descriptor_at_an_odd_address_is_refused() {
+    let mut fixture = fixture(1);
+    let frame = fixture.frame;
+    for address in [0x1_0000_0040_u64, 0x1001, 0x7f] {
+        // SAFETY: the SPU must refuse the address without using it, which is what is tested.
+        let error = unsafe { fixture.engine.mail(address, &frame, &mut |_| ()) }.unwrap_err();
+        let EngineError::Refused { refusal, .. } = &error else {
+            panic!("{error}")
+        };
+        assert_eq!(refusal.field, "address");
+        assert!(
+            error.to_string().contains(&format!("{address:#x}")),
+            "{error}"
+        );
+    }
+    fixture.submit(&frame).unwrap();
+}
+
+#[test]
+fn a_work_unit_that_is_none_is_refused() {
+    let mut fixture = fixture(1);
+    let frame = fixture.frame;
+    let mut good = WorkUnit::new_zeroed();
+    fixture.units.read(0, good.as_mut_bytes());
+    let spoils: [fn(&mut WorkUnit); 5] = [
+        |unit| unit.count = 0.into(),
+        |unit| unit.count = 32.into(),
+        |unit| unit.count = u32::MAX.into(),
+        |unit| unit.tiles[0] = 2.into(),
+        |unit| unit.tiles[0] = u32::MAX.into(),
+    ];
+    for spoil in spoils {
+        let mut unit = good;
+        spoil(&mut unit);
+        fixture.units.write(0, unit.as_bytes());
+        let refusal = fixture.refused(&frame);
+        assert_eq!(refusal.field, "tiles");
+        assert_eq!(
+            refusal.to_string(),
+            "refused the work units: tiles: a unit's tiles must be 1 to 31, each within the picture"
+        );
+        fixture.units.write(0, good.as_bytes());
+        fixture.submit(&frame).unwrap();
+    }
+}
+
+#[test]
+fn slices_that_make_no_sense_stay_within_the_picture() {
+    let mut fixture = fixture(2);
+    let mut frame = fixture.frame;
+    for slices in [[U32::new(u32::MAX); 17], [U32::ZERO; 17]] {
+        frame.slices = slices;
+        fixture.submit(&frame).unwrap();
+    }
+}
+
+#[test]
+fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
+    let spoils: [(&str, Spoil); 5] = [
+        ("framebuffer", |frame| frame.framebuffer = 0x1000.into()),
+        ("spheres", |frame| frame.spheres = 0x1000.into()),
+        ("statistics", |frame| frame.statistics = 0x1000.into()),
+        ("units", |frame| frame.units = 0x1000.into()),
+        ("costs", |frame| frame.costs = 0x1000.into()),
+    ];
+    let plain = spoils
+        .into_iter()
+        .map(|(name, spoil)| (name, spoil, fixture(2)));
+    let scene: Spoil = |frame| frame.scene = 0x1000.into();
+    let whitted = std::iter::once(("scene", scene, whitted_fixture(2)));
+    for (name, spoil, mut fixture) in plain.chain(whitted) {
+        let mut frame = fixture.frame;
+        spoil(&mut frame);
+        let error = fixture.submit(&frame).unwrap_err();
+        assert!(
+            matches!(error, EngineError::Ended { .. }),
+            "{name}: {error}"
+        );
+        let text = error.to_string();
+        assert!(
+            text.contains("DMA") && text.contains("memory that is not there"),
+            "{name}: {text}"
+        );
+        assert!(
+            matches!(fixture.submit(&frame), Err(EngineError::Lost)),
+            "{name}"
+        );
+    }
+}

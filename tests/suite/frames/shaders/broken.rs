@@ -1,0 +1,226 @@
+//! Shaders that break the contract: the check names them, and the engine lives on. And those for
+//! which there is no room.
+
+use std::fs;
+use std::process::{Command, Output};
+
+use cellray::scene::{Look, Model};
+use cellray::work::Refusal;
+use cellray::{Engine, EngineError, Scene, Settings};
+
+use super::program::{build, file, image, program};
+use crate::recorder::{Recorder, Shown};
+
+const SIZE: (u32, u32) = (96, 64);
+
+/// A sphere before nothing, so that packets at its rim have lanes of both; a light for the model's
+/// sake.
+fn scene(shader: &str) -> String {
+    format!(
+        "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 30\nhither 1\nresolution 96 64\nb 0.1 0.2 0.3\n\
+         l 4 5 9\nf 0.7 0.6 0.5 1 0 0 0 0\n{shader}\ns 0 0 0 1\n"
+    )
+}
+
+fn parsed(shader: &str) -> Scene {
+    let scene = scene(shader);
+    let scene = nff::parse(scene.as_bytes(), "sphere", &nff::Limits::default()).unwrap();
+    let look = Look {
+        model: Model::Whitted,
+        ..Look::default()
+    };
+    Scene::new(&scene, look, &program()).unwrap()
+}
+
+fn engine(check_shaders: bool) -> (Engine, Shown) {
+    let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
+    let settings = Settings {
+        spus: 2,
+        retain: false,
+        check_shaders,
+        program: program(),
+        ..Settings::default()
+    };
+    (Engine::start(settings, framebuffer).unwrap(), shown)
+}
+
+fn refused(engine: &mut Engine, scene: &Scene) -> Refusal {
+    match engine.render(scene, &mut |_| ()) {
+        Err(EngineError::Refused { refusal, .. }) => refusal,
+        Ok(_) => panic!("accepted"),
+        Err(error) => panic!("{error}"),
+    }
+}
+
+#[test]
+fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
+    let good = parsed("#cellray shader rings 1 0 0 4");
+    let (mut unchecked, shown) = engine(false);
+    unchecked.render(&good, &mut |_| ()).unwrap();
+    let expected = shown.lock().unwrap().take().unwrap();
+
+    let (mut engine, shown) = engine(true);
+    for (shader, broken) in [
+        ("changes_90", "changed $90, which it has to keep"),
+        (
+            "overruns_stack",
+            "wrote below the 1024 bytes of stack that it has",
+        ),
+        (
+            "paints_all_lanes",
+            "changed surfaces that it was not to shade",
+        ),
+    ] {
+        let bad = parsed(&format!("#cellray shader {shader}"));
+        let refusal = refused(&mut engine, &bad);
+        assert_eq!(
+            refusal.to_string(),
+            format!("found the shader {shader} to break its contract: it {broken}")
+        );
+        assert!(shown.lock().unwrap().is_none(), "{shader}: a picture");
+        engine.render(&good, &mut |_| ()).unwrap();
+        let picture = shown.lock().unwrap().take().unwrap();
+        assert!(picture == expected, "after {shader}");
+    }
+}
+
+/// The tracer's program refuses what is right, as a shader has changed what it goes by: the error
+/// says how to find that out, and needs not to once it is found.
+#[test]
+fn an_error_without_the_check_names_the_check() {
+    let bad = parsed("#cellray shader changes_93");
+    for (check_shaders, parts) in [
+        (false, ["refused the work units: tiles", "--check-shaders"]),
+        (true, ["the shader changes_93", "it changed $93"]),
+    ] {
+        let (mut engine, _) = engine(check_shaders);
+        let error = engine.render(&bad, &mut |_| ()).unwrap_err();
+        let text = error.to_string();
+        assert!(parts.iter().all(|part| text.contains(part)), "{text}");
+        assert_eq!(text.contains("--check-shaders"), !check_shaders, "{text}");
+    }
+}
+
+/// What the lanes outside have is the background's own colour, which theirs does not change:
+/// without the check nobody would notice.
+#[test]
+fn what_is_not_checked_is_not_found() {
+    let (mut engine, shown) = engine(false);
+    let bad = parsed("#cellray shader paints_all_lanes");
+    engine.render(&bad, &mut |_| ()).unwrap();
+    let picture = shown.lock().unwrap().take().unwrap();
+    assert_eq!(picture.get_pixel(0, 0).0, [26, 51, 77]);
+    let middle = picture.get_pixel(SIZE.0 / 2, SIZE.1 / 2).0;
+    assert!(middle[0] > middle[1], "{middle:?}");
+}
+
+/// A scene's numbers are those of the program that it was made with: another program may have
+/// fewer.
+#[test]
+fn a_number_that_the_program_does_not_have_is_refused() {
+    let other = parsed("#cellray shader rings 1 0 0 4");
+    let (framebuffer, _) = Recorder::pair(SIZE.0, SIZE.1);
+    let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
+    let number = program().shader("rings").unwrap();
+    assert_eq!(
+        refused(&mut engine, &other).to_string(),
+        format!("has no shader {number}, which a material asks for")
+    );
+    let plain = parsed("");
+    engine.render(&plain, &mut |_| ()).unwrap();
+}
+
+#[test]
+fn a_shader_for_which_there_is_no_room_is_not_linked() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = "        .include \"macros.inc\"\n        .include \"shader.inc\"\n\nshader large\n        \
+                  bi      $lr\n        .skip   0x10000\nendshader large\n";
+    fs::write(folder.path().join("large.s"), source).unwrap();
+    let error = build(&[folder.path()], &folder.path().join("tracer.elf")).unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.contains("code and fixed data are too large for the local store"),
+        "{text}"
+    );
+}
+
+#[test]
+fn a_name_that_is_too_long_is_not_assembled() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = "        .include \"macros.inc\"\n        .include \"shader.inc\"\n\n\
+                  shader seventeen_letters\n        bi      $lr\nendshader seventeen_letters\n";
+    fs::write(folder.path().join("long.s"), source).unwrap();
+    let error = build(&[folder.path()], &folder.path().join("tracer.elf")).unwrap_err();
+    let text = error.to_string();
+    assert!(
+        text.contains("the name of a shader has at most 16 characters: seventeen_letters"),
+        "{text}"
+    );
+}
+
+/// `cellray render` with the program of these tests and a scene of one sphere.
+fn cellray(shader: &str, options: &[&str]) -> (Output, Option<Vec<u8>>) {
+    let folder = tempfile::tempdir().unwrap();
+    let [scene_file, image_file, picture] =
+        ["sphere.nff", "tracer.elf", "picture.png"].map(|name| folder.path().join(name));
+    fs::write(&scene_file, scene(shader)).unwrap();
+    fs::write(&image_file, image()).unwrap();
+    let output = Command::new(env!("CARGO_BIN_EXE_cellray"))
+        .arg("render")
+        .arg(scene_file)
+        .arg("--program")
+        .arg(image_file)
+        .arg("--out")
+        .arg(&picture)
+        .args(options)
+        .output()
+        .unwrap();
+    (output, fs::read(picture).ok())
+}
+
+#[test]
+fn the_command_line_checks_a_games_shaders() {
+    let rings = "#cellray shader rings 1 0 0 4";
+    let (output, plain) = cellray(rings, &[]);
+    assert!(output.status.success(), "{output:?}");
+    let (output, checked) = cellray(rings, &["--check-shaders"]);
+    assert!(output.status.success(), "{output:?}");
+    assert!(plain.is_some() && plain == checked);
+
+    let (output, picture) = cellray("#cellray shader changes_90", &["--check-shaders"]);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{error}");
+    assert!(picture.is_none());
+    assert!(
+        error.contains("the shader changes_90 to break its contract: it changed $90"),
+        "{error}"
+    );
+    let (output, _) = cellray("#cellray shader ringz", &[]);
+    let error = String::from_utf8_lossy(&output.stderr);
+    assert!(
+        error.contains("sphere.nff:10: the SPU program has no shader `ringz`"),
+        "{error}"
+    );
+}
+
+#[test]
+fn what_is_no_program_is_not_run() {
+    let run = |program: &str| {
+        Command::new(env!("CARGO_BIN_EXE_cellray"))
+            .args(["render", "scenes/paper1.nff", "--size", "8x8", "--program"])
+            .arg(program)
+            .current_dir(file(""))
+            .output()
+            .unwrap()
+    };
+    for (program, part) in [
+        ("no/such.elf", "no/such.elf: "),
+        ("scenes/paper1.nff", "no SPU program: "),
+        (env!("CARGO_BIN_EXE_cellray"), "no SPU program: "),
+    ] {
+        let output = run(program);
+        let error = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(1), "{program}: {error}");
+        assert!(error.contains(part), "{program}: {error}");
+    }
+}

@@ -1,0 +1,6 @@
+//! Shaders that games bring: the rings of `examples/shader`, and those of `broken_shaders`, which
+//! break the contract.
+
+mod broken;
+mod program;
+mod rings;

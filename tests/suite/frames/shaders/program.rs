@@ -1,0 +1,43 @@
+//! The tracer's program with shaders of one's own in it.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::sync::OnceLock;
+
+use cellray::spe::Program;
+use spu_build::{Error, Tools, tracer};
+
+/// A file of this repository.
+pub fn file(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
+
+/// Builds the tracer's program with the sources of these folders into `image`.
+pub fn build(folders: &[&Path], image: &Path) -> Result<(), Error> {
+    let work = tempfile::tempdir().unwrap();
+    let program = folders
+        .iter()
+        .try_fold(tracer()?, |program, folder| program.folder(folder))?;
+    program.build(&Tools::find()?, work.path(), image)
+}
+
+/// The image that has the shaders of the example and those of `tests/suite/frames/broken_shaders`;
+/// it is built once.
+pub fn image() -> &'static [u8] {
+    static IMAGE: OnceLock<Vec<u8>> = OnceLock::new();
+    IMAGE.get_or_init(|| {
+        let folder = tempfile::tempdir().unwrap();
+        let image = folder.path().join("tracer.elf");
+        let folders = [
+            file("examples/shader/shaders"),
+            file("tests/suite/frames/broken_shaders"),
+        ];
+        build(&folders.each_ref().map(PathBuf::as_path), &image).unwrap();
+        fs::read(image).unwrap()
+    })
+}
+
+/// Its program.
+pub fn program() -> Program {
+    Program::from_image(image()).unwrap()
+}

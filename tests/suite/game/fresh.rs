@@ -1,0 +1,247 @@
+//! A world that has changed is traced as a new scene of the same content, byte for byte.
+
+use cellray::game::{DVec3, Light, LightId, Look, MaterialId, Model, ObjectId, World};
+use cellray::spe::Program;
+use cellray::{Engine, Scene, Settings};
+use rand::seq::IndexedRandom as _;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use crate::game::content;
+use crate::recorder::{Recorder, Shown};
+
+const SIZE: (u32, u32) = (192, 80);
+const TILES: u64 = 3 * 5;
+
+/// A world, and what is in it.
+struct Played {
+    world: World,
+    goes_on: bool,
+    objects: Vec<ObjectId>,
+    materials: Vec<MaterialId>,
+    lights: Vec<LightId>,
+}
+
+impl Played {
+    fn new(random: &mut ChaCha8Rng, look: Look, lights: usize, goes_on: bool) -> Self {
+        let mut world = World::new();
+        world.set_look(look);
+        let mut played = Self {
+            world,
+            goes_on,
+            objects: Vec::new(),
+            materials: Vec::new(),
+            lights: Vec::new(),
+        };
+        let world = &mut played.world;
+        world.set_background(DVec3::new(0.1, 0.2, 0.3)).unwrap();
+        world.set_ambient(DVec3::splat(0.1)).unwrap();
+        for _ in 0..lights {
+            played
+                .lights
+                .push(world.add_light(content::light(random)).unwrap());
+        }
+        for _ in 0..5 {
+            let material = content::material(random, goes_on);
+            played.materials.push(world.add_material(material).unwrap());
+        }
+        for _ in 0..random.random_range(1..40) {
+            played.add(random);
+        }
+        played
+    }
+
+    fn add(&mut self, random: &mut ChaCha8Rng) {
+        let material = *self.materials.choose(random).unwrap();
+        let object = self.world.add(content::shape(random), material).unwrap();
+        self.objects.push(object);
+    }
+
+    /// Changes something, in most cases little.
+    fn change(&mut self, random: &mut ChaCha8Rng) {
+        let Self { world, .. } = self;
+        let object = self.objects.choose(random).copied();
+        let material = *self.materials.choose(random).unwrap();
+        let light = self.lights.choose(random).copied();
+        match (random.random_range(0..40), object, light) {
+            (0..14, Some(object), _) => {
+                let way = content::vector(random, 0.5);
+                let place = world.position(object).unwrap() + way;
+                world.move_to(object, place).unwrap();
+            }
+            (14..17, Some(object), _) => world.reshape(object, content::shape(random)).unwrap(),
+            (17..20, Some(object), _) => world.make_of(object, material).unwrap(),
+            (20..23, Some(object), _) => {
+                let visible = world.is_visible(object).unwrap();
+                world.show(object, !visible).unwrap();
+            }
+            (23..26, Some(object), _) => {
+                world.remove(object).unwrap();
+                self.objects.retain(|known| *known != object);
+            }
+            (26..29, _, _) => self.add(random),
+            (29..31, _, _) => world.recolour(material, content::colour(random)).unwrap(),
+            (31, _, _) => {
+                let other = content::material(random, self.goes_on);
+                world.set_material(material, other).unwrap();
+            }
+            (32, _, _) => {
+                let other = content::material(random, self.goes_on);
+                self.materials.push(world.add_material(other).unwrap());
+            }
+            (33, _, Some(light)) => world.set_light(light, content::light(random)).unwrap(),
+            (34, _, Some(light)) if self.lights.len() > 1 => {
+                world.remove_light(light).unwrap();
+                self.lights.retain(|known| *known != light);
+            }
+            (35, _, Some(_)) => {
+                let light = world.add_light(content::light(random)).unwrap();
+                self.lights.push(light);
+            }
+            (36, _, _) => world.set_background(content::colour(random)).unwrap(),
+            (37, _, _) => {
+                let from = DVec3::new(0.0, 1.0, 10.0) + content::vector(random, 2.0);
+                world.look_from(from, content::vector(random, 0.5)).unwrap();
+            }
+            (38, _, _) => world.set_ambient(content::colour(random) * 0.2).unwrap(),
+            _ => {}
+        }
+    }
+}
+
+struct Screen {
+    engine: Engine,
+    shown: Shown,
+}
+
+impl Screen {
+    fn new(retain: bool) -> Self {
+        let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
+        let settings = Settings {
+            spus: 2,
+            retain,
+            ..Settings::default()
+        };
+        Self {
+            engine: Engine::start(settings, framebuffer).unwrap(),
+            shown,
+        }
+    }
+
+    /// The picture of a scene, and how many tiles were not traced for it.
+    fn picture(&mut self, scene: &Scene) -> (image::RgbImage, u64) {
+        let retained = self
+            .engine
+            .render(scene, &mut |_| ())
+            .unwrap()
+            .tiles_retained;
+        let picture = self.shown.lock().unwrap().take();
+        (picture.unwrap(), retained)
+    }
+}
+
+/// Plays with worlds; which part of the tiles was retained in frames in which something may have
+/// changed.
+fn play(seed: u64, look: Look, lights: usize, goes_on: bool) -> f64 {
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
+    let program = Program::tracer();
+    let (mut retained, mut frames) = (0, 0);
+    for number in 0..4 {
+        let mut played = Played::new(&mut random, look, lights, goes_on);
+        for frame in 0..20 {
+            let world = &mut played.world;
+            let (picture, left) = changed.picture(world.scene(&program).unwrap());
+            let scene = Scene::new(&world.to_nff(), look, &program).unwrap();
+            let (expected, _) = fresh.picture(&scene);
+            assert!(
+                picture == expected,
+                "seed {seed}, world {number}, frame {frame}"
+            );
+            if frame > 0 {
+                retained += left;
+                frames += 1;
+            }
+            for _ in 0..random.random_range(1..4) {
+                played.change(&mut random);
+            }
+        }
+    }
+    retained as f64 / (frames * TILES) as f64
+}
+
+fn look(model: Model) -> Look {
+    Look {
+        model,
+        ..Look::default()
+    }
+}
+
+#[test]
+fn by_depth_shading() {
+    play(1, look(Model::Depth), 0, false);
+}
+
+#[test]
+fn by_whitteds_model_without_mirrors() {
+    let retained = play(2, look(Model::Whitted), 2, false);
+    assert!(retained > 0.3, "{retained}");
+}
+
+#[test]
+fn by_whitteds_model_with_mirrors_and_glass() {
+    let retained = play(3, look(Model::Whitted), 2, true);
+    assert!(retained > 0.1, "{retained}");
+}
+
+#[test]
+fn without_shadows() {
+    let look = Look {
+        shadows: false,
+        ..look(Model::Whitted)
+    };
+    let retained = play(4, look, 1, false);
+    assert!(retained > 0.3, "{retained}");
+}
+
+/// A world in which lights come and go changes its model.
+#[test]
+fn the_model_follows_the_lights() {
+    let mut random = ChaCha8Rng::seed_from_u64(5);
+    let mut played = Played::new(&mut random, Look::default(), 0, false);
+    let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
+    let program = Program::tracer();
+    let mut light = None;
+    for _ in 0..4 {
+        let world = &mut played.world;
+        let (picture, _) = changed.picture(world.scene(&program).unwrap());
+        let scene = Scene::from_nff(&world.to_nff()).unwrap();
+        assert!(picture == fresh.picture(&scene).0);
+        match light.take() {
+            Some(light) => world.remove_light(light).unwrap(),
+            None => light = Some(world.add_light(Light::at(DVec3::splat(9.0))).unwrap()),
+        }
+    }
+}
+
+/// As many objects as come: those for which there is no room have the scene laid out anew.
+#[test]
+fn worlds_grow_and_shrink() {
+    let mut random = ChaCha8Rng::seed_from_u64(6);
+    let mut played = Played::new(&mut random, look(Model::Whitted), 1, false);
+    let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
+    let program = Program::tracer();
+    for round in 0..12 {
+        for _ in 0..15 {
+            if round % 4 < 2 {
+                played.add(&mut random);
+            } else if let Some(object) = played.objects.pop() {
+                played.world.remove(object).unwrap();
+            }
+        }
+        let world = &mut played.world;
+        let (picture, _) = changed.picture(world.scene(&program).unwrap());
+        let scene = Scene::new(&world.to_nff(), world.look(), &program).unwrap();
+        assert!(picture == fresh.picture(&scene).0, "round {round}");
+    }
+}

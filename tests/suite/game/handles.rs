@@ -1,0 +1,309 @@
+//! Handles, and what a world refuses.
+
+use cellray::Settings;
+use cellray::game::{
+    DVec3, Light, LightId, LightKind, Look, Material, MaterialId, Model, ObjectId, Shader, Shape,
+    View, World, WorldError,
+};
+use cellray::spe::Program;
+use protocol::layout::MAX_SPHERES;
+
+use crate::recorder::{nff_scene, render};
+
+/// Seven lines.
+const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n";
+
+fn red(world: &mut World) -> MaterialId {
+    world.add_material(Material::matte(1.0, 0.0, 0.0)).unwrap()
+}
+
+#[test]
+fn a_removed_object_is_never_another() {
+    let mut world = World::new();
+    let red = red(&mut world);
+    let mut removed = Vec::new();
+    for _ in 0..100 {
+        let object = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
+        assert!(!removed.contains(&object));
+        world.remove(object).unwrap();
+        removed.push(object);
+    }
+    let kept = world.add_sphere(DVec3::ONE, 1.0, red).unwrap();
+    for object in removed.into_iter().chain([ObjectId::default()]) {
+        for refused in [
+            world.move_to(object, DVec3::ONE),
+            world.make_of(object, red),
+            world.show(object, false),
+            world.fix(object),
+            world.free(object),
+            world.remove(object),
+            world.position(object).map(drop),
+            world.shape(object).map(drop),
+            world.material_of(object).map(drop),
+            world.is_visible(object).map(drop),
+        ] {
+            assert!(matches!(refused, Err(WorldError::NoObject)));
+        }
+    }
+    assert_eq!(world.object_count(), 1);
+    assert_eq!(world.position(kept).unwrap(), DVec3::ONE);
+    assert!(world.is_visible(kept).unwrap());
+}
+
+#[test]
+fn a_material_in_use_stays() {
+    let mut world = World::new();
+    let (red, blue) = (red(&mut world), red(&mut world));
+    let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
+    let error = world.remove_material(red).unwrap_err();
+    assert!(matches!(error, WorldError::MaterialInUse { users: 1 }));
+    world.make_of(ball, blue).unwrap();
+    world.make_of(ball, blue).unwrap();
+    world.remove_material(red).unwrap();
+    assert!(world.remove_material(blue).is_err());
+    world.remove(ball).unwrap();
+    world.remove_material(blue).unwrap();
+    for gone in [red, blue, MaterialId::default()] {
+        let shape = Shape::Sphere {
+            centre: DVec3::ZERO,
+            radius: 1.0,
+        };
+        for refused in [
+            world.material(gone).map(drop),
+            world.recolour(gone, DVec3::ONE),
+            world.set_material(gone, Material::glass()),
+            world.remove_material(gone),
+            world.add(shape, gone).map(drop),
+        ] {
+            assert!(matches!(refused, Err(WorldError::NoMaterial)));
+        }
+    }
+    assert_eq!(world.object_count(), 0);
+}
+
+#[test]
+fn a_removed_light_is_refused() {
+    let mut world = World::new();
+    let light = world.add_light(Light::at(DVec3::ONE)).unwrap();
+    assert_eq!(world.light(light).unwrap(), Light::at(DVec3::ONE));
+    world.remove_light(light).unwrap();
+    world.add_light(Light::at(DVec3::ZERO)).unwrap();
+    for gone in [light, LightId::default()] {
+        assert!(matches!(world.light(gone), Err(WorldError::NoLight)));
+        let moved = world.set_light(gone, Light::at(DVec3::ZERO));
+        assert!(matches!(moved, Err(WorldError::NoLight)));
+        assert!(matches!(world.remove_light(gone), Err(WorldError::NoLight)));
+    }
+    assert_eq!(world.lights().count(), 1);
+}
+
+#[test]
+fn a_fixed_object_stays_until_it_is_freed() {
+    let mut world = World::new();
+    let red = red(&mut world);
+    let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
+    world.fix(ball).unwrap();
+    assert!(world.is_fixed(ball).unwrap());
+    let shape = world.shape(ball).unwrap().clone();
+    assert!(matches!(
+        world.move_to(ball, DVec3::ONE),
+        Err(WorldError::Fixed)
+    ));
+    assert!(matches!(world.reshape(ball, shape), Err(WorldError::Fixed)));
+    world.show(ball, false).unwrap();
+    world.free(ball).unwrap();
+    world.move_to(ball, DVec3::ONE).unwrap();
+    assert_eq!(world.position(ball).unwrap(), DVec3::ONE);
+}
+
+#[test]
+fn what_has_a_position_is_moved_as_it_is() {
+    let mut world = World::new();
+    let red = red(&mut world);
+    let cone = Shape::Cone {
+        base: DVec3::ZERO,
+        base_radius: 1.0,
+        apex: DVec3::Y,
+        apex_radius: 0.5,
+    };
+    let vertices = vec![DVec3::ZERO, DVec3::X, DVec3::Y];
+    let patch = Shape::Patch {
+        vertices: vertices.clone(),
+        normals: vec![DVec3::Z; 3],
+    };
+    for shape in [cone, Shape::Polygon { vertices }, patch] {
+        let object = world.add(shape, red).unwrap();
+        world.move_to(object, DVec3::splat(2.0)).unwrap();
+        assert_eq!(world.position(object).unwrap(), DVec3::splat(2.0));
+        match world.shape(object).unwrap() {
+            Shape::Cone { apex, .. } => assert_eq!(*apex, DVec3::new(2.0, 3.0, 2.0)),
+            Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
+                assert_eq!(vertices[1], DVec3::new(3.0, 2.0, 2.0));
+            }
+            Shape::Sphere { .. } => unreachable!("no sphere was added"),
+        }
+    }
+}
+
+#[test]
+fn numbers_out_of_range_are_refused_and_change_nothing() {
+    let mut world = World::new();
+    let red = red(&mut world);
+    let ball = world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
+    let before = world.checksum();
+    for bad in [f64::NAN, f64::INFINITY, 1e30, -1e30] {
+        let place = DVec3::new(0.0, bad, 0.0);
+        let glass = Material {
+            refraction_index: bad,
+            ..Material::glass()
+        };
+        let odd = Material {
+            shader: Shader::Depth {
+                far: bad,
+                near: 0.0,
+            },
+            ..Material::glass()
+        };
+        for refused in [
+            world.move_to(ball, place),
+            world.recolour(red, place),
+            world.set_background(place),
+            world.set_ambient(place),
+            world.look_from(place, DVec3::ZERO),
+            world.add_light(Light::at(place)).map(drop),
+            world
+                .add_light(Light::at(DVec3::ONE).coloured(bad, 0.0, 0.0))
+                .map(drop),
+            world.add_sphere(place, 1.0, red).map(drop),
+            world.add_sphere(DVec3::ZERO, bad, red).map(drop),
+            world.set_material(red, glass),
+            world.set_material(red, odd),
+        ] {
+            assert!(
+                matches!(refused, Err(WorldError::OutOfRange { .. })),
+                "{bad}"
+            );
+        }
+    }
+    let no_direction = Light {
+        kind: LightKind::Directional {
+            to_light: DVec3::ZERO,
+        },
+        colour: None,
+    };
+    assert!(matches!(
+        world.add_light(no_direction),
+        Err(WorldError::NoDirection)
+    ));
+    let flat = [DVec3::ZERO, DVec3::X];
+    assert!(matches!(
+        world.add_polygon(&flat, red),
+        Err(WorldError::NoSurface(_))
+    ));
+    assert!(matches!(
+        world.look_from(DVec3::ONE, DVec3::ONE),
+        Err(WorldError::View(_))
+    ));
+    let view = View {
+        angle: 180.0,
+        ..world.view().clone()
+    };
+    assert!(matches!(world.set_view(view), Err(WorldError::View(_))));
+    assert!(matches!(
+        world.add_sphere(DVec3::ZERO, 0.0, red),
+        Err(WorldError::OutOfRange { .. })
+    ));
+    assert_eq!(world.checksum(), before);
+}
+
+/// What does not fit is an error of the frame, and the world goes on when it fits again.
+#[test]
+fn too_much_is_refused_until_it_is_gone() {
+    let program = Program::tracer();
+    for model in [Model::Depth, Model::Whitted] {
+        let mut world = World::new();
+        world.set_look(Look {
+            model,
+            ..Look::default()
+        });
+        let red = red(&mut world);
+        let objects: Vec<_> = (0..=MAX_SPHERES)
+            .map(|x| world.add_sphere(DVec3::X * f64::from(x), 0.5, red).unwrap())
+            .collect();
+        for _ in 0..2 {
+            let error = world.scene(&program).unwrap_err();
+            assert!(matches!(error, WorldError::Scene(_)), "{error}");
+        }
+        for object in &objects[100..] {
+            world.remove(*object).unwrap();
+        }
+        world.scene(&program).unwrap();
+        world.move_to(objects[0], DVec3::ONE).unwrap();
+        world.scene(&program).unwrap();
+    }
+}
+
+#[test]
+fn a_shader_that_there_is_not_is_named() {
+    let program = Program::tracer();
+    let mut world = World::new();
+    let red = red(&mut world);
+    world.add_light(Light::at(DVec3::ONE)).unwrap();
+    world.add_sphere(DVec3::ZERO, 1.0, red).unwrap();
+    world.scene(&program).unwrap();
+    let plaid = Material {
+        shader: Shader::Own {
+            name: "plaid".into(),
+            parameters: [0.0; 4],
+        },
+        ..Material::matte(1.0, 0.0, 0.0)
+    };
+    world.set_material(red, plaid).unwrap();
+    for _ in 0..2 {
+        let error = world.scene(&program).unwrap_err();
+        assert!(error.to_string().contains("plaid"), "{error}");
+    }
+    world
+        .set_material(red, Material::matte(1.0, 0.0, 0.0))
+        .unwrap();
+    world.scene(&program).unwrap();
+}
+
+#[test]
+fn a_scene_comes_back_as_it_was() {
+    for name in ["whitted16.nff", "shapes.nff", "paper16.nff"] {
+        let scene = nff_scene(name);
+        let world = World::from_nff(&scene, Look::default()).unwrap();
+        assert!(world.to_nff() == scene, "{name}");
+        assert_eq!(world.name(), scene.name);
+        let [before, after] =
+            [&scene, &world.to_nff()].map(|scene| render(scene, 32, 16, Settings::default()));
+        assert!(before == after, "{name}");
+    }
+}
+
+#[test]
+fn what_a_file_has_is_called_by_its_line() {
+    let parse = |text: &str| {
+        let text = format!("{VIEW}{text}");
+        nff::parse(text.as_bytes(), "dir/s.nff", &nff::Limits::default()).unwrap()
+    };
+    let world = |text: &str| World::from_nff(&parse(text), Look::default());
+    let refused = |text: &str| world(text).err().expect("an error").to_string();
+    let text = refused("\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n\n\ns 0 0 0 1e30\n");
+    assert!(
+        text.starts_with("dir/s.nff:13: radius 1e30 is out"),
+        "{text}"
+    );
+    let text = refused("l 0 0 1e30\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n");
+    assert!(text.starts_with("dir/s.nff:8: "), "{text}");
+
+    let text = "l 0 9 9\n\n\nf 1 1 1 1 0 0 0 0\n#cellray shader wood\ns 0 0 0 1\n";
+    let mut world = world(text).unwrap();
+    let error = match world.scene(&Program::tracer()) {
+        Ok(_) => panic!("a shader that there is not"),
+        Err(error) => error,
+    };
+    let error = error.to_string();
+    assert!(error.starts_with("dir/s.nff:11: "), "{error}");
+}

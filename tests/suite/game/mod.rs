@@ -1,0 +1,9 @@
+//! The user layer: worlds that change, input, sessions.
+
+mod content;
+mod fresh;
+mod handles;
+mod input;
+mod retained;
+mod session;
+mod steady;

@@ -1,0 +1,105 @@
+//! What is left alone of a picture in which little changes.
+
+use cellray::game::{DVec3, DepthShading, Light, Material, ObjectId, World, WorldError};
+use cellray::spe::Program;
+use cellray::{Engine, Settings};
+
+use crate::recorder::Recorder;
+
+/// A ball over one end of a ground and a still one over the other, seen from above.
+fn balls(ground: Material, lights: &[Light]) -> Result<(World, ObjectId), WorldError> {
+    let mut world = World::new();
+    world.look_from(DVec3::new(0.0, 20.0, 0.1), DVec3::ZERO)?;
+    for light in lights {
+        world.add_light(*light)?;
+    }
+    let ground = world.add_material(ground)?;
+    let corners = [(-20.0, 20.0), (20.0, 20.0), (20.0, -20.0), (-20.0, -20.0)];
+    let corners = corners.map(|(x, z)| DVec3::new(x, 0.0, z));
+    let floor = world.add_polygon(&corners, ground)?;
+    world.fix(floor)?;
+    let red = world.add_material(Material::matte(0.9, 0.1, 0.1))?;
+    let ball = world.add_sphere(DVec3::new(-8.0, 1.0, 0.0), 0.5, red)?;
+    world.add_sphere(DVec3::new(8.0, 1.0, 0.0), 0.5, red)?;
+    Ok((world, ball))
+}
+
+/// Tiles that are traced, of the 10 x 8 there are, when the ball moves by a little, and when
+/// nothing does.
+fn traced(world: &mut World, ball: ObjectId) -> [u64; 2] {
+    let (framebuffer, _) = Recorder::pair(640, 128);
+    let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
+    let program = Program::tracer();
+    let mut trace = |world: &mut World| {
+        let scene = world.scene(&program).unwrap();
+        80 - engine.render(scene, &mut |_| ()).unwrap().tiles_retained
+    };
+    assert_eq!(trace(world), 80);
+    let place = world.position(ball).unwrap();
+    world
+        .move_to(ball, place + DVec3::new(0.1, 0.0, 0.1))
+        .unwrap();
+    [trace(world), trace(world)]
+}
+
+#[test]
+fn a_ball_and_its_shadows_are_a_few_tiles() {
+    let above = Light::at(DVec3::new(-8.0, 30.0, 5.0));
+    let sun = Light::sun(DVec3::new(0.2, 1.0, 0.3));
+    let ground = Material::matte(0.5, 0.6, 0.5);
+    let (mut world, ball) = balls(ground, &[above, sun]).unwrap();
+    let [moved, still] = traced(&mut world, ball);
+    assert!((1..=12).contains(&moved), "{moved}");
+    assert_eq!(still, 0);
+}
+
+/// A long shadow is followed, and no more than that.
+#[test]
+fn a_low_sun_throws_a_long_shadow() {
+    let low = Light::sun(DVec3::new(-1.0, 0.12, 0.0));
+    let ground = Material::matte(0.5, 0.6, 0.5);
+    let (mut world, ball) = balls(ground, &[low]).unwrap();
+    let [moved, _] = traced(&mut world, ball);
+    assert!((4..=40).contains(&moved), "{moved}");
+}
+
+/// All that a mirror may show is traced, and what is beside it is not.
+#[test]
+fn a_mirror_is_traced_again() {
+    let above = Light::at(DVec3::new(-8.0, 30.0, 5.0));
+    let (mut world, ball) = balls(Material::mirror(), &[above]).unwrap();
+    // The floor is six tiles wide.
+    assert_eq!(traced(&mut world, ball), [6 * 8, 0]);
+
+    let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[above]).unwrap();
+    let [without, _] = traced(&mut world, ball);
+    let silver = world.add_material(Material::mirror()).unwrap();
+    let corners = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.0), (0.0, 0.0)];
+    let corners = corners.map(|(x, z)| DVec3::new(3.0 + x, 0.1, 1.0 + z));
+    world.add_polygon(&corners, silver).unwrap();
+    let [with, still] = traced(&mut world, ball);
+    assert!(
+        (without + 1..=without + 6).contains(&with),
+        "{with}, {without} without"
+    );
+    assert_eq!(still, 0);
+}
+
+/// By depth shading there is nothing but the ball; but where its distance is the range's, all
+/// changes.
+#[test]
+fn depth_shading_needs_a_range_of_its_own() {
+    let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[]).unwrap();
+    world
+        .set_fade(Some(DepthShading {
+            near: 5.0,
+            far: 40.0,
+        }))
+        .unwrap();
+    let [moved, still] = traced(&mut world, ball);
+    assert!((1..=6).contains(&moved), "{moved}");
+    assert_eq!(still, 0);
+    world.set_fade(None).unwrap();
+    world.move_to(ball, DVec3::new(-9.0, 1.0, 0.0)).unwrap();
+    assert_eq!(traced(&mut world, ball), [80, 0]);
+}

@@ -1,0 +1,166 @@
+//! Frames in which things move take no memory.
+
+use std::time::Duration;
+
+use cellray::Settings;
+use cellray::framebuffer::{Geometry, Memory};
+use cellray::game::{
+    DVec3, FixedSteps, Game, Light, LightId, Look, Material, MaterialId, Model, Moment, NoInput,
+    ObjectId, Session, Shader, Shape, Start, World, WorldError,
+};
+
+/// Everything moves and changes its colour; some things come and go.
+struct Swarm {
+    look: Look,
+    objects: Vec<(ObjectId, DVec3)>,
+    materials: Vec<MaterialId>,
+    light: LightId,
+}
+
+impl Swarm {
+    fn new(model: Model) -> Self {
+        Self {
+            look: Look {
+                model,
+                ..Look::default()
+            },
+            objects: Vec::new(),
+            materials: Vec::new(),
+            light: LightId::default(),
+        }
+    }
+}
+
+/// A way that comes back to where it began after three seconds.
+fn way(time: f64, number: usize) -> DVec3 {
+    let wave = |phase: f64| {
+        let part = (time / 3.0 + phase).fract();
+        4.0 * part * (1.0 - part)
+    };
+    let phase = number as f64 * 0.37;
+    DVec3::new(wave(phase), wave(phase + 0.2), wave(phase + 0.5))
+}
+
+impl Game for Swarm {
+    fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
+        world.set_look(self.look);
+        self.light = world.add_light(Light::at(DVec3::new(0.0, 20.0, 5.0)))?;
+        for shader in [
+            Shader::Phong,
+            Shader::Lambert,
+            Shader::Checker {
+                other: DVec3::ONE,
+                size: 0.5,
+            },
+        ] {
+            let material = Material {
+                shader,
+                ..Material::shiny(0.5, 0.5, 0.5)
+            };
+            self.materials.push(world.add_material(material)?);
+        }
+        for number in 0..60 {
+            let place = DVec3::new(
+                f64::from(number % 10) - 5.0,
+                f64::from(number / 10) - 3.0,
+                0.0,
+            );
+            let shape = match number % 4 {
+                0 | 1 => Shape::Sphere {
+                    centre: place,
+                    radius: 0.3,
+                },
+                2 => Shape::Cone {
+                    base: place,
+                    base_radius: 0.3,
+                    apex: place + DVec3::Y * 0.5,
+                    apex_radius: 0.1,
+                },
+                _ => Shape::Polygon {
+                    vertices: vec![
+                        place,
+                        place + DVec3::X * 0.5,
+                        place + DVec3::new(0.5, 0.5, 0.1),
+                        place + DVec3::new(0.0, 0.5, 0.1),
+                    ][..if number % 8 == 3 { 3 } else { 4 }]
+                        .to_vec(),
+                },
+            };
+            let object = world.add(shape, self.materials[number as usize % 3])?;
+            self.objects.push((object, place));
+        }
+        Ok(())
+    }
+
+    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+        for (number, (object, place)) in self.objects.iter().enumerate() {
+            world.move_to(*object, *place + way(moment.time, number))?;
+            world.make_of(
+                *object,
+                self.materials[(number + moment.frame as usize) % 3],
+            )?;
+            world.show(
+                *object,
+                !(moment.frame as usize + number).is_multiple_of(11),
+            )?;
+        }
+        for (number, material) in self.materials.iter().enumerate() {
+            world.recolour(*material, way(moment.time, number) * 0.5)?;
+        }
+        let place = DVec3::new(0.0, 20.0, 5.0) + way(moment.time, 7);
+        world.set_light(self.light, Light::at(place))?;
+        if moment.frame.is_multiple_of(5) {
+            world.look_from(DVec3::Z * 12.0 + way(moment.time, 3), DVec3::ZERO)?;
+        }
+        Ok(())
+    }
+}
+
+fn session(model: Model) -> Session<Swarm> {
+    let picture = Memory::new(Geometry::new(64, 48).unwrap()).unwrap();
+    Session::start(Swarm::new(model), Settings::default(), Box::new(picture)).unwrap()
+}
+
+fn run(session: &mut Session<Swarm>, frames: u64) {
+    let mut clock = FixedSteps(Duration::from_millis(25));
+    session.run(Some(frames), &mut clock, &mut NoInput).unwrap();
+}
+
+fn steady_frames_take_no_memory(model: Model) {
+    let mut session = session(model);
+    // Once around: all has been as large as it gets.
+    run(&mut session, 130);
+    for frame in 0..40 {
+        let asked = allocations::during(|| run(&mut session, 1));
+        assert!(asked.is_empty(), "frame {frame}: {}", asked[0]);
+    }
+    let report = session.report();
+    assert_eq!(report.frames, 170);
+    assert!(report.frames_traced > 160);
+}
+
+#[test]
+fn by_whitteds_model() {
+    steady_frames_take_no_memory(Model::Whitted);
+}
+
+#[test]
+fn by_depth_shading() {
+    steady_frames_take_no_memory(Model::Depth);
+}
+
+/// The loop sleeps while SPUs trace: what it takes of its processor is a small part of the time
+/// that passes.
+#[test]
+fn the_frame_loop_sleeps() {
+    let mut session = session(Model::Whitted);
+    run(&mut session, 30);
+    let report = session.report();
+    assert!(report.loop_seconds > 0.0);
+    assert!(report.loop_seconds < 0.5 * report.host_seconds, "{report}");
+    let text = report.to_string();
+    assert!(
+        text.lines().any(|line| line.starts_with("frame loop: ")),
+        "{text}"
+    );
+}

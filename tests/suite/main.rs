@@ -1,0 +1,10 @@
+//! All tests of the tracer from outside: one program, as linking several takes longer.
+
+mod command_line;
+mod frames;
+mod game;
+mod measured_numbers;
+mod recorder;
+mod speed;
+mod whitted;
+mod work_unit_document;

@@ -1,0 +1,165 @@
+//! The conditions of the Standard Procedural Databases: rays through the corners of 512x512
+//! pixels, and how many there are of each kind.
+
+use std::path::Path;
+
+use cellray::Settings;
+use cellray::scene::Look;
+use image::{Rgb, RgbImage};
+use oracle::whitted::{Counts, trace};
+
+use crate::whitted::frame::{Frame, WHITTED, options, picture};
+
+/// Pixels of a side.
+const SIDE: u32 = 512;
+/// Where rays are many.
+const DEEP_SIDE: u32 = 128;
+
+/// How far a count may be off, in parts of it.
+const OFF: f64 = 0.001;
+
+/// Greatest share of pixels that are off, those on silhouettes among them.
+const WRONG: f64 = 0.0015;
+
+/// Each pixel the mean of its four corners.
+fn averaged(corners: &RgbImage) -> RgbImage {
+    RgbImage::from_fn(corners.width() - 1, corners.height() - 1, |x, y| {
+        let around = [(0, 0), (1, 0), (0, 1), (1, 1)]
+            .map(|(right, down)| corners.get_pixel(x + right, y + down));
+        Rgb(std::array::from_fn(|at| {
+            let sum: u32 = around.iter().map(|pixel| u32::from(pixel[at])).sum();
+            ((sum + 2) / 4) as u8
+        }))
+    })
+}
+
+fn corner_rays_are_counted_as_by_the_reference(
+    scene: &nff::Scene,
+    look: Look,
+    side: u32,
+) -> (Frame, Counts) {
+    let name = &scene.name;
+    let look = Look {
+        corners: true,
+        ..look
+    };
+    let frame = Frame::of(scene, look, (side + 1, side + 1), Settings::default());
+    let (reference, counts) = trace(scene, side, side, &options(look)).unwrap();
+
+    let found = frame.rays();
+    println!("{name}, {look:?}: {found:?}, {counts:?}");
+    assert_eq!(found.eye, counts.eye);
+    let Counts {
+        eye_hit,
+        reflected,
+        refracted,
+        shadow,
+        hit,
+        ..
+    } = counts;
+    for (what, found, expected) in [
+        ("eye_hit", found.eye_hit, eye_hit),
+        ("reflected", found.reflected, reflected),
+        ("refracted", found.refracted, refracted),
+        ("shadow", found.shadow, shadow),
+        ("hit", found.hit, hit),
+    ] {
+        let off = found.abs_diff(expected) as f64;
+        assert!(
+            off <= OFF * expected as f64,
+            "{name}: {what} {found}, the reference has {expected}"
+        );
+    }
+
+    let result = oracle::compare(&picture(&averaged(&frame.picture)), &reference).unwrap();
+    println!("{name}: {result:?}");
+    assert!(result.max_error_off_silhouette <= 2, "{result:?}");
+    assert!(result.wrong_fraction <= WRONG, "{result:?}");
+    (frame, counts)
+}
+
+#[test]
+fn balls() {
+    let scene = nff::load(Path::new("sphereflake:2")).unwrap();
+    corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
+}
+
+#[test]
+fn tetra() {
+    let scene = nff::load(Path::new("tetra:3")).unwrap();
+    corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
+}
+
+/// A cogwheel with its centre and this height of its upper face.
+fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
+    const TEETH: u32 = 6;
+    const THICKNESS: f64 = 0.2;
+    let corners: Vec<[f64; 2]> = (0..4 * TEETH)
+        .map(|corner| {
+            let radius = if corner % 4 < 2 { 0.9 } else { 0.65 };
+            let angle = f64::from(corner) / f64::from(4 * TEETH) * std::f64::consts::TAU;
+            [x + radius * libm::cos(angle), y + radius * libm::sin(angle)]
+        })
+        .collect();
+    let polygon = |corners: &mut dyn Iterator<Item = ([f64; 2], f64)>| {
+        let lines: Vec<String> = corners
+            .map(|([x, y], z)| format!("{x} {y} {z}\n"))
+            .collect();
+        format!("p {}\n{}", lines.len(), lines.concat())
+    };
+    let (top, bottom) = (height, height - THICKNESS);
+    let mut text = polygon(&mut corners.iter().map(|&corner| (corner, top)));
+    text += &polygon(&mut corners.iter().rev().map(|&corner| (corner, bottom)));
+    let next = corners.iter().cycle().skip(1);
+    for (&from, &to) in corners.iter().zip(next) {
+        let side = [(from, top), (from, bottom), (to, bottom), (to, top)];
+        text += &polygon(&mut side.into_iter());
+    }
+    text
+}
+
+/// Glass that mirrors nothing, as that of the Standard Procedural Databases' gears, and glass that
+/// is not even lit.
+fn gears() -> nff::Scene {
+    let text = format!(
+        "b 0.078 0.361 0.753\nv\nfrom -1.1 -2.1 2.6\nat 0 0 0.4\nup 0 0 1\nangle 45\nhither 0\n\
+         resolution 512 512\nl 2 4 4\nl 2 -2.5 2.5\nl -1 -4 2\n\
+         f 1 0.85 0.7 0.3 0.6 37 0 0\np 4\n2 2 0\n-2 2 0\n-2 -2 0\n2 -2 0\n\
+         f 0.3 1 0.5 0.2 0 0 0.8 1.1\n{}f 1 0.4 0.2 1 0 0 0 0\n{}f 1 1 1 0 0 0 1 1.5\ns 0.1 -0.5 1.1 0.3\n",
+        cogwheel([-0.4, 0.0], 0.7),
+        cogwheel([0.7, 0.6], 0.4),
+    );
+    nff::parse(text.as_bytes(), "gears", &nff::Limits::default()).unwrap()
+}
+
+#[test]
+fn gears_by_both_rules() {
+    let scene = gears();
+    let [(seen, by_weight), (all, by_spd)] = [false, true].map(|spd_rays| {
+        let look = Look {
+            spd_rays,
+            ..WHITTED
+        };
+        corner_rays_are_counted_as_by_the_reference(&scene, look, DEEP_SIDE)
+    });
+    assert!(seen.picture == all.picture);
+    assert_eq!(by_weight.eye_hit, by_spd.eye_hit);
+    assert!(by_spd.reflected > 2 * by_weight.reflected);
+    assert!(by_spd.refracted > by_weight.refracted && by_spd.shadow > by_weight.shadow);
+}
+
+#[test]
+fn gears_by_both_rules_with_fresnel() {
+    let scene = gears();
+    let [seen, all] = [false, true].map(|spd_rays| {
+        let look = Look {
+            spd_rays,
+            fresnel: true,
+            ray_depth: 3,
+            ..WHITTED
+        };
+        corner_rays_are_counted_as_by_the_reference(&scene, look, DEEP_SIDE)
+    });
+    assert!(seen.0.picture == all.0.picture);
+    assert!(all.1.shadow > seen.1.shadow);
+}

@@ -1,0 +1,60 @@
+//! The same bytes however the work is split and whatever is left out, and statistics that add up.
+
+use cellray::Settings;
+use cellray::work::{Skip, Split};
+
+use crate::recorder::{nff_scene, render};
+use crate::whitted::frame::{Frame, WHITTED};
+
+const SIZE: (u32, u32) = (160, 90);
+
+fn frame(scene: &nff::Scene, spus: u32, split: Split, skip: Skip) -> Frame {
+    let settings = Settings {
+        spus,
+        split,
+        skip,
+        ..Settings::default()
+    };
+    Frame::of(scene, WHITTED, SIZE, settings)
+}
+
+fn nothing_depends_on_who_traces_what(name: &str) {
+    let scene = nff_scene(name);
+    let picture = render(&scene, SIZE.0, SIZE.1, Settings::default());
+    let one = frame(&scene, 1, Split::Units, Skip::Misses);
+    let all = frame(&scene, 1, Split::Units, Skip::Nothing);
+    let others = [
+        frame(&scene, 6, Split::Units, Skip::Misses),
+        frame(&scene, 1, Split::Slices, Skip::Misses),
+        frame(&scene, 6, Split::Slices, Skip::Misses),
+        frame(&scene, 6, Split::Slices, Skip::Nothing),
+    ];
+
+    let rays = one.rays();
+    println!("{name}: {rays:?}");
+    for (number, other) in [&one, &all].into_iter().chain(&others).enumerate() {
+        assert!(other.picture == picture, "{name}: frame {number}");
+        assert_eq!(other.rays(), rays, "{name}: frame {number}");
+    }
+    assert_eq!(rays.eye, u64::from(SIZE.0 * SIZE.1));
+    assert!(rays.eye_hit > 0 && rays.eye_hit < rays.hit);
+    assert!(rays.reflected > 0 && rays.refracted > 0 && rays.shadow > 0);
+    // Those that hit nothing are counted as the rest: some there must be.
+    assert!(rays.hit < rays.eye + rays.reflected + rays.refracted);
+
+    let (all, some) = (all.statistics.tests(), one.statistics.tests());
+    println!("{name}: {all:?}, {some:?}");
+    assert_eq!(all.skipped, 0, "{name}");
+    assert_eq!(some.made + some.skipped, all.made, "{name}");
+    assert!(some.made < all.made / 2, "{name}: {some:?}");
+}
+
+#[test]
+fn spheres() {
+    nothing_depends_on_who_traces_what("whitted16.nff");
+}
+
+#[test]
+fn all_shapes() {
+    nothing_depends_on_who_traces_what("shapes.nff");
+}

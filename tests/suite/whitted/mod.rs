@@ -1,0 +1,12 @@
+//! Whitted's model on emulated SPUs, against the f64 reference.
+
+mod chains;
+mod counts;
+mod frame;
+mod invariance;
+mod pictures;
+mod placed;
+mod polygons;
+mod random;
+mod scale;
+mod tolerance;

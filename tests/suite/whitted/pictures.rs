@@ -1,0 +1,65 @@
+//! Pictures of the scenes that come with the program.
+
+use cellray::scene::Look;
+
+use crate::recorder::nff_scene;
+use crate::whitted::frame::{WHITTED, compared};
+
+const SIZE: (u32, u32) = (320, 180);
+/// Where rays are many.
+const DEEP_SIZE: (u32, u32) = (160, 90);
+
+const ALL: [&str; 4] = ["whitted16.nff", "mirrors.nff", "glass.nff", "shapes.nff"];
+
+/// Greatest share of pixels that are off, those on silhouettes among them.
+const WRONG: f64 = 0.0015;
+
+fn scenes_are_as_the_reference_has_them(names: &[&str], look: Look, size: (u32, u32)) {
+    let mut failures = Vec::new();
+    for name in names {
+        let result = compared(&nff_scene(name), look, size);
+        println!("{name}: {result:?}");
+        if result.max_error_off_silhouette > 2 || result.wrong_fraction > WRONG {
+            failures.push((name, result));
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}
+
+#[test]
+fn scenes_as_they_are_meant() {
+    scenes_are_as_the_reference_has_them(&ALL, WHITTED, SIZE);
+}
+
+#[test]
+fn scenes_with_fresnel() {
+    let look = Look {
+        fresnel: true,
+        ..WHITTED
+    };
+    scenes_are_as_the_reference_has_them(&ALL, look, SIZE);
+}
+
+#[test]
+fn scenes_without_bounces() {
+    let look = Look {
+        ray_depth: 1,
+        ..WHITTED
+    };
+    scenes_are_as_the_reference_has_them(&ALL, look, SIZE);
+}
+
+/// Where glass is behind glass, a pixel would take 2^15 rays: such scenes have a depth of 7.
+#[test]
+fn scenes_of_a_great_depth() {
+    for (ray_depth, names, size) in [
+        (16, ["whitted16.nff", "mirrors.nff"], SIZE),
+        (7, ["glass.nff", "shapes.nff"], DEEP_SIZE),
+    ] {
+        let look = Look {
+            ray_depth,
+            ..WHITTED
+        };
+        scenes_are_as_the_reference_has_them(&names, look, size);
+    }
+}

@@ -1,0 +1,39 @@
+//! Scenes of any size, also far from the origin: no acne on surfaces, and no leaks between them.
+
+use glam::DVec3;
+
+use crate::recorder::nff_scene;
+use crate::whitted::frame::{WHITTED, compared};
+use crate::whitted::placed::place;
+
+/// How far away a scene is moved, in its own sizes.
+const FAR: f64 = 1e4;
+
+/// Greatest share of pixels that are off, those on silhouettes among them.
+const WRONG: f64 = 0.001;
+
+/// What a scene measures from the eye to the middle of the picture and as much behind it.
+fn size(scene: &nff::Scene) -> f64 {
+    2.0 * scene.view.from.distance(scene.view.at)
+}
+
+#[test]
+fn size_and_place_of_a_scene_do_not_change_its_picture() {
+    let mut failures = Vec::new();
+    for name in ["shapes.nff", "glass.nff"] {
+        let original = nff_scene(name);
+        let away = FAR * size(&original) * DVec3::new(0.6, -0.64, 0.48);
+        for scale in [1e-4, 1.0, 1e6] {
+            for shift in [DVec3::ZERO, away] {
+                let mut scene = original.clone();
+                place(&mut scene, shift, scale);
+                let result = compared(&scene, WHITTED, (160, 90));
+                println!("{name}, {scale:e} times, moved by {shift}: {result:?}");
+                if result.max_error_off_silhouette > 2 || result.wrong_fraction > WRONG {
+                    failures.push((name, scale, shift, result));
+                }
+            }
+        }
+    }
+    assert!(failures.is_empty(), "{failures:#?}");
+}

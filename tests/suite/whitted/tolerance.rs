@@ -1,0 +1,154 @@
+//! Pictures of random scenes against the reference.
+//!
+//! One class of pixels is off: where a vast surface meets another. Rays leave a surface from a
+//! little above it, by 2^-20 of its size and distance, and so begin beyond what is nearer than
+//! that.
+
+use std::env;
+use std::thread;
+
+use cellray::scene::Look;
+use cellray::spe::Program;
+use cellray::statistics::Rays;
+use cellray::{Engine, Scene, Settings};
+use glam::DVec3;
+use image::RgbImage;
+use oracle::whitted::Probe;
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
+use crate::recorder::Recorder;
+use crate::whitted::frame::{WHITTED, options};
+use crate::whitted::random::{self, Drawn};
+
+const SIDE: u32 = 16;
+
+/// Scenes that are traced unless `CELLRAY_SCENES` asks for more or less.
+const SCENES: u64 = 2500;
+
+/// How far a channel may be off, beside the rounding to a byte.
+const TOLERANCE: f64 = 2.0 / 255.0;
+
+/// Pixels of which one may be off, if a vast surface is in its scene.
+const PIXELS_A_LEAK: u64 = 200_000;
+
+/// How far from a pixel's centre, in pixels, rays are looked for of which one sees what the SPUs
+/// saw. The SPU's directions are off by some 1e-7, which a chain of mirrors and glass spreads.
+const NEAR: f64 = 0.02;
+
+/// Whether the SPUs' pixel may be this colour.
+fn is_near(pixel: [u8; 3], colour: DVec3) -> bool {
+    let off = |at: usize| (f64::from(pixel[at]) / 255.0 - colour[at]).abs();
+    (0..3).all(|at| off(at) <= TOLERANCE + 0.5 / 255.0)
+}
+
+/// Rays around a pixel's centre, `lines` by `lines` of them.
+fn around(probe: &Probe<'_>, (x, y): (u32, u32), lines: u32) -> impl Iterator<Item = DVec3> {
+    let step = move |number: u32| NEAR * (2.0 * f64::from(number) / f64::from(lines - 1) - 1.0);
+    (0..lines * lines).map(move |number| {
+        let (right, down) = (step(number % lines), step(number / lines));
+        probe.colour(f64::from(x) + right, f64::from(y) + down)
+    })
+}
+
+/// Pixels that no ray near their centre explains.
+fn unexplained(scene: &nff::Scene, look: Look, picture: &RgbImage) -> Vec<(u32, u32)> {
+    let probe = Probe::new(scene, SIDE, SIDE, &options(look)).unwrap();
+    let is_explained = |at: (u32, u32), pixel: [u8; 3]| {
+        let centre = probe.colour(f64::from(at.0), f64::from(at.1));
+        is_near(pixel, centre)
+            || [5, 41]
+                .into_iter()
+                .any(|lines| around(&probe, at, lines).any(|colour| is_near(pixel, colour)))
+    };
+    picture
+        .enumerate_pixels()
+        .filter(|(x, y, pixel)| !is_explained((*x, *y), pixel.0))
+        .map(|(x, y, _)| (x, y))
+        .collect()
+}
+
+/// A scene that is wrong.
+struct Wrong {
+    seed: u64,
+    /// Whether anything in it is vast.
+    vast: bool,
+    pixels: Vec<(u32, u32)>,
+}
+
+/// What came of some scenes.
+#[derive(Default)]
+struct Outcome {
+    rays: Rays,
+    wrong: Vec<Wrong>,
+}
+
+/// Traces the scenes of some seeds.
+fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
+    let (framebuffer, shown) = Recorder::pair(SIDE, SIDE);
+    let settings = Settings {
+        spus: 1,
+        ..Settings::default()
+    };
+    let mut engine = Engine::start(settings, framebuffer).unwrap();
+    let mut outcome = Outcome::default();
+    for seed in seeds {
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let Drawn { scene, vast } = random::scene(&mut random);
+        let look = Look {
+            ray_depth: random.random_range(1..=8),
+            fresnel: random.random_bool(0.5),
+            ..WHITTED
+        };
+        let made = Scene::new(&scene, look, &Program::tracer());
+        let made = made.unwrap_or_else(|error| panic!("scene {seed}: {error}"));
+        let statistics = engine
+            .render(&made, &mut |_| ())
+            .unwrap_or_else(|error| panic!("scene {seed}: {error}"));
+        outcome.rays += statistics.spus[0].rays;
+        let picture = shown.lock().unwrap().take().unwrap();
+        let pixels = unexplained(&scene, look, &picture);
+        if !pixels.is_empty() {
+            outcome.wrong.push(Wrong { seed, vast, pixels });
+        }
+    }
+    outcome
+}
+
+#[test]
+fn random_scenes_are_as_the_reference_has_them() {
+    let scenes = match env::var("CELLRAY_SCENES") {
+        Ok(number) => number.parse().expect("CELLRAY_SCENES: a number of scenes"),
+        Err(_) => SCENES,
+    };
+    let threads = thread::available_parallelism().map_or(1, usize::from);
+    let outcomes: Vec<Outcome> = thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads as u64)
+            .map(|first| scope.spawn(move || outcome((first..scenes).step_by(threads))))
+            .collect();
+        let joined = workers.into_iter().map(|worker| worker.join().unwrap());
+        joined.collect()
+    });
+    let (mut rays, mut wrong) = (Rays::default(), Vec::new());
+    for outcome in outcomes {
+        rays += outcome.rays;
+        wrong.extend(outcome.wrong);
+    }
+    wrong.sort_by_key(|scene| scene.seed);
+    let pixels: usize = wrong.iter().map(|scene| scene.pixels.len()).sum();
+    println!("{rays:?}");
+    println!(
+        "{pixels} wrong pixels in {} of {scenes} scenes",
+        wrong.len()
+    );
+    for Wrong { seed, vast, pixels } in &wrong {
+        println!("scene {seed}, vast {vast}: {pixels:?}");
+    }
+    assert!(wrong.iter().all(|scene| scene.vast));
+    assert!(pixels as u64 <= rays.eye / PIXELS_A_LEAK);
+    // The scenes have something of everything.
+    assert!(rays.eye_hit > rays.eye / 4, "{rays:?}");
+    for seen in [rays.reflected, rays.refracted, rays.shadow] {
+        assert!(seen > rays.eye / 8, "{rays:?}");
+    }
+}
