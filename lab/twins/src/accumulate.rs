@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/accumulate_r16.s`: sums of what rays bring to their pixels.
+//! Twin of `spu/shade/accumulate_r16.s`: sums of what rays bring to their pixels.
 
 use spu_emulator::float::single::{fa, fm};
 

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/bound_fan_r16.s` and `bound_origins_r16.s`: what the rays of a packet
+//! Twin of `spu/isect/bound_fan_r16.s` and `bound_origins_r16.s`: what the rays of a packet
 //! are within.
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fms, fnms, fs};

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/isect_cone_pairs_r16.s`: a ray from anywhere and an open cone or
+//! Twin of `spu/isect/isect_cone_pairs_r16.s`: a ray from anywhere and an open cone or
 //! cylinder that is seen from one side or both.
 
 use spu_emulator::float::estimate::{fi, frsqest};

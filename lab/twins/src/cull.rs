@@ -1,5 +1,5 @@
 //! Twins of the kernels that leave tests out: `filter_spheres_r16`, `cull_spheres_p64`,
-//! `frustum_spheres` and `hidden_pairs_r16` in `spu/plain/isect/`.
+//! `frustum_spheres` and `hidden_pairs_r16` in `spu/isect/`.
 
 use spu_emulator::float::single::{fcgt, fma, fnms};
 

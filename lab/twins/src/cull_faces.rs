@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/cull_faces.s`: whether a ray of a packet may meet a seen side of a
+//! Twin of `spu/isect/cull_faces.s`: whether a ray of a packet may meet a seen side of a
 //! flat object.
 
 use spu_emulator::float::single::{fa, fm, fma, fnms, fs};

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/cull_nodes.s`: whether a ray of a packet may meet a child of a node.
+//! Twin of `spu/isect/cull_nodes.s`: whether a ray of a packet may meet a child of a node.
 
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fa, fm, fma, fnms, fs};

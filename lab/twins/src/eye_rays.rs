@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/trace/eye_rays_r16.s`: a ray of a packet, from the eye.
+//! Twin of `spu/trace/eye_rays_r16.s`: a ray of a packet, from the eye.
 
 use super::ray_setup::{Basis, ray_setup};
 use super::{FARTHEST, ONE, Single, ZERO};

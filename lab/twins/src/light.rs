@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/light_r16.s`, `lambert_r16.s` and `ambient_r16.s`: what lights add to
+//! Twin of `spu/shade/light_r16.s`, `lambert_r16.s` and `ambient_r16.s`: what lights add to
 //! a surface.
 
 use spu_emulator::float::convert::{cfltu, csflt};

@@ -1,4 +1,4 @@
-//! Twins of `list_places_p64`, `list_pairs_p64` and `mask_pairs_p64` in `spu/plain/isect/`: lists
+//! Twins of `list_places_p64`, `list_pairs_p64` and `mask_pairs_p64` in `spu/isect/`: lists
 //! of those packets that masks name, and the masks that name those of a list.
 
 /// The bit of a mask that names the group's first packet; those of the next ones are lower.

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/trace/load_rays_r16.s`: a ray of a packet, from the rays that wait.
+//! Twin of `spu/trace/load_rays_r16.s`: a ray of a packet, from the rays that wait.
 
 use super::eye_rays::{ABSENT, Ray};
 use super::{FARTHEST, Single, ZERO};

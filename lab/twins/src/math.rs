@@ -1,5 +1,5 @@
 //! Twin of `spu/include/math.inc`, of `spu/include/reciprocal.inc` and of the kernels in
-//! `spu/plain/math/`: reciprocals, square roots and their reciprocals, from the bare estimate to
+//! `spu/math/`: reciprocals, square roots and their reciprocals, from the bare estimate to
 //! two Newton steps.
 
 use spu_emulator::float::estimate::{fi, frest, frsqest};

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/pack_r16.s`: a colour to the framebuffer's word.
+//! Twin of `spu/shade/pack_r16.s`: a colour to the framebuffer's word.
 
 use spu_emulator::float::convert::cfltu;
 use spu_emulator::float::single::fma;

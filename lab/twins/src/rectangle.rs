@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/isect_rectangle_r16.s`, `any_rectangle_r16.s` and `isect_plane_r16.s`:
+//! Twin of `lab/spu/isect/isect_rectangle_r16.s`, `any_rectangle_r16.s` and `isect_plane_r16.s`:
 //! rays, parallelograms and planes.
 
 use spu_emulator::float::single::{fm, fma, fnms, fs};

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/isect_rectangle_pairs_r16.s`: a ray from anywhere and a parallelogram
+//! Twin of `spu/isect/isect_rectangle_pairs_r16.s`: a ray from anywhere and a parallelogram
 //! that is seen from one side or both.
 
 use super::ball::Ray;

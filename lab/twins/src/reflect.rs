@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/reflect_r16.s`: the ray that a mirror throws back.
+//! Twin of `spu/shade/reflect_r16.s`: the ray that a mirror throws back.
 
 use spu_emulator::float::single::{fa, fma, fnms};
 

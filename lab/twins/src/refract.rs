@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/refract_r16.s`: the ray that a surface lets through.
+//! Twin of `spu/shade/refract_r16.s`: the ray that a surface lets through.
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fnms, fs};
 

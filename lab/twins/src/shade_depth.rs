@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/shade_depth_r16.s`: the paper's shader.
+//! Twin of `spu/shade/shade_depth_r16.s`: the paper's shader.
 
 use spu_emulator::float::single::{fcgt, fm, fs};
 

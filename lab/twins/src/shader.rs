@@ -1,4 +1,4 @@
-//! Twins of the shaders in `spu/plain/shaders/`.
+//! Twins of the shaders in `spu/shaders/`.
 
 use spu_emulator::float::convert::{cflts, csflt};
 use spu_emulator::float::single::{fa, fcgt, fma};

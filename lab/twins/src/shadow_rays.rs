@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/shadow_rays_r16.s`: the ray from a hit to a light.
+//! Twin of `spu/shade/shadow_rays_r16.s`: the ray from a hit to a light.
 
 use spu_emulator::float::single::{fm, fma, fnms};
 

@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/smooth_r16.s`: the normal that shades a point of a patch.
+//! Twin of `spu/shade/smooth_r16.s`: the normal that shades a point of a patch.
 
 use spu_emulator::float::single::{fm, fma, fms, fs};
 

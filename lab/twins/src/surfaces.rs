@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/shade/surfaces_r16.s` and `surfaces_same_r16.s`: where a ray has hit an
+//! Twin of `spu/shade/surfaces_r16.s` and `surfaces_same_r16.s`: where a ray has hit an
 //! object, and what the surface is there; and of `same_objects_r16.s`.
 
 use spu_emulator::float::single::{fa, fm, fma, fms, fnms, fs};

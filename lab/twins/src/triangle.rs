@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/shear_r16.s`, `shear_packets_r16.s`, `isect_triangles_r16.s`,
+//! Twin of `lab/spu/isect/shear_r16.s`, `shear_packets_r16.s`, `isect_triangles_r16.s`,
 //! `any_triangles_r16.s` and `isect_triangle_r1.s`: rays and triangles, watertight.
 
 use spu_emulator::float::single::{fa, fcmgt, fm, fma, fms, fnms, fs};

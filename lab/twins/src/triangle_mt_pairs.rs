@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/isect_triangle_mt_pairs_r16.s`: a ray from anywhere and a triangle,
+//! Twin of `lab/spu/isect/isect_triangle_mt_pairs_r16.s`: a ray from anywhere and a triangle,
 //! Möller and Trumbore's way.
 
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};

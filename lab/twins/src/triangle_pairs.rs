@@ -1,4 +1,4 @@
-//! Twin of `spu/plain/isect/isect_triangle_pairs_r16.s`: a ray from anywhere and a triangle that
+//! Twin of `spu/isect/isect_triangle_pairs_r16.s`: a ray from anywhere and a triangle that
 //! is seen from one side or both.
 
 use super::ball::Ray;
