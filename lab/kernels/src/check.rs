@@ -152,8 +152,8 @@ fn tests(kernel: &Kernel, out: &mut impl Write) -> Result<(), CheckError> {
     out.flush()?;
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
-    command.args(["test", "--quiet", "--offline", "--test", "kernel_tests", "--"]);
-    command.args(tests);
+    command.args(["test", "--quiet", "--offline"]);
+    command.args(["--test", "kernel_tests", "--"]).args(tests);
     if !command.status()?.success() {
         return Err(CheckError::Tests {
             kernel: kernel.name,

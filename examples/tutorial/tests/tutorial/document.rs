@@ -101,6 +101,8 @@ fn what_is_to_be_typed_is_understood() {
             Some("ball") => BALL,
             Some("steer") => STEER,
             Some("stripes") => STRIPES,
+            // The tool's own tests run what is typed of it.
+            Some("spu") => continue,
             other => panic!("no program {other:?}"),
         };
         let mut arguments: Vec<_> = words.filter(|word| *word != "--").collect();
