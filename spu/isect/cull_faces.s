@@ -1,17 +1,17 @@
 # cull_faces   of candidates whose objects are flat, those some ray of which may meet the seen side
 #   C       struct candidate *cull_faces(const struct candidate *, int count, struct candidate *,
 #                                        float along);
-#   In      $3 candidates whose objects have gain 0 and a unit axis, $4 count (0 is none), $5 where the
-#           list goes: elsewhere, or over the candidates; $6 1 if the
-#           rays go along their bounds' axes, -1 if against them; pointers 16-aligned
+#   In      $3 candidates whose objects have gain 0 and a unit axis, $4 count (0 is none), $5 where
+#           the list goes: elsewhere, or over the candidates; $6 1 if the rays go along their
+#           bounds' axes, -1 if against them; pointers 16-aligned
 #   Out     those candidates, in order; behind them what is left out may be written, but nothing
 #           behind as many quadwords as there are candidates
 #           $3 behind the list
 #   Uses    $3-$4, $10-$35   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; distances from 2^-60 to 2^60;
 #           OBJECT_leave at least 2^-20 of the sum of the centre's components' magnitudes
-#   Error   0: no candidate is left out whose plane a ray meets from a side that is seen, by the numbers
-#           of the records
+#   Error   0: no candidate is left out whose plane a ray meets from a side that is seen, by the
+#           numbers of the records
 #   Twin    lab/twins/src/cull_faces.rs
 #
 # With n the object's axis:

@@ -1,9 +1,9 @@
 # cull_spheres_p64   which packets of a tile have eye rays that may enter a sphere, for each sphere
 #   C       void cull_spheres_p64(const struct packet middles[4], const struct pair *, int count,
 #                                 unsigned (*masks)[4]);
-#   In      $3 the middle directions of each sixteen packets, as a packet; $4 list whose entries' first
-#           words are the addresses of spheres; $5 count (at least 1); $6 where masks go; pointers
-#           16-aligned
+#   In      $3 the middle directions of each sixteen packets, as a packet; $4 list whose entries'
+#           first words are the addresses of spheres; $5 count (at least 1); $6 where masks go;
+#           pointers 16-aligned
 #   Out     four masks a sphere, one for each sixteen packets: 16 bits, the highest of the first
 #   Uses    $4-$6, $10-$36   Saves  -   Stack  0   Calls  -
 #   Domain  |d| = 1 within 4 ulp; limits as the PPU makes them

@@ -1,7 +1,7 @@
 # isect_triangle_pairs_r16   nearest hit of packets' rays with triangles, candidate by candidate
 #   C       void isect_triangle_pairs_r16(const struct candidate *, int count);
-#   In      $3 candidates of objects that are triangles, and of shears of their packets, $4 count (0
-#           is none); pointers 16-aligned
+#   In      $3 candidates of objects that are triangles, and of shears of their packets, $4 count
+#           (0 is none); pointers 16-aligned
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
 #   Uses    $3-$4, $10-$46   Saves  -   Stack  0   Calls  -
 #   Domain  distances from the origin below 2^60; triangles higher than 2^-50 across the ray

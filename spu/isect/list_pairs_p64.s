@@ -1,8 +1,9 @@
 # list_pairs_p64   pairs of one object with those packets of a tile that masks name
 #   C       struct pair *list_pairs_p64(const unsigned masks[4], const struct place *,
 #                                       const void *object, struct pair *);
-#   In      $3 masks, one for each sixteen packets: 16 bits, the highest of the first; $4 the places of
-#           64 packets; $5 address of the object's record; $6 where the pairs go; pointers 16-aligned
+#   In      $3 masks, one for each sixteen packets: 16 bits, the highest of the first; $4 the
+#           places of 64 packets; $5 address of the object's record; $6 where the pairs go;
+#           pointers 16-aligned
 #   Out     the pairs; one more quadword may be written
 #           $3 behind the pairs
 #   Uses    $3, $6, $10-$28   Saves  -   Stack  0   Calls  -

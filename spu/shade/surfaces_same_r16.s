@@ -6,8 +6,8 @@
 #   Out     the packets' surfaces, the bits that surfaces_r16 gives
 #           $3 rays that hit something, a count a lane
 #   Uses    $3-$6, $7-$77   Saves  -   Stack  0   Calls  -
-#   Domain  that of surfaces_r16; in a packet all rays have the same object, also those that are not
-#           there
+#   Domain  that of surfaces_r16; in a packet all rays have the same object, also those that are
+#           not there
 #   Error   0.15 of SURFACES_leave, distance of a point from its surface
 #   Twin    lab/twins/src/surfaces.rs
 #

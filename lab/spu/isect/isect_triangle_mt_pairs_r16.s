@@ -5,8 +5,8 @@
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
 #   Uses    $3-$4, $10-$58   Saves  -   Stack  0   Calls  -
 #   Domain  |direction| about 1; edges and distances from the vertices between 2^-30 and 2^30
-#   Error   24 ulp of t, 2e-4 in barycentric coordinates; edges from 1/100 of the distance to all of
-#           it, area across the ray above 1/20 of their square
+#   Error   24 ulp of t, 2e-4 in barycentric coordinates; edges from 1/100 of the distance to all
+#           of it, area across the ray above 1/20 of their square
 #   Twin    lab/twins/src/triangle_mt_pairs.rs
 #
 # Moeller and Trumbore 1997: with edges e1 and e2 from vertex a, s from there to the origin, and

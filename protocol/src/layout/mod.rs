@@ -1,9 +1,9 @@
 //! The work-unit layout: the one definition that the PPU program, the SPU assembler and
 //! `docs/work-unit.md` all follow.
 //!
-//! All records are big-endian whatever the host, with the byte order in the field types. [`crate::assembler`]
-//! writes every size, offset and constant into `work_unit.inc` for the SPU's sources; a test
-//! compares the tables in the document.
+//! All records are big-endian whatever the host, with the byte order in the field types.
+//! [`crate::assembler`] writes every size, offset and constant into `work_unit.inc` for the SPU's
+//! sources; a test compares the tables in the document.
 
 /// A record's shape, as the assembler and the document see it.
 #[derive(Clone, Copy, Debug)]

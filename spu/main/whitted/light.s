@@ -19,8 +19,8 @@ third:  .int    0x00010203,0x04050607,0x10111213,0x80808080
 
 # sites_list   lists those surfaces of the batch whose flags have some of a mask's bits and some
 # value
-#   In      $3 where the sites go, $4 mask, $5 what the flags are to be with it, $6 packet of shadow
-#           rays of the first site
+#   In      $3 where the sites go, $4 mask, $5 what the flags are to be with it, $6 packet of
+#           shadow rays of the first site
 #   Out     $3 behind the last site
 #   Uses    $3, $6, $14-$22
         .global sites_list

@@ -176,7 +176,8 @@ endfunction trees_plan
 
 # packets_trace   finds the nearest hits of packets
 #   In      $3 BATCH_RAYS or SHADOW_RAYS, $4 how many packets of these, at least 1, $5 through what
-#           they all go: -1 is nothing, 0 the eye, from where they come, else the LIGHT to which they go
+#           they all go: -1 is nothing, 0 the eye, from where they come, else the LIGHT to which
+#           they go
 #   Uses    $3-$79, w_packets, w_traced, w_plan, w_first, w_here, w_left
 #
 # Calls are hinted: with so few packets a call the misses would count.

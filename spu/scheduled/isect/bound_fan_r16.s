@@ -1,13 +1,15 @@
 # bound_fan_r16   what the rays of packets are within that all go through one point, or end there
 #   C       void bound_fan_r16(const struct rays16 *, int count, struct bound *,
 #                              const struct light *, float along);
-#   In      $3 RAYS16, one behind the other, $4 count (at least 1), $5 BOUNDs, $6 LIGHT, whose position
-#           is the point, $7 1 if the rays start there, -1 if they end there; pointers 16-aligned
+#   In      $3 RAYS16, one behind the other, $4 count (at least 1), $5 BOUNDs, $6 LIGHT, whose
+#           position is the point, $7 1 if the rays start there, -1 if they end there; pointers
+#           16-aligned
 #   Out     the packets' bounds, one behind the other: of rays that end there, as if they came from
 #           there
 #   Uses    $2-$74, $79   Saves  -   Stack  0   Calls  -
-#   Domain  |d| = 1 within 4 ulp, of rays whose t has no sign; others are not there, and anything. The
-#           rays' ends at the point are within LIGHT_near of it, the rounding of cull_nodes included
+#   Domain  |d| = 1 within 4 ulp, of rays whose t has no sign; others are not there, and anything.
+#           The rays' ends at the point are within LIGHT_near of it, the rounding of cull_nodes
+#           included
 #   Error   0: no ray is outside; axis, cosine and sine allow for the rounding of cull_nodes
 #   Twin    lab/twins/src/bound.rs
 #

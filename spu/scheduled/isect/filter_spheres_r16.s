@@ -1,8 +1,8 @@
 # filter_spheres_r16   of an array of spheres, those that some ray of each packet may enter
 #   C       struct pair *filter_spheres_r16(const struct place *, int count, const struct sphere *,
 #                                           int fours, struct pair *);
-#   In      $3 places, $4 count (at least 1), $5 spheres, $6 spheres in fours (at least 1), $7 where
-#           pairs go; pointers 16-aligned
+#   In      $3 places, $4 count (at least 1), $5 spheres, $6 spheres in fours (at least 1), $7
+#           where pairs go; pointers 16-aligned
 #   Out     pairs of each of the places' packets with such spheres, packet by packet, spheres in
 #           order; one more quadword may be written
 #           $3 behind the last pair

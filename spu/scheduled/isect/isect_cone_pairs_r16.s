@@ -3,8 +3,8 @@
 #   In      $3 candidates of objects that are cones, $4 count (0 is none); pointers 16-aligned
 #   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
 #   Uses    $2-$79   Saves  -   Stack  0   Calls  -
-#   Domain  |d| and |axis| = 1 within 4 ulp; distances, height and radius from 2^-30 to 2^30; radius
-#           and height not below 0; radii of the body, by growth, not below 0
+#   Domain  |d| and |axis| = 1 within 4 ulp; distances, height and radius from 2^-30 to 2^30;
+#           radius and height not below 0; radii of the body, by growth, not below 0
 #   Error   250 ulp of the sum of the distance from the base, the height and the largest radius,
 #           where t changes by less than 10 times what the surface is moved by; farther than
 #           1e-4 radii and 2e-6 of that sum from outlines, ends and surface, hits are right,

@@ -1,8 +1,9 @@
 # list_places_p64   the places of those packets of a tile that masks name
 #   C       struct place *list_places_p64(const unsigned masks[4], const struct place *,
 #                                         const struct place *origin, struct place *);
-#   In      $3 masks, one for each sixteen packets: 16 bits, the highest of the first; $4 the places of
-#           64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers 16-aligned
+#   In      $3 masks, one for each sixteen packets: 16 bits, the highest of the first; $4 the
+#           places of 64 packets at 0, 0; $5 what to add to each; $6 where the list goes; pointers
+#           16-aligned
 #   Out     the list; one more quadword may be written
 #           $3 behind the list
 #   Uses    $2-$42   Saves  -   Stack  0   Calls  -

@@ -1,5 +1,6 @@
 # reflect_r16   rays that mirrors throw back, appended to a queue
-#   C       struct queued *reflect_r16(const struct site *, int count, struct queued *, float least);
+#   C       struct queued *reflect_r16(const struct site *, int count, struct queued *, float
+#           least);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
 #           there may be, $6 least weight of a ray that is sent on; pointers 16-aligned
 #   Out     a ray for each lane whose share `mirror` is above 0 and whose weight is not below the

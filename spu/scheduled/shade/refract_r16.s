@@ -1,5 +1,6 @@
 # refract_r16   rays that surfaces let through, appended to a queue; what they don't, to the mirror
-#   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float least);
+#   C       struct queued *refract_r16(const struct site *, int count, struct queued *, float
+#           least);
 #   In      $3 sites, $4 count (0 is none), $5 where the rays go: room for one more than
 #           there may be, $6 least weight of a ray that is sent on; pointers 16-aligned
 #   Out     a ray for each lane that lets something through, of a weight not below the least, in

@@ -1,10 +1,11 @@
 # smooth_r16   normals that shade, of those of sixteen hits that are on patches
 #   C       void smooth_r16(const struct ray_packet *, struct surfaces *);
-#   In      $3 rays, $4 surfaces; pointers 16-aligned. What a ray has hit is an address, of any record
+#   In      $3 rays, $4 surfaces; pointers 16-aligned. What a ray has hit is an address, of any
+#           record
 #   Out     surfaces: normal, where the object has SIDES_SMOOTH and so is a patch
 #   Uses    $2-$64, $79   Saves  -   Stack  0   Calls  -
-#   Domain  points in their patches; edges from 2^-30 to 2^30, and from 1/100 of the points' distance
-#           from the eye on; |plane| about 1, the patch's own normal, on the ray's side
+#   Domain  points in their patches; edges from 2^-30 to 2^30, and from 1/100 of the points'
+#           distance from the eye on; |plane| about 1, the patch's own normal, on the ray's side
 #   Error   3e-7 of 1, for the point as it is given; vertices' normals within 60 degrees of the
 #           plane's
 #   Twin    lab/twins/src/smooth.rs
