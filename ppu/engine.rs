@@ -159,7 +159,7 @@ impl Engine {
             unsafe { self.exchange_frame(&frame, progress)? };
         }
         self.statistics.read(&self.lines, size);
-        let traced = self.statistics.eye_rays();
+        let traced = self.statistics.primary_rays();
         if traced != size.pixels {
             return Err(EngineError::Incomplete {
                 traced,

@@ -12,7 +12,7 @@
 //!
 //! use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 //! use cellray::game::{
-//!     DVec3, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId, Pictures, Session,
+//!     DVec3, FixedSteps, Frame, FrameRange, Game, Material, NoInput, ObjectId, Pictures, Session,
 //!     Start, World, WorldError,
 //! };
 //!
@@ -24,8 +24,8 @@
 //!         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
 //!         Ok(())
 //!     }
-//!     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-//!         let part = moment.time % 1.0;
+//!     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+//!         let part = frame.time % 1.0;
 //!         world.move_to(self.0, DVec3::Y * 8.0 * part * (1.0 - part))
 //!     }
 //! }

@@ -73,7 +73,7 @@ pub struct Report {
 /// By which formulations rays were intersected.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Intersected {
-    /// The eye's rays with spheres.
+    /// primary rays with spheres.
     pub spheres: &'static str,
     /// All rays with triangles.
     pub triangles: &'static str,

@@ -3,9 +3,9 @@
 //! Invariant: every number that depth shading takes lies in the domain that the kernels state.
 
 pub(crate) mod block;
-mod look;
 #[cfg(test)]
 pub(crate) mod random;
+mod render_options;
 pub(crate) mod single;
 
 use glam::DVec3;
@@ -13,7 +13,7 @@ use nff::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, SceneBlock};
-pub use self::look::{Look, Model};
+pub use self::render_options::{Model, RenderOptions};
 use self::single::{LARGEST, SMALLEST};
 use crate::spe::Program;
 use protocol::formulation::{Formulations, SphereFormulation};
@@ -78,42 +78,46 @@ pub struct Scene {
     spheres: Vec<Sphere>,
     depth: DepthShading,
     not_drawn: Vec<NotDrawn>,
-    look: Look,
+    render_options: RenderOptions,
     block: Option<SceneBlock>,
 }
 
 impl Scene {
     /// A scene that looks as its lights ask for.
     pub fn from_nff(scene: &nff::Scene) -> Result<Self, SceneError> {
-        Self::new(scene, Look::default(), &Program::tracer())
+        Self::new(scene, RenderOptions::default(), &Program::tracer())
     }
 
     /// A scene that is to look in some way, with the shaders of the program that will trace it. By
     /// depth shading, [`Scene::not_drawn`] says what is left out.
-    pub fn new(scene: &nff::Scene, look: Look, program: &Program) -> Result<Self, SceneError> {
-        if !look.is_whitted(scene.lights.len()) {
-            return Self::by_depth(scene, look);
+    pub fn new(
+        scene: &nff::Scene,
+        render_options: RenderOptions,
+        program: &Program,
+    ) -> Result<Self, SceneError> {
+        if !render_options.is_whitted(scene.lights.len()) {
+            return Self::by_depth(scene, render_options);
         }
         let shader = |name: &str| program.shader(name).ok();
-        let block = SceneBlock::new(scene, options(look), &shader)?;
-        Ok(Self::by_whitted(scene, look, block))
+        let block = SceneBlock::new(scene, options(render_options), &shader)?;
+        Ok(Self::by_whitted(scene, render_options, block))
     }
 
     /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in
     /// place.
     pub(crate) fn with_room(
         scene: &nff::Scene,
-        look: Look,
+        render_options: RenderOptions,
         shaders: &ShaderEntries,
     ) -> Result<Self, SceneError> {
-        if !look.is_whitted(scene.lights.len()) {
-            return Self::by_depth(scene, look);
+        if !render_options.is_whitted(scene.lights.len()) {
+            return Self::by_depth(scene, render_options);
         }
-        let block = SceneBlock::with_room(scene, options(look), shaders)?;
-        Ok(Self::by_whitted(scene, look, block))
+        let block = SceneBlock::with_room(scene, options(render_options), shaders)?;
+        Ok(Self::by_whitted(scene, render_options, block))
     }
 
-    fn by_whitted(scene: &nff::Scene, look: Look, block: SceneBlock) -> Self {
+    fn by_whitted(scene: &nff::Scene, render_options: RenderOptions, block: SceneBlock) -> Self {
         Self {
             file: scene.name.clone(),
             view: scene.view.clone(),
@@ -124,12 +128,12 @@ impl Scene {
                 far: 0.0,
             },
             not_drawn: Vec::new(),
-            look,
+            render_options,
             block: Some(block),
         }
     }
 
-    fn by_depth(scene: &nff::Scene, look: Look) -> Result<Self, SceneError> {
+    fn by_depth(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, SceneError> {
         let file = &scene.name;
         let out_of_range = |what: String, value: f64, also: &'static str| SceneError::OutOfRange {
             file: file.clone(),
@@ -178,7 +182,7 @@ impl Scene {
             spheres,
             depth: DepthShading::of(scene),
             not_drawn: depth::not_drawn(scene),
-            look,
+            render_options,
             block: None,
         })
     }
@@ -195,9 +199,9 @@ impl Scene {
         &self.view
     }
 
-    /// The eye's rays for a picture of this size.
+    /// primary rays for a picture of this size.
     pub fn camera(&self, width: u32, height: u32) -> Result<nff::Camera, SceneError> {
-        let corners = self.look.corners;
+        let corners = self.render_options.corners;
         let one = u32::from(corners);
         let mut camera = self
             .view
@@ -214,8 +218,8 @@ impl Scene {
 
     /// How it is made to look.
     #[must_use]
-    pub fn look(&self) -> Look {
-        self.look
+    pub fn render_options(&self) -> RenderOptions {
+        self.render_options
     }
 
     /// What SPUs are sent of it by Whitted's model; nothing by depth shading.
@@ -224,7 +228,7 @@ impl Scene {
         self.block.as_ref()
     }
 
-    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected
+    /// Of a program's formulations, the one by which primary rays into the scene are intersected
     /// with spheres.
     #[must_use]
     pub fn sphere_formulation(&self, formulations: &Formulations) -> &'static SphereFormulation {
@@ -287,10 +291,10 @@ impl Scene {
     ) {
         self.spheres.clear();
         self.spheres.extend(spheres);
-        let balls = self.spheres.iter();
-        let balls = balls.map(|sphere| (sphere.centre, sphere.radius));
+        let spheres = self.spheres.iter();
+        let spheres = spheres.map(|sphere| (sphere.centre, sphere.radius));
         let from = self.view.from;
-        self.depth = depth.unwrap_or_else(|| DepthShading::around(from, balls));
+        self.depth = depth.unwrap_or_else(|| DepthShading::around(from, spheres));
     }
 
     /// What Whitted's model has SPUs sent, to be changed; [`Scene::write`] is to follow.
@@ -306,10 +310,10 @@ impl Scene {
 }
 
 /// How a look has Whitted's model traced.
-fn options(look: Look) -> BlockOptions {
+fn options(render_options: RenderOptions) -> BlockOptions {
     BlockOptions {
-        ray_depth: look.ray_depth,
-        fresnel: look.fresnel,
-        spd_rays: look.spd_rays,
+        ray_depth: render_options.ray_depth,
+        fresnel: render_options.fresnel,
+        spd_rays: render_options.spd_rays,
     }
 }

@@ -109,16 +109,16 @@ impl FrameStatistics {
         self.tiles_retained = size.tiles_retained;
     }
 
-    /// Eye rays of all SPUs.
+    /// Primary rays of all SPUs.
     #[must_use]
-    pub fn eye_rays(&self) -> u64 {
+    pub fn primary_rays(&self) -> u64 {
         self.spus.iter().map(|spu| spu.rays.eye).sum()
     }
 
     /// Whether anything was traced.
     #[must_use]
     pub fn is_traced(&self) -> bool {
-        self.eye_rays() > 0
+        self.primary_rays() > 0
     }
 
     /// Tests of all SPUs.
@@ -175,7 +175,7 @@ impl SpuStatistics {
 impl Rays {
     fn of(line: &Statistics) -> Self {
         let [eye, reflected, refracted] =
-            [line.eye_rays, line.reflected, line.refracted].map(U64::get);
+            [line.primary_rays, line.reflected, line.refracted].map(U64::get);
         // By depth shading there are no rays but the eye's, and no other hits are counted.
         let hit = line.hits.get().max(line.eye_hits.get());
         Self {

@@ -119,7 +119,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
     grow(
         &mut objects,
         &children(),
-        &Ball {
+        &Flake {
             centre: DVec3::ZERO,
             radius: RADIUS,
             pole: POLE,
@@ -146,17 +146,17 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
 }
 
 /// A sphere and the direction, of length 1, in which its pole is.
-struct Ball {
+struct Flake {
     centre: DVec3,
     radius: f64,
     pole: DVec3,
 }
 
-/// Adds `ball` and, down to `levels` below it, its descendants, each right after its parent.
-fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u32) {
+/// Adds `sphere` and, down to `levels` below it, its descendants, each right after its parent.
+fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], sphere: &Flake, levels: u32) {
     let shape = Shape::Sphere {
-        centre: ball.centre,
-        radius: ball.radius,
+        centre: sphere.centre,
+        radius: sphere.radius,
     };
     // The first sphere is on line 19 and follows one polygon.
     let line = objects.len() as u32 + 18;
@@ -168,15 +168,15 @@ fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u
     if levels == 0 {
         return;
     }
-    let turn = DQuat::from_rotation_arc(POLE, ball.pole);
-    let radius = ball.radius * SHRINK;
+    let turn = DQuat::from_rotation_arc(POLE, sphere.pole);
+    let radius = sphere.radius * SHRINK;
     for &child in children {
         let pole = (turn * child).normalize();
-        let centre = ball.centre + (ball.radius + radius) * pole;
+        let centre = sphere.centre + (sphere.radius + radius) * pole;
         grow(
             objects,
             children,
-            &Ball {
+            &Flake {
                 centre,
                 radius,
                 pole,

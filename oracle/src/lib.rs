@@ -5,6 +5,7 @@
 //! came about. Invariant: the reference shares no formula with a kernel; `nff` gives only
 //! the data, the camera and the model's shading.
 
+mod bvh;
 mod compare;
 mod picture;
 #[cfg(test)]
@@ -15,7 +16,6 @@ mod shapes;
 mod silhouette;
 mod sphere;
 mod tracer;
-mod tree;
 pub mod whitted;
 
 pub use compare::{Comparison, DIFFERENCE_SCALE, compare, difference};

@@ -78,7 +78,7 @@ struct Model {
     /// What gives the pixels their colours
     #[arg(long = "model", value_enum, default_value_t = Name::Depth)]
     name: Name,
-    /// Most rays in a chain, the eye ray counted; 5 if not given (whitted)
+    /// Most rays in a chain, the primary ray counted; 5 if not given (whitted)
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = ray_depth())]
     ray_depth: Option<u32>,
     /// Lets glass reflect more the flatter it is looked at, by Schlick (whitted)
@@ -87,7 +87,8 @@ struct Model {
     /// Sends rays that add nothing to the picture where SPD counts them (whitted)
     #[arg(long)]
     spd_rays: bool,
-    /// Sends eye rays through the corners of pixels and averages four, as SPD asks for (whitted)
+    /// Sends primary rays through the corners of pixels and averages four, as SPD asks for
+    /// (whitted)
     #[arg(long)]
     corners: bool,
 }

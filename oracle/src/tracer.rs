@@ -23,7 +23,7 @@ pub struct Reference {
     /// the rays that it takes meet other objects, or see other lights, than those of a neighbour.
     /// Order as in the picture.
     pub silhouette: Vec<bool>,
-    /// Share of the eye rays that meet an object, from 0 to 1.
+    /// Share of the primary rays that meet an object, from 0 to 1.
     pub covered: f64,
 }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{self, Look};
+use cellray::scene::{self, RenderOptions};
 use cellray::spe::{Program, ProgramError};
 use clap::{Args, Parser, Subcommand, ValueEnum};
 
@@ -42,7 +42,7 @@ Examples:
 pub enum Command {
     /// Play a game; without a name, list those that there are
     Play(PlayArguments),
-    /// Look at a scene from all sides
+    /// RenderOptions at a scene from all sides
     View(ViewArguments),
 }
 
@@ -125,8 +125,8 @@ impl From<Model> for scene::Model {
 impl ViewArguments {
     /// How the scene is to look.
     #[must_use]
-    pub fn look(&self) -> Look {
-        Look {
+    pub fn render_options(&self) -> RenderOptions {
+        RenderOptions {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,

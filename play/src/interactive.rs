@@ -12,7 +12,7 @@ use image::RgbImage;
 use crate::arguments::Options;
 use crate::display::Display;
 use crate::error::PlayError;
-use crate::front::{Ending, Front};
+use crate::frontend::{Ending, Frontend};
 use crate::input::Hub;
 use crate::meter::Meter;
 use crate::pace::Pace;
@@ -76,7 +76,7 @@ pub fn play(
 /// A session and what it is seen and heard by.
 struct Show<'a> {
     session: Session<Box<dyn Game>>,
-    front: Front,
+    front: Frontend,
     options: &'a Options,
     may_talk: bool,
     /// Pixels across and down that are traced.
@@ -108,7 +108,7 @@ impl<'a> Show<'a> {
         let size = wanted_size(display.area(), pace.as_ref(), options.size);
         let framebuffer = display.framebuffer(size)?;
         let stem = file_stem(game.name());
-        let front = Front::new(display, player.devices, player.keys, interrupted)
+        let front = Frontend::new(display, player.devices, player.keys, interrupted)
             .map_err(PlayError::Signals)?;
         let session = Session::start(game, options.settings()?, framebuffer)?.with_seed(seed);
         let replay = options.replay.as_deref();
@@ -144,16 +144,16 @@ impl<'a> Show<'a> {
             }
             None => None,
         };
-        let wishes = self.front.take_wishes();
+        let requests = self.front.take_requests();
         if flow.is_some() {
-            self.has_overlay ^= wishes.overlay;
+            self.has_overlay ^= requests.overlay;
             self.show()?;
         }
-        self.tell(wishes.screenshot);
+        self.tell(requests.screenshot);
         if flow != Some(ControlFlow::Continue(())) {
-            return Ok(ControlFlow::Break(wishes.ending.unwrap_or(Ending::Over)));
+            return Ok(ControlFlow::Break(requests.ending.unwrap_or(Ending::Over)));
         }
-        self.fit(wishes.resized, began)?;
+        self.fit(requests.resized, began)?;
         Ok(ControlFlow::Continue(()))
     }
 

@@ -11,7 +11,7 @@
 mod arguments;
 mod display;
 mod error;
-mod front;
+mod frontend;
 pub mod input;
 mod interactive;
 mod meter;
@@ -35,7 +35,7 @@ use clap::Parser as _;
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
 use self::display::{Nowhere, Screen, Terminal, Window};
 use self::error::PlayError;
-use self::front::Ending;
+use self::frontend::Ending;
 use self::input::{Hub, SystemDevices, Wanted};
 use self::interactive::Player;
 use self::talk::say;
@@ -104,7 +104,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
-            let viewer = Viewer::new(scene, view.look());
+            let viewer = Viewer::new(scene, view.render_options());
             session(Box::new(viewer), Some(0), size, &view.options)
         }
     }

@@ -4,9 +4,9 @@
 //! are by rational numbers, not by sines, so that a recorded session is the same on every machine.
 
 use cellray::game::{
-    Axis, Button, DVec3, Game, Key, Moment, Mouse, MouseButton, Start, View, World, WorldError,
+    Axis, Button, DVec3, Frame, Game, Key, Mouse, MouseButton, Start, View, World, WorldError,
 };
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 
 /// What a viewer's name as a game begins with, before the scene's.
 pub const VIEW: &str = "view ";
@@ -29,7 +29,7 @@ const FARTHEST: f64 = 100.0;
 pub struct Viewer {
     name: String,
     scene: nff::Scene,
-    look: Look,
+    render_options: RenderOptions,
     orbit: Orbit,
     /// Where the mouse was, as parts of the picture's sides: its pixels may be others from frame
     /// to frame.
@@ -39,12 +39,12 @@ pub struct Viewer {
 impl Viewer {
     /// Of this scene.
     #[must_use]
-    pub fn new(scene: nff::Scene, look: Look) -> Self {
+    pub fn new(scene: nff::Scene, render_options: RenderOptions) -> Self {
         Self {
             name: format!("{VIEW}{}", file_name(&scene.name)),
             orbit: Orbit::of(&scene.view),
             scene,
-            look,
+            render_options,
             pointer: None,
         }
     }
@@ -69,14 +69,14 @@ impl Game for Viewer {
     }
 
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
-        *world = World::from_nff(&self.scene, self.look)?;
+        *world = World::from_nff(&self.scene, self.render_options)?;
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        let Moment {
-            input, step, size, ..
-        } = *moment;
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        let Frame {
+            input, delta, size, ..
+        } = *frame;
         if input.key_pressed(Key::Home) || input.pad().is_some_and(|pad| pad.pressed(Button::Start))
         {
             self.orbit = Orbit::of(&self.scene.view);
@@ -86,13 +86,13 @@ impl Game for Viewer {
         let [across, along] = if held { drag } else { [0.0; 2] };
         let key = |less, more| f64::from(input.key_axis(less, more));
         let stick = |axis| input.pad().map_or(0.0, |pad| f64::from(pad.axis(axis)));
-        let turn = TURN * step;
+        let turn = TURN * delta;
         // The scene follows the mouse; the eye follows keys and sticks.
         let right = turn * (key(Key::Left, Key::Right) + stick(Axis::LeftX)) - across;
         let up = turn * (key(Key::Down, Key::Up) - stick(Axis::LeftY)) + along;
         self.orbit.turn(right, up);
         let nearer = f64::from(input.mouse().wheel[1]) * NOTCH
-            + (key(Key::PageDown, Key::PageUp) - stick(Axis::RightY)) * ZOOM * step;
+            + (key(Key::PageDown, Key::PageUp) - stick(Axis::RightY)) * ZOOM * delta;
         self.orbit.approach(nearer);
         world.look_from(self.orbit.eye(), self.orbit.at)
     }
@@ -196,7 +196,8 @@ mod tests {
 
     impl Player {
         fn new() -> Self {
-            let (mut viewer, mut world) = (Viewer::new(scene(), Look::default()), World::new());
+            let (mut viewer, mut world) =
+                (Viewer::new(scene(), RenderOptions::default()), World::new());
             let start = Start {
                 seed: 0,
                 size: (64, 36),
@@ -218,16 +219,16 @@ mod tests {
                 if number == 0 {
                     events.iter().for_each(|event| self.input.apply(event));
                 }
-                let moment = Moment {
-                    frame: self.frame,
+                let frame = Frame {
+                    number: self.frame,
                     time: 0.0,
-                    step: 0.05,
+                    delta: 0.05,
                     input: &self.input,
                     size: self.size,
                     last: None,
                 };
                 self.viewer
-                    .frame(&mut self.world, &moment)
+                    .update(&mut self.world, &frame)
                     .expect("a frame");
                 self.frame += 1;
             }
@@ -296,7 +297,10 @@ mod tests {
                 name: path.into(),
                 ..scene()
             };
-            assert_eq!(Viewer::new(scene, Look::default()).name(), "view x.nff");
+            assert_eq!(
+                Viewer::new(scene, RenderOptions::default()).name(),
+                "view x.nff"
+            );
         }
     }
 

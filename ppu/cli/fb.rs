@@ -74,7 +74,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
     let scene = nff::load(&options.scene)?;
-    let scene = run::scene(options, &scene, options.look(), &program)?;
+    let scene = run::scene(options, &scene, options.render_options(), &program)?;
     // Before the screen is taken over, so that no signal leaves it that way.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;

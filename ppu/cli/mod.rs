@@ -48,7 +48,7 @@ enum Command {
     Fb(fb::Arguments),
     /// Play a game, by the program cellray-play; without a name, list those that there are
     Play(beside::Arguments),
-    /// Look at a scene from all sides, by the program cellray-play
+    /// RenderOptions at a scene from all sides, by the program cellray-play
     View(beside::Arguments),
     /// Measure run time against error, and numerical stability, by the program cellray-bench
     Bench(beside::Arguments),

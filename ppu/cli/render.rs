@@ -6,7 +6,7 @@ use cellray::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, Png,
 };
 use cellray::game::{FrameRange, Pictures, Turntable, View};
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use clap::Args;
 
 use super::{Outcome, run, sequence};
@@ -36,7 +36,7 @@ pub struct Arguments {
     /// Frames in which the eye of numbered pictures goes once around what it looks at
     #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     turn: u32,
-    /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard
+    /// Primary rays through the corners of the pixels, the four of each averaged, as the Standard
     /// Procedural Databases have it
     #[arg(long)]
     corners: bool,
@@ -63,13 +63,13 @@ impl Arguments {
         if self.corners {
             return Err("--corners has no numbered pictures".into());
         }
-        let look = self.options.look();
+        let render_options = self.options.render_options();
         let program = self.options.program()?;
         let scene = nff::load(&self.options.scene)?;
         // What can't be drawn is said before the first frame.
-        run::scene(&self.options, &scene, look, &program)?;
+        run::scene(&self.options, &scene, render_options, &program)?;
         let size = self.geometry(&scene.view)?;
-        let turntable = Turntable::new(scene, look, self.turn);
+        let turntable = Turntable::new(scene, render_options, self.turn);
         let pictures = Pictures::new(paths);
         sequence::run(
             &self.options,
@@ -91,13 +91,13 @@ pub fn run(arguments: &Arguments) -> Outcome {
             "--frames A..B with an A over 0 needs numbered pictures: --out 'f-%05d.png'".into(),
         );
     }
-    let look = Look {
+    let render_options = RenderOptions {
         corners: arguments.corners,
-        ..arguments.options.look()
+        ..arguments.options.render_options()
     };
     let program = arguments.options.program()?;
     let scene = nff::load(&arguments.options.scene)?;
-    let scene = run::scene(&arguments.options, &scene, look, &program)?;
+    let scene = run::scene(&arguments.options, &scene, render_options, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),

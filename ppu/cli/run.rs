@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use cellray::spe::{Program, ProgramError};
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
@@ -83,8 +83,8 @@ pub struct Options {
 
 impl Options {
     /// How the scene is to look.
-    pub fn look(&self) -> Look {
-        Look {
+    pub fn render_options(&self) -> RenderOptions {
+        RenderOptions {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
@@ -131,10 +131,10 @@ impl Options {
 pub fn scene(
     options: &Options,
     scene: &nff::Scene,
-    look: Look,
+    render_options: RenderOptions,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(scene, look, program)?;
+    let scene = Scene::new(scene, render_options, program)?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
     }

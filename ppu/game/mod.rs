@@ -1,10 +1,10 @@
 //! The user layer: a [`Game`] is called once a frame and changes its [`World`]; the engine traces
 //! it.
 //!
-//! Owns what a game sees: the world, the input, the moment. Knows no window and no device: those
+//! Owns what a game sees: the world, the input, the frame. Knows no window and no device: those
 //! who show a game bring a framebuffer and a source of [`Input`] to its [`Session`]. Invariant:
 //! what a game sees in a frame depends on the frames' times, sizes and inputs alone, but for
-//! [`Moment::last`], so that a recorded session is played back bit for bit.
+//! [`Frame::last`], so that a recorded session is played back bit for bit.
 
 mod input;
 mod run;
@@ -23,7 +23,7 @@ pub use run::{
 pub use turntable::Turntable;
 pub use world::{Light, LightId, Material, MaterialId, ObjectId, World, WorldError};
 
-pub use crate::scene::{Look, Model};
+pub use crate::scene::{Model, RenderOptions};
 use crate::spe::{Program, ProgramError};
 use crate::statistics::FrameStatistics;
 
@@ -43,7 +43,7 @@ pub trait Game {
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError>;
 
     /// Changes the world for the frame that comes next. Called once a frame.
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError>;
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError>;
 
     /// Whether the game is over: after the frame at hand no other comes.
     fn is_over(&self) -> bool {
@@ -75,13 +75,13 @@ pub struct Start {
 
 /// What a game is told of a frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a> {
+pub struct Frame<'a> {
     /// Number of the frame, from 0.
-    pub frame: u64,
+    pub number: u64,
     /// Seconds from the first frame to this one.
     pub time: f64,
     /// Seconds from the last frame to this one; 0 in the first.
-    pub step: f64,
+    pub delta: f64,
     /// What the player does.
     pub input: &'a Input,
     /// Pixels across and down.

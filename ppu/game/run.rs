@@ -27,7 +27,7 @@ use std::time::Duration;
 use image::RgbImage;
 
 use self::recording::{FrameRecord, Header, Recorder};
-use super::{Game, Input, InputEvent, Moment, Start, World};
+use super::{Frame, Game, Input, InputEvent, Start, World};
 use crate::engine::{Engine, EngineError, Settings};
 use crate::framebuffer::Framebuffer;
 use crate::report::{LoopTime, Report};
@@ -41,7 +41,7 @@ use crate::spe::{Program, ProgramError};
 /// use cellray::Settings;
 /// use cellray::framebuffer::{Geometry, Memory};
 /// use cellray::game::{
-///     DVec3, Game, InputEvent, Key, Material, Moment, ObjectId, Session, Start, World,
+///     DVec3, Game, InputEvent, Key, Material, Frame, ObjectId, Session, Start, World,
 ///     WorldError,
 /// };
 ///
@@ -54,8 +54,8 @@ use crate::spe::{Program, ProgramError};
 ///         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
 ///         Ok(())
 ///     }
-///     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-///         match moment.input.key_pressed(Key::Space) {
+///     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+///         match frame.input.key_pressed(Key::Space) {
 ///             true => world.move_to(self.0, DVec3::Y),
 ///             false => Ok(()),
 ///         }
@@ -318,15 +318,15 @@ impl<G: Game> Session<G> {
         let step = self.record.step();
         self.time += step;
         let last = (self.frame > 0).then(|| self.engine.statistics());
-        let moment = Moment {
-            frame: self.frame,
+        let frame = Frame {
+            number: self.frame,
             time: self.time.as_secs_f64(),
-            step: step.as_secs_f64(),
+            delta: step.as_secs_f64(),
             input: &self.input,
             size: self.record.size.unwrap_or(self.size),
             last,
         };
-        self.game.frame(&mut self.world, &moment)?;
+        self.game.update(&mut self.world, &frame)?;
         self.check_and_record()?;
         Ok(ControlFlow::Continue(()))
     }
@@ -453,8 +453,8 @@ impl<G: Game + ?Sized> Game for Box<G> {
         (**self).set_up(world, start)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), super::WorldError> {
-        (**self).frame(world, moment)
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), super::WorldError> {
+        (**self).update(world, frame)
     }
 
     fn is_over(&self) -> bool {

@@ -26,9 +26,9 @@ use nff::depth::DepthShading;
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
-use self::content::{Lamp, Object, Stuff};
+use self::content::{Object, WorldLight, WorldMaterial};
 use self::edits::{Edits, Traced};
-use crate::scene::Look;
+use crate::scene::RenderOptions;
 
 /// A scene that a game changes.
 ///
@@ -67,10 +67,10 @@ pub struct World {
     view: View,
     background: DVec3,
     ambient: DVec3,
-    look: Look,
+    render_options: RenderOptions,
     fade: Option<DepthShading>,
-    materials: SlotMap<MaterialId, Stuff>,
-    lights: SlotMap<LightId, Lamp>,
+    materials: SlotMap<MaterialId, WorldMaterial>,
+    lights: SlotMap<LightId, WorldLight>,
     objects: SlotMap<ObjectId, Object>,
     /// What was traced last.
     traced: Option<Traced>,
@@ -100,7 +100,7 @@ impl World {
             },
             background: DVec3::ZERO,
             ambient: DVec3::ZERO,
-            look: Look::default(),
+            render_options: RenderOptions::default(),
             fade: None,
             materials: SlotMap::with_key(),
             lights: SlotMap::with_key(),
@@ -112,7 +112,7 @@ impl World {
 
     /// The world that a scene shows. Its objects, materials and lights are in the scene's order,
     /// and called by the lines that they are in.
-    pub fn from_nff(scene: &nff::Scene, look: Look) -> Result<Self, WorldError> {
+    pub fn from_nff(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, WorldError> {
         let at = |line| {
             move |source| WorldError::At {
                 file: scene.name.clone(),
@@ -122,7 +122,7 @@ impl World {
         };
         let mut world = Self::new();
         world.name.clone_from(&scene.name);
-        world.set_look(look);
+        world.set_render_options(render_options);
         world.set_view(scene.view.clone())?;
         world.set_background(scene.background)?;
         world.set_ambient(scene.ambient)?;
@@ -163,17 +163,17 @@ impl World {
             ambient: self.ambient,
             lights: (1..)
                 .zip(self.lights.values())
-                .map(|(line, lamp)| {
-                    let Light { kind, colour } = lamp.light;
-                    let line = lamp.line.unwrap_or(line);
+                .map(|(line, entry)| {
+                    let Light { kind, colour } = entry.light;
+                    let line = entry.line.unwrap_or(line);
                     nff::Light { line, kind, colour }
                 })
                 .collect(),
             materials: (1..)
                 .zip(self.materials.values())
-                .map(|(line, stuff)| nff::Material {
-                    line: stuff.line.unwrap_or(line),
-                    ..stuff.material.clone()
+                .map(|(line, entry)| nff::Material {
+                    line: entry.line.unwrap_or(line),
+                    ..entry.material.clone()
                 })
                 .collect(),
             objects: (1..)
@@ -257,14 +257,14 @@ impl World {
 
     /// How the world is made to look: the model, and its settings.
     #[must_use]
-    pub fn look(&self) -> Look {
-        self.look
+    pub fn render_options(&self) -> RenderOptions {
+        self.render_options
     }
 
     /// Makes it look otherwise.
-    pub fn set_look(&mut self, look: Look) {
-        if self.look != look {
-            self.look = look;
+    pub fn set_render_options(&mut self, render_options: RenderOptions) {
+        if self.render_options != render_options {
+            self.render_options = render_options;
             self.edits.anew = true;
         }
     }
@@ -301,14 +301,14 @@ impl World {
             sum.vector(vector);
         }
         sum.float(angle);
-        for lamp in self.lights.values() {
-            sum.light(&lamp.light);
+        for entry in self.lights.values() {
+            sum.light(&entry.light);
         }
         for object in self.objects.values() {
             sum.shape(&object.shape);
             sum.word(u64::from(object.visible));
-            if let Some(stuff) = self.materials.get(object.material) {
-                sum.material(&stuff.material);
+            if let Some(entry) = self.materials.get(object.material) {
+                sum.material(&entry.material);
             }
         }
         sum.number()

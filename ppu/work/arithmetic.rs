@@ -1,5 +1,5 @@
-//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels
-//! find them, and random cameras and spheres.
+//! For tests: primary rays and their entries into spheres in the SPU's own arithmetic, as the
+//! kernels find them, and random cameras and spheres.
 
 use glam::DVec3;
 use nff::{Camera, View};
@@ -7,8 +7,8 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fnms, to_f64};
-use twins::ball::Ball;
 use twins::sphere::{Axis, Constants, Eye as _, Perpendicular};
+use twins::sphere_ray::BareSphere;
 use zerocopy::big_endian::F32;
 
 use crate::scene;
@@ -82,7 +82,7 @@ pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64
     let found = match form {
         EyeRecord::Centre => Perpendicular::entry(
             direction,
-            &Ball {
+            &BareSphere {
                 centre,
                 radius_squared: square,
             },

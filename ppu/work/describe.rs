@@ -36,7 +36,7 @@ pub struct Addresses {
 pub struct Order<'a> {
     /// Depth shading and background.
     pub scene: &'a Scene,
-    /// The eye's rays.
+    /// primary rays.
     pub camera: &'a Camera,
     /// Where the picture goes.
     pub target: &'a Target,
@@ -125,7 +125,7 @@ pub fn describe(order: &Order) -> Frame {
         frame.batch = block.batch().into();
         frame.lights = block.light_address().into();
         frame.light_count = block.light_count().into();
-        frame.trees = block.trees();
+        frame.trees = block.bvhs();
         frame.ambient = block.ambient();
         frame.eye = quadword(singles(camera.eye));
     }
@@ -137,7 +137,7 @@ fn features(order: &Order) -> u32 {
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
-        | flag(!order.scene.look().shadows, FEATURE_NO_SHADOWS)
+        | flag(!order.scene.render_options().shadows, FEATURE_NO_SHADOWS)
         | flag(order.check_shaders, FEATURE_CHECK_SHADERS)
 }
 

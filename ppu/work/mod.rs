@@ -3,22 +3,22 @@
 #[cfg(test)]
 mod arithmetic;
 mod describe;
-mod lens;
 mod pages;
 mod plan;
 mod policy;
+mod projection;
 mod refusal;
 mod shadow;
-mod shown;
+mod snapshot;
 mod spheres;
 mod tiles;
 mod units;
 
 pub use describe::{Addresses, Order, describe};
-pub use lens::{Lens, Rectangle};
 pub(crate) use plan::{Plan, Size};
 pub(crate) use policy::Policy;
 pub use policy::{Skip, Split};
+pub use projection::{Projection, Rectangle};
 pub use refusal::Refusal;
 pub use spheres::EyeSpheres;
 pub use tiles::{tile_count, tile_pixels};

@@ -5,8 +5,8 @@
 
 use nff::Camera;
 
-use super::lens::Lens;
-use super::shown::Shown;
+use super::projection::Projection;
+use super::snapshot::Snapshot;
 use super::tiles::TileSet;
 use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
@@ -23,7 +23,7 @@ pub struct Pages {
     /// Number of the page that is being written to.
     open: usize,
     /// What it is to show; once the page has taken that over, the room for the next.
-    to_show: Shown,
+    to_show: Snapshot,
 }
 
 /// Where a page lies, and in which form.
@@ -39,7 +39,7 @@ struct Page {
     place: Place,
     /// Whether it shows all of that.
     whole: bool,
-    shown: Shown,
+    shown: Snapshot,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
@@ -57,7 +57,7 @@ impl Pages {
         target: &Target,
         scene: &Scene,
         camera: &Camera,
-        lens: &Lens,
+        projection: &Projection,
         changed: &mut TileSet,
     ) {
         let place = Place {
@@ -81,7 +81,7 @@ impl Pages {
             page.blank.clear(target.geometry);
         }
         if page.whole {
-            self.to_show.changes(&page.shown, lens, changed);
+            self.to_show.changes(&page.shown, projection, changed);
         } else {
             changed.add_all();
         }
@@ -110,7 +110,7 @@ impl Page {
         Self {
             place,
             whole: false,
-            shown: Shown::default(),
+            shown: Snapshot::default(),
             blank: TileSet::default(),
         }
     }

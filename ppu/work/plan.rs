@@ -5,9 +5,9 @@
 
 use nff::Camera;
 
-use super::lens::Lens;
 use super::pages::Pages;
 use super::policy::Policy;
+use super::projection::Projection;
 use super::spheres::EyeSpheres;
 use super::tiles::{TileSet, tile_count, tile_pixels};
 use super::units::{TileCosts, Units};
@@ -42,18 +42,18 @@ impl Plan {
     /// Plans a frame into `target`.
     pub fn make(&mut self, scene: &Scene, camera: &Camera, target: &Target, policy: Policy) {
         let geometry = target.geometry;
-        let lens = Lens::new(camera, geometry);
+        let projection = Projection::new(camera, geometry);
         self.keeps = policy.keeps;
         if !self.keeps {
             self.pages.forget();
         }
         self.pages
-            .open(target, scene, camera, &lens, &mut self.tiles);
+            .open(target, scene, camera, &projection, &mut self.tiles);
         if !policy.retain {
             self.tiles.add_all();
         }
         self.spheres
-            .look(scene.spheres(), &lens, policy.skip, policy.record);
+            .cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = self.tiles.numbers();
         let costs = self.costs.of(geometry);
         self.units.cut(tiles, policy.spus, policy.split, costs);

@@ -10,8 +10,8 @@ use std::f64::consts::PI;
 use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
-use super::lens::{Lens, seen_radius};
 use super::policy::Skip;
+use super::projection::{Projection, seen_radius};
 use crate::scene;
 use crate::scene::single::{LARGEST, SMALLEST, down, singles, up};
 use protocol::formulation::EyeRecord;
@@ -35,11 +35,17 @@ pub struct EyeSpheres {
 impl EyeSpheres {
     /// Makes the records of what a camera can see of `spheres`, of all of them with
     /// [`Skip::Nothing`], in the form that the kernel takes.
-    pub fn look(&mut self, spheres: &[scene::Sphere], lens: &Lens, skip: Skip, form: EyeRecord) {
+    pub fn cull(
+        &mut self,
+        spheres: &[scene::Sphere],
+        projection: &Projection,
+        skip: Skip,
+        form: EyeRecord,
+    ) {
         self.order.clear();
         for (index, sphere) in (0..).zip(spheres) {
-            if skip == Skip::Nothing || can_be_seen(sphere, lens) {
-                self.order.push((near(sphere, lens), index));
+            if skip == Skip::Nothing || can_be_seen(sphere, projection) {
+                self.order.push((near(sphere, projection), index));
             }
         }
         // The index makes an unstable sort, which needs no memory, a stable one.
@@ -49,7 +55,7 @@ impl EyeSpheres {
         let records = self
             .order
             .iter()
-            .map(|&(_, index)| record(&spheres[index as usize], lens, form));
+            .map(|&(_, index)| record(&spheres[index as usize], projection, form));
         self.records.extend(records);
     }
 
@@ -67,20 +73,20 @@ impl EyeSpheres {
 }
 
 /// Whether any ray of the picture may enter the sphere from outside.
-fn can_be_seen(sphere: &scene::Sphere, lens: &Lens) -> bool {
-    let distance = lens.to(sphere.centre).length();
+fn can_be_seen(sphere: &scene::Sphere, projection: &Projection) -> bool {
+    let distance = projection.to(sphere.centre).length();
     let around_the_eye = sphere.radius >= distance * (1.0 + ROUNDING);
-    !around_the_eye && !lens.bounds(sphere.centre, sphere.radius).is_empty()
+    !around_the_eye && !projection.bounds(sphere.centre, sphere.radius).is_empty()
 }
 
 /// A distance that no ray enters the sphere before.
-fn near(sphere: &scene::Sphere, lens: &Lens) -> f64 {
-    let distance = lens.to(sphere.centre).length();
+fn near(sphere: &scene::Sphere, projection: &Projection) -> f64 {
+    let distance = projection.to(sphere.centre).length();
     (distance - sphere.radius - ROUNDING * (distance + sphere.radius)).max(0.0)
 }
 
-fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
-    let to_centre = lens.to(sphere.centre);
+fn record(sphere: &scene::Sphere, projection: &Projection, form: EyeRecord) -> Sphere {
+    let to_centre = projection.to(sphere.centre);
     let distance = to_centre.length();
     let radius = sphere.radius;
     let part = match form {
@@ -96,18 +102,18 @@ fn record(sphere: &scene::Sphere, lens: &Lens, form: EyeRecord) -> Sphere {
     } else {
         always
     };
-    let angle = libm::asin((seen / distance).min(1.0)) + lens.packet_spread();
+    let angle = libm::asin((seen / distance).min(1.0)) + projection.packet_spread();
     let packet_limit = if seen < distance && angle < PI {
         part * (distance * libm::cos(angle) - rounding)
     } else {
         always
     };
-    let plane_rounding = ROUNDING + 2.0 * lens.direction_error();
+    let plane_rounding = ROUNDING + 2.0 * projection.direction_error();
     let size = (radius * part).clamp(SMALLEST, LARGEST);
     Sphere {
         centre: singles(to_centre * part),
         radius_squared: F32::new((size * size) as f32),
-        near: down(near(sphere, lens)),
+        near: down(near(sphere, projection)),
         ray_limit: down(ray_limit),
         packet_limit: down(packet_limit),
         reach: up(part * (radius + plane_rounding * (distance + radius))),

@@ -1,6 +1,6 @@
 //! The tiles of a picture: how many, how large, and sets of them.
 
-use super::lens::Rectangle;
+use super::projection::Rectangle;
 use crate::framebuffer::Geometry;
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 

@@ -9,9 +9,9 @@
 /// One formulation of each: those of a program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Formulations {
-    /// Of spheres, for the eye's rays by depth shading.
+    /// Of spheres, for primary rays by depth shading.
     pub eye: &'static SphereFormulation,
-    /// Of spheres, for the eye's rays by Whitted's model.
+    /// Of spheres, for primary rays by Whitted's model.
     pub seen: &'static SphereFormulation,
     /// Of spheres, for the rays of mirrors, glass and shadows. These start where others have hit,
     /// which is no more certain than their length.
@@ -20,7 +20,7 @@ pub struct Formulations {
     pub triangle: &'static TriangleFormulation,
 }
 
-/// What a sphere's record holds for the eye's rays.
+/// What a sphere's record holds for primary rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EyeRecord {
     /// The centre as the eye sees it, and the radius squared.
@@ -37,7 +37,7 @@ pub struct SphereFormulation {
     pub name: &'static str,
     /// What is computed.
     pub doc: &'static str,
-    /// The kernel for the eye's rays, which share their origin: depth shading's.
+    /// The kernel for primary rays, which share their origin: depth shading's.
     pub eye: Option<&'static str>,
     /// What that kernel takes of a sphere.
     pub record: EyeRecord,
@@ -61,7 +61,7 @@ const PERPENDICULAR: SphereFormulation = SphereFormulation {
     doc: "discriminant by the perpendicular from the centre to the ray (Hearn and Baker), one Newton step",
     eye: Some("isect_pairs_r16"),
     record: EyeRecord::Centre,
-    general: Some("isect_ball_pairs_r16"),
+    general: Some("isect_sphere_pairs_r16"),
 };
 
 /// All formulations of spheres.
@@ -70,7 +70,7 @@ pub const SPHERES: &[SphereFormulation] = &[
         name: "paper",
         doc: "the paper's b^2 - 4ac, one Newton step",
         eye: Some("isect_pairs_paper_r16"),
-        general: Some("isect_ball_pairs_paper_r16"),
+        general: Some("isect_sphere_pairs_paper_r16"),
         ..PERPENDICULAR
     },
     PERPENDICULAR,
@@ -78,35 +78,35 @@ pub const SPHERES: &[SphereFormulation] = &[
         name: "estimate",
         doc: "perpendicular, the root from the bare estimate",
         eye: Some("isect_pairs_estimate_r16"),
-        general: Some("isect_ball_pairs_estimate_r16"),
+        general: Some("isect_sphere_pairs_estimate_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "interpolated",
         doc: "perpendicular, the root from estimate and fi",
         eye: Some("isect_pairs_interpolated_r16"),
-        general: Some("isect_ball_pairs_interpolated_r16"),
+        general: Some("isect_sphere_pairs_interpolated_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "newton2",
         doc: "perpendicular, two Newton steps",
         eye: Some("isect_pairs_newton2_r16"),
-        general: Some("isect_ball_pairs_newton2_r16"),
+        general: Some("isect_sphere_pairs_newton2_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "stable",
         doc: "perpendicular, the near root as c/q, which does not cancel (Numerical Recipes)",
         eye: Some("isect_pairs_stable_r16"),
-        general: Some("isect_ball_pairs_stable_r16"),
+        general: Some("isect_sphere_pairs_stable_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "factored",
         doc: "discriminant (r - l)(r + l) (pbrt)",
         eye: Some("isect_pairs_factored_r16"),
-        general: Some("isect_ball_pairs_factored_r16"),
+        general: Some("isect_sphere_pairs_factored_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
@@ -120,21 +120,21 @@ pub const SPHERES: &[SphereFormulation] = &[
         name: "refined",
         doc: "perpendicular, with what truncation took from b put back",
         eye: Some("isect_pairs_refined_r16"),
-        general: Some("isect_ball_pairs_refined_r16"),
+        general: Some("isect_sphere_pairs_refined_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "unnormalised",
         doc: "perpendicular, for directions of any length",
         eye: Some("isect_pairs_unnormalised_r16"),
-        general: Some("isect_ball_pairs_unnormalised_r16"),
+        general: Some("isect_sphere_pairs_unnormalised_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "double",
         doc: "perpendicular and c/q in double precision",
         eye: Some("isect_pairs_double_r16"),
-        general: Some("isect_ball_pairs_double_r16"),
+        general: Some("isect_sphere_pairs_double_r16"),
         ..PERPENDICULAR
     },
 ];

@@ -110,7 +110,7 @@ function statistics_put
         fsmbi   $t_mask,0x0f00
         and     $value,$value,$t_mask
         put_long eye_hits,$value
-    .irp field, tiles,packets,eye_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
+    .irp field, tiles,packets,primary_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
         put_count \field
     .endr
     .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits

@@ -83,7 +83,7 @@ function tile_trace
         il      $one,1
         count   tiles,$one,$t_sum,$t_add,$t_carry
         mpyu    $amount,$g_tile_width,$g_tile_height
-        count   eye_rays,$amount,$t_sum,$t_add,$t_carry
+        count   primary_rays,$amount,$t_sum,$t_add,$t_carry
         packets_of_tile $amount,$packets_down
         count   packets,$amount,$t_sum,$t_add,$t_carry
 

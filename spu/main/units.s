@@ -44,7 +44,7 @@ function units_trace
         br      prepared
 whitted:
         brsl    $lr,queues_prepare
-        brsl    $lr,trees_plan
+        brsl    $lr,bvhs_plan
         brsl    $lr,shading_prepare
 prepared:
         phase_ends $g_ticks_fetch,$bad

@@ -10,8 +10,8 @@ use glam::DVec3;
 use nff::unit;
 
 use super::{Place, Sides, nearest_seen, rounding};
+use crate::bvh::Bounds;
 use crate::ray::Ray;
-use crate::tree::Bounds;
 
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cone {

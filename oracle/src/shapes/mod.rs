@@ -7,26 +7,26 @@
 //!
 //! Invariant: a distance found is finite, above 0 and below the limit; a normal has length 1.
 
-mod ball;
 mod cone;
 mod polygon;
+mod sphere;
 #[cfg(test)]
 pub(crate) mod tests;
 
 use glam::DVec3;
 use nff::Shape;
 
+use crate::bvh::Bounds;
 use crate::ray::Ray;
-use crate::tree::Bounds;
-use ball::Ball;
 use cone::Cone;
 pub(crate) use polygon::MAX_PATCH_VERTICES;
 use polygon::Polygon;
+use sphere::Sphere;
 
 /// A surface that rays can meet.
 #[derive(Debug, Clone)]
 pub(crate) enum Surface {
-    Ball(Ball),
+    Sphere(Sphere),
     Cone(Cone),
     Polygon(Polygon),
 }
@@ -72,7 +72,7 @@ impl Surface {
         let sides = if transmits { Sides::BOTH } else { Sides::FRONT };
         match shape {
             &Shape::Sphere { centre, radius } => {
-                (radius != 0.0).then(|| Self::Ball(Ball::new(centre, radius, sides)))
+                (radius != 0.0).then(|| Self::Sphere(Sphere::new(centre, radius, sides)))
             }
             &Shape::Cone {
                 base,
@@ -98,7 +98,7 @@ impl Surface {
     /// Distance to the nearest crossing, short of `limit`, that is seen from its side.
     pub(crate) fn hit(&self, ray: &Ray, limit: f64) -> Option<f64> {
         match self {
-            Self::Ball(ball) => ball.hit(ray, limit),
+            Self::Sphere(sphere) => sphere.hit(ray, limit),
             Self::Cone(cone) => cone.hit(ray, limit),
             Self::Polygon(polygon) => polygon.hit(ray, limit),
         }
@@ -108,7 +108,7 @@ impl Surface {
     pub(crate) fn place(&self, ray: &Ray, distance: f64) -> Place {
         let point = ray.at(distance);
         match self {
-            Self::Ball(ball) => ball.place(point),
+            Self::Sphere(sphere) => sphere.place(point),
             Self::Cone(cone) => cone.place(point, ray.direction),
             Self::Polygon(polygon) => polygon.place(point),
         }
@@ -117,7 +117,7 @@ impl Surface {
     /// A box around the surface.
     pub(crate) fn bounds(&self) -> Bounds {
         match self {
-            Self::Ball(ball) => ball.bounds(),
+            Self::Sphere(sphere) => sphere.bounds(),
             Self::Cone(cone) => cone.bounds(),
             Self::Polygon(polygon) => polygon.bounds(),
         }

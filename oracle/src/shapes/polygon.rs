@@ -10,8 +10,8 @@ use glam::DVec3;
 use nff::{area_vector, triangles, unit};
 
 use super::{Place, Sides, rounding};
+use crate::bvh::Bounds;
 use crate::ray::Ray;
-use crate::tree::Bounds;
 
 /// Most vertices of a patch: its triangles take time with the square of them.
 pub(crate) const MAX_PATCH_VERTICES: usize = 512;

@@ -1,6 +1,6 @@
 //! Pictures by the model of Whitted (1980), as `docs/shading.md` writes it down.
 //!
-//! Owns the grid of eye rays and what becomes of their colours. Invariant: the same scene and
+//! Owns the grid of primary rays and what becomes of their colours. Invariant: the same scene and
 //! options give the same picture and the same counts, however many threads there are.
 
 mod finish;
@@ -25,7 +25,7 @@ pub const MAX_DEPTH: u32 = 16;
 /// How a scene is traced.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
-    /// Most rays in a chain, the eye ray counted, from 1 to [`MAX_DEPTH`].
+    /// Most rays in a chain, the primary ray counted, from 1 to [`MAX_DEPTH`].
     pub depth: u32,
     /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
     pub fresnel: bool,
@@ -34,8 +34,8 @@ pub struct Options {
     /// surface that is lit a shadow ray for each light in front of it. They change the counts and
     /// nothing else.
     pub spd_rays: bool,
-    /// Whether eye rays go through the corners of the pixels, the four of each averaged, as the
-    /// Standard Procedural Databases ask for; else through their centres.
+    /// Whether primary rays go through the corners of the pixels, the four of each averaged, as
+    /// the Standard Procedural Databases ask for; else through their centres.
     pub corners: bool,
 }
 
@@ -50,7 +50,7 @@ impl Default for Options {
     }
 }
 
-/// What an eye ray saw.
+/// What a primary ray saw.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sample {
     colour: DVec3,

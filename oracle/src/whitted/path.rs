@@ -1,4 +1,4 @@
-//! What the rays of an eye ray did: how many there were, and which way they took.
+//! What the rays of a primary ray did: how many there were, and which way they took.
 
 use std::ops::AddAssign;
 
@@ -45,7 +45,7 @@ impl AddAssign for Counts {
     }
 }
 
-/// The record of one eye ray.
+/// The record of one primary ray.
 #[derive(Debug, Default)]
 pub(super) struct Path {
     pub counts: Counts,

@@ -8,7 +8,7 @@ use super::path::Path;
 use super::stage::Stage;
 use crate::Error;
 
-/// A scene and its camera, to be asked what single eye rays see.
+/// A scene and its camera, to be asked what single primary rays see.
 pub struct Probe<'a> {
     stage: Stage<'a>,
     camera: Camera,

@@ -12,12 +12,12 @@ use super::light;
 use super::path::{Counts, Path};
 use super::{MAX_DEPTH, Options, weight};
 use crate::Error;
+use crate::bvh::Bvh;
 use crate::ray::Ray;
 use crate::shapes::{MAX_PATCH_VERTICES, Surface};
-use crate::tree::Tree;
 
 pub(super) struct Stage<'a> {
-    tree: Tree,
+    tree: Bvh,
     /// Of each surface.
     materials: Vec<&'a Material>,
     /// Place and brightness of each light.
@@ -90,7 +90,7 @@ impl<'a> Stage<'a> {
             weight::least(scene, &materials, &lights, options.depth)
         };
         Ok(Self {
-            tree: Tree::new(surfaces),
+            tree: Bvh::new(surfaces),
             materials,
             lights,
             ambient: scene.ambient,
@@ -100,7 +100,7 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// The colour of an eye ray; the direction need not have length 1.
+    /// The colour of a primary ray; the direction need not have length 1.
     pub(super) fn eye(&self, eye: DVec3, direction: DVec3, path: &mut Path) -> DVec3 {
         let colour = self.look(&Ray::new(eye, direction.normalize()), 1, 1.0, path);
         path.counts.eye += 1;

@@ -29,7 +29,7 @@ use crate::overlay::Overlay;
 
 /// Something that came from a display.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Happening {
+pub enum DisplayEvent {
     /// Input.
     Input(InputEvent),
     /// The display is of another size.
@@ -54,7 +54,7 @@ pub trait Display {
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError>;
 
     /// Appends what has happened since the last call; does not wait.
-    fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()>;
+    fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()>;
 
     /// Whether frames are to be brought there by [`Display::show`]. Elsewhere the SPUs write to
     /// what is seen.

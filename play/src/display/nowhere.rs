@@ -5,7 +5,7 @@ use std::io;
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
 use image::RgbImage;
 
-use super::{Display, Happening};
+use super::{Display, DisplayEvent};
 use crate::overlay::Overlay;
 
 /// A display that nobody sees.
@@ -32,7 +32,7 @@ impl Display for Nowhere {
         Ok(Box::new(Memory::new(size)?))
     }
 
-    fn poll(&mut self, _happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, _happenings: &mut Vec<DisplayEvent>) -> io::Result<()> {
         Ok(())
     }
 

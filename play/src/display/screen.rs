@@ -9,7 +9,7 @@ use std::path::Path;
 use cellray::framebuffer::{self, Framebuffer, FramebufferError, Geometry};
 use image::RgbImage;
 
-use super::{Display, DisplayError, Happening};
+use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
 use crate::talk::say;
 
@@ -47,7 +47,7 @@ impl Display for Screen {
             .ok_or_else(|| FramebufferError::BadSize(nff::ViewError::Size(size.to_string())))
     }
 
-    fn poll(&mut self, _happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, _happenings: &mut Vec<DisplayEvent>) -> io::Result<()> {
         Ok(())
     }
 

@@ -24,7 +24,7 @@ use self::cells::{Colours, Grid};
 use self::events::Events;
 use self::keys::Keys;
 use self::restore::Taken;
-use super::{Display, DisplayError, Fit, Happening, Pointer};
+use super::{Display, DisplayError, DisplayEvent, Fit, Pointer};
 use crate::overlay::Overlay;
 
 /// Where the system tells no size.
@@ -104,18 +104,18 @@ impl Terminal {
         self.pointer.refit(Fit::new(picture, (width, height)));
     }
 
-    fn take_in(&mut self, event: Event, happenings: &mut Vec<Happening>) {
+    fn take_in(&mut self, event: Event, display_events: &mut Vec<DisplayEvent>) {
         if let Event::Key(key) = event
             && key.modifiers.contains(KeyModifiers::CONTROL)
         {
             // What a terminal itself makes of them where keys come line by line.
             match key.code {
-                KeyCode::Char('c') => return happenings.push(Happening::Interrupted),
-                KeyCode::Char('d') => return happenings.push(Happening::Closed),
+                KeyCode::Char('c') => return display_events.push(DisplayEvent::Interrupted),
+                KeyCode::Char('d') => return display_events.push(DisplayEvent::Closed),
                 _ => {}
             }
         }
-        let mut input = |event| happenings.push(Happening::Input(event));
+        let mut input = |event| display_events.push(DisplayEvent::Input(event));
         match event {
             Event::Key(key) => self.keys.take(key, Instant::now(), &mut input),
             Event::Mouse(mouse) => {
@@ -174,20 +174,20 @@ impl Display for Terminal {
         Ok(Box::new(Memory::new(size)?))
     }
 
-    fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         let is_back = self.taken.is_back();
         if self.is_resized.swap(false, Ordering::SeqCst) || is_back {
             // A terminal that was made smaller and larger again has lost what it showed.
             self.grid.forget();
             self.cells = size();
-            happenings.push(Happening::Resized);
+            display_events.push(DisplayEvent::Resized);
         }
         if is_back {
-            self.take_in(Event::FocusLost, happenings);
+            self.take_in(Event::FocusLost, display_events);
         }
         loop {
             match self.events.next() {
-                Ok(Some(event)) => self.take_in(event, happenings),
+                Ok(Some(event)) => self.take_in(event, display_events),
                 Ok(None) => break,
                 Err(_) => {
                     self.is_gone = true;
@@ -197,11 +197,11 @@ impl Display for Terminal {
         }
         // Where the picture is elsewhere it goes on without keys.
         if self.is_gone && self.has_pictures {
-            happenings.push(Happening::HungUp);
+            display_events.push(DisplayEvent::HungUp);
         }
-        happenings.extend(self.pointer.again().map(Happening::Input));
+        display_events.extend(self.pointer.again().map(DisplayEvent::Input));
         self.keys.let_go(Instant::now(), &mut |event| {
-            happenings.push(Happening::Input(event));
+            display_events.push(DisplayEvent::Input(event));
         });
         Ok(())
     }

@@ -24,7 +24,7 @@ use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::window::{Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
-use super::{Display, DisplayError, Fit, Happening, Pointer};
+use super::{Display, DisplayError, DisplayEvent, Fit, Pointer};
 use crate::overlay::Overlay;
 
 /// What a touchpad scrolls for one notch of a wheel, in pixels.
@@ -50,7 +50,7 @@ struct State {
     area: PhysicalSize<u32>,
     pointer: Pointer,
     keys: HeldElsewhere,
-    happenings: Vec<Happening>,
+    display_events: Vec<DisplayEvent>,
 }
 
 impl Window {
@@ -93,7 +93,7 @@ impl Window {
             area: wanted,
             pointer: Pointer::default(),
             keys: HeldElsewhere::default(),
-            happenings: Vec::new(),
+            display_events: Vec::new(),
         };
         // The first events are those that make the window.
         let patience = Some(Duration::from_secs(5));
@@ -132,7 +132,7 @@ impl State {
     }
 
     fn input(&mut self, event: InputEvent) {
-        self.happenings.push(Happening::Input(event));
+        self.display_events.push(DisplayEvent::Input(event));
     }
 }
 
@@ -148,14 +148,14 @@ impl ApplicationHandler for State {
     fn window_event(&mut self, _: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         match event {
             WindowEvent::CloseRequested | WindowEvent::Destroyed => {
-                self.happenings.push(Happening::Closed);
+                self.display_events.push(DisplayEvent::Closed);
             }
             // One that is hidden may have no size.
             WindowEvent::Resized(size)
                 if size.width > 0 && size.height > 0 && size != self.area =>
             {
                 self.area = size;
-                self.happenings.push(Happening::Resized);
+                self.display_events.push(DisplayEvent::Resized);
             }
             WindowEvent::Focused(false) => self.input(InputEvent::FocusLost),
             WindowEvent::KeyboardInput {
@@ -224,14 +224,14 @@ impl Display for Window {
         Ok(Box::new(Memory::new(size)?))
     }
 
-    fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         let pumped = self
             .events
             .pump_app_events(Some(Duration::ZERO), &mut self.state);
-        happenings.append(&mut self.state.happenings);
-        happenings.extend(self.state.pointer.again().map(Happening::Input));
+        display_events.append(&mut self.state.display_events);
+        display_events.extend(self.state.pointer.again().map(DisplayEvent::Input));
         if let PumpStatus::Exit(_) = pumped {
-            happenings.push(Happening::Closed);
+            display_events.push(DisplayEvent::Closed);
         }
         Ok(())
     }

@@ -78,7 +78,7 @@ impl Hub {
         let is_due = |looked| now.saturating_duration_since(looked) >= LOOK_EVERY;
         if self.looked.is_none_or(is_due) {
             self.looked = Some(now);
-            self.look(events);
+            self.render_options(events);
         }
         let mut gone = Vec::new();
         for (path, open) in &mut self.open {
@@ -97,7 +97,7 @@ impl Hub {
         }
     }
 
-    fn look(&mut self, events: &mut Vec<InputEvent>) {
+    fn render_options(&mut self, events: &mut Vec<InputEvent>) {
         let paths = match self.devices.list() {
             Ok(paths) => paths,
             // Once is enough: it will be so in a second, too.

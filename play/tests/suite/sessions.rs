@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use cellray::Settings;
 use cellray::framebuffer::{Framebuffer, Geometry, Memory, NumberedPath};
 use cellray::game::{
-    FixedSteps, Game, Moment, NoInput, Pictures, RealTime, Session, Start, World, WorldError,
+    FixedSteps, Frame, Game, NoInput, Pictures, RealTime, Session, Start, World, WorldError,
 };
 use pty::Pty;
 
@@ -492,7 +492,7 @@ impl Game for Still {
         Ok(())
     }
 
-    fn frame(&mut self, _: &mut World, _: &Moment<'_>) -> Result<(), WorldError> {
+    fn update(&mut self, _: &mut World, _: &Frame<'_>) -> Result<(), WorldError> {
         Ok(())
     }
 }

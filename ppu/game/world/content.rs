@@ -16,7 +16,7 @@ pub(super) struct Object {
     pub traced: Tracing,
 }
 
-pub(super) struct Stuff {
+pub(super) struct WorldMaterial {
     /// In the file that it is from.
     pub line: Option<u32>,
     pub material: nff::Material,
@@ -25,7 +25,7 @@ pub(super) struct Stuff {
     pub traced: Tracing,
 }
 
-pub(super) struct Lamp {
+pub(super) struct WorldLight {
     /// In the file that it is from.
     pub line: Option<u32>,
     pub light: Light,

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::content::{Lamp, Stuff};
+use super::content::{WorldLight, WorldMaterial};
 use super::edits::Tracing;
 use super::{Light, LightId, Material, MaterialId, World, WorldError, check};
 
@@ -10,7 +10,7 @@ impl World {
     /// Adds a material.
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, WorldError> {
         check::material(&material)?;
-        let id = self.materials.insert(Stuff {
+        let id = self.materials.insert(WorldMaterial {
             line: None,
             material: material.into_nff(0),
             users: 0,
@@ -22,22 +22,22 @@ impl World {
 
     /// A material.
     pub fn material(&self, id: MaterialId) -> Result<Material, WorldError> {
-        let stuff = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
-        Ok((&stuff.material).into())
+        let entry = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
+        Ok((&entry.material).into())
     }
 
     /// Changes a material, and all objects made of it.
     pub fn set_material(&mut self, id: MaterialId, material: Material) -> Result<(), WorldError> {
         check::material(&material)?;
-        let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
+        let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
         let material = material.into_nff(0);
-        if stuff.material == material {
+        if entry.material == material {
             return Ok(());
         }
         // Of what lets light through, both sides are seen.
-        let had_sides = stuff.material.transmittance > 0.0;
+        let had_sides = entry.material.transmittance > 0.0;
         let other_sides = had_sides != (material.transmittance > 0.0);
-        stuff.material = material;
+        entry.material = material;
         self.touch_material(id);
         if other_sides {
             for (object, known) in &mut self.objects {
@@ -52,9 +52,9 @@ impl World {
     /// Changes a material's colour, and that of all objects made of it.
     pub fn recolour(&mut self, id: MaterialId, colour: DVec3) -> Result<(), WorldError> {
         check::vector("colour", colour)?;
-        let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
-        if stuff.material.colour != colour {
-            stuff.material.colour = colour;
+        let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
+        if entry.material.colour != colour {
+            entry.material.colour = colour;
             self.touch_material(id);
         }
         Ok(())
@@ -64,7 +64,9 @@ impl World {
     pub fn remove_material(&mut self, id: MaterialId) -> Result<(), WorldError> {
         match self.materials.get(id) {
             None => Err(WorldError::NoMaterial),
-            Some(&Stuff { users, .. }) if users > 0 => Err(WorldError::MaterialInUse { users }),
+            Some(&WorldMaterial { users, .. }) if users > 0 => {
+                Err(WorldError::MaterialInUse { users })
+            }
             Some(_) => {
                 // Nothing shows it: what is traced may keep it.
                 self.materials.remove(id);
@@ -83,7 +85,7 @@ impl World {
         check::light(&light)?;
         // The others' brightness may depend on how many there are.
         self.edits.anew = true;
-        Ok(self.lights.insert(Lamp {
+        Ok(self.lights.insert(WorldLight {
             line: None,
             light,
             traced: Tracing::default(),
@@ -92,18 +94,18 @@ impl World {
 
     /// A light.
     pub fn light(&self, id: LightId) -> Result<Light, WorldError> {
-        let lamp = self.lights.get(id).ok_or(WorldError::NoLight)?;
-        Ok(lamp.light)
+        let entry = self.lights.get(id).ok_or(WorldError::NoLight)?;
+        Ok(entry.light)
     }
 
     /// Moves a light, or changes its colour.
     pub fn set_light(&mut self, id: LightId, light: Light) -> Result<(), WorldError> {
         check::light(&light)?;
-        let lamp = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
-        if lamp.light != light {
-            self.edits.anew |= lamp.light.colour.is_some() && light.colour.is_none();
-            lamp.light = light;
-            self.edits.light(id, &mut lamp.traced);
+        let entry = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
+        if entry.light != light {
+            self.edits.anew |= entry.light.colour.is_some() && light.colour.is_none();
+            entry.light = light;
+            self.edits.light(id, &mut entry.traced);
         }
         Ok(())
     }
@@ -121,8 +123,8 @@ impl World {
     }
 
     fn touch_material(&mut self, id: MaterialId) {
-        if let Some(stuff) = self.materials.get_mut(id) {
-            self.edits.material(id, &mut stuff.traced);
+        if let Some(entry) = self.materials.get_mut(id) {
+            self.edits.material(id, &mut entry.traced);
         }
     }
 }

@@ -11,8 +11,8 @@ impl World {
     /// Adds an object of any shape, visible.
     pub fn add(&mut self, shape: Shape, material: MaterialId) -> Result<ObjectId, WorldError> {
         check::shape(&shape)?;
-        let stuff = self.materials.get_mut(material);
-        stuff.ok_or(WorldError::NoMaterial)?.users += 1;
+        let entry = self.materials.get_mut(material);
+        entry.ok_or(WorldError::NoMaterial)?.users += 1;
         let id = self.objects.insert(Object {
             line: None,
             shape,
@@ -120,8 +120,8 @@ impl World {
     /// Makes an object of another material.
     pub fn make_of(&mut self, id: ObjectId, material: MaterialId) -> Result<(), WorldError> {
         let before = self.material_of(id)?;
-        let stuff = self.materials.get_mut(material);
-        stuff.ok_or(WorldError::NoMaterial)?.users += 1;
+        let entry = self.materials.get_mut(material);
+        entry.ok_or(WorldError::NoMaterial)?.users += 1;
         self.unuse(before);
         if before != material {
             self.object_mut(id)?.material = material;
@@ -186,8 +186,8 @@ impl World {
     }
 
     fn unuse(&mut self, material: MaterialId) {
-        if let Some(stuff) = self.materials.get_mut(material) {
-            stuff.users -= 1;
+        if let Some(entry) = self.materials.get_mut(material) {
+            entry.users -= 1;
         }
     }
 }

@@ -6,7 +6,7 @@
 
 use nff::Shape;
 
-use super::content::{Object, Stuff};
+use super::content::{Object, WorldMaterial};
 use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
@@ -14,7 +14,7 @@ use crate::scene::{Scene, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
-impl Stuff {
+impl WorldMaterial {
     /// Gives it its number in the scene, by which messages call it.
     fn number(&mut self, number: usize) {
         self.traced.number = Some(number);
@@ -34,7 +34,7 @@ impl World {
     /// # Errors
     /// What does not fit the SPUs, and a shader that the program does not have.
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
-        let is_whitted = self.look.is_whitted(self.lights.len());
+        let is_whitted = self.render_options.is_whitted(self.lights.len());
         let traced = self.traced.take().filter(|traced| {
             !self.edits.anew
                 && std::ptr::eq(traced.program.image(), program.image())
@@ -55,13 +55,13 @@ impl World {
             }
         }
         for id in &self.edits.materials {
-            if let Some(stuff) = self.materials.get_mut(*id) {
-                stuff.traced.is_touched = false;
+            if let Some(entry) = self.materials.get_mut(*id) {
+                entry.traced.is_touched = false;
             }
         }
         for id in &self.edits.lights {
-            if let Some(lamp) = self.lights.get_mut(*id) {
-                lamp.traced.is_touched = false;
+            if let Some(entry) = self.lights.get_mut(*id) {
+                entry.traced.is_touched = false;
             }
         }
         self.edits.clear();
@@ -73,14 +73,14 @@ impl World {
         // An image without a table has no shaders that a material could ask for.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
         // Whitted's model keeps room for what is hidden.
-        let is_whitted = self.look.is_whitted(self.lights.len());
+        let is_whitted = self.render_options.is_whitted(self.lights.len());
         let content = self.content(|object| object.visible || is_whitted);
-        let mut scene = Scene::with_room(&content, self.look, &shaders)?;
-        for (number, stuff) in self.materials.values_mut().enumerate() {
-            stuff.number(number);
+        let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
+        for (number, entry) in self.materials.values_mut().enumerate() {
+            entry.number(number);
         }
-        for (number, lamp) in self.lights.values_mut().enumerate() {
-            lamp.traced.number = Some(number);
+        for (number, entry) in self.lights.values_mut().enumerate() {
+            entry.traced.number = Some(number);
         }
         for (number, object) in self.objects.values_mut().enumerate() {
             object.traced.number = is_whitted.then_some(number);
@@ -114,11 +114,11 @@ impl World {
     fn set_spheres(&self, scene: &mut Scene) -> Result<(), WorldError> {
         let drawn = |object: &Object| match object.shape {
             Shape::Sphere { centre, radius } if radius > 0.0 && object.visible => {
-                let stuff = self.materials.get(object.material)?;
+                let entry = self.materials.get(object.material)?;
                 Some(Sphere {
                     centre,
                     radius,
-                    colour: stuff.material.colour,
+                    colour: entry.material.colour,
                 })
             }
             _ => None,
@@ -152,10 +152,10 @@ impl World {
             block.remove_object(*number);
         }
         for id in &edits.lights {
-            let Some(lamp) = lights.get(*id) else {
+            let Some(entry) = lights.get(*id) else {
                 continue;
             };
-            let (number, light) = (lamp.traced.number, lamp.light);
+            let (number, light) = (entry.traced.number, entry.light);
             let Some(number) = number else {
                 return Ok(false);
             };
@@ -165,15 +165,15 @@ impl World {
             }
         }
         for id in &edits.materials {
-            let Some(stuff) = materials.get_mut(*id) else {
+            let Some(entry) = materials.get_mut(*id) else {
                 continue;
             };
-            let number = stuff.traced.number.or_else(|| block.add_material());
+            let number = entry.traced.number.or_else(|| block.add_material());
             let Some(number) = number else {
                 return Ok(false);
             };
-            stuff.number(number);
-            let fits = block.set_material(number, &stuff.material, shaders);
+            entry.number(number);
+            let fits = block.set_material(number, &entry.material, shaders);
             if !fits.map_err(SceneError::from)? {
                 return Ok(false);
             }
@@ -182,8 +182,8 @@ impl World {
             let Some(object) = objects.get_mut(*id) else {
                 continue;
             };
-            let stuff = materials.get(object.material);
-            let material = stuff.and_then(|stuff| Some((stuff.traced.number?, &stuff.material)));
+            let entry = materials.get(object.material);
+            let material = entry.and_then(|entry| Some((entry.traced.number?, &entry.material)));
             let Some(material) = material else {
                 return Ok(false);
             };

@@ -15,8 +15,8 @@ use super::error::BlockError;
 use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
-use super::range::Place;
-use super::{Piece, SceneBlock, Spare, Surface, ambient};
+use super::range::SourceLocation;
+use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
 /// For one object of each kind that there are, the room for how many others is tried: as many
@@ -44,9 +44,9 @@ impl SceneBlock {
             let spare = Spare {
                 materials: more(tight.materials.len()),
                 objects: tight
-                    .planted
+                    .primitives
                     .each_ref()
-                    .map(|planted| more(planted.count())),
+                    .map(|primitives| more(primitives.count())),
             };
             match Self::with_spare(scene, options, &shader, spare) {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
@@ -83,7 +83,7 @@ impl SceneBlock {
         kind: LightKind,
         brightness: Option<DVec3>,
     ) -> Result<bool, BlockError> {
-        let place = Place {
+        let place = SourceLocation {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
@@ -176,35 +176,37 @@ impl SceneBlock {
         let (Some(address), Some(range)) = (address, self.objects.get(number)) else {
             return Ok(false);
         };
-        let place = Place {
+        let place = SourceLocation {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
-        let mut pieces = self.pieces[range.clone()].iter();
-        let planted = &mut self.planted;
+        let mut parts = self.parts[range.clone()].iter();
+        let primitives = &mut self.primitives;
         let mut fits = true;
-        objects::of_shape(shape, material, place, &mut |form, sides| {
+        objects::of_shape(shape, material, place, &mut |primitive, sides| {
             let object = Object {
-                form,
+                primitive,
                 sides,
                 material: material_number as u32,
             };
-            match pieces.next() {
-                Some(&Piece { kind, plot }) if planted[kind as usize].fits(plot, &object) => {
-                    planted[kind as usize].put(plot, object, U32::new(address));
+            match parts.next() {
+                Some(&PrimitiveId { kind, slot })
+                    if primitives[kind as usize].fits(slot, &object) =>
+                {
+                    primitives[kind as usize].put(slot, object, U32::new(address));
                 }
                 _ => fits = false,
             }
             Ok(())
         })?;
-        Ok(fits && pieces.next().is_none())
+        Ok(fits && parts.next().is_none())
     }
 
     /// Takes an object of the scene out of it; its room is kept.
     pub(crate) fn hide_object(&mut self, number: usize) {
         if let Some(range) = self.objects.get(number) {
-            for &Piece { kind, plot } in &self.pieces[range.clone()] {
-                self.planted[kind as usize].clear(plot);
+            for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
+                self.primitives[kind as usize].clear(slot);
             }
         }
     }
@@ -212,8 +214,8 @@ impl SceneBlock {
     /// Takes an object of the scene out of it for good: its number stands for nothing.
     pub(crate) fn remove_object(&mut self, number: usize) {
         if let Some(range) = self.objects.get_mut(number) {
-            for &Piece { kind, plot } in &self.pieces[range.clone()] {
-                self.planted[kind as usize].give_back(plot);
+            for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
+                self.primitives[kind as usize].give_back(slot);
             }
             *range = 0..0;
         }
@@ -230,31 +232,31 @@ impl SceneBlock {
         if number == MOST_NUMBERS {
             return Ok(None);
         }
-        let first = self.pieces.len();
-        let place = Place {
+        let first = self.parts.len();
+        let place = SourceLocation {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
         let Self {
-            planted, pieces, ..
+            primitives, parts, ..
         } = self;
         let mut fits = true;
-        objects::of_shape(shape, material, place, &mut |form, _| {
-            let kind = form.kind();
-            let planted = &mut planted[kind as usize];
-            if planted.count() == MAX_OBJECTS as usize {
+        objects::of_shape(shape, material, place, &mut |primitive, _| {
+            let kind = primitive.kind();
+            let primitives = &mut primitives[kind as usize];
+            if primitives.count() == MAX_OBJECTS as usize {
                 return Err(BlockError::FullTree {
                     place: place.to_string(),
                     what: kind.name(),
                 });
             }
-            match planted.take(form.size()) {
-                Some(plot) => pieces.push(Piece { kind, plot }),
+            match primitives.take(primitive.size()) {
+                Some(slot) => parts.push(PrimitiveId { kind, slot }),
                 None => fits = false,
             }
             Ok(())
         })?;
-        self.objects.push(first..self.pieces.len());
+        self.objects.push(first..self.parts.len());
         let fits = fits && self.set_object(number, shape, (material_number, material), shaders)?;
         Ok(fits.then_some(number))
     }

@@ -73,7 +73,7 @@ pub enum BlockError {
     },
     /// The local store is too small.
     #[error(
-        "{file}: the scene takes {needed} bytes of local store and there are {room} (with rays of depth {ray_depth} that wait); of them take {takers}; {fits}"
+        "{file}: the scene takes {needed} bytes of local store and there are {room} (with rays of depth {ray_depth} that wait); of them take {consumers}; {fits}"
     )]
     TooLarge {
         /// The scene.
@@ -85,7 +85,7 @@ pub enum BlockError {
         /// Most rays in a chain, which is what the waiting rays' room depends on.
         ray_depth: u32,
         /// What takes how many of them, in words.
-        takers: String,
+        consumers: String,
         /// About how much fits, in words.
         fits: String,
     },

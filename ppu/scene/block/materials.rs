@@ -10,7 +10,7 @@ use super::chains::greatest;
 use super::error::BlockError;
 use super::objects::taxicab;
 use super::options::BlockOptions;
-use super::range::Place;
+use super::range::SourceLocation;
 use crate::scene::single::{single, singles};
 use protocol::layout::{
     self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
@@ -77,7 +77,7 @@ impl<'a> Shading<'a> {
 
 /// What a scene's background is made of.
 pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, BlockError> {
-    let place = Place { file, line: None };
+    let place = SourceLocation { file, line: None };
     place.vector("background", colour)?;
     Ok(layout::Material {
         emission: singles(colour),
@@ -102,7 +102,7 @@ pub(super) fn record(
         refraction_index,
         shader: _,
     } = material;
-    let place = Place {
+    let place = SourceLocation {
         file,
         line: Some(line),
     };
@@ -206,7 +206,7 @@ impl Light {
     pub(super) fn of(
         kind: LightKind,
         brightness: DVec3,
-        place: Place<'_>,
+        place: SourceLocation<'_>,
     ) -> Result<Self, BlockError> {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
@@ -220,7 +220,11 @@ impl Light {
     }
 
     /// The same light elsewhere.
-    pub(super) fn moved(&self, kind: LightKind, place: Place<'_>) -> Result<Self, BlockError> {
+    pub(super) fn moved(
+        &self,
+        kind: LightKind,
+        place: SourceLocation<'_>,
+    ) -> Result<Self, BlockError> {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
         }

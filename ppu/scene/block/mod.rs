@@ -11,21 +11,21 @@
 //! Invariant: a block fits the local store with the rays that wait; all its addresses lie within
 //! it. What it does not keep is the order of the file: of equally near surfaces any may be hit.
 
-mod ball;
+mod bounding_sphere;
+mod bvh;
 mod bytes;
 mod chains;
-mod demand;
 mod edit;
 mod error;
-mod form;
 mod materials;
+mod memory_use;
 mod objects;
 mod options;
-mod planted;
 mod polygons;
+mod primitive;
+mod primitives;
 mod range;
-mod seen;
-mod tree;
+mod visible;
 
 use std::ops::Range;
 
@@ -36,24 +36,24 @@ use zerocopy::big_endian::{F32, U32};
 
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
-use self::demand::Demand;
-use self::form::Kind;
+use self::memory_use::MemoryUse;
 use self::objects::Object;
-use self::planted::Planted;
-use self::range::Place;
+use self::primitive::PrimitiveKind;
+use self::primitives::Primitives;
+use self::range::SourceLocation;
 use crate::scene::single::singles;
 use protocol::layout::{
-    self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
+    self, Bvh, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM,
 };
 
-pub(crate) use ball::Ball;
+pub(crate) use bounding_sphere::BoundingSphere;
+pub(crate) use bvh::widened;
 pub(crate) use chains::Chains;
 pub use error::BlockError;
 pub(crate) use materials::Light;
 pub use options::BlockOptions;
 pub(crate) use options::ShaderEntries;
-pub(crate) use seen::Seen;
-pub(crate) use tree::widened;
+pub(crate) use visible::VisiblePrimitive;
 
 /// Rays that wait at each depth from the second on, in parts of those that are traced together.
 const QUEUES: usize = 3;
@@ -74,11 +74,11 @@ pub struct SceneBlock {
     materials: Vec<Option<Surface>>,
     /// Addresses of room for further materials.
     material_room: Vec<u32>,
-    planted: [Planted; 4],
-    /// What the scene's objects have become: for each by its number the range of its pieces, and
+    primitives: [Primitives; 4],
+    /// What the scene's objects have become: for each by its number the range of its parts, and
     /// these.
     objects: Vec<Range<usize>>,
-    pieces: Vec<Piece>,
+    parts: Vec<PrimitiveId>,
     chains: Chains,
     block: Block,
     /// The eye that it is written for.
@@ -94,10 +94,10 @@ struct Surface {
 
 /// An object, or a part of one, as the SPUs know it.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
-    kind: Kind,
-    /// Number of its plot.
-    plot: usize,
+struct PrimitiveId {
+    kind: PrimitiveKind,
+    /// Number of its slot.
+    slot: usize,
 }
 
 /// Room for what a scene does not have as yet.
@@ -139,7 +139,7 @@ impl SceneBlock {
         let Found {
             found,
             objects,
-            mut pieces,
+            mut parts,
         } = Found::of(scene, options.ray_depth)?;
         let mut materials = vec![None; scene.materials.len()];
         for object in found.iter().flatten() {
@@ -160,15 +160,15 @@ impl SceneBlock {
             let surface = materials[object.material as usize];
             U32::new(surface.map_or(SCENE_ADDRESS, |surface| surface.address))
         };
-        let mut plots = Kind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
-        let planted = Kind::ALL.map(|kind| {
-            let (found, plots) = (&found[kind as usize], &mut plots[kind as usize]);
-            let number = |index: usize, plot: usize| plots[index] = plot;
+        let mut slots = PrimitiveKind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
+        let primitives = PrimitiveKind::ALL.map(|kind| {
+            let (found, slots) = (&found[kind as usize], &mut slots[kind as usize]);
+            let number = |index: usize, slot: usize| slots[index] = slot;
             let spare = spare.objects[kind as usize];
-            Planted::new(kind, found, spare, material, number, &mut block)
+            Primitives::new(kind, found, spare, material, number, &mut block)
         });
-        for piece in &mut pieces {
-            piece.plot = plots[piece.kind as usize][piece.plot];
+        for part in &mut parts {
+            part.slot = slots[part.kind as usize][part.slot];
         }
         block.finish();
 
@@ -181,9 +181,9 @@ impl SceneBlock {
             light_address,
             materials,
             material_room,
-            planted,
+            primitives,
             objects,
-            pieces,
+            parts,
             chains: Chains::UNBOUNDED,
             block,
             eye: None,
@@ -200,16 +200,16 @@ impl SceneBlock {
     /// # Errors
     /// An eye out of range; the block is then the last one's.
     pub fn write_for(&mut self, eye: DVec3) -> Result<(), BlockError> {
-        let place = Place {
+        let place = SourceLocation {
             file: &self.file,
             line: None,
         };
         place.vector("eye", eye)?;
         let is_other_eye = self.eye.replace(eye) != Some(eye);
-        for planted in &mut self.planted {
-            planted.write(eye, is_other_eye, &mut self.block);
+        for primitives in &mut self.primitives {
+            primitives.write(eye, is_other_eye, &mut self.block);
         }
-        let leave = self.planted.iter().map(Planted::leave);
+        let leave = self.primitives.iter().map(Primitives::leave);
         let leave = leave.fold(0.0, f64::max);
         let size = size_of::<layout::Light>();
         let places = (self.light_address..).step_by(size);
@@ -230,8 +230,8 @@ impl SceneBlock {
 
     /// Spheres, parallelograms, triangles and cones.
     #[must_use]
-    pub fn trees(&self) -> [Tree; 4] {
-        self.planted.each_ref().map(Planted::tree)
+    pub fn bvhs(&self) -> [Bvh; 4] {
+        self.primitives.each_ref().map(Primitives::record)
     }
 
     /// Brightness of the light that is everywhere.
@@ -293,16 +293,16 @@ impl SceneBlock {
         if needed <= room {
             return Ok(());
         }
-        let objects = self.planted.each_ref();
-        let objects = objects.map(|planted| (planted.count(), planted.size()));
+        let objects = self.primitives.each_ref();
+        let objects = objects.map(|primitives| (primitives.count(), primitives.size()));
         let materials = self.materials.iter().flatten().count();
-        let demand = Demand::new(objects, materials, self.lights.len());
+        let demand = MemoryUse::new(objects, materials, self.lights.len());
         Err(BlockError::TooLarge {
             file: self.file.clone(),
             needed,
             room,
             ray_depth: self.ray_depth(),
-            takers: demand.takers(),
+            consumers: demand.consumers(),
             fits: demand.fits(room),
         })
     }
@@ -325,7 +325,7 @@ fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
 }
 
 fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
-    let place = Place { file, line: None };
+    let place = SourceLocation { file, line: None };
     place.vector("ambient light", brightness)?;
     let [red, green, blue] = singles(brightness);
     Ok([red, green, blue, F32::ZERO])
@@ -339,7 +339,7 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
         });
     }
     let light = |light: &nff::Light| {
-        let place = Place {
+        let place = SourceLocation {
             file: &scene.name,
             line: Some(light.line),
         };
@@ -353,9 +353,9 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
 struct Found {
     /// Of each kind.
     found: [Vec<Object>; 4],
-    /// The range of each object's pieces, and these; for a plot the place in `found`.
+    /// The range of each object's parts, and these; for a slot the place in `found`.
     objects: Vec<Range<usize>>,
-    pieces: Vec<Piece>,
+    parts: Vec<PrimitiveId>,
 }
 
 impl Found {
@@ -363,16 +363,16 @@ impl Found {
         let Self {
             mut found,
             mut objects,
-            mut pieces,
+            mut parts,
         } = Self::default();
         let most = MAX_OBJECTS as usize;
         let mut counts = [0; 4];
         // The first object that is one too many, and its kind.
         let mut too_many = None;
         for object in &scene.objects {
-            let first = pieces.len();
+            let first = parts.len();
             if let Some(material) = scene.materials.get(object.material as usize) {
-                let place = Place {
+                let place = SourceLocation {
                     file: &scene.name,
                     line: Some(object.line),
                 };
@@ -383,40 +383,40 @@ impl Found {
                     too_many.get_or_insert((place, kind));
                     continue;
                 }
-                objects::of_shape(&object.shape, material, place, &mut |form, sides| {
-                    let kind = form.kind();
+                objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
+                    let kind = primitive.kind();
                     let found = &mut found[kind as usize];
                     counts[kind as usize] += 1;
                     if found.len() == most {
                         too_many.get_or_insert((place, kind));
                         return Ok(());
                     }
-                    pieces.push(Piece {
+                    parts.push(PrimitiveId {
                         kind,
-                        plot: found.len(),
+                        slot: found.len(),
                     });
                     found.push(Object {
-                        form,
+                        primitive,
                         sides,
                         material: object.material,
                     });
                     Ok(())
                 })?;
             }
-            objects.push(first..pieces.len());
+            objects.push(first..parts.len());
         }
         if let Some((place, kind)) = too_many {
             return Err(BlockError::TooManyObjects {
                 place: place.to_string(),
                 what: kind.name(),
                 count: counts[kind as usize],
-                fits: Demand::of(scene, counts).fits(room(1, ray_depth)),
+                fits: MemoryUse::of(scene, counts).fits(room(1, ray_depth)),
             });
         }
         Ok(Self {
             found,
             objects,
-            pieces,
+            parts,
         })
     }
 }

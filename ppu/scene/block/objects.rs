@@ -9,9 +9,9 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use super::error::BlockError;
-use super::form::{Form, Kind};
 use super::polygons::{self, check_vertices};
-use super::range::Place;
+use super::primitive::{Primitive, PrimitiveKind};
+use super::range::SourceLocation;
 use crate::scene::single::{single, singles};
 use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
@@ -25,7 +25,7 @@ pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 /// An object where the scene has it.
 #[derive(Clone, Debug)]
 pub(super) struct Object {
-    pub form: Form,
+    pub primitive: Primitive,
     /// `SIDES_` bits.
     pub sides: u32,
     /// Index of the material in the scene.
@@ -45,15 +45,15 @@ struct Head {
 
 /// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons
 /// whose edges cross or that have parts without area.
-pub(super) fn about(shape: &Shape) -> (Kind, usize) {
+pub(super) fn about(shape: &Shape) -> (PrimitiveKind, usize) {
     match shape {
-        Shape::Sphere { .. } => (Kind::Sphere, 1),
-        Shape::Cone { .. } => (Kind::Cone, 1),
+        Shape::Sphere { .. } => (PrimitiveKind::Sphere, 1),
+        Shape::Cone { .. } => (PrimitiveKind::Cone, 1),
         Shape::Polygon { vertices } if polygons::rectangle(vertices).is_some() => {
-            (Kind::Rectangle, 1)
+            (PrimitiveKind::Rectangle, 1)
         }
         Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
-            (Kind::Triangle, vertices.len().saturating_sub(2))
+            (PrimitiveKind::Triangle, vertices.len().saturating_sub(2))
         }
     }
 }
@@ -62,8 +62,8 @@ pub(super) fn about(shape: &Shape) -> (Kind, usize) {
 pub(super) fn of_shape(
     shape: &Shape,
     material: &Material,
-    place: Place<'_>,
-    found: &mut impl FnMut(Form, u32) -> Result<(), BlockError>,
+    place: SourceLocation<'_>,
+    found: &mut impl FnMut(Primitive, u32) -> Result<(), BlockError>,
 ) -> Result<(), BlockError> {
     let both = if material.transmittance > 0.0 {
         SIDES_BOTH
@@ -76,7 +76,7 @@ pub(super) fn of_shape(
             place.size("radius", radius)?;
             let exit = if radius < 0.0 { SIDES_EXIT } else { 0 };
             let sides = if both != 0 { both } else { exit };
-            found(Form::Sphere { centre, radius }, sides)
+            found(Primitive::Sphere { centre, radius }, sides)
         }
         &Shape::Cone {
             base,
@@ -93,7 +93,7 @@ pub(super) fn of_shape(
             };
             let height = (apex - base).dot(axis);
             place.size("height", height)?;
-            let form = Form::Cone {
+            let primitive = Primitive::Cone {
                 base,
                 axis,
                 height,
@@ -105,36 +105,41 @@ pub(super) fn of_shape(
             } else {
                 SIDES_EXIT
             };
-            place.number("growth of the radius", form.growth())?;
-            found(form, sides)
+            place.number("growth of the radius", primitive.growth())?;
+            found(primitive, sides)
         }
         Shape::Polygon { vertices } => {
             check_vertices(vertices, place)?;
             match polygons::rectangle(vertices) {
                 Some(rectangle) => found(rectangle, both),
-                None => polygons::triangles(vertices, None, place, |form| found(form, both)),
+                None => {
+                    polygons::triangles(vertices, None, place, |primitive| found(primitive, both))
+                }
             }
         }
         Shape::Patch { vertices, normals } => {
             check_vertices(vertices, place)?;
-            polygons::triangles(vertices, Some(normals), place, |form| {
+            polygons::triangles(vertices, Some(normals), place, |primitive| {
                 let is_smooth = matches!(
-                    form,
-                    Form::Triangle {
+                    primitive,
+                    Primitive::Triangle {
                         smooth: Some(_),
                         ..
                     }
                 );
-                found(form, if is_smooth { both | SIDES_SMOOTH } else { both })
+                found(
+                    primitive,
+                    if is_smooth { both | SIDES_SMOOTH } else { both },
+                )
             })
         }
     }
 }
 
 impl Head {
-    fn of(form: &Form) -> Self {
-        match *form {
-            Form::Sphere { centre, radius } => Self {
+    fn of(primitive: &Primitive) -> Self {
+        match *primitive {
+            Primitive::Sphere { centre, radius } => Self {
                 centre,
                 gain: radius.signum(),
                 axis: DVec3::ZERO,
@@ -142,7 +147,7 @@ impl Head {
                 offset: radius,
                 extent: 0.0,
             },
-            Form::Rectangle {
+            Primitive::Rectangle {
                 corner,
                 edges: [u, v],
                 normal,
@@ -151,19 +156,19 @@ impl Head {
                 let reach = [u, v, u + v].map(taxicab);
                 Self::of_plane(corner, normal, reach.into_iter().fold(0.0, f64::max))
             }
-            Form::Triangle {
+            Primitive::Triangle {
                 vertices: [a, b, c],
                 normal,
                 ..
             } => Self::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a))),
-            Form::Cone {
+            Primitive::Cone {
                 base,
                 axis,
                 height,
                 radii,
                 hollow,
             } => {
-                let growth = form.growth();
+                let growth = primitive.growth();
                 let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
                 Self {
                     centre: base,
@@ -198,7 +203,7 @@ impl Object {
             offset,
             extent,
             ..
-        } = Head::of(&self.form);
+        } = Head::of(&self.primitive);
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
@@ -212,7 +217,7 @@ impl Object {
             slope,
             offset,
             ..
-        } = Head::of(&self.form);
+        } = Head::of(&self.primitive);
         let centre = centre - eye;
         let head = layout::Object {
             centre: singles(centre),
@@ -226,10 +231,10 @@ impl Object {
         };
         let (first, rest) = bytes.split_at_mut(size_of::<layout::Object>());
         first.copy_from_slice(head.as_bytes());
-        match self.form {
-            Form::Sphere { .. } => {}
-            Form::Rectangle { duals, .. } => put(rest, &duals.map(quadword)),
-            Form::Triangle {
+        match self.primitive {
+            Primitive::Sphere { .. } => {}
+            Primitive::Rectangle { duals, .. } => put(rest, &duals.map(quadword)),
+            Primitive::Triangle {
                 vertices, smooth, ..
             } => {
                 let corners = vertices.map(|vertex| quadword(vertex - eye));
@@ -239,10 +244,10 @@ impl Object {
                     put(normals, &smooth.map(quadword));
                 }
             }
-            Form::Cone { height, radii, .. } => {
+            Primitive::Cone { height, radii, .. } => {
                 put(
                     rest,
-                    &[[radii[0], self.form.growth(), height, 0.0].map(single)],
+                    &[[radii[0], self.primitive.growth(), height, 0.0].map(single)],
                 );
             }
         }

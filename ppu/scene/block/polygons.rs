@@ -9,8 +9,8 @@ use glam::DVec3;
 use nff::{area_vector, unit};
 
 use super::error::BlockError;
-use super::form::{FLAT, Form};
-use super::range::Place;
+use super::primitive::{FLAT, Primitive};
+use super::range::SourceLocation;
 use crate::scene::single::{LARGEST, SMALLEST};
 use protocol::layout::MAX_OBJECTS;
 
@@ -22,13 +22,16 @@ const OFF_CORNER: f64 = 1.0 / (1 << 24) as f64;
 const SLIVER: f64 = 1.0 / (1 << 24) as f64;
 
 /// Whether all vertices are in range.
-pub(super) fn check_vertices(vertices: &[DVec3], place: Place<'_>) -> Result<(), BlockError> {
+pub(super) fn check_vertices(
+    vertices: &[DVec3],
+    place: SourceLocation<'_>,
+) -> Result<(), BlockError> {
     let mut vertices = vertices.iter();
     vertices.try_for_each(|&vertex| place.vector("vertex", vertex))
 }
 
 /// The parallelogram that a polygon is.
-pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Form> {
+pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Primitive> {
     let &[corner, second, opposite, last] = vertices else {
         return None;
     };
@@ -47,7 +50,7 @@ pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Form> {
     let duals = [dual(u, v), dual(v, u)];
     // Of one that is too small for its duals to be singles, the triangles are taken.
     let sound = |dual: &DVec3| dual.is_finite() && dual.abs().max_element() <= LARGEST;
-    duals.iter().all(sound).then_some(Form::Rectangle {
+    duals.iter().all(sound).then_some(Primitive::Rectangle {
         corner,
         edges,
         normal,
@@ -82,8 +85,8 @@ fn in_plane(vertices: &[DVec3], normal: DVec3) -> Cow<'_, [DVec3]> {
 pub(super) fn triangles(
     vertices: &[DVec3],
     normals: Option<&Vec<DVec3>>,
-    place: Place<'_>,
-    mut found: impl FnMut(Form) -> Result<(), BlockError>,
+    place: SourceLocation<'_>,
+    mut found: impl FnMut(Primitive) -> Result<(), BlockError>,
 ) -> Result<(), BlockError> {
     let too_large = || BlockError::LargePolygon {
         place: place.to_string(),
@@ -104,7 +107,7 @@ pub(super) fn triangles(
         if longest < SMALLEST || area / longest <= SLIVER * longest {
             return Ok(());
         }
-        found(Form::Triangle {
+        found(Primitive::Triangle {
             vertices,
             normal,
             smooth,

@@ -9,20 +9,20 @@ use crate::scene::single::{LARGEST, SMALLEST};
 
 /// Where the numbers stand that are checked: messages begin with it.
 #[derive(Clone, Copy)]
-pub(super) struct Place<'a> {
+pub(super) struct SourceLocation<'a> {
     pub file: &'a str,
     /// None for what has no line of its own.
     pub line: Option<u32>,
 }
 
-impl fmt::Display for Place<'_> {
+impl fmt::Display for SourceLocation<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.file)?;
         self.line.map_or(Ok(()), |line| write!(f, ":{line}"))
     }
 }
 
-impl Place<'_> {
+impl SourceLocation<'_> {
     fn out_of_range(&self, what: &'static str, value: f64, also: &'static str) -> BlockError {
         BlockError::OutOfRange {
             place: self.to_string(),

@@ -55,9 +55,10 @@ impl Screen {
 
     fn open_target(&mut self, target: &Target, scene: &Scene) -> Vec<u32> {
         let camera = scene.camera(SIZE.width, SIZE.height).unwrap();
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         let mut tiles = TileSet::default();
-        self.known.open(target, scene, &camera, &lens, &mut tiles);
+        self.known
+            .open(target, scene, &camera, &projection, &mut tiles);
         tiles.numbers().to_vec()
     }
 

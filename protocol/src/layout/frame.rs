@@ -3,7 +3,7 @@
 use zerocopy::big_endian::{F32, U32, U64};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
-use super::{Field, Record, Tree};
+use super::{Bvh, Field, Record};
 
 record! {
     /// Frame descriptor: what the PPU mails the address of.
@@ -83,7 +83,7 @@ record! {
         /// Zero; keeps the trees on quadwords.
         reserved: U32,
         /// The objects: spheres, parallelograms, triangles, cones.
-        trees: [Tree; 4],
+        trees: [Bvh; 4],
         /// Brightness of the light that is everywhere: red, green, blue, 0.
         ambient: [F32; 4],
         /// The eye in the scene's coordinates: x, y, z, 0; for shaders.
@@ -92,7 +92,7 @@ record! {
 }
 
 record! {
-    /// One sphere as the eye's rays meet it; the records come in rising order of `near`. For programs whose kernel takes `EyeRecord::Axis`, all lengths but `near` are in parts of `distance`.
+    /// One sphere as primary rays meet it; the records come in rising order of `near`. For programs whose kernel takes `EyeRecord::Axis`, all lengths but `near` are in parts of `distance`.
     Sphere as "SPHERE" {
         /// Centre less eye: x, y, z.
         centre: [F32; 3],
@@ -154,9 +154,9 @@ record! {
         tiles: U64,
         /// Packets of 4x4 rays, traced or filled.
         packets: U64,
-        /// Eye rays within the picture.
-        eye_rays: U64,
-        /// Eye rays that hit something.
+        /// Primary rays within the picture.
+        primary_rays: U64,
+        /// Primary rays that hit something.
         eye_hits: U64,
         /// Decrementer ticks from the mail to the answer, less `dma_wait`.
         busy: U64,

@@ -1,4 +1,4 @@
-//! Records in local store by which eye rays are traced to spheres.
+//! Records in local store by which primary rays are traced to spheres.
 
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -6,7 +6,7 @@ use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 use super::{Field, Record};
 
 record! {
-    /// Local store: sixteen eye rays and what they have hit; arrays of 16 in rows of four.
+    /// Local store: sixteen primary rays and what they have hit; arrays of 16 in rows of four.
     Packet as "PACKET" {
         /// Unit directions, x.
         direction_x: [F32; 16],

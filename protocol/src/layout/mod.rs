@@ -140,13 +140,13 @@ constants! {
     /// Most packets that are traced together.
     MAX_BATCH = 8;
     /// Which of the frame's trees has spheres.
-    TREE_BALLS = 0;
+    BVH_SPHERES = 0;
     /// Which has parallelograms.
-    TREE_RECTANGLES = 1;
+    BVH_RECTANGLES = 1;
     /// Which has triangles.
-    TREE_TRIANGLES = 2;
+    BVH_TRIANGLES = 2;
     /// Which has cones.
-    TREE_CONES = 3;
+    BVH_CONES = 3;
     /// Trees of a frame.
     TREES = 4;
     /// In `sides`: both sides are seen.
@@ -207,7 +207,7 @@ pub const RECORDS: &[Record] = &[
     Material::RECORD,
     Light::RECORD,
     Node::RECORD,
-    Tree::RECORD,
+    Bvh::RECORD,
     RayPacket::RECORD,
     QueuedRay::RECORD,
     Bound::RECORD,

@@ -155,7 +155,7 @@ record! {
 
 record! {
     /// Objects of one shape, under nodes.
-    Tree as "TREE" {
+    Bvh as "BVH" {
         /// Address of the first of the nodes at the top, which follow one another; with no level, of objects.
         roots: U32,
         /// How many of them; 0 if there is no object.
@@ -208,7 +208,7 @@ record! {
 }
 
 record! {
-    /// Local store: what a packet's rays are within, a ball moved along a cone; every value in all four lanes, the last fields but once.
+    /// Local store: what a packet's rays are within, a sphere moved along a cone; every value in all four lanes, the last fields but once.
     Bound as "BOUND" {
         /// Middle of the rays' origins, x.
         apex_x: [F32; 4],

@@ -59,11 +59,11 @@ function whitted_check
         il      $left,TREES
 next_tree:
         lqd     $quad,0($a_tree)
-        rotqbyi $value,$quad,TREE_objects
+        rotqbyi $value,$quad,BVH_objects
         brz     $value,none
-        require_of_tree TREE_objects,1,MAX_OBJECTS
-        require_of_tree TREE_root_count,1,MAX_ROOTS
-        require_of_tree TREE_levels,0,MAX_LEVELS+1
+        require_of_tree BVH_objects,1,MAX_OBJECTS
+        require_of_tree BVH_root_count,1,MAX_ROOTS
+        require_of_tree BVH_levels,0,MAX_LEVELS+1
         ila     $value,SCENE_ADDRESS
         sf      $value,$value,$quad                     # of the roots
         clgt    $bad,$scene_bytes,$value
@@ -71,7 +71,7 @@ next_tree:
         refuse_if $bad,Trees
         andi    $bad,$value,15
         refuse_if $bad,Trees
-none:   ai      $a_tree,$a_tree,TREE_SIZE
+none:   ai      $a_tree,$a_tree,BVH_SIZE
         ai      $left,$left,-1
         brnz    $left,next_tree
         il      $status,STATUS_Done

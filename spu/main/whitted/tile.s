@@ -1,5 +1,5 @@
-# A tile by Whitted's model: its eye rays are traced batch by batch, and what they send on as soon
-# as there is a whole batch of it.
+# A tile by Whitted's model: its primary rays are traced batch by batch, and what they send on as
+# soon as there is a whole batch of it.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -136,7 +136,7 @@ last_row:
         bi      $lr
 endfunction eye_places
 
-# eye_take   makes the next batch of eye rays
+# eye_take   makes the next batch of primary rays
 #   Out     BATCH_RAYS, w_count
 #   Uses    $3-$79, w_eye_next, w_eye_left
         .set    t_c,10
@@ -155,6 +155,6 @@ function eye_take
         ila     $6,SCENE_ADDRESS
         ori     $7,$g_width,0
         ori     $8,$g_height,0
-        brsl    $lr,eye_rays_r16
+        brsl    $lr,primary_rays_r16
         leave
 endfunction eye_take

@@ -16,7 +16,7 @@
         .set    PLAN_roots,16                           # how many are at the top
         .set    PLAN_objects,20
         .set    PLAN_flat,24                            # whether its objects are
-        .set    PLAN_eye_test,28                        # the kernel for the eye's rays
+        .set    PLAN_eye_test,28                        # the kernel for primary rays
         .set    PLAN_SIZE,32
 # The same with the packets of SHADOW_RAYS follow.
         .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
@@ -46,19 +46,19 @@ first_candidate:
 first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
-# By tree: the test, the size of an object, whether it is flat, the test for the eye's rays.
+# By tree: the test, the size of an object, whether it is flat, the test for primary rays.
 kernels:
         .int    isect_bounced_spheres,OBJECT_SIZE,0,isect_seen_spheres
         .int    isect_rectangle_pairs_r16,RECT_SIZE,1,isect_rectangle_pairs_r16
         .int    isect_triangles,TRI_SIZE,1,isect_triangles
         .int    isect_cone_pairs_r16,CONE_SIZE,0,isect_cone_pairs_r16
 
-# trees_plan   makes the plans of the frame's trees
+# bvhs_plan   makes the plans of the frame's trees
 #   Uses    $10-$38
         .set    a_tree,10
         .set    a_plan,11
         .set    a_kernel,12
-        .set    trees_left,13
+        .set    bvhs_left,13
         .set    tree,14
         .set    objects,15
         .set    at_once,16
@@ -99,22 +99,22 @@ root_\@:
         brnz    $packets_left,packet_\@
 .endm
 
-function trees_plan
+function bvhs_plan
         ila     $a_tree,frame
         ai      $a_tree,$a_tree,FRAME_trees
-        lqd     $tree,TREE_SIZE*TREE_TRIANGLES($a_tree)
-        rotqbyi $tree,$tree,TREE_objects
+        lqd     $tree,BVH_SIZE*BVH_TRIANGLES($a_tree)
+        rotqbyi $tree,$tree,BVH_objects
         stqa    $tree,sheared
         ila     $a_plan,plans
         ila     $a_kernel,kernels
         ila     $a_list,arena+ROOT_LISTS
-        il      $trees_left,TREES
+        il      $bvhs_left,TREES
         rotmi   $most,$w_most,-4
         cwd     $m_first,0($sp)
         lqa     $step,packet_step
 next_plan:
         lqd     $tree,0($a_tree)
-        rotqbyi $objects,$tree,TREE_objects
+        rotqbyi $objects,$tree,BVH_objects
         brz     $objects,not_there
         # So many packets at once that their candidates have room whatever is seen: one has.
         il      $at_once,1
@@ -130,14 +130,14 @@ another:
         br      another
 as_many:
         lqd     $test,0($a_kernel)
-        rotqbyi $levels,$tree,TREE_levels
+        rotqbyi $levels,$tree,BVH_levels
         rotqbyi $root_step,$test,4
         ceqi    $c_room,$levels,0
         il      $room,NODE_SIZE
         selb    $root_step,$room,$root_step,$c_room
         fsmbi   $room,0xf000
         and     $root_step,$root_step,$room
-        rotqbyi $roots,$tree,TREE_root_count
+        rotqbyi $roots,$tree,BVH_root_count
         store_word $a_list,PLAN_candidates,$a_plan,$t_quad,$t_mask
         store_word $at_once,PLAN_at_once,$a_plan,$t_quad,$t_mask
         store_word $levels,PLAN_levels,$a_plan,$t_quad,$t_mask
@@ -157,13 +157,13 @@ as_many:
         a       $a_list,$a_list,$room
         ai      $a_plan,$a_plan,PLAN_SIZE
 not_there:
-        ai      $a_tree,$a_tree,TREE_SIZE
+        ai      $a_tree,$a_tree,BVH_SIZE
         ai      $a_kernel,$a_kernel,16
-        ai      $trees_left,$trees_left,-1
-        brnz    $trees_left,next_plan
+        ai      $bvhs_left,$bvhs_left,-1
+        brnz    $bvhs_left,next_plan
         stqa    $a_plan,plans_end
         bi      $lr
-endfunction trees_plan
+endfunction bvhs_plan
 
         .set    amount,10
         .set    t_sum,11
@@ -210,7 +210,7 @@ bound_call:
         brsl    $lr,bound_fan_r16
         lqa     $counts,fan
         brz     $counts,from_all_over
-balls:  brz     $g_skip,open
+spheres: brz     $g_skip,open
 bounded:
         lqa     $c_more,sheared
         brnz    $c_more,shear
@@ -310,7 +310,7 @@ from_all_over:
         ori     $4,$w_traced,0
         ila     $5,arena+BATCH_BOUNDS
         brsl    $lr,bound_origins_r16
-        br      balls
+        br      spheres
 open:   brsl    $lr,bounds_open
         br      bounded
 shear:  ila     $3,arena+BATCH_RAYS

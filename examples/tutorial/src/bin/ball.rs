@@ -1,6 +1,6 @@
 //! A ball that jumps.
 
-use cellray::game::{DVec3, Game, Material, Moment, ObjectId, Start, World, WorldError};
+use cellray::game::{DVec3, Frame, Game, Material, ObjectId, Start, World, WorldError};
 
 #[derive(Default)]
 struct Ball(ObjectId);
@@ -11,8 +11,8 @@ impl Game for Ball {
         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
         Ok(())
     }
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        let part = moment.time % 1.0;
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        let part = frame.time % 1.0;
         world.move_to(self.0, DVec3::Y * (16.0 * part * (1.0 - part) - 2.0))
     }
 }

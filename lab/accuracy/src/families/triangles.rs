@@ -3,7 +3,7 @@
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use twins::triangle::Triangle;
 
 use super::PACKETS;

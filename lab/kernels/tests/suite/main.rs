@@ -1,6 +1,5 @@
 //! All tests of the kernels: one program, as linking many takes longer than running them.
 
-mod ball;
 mod bounce;
 mod catalogue;
 mod command_line;
@@ -14,6 +13,7 @@ mod pairs;
 mod rays;
 mod schedule;
 mod shaders;
+mod sphere_ray;
 mod spheres;
 mod surfaces;
 mod tracer;

@@ -19,7 +19,7 @@ fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
 }
 
 #[test]
-fn a_scene_that_reflects_nothing_has_eye_rays_alone() {
+fn a_scene_that_reflects_nothing_has_primary_rays_alone() {
     let (block, ..) = changing(1);
     assert_eq!(block.ray_depth(), 1);
     assert_eq!(block.batch(), MAX_BATCH);

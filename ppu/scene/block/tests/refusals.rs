@@ -87,7 +87,7 @@ fn numbers_out_of_range() {
     assert_eq!(block.bytes(), before);
     // A parallelogram so small that its own numbers would be out of range is two triangles.
     let small = self::block("p 4\n0 0 0\n1e-19 0 0\n1e-19 1e-19 0\n0 1e-19 0\n");
-    assert_eq!(small.leaves(Kind::Rectangle).len(), 0);
+    assert_eq!(small.leaves(PrimitiveKind::Rectangle).len(), 0);
 }
 
 #[test]
@@ -163,7 +163,12 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
     assert_eq!(room, SCENE_ROOM as usize - 3 * 16 * 32 * 4);
     // About: within some per cent.
     let fewer = fit - fit / 50;
-    assert_eq!(block(&triangles(fewer)).leaves(Kind::Triangle).len(), fewer);
+    assert_eq!(
+        block(&triangles(fewer))
+            .leaves(PrimitiveKind::Triangle)
+            .len(),
+        fewer
+    );
     let more = refusal(&triangles(fit + fit / 50));
     assert!(more.contains(" triangles fit"), "{more}");
 }

@@ -4,12 +4,12 @@
 use std::fs;
 use std::process::{Command, Output};
 
-use cellray::scene::{Look, Model};
+use cellray::scene::{Model, RenderOptions};
 use cellray::work::Refusal;
 use cellray::{Engine, EngineError, Scene, Settings};
 
 use super::program::{build, file, image, program};
-use crate::recorder::{Recorder, Shown};
+use crate::recorder::{Recorder, Snapshot};
 
 const SIZE: (u32, u32) = (96, 64);
 
@@ -25,14 +25,14 @@ fn scene(shader: &str) -> String {
 fn parsed(shader: &str) -> Scene {
     let scene = scene(shader);
     let scene = nff::parse(scene.as_bytes(), "sphere", &nff::Limits::default()).unwrap();
-    let look = Look {
+    let render_options = RenderOptions {
         model: Model::Whitted,
-        ..Look::default()
+        ..RenderOptions::default()
     };
-    Scene::new(&scene, look, &program()).unwrap()
+    Scene::new(&scene, render_options, &program()).unwrap()
 }
 
-fn engine(check_shaders: bool) -> (Engine, Shown) {
+fn engine(check_shaders: bool) -> (Engine, Snapshot) {
     let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
     let settings = Settings {
         spus: 2,
