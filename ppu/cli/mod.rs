@@ -54,6 +54,8 @@ enum Command {
     Play(beside::Arguments),
     /// Look at a scene from all sides, by the program cellray-play
     View(beside::Arguments),
+    /// Show a PNG file in the terminal, by the program cellray-play
+    Show(beside::Arguments),
     /// Measure run time against error, and numerical stability, by the program cellray-bench
     Bench(beside::Arguments),
     /// Make a folder with a game of your own, ready to run
@@ -83,6 +85,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Fb(arguments) => fb::run(arguments),
         Command::Play(arguments) => beside::PLAY.run(Some("play"), arguments),
         Command::View(arguments) => beside::PLAY.run(Some("view"), arguments),
+        Command::Show(arguments) => beside::PLAY.run(Some("show"), arguments),
         Command::Bench(arguments) => beside::BENCH.run(None, arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Shader(arguments) => shader::run(arguments),
