@@ -5,7 +5,7 @@
 //! given, as a table of [`Entry`]s. A program of one game needs no more than that game:
 //!
 //! ```no_run
-#![doc = include_str!("../../examples/tutorial/src/bin/ball.rs")]
+#![doc = include_str!("ball.rs")]
 //! ```
 
 mod arguments;
