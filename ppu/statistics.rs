@@ -61,8 +61,7 @@ pub struct Rays {
 pub struct Tests {
     /// Tests that were made.
     pub made: u64,
-    /// Tests after which the distance was computed, because at least one of the packet's rays could
-    /// hit.
+    /// Tests that went on to compute a hit, because at least one of the packet's rays could hit.
     pub hits_looked_for: u64,
     /// Tests that the SPUs found unnecessary.
     pub skipped: u64,

@@ -1,5 +1,4 @@
-//! Checks the numbers and shapes that a world accepts: numbers in the SPUs' range, and shapes that
-//! have a surface.
+//! Checks that numbers are in the SPUs' range, and that shapes have a surface.
 //!
 //! Invariant: if all parts of a world have passed, no frame is refused because of a number in it.
 //! The exceptions are numbers that are computed from others, such as the growth of a very flat
