@@ -51,7 +51,7 @@ pub const FAMILIES: &[Family] = &[
     WELL_SHAPED,
     Family {
         name: "needle",
-        doc: "as high as a thousandth of their longest edge, 2 to 8 edges away",
+        doc: "a thousandth as high as their longest edge is long, 2 to 8 edges away",
         height: 1e-3,
         ..WELL_SHAPED
     },
