@@ -50,6 +50,7 @@ pub mod scene;
 mod shared;
 pub mod spe;
 pub mod statistics;
+pub mod watch;
 pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};

@@ -1,10 +1,11 @@
 //! The tracer's program, as this repository has it.
 
-use std::path::Path;
+use std::fs;
+use std::path::{Path, PathBuf};
 
 use protocol::formulation::Formulations;
 
-use crate::{Error, Image};
+use crate::{Error, Image, Tools, file_error};
 
 /// Folders below `spu/` that hold kernels.
 const KERNELS: [&str; 4] = ["isect", "shade", "shaders", "trace"];
@@ -26,4 +27,23 @@ pub fn tracer() -> Result<Image, Error> {
         .constants()
         .formulations(Formulations::standard());
     Ok(image)
+}
+
+/// Builds the tracer's program with further shaders in it, each in a `.s` file of its own, and
+/// returns the ELF image: for programs that try out shaders as they run.
+///
+/// # Errors
+///
+/// No SPU assembler, a source that it refuses, or a file that can't be read.
+pub fn tracer_with(shaders: &[PathBuf]) -> Result<Vec<u8>, Error> {
+    let temporary = std::env::temp_dir();
+    let work = tempfile::tempdir().map_err(|source| file_error(&temporary, source))?;
+    let mut program = tracer()?;
+    for shader in shaders {
+        fs::metadata(shader).map_err(|source| file_error(shader, source))?;
+        program = program.source(shader);
+    }
+    let image = work.path().join("tracer.elf");
+    program.build(&Tools::find()?, &work.path().join("objects"), &image)?;
+    fs::read(&image).map_err(|source| file_error(&image, source))
 }

@@ -7,8 +7,10 @@ use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
 use cellray::scene::{self, RenderOptions};
-use cellray::spe::{Program, ProgramError};
+use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::error::PlayError;
 
 /// Play games and look at scenes, traced by SPUs.
 #[derive(Debug, Parser)]
@@ -42,7 +44,7 @@ Examples:
 pub enum Command {
     /// Play a game; without a name, list those that there are
     Play(PlayArguments),
-    /// RenderOptions at a scene from all sides
+    /// Look at a scene from all sides
     View(ViewArguments),
 }
 
@@ -95,6 +97,9 @@ pub struct ViewArguments {
     /// Objects throw no shadows
     #[arg(long)]
     no_shadows: bool,
+    /// Load the scene, the SPU program and its shaders again whenever their files change
+    #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
+    pub watch: bool,
     /// Options of the session.
     #[command(flatten)]
     pub options: Options,
@@ -197,7 +202,10 @@ pub struct Options {
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
     #[arg(long, value_name = "F.elf")]
     program: Option<PathBuf>,
-    /// Check at every call of a shader that it keeps what it must
+    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    #[arg(long = "shader", value_name = "F.s", conflicts_with = "program")]
+    shaders: Vec<PathBuf>,
+    /// Check at every call of a shader that it keeps to the rules
     #[arg(long)]
     check_shaders: bool,
     /// Seconds in which no SPU takes work, finishes any or answers, before all count as lost
@@ -209,18 +217,24 @@ impl Options {
     /// Whether an SPU program is asked for.
     #[must_use]
     pub fn has_program(&self) -> bool {
-        self.program.is_some()
+        self.program.is_some() || !self.shaders.is_empty()
+    }
+
+    /// The files that the SPU program is made of, if it is not the built-in one.
+    pub fn program_files(&self) -> impl Iterator<Item = PathBuf> {
+        self.program.iter().chain(&self.shaders).cloned()
     }
 
     /// How the engine is to work.
-    pub fn settings(&self) -> Result<Settings, ProgramError> {
+    pub fn settings(&self) -> Result<Settings, PlayError> {
         Ok(Settings {
             spus: self.spus,
             check_shaders: self.check_shaders,
             timeout: Duration::from_secs(self.timeout),
             program: match &self.program {
                 Some(file) => Program::from_file(file)?,
-                None => Program::tracer(),
+                None if self.shaders.is_empty() => Program::tracer(),
+                None => Program::from_image(&spu_build::tracer_with(&self.shaders)?)?,
             },
             ..Settings::default()
         })

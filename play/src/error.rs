@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use cellray::EngineError;
 use cellray::framebuffer::FramebufferError;
 use cellray::game::{RecordingError, SessionError};
+use cellray::scene::SceneError;
 use cellray::spe::ProgramError;
 
 use crate::display::DisplayError;
@@ -27,6 +28,12 @@ pub enum PlayError {
     /// The SPU program can't be.
     #[error(transparent)]
     Program(#[from] ProgramError),
+    /// A shader can't be assembled or linked.
+    #[error(transparent)]
+    Build(#[from] spu_build::Error),
+    /// A scene that the SPUs don't take.
+    #[error(transparent)]
+    Refused(#[from] SceneError),
     /// Options that don't go together.
     #[error("{0}")]
     Options(&'static str),

@@ -17,6 +17,7 @@ use crate::input::Hub;
 use crate::meter::Meter;
 use crate::pace::Pace;
 use crate::recording;
+use crate::reload::Reload;
 use crate::screenshot;
 use crate::talk::say;
 use crate::viewer::VIEW;
@@ -54,8 +55,10 @@ pub fn play(
     options: &Options,
     mut clock: Box<dyn Clock>,
     player: Player,
+    reload: Option<Reload<'_>>,
 ) -> Result<Played, PlayError> {
     let mut show = Show::start(game, seed, options, player)?;
+    show.reload = reload;
     let mut left = options.frames.map(|range| range.end);
     let mut ending = Ending::Over;
     while left != Some(0) {
@@ -93,6 +96,8 @@ struct Show<'a> {
     picture: Option<RgbImage>,
     /// What the names of pictures begin with.
     stem: String,
+    /// What is loaded again when its files change.
+    reload: Option<Reload<'a>>,
 }
 
 impl<'a> Show<'a> {
@@ -125,12 +130,14 @@ impl<'a> Show<'a> {
             events: Vec::new(),
             picture: None,
             stem,
+            reload: None,
         })
     }
 
     /// One frame: its time, what the player does, the session's step, what is said over the
     /// picture and done beside the game.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
+        self.reload()?;
         let step = self.session.wait(clock)?;
         let heard = self.front.poll(&mut self.events);
         let heard = heard.map_err(SessionError::Input)?;
@@ -155,6 +162,28 @@ impl<'a> Show<'a> {
         }
         self.fit(requests.resized, began)?;
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Goes on with the scene as its files have it now, if they have changed. What is wrong with
+    /// them is a message, and the scene stays as it was.
+    fn reload(&mut self) -> Result<(), PlayError> {
+        let Some(reload) = &mut self.reload else {
+            return Ok(());
+        };
+        match reload.viewer(self.session.world().view()) {
+            None => Ok(()),
+            Some(Err(error)) => {
+                self.say(format!("not loaded: {error}"));
+                Ok(())
+            }
+            Some(Ok(viewer)) => {
+                let framebuffer = self.front.display.framebuffer(self.size)?;
+                let settings = self.options.settings()?;
+                self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
+                self.say("loaded again".to_owned());
+                Ok(())
+            }
+        }
     }
 
     /// Brings the frame before the player's eyes.
@@ -184,12 +213,16 @@ impl<'a> Show<'a> {
             messages.push(take_picture(picture, self.options, &self.stem));
         }
         for message in messages {
-            self.meter.say(message.clone(), Instant::now());
-            if self.may_talk {
-                say(message);
-            } else {
-                self.kept.push(message);
-            }
+            self.say(message);
+        }
+    }
+
+    fn say(&mut self, message: String) {
+        self.meter.say(message.clone(), Instant::now());
+        if self.may_talk {
+            say(message);
+        } else {
+            self.kept.push(message);
         }
     }
 

@@ -18,6 +18,7 @@ mod meter;
 mod overlay;
 mod pace;
 mod recording;
+mod reload;
 mod screenshot;
 mod talk;
 mod viewer;
@@ -38,6 +39,7 @@ use self::error::PlayError;
 use self::frontend::Ending;
 use self::input::{Hub, SystemDevices, Wanted};
 use self::interactive::Player;
+use self::reload::Reload;
 use self::talk::say;
 use self::viewer::Viewer;
 
@@ -105,13 +107,19 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             let size = Geometry { width, height };
             size.check()?;
             let viewer = Viewer::new(scene, view.render_options());
-            session(Box::new(viewer), Some(0), size, &view.options)
+            session(
+                Box::new(viewer),
+                Some(0),
+                size,
+                &view.options,
+                Reload::new(view),
+            )
         }
     }
 }
 
 fn play(game: Box<dyn Game>, options: &GameOptions) -> Result<Ending, PlayError> {
-    session(game, options.seed, SIZE, &options.session)
+    session(game, options.seed, SIZE, &options.session, None)
 }
 
 fn list(games: &[Entry]) -> String {
@@ -148,6 +156,7 @@ fn session(
     seed: Option<u64>,
     usual: Geometry,
     options: &Options,
+    reload: Option<Reload<'_>>,
 ) -> Result<Ending, PlayError> {
     if options.has_program() && game.program()?.is_some() {
         return Err(PlayError::Options(
@@ -228,7 +237,7 @@ fn session(
             any_seed()
         }
     });
-    let played = interactive::play(game, seed, options, clock, player)?;
+    let played = interactive::play(game, seed, options, clock, player, reload)?;
     for message in &played.messages {
         say(message);
     }

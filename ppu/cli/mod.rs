@@ -4,10 +4,12 @@ mod beside;
 mod choices;
 mod fb;
 mod info;
+mod new;
 mod progress;
 mod render;
 mod run;
 mod sequence;
+mod shader;
 mod sphereflake;
 
 use std::process::ExitCode;
@@ -37,6 +39,8 @@ Examples:
   cellray play billiards
   cellray view scenes/whitted16.nff
   cellray bench accuracy
+  cellray new mygame
+  cellray render scene.nff --shader stripes.s --watch --out scene.png
   cellray sphereflake 4 > balls.nff
   cellray info";
 
@@ -48,10 +52,14 @@ enum Command {
     Fb(fb::Arguments),
     /// Play a game, by the program cellray-play; without a name, list those that there are
     Play(beside::Arguments),
-    /// RenderOptions at a scene from all sides, by the program cellray-play
+    /// Look at a scene from all sides, by the program cellray-play
     View(beside::Arguments),
     /// Measure run time against error, and numerical stability, by the program cellray-bench
     Bench(beside::Arguments),
+    /// Make a folder with a game of your own, ready to run
+    New(new::Arguments),
+    /// Build shaders of your own into an SPU program, for --program
+    Shader(shader::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 that answers, its SPEs, and the framebuffer
@@ -76,6 +84,8 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Play(arguments) => beside::PLAY.run(Some("play"), arguments),
         Command::View(arguments) => beside::PLAY.run(Some("view"), arguments),
         Command::Bench(arguments) => beside::BENCH.run(None, arguments),
+        Command::New(arguments) => new::run(arguments),
+        Command::Shader(arguments) => shader::run(arguments),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }

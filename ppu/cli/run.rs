@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::RenderOptions;
-use cellray::spe::{Program, ProgramError};
+use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
 use clap::Args;
@@ -67,7 +67,10 @@ pub struct Options {
     /// built-in one]
     #[arg(long, value_name = "F.elf", conflicts_with_all = ["quality", "sphere", "triangle"])]
     pub program: Option<PathBuf>,
-    /// Check at every call of a shader that it keeps what it must
+    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    #[arg(long = "shader", value_name = "F.s", conflicts_with_all = ["program", "quality", "sphere", "triangle"])]
+    pub shaders: Vec<PathBuf>,
+    /// Check at every call of a shader that it keeps to the rules
     #[arg(long)]
     pub check_shaders: bool,
     /// Trace every frame as a whole, even where it already shows
@@ -94,6 +97,12 @@ impl Options {
         }
     }
 
+    /// The files that a picture is made of.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let files = [&self.scene].into_iter().chain(&self.program);
+        files.chain(&self.shaders).cloned()
+    }
+
     /// How the engine is to work.
     pub fn settings(&self, program: Program) -> Settings {
         Settings {
@@ -112,9 +121,13 @@ impl Options {
     }
 
     /// What the SPUs are to run.
-    pub fn program(&self) -> Result<Program, ProgramError> {
+    pub fn program(&self) -> Result<Program, Box<dyn std::error::Error>> {
         if let Some(file) = &self.program {
-            return Program::from_file(file);
+            return Ok(Program::from_file(file)?);
+        }
+        if !self.shaders.is_empty() {
+            let image = spu_build::tracer_with(&self.shaders)?;
+            return Ok(Program::from_image(&image)?);
         }
         let mut formulations = cellray::Quality::from(self.quality).formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
@@ -123,7 +136,7 @@ impl Options {
         if let Some(triangle) = self.triangle.as_deref().and_then(formulation::triangle) {
             formulations.triangle = triangle;
         }
-        Program::of(&formulations)
+        Ok(Program::of(&formulations)?)
     }
 }
 
