@@ -26,7 +26,7 @@ spheres, tetra:3 has 256 polygons).";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]
-#[command(version, after_help = EXAMPLES)]
+#[command(name = "oracle", version, after_help = EXAMPLES)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
@@ -70,6 +70,9 @@ enum Verb {
         #[command(flatten)]
         model: Model,
     },
+    /// Write man pages and shell completions.
+    #[command(hide = true)]
+    Pages(pages::Arguments),
 }
 
 /// How a scene is to look.
@@ -180,6 +183,7 @@ fn main() -> ExitCode {
             model.check(stats);
             render(&scene, &model, size, &out, stats)
         }
+        Verb::Pages(arguments) => pages::write(Cli::command(), &arguments).map_err(Into::into),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,

@@ -46,6 +46,9 @@ pub enum Command {
     Play(PlayArguments),
     /// Look at a scene from all sides
     View(ViewArguments),
+    /// Write man pages and shell completions
+    #[command(hide = true)]
+    Pages(pages::Arguments),
     /// Show a PNG file in the terminal
     Show {
         /// The picture

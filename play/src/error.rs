@@ -42,6 +42,9 @@ pub enum PlayError {
     /// A scene that the SPUs don't take.
     #[error(transparent)]
     Refused(#[from] SceneError),
+    /// Man pages or completions can't be written.
+    #[error(transparent)]
+    Pages(io::Error),
     /// Options that don't go together.
     #[error("{0}")]
     Options(&'static str),

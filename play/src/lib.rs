@@ -32,7 +32,7 @@ use std::time::{SystemTime, UNIX_EPOCH};
 use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
-use clap::Parser as _;
+use clap::{CommandFactory as _, Parser as _};
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
 use self::display::{Colours, Nowhere, Screen, Terminal, Window, lines};
@@ -103,6 +103,10 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             self::play((entry.new)(), &play.options)
         }
         Command::Show { picture } => show(picture),
+        Command::Pages(pages) => {
+            pages::write(Arguments::command(), pages).map_err(PlayError::Pages)?;
+            Ok(Ending::Over)
+        }
         Command::View(view) => {
             let scene = nff::load(&view.scene)?;
             let (width, height) = scene.view.resolution;

@@ -15,7 +15,7 @@ mod sphereflake;
 use std::process::ExitCode;
 
 use cellray::framebuffer;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
@@ -62,6 +62,9 @@ enum Command {
     New(new::Arguments),
     /// Build shaders of your own into an SPU program, for --program
     Shader(shader::Arguments),
+    /// Write man pages and shell completions
+    #[command(hide = true)]
+    Pages(pages::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 in use, its SPEs, and the framebuffer
@@ -89,6 +92,7 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Show(arguments) => external::PLAY.run(Some("show"), arguments),
         Command::New(arguments) => new::run(arguments),
         Command::Shader(arguments) => shader::run(arguments),
+        Command::Pages(arguments) => Ok(pages::write(Arguments::command(), arguments)?),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }
