@@ -13,7 +13,7 @@ use zerocopy::FromZeros as _;
 pub use self::error::EngineError;
 use self::records::Records;
 pub use self::settings::Settings;
-pub use self::silence::{Doing, Silence};
+pub use self::silence::{Activity, Silence};
 use self::spus::Spus;
 pub use self::unchecked::Unchecked;
 use crate::framebuffer::{self, Framebuffer};
@@ -274,7 +274,7 @@ impl Engine {
     /// Abandons the SPUs, and leaks all memory that they may still write to. The screen is
     /// restored now, because the framebuffer that would restore it later is leaked too.
     fn abandon(&mut self) {
-        framebuffer::put_back();
+        framebuffer::restore_screen();
         std::mem::forget(self.records.take());
         self.spus.abandon();
     }

@@ -29,12 +29,12 @@ static IS_TO_TAKE: AtomicBool = AtomicBool::new(false);
 static IS_BACK: AtomicBool = AtomicBool::new(false);
 
 static LAST_RESORT: LastResort = LastResort {
-    put_back: || {
+    restore: || {
         if put_back() {
             IS_TO_TAKE.store(true, Ordering::SeqCst);
         }
     },
-    take_again: || {
+    retake: || {
         if IS_TO_TAKE.swap(false, Ordering::SeqCst) {
             // Nobody is there to be told of an error.
             let _ = take();
