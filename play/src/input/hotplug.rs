@@ -18,7 +18,7 @@ const LOOK_EVERY: Duration = Duration::from_secs(1);
 
 /// Which devices are read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
+pub enum DeviceSet {
     /// Pads: keys and mouse are the display's.
     Pads,
     /// All.
@@ -26,9 +26,9 @@ pub enum Wanted {
 }
 
 /// Reads input devices, those that come later too.
-pub struct Hub {
+pub struct InputDevices {
     devices: Box<dyn Devices>,
-    wanted: Wanted,
+    wanted: DeviceSet,
     open: BTreeMap<PathBuf, Open>,
     /// Devices that are of no use, and which they are.
     useless: BTreeMap<PathBuf, PathBuf>,
@@ -45,10 +45,10 @@ struct Open {
     name: String,
 }
 
-impl Hub {
-    /// None is open until the first [`Hub::poll`].
+impl InputDevices {
+    /// None is open until the first [`InputDevices::poll`].
     #[must_use]
-    pub fn new(devices: Box<dyn Devices>, wanted: Wanted) -> Self {
+    pub fn new(devices: Box<dyn Devices>, wanted: DeviceSet) -> Self {
         Self {
             devices,
             wanted,
@@ -78,7 +78,7 @@ impl Hub {
         let is_due = |looked| now.saturating_duration_since(looked) >= LOOK_EVERY;
         if self.looked.is_none_or(is_due) {
             self.looked = Some(now);
-            self.render_options(events);
+            self.scan(events);
         }
         let mut gone = Vec::new();
         for (path, open) in &mut self.open {
@@ -97,7 +97,7 @@ impl Hub {
         }
     }
 
-    fn render_options(&mut self, events: &mut Vec<InputEvent>) {
+    fn scan(&mut self, events: &mut Vec<InputEvent>) {
         let paths = match self.devices.list() {
             Ok(paths) => paths,
             // Once is enough: it will be so in a second, too.
@@ -139,7 +139,7 @@ impl Hub {
                     None => {
                         self.useless.insert(path, identity);
                     }
-                    Some(Kind::Desk) if self.wanted == Wanted::Pads => {
+                    Some(Kind::Desk) if self.wanted == DeviceSet::Pads => {
                         self.useless.insert(path, identity);
                     }
                     // Those belong to a pad, which has to be known first.

@@ -17,5 +17,5 @@ pub use capabilities::{Capabilities, Codes};
 pub use console::is_of_console;
 pub use device::{Device, Devices, Range, RawEvent, SystemDevices};
 pub use foreground::{Foreground, SystemForeground};
-pub use hotplug::{Hub, Wanted};
+pub use hotplug::{DeviceSet, InputDevices};
 pub use mapping::{Kind, Mapping};
