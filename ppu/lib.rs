@@ -44,12 +44,14 @@
 pub mod engine;
 pub mod framebuffer;
 pub mod game;
+pub mod prelude;
 pub mod quality;
 mod report;
 pub mod scene;
 mod shared;
 pub mod spe;
 pub mod statistics;
+pub mod watch;
 pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};

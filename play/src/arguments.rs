@@ -7,8 +7,10 @@ use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
 use cellray::scene::{self, RenderOptions};
-use cellray::spe::{Program, ProgramError};
+use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::error::PlayError;
 
 /// Play games and look at scenes, traced by SPUs.
 #[derive(Debug, Parser)]
@@ -44,6 +46,11 @@ pub enum Command {
     Play(PlayArguments),
     /// Look at a scene from all sides
     View(ViewArguments),
+    /// Show a PNG file in the terminal
+    Show {
+        /// The picture
+        picture: PathBuf,
+    },
 }
 
 /// `play`.
@@ -93,6 +100,9 @@ pub struct ViewArguments {
     /// Trace no shadows
     #[arg(long)]
     no_shadows: bool,
+    /// Load the scene, the SPU program and its shaders again whenever their files change
+    #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
+    pub watch: bool,
     /// Options of the session.
     #[command(flatten)]
     pub options: Options,
@@ -195,6 +205,9 @@ pub struct Options {
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
     #[arg(long, value_name = "F.elf")]
     program: Option<PathBuf>,
+    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    #[arg(long = "shader", value_name = "F.s", conflicts_with = "program")]
+    shaders: Vec<PathBuf>,
     /// Check at every call of a shader that it keeps the rules for shaders
     #[arg(long)]
     check_shaders: bool,
@@ -207,21 +220,27 @@ impl Options {
     /// Whether `--program` selects an SPU program.
     #[must_use]
     pub fn has_program(&self) -> bool {
-        self.program.is_some()
+        self.program.is_some() || !self.shaders.is_empty()
+    }
+
+    /// The files that the SPU program is made of, if it is not the built-in one.
+    pub fn program_files(&self) -> impl Iterator<Item = PathBuf> {
+        self.program.iter().chain(&self.shaders).cloned()
     }
 
     /// The engine's settings.
     ///
     /// # Errors
-    /// The SPU program of `--program` can't be read, or is not valid.
-    pub fn settings(&self) -> Result<Settings, ProgramError> {
+    /// The SPU program of `--program` can't be read or is not valid, or a shader can't be built.
+    pub fn settings(&self) -> Result<Settings, PlayError> {
         Ok(Settings {
             spus: self.spus,
             check_shaders: self.check_shaders,
             timeout: Duration::from_secs(self.timeout),
             program: match &self.program {
                 Some(file) => Program::from_file(file)?,
-                None => Program::tracer(),
+                None if self.shaders.is_empty() => Program::tracer(),
+                None => Program::from_image(&spu_build::tracer_with(&self.shaders)?)?,
             },
             ..Settings::default()
         })

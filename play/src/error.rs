@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use cellray::EngineError;
 use cellray::framebuffer::FramebufferError;
 use cellray::game::{RecordingError, SessionError};
+use cellray::scene::SceneError;
 use cellray::spe::ProgramError;
 
 use crate::display::DisplayError;
@@ -27,6 +28,20 @@ pub enum PlayError {
     /// The SPU program can't be read, or is not valid.
     #[error(transparent)]
     Program(#[from] ProgramError),
+    /// A shader can't be assembled or linked.
+    #[error(transparent)]
+    Build(#[from] spu_build::Error),
+    /// A picture can't be read.
+    #[error("{}: {source}", path.display())]
+    Picture {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: image::ImageError,
+    },
+    /// The scene can't be drawn.
+    #[error(transparent)]
+    Refused(#[from] SceneError),
     /// Options that can't be used together.
     #[error("{0}")]
     Options(&'static str),

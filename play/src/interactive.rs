@@ -17,6 +17,7 @@ use crate::input::InputDevices;
 use crate::meter::Meter;
 use crate::pace::Pace;
 use crate::recording;
+use crate::reload::Reload;
 use crate::screenshot;
 use crate::talk::say;
 use crate::viewer::VIEW;
@@ -57,8 +58,10 @@ pub fn play(
     options: &Options,
     mut clock: Box<dyn Clock>,
     player: Player,
+    reload: Option<Reload<'_>>,
 ) -> Result<Played, PlayError> {
     let mut show = Show::start(game, seed, options, player)?;
+    show.reload = reload;
     let mut left = options.frames.map(|range| range.end);
     let mut ending = Ending::Over;
     while left != Some(0) {
@@ -96,6 +99,8 @@ struct Show<'a> {
     picture: Option<RgbImage>,
     /// The beginning of screenshots' names.
     stem: String,
+    /// What is loaded again when its files change.
+    reload: Option<Reload<'a>>,
 }
 
 impl<'a> Show<'a> {
@@ -128,12 +133,14 @@ impl<'a> Show<'a> {
             events: Vec::new(),
             picture: None,
             stem,
+            reload: None,
         })
     }
 
     /// Runs one frame: waits for its time, reads the input, steps the session, shows the picture
     /// with the overlay, and handles the player's requests.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
+        self.reload()?;
         let step = self.session.wait(clock)?;
         let heard = self.front.poll(&mut self.events);
         let heard = heard.map_err(SessionError::Input)?;
@@ -158,6 +165,28 @@ impl<'a> Show<'a> {
         }
         self.fit(requests.resized, began)?;
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Loads the scene again if its files have changed. If that fails, it shows a message, and the
+    /// scene stays as it was.
+    fn reload(&mut self) -> Result<(), PlayError> {
+        let Some(reload) = &mut self.reload else {
+            return Ok(());
+        };
+        match reload.viewer(self.session.world().view()) {
+            None => Ok(()),
+            Some(Err(error)) => {
+                self.say(format!("not loaded: {error}"));
+                Ok(())
+            }
+            Some(Ok(viewer)) => {
+                let framebuffer = self.front.display.framebuffer(self.size)?;
+                let settings = self.options.settings()?;
+                self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
+                self.say("loaded again".to_owned());
+                Ok(())
+            }
+        }
     }
 
     /// Shows the frame on the display, if it is drawn to.
@@ -187,12 +216,16 @@ impl<'a> Show<'a> {
             messages.push(take_picture(picture, self.options, &self.stem));
         }
         for message in messages {
-            self.meter.say(message.clone(), Instant::now());
-            if self.may_talk {
-                say(message);
-            } else {
-                self.kept.push(message);
-            }
+            self.say(message);
+        }
+    }
+
+    fn say(&mut self, message: String) {
+        self.meter.say(message.clone(), Instant::now());
+        if self.may_talk {
+            say(message);
+        } else {
+            self.kept.push(message);
         }
     }
 

@@ -50,6 +50,16 @@ impl Viewer {
         }
     }
 
+    /// The same scene, seen from this view instead of its own.
+    #[must_use]
+    pub fn seen_from(mut self, view: &View) -> Self {
+        self.orbit = Orbit {
+            first_distance: self.orbit.first_distance,
+            ..Orbit::of(view)
+        };
+        self
+    }
+
     /// The drag of the mouse to the right and up, in radians.
     fn drag(&mut self, mouse: Mouse, size: (u32, u32)) -> [f64; 2] {
         let part = |at: f32, side: u32| f64::from(at) / f64::from(side.max(1));

@@ -4,10 +4,12 @@ mod choices;
 mod external;
 mod fb;
 mod info;
+mod new;
 mod progress;
 mod render;
 mod run;
 mod sequence;
+mod shader;
 mod sphereflake;
 
 use std::process::ExitCode;
@@ -37,6 +39,8 @@ Examples:
   cellray play billiards
   cellray view scenes/whitted16.nff
   cellray bench accuracy
+  cellray new mygame
+  cellray render scene.nff --shader stripes.s --watch --out scene.png
   cellray sphereflake 4 > balls.nff
   cellray info";
 
@@ -52,6 +56,12 @@ enum Command {
     View(external::Arguments),
     /// Measure run time, error and numerical stability with the program cellray-bench
     Bench(external::Arguments),
+    /// Show a PNG file in the terminal with the program cellray-play
+    Show(external::Arguments),
+    /// Make a folder with a game of your own, ready to run
+    New(new::Arguments),
+    /// Build shaders of your own into an SPU program, for --program
+    Shader(shader::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
     /// Show the libspe2 in use, its SPEs, and the framebuffer
@@ -76,6 +86,9 @@ fn dispatch(command: &Command) -> Outcome {
         Command::Play(arguments) => external::PLAY.run(Some("play"), arguments),
         Command::View(arguments) => external::PLAY.run(Some("view"), arguments),
         Command::Bench(arguments) => external::BENCH.run(None, arguments),
+        Command::Show(arguments) => external::PLAY.run(Some("show"), arguments),
+        Command::New(arguments) => new::run(arguments),
+        Command::Shader(arguments) => shader::run(arguments),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }

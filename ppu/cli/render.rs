@@ -7,6 +7,7 @@ use cellray::framebuffer::{
 };
 use cellray::game::{FrameRange, Pictures, Turntable, View};
 use cellray::scene::RenderOptions;
+use cellray::watch::Watch;
 use clap::Args;
 
 use super::{Outcome, run, sequence};
@@ -40,6 +41,9 @@ pub struct Arguments {
     /// Standard Procedural Databases do
     #[arg(long)]
     corners: bool,
+    /// Render again whenever the scene, the SPU program or a shader's source changes, until Ctrl-C
+    #[arg(long, requires = "out")]
+    watch: bool,
 }
 
 impl Arguments {
@@ -83,6 +87,23 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
+    if !arguments.watch {
+        return once(arguments);
+    }
+    if arguments.numbered()?.is_some() {
+        return Err("--watch renders one picture, not numbered ones".into());
+    }
+    let mut watch = Watch::new(arguments.options.files());
+    loop {
+        if let Err(error) = once(arguments) {
+            eprintln!("cellray: error: {error}");
+        }
+        eprintln!("cellray: waiting for a change");
+        watch.wait();
+    }
+}
+
+fn once(arguments: &Arguments) -> Outcome {
     if let Some(paths) = arguments.numbered()? {
         return arguments.sequence(paths);
     }

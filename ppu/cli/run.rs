@@ -7,7 +7,7 @@ use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
 use cellray::scene::RenderOptions;
-use cellray::spe::{Program, ProgramError};
+use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
 use clap::Args;
@@ -66,6 +66,9 @@ pub struct Options {
     /// one]
     #[arg(long, value_name = "F.elf", conflicts_with_all = ["quality", "sphere", "triangle"])]
     pub program: Option<PathBuf>,
+    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    #[arg(long = "shader", value_name = "F.s", conflicts_with_all = ["program", "quality", "sphere", "triangle"])]
+    pub shaders: Vec<PathBuf>,
     /// Check at every call of a shader that it keeps the rules for shaders
     #[arg(long)]
     pub check_shaders: bool,
@@ -93,6 +96,12 @@ impl Options {
         }
     }
 
+    /// The files that a picture is made of.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let files = [&self.scene].into_iter().chain(&self.program);
+        files.chain(&self.shaders).cloned()
+    }
+
     /// The engine's settings.
     pub fn settings(&self, program: Program) -> Settings {
         Settings {
@@ -111,9 +120,13 @@ impl Options {
     }
 
     /// The SPU program, as the options select it.
-    pub fn program(&self) -> Result<Program, ProgramError> {
+    pub fn program(&self) -> Result<Program, Box<dyn std::error::Error>> {
         if let Some(file) = &self.program {
-            return Program::from_file(file);
+            return Ok(Program::from_file(file)?);
+        }
+        if !self.shaders.is_empty() {
+            let image = spu_build::tracer_with(&self.shaders)?;
+            return Ok(Program::from_image(&image)?);
         }
         let mut formulations = cellray::Quality::from(self.quality).formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
@@ -122,7 +135,7 @@ impl Options {
         if let Some(triangle) = self.triangle.as_deref().and_then(formulation::triangle) {
             formulations.triangle = triangle;
         }
-        Program::of(&formulations)
+        Ok(Program::of(&formulations)?)
     }
 }
 

@@ -7,6 +7,7 @@ mod document;
 mod eye;
 mod flat;
 mod harness;
+mod images;
 mod math;
 mod measured;
 mod pairs;
