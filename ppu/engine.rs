@@ -274,7 +274,7 @@ impl Engine {
     /// Abandons the SPUs, and leaks all memory that they may still write to. The screen is
     /// restored now, because the framebuffer that would restore it later is leaked too.
     fn abandon(&mut self) {
-        framebuffer::put_back();
+        framebuffer::restore_screen();
         std::mem::forget(self.records.take());
         self.spus.abandon();
     }

@@ -1,18 +1,18 @@
-//! The surfaces of a scene in a tree of boxes.
+//! A bounding volume hierarchy of boxes over the surfaces of a scene.
 //!
-//! Invariant: what is found is what a test of every surface would find; of equally near surfaces
-//! the first in file order.
+//! Invariant: the result is the same as if every surface were tested. Of equally near surfaces the
+//! first in file order is found.
 
 use glam::DVec3;
 
 use crate::ray::Ray;
 use crate::shapes::Surface;
 
-/// Most surfaces of a leaf.
+/// The most surfaces in a leaf.
 const LEAF: usize = 4;
 
-/// What boxes are grown by, relative to distances from the ray's origin: far above the rounding of
-/// the tests, some 1e-15, for which a hit may lie outside of its box.
+/// By how much boxes are enlarged, relative to distances from the ray's origin. By the rounding of
+/// the tests a hit may be outside of its box; this is far above that error, about 1e-15.
 const SLACK: f64 = 1e-12;
 
 /// An axis-parallel box.
@@ -31,7 +31,7 @@ impl Bounds {
         }
     }
 
-    /// Where a ray enters the box, short of `limit`.
+    /// The distance at which a ray enters the box, if it is below `limit`.
     fn entry(&self, ray: &Ray, limit: f64) -> Option<f64> {
         let (low, high) = (self.low - ray.origin, self.high - ray.origin);
         let slack =
@@ -43,7 +43,7 @@ impl Bounds {
     }
 }
 
-/// A box and what is in it.
+/// A box and its content.
 #[derive(Debug)]
 struct Node {
     bounds: Bounds,
@@ -52,18 +52,18 @@ struct Node {
 
 #[derive(Debug)]
 enum Content {
-    /// Places in [`Bvh::order`].
+    /// Indices in [`Bvh::order`].
     Surfaces(std::ops::Range<usize>),
-    /// Places in [`Bvh::nodes`].
+    /// Indices in [`Bvh::nodes`].
     Halves([usize; 2]),
 }
 
 #[derive(Debug)]
 pub(crate) struct Bvh {
     surfaces: Vec<Surface>,
-    /// Indices of the surfaces as the leaves have them.
+    /// The surfaces' indices in the order of the leaves.
     order: Vec<usize>,
-    /// The root last; none without surfaces.
+    /// The nodes, with the root last; empty without surfaces.
     nodes: Vec<Node>,
 }
 
@@ -85,7 +85,7 @@ impl Bvh {
         &self.surfaces[index]
     }
 
-    /// Adds the node of a range of the order; returns its place.
+    /// Adds the node for a range of the order, and returns its index.
     fn grow(&mut self, bounds: &[Bounds], range: std::ops::Range<usize>) -> usize {
         let around = |indices: &[usize], part: fn(Bounds) -> Bounds| {
             let boxes = indices.iter().map(|&index| part(bounds[index]));
@@ -122,11 +122,11 @@ impl Bvh {
         self.nodes.len() - 1
     }
 
-    /// The nearest surface that a ray meets, and its distance.
+    /// The nearest surface that a ray hits, and its distance.
     pub(crate) fn nearest(&self, ray: &Ray) -> Option<(usize, f64)> {
         let mut best: Option<(usize, f64)> = None;
         self.visit(ray, f64::INFINITY, |index, limit| {
-            // The next number up lets an equally near surface be seen, for the first to be taken.
+            // The next larger limit lets equally near surfaces pass, so that the first is chosen.
             let distance = self.surfaces[index].hit(ray, limit.next_up());
             if let Some(distance) = distance {
                 let nearer = best.is_none_or(|(first, least)| distance < least || index < first);
@@ -139,19 +139,19 @@ impl Bvh {
         best
     }
 
-    /// Whether a ray meets any surface short of `limit`.
+    /// Whether a ray hits any surface at a distance below `limit`.
     pub(crate) fn any(&self, ray: &Ray, limit: f64) -> bool {
         let mut met = false;
         self.visit(ray, limit, |index, limit| {
             met |= limit > 0.0 && self.surfaces[index].hit(ray, limit).is_some();
-            // Beyond a hit nothing is looked for.
+            // After a hit, nothing else is searched.
             if met { f64::NEG_INFINITY } else { limit }
         });
         met
     }
 
-    /// Calls `test` with the surfaces whose boxes the ray enters short of the limit, which `test`
-    /// may lower by what it returns.
+    /// Calls `test` with the surfaces whose boxes the ray enters below the limit. `test` returns
+    /// the new limit.
     fn visit(&self, ray: &Ray, mut limit: f64, mut test: impl FnMut(usize, f64) -> f64) {
         let enter = |place: usize, limit: f64| {
             let entry = self.nodes[place].bounds.entry(ray, limit)?;
@@ -172,7 +172,7 @@ impl Bvh {
                 }
                 Content::Halves(halves) => {
                     let mut entered = halves.map(|half| enter(half, limit));
-                    // The nearer half last, to be taken first.
+                    // The nearer half is pushed last, so that it is visited first.
                     entered.sort_by(|a, b| {
                         let key = |it: &Option<(usize, f64)>| it.map_or(f64::INFINITY, |it| it.1);
                         key(b).total_cmp(&key(a))
@@ -200,7 +200,7 @@ mod tests {
                 let shape = random_shape(&mut random, 2.0 / libm::cbrt(count as f64));
                 let transmits = random.next().is_multiple_of(3);
                 let surface = Surface::new(&shape, transmits).expect("a surface");
-                // Some twice, so that the first in order is to be found.
+                // Some surfaces occur twice, and the first of them must be found.
                 surfaces.extend(vec![
                     surface;
                     1 + usize::from(random.next().is_multiple_of(4))
@@ -208,7 +208,7 @@ mod tests {
             }
             let tree = Bvh::new(surfaces.clone());
             for round in 0..4000 {
-                // Of every three rays one lies in a coordinate plane and one on an axis.
+                // One of three rays is in a coordinate plane, and one is parallel to an axis.
                 let mut direction = random.direction();
                 if round % 3 > 0 {
                     direction.x = 0.0;

@@ -1,9 +1,9 @@
-//! What stands between the player and the session: display, pads, signals, and the keys that are
-//! not the game's.
+//! The player's side of a session: display, input devices, signals, and the keys that control the
+//! session itself.
 //!
-//! Escape, Q and a pad's PS button end the session, F1 shows or hides what is said over the
-//! picture, F12 takes a picture. Invariant: those never reach a game; all else does, once, in
-//! order, also what comes while a frame is traced. Of devices nothing does that the player did
+//! Escape, Q and a pad's PS button end the session, F1 shows or hides the overlay, and F12 takes a
+//! picture. Invariant: these keys never reach a game. All other events do, once and in order, even
+//! those that arrive while a frame is traced. Events of devices are dropped if the player was
 //! elsewhere: on another virtual terminal, or at the shell while the program was stopped.
 
 use std::io;
@@ -16,43 +16,44 @@ use cellray::game::{Button, InputEvent, Key};
 use signal_hook::consts::{SIGHUP, SIGINT};
 
 use crate::display::{Display, DisplayEvent};
-use crate::input::{Foreground, Hub, SystemForeground, is_of_console};
+use crate::input::{Foreground, InputDevices, SystemForeground, is_of_console};
 
 /// Why a session ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Ending {
-    /// The game is over, the recording is, or the frames are.
+    /// The game, the recording or the range of frames ended.
     Over,
-    /// The player has closed it.
+    /// The player closed the display.
     Closed,
-    /// A signal came.
+    /// The program received this signal.
     Signal(i32),
 }
 
-/// What the player wants of the session itself.
+/// The player's requests to the session itself.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Requests {
-    /// An end.
+    /// A request to end the session.
     pub ending: Option<Ending>,
-    /// The display is of another size.
+    /// Whether the display has another size now.
     pub resized: bool,
-    /// What is said over the picture is to be hidden, or shown again.
+    /// Whether to hide the overlay, or show it again.
     pub overlay: bool,
-    /// A picture.
+    /// Whether to take a picture.
     pub screenshot: bool,
 }
 
-/// The player's side.
+/// The player's side of a session.
 pub struct Frontend {
-    /// What is seen.
+    /// The display that shows the frames.
     pub display: Box<dyn Display>,
-    devices: Option<Hub>,
+    devices: Option<InputDevices>,
     foreground: Box<dyn Foreground>,
-    /// The player was elsewhere before the last look at the devices, or after it.
+    /// Whether the player was elsewhere just before or after the devices were last read.
     was_left: bool,
-    /// What is heard of the devices is not the game's.
+    /// Whether events of the devices are dropped.
     is_away: bool,
-    /// A terminal that is no display: its keys count where no device tells of the same.
+    /// A terminal that isn't the display. Its keys are used unless a keyboard device reports the
+    /// same.
     keys: Option<Box<dyn Display>>,
     interrupted: Interrupted,
     display_events: Vec<DisplayEvent>,
@@ -63,10 +64,13 @@ pub struct Frontend {
 }
 
 impl Frontend {
-    /// With a display, and devices if they are to be read.
+    /// A frontend with a display, and with devices and a terminal if they are to be read.
+    ///
+    /// # Errors
+    /// Signals can't be caught.
     pub fn new(
         display: Box<dyn Display>,
-        devices: Option<Hub>,
+        devices: Option<InputDevices>,
         keys: Option<Box<dyn Display>>,
         interrupted: Interrupted,
     ) -> io::Result<Self> {
@@ -86,8 +90,11 @@ impl Frontend {
         })
     }
 
-    /// Appends what the player has done since the last call; with [`ControlFlow::Break`] the
-    /// session is to end.
+    /// Appends the player's input since the last call. [`ControlFlow::Break`] means that the
+    /// session must end.
+    ///
+    /// # Errors
+    /// The display fails.
     pub fn poll(&mut self, events: &mut Vec<InputEvent>) -> io::Result<ControlFlow<()>> {
         if let Some(error) = self.failed.take() {
             return Err(error);
@@ -100,15 +107,16 @@ impl Frontend {
         })
     }
 
-    /// To be called from time to time while a frame is traced: a window answers its system then.
+    /// Must be called from time to time while a frame is traced, so that a window keeps answering
+    /// its system.
     pub fn tracing(&mut self) {
-        // It is told at the next poll.
+        // The next poll returns the error.
         if let Err(error) = self.gather() {
             self.failed = Some(error);
         }
     }
 
-    /// What the player wants since the last call; an ending stays.
+    /// Takes the player's requests since the last call. A request to end stays set.
     pub fn take_requests(&mut self) -> Requests {
         let requests = self.requests;
         self.requests = Requests {
@@ -118,11 +126,11 @@ impl Frontend {
         requests
     }
 
-    /// What the devices have to say to people.
+    /// Takes the messages about devices that came or went.
     pub fn take_messages(&mut self) -> Vec<String> {
         self.devices
             .as_mut()
-            .map_or_else(Vec::new, Hub::take_messages)
+            .map_or_else(Vec::new, InputDevices::take_messages)
     }
 
     fn gather(&mut self) -> io::Result<()> {
@@ -140,7 +148,7 @@ impl Frontend {
             let before = self.display_events.len();
             keys.poll(&mut self.display_events)?;
             if has_keyboard && is_of_console(io::stdin().as_fd()) {
-                // The same keys were heard of from the keyboard.
+                // The keyboard device has reported the same keys.
                 self.display_events.truncate(before);
             }
         }
@@ -159,9 +167,9 @@ impl Frontend {
         Ok(())
     }
 
-    /// Called when the devices have been read: whatever was typed before that and elsewhere is
-    /// among it, but for what came between that and this. So a look away counts for the next
-    /// reading, too.
+    /// Drops the devices' events if the player was elsewhere. Called after the devices were read.
+    /// Keys that were typed elsewhere between the reading and this call are read next time, so an
+    /// absence counts for the next reading too.
     fn forget_what_was_done_elsewhere(&mut self) {
         let is_left = self.foreground.was_left();
         let is_away = std::mem::replace(&mut self.was_left, is_left) || is_left;
@@ -177,7 +185,7 @@ impl Frontend {
     fn take(&mut self, event: InputEvent) {
         match event {
             InputEvent::Key { key, down } => match key {
-                // A release may be of a press that was another window's.
+                // A release may belong to a press in another window.
                 Key::Escape | Key::Q => {
                     if down {
                         self.end(Ending::Closed);
@@ -205,7 +213,7 @@ impl Frontend {
     }
 }
 
-/// Whether an event tells of a device and not of what the player does with it.
+/// Whether an event reports that a device came or went, and not an action of the player.
 fn is_of_presence(event: &InputEvent) -> bool {
     matches!(
         event,
@@ -221,7 +229,7 @@ mod tests {
     use cellray::game::PadId;
     use image::RgbImage;
 
-    /// Tells of one list of display_events at each call.
+    /// A display that reports one list of events at each call.
     struct Script(Vec<Vec<DisplayEvent>>);
 
     impl Display for Script {
@@ -269,7 +277,7 @@ mod tests {
         Frontend::new(Box::new(Script(script)), None, None, interrupted).expect("signals")
     }
 
-    /// Says once each whether the player was elsewhere.
+    /// Reports from a list whether the player was elsewhere.
     struct Looks(Vec<bool>);
 
     impl Foreground for Looks {
@@ -279,9 +287,9 @@ mod tests {
     }
 
     #[test]
-    fn what_is_typed_elsewhere_is_not_heard() {
+    fn keys_typed_elsewhere_are_dropped() {
         let mut front = front(Vec::new());
-        // There and back between two looks; then for longer.
+        // Elsewhere and back between two calls, then for a longer time.
         let looks = [false, true, false, false, true, true, false, false];
         front.foreground = Box::new(Looks(looks.to_vec()));
         let typed = InputEvent::Key {
@@ -314,7 +322,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_that_is_let_go_ends_nothing() {
+    fn a_released_key_ends_nothing() {
         let mut front = front(vec![
             vec![key(Key::Escape, false), key(Key::Q, false)],
             vec![DisplayEvent::HungUp],
@@ -337,7 +345,7 @@ mod tests {
         (0..3).for_each(|_| front.tracing());
         assert!(front.poll(&mut events).expect("input").is_continue());
         assert_eq!(events.len(), 10);
-        // The display fails while a frame is traced: the next poll says so.
+        // The display fails while a frame is traced. The next poll returns the error.
         front.tracing();
         assert!(front.poll(&mut events).is_err());
     }

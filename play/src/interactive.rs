@@ -1,5 +1,5 @@
-//! A session in front of a player: frame by frame, with what is said over the picture, pictures
-//! taken of it and a resolution that follows the load.
+//! Runs a session for a player, frame by frame, with an overlay, screenshots, and a resolution
+//! that adapts to the load.
 
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -13,7 +13,7 @@ use crate::arguments::Options;
 use crate::display::Display;
 use crate::error::PlayError;
 use crate::frontend::{Ending, Frontend};
-use crate::input::Hub;
+use crate::input::InputDevices;
 use crate::meter::Meter;
 use crate::pace::Pace;
 use crate::recording;
@@ -22,33 +22,36 @@ use crate::screenshot;
 use crate::talk::say;
 use crate::viewer::VIEW;
 
-/// Fewer pixels across or down show nothing.
+/// The least width and height in pixels; smaller pictures show nothing useful.
 const LEAST_SIDE: u32 = 8;
 
-/// What a session was.
+/// The result of a session.
 #[derive(Debug)]
 pub struct Played {
-    /// Why it ended.
+    /// Why the session ended.
     pub ending: Ending,
-    /// What its frames took.
+    /// The statistics of its frames.
     pub report: Report,
-    /// What could not be said before: the terminal was the picture's.
+    /// Messages that could not be printed before, because the terminal showed the picture.
     pub messages: Vec<String>,
 }
 
-/// What a session is seen and heard by.
+/// The display and the devices of a player.
 pub struct Player {
-    /// What is seen.
+    /// The display that shows the frames.
     pub display: Box<dyn Display>,
-    /// Devices, if they are read.
-    pub devices: Option<Hub>,
-    /// A terminal whose keys are read beside them.
+    /// The input devices, if they are read.
+    pub devices: Option<InputDevices>,
+    /// A terminal whose keys are read in addition.
     pub keys: Option<Box<dyn Display>>,
-    /// Whether messages may be written while it lasts.
+    /// Whether messages may be printed during the session.
     pub may_talk: bool,
 }
 
-/// Plays to an end.
+/// Runs a session until it ends.
+///
+/// # Errors
+/// The session, the display or an input device fails.
 pub fn play(
     game: Box<dyn Game>,
     seed: u64,
@@ -76,25 +79,25 @@ pub fn play(
     })
 }
 
-/// A session and what it is seen and heard by.
+/// A session with its frontend.
 struct Show<'a> {
     session: Session<Box<dyn Game>>,
     front: Frontend,
     options: &'a Options,
     may_talk: bool,
-    /// Pixels across and down that are traced.
+    /// The size of the traced picture.
     size: Geometry,
-    /// What that follows, where no size is asked for.
+    /// Chooses the size, if none was requested.
     pace: Option<Pace>,
     meter: Meter,
     has_overlay: bool,
-    /// Messages that are told at the end.
+    /// Messages to print at the end.
     kept: Vec<String>,
-    /// What the session takes with the next step.
+    /// The events for the session's next step.
     events: Vec<InputEvent>,
-    /// The frame that is seen, of a display that is drawn to.
+    /// The visible frame, if the display is drawn to.
     picture: Option<RgbImage>,
-    /// What the names of pictures begin with.
+    /// The beginning of screenshots' names.
     stem: String,
     /// What is loaded again when its files change.
     reload: Option<Reload<'a>>,
@@ -134,8 +137,8 @@ impl<'a> Show<'a> {
         })
     }
 
-    /// One frame: its time, what the player does, the session's step, what is said over the
-    /// picture and done beside the game.
+    /// Runs one frame: waits for its time, reads the input, steps the session, shows the picture
+    /// with the overlay, and handles the player's requests.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
         self.reload()?;
         let step = self.session.wait(clock)?;
@@ -164,8 +167,8 @@ impl<'a> Show<'a> {
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Goes on with the scene as its files have it now, if they have changed. What is wrong with
-    /// them is a message, and the scene stays as it was.
+    /// Loads the scene again if its files have changed. If that fails, it shows a message, and the
+    /// scene stays as it was.
     fn reload(&mut self) -> Result<(), PlayError> {
         let Some(reload) = &mut self.reload else {
             return Ok(());
@@ -186,7 +189,7 @@ impl<'a> Show<'a> {
         }
     }
 
-    /// Brings the frame before the player's eyes.
+    /// Shows the frame on the display, if it is drawn to.
     fn show(&mut self) -> Result<(), PlayError> {
         let Geometry { width, height } = self.front.display.area();
         let sizes = ((self.size.width, self.size.height), (width, height));
@@ -205,7 +208,7 @@ impl<'a> Show<'a> {
         }
     }
 
-    /// Says what the devices have to say, and what has become of a picture that was asked for.
+    /// Prints messages about devices, and takes a screenshot if one was requested.
     fn tell(&mut self, takes_picture: bool) {
         let mut messages = self.front.take_messages();
         if takes_picture {
@@ -226,7 +229,7 @@ impl<'a> Show<'a> {
         }
     }
 
-    /// Has the next frame as fine as this one's time allows, and as large as the display.
+    /// Adapts the size of the next frame to this one's time and to the display's size.
     fn fit(&mut self, is_resized: bool, began: Instant) -> Result<(), PlayError> {
         let is_traced = self.session.engine().statistics().is_traced();
         let took = is_traced.then(|| began.elapsed());
@@ -258,7 +261,7 @@ fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> 
 
 fn take_picture(picture: Option<&RgbImage>, options: &Options, stem: &str) -> String {
     let Some(picture) = picture else {
-        return "no picture can be taken of this display".to_owned();
+        return "this display can't be read back as a picture".to_owned();
     };
     match screenshot::write(&options.screenshots, stem, picture) {
         Ok(path) => format!("picture {}", path.display()),
@@ -266,7 +269,7 @@ fn take_picture(picture: Option<&RgbImage>, options: &Options, stem: &str) -> St
     }
 }
 
-/// A game's name as the beginning of a file's.
+/// Converts a game's name to the beginning of a file's name.
 fn file_stem(name: &str) -> String {
     let file = name.strip_prefix(VIEW).unwrap_or(name);
     let file = file.rsplit('/').next().unwrap_or_default();
@@ -282,7 +285,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_become_those_of_files() {
+    fn names_of_games_become_names_of_files() {
         assert_eq!(file_stem("view paper16.nff"), "paper16-nff");
         assert_eq!(file_stem("view my scene.nff"), "my-scene-nff");
         assert_eq!(file_stem("billiards"), "billiards");
@@ -290,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn a_size_that_is_asked_for_is_kept() {
+    fn a_requested_size_is_kept() {
         let area = Geometry {
             width: 640,
             height: 360,

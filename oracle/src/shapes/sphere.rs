@@ -1,7 +1,8 @@
 //! Spheres.
 //!
-//! Whether one is met tells the ray's least distance from the centre, not b² - a c, which loses a
-//! small far sphere's radius. The root that would cancel is the product of both over the other.
+//! The ray's least distance from the centre decides about a hit, not b² - a c, which loses the
+//! radius of a small sphere far away. The root that would cancel is the roots' product divided by
+//! the other.
 
 use glam::DVec3;
 
@@ -13,13 +14,13 @@ use crate::ray::Ray;
 pub(crate) struct Sphere {
     centre: DVec3,
     radius: f64,
-    /// Whether the normal points to the centre.
+    /// Whether the normal points towards the centre.
     hollow: bool,
     sides: Sides,
 }
 
 impl Sphere {
-    /// A sphere; a negative radius turns its normal inwards.
+    /// A sphere. With a negative radius the normal points inwards.
     pub(super) fn new(centre: DVec3, radius: f64, sides: Sides) -> Self {
         Self {
             centre,

@@ -44,7 +44,7 @@ impl Display for Window {
         match self.0 {}
     }
 
-    fn poll(&mut self, _happenings: &mut Vec<DisplayEvent>) -> io::Result<()> {
+    fn poll(&mut self, _display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         match self.0 {}
     }
 

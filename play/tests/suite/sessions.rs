@@ -71,7 +71,7 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let talk = pictures(whole.path(), "0..12", &[]);
     assert!(
-        talk.contains("12 picture(s) written, 0 there already"),
+        talk.contains("12 picture(s) written, 0 existed already"),
         "{talk}"
     );
     let expected = files(whole.path());
@@ -89,7 +89,7 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
         .expect("a time");
     let talk = pictures(parts.path(), "0..12", &[]);
     assert!(
-        talk.contains("8 picture(s) written, 4 there already"),
+        talk.contains("8 picture(s) written, 4 existed already"),
         "{talk}"
     );
     assert!(files(parts.path()) == expected);

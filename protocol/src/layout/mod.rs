@@ -1,35 +1,35 @@
-//! The work-unit layout: the one definition that the PPU program, the SPU assembler and
-//! `docs/work-unit.md` all follow.
+//! The work-unit layout: the single definition for the PPU program, the SPU assembler and
+//! `docs/work-unit.md`.
 //!
-//! All records are big-endian whatever the host, with the byte order in the field types.
-//! [`crate::assembler`] writes every size, offset and constant into `work_unit.inc` for the SPU's
-//! sources; a test compares the tables in the document.
+//! All records are big-endian on any host; the field types have that byte order.
+//! [`crate::assembler`] writes every size, offset and constant to `work_unit.inc` for the SPU's
+//! sources. A test compares the document's tables with it.
 
-/// A record's shape, as the assembler and the document see it.
+/// The description of a record, for the assembler and the document.
 #[derive(Clone, Copy, Debug)]
 pub struct Record {
-    /// Prefix of the assembler's names.
+    /// The prefix of the assembler's names.
     pub name: &'static str,
-    /// What the record is.
+    /// A description of the record.
     pub doc: &'static str,
     /// Bytes.
     pub size: usize,
-    /// All fields, in order.
+    /// The fields, in their order.
     pub fields: &'static [Field],
 }
 
-/// One field of a [`Record`].
+/// A field of a [`Record`].
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
-    /// Name, in Rust as in the assembler.
+    /// The name in Rust and in the assembler.
     pub name: &'static str,
-    /// Type, as written here.
+    /// The type, as in the Rust source.
     pub kind: &'static str,
-    /// Bytes from the start of the record.
+    /// The offset from the start of the record in bytes.
     pub offset: usize,
     /// Bytes.
     pub size: usize,
-    /// What it says.
+    /// A description of the field.
     pub doc: &'static str,
 }
 
@@ -48,7 +48,7 @@ macro_rules! record {
         }
 
         impl $name {
-            /// Shape of the record.
+            /// The description of the record.
             pub const RECORD: Record = Record {
                 name: $prefix,
                 doc: $doc,
@@ -69,7 +69,7 @@ macro_rules! constants {
     ( $( #[doc = $doc:literal] $name:ident = $value:expr; )* ) => {
         $( #[doc = $doc] pub const $name: u32 = $value; )*
 
-        /// Every constant above: name, value, meaning.
+        /// All constants above: name, value, description.
         pub const CONSTANTS: &[(&str, u32, &str)] = &[ $( (stringify!($name), $name, $doc), )* ];
     };
 }
@@ -220,14 +220,15 @@ pub const RECORDS: &[Record] = &[
 
 macro_rules! statuses {
     ( $( #[doc = $doc:literal] $name:ident = $value:literal, $field:literal; )* ) => {
-        /// An SPU's answer to a frame: 0, or what it refused.
+        /// An SPU's answer to a frame: 0, or the rule that the frame breaks.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Status {
             $( #[doc = $doc] $name = $value, )*
         }
 
         impl Status {
-            /// Every status: assembler's name, status, the field that it is about, rule.
+            /// All statuses: the assembler's name, the status, the field that it concerns, the
+            /// rule.
             pub const ALL: &[(&str, Status, &str, &str)] =
                 &[ $( (stringify!($name), Status::$name, $field, $doc), )* ];
         }

@@ -1,4 +1,4 @@
-# What a frame by Whitted's model says of its scene: everything that could lead astray.
+# Checks the fields of a frame that describe the scene of Whitted's model.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -9,7 +9,7 @@
         .set    NEXT,15
         registers a_frame,value,limit,bad,a_tree,left,quad,scene_bytes,batch
 
-# Leaves unless a word of the tree, less `least`, is below `most`, unsigned.
+# Refuses the frame unless a word of the tree, minus `least`, is below `most`, unsigned.
 .macro  require_of_tree word:req, least:req, most:req
         rotqbyi $value,$quad,\word
         ai      $value,$value,-(\least)
@@ -18,7 +18,7 @@
         refuse_if $bad,Trees
 .endm
 
-# whitted_check   whether the frame can be traced by Whitted's model
+# whitted_check   checks whether the frame can be traced by Whitted's model
 #   In      $15 address of the frame
 #   Out     $3 STATUS_ value
 #   Uses    $3, $16-$23
@@ -43,7 +43,7 @@ function whitted_check
         a       $limit,$limit,$value
         clgt    $bad,$limit,$scene_bytes                # where they end
         refuse_if $bad,LightCount
-        # Three batches wait at most at each depth from the second on.
+        # At most three batches are queued at each depth from the second on.
         load_word $batch,FRAME_batch,$a_frame
         load_word $value,FRAME_ray_depth,$a_frame
         ai      $value,$value,-1

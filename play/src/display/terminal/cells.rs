@@ -1,7 +1,8 @@
-//! Pictures as characters: the upper half block, its own colour above, the background's below.
+//! Draws pictures with characters: an upper half block, with its colour for the upper pixel and
+//! the background's colour for the lower one.
 //!
-//! Invariant: only what differs from what the terminal shows already is written, so that a picture
-//! that hardly changes takes little of a line.
+//! Invariant: only the differences from the terminal's contents are written, so a picture that
+//! hardly changes needs little bandwidth.
 
 use std::io::Write as _;
 
@@ -13,17 +14,17 @@ use super::super::Fit;
 const HALF: &str = "\u{2580}";
 const WHITE: [u8; 3] = [255; 3];
 
-/// How colours are told.
+/// How colours are encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colours {
-    /// By red, green and blue.
+    /// As red, green and blue.
     True,
-    /// By the number of one of 256: a cube of six steps each way.
+    /// As one of 256 numbered colours, in a cube with six steps in each direction.
     Cube,
 }
 
 impl Colours {
-    /// What the terminal says it has.
+    /// The colours that the terminal's environment variables announce.
     pub fn of_environment() -> Self {
         match std::env::var("COLORTERM").as_deref() {
             Ok("truecolor" | "24bit") => Self::True,
@@ -31,7 +32,7 @@ impl Colours {
         }
     }
 
-    /// The colour nearest to one, as numbers of the terminal's own: equal ones look equal.
+    /// The nearest colour that the terminal has. Equal results look equal.
     fn shown(self, [red, green, blue]: [u8; 3]) -> Colour {
         match self {
             Self::True => Colour::True([red, green, blue]),
@@ -58,7 +59,7 @@ enum Colour {
 }
 
 impl Colour {
-    /// Writes it as the colour of letters (3) or of what is behind them (4).
+    /// Writes the colour as that of the foreground (3) or of the background (4).
     fn write(self, layer: u8, out: &mut Vec<u8>) {
         // Writing to memory can't fail.
         let _ = match self {
@@ -75,12 +76,12 @@ struct Cell {
     below: Colour,
 }
 
-/// What the terminal shows.
+/// The contents of the terminal.
 #[derive(Debug)]
 pub struct Grid {
     colours: Colours,
     size: (u16, u16),
-    /// Nothing where it is not known.
+    /// `None` for cells with unknown contents.
     shown: Vec<Option<Cell>>,
     text: Vec<u8>,
 }
@@ -95,12 +96,13 @@ impl Grid {
         }
     }
 
-    /// Nothing is known any more of what the terminal shows.
+    /// Forgets the terminal's contents, so that everything is drawn again.
     pub fn forget(&mut self) {
         self.size = (0, 0);
     }
 
-    /// What to write so that the terminal shows the picture, and a line of text at its foot.
+    /// The bytes to write so that the terminal shows the picture, with a line of text at the
+    /// bottom.
     pub fn draw(
         &mut self,
         picture: &RgbImage,
@@ -123,7 +125,7 @@ impl Grid {
             self.colours.shown(pixel)
         };
         let mut letters = line.unwrap_or_default().chars();
-        // Where the terminal's own cursor is, and what it writes in.
+        // The position of the terminal's cursor.
         let mut cursor = None;
         let mut ink = None;
         for y in 0..rows {
@@ -164,7 +166,7 @@ impl Grid {
                     .letter
                     .map_or(HALF, |letter| letter.encode_utf8(&mut bytes));
                 self.text.extend_from_slice(text.as_bytes());
-                // What follows the last column is not the same on all terminals.
+                // Terminals differ in the cursor's position after the last column.
                 cursor = (x + 1 < columns).then_some((x + 1, y));
             }
         }

@@ -212,8 +212,8 @@ fn what_is_no_program_is_not_run() {
     };
     for (program, part) in [
         ("no/such.elf", "no/such.elf: "),
-        ("scenes/paper1.nff", "no SPU program: "),
-        (env!("CARGO_BIN_EXE_cellray"), "no SPU program: "),
+        ("scenes/paper1.nff", "not an SPU program: "),
+        (env!("CARGO_BIN_EXE_cellray"), "not an SPU program: "),
     ] {
         let output = run(program);
         let error = String::from_utf8_lossy(&output.stderr);

@@ -1,4 +1,4 @@
-//! No display: frames are traced and measured.
+//! No display: frames are only traced and measured.
 
 use std::io;
 
@@ -8,18 +8,18 @@ use image::RgbImage;
 use super::{Display, DisplayEvent};
 use crate::overlay::Overlay;
 
-/// A display that nobody sees.
-pub struct Nowhere(Geometry);
+/// A display that shows nothing.
+pub struct NoDisplay(Geometry);
 
-impl Nowhere {
-    /// Of this size.
+impl NoDisplay {
+    /// A display of this size.
     #[must_use]
     pub fn new(size: Geometry) -> Self {
         Self(size)
     }
 }
 
-impl Display for Nowhere {
+impl Display for NoDisplay {
     fn area(&self) -> Geometry {
         self.0
     }
@@ -32,7 +32,7 @@ impl Display for Nowhere {
         Ok(Box::new(Memory::new(size)?))
     }
 
-    fn poll(&mut self, _happenings: &mut Vec<DisplayEvent>) -> io::Result<()> {
+    fn poll(&mut self, _display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         Ok(())
     }
 
