@@ -1,0 +1,208 @@
+//! Loads, stores, and the controls with which `shufb` inserts into a quadword.
+
+use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
+use spu_isa::{Instruction, LIMIT_MASK};
+
+use super::Emitter;
+use super::commit::Pending;
+use super::registers::Id;
+use crate::tables::TABLES;
+
+const QUADWORD_MASK: u32 = LIMIT_MASK & !15;
+
+/// What is known of an address when the code is made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Key {
+    Constant(u32),
+    /// A value's preferred word and a distance.
+    Based(Id, u32),
+    Unknown,
+}
+
+/// A quadword of local store.
+#[derive(Clone, Copy)]
+pub(super) struct Address {
+    pub key: Key,
+    /// Where it lies in local store.
+    pub masked: Value,
+    /// Where it lies on the host: at this pointer and offset.
+    pub pointer: Value,
+    pub offset: i32,
+}
+
+enum Overlap {
+    Same,
+    None,
+    Perhaps,
+}
+
+impl Key {
+    fn overlap(self, other: Self) -> Overlap {
+        match (self, other) {
+            (Self::Constant(a), Self::Constant(b)) if a == b => Overlap::Same,
+            (Self::Constant(_), Self::Constant(_)) => Overlap::None,
+            (Self::Based(a, n), Self::Based(b, m)) if a == b => {
+                let distance = n.wrapping_sub(m) & LIMIT_MASK;
+                match distance {
+                    0 => Overlap::Same,
+                    16..=0x3_fff0 => Overlap::None,
+                    _ => Overlap::Perhaps,
+                }
+            }
+            _ => Overlap::Perhaps,
+        }
+    }
+
+    fn plus(self, distance: u32) -> Self {
+        match self {
+            Self::Constant(at) => Self::Constant(at.wrapping_add(distance)),
+            Self::Based(id, at) => Self::Based(id, at.wrapping_add(distance)),
+            Self::Unknown => Self::Unknown,
+        }
+    }
+}
+
+/// Bytes of words the other way round.
+const SWAPPED: [u8; 16] = [3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12];
+
+impl Emitter<'_> {
+    fn key(&mut self, id: Id) -> Key {
+        let node = self.node(id);
+        match (node.constant, node.root) {
+            (Some(words), _) => Key::Constant(words[0]),
+            (None, Some((root, distance))) => Key::Based(root, distance),
+            (None, None) => Key::Based(id, 0),
+        }
+    }
+
+    fn at(&mut self, key: Key, sum: Value) -> Address {
+        if let Key::Constant(at) = key {
+            let at = at & QUADWORD_MASK;
+            return Address {
+                key: Key::Constant(at),
+                masked: self.word(at),
+                pointer: self.local_store,
+                offset: at as i32,
+            };
+        }
+        let masked = self.b.ins().band_imm_u(sum, i64::from(QUADWORD_MASK));
+        let wide = self.b.ins().uextend(types::I64, masked);
+        let pointer = self.b.ins().iadd(self.local_store, wide);
+        Address {
+            key,
+            masked,
+            pointer,
+            offset: 0,
+        }
+    }
+
+    /// The address at a register and a constant.
+    pub(super) fn displaced(&mut self, i: Instruction) -> Address {
+        let base = self.get(i.ra);
+        let key = self.key(base).plus(i.immediate as u32);
+        let scalar = self.scalar_of(base);
+        let sum = self.b.ins().iadd_imm_s(scalar, i64::from(i.immediate));
+        self.at(key, sum)
+    }
+
+    /// The address at the sum of two registers.
+    pub(super) fn indexed(&mut self, i: Instruction) -> Address {
+        let (a, b) = (self.get(i.ra), self.get(i.rb));
+        let key = match (self.key(a), self.key(b)) {
+            (Key::Constant(at), key) | (key, Key::Constant(at)) => key.plus(at),
+            _ => Key::Unknown,
+        };
+        let (a, b) = (self.scalar_of(a), self.scalar_of(b));
+        let sum = self.b.ins().iadd(a, b);
+        self.at(key, sum)
+    }
+
+    /// A constant address.
+    pub(super) fn fixed(&mut self, at: u32) -> Address {
+        self.at(Key::Constant(at), self.registers)
+    }
+
+    pub(super) fn load(&mut self, i: Instruction, address: Address) {
+        let mut forwarded = None;
+        for held in self.pending.iter().rev() {
+            match held.address.key.overlap(address.key) {
+                Overlap::None => continue,
+                Overlap::Same => forwarded = Some(held.words),
+                Overlap::Perhaps => {}
+            }
+            if forwarded.is_none() {
+                self.commit();
+            }
+            break;
+        }
+        let words = match forwarded {
+            Some(words) => words,
+            None => {
+                let flags = MemFlagsData::trusted();
+                let bytes = self
+                    .b
+                    .ins()
+                    .load(types::I8X16, flags, address.pointer, address.offset);
+                self.shuffle(bytes, bytes, SWAPPED)
+            }
+        };
+        self.set(i.rt, words);
+    }
+
+    pub(super) fn store(&mut self, i: Instruction, address: Address) {
+        let id = self.get(i.rt);
+        let words = self.words(id);
+        self.node(id).kept = true;
+        let bytes = self.shuffle(words, words, SWAPPED);
+        self.pending.push(Pending {
+            address,
+            bytes,
+            words,
+        });
+    }
+
+    /// The control for insertion of `1 << size` bytes at an address that ends in these bits.
+    fn insert(&mut self, rt: u8, size: usize, key: Key, scalar: Value) {
+        let table = &TABLES.insertion[size];
+        if let Key::Constant(at) = key {
+            let bytes = &table[at as usize & 15];
+            let words = std::array::from_fn(|n| {
+                u32::from_le_bytes(std::array::from_fn(|byte| bytes[4 * n + byte]))
+            });
+            return self.set_constant(rt, words);
+        }
+        let control = self.table_row(table.as_ptr().cast(), scalar, 15);
+        self.set(rt, control);
+    }
+
+    /// The quadword of a table that the low bits of a word choose.
+    pub(super) fn table_row(&mut self, table: *const u8, index: Value, mask: u32) -> Value {
+        let index = self.b.ins().band_imm_u(index, i64::from(mask));
+        let wide = self.b.ins().uextend(types::I64, index);
+        let distance = self.b.ins().ishl_imm_u(wide, 4);
+        let table = self.b.ins().iconst(types::I64, table as i64);
+        let row = self.b.ins().iadd(table, distance);
+        self.b
+            .ins()
+            .load(types::I8X16, MemFlagsData::trusted(), row, 0)
+    }
+
+    pub(super) fn insert_displaced(&mut self, i: Instruction, size: usize) {
+        let base = self.get(i.ra);
+        let key = self.key(base).plus(i.immediate as u32);
+        let scalar = self.scalar_of(base);
+        let sum = self.b.ins().iadd_imm_s(scalar, i64::from(i.immediate));
+        self.insert(i.rt, size, key, sum);
+    }
+
+    pub(super) fn insert_indexed(&mut self, i: Instruction, size: usize) {
+        let (a, b) = (self.get(i.ra), self.get(i.rb));
+        let key = match (self.key(a), self.key(b)) {
+            (Key::Constant(a), Key::Constant(b)) => Key::Constant(a.wrapping_add(b)),
+            _ => Key::Unknown,
+        };
+        let (a, b) = (self.scalar_of(a), self.scalar_of(b));
+        let sum = self.b.ins().iadd(a, b);
+        self.insert(i.rt, size, key, sum);
+    }
+}

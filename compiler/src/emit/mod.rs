@@ -1,0 +1,230 @@
+//! From a trace to a function of the host.
+//!
+//! The function follows the trace. Registers are values while it runs; what was changed is written
+//! back where the function is left. Where the SPU goes another way than the trace did, a side exit
+//! leaves.
+//!
+//! **Commits.** Stores are held back, and registers are written nowhere, until a commit has looked
+//! whether all that happened since the last one was as on an SPU: no float operation met what the
+//! host does differently, and no store hits the code of the trace itself. If something was not, the
+//! function fails: it leaves the state of the last commit, from which an interpreter goes on. There
+//! is a commit at every exit, and before a load that a held store might change.
+//!
+//! Invariant: what is emitted into a side exit changes nothing here, since the trace goes on from
+//! before it.
+
+mod branch;
+mod bytes;
+mod commit;
+mod convert;
+mod doubles;
+mod estimate;
+mod float;
+mod integer;
+mod lanes;
+mod memory;
+mod operation;
+mod registers;
+mod shift_rotate;
+mod singles;
+
+use cranelift_codegen::ir::condcodes::IntCC;
+use cranelift_codegen::ir::{
+    AbiParam, Block, InstBuilder, MemFlagsData, SigRef, Signature, Value, types,
+};
+use cranelift_codegen::isa::{CallConv, TargetFrontendConfig};
+use cranelift_frontend::FunctionBuilder;
+
+use crate::compiler::Way;
+use crate::cpu::Exit;
+use crate::tables::Estimates;
+use crate::trace::{Range, Step, Trace, code_address};
+use commit::{Committed, Pending, Unverified};
+use registers::Registers;
+
+/// Offsets of [`Context`](crate::host::Context)'s fields.
+pub(crate) mod field {
+    use crate::host::Context;
+    use std::mem::offset_of;
+
+    pub const FPSCR: i32 = offset_of!(Context, fpscr) as i32;
+    pub const UNREAD: i32 = offset_of!(Context, unread) as i32;
+    pub const TABLE: i32 = offset_of!(Context, table) as i32;
+    pub const ENTRIES: i32 = offset_of!(Context, entries) as i32;
+    pub const BUDGET: i32 = offset_of!(Context, budget) as i32;
+    pub const PC: i32 = offset_of!(Context, pc) as i32;
+    pub const UNIT: i32 = offset_of!(Context, unit) as i32;
+    pub const MXCSR: i32 = offset_of!(Context, mxcsr) as i32;
+}
+
+/// What units take: registers, local store, context, budget, program counter. They give why they
+/// were left, and call each other in their last step.
+pub(crate) fn unit_signature() -> Signature {
+    let mut signature = Signature::new(CallConv::Tail);
+    signature.params.extend([AbiParam::new(types::I64); 4]);
+    signature.params.push(AbiParam::new(types::I32));
+    signature.returns.push(AbiParam::new(types::I64));
+    signature
+}
+
+/// Makes one function.
+pub(crate) struct Emitter<'a> {
+    b: FunctionBuilder<'a>,
+    way: Way,
+    estimates: Estimates,
+    /// The unit's number.
+    number: u32,
+    /// Code of the trace, by whole quadwords.
+    code: Vec<Range>,
+    registers: Value,
+    local_store: Value,
+    context: Value,
+    /// Instructions that might run when the function, or its loop, was entered.
+    budget: Value,
+    /// Where the loop, if the trace is one, goes round to.
+    entry: Block,
+    unit: SigRef,
+    mxcsr_reader: SigRef,
+    file: Registers,
+    committed: Committed,
+    pending: Vec<Pending>,
+    unverified: Unverified,
+    /// Instructions before the one at `pc`.
+    count: u32,
+    pc: u32,
+    /// A side exit is being emitted.
+    aside: bool,
+    floats: bool,
+}
+
+impl<'a> Emitter<'a> {
+    /// Begins the function of a trace.
+    pub fn new(
+        mut b: FunctionBuilder<'a>,
+        trace: &Trace,
+        way: Way,
+        estimates: Estimates,
+        number: u32,
+    ) -> Self {
+        let first = b.create_block();
+        b.append_block_params_for_function_params(first);
+        b.switch_to_block(first);
+        let &[registers, local_store, context, budget, _] = b.block_params(first) else {
+            unreachable!("the signature has five parameters");
+        };
+        let entry = b.create_block();
+        b.ins().jump(entry, &[budget.into()]);
+        let budget = b.append_block_param(entry, types::I64);
+        b.switch_to_block(entry);
+        let unit = b.import_signature(unit_signature());
+        let mut signature = Signature::new(CallConv::PreserveAll);
+        signature.params.push(AbiParam::new(types::I64));
+        let mxcsr_reader = b.import_signature(signature);
+        let start = trace.start();
+        Self {
+            b,
+            way,
+            estimates,
+            number,
+            code: trace.ranges().to_vec(),
+            registers,
+            local_store,
+            context,
+            budget,
+            entry,
+            unit,
+            mxcsr_reader,
+            file: Registers::default(),
+            committed: Committed::at(start),
+            pending: Vec::new(),
+            unverified: Unverified::default(),
+            count: 0,
+            pc: start,
+            aside: false,
+            floats: false,
+        }
+    }
+
+    /// Emits the function; gives whether it has float operations that can fail in singles.
+    pub fn emit(mut self, trace: &Trace, target: TargetFrontendConfig) -> bool {
+        self.enter(trace.steps().len());
+        for step in trace.steps() {
+            self.step(step);
+        }
+        self.end(trace);
+        self.b.seal_all_blocks();
+        self.b.finalize(target);
+        self.floats
+    }
+
+    fn step(&mut self, step: &Step) {
+        self.pc = step.pc;
+        if !self.branch(step.instruction, step.next) {
+            self.operation(step.instruction);
+        }
+        self.count += 1;
+    }
+
+    fn end(&mut self, trace: &Trace) {
+        let Some(last) = trace.steps().last() else {
+            return;
+        };
+        self.pc = code_address(last.next);
+        if self.pc == trace.start() {
+            self.commit();
+            self.write_back();
+            let left = self.budget_left(self.count);
+            self.b.ins().jump(self.entry, &[left.into()]);
+        } else {
+            let pc = self.word(self.pc);
+            self.leave_for(pc);
+        }
+    }
+
+    /// What every unit begins with: it needs a budget for all its instructions, and its code has to
+    /// stand in local store.
+    fn enter(&mut self, steps: usize) {
+        let longest = self.b.ins().iconst(types::I64, steps as i64);
+        let short = self
+            .b
+            .ins()
+            .icmp(IntCC::SignedLessThan, self.budget, longest);
+        self.aside_if(short, |e| e.exit(Exit::LEFT));
+        let different = self.code_differs();
+        self.aside_if(different, |e| e.exit(Exit::STALE));
+        let at = self.load_field(types::I64, field::ENTRIES);
+        let flags = MemFlagsData::trusted();
+        let offset = 4 * self.number as i32;
+        let entries = self.b.ins().load(types::I32, flags, at, offset);
+        let entries = self.b.ins().iadd_imm_s(entries, 1);
+        self.b.ins().store(flags, entries, at, offset);
+    }
+
+    /// Emits `exit` where `condition` holds; the rest goes on where it does not.
+    fn aside_if(&mut self, condition: Value, exit: impl FnOnce(&mut Self)) {
+        let aside = self.b.create_block();
+        let on = self.b.create_block();
+        self.b.set_cold_block(aside);
+        self.b.ins().brif(condition, aside, &[], on, &[]);
+        self.b.switch_to_block(aside);
+        let outer = std::mem::replace(&mut self.aside, true);
+        exit(self);
+        self.aside = outer;
+        self.b.switch_to_block(on);
+    }
+
+    fn load_field(&mut self, ty: types::Type, offset: i32) -> Value {
+        let flags = MemFlagsData::trusted();
+        self.b.ins().load(ty, flags, self.context, offset)
+    }
+
+    fn store_field(&mut self, value: Value, offset: i32) {
+        let flags = MemFlagsData::trusted();
+        self.b.ins().store(flags, value, self.context, offset);
+    }
+
+    /// A 32-bit constant.
+    fn word(&mut self, value: u32) -> Value {
+        self.b.ins().iconst(types::I32, i64::from(value))
+    }
+}
