@@ -1,12 +1,13 @@
-//! Instructions a second of the interpreter, on the wall clock: recorded, not gated.
+//! Instructions a second, interpreted and compiled, on the wall clock: recorded, not gated.
 //!
 //! Each loop is a mix of one kind of instruction, a counter and a branch. A figure is the best of
 //! several runs: what else the host does only ever takes time.
 
 use spu_emulator::channel::Channels;
+use spu_emulator::compiled::{Runner, Translations};
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::LocalStore;
-use spu_emulator::stop::Stop;
+use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::{Instruction, Op};
 use std::time::Instant;
 
@@ -64,23 +65,47 @@ fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
     for (address, instruction) in (0u32..).step_by(4).zip(code) {
         local_store.write(address, &instruction.encode().to_be_bytes());
     }
-    let mut spu = Spu::new();
-    for number in 16..128u8 {
-        let words = std::array::from_fn(|lane| registers(u32::from(number) * 4 + lane as u32));
-        spu.set_register(number, Quad(words));
+    let registers: Vec<_> = (16..128u8)
+        .map(|number| {
+            let lane = |lane| registers(u32::from(number) * 4 + lane as u32);
+            (number, Quad(std::array::from_fn(lane)))
+        })
+        .collect();
+    let fresh = || {
+        let mut spu = Spu::new();
+        for &(number, value) in &registers {
+            spu.set_register(number, value);
+        }
+        spu
+    };
+    let interpreted = rate(name, &mut fresh(), |spu| spu.run(&local_store, &mut Unused));
+    print!("{name:<16} {interpreted:>7.1} million/s interpreted");
+    if let Some(translations) = Translations::new(false) {
+        let mut runner = Runner::new(&translations);
+        let compiled = rate(name, &mut fresh(), |spu| {
+            let stopped = runner.run(spu, &local_store, &mut Unused, u64::MAX);
+            stopped.expect("the program ends")
+        });
+        print!(
+            ", {compiled:>7.1} compiled, {:>5.1} times",
+            compiled / interpreted
+        );
     }
+    println!();
+}
+
+/// Million instructions a second.
+fn rate(name: &str, spu: &mut Spu, mut run: impl FnMut(&mut Spu) -> Stopped) -> f64 {
     let mut best = f64::INFINITY;
     for _ in 0..RUNS {
         spu.set_pc(0);
         spu.set_register(COUNTER, Quad::splat(ROUNDS));
         let start = Instant::now();
-        let stopped = spu.run(&local_store, &mut Unused);
+        let stopped = run(spu);
         best = best.min(start.elapsed().as_secs_f64());
         assert_eq!(stopped.reason, Stop::Signal(0), "{name}: {stopped}");
     }
-    let executed = spu.executed() / u64::from(RUNS);
-    let rate = executed as f64 / best / 1e6;
-    println!("{name:<16} {executed:>10} instructions  {best:>8.4} s  {rate:>7.1} million/s");
+    spu.executed() as f64 / f64::from(RUNS) / best / 1e6
 }
 
 fn main() {

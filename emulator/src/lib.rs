@@ -13,6 +13,7 @@
 //! | count the cycles of one SPU's code | [`timer::Timer`] |
 //! | count those of whole programs, DMA and other SPEs included | [`machine::Machine::simulated`] |
 //! | compute as an SPU does | [`float`] |
+//! | choose whether code is interpreted or compiled | [`engine::Engine`] |
 //! | serve what an SPU program calls on the PPE | [`ppe_call`] |
 //!
 //! A fault of the program is a [`stop::Stop`], never a panic.
@@ -110,8 +111,14 @@
 //! ```
 
 pub mod channel;
+#[cfg_attr(
+    not(all(feature = "compiler", target_arch = "x86_64")),
+    path = "compiled/absent.rs"
+)]
+pub mod compiled;
 pub mod decrementer;
 pub mod elf;
+pub mod engine;
 mod event;
 pub mod float;
 pub mod interp;

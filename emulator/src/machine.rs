@@ -2,7 +2,9 @@
 
 use std::sync::Arc;
 
+use crate::compiled::{Difference, Translations};
 use crate::decrementer::{Clock, HostClock};
+use crate::engine::Engine;
 use crate::memory::MainMemory;
 use crate::mfc::interconnect::Interconnect;
 use crate::mfc::timing::UnderWay;
@@ -13,6 +15,7 @@ pub struct Machine {
     interconnect: Interconnect,
     clock: Arc<dyn Clock>,
     simulation: Option<Arc<Simulation>>,
+    translations: Option<Arc<Translations>>,
 }
 
 impl Machine {
@@ -25,10 +28,30 @@ impl Machine {
     /// A machine with this memory and time base.
     #[must_use]
     pub fn with_clock(memory: Arc<dyn MainMemory>, clock: Arc<dyn Clock>) -> Arc<Self> {
+        Self::with_clock_and_engine(memory, clock, Engine::default())
+    }
+
+    /// A machine with this memory, whose time base is the host's time and whose SPEs run their
+    /// instructions so.
+    #[must_use]
+    pub fn with_engine(memory: Arc<dyn MainMemory>, engine: Engine) -> Arc<Self> {
+        Self::with_clock_and_engine(memory, Arc::new(HostClock), engine)
+    }
+
+    fn with_clock_and_engine(
+        memory: Arc<dyn MainMemory>,
+        clock: Arc<dyn Clock>,
+        engine: Engine,
+    ) -> Arc<Self> {
         Arc::new(Self {
             interconnect: Interconnect::new(memory, None),
             clock,
             simulation: None,
+            translations: match engine {
+                Engine::Interpreter => None,
+                Engine::Compiler => Translations::new(false),
+                Engine::Check => Translations::new(true),
+            },
         })
     }
 
@@ -59,6 +82,7 @@ impl Machine {
             interconnect: Interconnect::new(memory, Some(under_way)),
             clock: Arc::new(HostClock),
             simulation: Some(simulation),
+            translations: None,
         })
     }
 
@@ -66,6 +90,16 @@ impl Machine {
     #[must_use]
     pub fn simulation(&self) -> Option<&Arc<Simulation>> {
         self.simulation.as_ref()
+    }
+
+    /// The first difference that [`Engine::Check`] has found.
+    #[must_use]
+    pub fn difference(&self) -> Option<Difference> {
+        self.translations.as_ref()?.difference()
+    }
+
+    pub(crate) fn translations(&self) -> Option<&Arc<Translations>> {
+        self.translations.as_ref()
     }
 
     /// The machine's main memory.

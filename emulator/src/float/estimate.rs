@@ -50,6 +50,18 @@ const fn packed<const N: usize>(table: [Entry; N]) -> [u32; N] {
 static RECIPROCAL_WORDS: [u32; 32] = packed(RECIPROCAL);
 static RECIPROCAL_ROOT_WORDS: [u32; 64] = packed(RECIPROCAL_ROOT);
 
+/// The estimates' fractions of `frest`, by bits 9 to 13 of the operand.
+#[must_use]
+pub fn reciprocal_words() -> &'static [u32; 32] {
+    &RECIPROCAL_WORDS
+}
+
+/// The estimates' fractions of `frsqest`, by bits 8 to 13 of the operand.
+#[must_use]
+pub fn reciprocal_root_words() -> &'static [u32; 64] {
+    &RECIPROCAL_ROOT_WORDS
+}
+
 #[inline]
 const fn exponent(x: u32) -> u32 {
     (x & EXPONENT) >> 23

@@ -16,9 +16,25 @@ pub trait Observer {
     fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
         let _ = (spu, instruction);
     }
+
+    /// Whether it has to be told of every instruction. Else some may run compiled; it is told of
+    /// those that use channels in any case, and of others as it comes.
+    #[inline]
+    fn wants_all(&self) -> bool {
+        true
+    }
+
+    /// Some instructions have run compiled.
+    #[inline]
+    fn after_compiled(&mut self) {}
 }
 
-impl Observer for () {}
+impl Observer for () {
+    #[inline]
+    fn wants_all(&self) -> bool {
+        false
+    }
+}
 
 impl Spu {
     /// Runs until something stops the SPU.
@@ -55,6 +71,18 @@ impl Spu {
         local_store: &LocalStore,
         channels: &mut C,
         limit: u64,
+        observer: &mut O,
+    ) -> Option<Stopped> {
+        self.run_bounded(local_store, channels, limit, false, observer)
+    }
+
+    /// [`run_observed`](Self::run_observed), if so wanted only up to a taken branch.
+    pub(crate) fn run_bounded<C: Channels, O: Observer>(
+        &mut self,
+        local_store: &LocalStore,
+        channels: &mut C,
+        limit: u64,
+        to_branch: bool,
         observer: &mut O,
     ) -> Option<Stopped> {
         let mut pc = self.pc;
@@ -104,6 +132,9 @@ impl Spu {
                     pc,
                     npc: pc,
                 });
+            }
+            if to_branch {
+                break None;
             }
         };
         self.pc = stopped.as_ref().map_or(pc, |stopped| stopped.npc);

@@ -16,7 +16,7 @@ pub struct Spu {
     pub fpscr: Fpscr,
     pub(super) pc: u32,
     pub(super) interrupts_enabled: bool,
-    pub(super) executed: u64,
+    pub(crate) executed: u64,
     pub(super) decoded: DecodeCache,
 }
 

@@ -18,6 +18,7 @@ use std::cell::RefCell;
 use std::sync::{Arc, Mutex, Weak};
 use std::time::Instant;
 
+use crate::compiled::Runner;
 use crate::event;
 use crate::interp::{Observer, Spu};
 use crate::local_store::LocalStore;
@@ -49,6 +50,8 @@ struct Engine {
     spu: Spu,
     state: SpuState,
     clock: RefCell<SpuClock>,
+    /// Runs compiled code, if the machine compiles.
+    runner: Option<Runner>,
 }
 
 /// A synergistic processor element.
@@ -86,6 +89,7 @@ impl Spe {
                 spu: Spu::default(),
                 state: SpuState::new(policy, transfers),
                 clock: RefCell::new(clock.unwrap_or_default()),
+                runner: machine.translations().map(Runner::new),
             }),
             proxy: Mutex::new(Proxy::new(policy)),
             simulated,
@@ -126,7 +130,12 @@ impl Spe {
         prepare: impl FnOnce(&mut Spu),
     ) -> Option<Stopped> {
         let mut engine = lock(&self.engine);
-        let Engine { spu, state, clock } = &mut *engine;
+        let Engine {
+            spu,
+            state,
+            clock,
+            runner,
+        } = &mut *engine;
         let clock: &RefCell<SpuClock> = clock;
         spu.set_pc(entry);
         prepare(spu);
@@ -146,9 +155,12 @@ impl Spe {
         let mut stopped = if self.problem_state.stop_requested() {
             Some(stop_at(spu.pc(), Stop::Requested))
         } else {
-            match &self.simulated {
-                None => spu.run_observed(&self.local_store, &mut channels, limit, observer),
-                Some(side) => {
+            match (&self.simulated, runner) {
+                (None, Some(runner)) if !observer.wants_all() => {
+                    runner.run_observed(spu, &self.local_store, &mut channels, limit, observer)
+                }
+                (None, _) => spu.run_observed(&self.local_store, &mut channels, limit, observer),
+                (Some(side), _) => {
                     let mut timed = Timed::new(clock, &side.actor);
                     timed.run(spu, &self.local_store, &mut channels, limit, observer)
                 }

@@ -1,0 +1,124 @@
+//! The units that the SPEs of a machine share.
+
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex};
+
+use spu_compiler::{Compiler, Cpu, Estimates, Trace, Unit, Way};
+
+use super::check::Difference;
+use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
+use crate::local_store::LocalStore;
+use crate::lock::lock;
+
+/// Units that may start at one address: code that is rewritten again and again is not worth more.
+const MOST_AT_ONE_PLACE: usize = 16;
+
+/// Compiling takes some hundred times as long as interpreting.
+const HOT: u8 = 100;
+
+/// The translations of a machine.
+pub struct Translations {
+    state: Mutex<State>,
+    hot: u8,
+    check: bool,
+    difference: Mutex<Option<Difference>>,
+}
+
+struct State {
+    compiler: Compiler,
+    /// By where they start; what should be tried first stands last.
+    units: HashMap<u32, Vec<Arc<Unit>>>,
+    by_number: Vec<Arc<Unit>>,
+}
+
+impl Translations {
+    /// No translations yet; `None` if there is no compiler for this host. With `check`, what is
+    /// compiled is compared with the interpreter as it runs.
+    #[must_use]
+    pub fn new(check: bool) -> Option<Arc<Self>> {
+        Self::with_heat(HOT, check)
+    }
+
+    /// The same that compiles what an SPU has come to `hot` times.
+    #[must_use]
+    pub fn with_heat(hot: u8, check: bool) -> Option<Arc<Self>> {
+        let compiler = Compiler::new(Estimates {
+            reciprocal: reciprocal_words(),
+            reciprocal_root: reciprocal_root_words(),
+        })?;
+        Some(Arc::new(Self {
+            state: Mutex::new(State {
+                compiler,
+                units: HashMap::new(),
+                by_number: Vec::new(),
+            }),
+            hot,
+            check,
+            difference: Mutex::default(),
+        }))
+    }
+
+    /// How many pieces of code were compiled.
+    #[must_use]
+    pub fn units(&self) -> usize {
+        lock(&self.state).by_number.len()
+    }
+
+    /// The first difference that was found between compiled and interpreted code.
+    #[must_use]
+    pub fn difference(&self) -> Option<Difference> {
+        lock(&self.difference).clone()
+    }
+
+    pub(super) fn report(&self, difference: Difference) {
+        lock(&self.difference).get_or_insert(difference);
+    }
+
+    /// So often an SPU comes to a place before it is compiled.
+    pub(super) fn hot(&self) -> u8 {
+        self.hot
+    }
+
+    pub(super) fn checks(&self) -> bool {
+        self.check
+    }
+
+    pub(super) fn new_cpu(&self) -> Cpu {
+        lock(&self.state).compiler.new_cpu()
+    }
+
+    pub(super) fn unit(&self, number: u32) -> Arc<Unit> {
+        Arc::clone(&lock(&self.state).by_number[number as usize])
+    }
+
+    /// A unit that starts at `pc` and whose code stands in local store.
+    pub(super) fn find(&self, pc: u32, local_store: &LocalStore) -> Option<Arc<Unit>> {
+        lock(&self.state).find(pc, local_store).cloned()
+    }
+
+    /// The unit of a trace; `None` if there is no room for it.
+    pub(super) fn add(&self, trace: Trace, way: Way) -> Option<Arc<Unit>> {
+        let state = &mut *lock(&self.state);
+        let here = state.units.entry(trace.start()).or_default();
+        let same = |unit: &&Arc<Unit>| unit.way() == way && unit.trace() == &trace;
+        if let Some(unit) = here.iter().find(same) {
+            return Some(Arc::clone(unit));
+        }
+        if here.len() >= MOST_AT_ONE_PLACE {
+            return None;
+        }
+        let unit = Arc::new(state.compiler.compile(trace, way)?);
+        here.push(Arc::clone(&unit));
+        state.by_number.push(Arc::clone(&unit));
+        Some(unit)
+    }
+}
+
+impl State {
+    fn find(&self, pc: u32, local_store: &LocalStore) -> Option<&Arc<Unit>> {
+        let here = self.units.get(&pc)?;
+        here.iter()
+            .rev()
+            .find(|unit| unit.trace().stands_in(|pc| local_store.load_word(pc)))
+    }
+}

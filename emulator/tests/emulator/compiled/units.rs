@@ -1,0 +1,143 @@
+//! One unit beside the interpreter.
+
+use spu_compiler::{Compiler, Cpu, Estimates, Exit, Step, Storage, Trace, Way};
+use spu_emulator::channel::NoChannels;
+use spu_emulator::float::estimate;
+use spu_emulator::float::fpscr::Fpscr;
+use spu_emulator::interp::{Quad, Spu};
+use spu_emulator::local_store::{LocalStore, SIZE};
+use spu_isa::Instruction;
+
+/// Where the code of these tests begins.
+pub const START: u32 = 0x1000;
+
+/// Registers, FPSCR and local store.
+pub struct State {
+    pub registers: [Quad; 128],
+    pub fpscr: [u32; 4],
+    pub local_store: LocalStore,
+}
+
+impl State {
+    /// A copy that has `code` from [`START`] on.
+    pub fn with_code(&self, code: &[Instruction]) -> (Spu, LocalStore) {
+        let local_store = copy(&self.local_store);
+        for (address, instruction) in (START..).step_by(4).zip(code) {
+            local_store.write(address, &instruction.encode().to_be_bytes());
+        }
+        let mut spu = Spu::new();
+        spu.registers = self.registers;
+        spu.fpscr = Fpscr::from_words(self.fpscr);
+        spu.set_pc(START);
+        (spu, local_store)
+    }
+}
+
+fn copy(local_store: &LocalStore) -> LocalStore {
+    let copy = LocalStore::new();
+    // SAFETY: each is that long, and nobody else has either.
+    unsafe {
+        std::ptr::copy_nonoverlapping(local_store.as_ptr(), copy.as_ptr(), SIZE as usize);
+    }
+    copy
+}
+
+fn bytes(local_store: &LocalStore) -> &[u8] {
+    // SAFETY: it is that long and lives as long, and nobody writes to it meanwhile.
+    unsafe { std::slice::from_raw_parts(local_store.as_ptr(), SIZE as usize) }
+}
+
+pub fn compiler() -> Compiler {
+    Compiler::new(Estimates {
+        reciprocal: estimate::reciprocal_words(),
+        reciprocal_root: estimate::reciprocal_root_words(),
+    })
+    .expect("the hosts of the tests have AVX2 and FMA")
+}
+
+/// A trace of what the interpreter runs of `code`, which begins at [`START`], in `state`.
+pub fn trace(code: &[Instruction], state: &State) -> Trace {
+    let (mut spu, local_store) = state.with_code(code);
+    let steps = code.iter().map(|&instruction| {
+        let pc = spu.pc();
+        let stopped = spu.step(&local_store, &mut NoChannels);
+        // A halt that halts is no part of a path.
+        let next = if stopped.is_some() { pc + 4 } else { spu.pc() };
+        Step {
+            pc,
+            word: instruction.encode(),
+            instruction,
+            next,
+        }
+    });
+    Trace::new(steps.collect()).expect("the code is straight and can be compiled")
+}
+
+/// A compiled trace.
+pub struct Compiled {
+    cpu: Cpu,
+    way: Way,
+    length: u32,
+}
+
+impl Compiled {
+    pub fn new(compiler: &mut Compiler, trace: &Trace, way: Way) -> Self {
+        let mut cpu = compiler.new_cpu();
+        let unit = compiler.compile(trace.clone(), way).expect("there is room");
+        cpu.install(&unit);
+        Self {
+            cpu,
+            way,
+            length: trace.steps().len() as u32,
+        }
+    }
+
+    /// Runs the unit once and compares all that it leaves with what the interpreter does in as many
+    /// instructions. Gives why it ended.
+    pub fn compare(&mut self, code: &[Instruction], state: &State) -> Exit {
+        let (start, local_store) = state.with_code(code);
+        let mut registers = start.registers;
+        let mut fpscr = start.fpscr.words();
+        let storage = Storage {
+            registers: registers.as_mut_ptr().cast(),
+            local_store: local_store.as_ptr(),
+        };
+        // SAFETY: registers and local store are this function's own.
+        let (exit, pc, executed) =
+            unsafe { self.cpu.enter(storage, &mut fpscr, START, self.length) };
+
+        let (mut spu, expected) = state.with_code(code);
+        let stopped = spu.run_limited(&expected, &mut NoChannels, u64::from(executed));
+        let context = || format!("{code:x?} {:?} {exit:?} after {executed}", self.way);
+        assert_eq!(stopped, None, "{}", context());
+        assert_eq!(pc, spu.pc(), "{}", context());
+        let operands = || {
+            let of =
+                |i: &Instruction| [i.ra, i.rb, i.rc, i.rt].map(|r| state.registers[usize::from(r)]);
+            format!("operands {:x?}", code.iter().map(of).collect::<Vec<_>>())
+        };
+        let results = registers.iter().zip(&spu.registers);
+        for (number, (now, expected)) in results.enumerate() {
+            assert!(
+                now == expected,
+                "{}: ${number} is {now:x?}, not {expected:x?}; {}",
+                context(),
+                operands()
+            );
+        }
+        assert!(
+            fpscr == spu.fpscr.words(),
+            "{}: FPSCR was {:x?}, is {fpscr:x?}, not {:x?}; {}",
+            context(),
+            state.fpscr,
+            spu.fpscr.words(),
+            operands()
+        );
+        assert!(
+            bytes(&local_store) == bytes(&expected),
+            "{}: local store",
+            context()
+        );
+        exit
+    }
+}
