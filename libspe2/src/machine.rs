@@ -9,6 +9,7 @@ use std::io;
 use std::path::PathBuf;
 use std::sync::{Arc, OnceLock};
 
+use spu_emulator::engine::Engine;
 use spu_emulator::machine;
 use spu_emulator::mfc::Policy;
 use spu_emulator::simulated::Timing;
@@ -21,6 +22,8 @@ const TIMING: &str = "LIBSPE2_TIMING";
 const REPORT: &str = "LIBSPE2_REPORT";
 const PROFILE: &str = "LIBSPE2_PROFILE";
 const MFC: &str = "LIBSPE2_MFC";
+const ENGINE: &str = "LIBSPE2_ENGINE";
+const CHECK: &str = "LIBSPE2_CHECK";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
@@ -29,6 +32,8 @@ pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
+    /// Compiled code is compared with the interpreter.
+    checked: bool,
 }
 
 /// The machine, made now if there is none.
@@ -38,7 +43,7 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     }
     let made = Machine::from_environment()?;
     let machine = MACHINE.get_or_init(|| made);
-    if machine.report.is_some() || machine.profile.is_some() {
+    if machine.checked || machine.report.is_some() || machine.profile.is_some() {
         // SAFETY: the function takes nothing and is there as long as the process is.
         unsafe { libc::atexit(report_at_exit) };
     }
@@ -55,6 +60,11 @@ pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;
     };
+    if machine.checked
+        && let Some(difference) = machine.emulated.difference()
+    {
+        eprintln!("libspe2: {CHECK}: {difference}");
+    }
     let Some(simulation) = machine.emulated.simulation() else {
         return;
     };
@@ -77,12 +87,30 @@ fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
     Errno(libc::EINVAL)
 }
 
-fn timing() -> Result<bool, Errno> {
-    match env::var_os(TIMING) {
+fn switch(name: &str) -> Result<bool, Errno> {
+    match env::var_os(name) {
         None => Ok(false),
         Some(value) if value == "0" => Ok(false),
         Some(value) if value == "1" => Ok(true),
-        Some(value) => Err(refused(TIMING, "is 0 or 1", &value)),
+        Some(value) => Err(refused(name, "is 0 or 1", &value)),
+    }
+}
+
+/// What runs the SPUs' instructions.
+fn engine() -> Result<Engine, Errno> {
+    let engine = match env::var_os(ENGINE) {
+        None => Engine::default(),
+        Some(name) if name == "compiler" => Engine::Compiler,
+        Some(name) if name == "interpreter" => Engine::Interpreter,
+        Some(name) => return Err(refused(ENGINE, "is interpreter or compiler", &name)),
+    };
+    match switch(CHECK)? {
+        false => Ok(engine),
+        true if engine == Engine::Interpreter => {
+            eprintln!("libspe2: {CHECK}=1 does not go with {ENGINE}=interpreter: it compares both");
+            Err(Errno(libc::EINVAL))
+        }
+        true => Ok(Engine::Check),
     }
 }
 
@@ -121,17 +149,19 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
 impl Machine {
     fn from_environment() -> Result<Self, Errno> {
         let memory = Arc::new(ProcessMemory);
-        let timing = timing()?;
+        let timing = switch(TIMING)?;
+        let engine = engine()?;
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
         Ok(Self {
             emulated: match (timing, &profile) {
-                (false, _) => machine::Machine::new(memory),
+                (false, _) => machine::Machine::with_engine(memory, engine),
                 (true, None) => machine::Machine::simulated(memory, Timing::default()),
                 (true, Some(_)) => machine::Machine::profiled(memory, Timing::default()),
             },
             report,
             profile,
+            checked: !timing && engine == Engine::Check,
         })
     }
 }

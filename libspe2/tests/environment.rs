@@ -61,6 +61,18 @@ fn main() {
         assert_eq!((spes(), errno()), (-1, Some(libc::EINVAL)), "{value}");
     }
 
+    // What can't be had is refused before there is a machine.
+    for (engine, check) in [("fast", "0"), ("compiler", "yes"), ("interpreter", "1")] {
+        set("LIBSPE2_ENGINE", engine);
+        set("LIBSPE2_CHECK", check);
+        // SAFETY: a context needs no gang.
+        let refused = unsafe { spe_context_create(0, ptr::null_mut()) };
+        assert!(refused.is_null(), "{engine} {check}");
+        assert_eq!(errno(), Some(libc::EINVAL));
+    }
+    set("LIBSPE2_ENGINE", "compiler");
+    set("LIBSPE2_CHECK", "1");
+
     // In memory at once, reported once; or later, and reported at the second look.
     assert_eq!(put_and_look_twice(), [1, 1, 0]);
     set("LIBSPE2_MFC", "at-once");

@@ -88,6 +88,14 @@ impl<'a> Bench<'a> {
 }
 
 impl Observer for Bench<'_> {
+    fn wants_all(&self) -> bool {
+        self.statistics.is_some() || self.trace.is_some()
+    }
+
+    fn after_compiled(&mut self) {
+        self.watchdog.awake();
+    }
+
     #[inline]
     fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
         self.watchdog.awake();

@@ -46,6 +46,7 @@ pub enum End {
 }
 
 pub struct Machine {
+    emulated: Arc<machine::Machine>,
     spe: Arc<Spe>,
     memory: Arc<RegisteredMemory>,
     library: Library,
@@ -69,7 +70,7 @@ impl Machine {
             Access::ReadOnly,
         )?;
         let machine = match options.timing {
-            None => machine::Machine::new(memory.clone()),
+            None => machine::Machine::with_engine(memory.clone(), options.engine()),
             Some(_) => machine::Machine::simulated(memory.clone(), Timing::default()),
         };
         let spe = Spe::new(&machine, Config::default());
@@ -93,6 +94,7 @@ impl Machine {
         }
         let arguments = arguments::prepare(options, &memory)?;
         let machine = Self {
+            emulated: machine,
             spe,
             memory,
             library: Library::new(Box::new(Process), Box::new(heap)),
@@ -182,7 +184,10 @@ impl Machine {
             return Err(Failure::Output(io::Error::from_raw_os_error(errno.0)));
         }
         bench.finish()?;
-        Ok(end)
+        match self.emulated.difference() {
+            Some(difference) => Err(RunError::Difference(Box::new(difference)).into()),
+            None => Ok(end),
+        }
     }
 
     fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {

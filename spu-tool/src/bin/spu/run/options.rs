@@ -6,6 +6,7 @@ use std::str::FromStr;
 use std::time::Duration;
 
 use clap::{ArgGroup, Args, ValueEnum};
+use spu_emulator::engine::Engine;
 
 use super::{map, status};
 
@@ -78,6 +79,14 @@ pub struct Options {
     #[arg(long, value_name = "FILE", help_heading = "Mailboxes")]
     pub out_intr_mbox: Option<PathBuf>,
 
+    /// What runs the instructions, with the same results; in simulated time, and where each
+    /// instruction is watched, it is the interpreter
+    #[arg(long, value_enum, default_value_t = EngineName::Compiler, help_heading = "Engine")]
+    pub engine: EngineName,
+    /// Run the program compiled and interpreted, block by block; the first difference fails it
+    #[arg(long, conflicts_with_all = ["engine", "timing", "trace", "stats"], help_heading = "Engine")]
+    pub check: bool,
+
     /// Stop after so many instructions
     #[arg(long, value_name = "N", help_heading = "Limits")]
     pub max_instructions: Option<u64>,
@@ -115,7 +124,22 @@ fn after_help() -> String {
     format!("{EXAMPLES}\n{}\n\n{}", map::MAP_HELP, status::help())
 }
 
+/// What can run the instructions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+pub enum EngineName {
+    Interpreter,
+    Compiler,
+}
+
 impl Options {
+    pub fn engine(&self) -> Engine {
+        match self.engine {
+            _ if self.check => Engine::Check,
+            EngineName::Interpreter => Engine::Interpreter,
+            EngineName::Compiler => Engine::Compiler,
+        }
+    }
+
     pub fn patience(&self) -> Duration {
         Duration::from_secs(self.patience)
     }
