@@ -1,10 +1,11 @@
 //! What the fuzz targets assert, apart from the fuzzer: the tests here replay the kept seeds
 //! through the same functions.
 //!
-//! In all of them a guest does what it likes, and three things must hold: nothing panics, a stop
+//! [`engines`] compares compiled code with the interpreter. In the others a guest does what it likes, and three things must hold: nothing panics, a stop
 //! request ends the run, and memory that the guest was not given, or was given to read, stays as
 //! it was.
 
+mod engines;
 #[cfg(test)]
 mod seeds;
 
@@ -20,6 +21,8 @@ use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
 use spu_emulator::mfc::Policy;
 use spu_emulator::spe::{Config, Spe};
 use spu_isa::{Instruction, disassemble};
+
+pub use engines::engines;
 
 /// How long a guest may run: most stop by themselves within microseconds.
 const PATIENCE: Duration = Duration::from_millis(5);

@@ -3,6 +3,7 @@
 
 use std::fs;
 use std::path::Path;
+use std::time::{Duration, Instant};
 
 fn replay(target: &str, oracle: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -33,4 +34,36 @@ fn dma_commands() {
 #[test]
 fn elf_files() {
     replay("elf", crate::elf);
+}
+
+#[test]
+fn both_engines() {
+    replay("engines", |input| {
+        crate::engines(input);
+    });
+}
+
+/// Programs that nobody has kept: for some seconds, or for `SPU_FUZZ_SECONDS`, from
+/// `SPU_FUZZ_SEED` on.
+#[test]
+fn both_engines_on_random_programs() {
+    let number = |name, other| std::env::var(name).map_or(other, |value| value.parse().unwrap());
+    let end = Instant::now() + Duration::from_secs(number("SPU_FUZZ_SECONDS", 5));
+    let first = number("SPU_FUZZ_SEED", 0);
+    let (mut executed, mut compiled) = (0, 0);
+    for seed in first.. {
+        if Instant::now() > end {
+            println!(
+                "{} programs, {executed} instructions, {compiled} compiled",
+                seed - first
+            );
+            break;
+        }
+        let input = seed.to_be_bytes();
+        let run = std::panic::catch_unwind(|| crate::engines(&input));
+        let (all, some) = run.unwrap_or_else(|_| panic!("SPU_FUZZ_SEED={seed} differs"));
+        (executed, compiled) = (executed + all, compiled + some);
+    }
+    // Elsewhere there is one engine.
+    assert!(compiled > executed / 10 || cfg!(not(target_arch = "x86_64")));
 }
