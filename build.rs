@@ -19,7 +19,6 @@ fn main() -> ExitCode {
 }
 
 fn build(script: &mut Script) -> Outcome<()> {
-    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let out = PathBuf::from(env::var("OUT_DIR")?);
     script.watch(Path::new("build.rs"));
 
@@ -35,7 +34,7 @@ fn build(script: &mut Script) -> Outcome<()> {
     fs::write(out.join("images.rs"), table(&images)?)?;
 
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
-        stubs(&root, &out, script)?;
+        stubs(&out, script)?;
     }
     Ok(())
 }
@@ -97,17 +96,14 @@ fn table(images: &Images) -> Outcome<String> {
 /// Links the console's program, and whatever depends on this crate, against the names of libspe2
 /// alone, so that no PS3 sysroot is needed, and against those of an old C library, so that an old
 /// system runs it.
-fn stubs(root: &Path, out: &Path, script: &mut Script) -> Outcome<()> {
-    let list = root.join("linker/libspe2.symbols");
-    script.watch(&list);
+fn stubs(out: &Path, script: &mut Script) -> Outcome<()> {
     let compiler = stub::compiler(script);
     let folder = out.join("stub");
     fs::create_dir_all(&folder)?;
-    let text = fs::read_to_string(&list).map_err(|error| format!("{}: {error}", list.display()))?;
     stub::build(
         &compiler,
         "libspe2.so.2",
-        &stub::names(&text),
+        &stub::names(stub::LIBSPE2),
         &folder.join("libspe2.so"),
     )?;
     stub::glibc::build(&compiler, &folder)?;

@@ -1,11 +1,11 @@
 //! cellray: an interactive ray tracer for the Cell Broadband Engine under PS3 Linux.
 //!
-//! This is the PPU's part. A [`Scene`] is handed, frame by frame, to an [`Engine`], whose SPUs
-//! trace it and write finished rows straight into a [`framebuffer`]. What answers below the
-//! libspe2 calls in [`spe`], a console's SPEs or emulated ones, this crate does not know.
+//! This is the PPU's part. Frame by frame, an [`Engine`] receives a [`Scene`]; its SPUs trace the
+//! scene and write finished rows directly into a [`framebuffer`]. Whether the libspe2 calls in
+//! [`spe`] reach a console's SPEs or emulated ones is decided at link time; this crate can't tell.
 //!
 //! A game changes a [`World`](game::World) from frame to frame and leaves the rest to a
-//! [`Session`](game::Session). A ball that jumps, as numbered pictures:
+//! [`Session`](game::Session). This example renders a bouncing ball as numbered pictures:
 //!
 //! ```
 //! use std::time::Duration;

@@ -18,7 +18,7 @@ const CHECKSUM: &str = "sources.crc32";
 /// The folder of the images: `spu/images`.
 #[must_use]
 pub fn folder() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../spu/images")
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("spu/images")
 }
 
 /// The file name of the image with these formulations.

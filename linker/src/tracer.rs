@@ -15,9 +15,10 @@ const KERNELS: [&str; 4] = ["isect", "shade", "shaders", "trace"];
 ///
 /// A build script adds a folder of shaders and builds it, as [`embed`](crate::embed) shows.
 pub fn tracer() -> Result<Image, Error> {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    // A link to the repository's folder, whose files are in this crate's package.
     let spu = root.join("spu");
-    let mut image = Image::new(&root.join("linker/spu.ld")).folder(&spu.join("main"))?;
+    let mut image = Image::new(&root.join("spu.ld")).folder(&spu.join("main"))?;
     for kernels in KERNELS {
         image = image.kernels(&spu.join(kernels), &spu.join("scheduled").join(kernels))?;
     }

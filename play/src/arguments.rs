@@ -46,6 +46,11 @@ pub enum Command {
     Play(PlayArguments),
     /// Look at a scene from all sides
     View(ViewArguments),
+    /// Show a PNG file in the terminal
+    Show {
+        /// The picture
+        picture: PathBuf,
+    },
 }
 
 /// `play`.

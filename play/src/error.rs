@@ -31,6 +31,14 @@ pub enum PlayError {
     /// A shader can't be assembled or linked.
     #[error(transparent)]
     Build(#[from] spu_build::Error),
+    /// A picture can't be read.
+    #[error("{}: {source}", path.display())]
+    Picture {
+        /// Its file.
+        path: PathBuf,
+        /// What is wrong.
+        source: image::ImageError,
+    },
     /// A scene that the SPUs don't take.
     #[error(transparent)]
     Refused(#[from] SceneError),

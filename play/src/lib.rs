@@ -5,7 +5,7 @@
 //! given, as a table of [`Entry`]s. A program of one game needs no more than that game:
 //!
 //! ```no_run
-#![doc = include_str!("../../examples/tutorial/src/bin/ball.rs")]
+#![doc = include_str!("ball.rs")]
 //! ```
 
 mod arguments;
@@ -25,6 +25,7 @@ mod viewer;
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal as _, Write as _};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
 
@@ -34,7 +35,7 @@ use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session}
 use clap::Parser as _;
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
-use self::display::{Nowhere, Screen, Terminal, Window};
+use self::display::{Colours, Nowhere, Screen, Terminal, Window, lines};
 use self::error::PlayError;
 use self::frontend::Ending;
 use self::input::{Hub, SystemDevices, Wanted};
@@ -85,7 +86,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
     match &arguments.command {
         Command::Play(play) => {
             let Some(name) = &play.name else {
-                return print(&list(games));
+                return print(list(games).as_bytes());
             };
             let entry = games.iter().find(|entry| entry.name == name.as_str());
             let entry = entry.ok_or_else(|| PlayError::NoGame {
@@ -101,6 +102,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             }
             self::play((entry.new)(), &play.options)
         }
+        Command::Show { picture } => show(picture),
         Command::View(view) => {
             let scene = nff::load(&view.scene)?;
             let (width, height) = scene.view.resolution;
@@ -118,12 +120,26 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
     }
 }
 
+/// Writes a picture to standard output, as wide as the terminal.
+fn show(path: &Path) -> Result<Ending, PlayError> {
+    let picture = image::open(path).map_err(|source| PlayError::Picture {
+        path: path.to_path_buf(),
+        source,
+    })?;
+    let columns = crossterm::terminal::size().map_or(80, |(columns, _)| columns);
+    print(&lines(
+        &picture.to_rgb8(),
+        columns,
+        Colours::of_environment(),
+    ))
+}
+
 fn play(game: Box<dyn Game>, options: &GameOptions) -> Result<Ending, PlayError> {
     session(game, options.seed, SIZE, &options.session, None)
 }
 
 fn list(games: &[Entry]) -> String {
-    let mut text = String::new();
+    let mut text = String::from("Games; start one with `cellray play NAME`:\n\n");
     for entry in games {
         // Writing to a string can't fail.
         let _ = writeln!(text, "{:12} {}", entry.name, entry.line);
@@ -132,9 +148,9 @@ fn list(games: &[Entry]) -> String {
 }
 
 /// Writes to standard output; whoever reads there may have had enough.
-fn print(text: &str) -> Result<Ending, PlayError> {
+fn print(text: &[u8]) -> Result<Ending, PlayError> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(text).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PlayError::Output(error)),
         _ => Ok(Ending::Over),
     }

@@ -1,6 +1,6 @@
-//! A scene that is turned before the eye.
+//! A scene that the eye goes around.
 //!
-//! Invariant: the eye depends on the frame's number alone, and is the same on every machine:
+//! Invariant: the eye depends only on the frame's number, and is the same on every machine because
 //! `libm`'s sines are.
 
 use glam::DVec3;
@@ -9,7 +9,7 @@ use nff::View;
 use super::{Frame, Game, Start, World, WorldError};
 use crate::scene::RenderOptions;
 
-/// A scene whose eye goes around what it looks at, at the height and distance that it has.
+/// A scene whose eye goes around its target, at constant height and distance.
 #[derive(Clone, Debug)]
 pub struct Turntable {
     scene: nff::Scene,
@@ -18,7 +18,8 @@ pub struct Turntable {
 }
 
 impl Turntable {
-    /// Once around takes so many frames; with none the eye stands still.
+    /// A turntable of a scene that takes `frames` frames to go once around. With 0 the eye stands
+    /// still.
     #[must_use]
     pub fn new(scene: nff::Scene, render_options: RenderOptions, frames: u32) -> Self {
         Self {
@@ -53,7 +54,7 @@ impl Game for Turntable {
 
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
         match frame.number % u64::from(self.frames.max(1)) {
-            // To the bit, what the scene says.
+            // The scene's own numbers, bit for bit.
             0 => world.look_from(self.scene.view.from, self.scene.view.at),
             _ => world.look_from(self.eye(frame.number), self.scene.view.at),
         }

@@ -1,36 +1,35 @@
-//! How a scene is made to look, which no file says.
+//! Render options: settings of a picture that scene files don't have.
 
-/// How a scene is made to look.
+/// The model that a scene is rendered with.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Model {
-    /// Whitted's if the scene has lights, else depth shading.
+    /// Whitted's model if the scene has lights, otherwise depth shading.
     #[default]
     Scene,
-    /// The paper's: spheres that fade to black with their distance.
+    /// Depth shading, the paper's model: spheres that fade to black with their distance.
     Depth,
-    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
+    /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
     Whitted,
 }
 
 /// A model and its settings.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RenderOptions {
-    /// Which.
+    /// The model.
     pub model: Model,
-    /// Whitted's model: most rays in a chain, the eye's counted, from 1 to 16.
+    /// Whitted's model: the longest chain of rays, including the primary ray, from 1 to 16.
     pub ray_depth: u32,
-    /// Whitted's model: whether what lets light through reflects by Schlick's approximation.
+    /// Whitted's model: whether transparent surfaces reflect by Schlick's approximation.
     pub fresnel: bool,
-    /// Whitted's model: whether rays are sent as the Standard Procedural Databases count them,
-    /// those that add nothing to the picture too: by every surface that mirrors or lets light
-    /// through a reflected ray, whatever its share is, and by every surface that is lit, whatever
-    /// it makes of that, a shadow ray for each light in front of it. What leaves out rays of no or
-    /// little weight hangs on this.
+    /// Whitted's model: whether to trace all rays that the Standard Procedural Databases count, even
+    /// those that add nothing to the picture. Then every surface that reflects or lets light through
+    /// sends a reflected ray, whatever its share. Every lit surface sends a shadow ray to each light
+    /// in front of it, whether or not it uses the light. No ray is left out for its small weight.
     pub spd_rays: bool,
-    /// Whitted's model: whether objects throw shadows.
+    /// Whitted's model: whether objects cast shadows.
     pub shadows: bool,
-    /// Whether rays go through the corners of the pixels of a picture that is one smaller each
-    /// way.
+    /// Whether rays go through the corners of the pixels instead of their centres. The picture of
+    /// corners is one pixel wider and higher than the picture that is made of it.
     pub corners: bool,
 }
 
@@ -48,7 +47,7 @@ impl Default for RenderOptions {
 }
 
 impl RenderOptions {
-    /// Whether a scene with so many lights is traced by Whitted's model.
+    /// Whether a scene with `lights` lights is traced by Whitted's model.
     pub(crate) fn is_whitted(self, lights: usize) -> bool {
         match self.model {
             Model::Scene => lights > 0,

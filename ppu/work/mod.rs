@@ -1,4 +1,4 @@
-//! Work units: what the PPU tells the SPUs of a frame, and what they answer.
+//! Work units: the records that the PPU sends to the SPUs for a frame, and the SPUs' answers.
 
 #[cfg(test)]
 mod arithmetic;
@@ -24,5 +24,5 @@ pub use spheres::EyeSpheres;
 pub use tiles::{tile_count, tile_pixels};
 pub use units::Units;
 
-// What SPUs fetch of a scene is part of a work unit, though the scene keeps it.
+// The block belongs to the scene, but SPUs fetch it as a part of the frame.
 pub use crate::scene::{BlockError, BlockOptions, SceneBlock};

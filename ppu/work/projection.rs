@@ -1,9 +1,8 @@
-//! What a camera's picture can show: where a sphere may appear on it, and how far the singles that
-//! the SPUs make their rays from are off.
+//! The projection of spheres onto a camera's picture, with a bound of the SPU's rounding.
 //!
-//! All in f64, relative to the eye. Invariant: every answer is on the safe side: it counts the
-//! rounding of the SPU's rays, so a sphere that one of them could meet is never said to be
-//! elsewhere.
+//! All computations are in f64, relative to the eye. Invariant: every result is conservative. It
+//! allows for the rounding of the SPU's rays, so it includes every pixel whose ray could hit the
+//! sphere.
 
 use std::ops::Range;
 
@@ -13,33 +12,34 @@ use nff::Camera;
 use crate::framebuffer::Geometry;
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
-/// Error of a ray's direction as the SPU makes it, in parts of the sum of lengths it is made of:
-/// two fused steps of 2^-23, the rounding of their operands, and the scaling to length 1.
+/// The error of a ray's direction on the SPU, relative to the sum of the lengths that it is
+/// computed from: two fused steps of 2^-23, the rounding of their operands, and the scaling to
+/// length 1.
 const DIRECTION_ERROR: f64 = 1.0 / (1 << 21) as f64;
 
-/// Pixels by which a sphere's bounds are widened: they are compared with pixel centres.
+/// By how many pixels a sphere's bounds are widened, because they are compared with pixel centres.
 const EDGE: f64 = 1.0;
 
-/// Radius, in parts of the distance, by which a sphere can seem larger to the kernels: that of the
-/// perpendicular from the centre to a ray.
+/// By how much a sphere's radius can seem larger to the kernels, relative to the distance: the
+/// error of the perpendicular from the centre to a ray.
 const PERPENDICULAR_ROUNDING: f64 = 1.0 / (1 << 20) as f64;
 
-/// Largest radius that a sphere can seem to have for the SPU's arithmetic.
+/// The largest radius that a sphere can seem to have in the SPU's arithmetic.
 pub(super) fn seen_radius(distance: f64, radius: f64) -> f64 {
     radius + PERPENDICULAR_ROUNDING * (distance + radius)
 }
 
-/// Pixels that a sphere may touch; empty if none.
+/// A rectangle of pixels, which may be empty.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rectangle {
-    /// Columns.
+    /// The columns.
     pub x: Range<u32>,
-    /// Rows.
+    /// The rows.
     pub y: Range<u32>,
 }
 
 impl Rectangle {
-    /// Pixels of both.
+    /// The pixels in both rectangles.
     #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
         let both = |a: &Range<u32>, b: &Range<u32>| a.start.max(b.start)..a.end.min(b.end);
@@ -49,19 +49,19 @@ impl Rectangle {
         }
     }
 
-    /// Whether there is no pixel in it.
+    /// Whether the rectangle has no pixels.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.x.is_empty() || self.y.is_empty()
     }
 }
 
-/// A camera with a picture size, taken apart along the picture's own axes.
+/// A camera and a picture size, in the coordinates of the picture's axes.
 #[derive(Clone, Copy, Debug)]
 pub struct Projection {
     eye: DVec3,
     geometry: Geometry,
-    /// `None` where the camera's steps are too small to have directions in f64.
+    /// `None` if the camera's steps are too small to have directions in f64.
     axes: Option<Axes>,
 }
 
@@ -71,18 +71,18 @@ struct Axes {
     right: DVec3,
     down: DVec3,
     ahead: DVec3,
-    /// Distance of the plane in which the camera's directions end.
+    /// The distance of the plane in which the camera's directions end.
     distance: f64,
-    /// Of the direction through pixel (0, 0), along `right` and `down`.
+    /// The direction through pixel (0, 0), along `right` and `down`.
     corner: [f64; 2],
-    /// Lengths of the steps to the next pixel.
+    /// The lengths of the steps to the next pixel.
     step: [f64; 2],
-    /// Largest error of a direction as the SPU makes it, before it is scaled.
+    /// The largest error of a direction on the SPU, before it is scaled.
     error: f64,
 }
 
 impl Projection {
-    /// Takes a camera apart.
+    /// Converts a camera with a picture of this size.
     #[must_use]
     pub fn new(camera: &Camera, geometry: Geometry) -> Self {
         Self {
@@ -92,19 +92,20 @@ impl Projection {
         }
     }
 
-    /// Where the rays begin.
+    /// The eye.
     #[must_use]
     pub fn eye(&self) -> DVec3 {
         self.eye
     }
 
-    /// From the eye to a point.
+    /// The vector from the eye to a point.
     #[must_use]
     pub fn to(&self, point: DVec3) -> DVec3 {
         point - self.eye
     }
 
-    /// Error of a unit direction as the SPU makes it, as an angle; infinite if there is no bound.
+    /// The error of a unit direction on the SPU, as an angle in radians; infinite if there is no
+    /// bound.
     #[must_use]
     pub fn direction_error(&self) -> f64 {
         self.axes.map_or(f64::INFINITY, |axes| {
@@ -116,17 +117,17 @@ impl Projection {
         })
     }
 
-    /// Largest angle between the middle direction of a packet of 4x4 rays and a ray of it;
-    /// infinite if there is no bound below a right angle.
+    /// The largest angle in radians between the middle direction of a packet of 4x4 rays and one
+    /// of its rays; infinite if there is no bound below a right angle.
     #[must_use]
     pub fn packet_spread(&self) -> f64 {
         let Some(axes) = self.axes else {
             return f64::INFINITY;
         };
-        // The packet's middle is a pixel and a half from its outer rays both ways. A ray that ends
-        // within `away` of where the middle one ends is inside a cone about the middle one whose
-        // sine is `away` over the middle one's length, and that is no less than the plane's
-        // distance.
+        // The packet's middle is a pixel and a half from its outer rays in both directions. Rays
+        // end in a plane. If a ray ends within `away` of the end of the middle ray, it is inside a
+        // cone about the middle ray with the sine `away` / length. The middle ray's length is at
+        // least the plane's distance.
         let away = 1.5 * libm::hypot(axes.step[0], axes.step[1]) + 2.0 * axes.error;
         let sine = away / (axes.distance - axes.error);
         if (0.0..1.0).contains(&sine) {
@@ -136,8 +137,8 @@ impl Projection {
         }
     }
 
-    /// Pixels on which something may be seen that is within some spheres and all that is straight
-    /// between them.
+    /// The pixels on which an object may be visible that is inside the convex hull of some
+    /// spheres.
     #[must_use]
     pub fn hull(&self, spheres: impl IntoIterator<Item = (DVec3, f64)>) -> Rectangle {
         let Geometry { width, height } = self.geometry;
@@ -152,8 +153,8 @@ impl Projection {
                 continue;
             }
             let bounds = self.bounds(centre, radius);
-            // What is in front of the eye throughout is seen between the places of its spheres,
-            // also of those that are beyond the picture's edge.
+            // If the whole hull is in front of the eye, it is visible only between its spheres'
+            // pixels. Spheres beyond the picture's edge count too.
             let both = |a: &Range<u32>, b: &Range<u32>| a.start.min(b.start)..a.end.max(b.end);
             found = Some(match found {
                 None => bounds,
@@ -173,8 +174,8 @@ impl Projection {
         }
     }
 
-    /// Pixels on which a sphere may be seen; all of them if the eye is inside or its plane cuts
-    /// the sphere.
+    /// The pixels on which a sphere may be visible: all pixels if the eye is inside the sphere, or
+    /// the eye's plane cuts it.
     #[must_use]
     pub fn bounds(&self, centre: DVec3, radius: f64) -> Rectangle {
         let Geometry { width, height } = self.geometry;
@@ -201,7 +202,7 @@ impl Projection {
             let pixel = |tangent: f64| (tangent * scale - axes.corner[axis]) / axes.step[axis];
             let first = (pixel(aside * ahead - half) - margin).ceil();
             let last = (pixel(aside * ahead + half) + margin).floor();
-            // Whatever is no number excludes nothing.
+            // NaN must exclude no pixel.
             let first = if first > 0.0 { first } else { 0.0 };
             let last = if last < f64::from(pixels) {
                 last
@@ -224,7 +225,7 @@ impl Axes {
         let ahead = right.cross(down).try_normalize()?;
         let distance = camera.corner.dot(ahead);
         let step = [camera.right.length(), camera.down.length()];
-        // Packets and tiles go beyond the picture's edge.
+        // Packets and tiles extend beyond the picture's edge.
         let columns = f64::from(geometry.width + TILE_WIDTH);
         let rows = f64::from(geometry.height + TILE_HEIGHT);
         let lengths = camera.corner.length() + columns * step[0] + rows * step[1];

@@ -1,9 +1,9 @@
-//! Where the shadow of a sphere may fall.
+//! Finds the pixels that a sphere's shadow may fall on.
 //!
-//! Behind a sphere, as a light sees it, is a row of spheres of which each point in the shadow is
-//! in one: along the ray from the light through the centre, all touching the cone that the light
-//! sees the first one fill. Invariant: the answers hold every pixel in the shadow, with much room
-//! for the rounding of the SPU's shadow rays.
+//! The shadow is covered by a row of spheres behind the first one. Their centres are on the ray
+//! from the light through the sphere's centre, and they all touch the cone from the light around
+//! the sphere. Invariant: the result has every pixel in the shadow, with much room for the
+//! rounding of the SPU's shadow rays.
 
 use glam::DVec3;
 use nff::{LightKind, unit};
@@ -11,29 +11,30 @@ use nff::{LightKind, unit};
 use super::projection::{Projection, Rectangle};
 use crate::scene::block::BoundingSphere;
 
-/// By how much a sphere that throws a shadow is widened, in parts of all distances that its shadow
-/// rays take: they are off by some 2^-20 of these.
+/// By how much a sphere that casts a shadow is widened, relative to the sum of all distances that
+/// determine its shadow rays. The error of these rays is about 2^-20 of that sum.
 const SLACK: f64 = 1.0 / (1 << 15) as f64;
 
-/// Pieces into which the row of spheres on an object is cut: a shadow that runs across the picture
-/// then needs not all of the rectangle around it.
+/// The number of pieces that the row of spheres on an object is cut into. With pieces, a shadow
+/// that runs diagonally across the picture doesn't need the whole rectangle around it.
 const PIECES: u32 = 8;
 
-/// The row: sphere k is `growth` k + `radius` large, at `from` + k `way`, for k from `first` on.
+/// The row of spheres: sphere k has the radius `growth` k + `radius` and the centre `from` + k
+/// `way`, for k from `first` on.
 pub(super) struct Shadow {
     from: DVec3,
     way: DVec3,
     growth: f64,
     radius: f64,
     first: f64,
-    /// The sum of the distances that the slack is a part of, but for those of the object that it
-    /// falls on.
+    /// The sum of the distances that the slack is relative to, without those of the object that
+    /// the shadow falls on.
     reach: f64,
 }
 
 impl Shadow {
-    /// The shadow of what is in a sphere; nothing where the light is in it or nearly so: it falls
-    /// anywhere.
+    /// The shadow of an object inside a sphere. `None` if the light is inside the sphere or close
+    /// to it, because the shadow may then fall anywhere.
     pub fn of(sphere: BoundingSphere, light: LightKind, projection: &Projection) -> Option<Self> {
         let BoundingSphere { centre, radius } = sphere;
         let reach = projection.to(centre).length() + radius;
@@ -62,8 +63,8 @@ impl Shadow {
         }
     }
 
-    /// Hands out the pixels on which it may fall on an object within a sphere, which may lie in a
-    /// plane, given by a point and a normal.
+    /// Calls `found` with the pixels on which the shadow may fall on an object inside `sphere`. If
+    /// the object is flat, `plane` is its plane: a point and a normal.
     pub fn on(
         &self,
         sphere: BoundingSphere,
@@ -88,13 +89,13 @@ impl Shadow {
         }
     }
 
-    /// The first and the last of the spheres that may touch an object.
+    /// The first and the last sphere of the row that may touch an object.
     fn touching(
         &self,
         sphere: BoundingSphere,
         plane: Option<(DVec3, DVec3)>,
     ) -> Option<(f64, f64)> {
-        // |to - k way| <= growth k + radius + the object's radius, squared.
+        // Solves |to - k way| <= growth k + radius + the object's radius, squared, for k.
         let to = sphere.centre - self.from;
         let sum = self.radius + sphere.radius;
         let square = self.way.length_squared() - self.growth * self.growth;
@@ -108,7 +109,7 @@ impl Shadow {
         let mut first = ((half - root) / square).max(self.first);
         let mut last = (half + root) / square;
         if let Some((point, normal)) = plane {
-            // |height + k rise| <= growth k + radius, on either side.
+            // |height + k rise| <= growth k + radius, on both sides of the plane.
             let height = (self.from - point).dot(normal);
             let rise = self.way.dot(normal);
             for side in [1.0, -1.0] {
@@ -142,7 +143,7 @@ mod tests {
         height: 50,
     };
 
-    /// The pixel in which a point is seen.
+    /// The pixel in which a point is visible.
     fn pixel(camera: &Camera, point: DVec3) -> Option<[u32; 2]> {
         let ahead = camera.right.cross(camera.down);
         let to = point - camera.eye;

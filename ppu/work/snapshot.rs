@@ -1,15 +1,14 @@
-//! What a picture was made of, and where another differs from it. It is here alone that
-//! differences are looked for: a world that has changed says nothing of where, and a scene that
-//! was made anew is compared as well as one that was changed in place.
+//! Snapshots of the content of a picture, and the tiles in which two of them differ. This is the
+//! only place that looks for differences. A changed world doesn't tell where the picture changes,
+//! and a new scene is compared in the same way as a scene that was changed in place.
 //!
-//! By depth shading a sphere that has changed is in the picture where it is seen or was. By
-//! Whitted's model a primary ray sees what it hits, and whether that is in the shadow of anything:
-//! so if an object has changed, the picture has where the object is seen or was, and where its
-//! shadow falls or fell. What is seen in mirrors, in glass and by a game's own shaders may be
-//! anywhere: where one is, everything that changes shows.
+//! With depth shading, the picture changes where a changed sphere is or was visible. With
+//! Whitted's model, it also changes where the shadow of a changed object falls or fell. In
+//! addition, any change may show in mirrors, in glass and on objects with a game's own shader, so
+//! the picture changes wherever one of these is visible.
 //!
-//! Invariant: pixels that are not among the answer are the same in both pictures, unless two
-//! surfaces are equally far from the eye to the bit: then either may be hit in either picture.
+//! Invariant: all other pixels are equal in both pictures. The exception is a pixel with two
+//! surfaces at bit-identical distances: each picture may show either.
 
 use glam::DVec3;
 use nff::Camera;
@@ -24,30 +23,30 @@ use crate::scene::block::{BlockOptions, BoundingSphere, Chains, Light, VisiblePr
 use crate::scene::{RenderOptions, Scene, Sphere};
 use protocol::layout::{self, SCENE_ADDRESS};
 
-/// Most pairs of an object that has changed and one that its shadow may fall on: the whole picture
-/// is traced in less time than more are looked at.
+/// The most pairs of a changed object and an object that its shadow may fall on. Looking at more
+/// pairs would take longer than tracing the whole picture.
 const MOST_SHADOWS: usize = 4096;
 
-/// What a picture was made of; its buffers serve for the next.
+/// The content of a picture. Its buffers are reused for the next.
 #[derive(Default)]
 pub struct Snapshot {
-    /// Nothing before the first picture.
+    /// `None` before the first picture.
     everywhere: Option<Everywhere>,
-    /// By depth shading.
+    /// The spheres of depth shading.
     spheres: Vec<Sphere>,
-    /// By Whitted's model.
+    /// This and all further fields: Whitted's model.
     options: Option<BlockOptions>,
     chains: Option<Chains>,
     ambient: [F32; 4],
     lights: Vec<Light>,
-    /// The objects by their plots, kind after kind.
+    /// The objects by their slots, kind after kind.
     objects: Vec<Option<VisiblePrimitive>>,
-    /// Where the plots are.
+    /// The addresses of the slots.
     addresses: Vec<u32>,
     bytes: Vec<u8>,
 }
 
-/// What every pixel depends on.
+/// The settings that every pixel depends on.
 #[derive(Clone, Copy, PartialEq)]
 struct Everywhere {
     camera: Camera,
@@ -56,17 +55,17 @@ struct Everywhere {
     render_options: RenderOptions,
 }
 
-/// In which way an object of two pictures differs.
+/// How an object differs in two pictures.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Change {
     None,
-    /// It looks otherwise.
-    RenderOptions,
-    /// It is elsewhere, of another shape, or not in both.
+    /// Its material differs, or whether others are visible in it.
+    Appearance,
+    /// Its position or its shape differs, or only one picture has it.
     Place,
 }
 
-/// Pixels on which an object may be seen.
+/// The pixels on which an object may be visible.
 fn place(seen: &VisiblePrimitive, projection: &Projection) -> Rectangle {
     let spheres = seen.hull.spheres().iter();
     projection.hull(spheres.map(|&sphere| {
@@ -76,7 +75,8 @@ fn place(seen: &VisiblePrimitive, projection: &Projection) -> Rectangle {
 }
 
 impl Snapshot {
-    /// Takes down what a scene shows to a camera, for whose eye its block was written.
+    /// Records the content of a scene for a camera. The scene's block must be written for the
+    /// camera's eye.
     pub fn take(&mut self, scene: &Scene, camera: &Camera) {
         self.everywhere = Some(Everywhere {
             camera: *camera,
@@ -104,14 +104,14 @@ impl Snapshot {
         }
     }
 
-    /// Whether both have the same background.
+    /// Whether both pictures have the same background.
     pub fn has_background_of(&self, other: &Self) -> bool {
         let background = |shown: &Self| shown.everywhere.map(|all| all.background);
         background(self) == background(other)
     }
 
-    /// Adds the tiles in which `self` differs from `before`; all of them where the two are seen
-    /// otherwise, or are made of different things altogether.
+    /// Adds the tiles in which `self` differs from `before`. If the cameras or the render options
+    /// differ, these are all tiles.
     pub fn changes(&self, before: &Self, projection: &Projection, changed: &mut TileSet) {
         match self.everywhere {
             Some(all) if before.everywhere == Some(all) => {
@@ -122,7 +122,7 @@ impl Snapshot {
         }
     }
 
-    /// Adds the tiles that old and new spheres may be seen in, where they differ.
+    /// Adds the tiles in which changed spheres are or were visible.
     fn changed_spheres(&self, before: &Self, projection: &Projection, changed: &mut TileSet) {
         let (old, new) = (&before.spheres, &self.spheres);
         let mut add =
@@ -138,7 +138,7 @@ impl Snapshot {
         new[both..].iter().for_each(&mut add);
     }
 
-    /// Adds the tiles in which objects, their shadows or what is seen in them differ.
+    /// Adds the tiles in which objects, their shadows, or reflected and refracted objects differ.
     fn changed_objects(
         &self,
         before: &Self,
@@ -154,7 +154,7 @@ impl Snapshot {
             return changed.add_all();
         }
         let mut pairs = 0;
-        // Where chains end otherwise, what goes on looks otherwise.
+        // If the bounds of chains differ, everything that is reflected or refracted may differ.
         let mut any = self.chains != before.chains;
         for (new, old) in self.objects.iter().zip(&before.objects) {
             let change = self.change(new.as_ref(), before, old.as_ref());
@@ -219,11 +219,12 @@ impl Snapshot {
         if same_material && new.sees_others == old.sees_others {
             Change::None
         } else {
-            Change::RenderOptions
+            Change::Appearance
         }
     }
 
-    /// Adds the tiles that the shadows of an object fall on; `false` if there is no saying which.
+    /// Adds the tiles that the shadows of an object may fall on; `false` if they may fall
+    /// anywhere.
     fn shadows(
         &self,
         seen: &VisiblePrimitive,
@@ -239,7 +240,7 @@ impl Snapshot {
                     changed.add(&place(on, projection));
                     continue;
                 }
-                // Most objects are out of the shadow's way: theirs are not asked for.
+                // Computed only when needed, because the shadow misses most objects.
                 let mut bounds = None;
                 shadow.on(
                     on.sphere,
@@ -256,7 +257,7 @@ impl Snapshot {
     }
 }
 
-/// Whether two records are of the same surface, whatever it is made of.
+/// Whether two records have the same surface. Their materials may differ.
 fn same_form(one: &[u8], other: &[u8]) -> bool {
     let material = std::mem::offset_of!(layout::Object, material);
     let behind = material + size_of::<u32>();

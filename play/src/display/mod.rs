@@ -16,7 +16,7 @@ pub use fit::Fit;
 pub use nowhere::Nowhere;
 pub use pointer::Pointer;
 pub use screen::Screen;
-pub use terminal::Terminal;
+pub use terminal::{Colours, Terminal, lines};
 pub use window::Window;
 
 use std::io;

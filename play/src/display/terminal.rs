@@ -20,7 +20,9 @@ use image::RgbImage;
 use signal_hook::consts::SIGWINCH;
 use signal_hook::flag;
 
-use self::cells::{Colours, Grid};
+pub use self::cells::{Colours, lines};
+
+use self::cells::Grid;
 use self::events::Events;
 use self::keys::Keys;
 use self::restore::Taken;

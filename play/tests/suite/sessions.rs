@@ -561,7 +561,7 @@ fn the_last_frame_of_a_recording_tells_of_the_world() {
     let other = format!("{rest}\"world\":\"{other}\"}}");
     fs::write(&record, text.replace(last, &other)).expect("a file");
     let talk = bad(&[&none[..], &["--replay", name]].concat());
-    assert!(talk.contains("frame 18: the world is another"), "{talk}");
+    assert!(talk.contains("frame 18: the world differs"), "{talk}");
 }
 
 #[test]

@@ -1,8 +1,8 @@
-//! The scene that is traced, kept in step with its world.
+//! Keeps the traced scene in step with its world.
 //!
-//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but
-//! for the places of its records and the shape of its trees, which no picture shows. Where nothing
-//! was added, this takes no memory.
+//! Invariants: after [`World::scene`] the scene equals one that is newly made of the world, except
+//! for the order of its records and the shape of its trees, which no picture shows. If nothing was
+//! added, this allocates no memory.
 
 use nff::Shape;
 
@@ -15,7 +15,7 @@ use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
 impl WorldMaterial {
-    /// Gives it its number in the scene, by which messages call it.
+    /// Sets the material's number in the scene, which error messages use if it has no line.
     fn number(&mut self, number: usize) {
         self.traced.number = Some(number);
         self.material.line = self.line.unwrap_or(number as u32 + 1);
@@ -23,20 +23,22 @@ impl WorldMaterial {
 }
 
 impl World {
-    /// The scene of the world as it is now, for an [`Engine`](crate::Engine) that runs `program`.
+    /// The scene of the world in its current state, for an [`Engine`](crate::Engine) that runs
+    /// `program`.
     ///
-    /// What has changed since the last call is changed in place: where objects were moved, shown
-    /// or made of other materials, and materials, lights or the eye changed, this takes no memory.
-    /// Objects and materials that are added find the room of those that were removed, or that is
-    /// kept for them; without it the scene is laid out anew. So it is when lights are added or
-    /// removed, or the world is made to look otherwise.
+    /// Changes since the last call are made in place. No memory is allocated if objects were moved,
+    /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
+    /// Added objects and materials use the room of removed ones, or spare room. If there is none, a
+    /// new scene is made. A new scene is also made when lights are added or removed, or when the
+    /// [`RenderOptions`](crate::scene::RenderOptions) change.
     ///
     /// # Errors
-    /// What does not fit the SPUs, and a shader that the program does not have.
+    /// - The world doesn't fit the SPUs' local store.
+    /// - The program lacks a shader that a material names.
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
         let is_whitted = self.render_options.is_whitted(self.lights.len());
         let traced = self.traced.take().filter(|traced| {
-            !self.edits.anew
+            !self.edits.rebuild
                 && std::ptr::eq(traced.program.image(), program.image())
                 && traced.scene.block().is_some() == is_whitted
         });
@@ -68,11 +70,11 @@ impl World {
         Ok(&self.traced.insert(traced).scene)
     }
 
-    /// Makes a scene of all that there is.
+    /// Makes a new scene of the whole world.
     fn lay_out(&mut self, program: &Program) -> Result<Traced, WorldError> {
-        // An image without a table has no shaders that a material could ask for.
+        // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
-        // Whitted's model keeps room for what is hidden.
+        // Whitted's model keeps room for hidden objects.
         let is_whitted = self.render_options.is_whitted(self.lights.len());
         let content = self.content(|object| object.visible || is_whitted);
         let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
@@ -99,7 +101,7 @@ impl World {
         })
     }
 
-    /// Changes a scene to what the world is now; `false` if that does not fit.
+    /// Brings the world's changes into a scene; `false` if they don't fit.
     fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
         let Traced { scene, shaders, .. } = traced;
         scene.set_view(&self.view);

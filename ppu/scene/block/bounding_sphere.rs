@@ -1,17 +1,18 @@
-//! Bounding spheres, and what few of them bound.
+//! Bounding spheres.
 //!
-//! Invariant: what [`enclose`] gives holds every sphere that it was given, `f64`'s rounding
-//! included.
+//! Invariant: the sphere that [`enclose`] returns contains all spheres that it was given, in spite
+//! of `f64`'s rounding.
 
 use glam::DVec3;
 
-/// Steps towards the farthest sphere: a test holds the radius to 2 % above the smallest there is.
+/// Number of steps towards the farthest sphere. A test checks that the radius is at most 2 % above
+/// the smallest possible one.
 const STEPS: u32 = 100;
 
-/// By how much a radius is rounded up, in parts of the centre's coordinates and the radius.
+/// By how much a radius is rounded up, relative to the centre's coordinates and the radius.
 const ROUNDING: f64 = 8.0 * f64::EPSILON;
 
-/// All points up to a distance from a centre; a point, if that is 0.
+/// A sphere, or a point if the radius is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BoundingSphere {
     pub centre: DVec3,
@@ -26,13 +27,14 @@ impl BoundingSphere {
         }
     }
 
-    /// The farthest that any of its points is from here.
+    /// The largest distance of its points from `from`.
     fn farthest(&self, from: DVec3) -> f64 {
         from.distance(self.centre) + self.radius
     }
 }
 
-/// Up to four spheres.
+/// Up to four spheres that stand for a primitive; see
+/// [`Primitive::hull`](super::primitive::Primitive::hull).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Hull {
     spheres: [BoundingSphere; 4],
@@ -54,10 +56,10 @@ impl Hull {
     }
 }
 
-/// A sphere around all of `spheres`, nearly the smallest; nothing around none.
+/// A nearly smallest sphere around all of `spheres`; `None` if there are none.
 ///
-/// By Bădoiu and Clarkson's steps of falling length to the farthest point, from the middle of the
-/// box; the best place on the way is taken.
+/// Uses the algorithm of Bădoiu and Clarkson: from the middle of the bounding box, steps of
+/// decreasing length towards the farthest point. The best centre on the way is used.
 pub(super) fn enclose(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
     let (&first, others) = spheres.split_first()?;
     if others.is_empty() {
@@ -129,7 +131,7 @@ mod tests {
     fn a_sphere_is_nearly_the_smallest() {
         let mut random = ChaCha8Rng::seed_from_u64(2);
         for _ in 0..200 {
-            // The ends of a diameter and anything in the sphere: that is the smallest.
+            // The smallest sphere around the ends of a diameter and points inside is known.
             let (centre, axis) = (unit(&mut random) * 5.0, unit(&mut random));
             let mut spheres = vec![
                 BoundingSphere::point(centre + axis),

@@ -1,13 +1,13 @@
 //! The bounding volume hierarchy (BVH) over the primitives of one kind; its volumes are spheres.
 //!
-//! The hierarchy is built in the scene's own coordinates. What depends on the eye is written again
-//! for each eye. When objects move, the bounding spheres above them are refitted; a BVH that has
-//! become bad by refitting is built anew. Its buffers are reused.
+//! The hierarchy is built in the scene's coordinates, and its nodes are written again for each
+//! eye. When objects move, the bounding spheres above them are refitted. A BVH that has become bad
+//! by refitting is rebuilt. Its buffers are reused.
 //!
-//! Invariant: every object is inside the bounding spheres of all nodes above it, even by the SPU's
-//! rounded test. A node that was built bounds the objects below it, not the spheres between, so it
-//! is smaller, and a ray that misses it misses the objects all the same. A node that was refitted
-//! bounds its children's spheres.
+//! Invariant: every object is inside the bounding spheres of all nodes above it, even with the
+//! rounding of the SPU's test. A newly built node bounds the objects below it, not its children's
+//! spheres, so its sphere is smaller; a ray that misses it still misses the objects. A refitted
+//! node bounds its children's spheres.
 
 use glam::DVec3;
 use zerocopy::IntoBytes as _;
@@ -17,20 +17,21 @@ use super::bounding_sphere::{BoundingSphere, Hull, enclose};
 use crate::scene::single::{single, up};
 use protocol::layout::{self, MAX_ROOTS, Node, SCENE_ADDRESS};
 
-/// Rounding of the SPU's test of a sphere with a bound, in parts of the distance and the radius.
+/// A bound of the rounding error in the SPU's test of a bounding sphere, relative to the distance
+/// and the radius.
 ///
-/// A dozen products and sums, each truncated by up to 2^-23 of numbers no larger than these, make
-/// 2^-19.4; the bound itself is rounded outwards.
+/// A dozen products and sums, each truncated by up to 2^-23 of numbers no larger than these, have
+/// an error of at most 2^-19.4. The bound itself is rounded outwards.
 const SLACK: f64 = 1.0 / (1 << 18) as f64;
 
-/// Children of a node.
+/// The number of a node's children.
 const LANES: usize = 4;
 
-/// How much the sum of a BVH's radii may grow by refitting before it is built anew.
+/// How much the sum of a BVH's radii may grow by refitting before the BVH is rebuilt.
 const MOST_GROWTH: f64 = 1.5;
 
-/// A sphere around another, such that the SPU finds no ray to miss it that meets an object in the
-/// other, as seen from `eye`.
+/// A larger sphere, to allow for the rounding of the SPU's test as seen from `eye`: the test
+/// passes every ray that hits an object inside `sphere`.
 pub(crate) fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
     let distance = sphere.centre.distance(eye);
     BoundingSphere {
@@ -42,26 +43,26 @@ pub(crate) fn widened(eye: DVec3, sphere: BoundingSphere) -> BoundingSphere {
 /// A BVH, without local-store addresses.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Bvh {
-    /// What each object is within, by its index; of those that are not there, anything.
+    /// Each object's bounding sphere, by its index; any sphere for indices without an object.
     spheres: Vec<BoundingSphere>,
     /// The objects' indices, from left to right.
     order: Vec<usize>,
-    /// From the lowest level up, what each child of a node is within: an object, then a node of
-    /// the level below, four of which follow one another in a node. Levels beyond `height` are of
-    /// other trees.
+    /// For each level, from the lowest up, the bounding spheres of the nodes' children, four for
+    /// each node. The children are objects at the lowest level, and nodes of the level below at
+    /// the others. Levels beyond `height` are unused buffers.
     levels: Vec<Vec<BoundingSphere>>,
     height: usize,
-    /// Sum of the radii above the lowest level, when it was built.
+    /// The sum of the radii above the lowest level, when the BVH was built.
     built_radii: f64,
-    /// Spheres around which one is looked for.
+    /// Buffer for the spheres to enclose.
     hull: Vec<BoundingSphere>,
-    /// The places of a level below which something has moved.
+    /// For each place of a level, whether something below it has moved.
     touched: Vec<bool>,
 }
 
 impl Bvh {
-    /// Builds the BVH over the objects that are there, each given by spheres whose hull it is
-    /// within.
+    /// Builds the BVH over all objects. Each is given by its hull, or is `None` if there is none
+    /// with that index.
     pub fn build(&mut self, hulls: &[Option<Hull>]) {
         let Self {
             spheres,
@@ -104,8 +105,8 @@ impl Bvh {
         self.built_radii = self.radii();
     }
 
-    /// Fits the spheres above objects that have moved, and are those that there were; `false` if
-    /// the tree has become bad.
+    /// Refits the bounding spheres above objects that have moved. The set of objects must be the
+    /// same as when the BVH was built. Returns `false` if the BVH has become bad.
     pub fn refit(&mut self, moved: impl Fn(usize) -> bool, hulls: &[Option<Hull>]) -> bool {
         self.touched.clear();
         for (place, &index) in self.order.iter().enumerate() {
@@ -128,7 +129,7 @@ impl Bvh {
                 if touched && let Some(around) = enclose(&below[children]) {
                     *sphere = around;
                 }
-                // No place to the right needs what is overwritten.
+                // The places to the right don't need the entry that is overwritten.
                 self.touched[place] = touched;
             }
         }
@@ -145,8 +146,7 @@ impl Bvh {
         &self.order
     }
 
-    /// Counts the objects, all of which have to be there, by their places from left to right from
-    /// now on.
+    /// Renumbers the objects by their places from left to right. All indices must have an object.
     pub fn renumber(&mut self) {
         self.spheres.clone_from(&self.levels[0]);
         for (place, index) in self.order.iter_mut().enumerate() {
@@ -154,12 +154,12 @@ impl Bvh {
         }
     }
 
-    /// What an object that is there is within.
+    /// The bounding sphere of an object.
     pub fn sphere(&self, index: usize) -> BoundingSphere {
         self.spheres[index]
     }
 
-    /// What the frame says of the tree, whose nodes begin at `address`.
+    /// The BVH's record in the frame. Its nodes begin at `address`.
     pub fn record(&self, address: u32) -> layout::Bvh {
         let top = self.levels.get(self.height.wrapping_sub(1));
         layout::Bvh {
@@ -170,8 +170,8 @@ impl Bvh {
         }
     }
 
-    /// Writes all nodes as seen from `eye`. They begin at `address`, the top first; `object` has
-    /// the addresses of the objects by their indices.
+    /// Writes all nodes, relative to `eye`, the top level first. They begin at `address`; `object`
+    /// returns an object's address by its index.
     pub fn write(&self, eye: DVec3, address: u32, object: impl Fn(usize) -> U32, bytes: &mut [u8]) {
         let mut records = bytes.chunks_exact_mut(size_of::<Node>());
         let mut next = address;
@@ -190,7 +190,7 @@ impl Bvh {
     }
 }
 
-/// Bytes of all nodes of a tree over so many objects.
+/// The size in bytes of all nodes over `objects` objects.
 pub(super) fn size(objects: usize) -> usize {
     let mut children = objects;
     let mut all = nodes(children);
@@ -201,7 +201,7 @@ pub(super) fn size(objects: usize) -> usize {
     all * size_of::<Node>()
 }
 
-/// Nodes that hold so many children.
+/// The number of nodes for `children` children.
 fn nodes(children: usize) -> usize {
     children.div_ceil(LANES)
 }
@@ -225,8 +225,8 @@ fn node(eye: DVec3, spheres: &[BoundingSphere], child: impl Fn(usize) -> U32) ->
     node
 }
 
-/// Sorts objects so that those of a node are near each other: halved again and again across their
-/// longest extent, the left half filling nodes of all levels as far as it can.
+/// Sorts objects so that those of a node are near each other. The objects are recursively split
+/// across their longest extent, and the left part fills whole nodes of as many levels as possible.
 fn split(order: &mut [usize], spheres: &[BoundingSphere]) {
     let count = order.len();
     if count <= LANES {
@@ -245,7 +245,7 @@ fn split(order: &mut [usize], spheres: &[BoundingSphere]) {
         .map(centre)
         .fold(DVec3::NEG_INFINITY, DVec3::max);
     let axis = (high - low).max_position();
-    // The index makes the halves the same on every machine.
+    // Comparing the indices too makes the split the same on every machine.
     order.select_nth_unstable_by(left, |a, b| {
         let place = |index: &usize| spheres[*index].centre[axis];
         place(a).total_cmp(&place(b)).then(a.cmp(b))

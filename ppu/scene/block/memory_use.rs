@@ -1,4 +1,4 @@
-//! What of a scene takes the local store's room, and how much of it would fit.
+//! How much local store each part of a scene takes, and how much of the scene would fit.
 
 use nff::{Scene, Shape};
 
@@ -6,22 +6,21 @@ use super::bvh;
 use super::primitive::{PATCH_SIZE, PrimitiveKind};
 use protocol::layout;
 
-/// Bytes of what every scene has.
+/// Bytes of the records that every scene has.
 const FIXED: usize = size_of::<layout::Object>() + size_of::<layout::Material>();
 
-/// Things of one sort.
+/// Records of one sort.
 struct Consumer {
     what: &'static str,
     count: usize,
     bytes: usize,
 }
 
-/// All that takes room, the largest first.
+/// The sorts of records in a scene, the largest first.
 pub(super) struct MemoryUse(Vec<Consumer>);
 
 impl MemoryUse {
-    /// Of objects of each kind with their trees, each with a count and bytes, and of materials and
-    /// lights.
+    /// `objects` has for each kind the number of primitives, and the bytes of them and their tree.
     pub fn new(objects: [(usize, usize); 4], materials: usize, lights: usize) -> Self {
         let objects = PrimitiveKind::ALL.map(|kind| {
             let (count, bytes) = objects[kind as usize];
@@ -43,7 +42,7 @@ impl MemoryUse {
         Self(consumers)
     }
 
-    /// About that of a scene of so many objects of each kind.
+    /// An estimate for a scene with `counts` primitives of each kind.
     pub fn of(scene: &Scene, counts: [usize; 4]) -> Self {
         let mut sizes = PrimitiveKind::ALL.map(PrimitiveKind::least_size);
         let mut is_used = vec![false; scene.materials.len()];
@@ -63,7 +62,7 @@ impl MemoryUse {
         Self::new(objects, materials, scene.lights.len())
     }
 
-    /// What takes how many bytes, in words.
+    /// A text that lists the sorts with their bytes.
     pub fn consumers(&self) -> String {
         let consumer = |&Consumer { what, count, bytes }: &Consumer| match count {
             1 => format!("1 {} {bytes}", what.trim_end_matches('s')),
@@ -72,8 +71,8 @@ impl MemoryUse {
         self.0.iter().map(consumer).collect::<Vec<_>>().join(", ")
     }
 
-    /// About how much fits into so many bytes, in words: of what takes most, if the rest stays; if
-    /// the rest does not fit alone, of all.
+    /// A text that says about how much fits into `room` bytes: how many records of the largest
+    /// sort, if all others are kept, or what part of the scene, if the others don't fit alone.
     pub fn fits(&self, room: usize) -> String {
         let needed = FIXED + self.0.iter().map(|consumer| consumer.bytes).sum::<usize>();
         match self.0.first() {
@@ -82,7 +81,7 @@ impl MemoryUse {
                 let fit = (room - (needed - bytes)) * count / bytes;
                 format!("about {} of its {count} {what} fit", fit.min(count))
             }
-            _ => format!("about {} % of all that fits", room * 100 / needed),
+            _ => format!("about {} % of the scene fits", room * 100 / needed),
         }
     }
 }

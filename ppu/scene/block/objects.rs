@@ -1,7 +1,7 @@
-//! Objects: what the shapes of a scene become, and their records.
+//! Converts shapes to primitives, and writes their records.
 //!
-//! Invariant: an object's numbers are in range; its record is rounded once, from numbers that are
-//! relative to the eye.
+//! Invariant: an object's numbers are in range. The numbers of its record are computed relative to
+//! the eye, and rounded once.
 
 use glam::DVec3;
 use nff::{Material, Shape, unit};
@@ -11,18 +11,18 @@ use zerocopy::big_endian::{F32, U32};
 use super::error::BlockError;
 use super::polygons::{self, check_vertices};
 use super::primitive::{Primitive, PrimitiveKind};
-use super::range::SourceLocation;
+use super::source_location::SourceLocation;
 use crate::scene::single::{single, singles};
 use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
-/// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
+/// The part of the origin offset that covers the rounding of the object's numbers, relative to
 /// their magnitudes.
 ///
-/// A point's height over the surface is a sum of products of them, each of which is truncated by
-/// up to 2^-23: eight roundings of them all.
+/// A point's height over the surface is a sum of products of these numbers, each truncated by up
+/// to 2^-23. This constant covers eight such roundings.
 pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 
-/// An object where the scene has it.
+/// A primitive with its sides and its material, in the scene's coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct Object {
     pub primitive: Primitive,
@@ -32,19 +32,19 @@ pub(super) struct Object {
     pub material: u32,
 }
 
-/// What [`layout::Object`] says of a surface.
+/// The numbers of [`layout::Object`] that describe the surface.
 struct Head {
     centre: DVec3,
     gain: f64,
     axis: DVec3,
     slope: f64,
     offset: f64,
-    /// How far the surface reaches from its centre, where the offset does not say.
+    /// How far the surface extends from its centre, if the offset doesn't tell.
     extent: f64,
 }
 
-/// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons
-/// whose edges cross or that have parts without area.
+/// The kind of primitive that a shape becomes, and about how many of them. The count is exact
+/// except for polygons whose edges cross, or which have parts without area.
 pub(super) fn about(shape: &Shape) -> (PrimitiveKind, usize) {
     match shape {
         Shape::Sphere { .. } => (PrimitiveKind::Sphere, 1),
@@ -58,7 +58,7 @@ pub(super) fn about(shape: &Shape) -> (PrimitiveKind, usize) {
     }
 }
 
-/// Hands `found` the objects of a shape, none if it has no surface.
+/// Calls `found` with each primitive of a shape and its sides; never if the shape has no surface.
 pub(super) fn of_shape(
     shape: &Shape,
     material: &Material,
@@ -195,8 +195,8 @@ impl Head {
 }
 
 impl Object {
-    /// How far off its surface a ray has to start for the object's own numbers, as seen from
-    /// `eye`. No coordinate of a point on it adds more than `leave` to that.
+    /// The part of the origin offset that covers the rounding of the object's numbers relative to
+    /// `eye`. The coordinates of a point on the object add at most `leave` each to it.
     pub fn leave(&self, eye: DVec3) -> f64 {
         let Head {
             centre,
@@ -207,8 +207,7 @@ impl Object {
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
-    /// Writes the record, as seen from `eye`, to where it lies; `material` is its material's
-    /// address.
+    /// Writes the record relative to `eye`; `material` is the address of the object's material.
     pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
         let Head {
             centre,
@@ -254,7 +253,7 @@ impl Object {
     }
 }
 
-/// What a ray hits that hits nothing: a plane through the eye.
+/// The object of the background, for rays that hit nothing: a plane through the eye.
 pub(super) fn background(material: u32) -> layout::Object {
     layout::Object {
         centre: singles(DVec3::ZERO),
@@ -268,7 +267,7 @@ pub(super) fn background(material: u32) -> layout::Object {
     }
 }
 
-/// Fills `bytes` with quadwords.
+/// Writes quadwords to `bytes`.
 fn put(bytes: &mut [u8], quadwords: &[[F32; 4]]) {
     bytes.copy_from_slice(quadwords.as_bytes());
 }
@@ -278,7 +277,7 @@ fn quadword(vector: DVec3) -> [F32; 4] {
     [x, y, z, F32::ZERO]
 }
 
-/// The sum of a vector's magnitudes.
+/// The sum of the magnitudes of a vector's components.
 pub(super) fn taxicab(vector: DVec3) -> f64 {
     vector.abs().element_sum()
 }

@@ -1,15 +1,16 @@
-//! What the shapes of a scene become: the forms that SPUs know, each where the scene has it.
+//! Primitives: the forms that the SPUs intersect, in the scene's coordinates.
 
 use glam::DVec3;
 
 use super::bounding_sphere::{BoundingSphere, Hull};
 use protocol::layout;
 
-/// What vertices may be off their polygon's plane, in parts of its size: no more than numbers of a
-/// scene are rounded by. They stay where they are, so that polygons that share them leave no gap.
+/// How far vertices may be off their polygon's plane, relative to its size, without being moved
+/// onto it. The bound allows for the rounding of a scene file's numbers. Vertices that stay in
+/// place leave no gap to polygons that share them.
 pub(super) const FLAT: f64 = 1.0 / (1 << 18) as f64;
 
-/// The shapes that SPUs know, in the order of the frame's trees.
+/// The kinds of primitives, in the order of the frame's trees.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum PrimitiveKind {
     Sphere,
@@ -21,7 +22,7 @@ pub(super) enum PrimitiveKind {
 impl PrimitiveKind {
     pub const ALL: [Self; 4] = [Self::Sphere, Self::Rectangle, Self::Triangle, Self::Cone];
 
-    /// Bytes that an object of this kind takes at least.
+    /// The size in bytes of this kind's smallest record.
     pub fn least_size(self) -> usize {
         match self {
             Self::Sphere => size_of::<layout::Object>(),
@@ -31,7 +32,7 @@ impl PrimitiveKind {
         }
     }
 
-    /// Its name in messages, plural.
+    /// The kind's name in messages, in plural.
     pub fn name(self) -> &'static str {
         match self {
             Self::Sphere => "spheres",
@@ -42,32 +43,33 @@ impl PrimitiveKind {
     }
 }
 
-/// Bytes of a triangle of a patch.
+/// The size in bytes of a patch's triangle.
 pub(super) const PATCH_SIZE: usize = size_of::<layout::Patch>();
 
 #[derive(Clone, Debug)]
 pub(super) enum Primitive {
-    /// With a radius below 0 the normal points inwards.
+    /// If the radius is negative, the normal points inwards.
     Sphere { centre: DVec3, radius: f64 },
     Rectangle {
         corner: DVec3,
         edges: [DVec3; 2],
         normal: DVec3,
-        /// Products with the edges are 1 and 0, and 0 and 1.
+        /// The dual basis: the first one's products with the edges are 1 and 0, the second's 0 and
+        /// 1.
         duals: [DVec3; 2],
     },
     Triangle {
         vertices: [DVec3; 3],
-        /// That of the whole polygon.
+        /// The normal of the whole polygon.
         normal: DVec3,
-        /// Those that a patch interpolates, of length 1 or 0.
+        /// The vertices' normals that a patch interpolates, of length 1 or 0.
         smooth: Option<[DVec3; 3]>,
     },
     Cone {
         base: DVec3,
         axis: DVec3,
         height: f64,
-        /// At base and apex, not negative.
+        /// The radii at base and apex, not negative.
         radii: [f64; 2],
         /// Whether the normal points inwards.
         hollow: bool,
@@ -84,7 +86,7 @@ impl Primitive {
         }
     }
 
-    /// Bytes of its record.
+    /// The size of its record in bytes.
     pub fn size(&self) -> usize {
         match self {
             Self::Triangle {
@@ -94,7 +96,7 @@ impl Primitive {
         }
     }
 
-    /// Growth of a cone's radius with the height; 0 of all else.
+    /// A cone's growth of the radius with the height; 0 for other primitives.
     pub fn growth(&self) -> f64 {
         match self {
             Self::Cone { radii, height, .. } => (radii[1] - radii[0]) / height,
@@ -102,7 +104,8 @@ impl Primitive {
         }
     }
 
-    /// Spheres such that a sphere around them is one around the object.
+    /// Up to four spheres with the property that a sphere around all of them contains the
+    /// primitive.
     pub fn hull(&self) -> Hull {
         match *self {
             Self::Sphere { centre, radius } => Hull::of([BoundingSphere {
@@ -124,8 +127,8 @@ impl Primitive {
                 radii: [low, high],
                 ..
             } => {
-                // As far from one disc's rim as from the other's, unless one disc is the widest of
-                // all.
+                // The centre is equally far from both discs' rims, unless that point is outside of
+                // the cone.
                 let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
                 let middle = equal.clamp(0.0, height);
                 Hull::of([BoundingSphere {
@@ -136,7 +139,7 @@ impl Primitive {
         }
     }
 
-    /// A point of the plane that it lies in, and the plane's normal; nothing for what is round.
+    /// A point in the primitive's plane, and the plane's normal; `None` for round primitives.
     pub fn plane(&self) -> Option<(DVec3, DVec3)> {
         match *self {
             Self::Rectangle { corner, normal, .. } => Some((corner, normal)),
@@ -149,9 +152,9 @@ impl Primitive {
         }
     }
 
-    /// Whether it is shaded beside where it is hit: a triangle's point is put on the plane through
-    /// its first vertex that has the whole polygon's normal, and a small triangle may be off that
-    /// by what is nothing to a large polygon.
+    /// Whether the primitive is shaded at points noticeably off the points where it is hit. A hit
+    /// is moved to the plane through the triangle's first vertex with the whole polygon's normal.
+    /// A small triangle may be off that plane by more than its own size allows.
     pub fn is_bent(&self) -> bool {
         let Self::Triangle {
             vertices: [a, b, c],

@@ -1,8 +1,7 @@
-//! The part of a block that the objects of one shape take: first the objects themselves, in the
-//! order of the leaves of their BVH, then its nodes. Behind the objects there may be room for
-//! more, which the BVH takes in when they come.
+//! The part of a block that has the primitives of one kind: first their records, in the order of
+//! the leaves of their BVH, then spare room for more records, then the nodes.
 //!
-//! Invariant: what was written for an eye is written again only where it has changed.
+//! Invariant: for the same eye only the records that have changed are written again.
 
 use glam::DVec3;
 use zerocopy::big_endian::U32;
@@ -14,49 +13,49 @@ use super::objects::Object;
 use super::primitive::PrimitiveKind;
 use protocol::layout;
 
-/// Room for an object.
+/// Room for one object.
 #[derive(Clone, Debug)]
 struct Slot {
     address: u32,
     room: usize,
     object: Option<Placed>,
-    /// Whether the room is kept for an object, be it there or not.
+    /// Whether the slot belongs to an object, which may be hidden.
     taken: bool,
-    /// Whether the record is of another object, or another eye.
+    /// Whether the record must be written again.
     stale: bool,
-    /// Whether the object is somewhere else than the tree has it.
+    /// Whether the object has moved since the tree was built or refitted.
     moved: bool,
 }
 
-/// An object where it is.
+/// An object in a slot.
 #[derive(Clone, Debug)]
 struct Placed {
     object: Object,
-    /// Address of its material.
+    /// The address of its material.
     material: U32,
-    /// As far as its rays start off it.
+    /// Its origin offset, as written last.
     leave: f64,
 }
 
-/// Objects of one shape and their tree.
+/// The primitives of one kind, and their BVH.
 #[derive(Clone, Debug)]
 pub(super) struct Primitives {
     kind: PrimitiveKind,
     slots: Vec<Slot>,
-    /// What the slots' objects are within.
+    /// The hulls of the slots' objects.
     hulls: Vec<Option<Hull>>,
     bvh: Bvh,
-    /// Whether the tree is over other objects.
+    /// Whether objects were added or removed since the tree was built.
     outgrown: bool,
-    /// Where the nodes begin, and the bytes they may take.
+    /// The address of the nodes, and below it the bytes that are reserved for them.
     nodes: u32,
     nodes_room: usize,
 }
 
 impl Primitives {
-    /// Takes room for the objects, whose materials have these addresses, for `spare` others, and
-    /// for a tree over them. The slots' numbers are the objects' places in the tree; `number` is
-    /// told them.
+    /// Reserves room for objects, for `spare` more, and for a tree over all of them. `material`
+    /// returns the address of an object's material. The slots' numbers are the objects' places in
+    /// the tree; `number` is called with each object's index and its slot.
     pub fn new(
         kind: PrimitiveKind,
         found: &[Object],
@@ -103,7 +102,7 @@ impl Primitives {
         }
     }
 
-    /// A slot of so much room that is nobody's, which is taken from then on.
+    /// Takes a free slot with at least `size` bytes, and returns its number.
     pub fn take(&mut self, size: usize) -> Option<usize> {
         let is_free = |slot: &Slot| !slot.taken && slot.room >= size;
         let number = self.slots.iter().position(is_free)?;
@@ -111,8 +110,8 @@ impl Primitives {
         Some(number)
     }
 
-    /// Gives a slot back.
-    pub fn give_back(&mut self, number: usize) {
+    /// Frees a slot.
+    pub fn free(&mut self, number: usize) {
         self.clear(number);
         self.slots[number].taken = false;
     }
@@ -122,7 +121,7 @@ impl Primitives {
         object.primitive.kind() == self.kind && object.primitive.size() <= self.slots[number].room
     }
 
-    /// Puts an object that fits where another was, or none.
+    /// Puts an object that fits into a slot, in place of another or of none.
     pub fn put(&mut self, number: usize, object: Object, material: U32) {
         let slot = &mut self.slots[number];
         self.hulls[number] = Some(object.primitive.hull());
@@ -136,7 +135,7 @@ impl Primitives {
         });
     }
 
-    /// Takes an object away, if there is one.
+    /// Removes the object in a slot, if there is one.
     pub fn clear(&mut self, number: usize) {
         let slot = &mut self.slots[number];
         self.hulls[number] = None;
@@ -145,13 +144,13 @@ impl Primitives {
         self.outgrown |= slot.object.take().is_some();
     }
 
-    /// The farthest that any object's own numbers have rays start off it, as written last.
+    /// The largest origin offset of all objects, as written last.
     pub fn leave(&self) -> f64 {
         let leave = self.placed().map(|placed| placed.leave);
         leave.fold(0.0, f64::max)
     }
 
-    /// Writes what has changed as seen from `eye`; all records, if that is another eye.
+    /// Writes the changes relative to `eye`; all records if it is another eye than before.
     pub fn write(&mut self, eye: DVec3, is_other_eye: bool, block: &mut Block) {
         let mut is_changed = self.outgrown || is_other_eye;
         for slot in &mut self.slots {
@@ -184,8 +183,8 @@ impl Primitives {
         self.bvh.write(eye, self.nodes, object, nodes);
     }
 
-    /// What the frame says of the tree. An object that is alone needs no node above it: the test
-    /// of a node is not much cheaper than its own.
+    /// The BVH's record in the frame. A single object has no node above it, because the test of a
+    /// node is not much cheaper than the object's.
     pub fn record(&self) -> layout::Bvh {
         let record = self.bvh.record(self.nodes);
         match *self.bvh.order() {
@@ -202,19 +201,18 @@ impl Primitives {
         self.placed().count()
     }
 
-    /// Bytes of all objects and nodes.
+    /// The bytes that are reserved for all objects and nodes.
     pub fn size(&self) -> usize {
         let slots: usize = self.slots.iter().map(|slot| slot.room).sum();
         slots + self.nodes_room
     }
 
-    /// How many slots there are.
+    /// The number of slots, taken or free.
     pub fn slot_count(&self) -> usize {
         self.slots.len()
     }
 
-    /// Where a slot is, and the object there with its address, its material's and what it is
-    /// within.
+    /// A slot's address, and its object with the address of its material and its bounding sphere.
     pub fn slot(&self, number: usize) -> (u32, Option<(&Object, U32, BoundingSphere)>) {
         let slot = &self.slots[number];
         let object = slot.object.as_ref().map(|placed| {

@@ -1,4 +1,4 @@
-//! A block's objects as a picture has them, for whoever asks where two pictures differ.
+//! A block's objects as they appear in a picture, used to find where two pictures differ.
 
 use glam::DVec3;
 
@@ -9,42 +9,41 @@ use super::chains::Chains;
 use super::materials::Light;
 use super::options::BlockOptions;
 
-/// An object of a picture.
+/// A primitive that may be visible in a picture.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct VisiblePrimitive {
-    /// What it is within, widened for the SPU's rounding.
+    /// Its bounding sphere, widened for the SPU's rounding.
     pub sphere: BoundingSphere,
-    /// The same closer: it is straight between these.
+    /// A closer bound: the primitive is within the convex hull of these spheres.
     pub hull: Hull,
-    /// A point of the plane that it lies in, and the plane's normal.
+    /// A point in its plane, and the plane's normal; `None` for round primitives.
     pub plane: Option<(DVec3, DVec3)>,
-    /// Address and size of its record, address of its material's.
+    /// The address and the size of its record. `material` is the address of its material.
     pub record: (u32, usize),
     pub material: u32,
-    /// Whether others may be seen in it.
+    /// Whether other objects may be visible in it.
     pub sees_others: bool,
-    /// Whether it is shaded beside where it is seen.
+    /// Whether it is shaded at points off the points where it is hit.
     pub is_bent: bool,
 }
 
 impl SceneBlock {
-    /// How it was laid out.
+    /// The settings of the block.
     pub(crate) fn options(&self) -> BlockOptions {
         self.options
     }
 
-    /// What its chains of rays are held to.
+    /// The bounds of its chains of rays.
     pub(crate) fn chains(&self) -> Chains {
         self.chains
     }
 
-    /// Its lights.
+    /// The scene's lights.
     pub(crate) fn lights(&self) -> &[Light] {
         &self.lights
     }
 
-    /// The addresses at which objects have room, kind after kind, each with what is seen of the
-    /// object there.
+    /// The addresses of all slots, kind after kind, each with its object as it appears from `eye`.
     pub(crate) fn slots(
         &self,
         eye: DVec3,

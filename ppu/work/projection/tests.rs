@@ -14,8 +14,8 @@ const SIZE: Geometry = Geometry {
     height: 50,
 };
 
-/// Columns and rows of the pixels whose rays enter a sphere, in the SPU's arithmetic; the whole
-/// picture is tried.
+/// The columns and rows of the pixels whose rays enter a sphere in the SPU's arithmetic, among all
+/// pixels of the picture.
 fn seen(camera: &Camera, projection: &Projection, sphere: &scene::Sphere) -> Vec<(u32, u32)> {
     let mut records = EyeSpheres::default();
     records.cull(

@@ -15,7 +15,7 @@ const SIZE: Geometry = Geometry {
     height: 200,
 };
 
-/// A direction that passes the sphere at about its edge, or somewhere else in its neighbourhood.
+/// A random direction close to the sphere's edge, or elsewhere near the sphere.
 fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) -> Singles {
     let to_centre = sphere.centre - eye;
     let along = to_centre.normalize();
@@ -27,7 +27,7 @@ fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) ->
             _ => random.random_range(0.0..1.0),
         };
     let exact = along * libm::cos(angle) + across(random, along) * libm::sin(angle);
-    // Off its length by as much as the kernels' domain allows.
+    // The length is off 1 by as much as the kernels' domain allows.
     let exact = exact * (1.0 + random.random_range(-4.0..4.0) * f64::from(f32::EPSILON) / 2.0);
     exact.to_array().map(|value| (value as f32).to_bits())
 }
@@ -75,7 +75,7 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
             }
         }
     }
-    // The rays were at edges: many of each kind, and some that the SPU's rounding decides.
+    // Rays at edges: many of each kind, and some where the SPU's rounding decides.
     assert!(counts.iter().all(|&count| count > 300), "{counts:?}");
 }
 
@@ -105,7 +105,7 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
     }
 }
 
-/// A packet of 4x4 rays at a place, beyond the picture's edge too, and its middle direction.
+/// A packet of 4x4 rays, possibly beyond the picture's edge, and its middle direction.
 fn packet(random: &mut ChaCha8Rng, camera: &Camera) -> (Vec<Singles>, Singles) {
     let x = f64::from(random.random_range(0..SIZE.width / 4) * 4);
     let y = f64::from(random.random_range(0..SIZE.height / 4) * 4);
@@ -168,8 +168,8 @@ fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
             let form = form(&mut random);
             let record = record(&sphere, &projection, form);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
-            // A plane through the ray, or nearly so, with the ray on its inner side. The worst one
-            // has the sphere on the other side.
+            // A plane (nearly) through the ray, with the ray on its inner side. In the worst case
+            // the sphere is on the other side.
             let along = wide(ray).normalize();
             let to_sphere = (sphere.centre - camera.eye).reject_from(along);
             let Some(away) = (-to_sphere).try_normalize() else {
@@ -299,12 +299,12 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
     };
     let spheres = [
         sphere(0.0, 9.0, 0.1),
-        // Behind, beside, and around the eye.
+        // Behind, next to, and around the eye.
         sphere(0.0, -5.0, 0.2),
         sphere(50.0, 5.0, 0.3),
         sphere(0.0, 0.5, 0.4),
         sphere(0.0, 5.0, 0.5),
-        // As near as the first: its place in the scene decides.
+        // As near as the first sphere, so their order in the scene decides.
         sphere(0.0, 9.0, 0.6),
     ];
     let mut eye_spheres = EyeSpheres::default();

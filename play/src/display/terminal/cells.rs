@@ -6,6 +6,7 @@
 use std::io::Write as _;
 
 use image::RgbImage;
+use image::imageops::{self, FilterType};
 
 use super::super::Fit;
 
@@ -171,6 +172,25 @@ impl Grid {
     }
 }
 
+/// A picture as lines of text, so many columns wide, for a terminal that scrolls.
+pub fn lines(picture: &RgbImage, columns: u16, colours: Colours) -> Vec<u8> {
+    let (width, height) = picture.dimensions();
+    let columns = u32::from(columns).clamp(1, width.max(1));
+    let rows = (columns * height / width.max(1)).div_ceil(2).max(1);
+    let small = imageops::resize(picture, columns, 2 * rows, FilterType::Triangle);
+    let mut text = Vec::new();
+    for row in 0..rows {
+        for column in 0..columns {
+            let colour = |y| colours.shown(small.get_pixel(column, y).0);
+            colour(2 * row).write(3, &mut text);
+            colour(2 * row + 1).write(4, &mut text);
+            text.extend_from_slice(HALF.as_bytes());
+        }
+        text.extend_from_slice(b"\x1b[0m\n");
+    }
+    text
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -188,6 +208,23 @@ mod tests {
 
     const RED: [u8; 3] = [200, 0, 0];
     const BLUE: [u8; 3] = [0, 0, 99];
+
+    #[test]
+    fn a_picture_is_lines_that_keep_its_shape() {
+        let picture = RgbImage::from_pixel(40, 20, image::Rgb(RED));
+        let text = String::from_utf8(lines(&picture, 10, Colours::True)).expect("text");
+        let cell = "\x1b[38;2;200;0;0m\x1b[48;2;200;0;0m\u{2580}";
+        let line = format!("{}\x1b[0m\n", cell.repeat(10));
+        assert_eq!(text, line.repeat(3));
+        let narrow = RgbImage::from_pixel(1, 1, image::Rgb(RED));
+        assert_eq!(
+            lines(&narrow, 80, Colours::Cube)
+                .iter()
+                .filter(|&&byte| byte == b'\n')
+                .count(),
+            1
+        );
+    }
 
     #[test]
     fn two_pixels_are_one_character_and_only_changes_are_written() {

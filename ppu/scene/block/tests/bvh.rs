@@ -1,4 +1,4 @@
-//! What is where in the BVHs.
+//! The layout and the bounding spheres of the BVHs.
 
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -7,7 +7,7 @@ use super::*;
 use crate::scene::block::primitive::Primitive;
 use crate::scene::random::{across, magnitude, unit};
 
-/// Points of an object that are farthest out.
+/// The points of an object that are farthest out.
 fn points(form: &Primitive, random: &mut ChaCha8Rng) -> Vec<DVec3> {
     match *form {
         Primitive::Sphere { centre, radius } => {
@@ -37,7 +37,7 @@ fn points(form: &Primitive, random: &mut ChaCha8Rng) -> Vec<DVec3> {
     }
 }
 
-/// An object of any shape near a place.
+/// A random object of any shape near a position.
 pub fn any_object(random: &mut ChaCha8Rng, place: DVec3) -> String {
     let size = magnitude(random, -6.0, 2.0);
     let mut near = || place + unit(random) * size;
@@ -105,7 +105,7 @@ fn every_object_is_inside_all_spheres_above_it() {
     }
 }
 
-/// Moved, hidden, added and removed: the trees are refitted or built anew, and lose nobody.
+/// Moves, hides, adds and removes objects. The trees are refitted or rebuilt, and lose no object.
 #[test]
 fn bvhs_that_change_hold_their_objects() {
     let mut random = ChaCha8Rng::seed_from_u64(3);
@@ -127,7 +127,7 @@ fn bvhs_that_change_hold_their_objects() {
     let mut there: Vec<bool> = vec![true; first.objects.len()];
     let (mut added, mut full) = (0, 0);
     for round in 0..60 {
-        // Few move at first, then many.
+        // Few objects move at first, then many.
         for _ in 0..1 + round {
             let place = place(&mut random);
             let other = scene(&any_object(&mut random, place));
@@ -152,14 +152,13 @@ fn bvhs_that_change_hold_their_objects() {
                         there.push(true);
                     }
                     None => {
-                        // What did not fit has its number all the same, and has to be laid out
-                        // anew.
+                        // An object that did not fit still has a number, but needs a new block.
                         full += 1;
                         block.remove_object(there.len());
                         there.push(false);
                     }
                 },
-                // Of another kind it does not fit, and stays what it was.
+                // A primitive of another kind does not fit, and the object stays as it was.
                 _ => {
                     let before = first.objects.get(number).map(|object| &object.shape);
                     let same = before.is_some_and(|before| {
@@ -208,8 +207,8 @@ fn bvhs_that_change_hold_their_objects() {
 
 #[test]
 fn levels_and_nodes_at_the_top() {
-    // Objects, levels, nodes at the top: at most 4 of them, and all leaves on one level. One
-    // object stands alone, without a level.
+    // Objects, levels, and nodes at the top: at most 4 of these. All leaves are on one level. A
+    // single object has no level.
     for (objects, levels, roots) in [
         (0, 1, 0),
         (1, 0, 1),
@@ -234,7 +233,7 @@ fn levels_and_nodes_at_the_top() {
 
 #[test]
 fn neighbours_are_together() {
-    // A field of 16x16 spheres, shuffled: nodes hold squares of 2x2, 4x4.
+    // A shuffled field of 16x16 spheres: nodes have squares of 2x2 and 4x4 spheres.
     let mut places: Vec<(i32, i32)> = (0..256).map(|index| (index % 16, index / 16)).collect();
     let mut random = ChaCha8Rng::seed_from_u64(3);
     for index in 1..places.len() {
@@ -247,7 +246,7 @@ fn neighbours_are_together() {
     let block = block(&spheres);
     let mut objects = 0;
     block.walk(PrimitiveKind::Sphere, &mut |_, above| {
-        // From the top: four times 2x2 spheres, 2x2 spheres, a sphere.
+        // From the top: a node of four times 2x2 spheres, one of 2x2 spheres, a sphere.
         let [.., four, one] = above else {
             panic!("{above:?}");
         };

@@ -1,4 +1,4 @@
-//! Each record against the scene that it was made from.
+//! Compares each record with the scene that it was made of.
 
 use super::*;
 use protocol::layout::{
@@ -88,13 +88,14 @@ fn parallelograms() {
         let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
         assert!(off < 1e-6, "{found:?}");
     }
-    // Corner 6, edges up to 3 + 3 off.
+    // The corner's sum of magnitudes is 6; the edges extend up to 3 + 3 from it.
     assert_eq!(head.leave.get(), 12.0 / (1 << 20) as f32);
 }
 
 #[test]
 fn polygons_are_triangles() {
-    // A corner that is off makes two of them; a concave one has its reflex corner in both.
+    // With a corner off, there are two triangles; in a concave polygon both have the reflex
+    // corner.
     let off = block("p 4\n0 0 -5\n2 0 -5\n2 2.001 -5\n0 2 -5\n");
     assert_eq!(off.leaves(PrimitiveKind::Rectangle).len(), 0);
     assert_eq!(off.leaves(PrimitiveKind::Triangle).len(), 2);
@@ -108,7 +109,7 @@ fn polygons_are_triangles() {
         assert!((b - a).cross(c - a).z > 0.0);
         assert!([a, b, c].contains(&DVec3::new(1.0, 1.0, -5.0)));
     }
-    // What has no area is not there, alone or as a part.
+    // Parts without area are left out, alone or in a larger polygon.
     let flat = block("p 3\n0 0 0\n1 1 1\n2 2 2\np 4\n0 0 -5\n2 0 -5\n0 2 -5\n0 2 -5\n");
     assert_eq!(flat.leaves(PrimitiveKind::Triangle).len(), 1);
 }
@@ -125,7 +126,7 @@ fn where_edges_cross_what_is_inside_is_cut() {
             let record: &Triangle = block.at(leaf);
             let [a, b, c] = [record.a, record.b, record.c].map(point);
             assert!((b - a).cross(c - a).z > 0.0);
-            // A patch, too, has the polygon's own normal there.
+            // A patch has the polygon's own normal there too.
             assert_eq!(surface(block.at(leaf)).1, 0);
         }
     }
@@ -140,7 +141,7 @@ fn vertices_that_are_in_no_plane_are_put_onto_that_through_their_mean() {
             assert_eq!(vertex.z, -5.5);
         }
     }
-    // What comes of rounded numbers stays where it is, as in the polygons around.
+    // Vertices that are only off by rounding stay in place, as in adjacent polygons.
     let rounded = block("p 4\n0 0 -5\n2 0 -5.000001\n2 2 -5\n0 3 -5.000001\n");
     for leaf in rounded.leaves(PrimitiveKind::Triangle) {
         let record: &Triangle = rounded.at(leaf);
@@ -203,7 +204,7 @@ fn cones() {
     for (found, expected) in numbers.into_iter().zip([gain, 0.5 * gain, 3.0 * gain]) {
         assert!((found - expected).abs() < 1e-6, "{numbers:?}");
     }
-    // On the surface at half the height, and one off it.
+    // A point on the surface at half the height, and one at distance 1 from it.
     let on = DVec3::new(1.0, 3.0, -7.0);
     let out = DVec3::new(0.0, 1.0, 2.0) / 5f64.sqrt();
     assert!(height(&head, on).abs() < 1e-6);
@@ -337,7 +338,7 @@ fn objects_share_their_material() {
     assert_eq!(found[0], found[1]);
     assert_eq!(found[0].1, DVec3::Y);
     assert_eq!(found[2].1, DVec3::Z);
-    // The one that nothing has is not sent: background, 2 materials, 3 objects, a node.
+    // The unused material is not sent. There are the background, 2 materials, 3 objects, a node.
     let used = 144 + 2 * 96 + 3 * 48 + 80;
     assert_eq!(block.bytes().len(), usize::next_multiple_of(used, 128));
 }
@@ -391,7 +392,7 @@ fn far_from_the_origin_nothing_near_the_eye_is_lost() {
     );
     let mut block = block(&rest);
     block.write_for(far).expect("an eye");
-    // What the scene's own f64 coordinates still have there.
+    // The precision of the scene's f64 coordinates there.
     let exact = 1e-9;
     let sphere: &Head = block.at(only(&block, PrimitiveKind::Sphere));
     assert!(wide(sphere.centre).distance(DVec3::new(0.001, 0.002, 0.003)) < exact);

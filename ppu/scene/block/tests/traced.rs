@@ -1,5 +1,5 @@
-//! Primary rays through the records alone, in `f64`, against the reference: what a block says is
-//! what the scene is, and no sphere of a tree hides an object that is hit.
+//! Traces primary rays in `f64` with nothing but the records, and compares them with the
+//! reference: a block describes its scene, and no bounding sphere hides an object that is hit.
 
 use std::path::Path;
 
@@ -15,12 +15,12 @@ use protocol::layout::{
     Cone, Material, Object as Head, Rectangle, SIDES_BOTH, SIDES_EXIT, Triangle,
 };
 
-/// A place where a ray from the eye crosses a surface, and whether it enters there: comes from the
-/// outside, or from where a plane's normal points.
+/// A point where a ray from the eye crosses a surface, and whether the ray enters there: it comes
+/// from the outside, or from the side that a plane's normal points to.
 type Crossing = (f64, bool);
 
 impl SceneBlock {
-    /// The emission of what a ray from the eye sees.
+    /// The emission of the object that a ray from the eye hits.
     fn seen(&self, direction: DVec3) -> DVec3 {
         let mut nearest = (f64::INFINITY, U32::new(SCENE_ADDRESS));
         for kind in PrimitiveKind::ALL {
@@ -107,7 +107,7 @@ impl SceneBlock {
     }
 }
 
-/// Where a ray enters and leaves, around a middle.
+/// The points where a ray enters and leaves, at equal distances from a middle.
 fn roots(middle: f64, half_squared: f64) -> Vec<Crossing> {
     if half_squared < 0.0 {
         return Vec::new();
@@ -116,7 +116,7 @@ fn roots(middle: f64, half_squared: f64) -> Vec<Crossing> {
     vec![(middle - half, true), (middle + half, false)]
 }
 
-/// Gives every object a colour of its own and no light.
+/// Gives every object a colour of its own, without light.
 fn coloured(mut scene: Scene) -> Scene {
     let mut materials = Vec::new();
     for (index, object) in (0..).zip(&mut scene.objects) {
@@ -134,7 +134,7 @@ fn coloured(mut scene: Scene) -> Scene {
     scene
 }
 
-/// How many pixels show an object, after all off silhouettes were found equal.
+/// The number of pixels that show an object. All pixels off the silhouettes are compared.
 fn compare(scene: &Scene, side: u32) -> usize {
     let (reference, _) = trace(scene, side, side, &Options::default()).expect("a picture");
     let block = of(scene, BlockOptions::default());

@@ -61,14 +61,11 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
 
     let (mut engine, shown) = engine(true);
     for (shader, broken) in [
-        ("changes_90", "changed $90, which it has to keep"),
-        (
-            "overruns_stack",
-            "wrote below the 1024 bytes of stack that it has",
-        ),
+        ("changes_90", "changed $90, which it must preserve"),
+        ("overruns_stack", "wrote below its 1024 bytes of stack"),
         (
             "paints_all_lanes",
-            "changed surfaces that it was not to shade",
+            "changed surfaces that it must not shade",
         ),
     ] {
         let bad = parsed(&format!("#cellray shader {shader}"));
@@ -124,7 +121,7 @@ fn a_number_that_the_program_does_not_have_is_refused() {
     let number = program().shader("rings").unwrap();
     assert_eq!(
         refused(&mut engine, &other).to_string(),
-        format!("has no shader {number}, which a material asks for")
+        format!("has no shader {number}, which a material names")
     );
     let plain = parsed("");
     engine.render(&plain, &mut |_| ()).unwrap();

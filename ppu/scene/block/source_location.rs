@@ -1,4 +1,4 @@
-//! Which numbers the SPUs take: singles with room to be squared.
+//! Checks that numbers are in the SPUs' range, with errors that name their place in the scene.
 
 use std::fmt;
 
@@ -7,11 +7,11 @@ use glam::DVec3;
 use super::error::BlockError;
 use crate::scene::single::{LARGEST, SMALLEST};
 
-/// Where the numbers stand that are checked: messages begin with it.
+/// The place of the numbers that are checked. Error messages begin with it.
 #[derive(Clone, Copy)]
 pub(super) struct SourceLocation<'a> {
     pub file: &'a str,
-    /// None for what has no line of its own.
+    /// `None` for numbers without a line of their own.
     pub line: Option<u32>,
 }
 
@@ -32,9 +32,9 @@ impl SourceLocation<'_> {
         }
     }
 
-    /// Whether a number is in range.
+    /// Checks that a number can be squared as a single.
     pub fn number(&self, what: &'static str, value: f64) -> Result<(), BlockError> {
-        // NaN is not.
+        // False for NaN.
         if value.abs() <= LARGEST {
             Ok(())
         } else {
@@ -42,13 +42,13 @@ impl SourceLocation<'_> {
         }
     }
 
-    /// Whether all numbers of a vector are.
+    /// Checks that all components of a vector are in range.
     pub fn vector(&self, what: &'static str, vector: DVec3) -> Result<(), BlockError> {
         let mut values = vector.to_array().into_iter();
         values.try_for_each(|value| self.number(what, value))
     }
 
-    /// Whether a size is in range and not too small.
+    /// Checks that a size is in range, and that its square is not 0 as a single.
     pub fn size(&self, what: &'static str, value: f64) -> Result<(), BlockError> {
         if (SMALLEST..=LARGEST).contains(&value.abs()) {
             Ok(())

@@ -1,6 +1,6 @@
-//! Commands that are programs of their own, to which this one hands over.
+//! Commands that replace this process by a program of their own.
 //!
-//! They carry what a console has no use for, or what those who only render have none for.
+//! Those programs need dependencies that a console, or a user who only renders, has no use for.
 
 use std::ffi::{OsStr, OsString};
 use std::io::ErrorKind;
@@ -12,13 +12,13 @@ use clap::Args;
 
 use super::Outcome;
 
-/// A program that is built beside this one.
+/// A program that is built next to this one.
 pub struct Program {
     name: &'static str,
     package: &'static str,
 }
 
-/// Holds the tracer against the f64 reference.
+/// Compares the tracer with the f64 reference.
 pub const BENCH: Program = Program {
     name: "cellray-bench",
     package: "accuracy",
@@ -30,11 +30,11 @@ pub const PLAY: Program = Program {
     package: "cellray-play",
 };
 
-/// What the other program is to do.
+/// Arguments that are passed on.
 #[derive(Args)]
 #[command(disable_help_flag = true)]
 pub struct Arguments {
-    /// Arguments of the program that it hands over to; --help has them
+    /// Arguments of that program; --help lists them
     #[arg(
         trailing_var_arg = true,
         allow_hyphen_values = true,
@@ -44,14 +44,14 @@ pub struct Arguments {
 }
 
 impl Program {
-    /// Hands over; there is only a failure to come back with.
+    /// Replaces this process by the program; returns only if that fails.
     pub fn run(&self, command: Option<&str>, arguments: &Arguments) -> Outcome {
-        let beside = std::env::current_exe()
+        let adjacent = std::env::current_exe()
             .ok()
             .map(|program| program.with_file_name(self.name))
             .filter(|program| program.is_file());
-        // Without one beside it, one on PATH.
-        let program = beside.unwrap_or_else(|| Path::new(self.name).to_path_buf());
+        // If there is none next to this program, PATH is searched.
+        let program = adjacent.unwrap_or_else(|| Path::new(self.name).to_path_buf());
         let error = Command::new(&program)
             .args(command.map(OsStr::new))
             .args(&arguments.arguments)
