@@ -13,7 +13,7 @@ use zerocopy::FromZeros as _;
 pub use self::error::EngineError;
 use self::records::Records;
 pub use self::settings::Settings;
-pub use self::silence::{Doing, Silence};
+pub use self::silence::{Activity, Silence};
 use self::spus::Spus;
 pub use self::unchecked::Unchecked;
 use crate::framebuffer::{self, Framebuffer};

@@ -106,7 +106,7 @@ impl Units {
         let mut left: u64 = tiles.iter().map(|&tile| cost(tile)).sum();
         let least = left / (PARTS_OF_THE_WHOLE * spus);
         let expensive = self
-            .falling
+            .by_cost
             .partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
         self.order

@@ -38,7 +38,7 @@ impl Descriptor {
             program.eye.record,
         );
         let mut units = Units::default();
-        units.cut(&[0, 1], spus, Split::Slices, None);
+        units.split(&[0, 1], spus, Split::Slices, None);
         let frame = work::describe(&Order {
             scene: &scene,
             camera: &camera,
