@@ -44,6 +44,7 @@
 pub mod engine;
 pub mod framebuffer;
 pub mod game;
+pub mod prelude;
 pub mod quality;
 mod report;
 pub mod scene;

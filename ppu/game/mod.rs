@@ -21,7 +21,7 @@ pub use run::{
     Recording, RecordingError, Session, SessionError,
 };
 pub use turntable::Turntable;
-pub use world::{Light, LightId, Material, MaterialId, ObjectId, World, WorldError};
+pub use world::{Light, LightId, Material, MaterialId, ObjectId, Pick, World, WorldError};
 
 pub use crate::scene::{Model, RenderOptions};
 use crate::spe::{Program, ProgramError};

@@ -14,11 +14,13 @@ mod ids;
 mod material;
 mod materials;
 mod objects;
+mod pick;
 mod traced;
 
 pub use error::WorldError;
 pub use ids::{LightId, MaterialId, ObjectId};
 pub use material::{Light, Material};
+pub use pick::Pick;
 
 use glam::DVec3;
 use nff::View;
@@ -28,7 +30,21 @@ use slotmap::{SecondaryMap, SlotMap};
 use self::checksum::Checksum;
 use self::content::{Object, WorldLight, WorldMaterial};
 use self::edits::{Edits, Traced};
-use crate::scene::RenderOptions;
+use crate::scene::{Model, RenderOptions};
+
+/// Ambient light beside the default light: shadows are dark, not black.
+const DEFAULT_AMBIENT: DVec3 = DVec3::splat(0.2);
+
+/// The light of a world that has none.
+fn default_light() -> nff::Light {
+    nff::Light {
+        line: 0,
+        kind: nff::LightKind::Directional {
+            to_light: DVec3::new(1.0, 2.0, 1.5),
+        },
+        colour: Some(DVec3::splat(0.8)),
+    }
+}
 
 /// A scene that a game changes.
 ///
@@ -70,6 +86,7 @@ pub struct World {
     ambient: DVec3,
     render_options: RenderOptions,
     fade: Option<DepthShading>,
+    has_default_light: bool,
     materials: SlotMap<MaterialId, WorldMaterial>,
     lights: SlotMap<LightId, WorldLight>,
     objects: SlotMap<ObjectId, Object>,
@@ -103,6 +120,7 @@ impl World {
             ambient: DVec3::ZERO,
             render_options: RenderOptions::default(),
             fade: None,
+            has_default_light: true,
             materials: SlotMap::with_key(),
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
@@ -127,6 +145,7 @@ impl World {
         };
         let mut world = Self::new();
         world.name.clone_from(&scene.name);
+        world.has_default_light = false;
         world.set_render_options(render_options);
         world.set_view(scene.view.clone())?;
         world.set_background(scene.background)?;
@@ -165,7 +184,7 @@ impl World {
             name: self.name.clone(),
             view: self.view.clone(),
             background: self.background,
-            ambient: self.ambient,
+            ambient: self.ambient_light(),
             lights: (1..)
                 .zip(self.lights.values())
                 .map(|(line, entry)| {
@@ -173,6 +192,7 @@ impl World {
                     let line = entry.line.unwrap_or(line);
                     nff::Light { line, kind, colour }
                 })
+                .chain(self.needs_light().then(default_light))
                 .collect(),
             materials: (1..)
                 .zip(self.materials.values())
@@ -189,6 +209,39 @@ impl World {
                     shape: object.shape.clone(),
                 })
                 .collect(),
+        }
+    }
+
+    /// Whether the default light shines: nothing else does, and nothing asks for depth shading.
+    fn needs_light(&self) -> bool {
+        self.has_default_light
+            && self.lights.is_empty()
+            && self.fade.is_none()
+            && self.render_options.model == Model::Scene
+    }
+
+    /// The number of lights in the traced scene.
+    fn light_count(&self) -> usize {
+        self.lights.len() + usize::from(self.needs_light())
+    }
+
+    /// The ambient light of the traced scene.
+    fn ambient_light(&self) -> DVec3 {
+        if self.needs_light() && self.ambient == DVec3::ZERO {
+            DEFAULT_AMBIENT
+        } else {
+            self.ambient
+        }
+    }
+
+    /// Whether a world without lights gets a default light, as a [`World::new`] does: a sun behind
+    /// the right shoulder, and some ambient light. It goes out as soon as a light is added. Without
+    /// it, and without lights, a world is traced with depth shading, as it is with
+    /// [`Model::Depth`] or [`World::set_fade`].
+    pub fn set_default_light(&mut self, is_wanted: bool) {
+        if self.has_default_light != is_wanted {
+            self.has_default_light = is_wanted;
+            self.edits.rebuild = true;
         }
     }
 
@@ -232,10 +285,14 @@ impl World {
     ///
     /// # Errors
     /// As for [`World::set_view`].
-    pub fn look_from(&mut self, from: DVec3, at: DVec3) -> Result<(), WorldError> {
+    pub fn look_from(
+        &mut self,
+        from: impl Into<DVec3>,
+        at: impl Into<DVec3>,
+    ) -> Result<(), WorldError> {
         self.set_view(View {
-            from,
-            at,
+            from: from.into(),
+            at: at.into(),
             ..self.view.clone()
         })
     }
@@ -250,7 +307,8 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range.
-    pub fn set_background(&mut self, colour: DVec3) -> Result<(), WorldError> {
+    pub fn set_background(&mut self, colour: impl Into<DVec3>) -> Result<(), WorldError> {
+        let colour = colour.into();
         check::vector("background", colour)?;
         self.background = colour;
         Ok(())
@@ -266,7 +324,8 @@ impl World {
     ///
     /// # Errors
     /// A number is out of range.
-    pub fn set_ambient(&mut self, brightness: DVec3) -> Result<(), WorldError> {
+    pub fn set_ambient(&mut self, brightness: impl Into<DVec3>) -> Result<(), WorldError> {
+        let brightness = brightness.into();
         check::vector("ambient light", brightness)?;
         self.ambient = brightness;
         Ok(())

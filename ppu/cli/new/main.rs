@@ -1,16 +1,14 @@
 //! A ball that jumps on a mirror.
 
-use cellray::game::{DVec3, Frame, Game, Light, Material, ObjectId, Start, World, WorldError};
+use cellray::prelude::*;
 
 #[derive(Default)]
 struct Ball(ObjectId);
 
 impl Game for Ball {
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
-        world.look_from(DVec3::new(0.0, 3.0, 12.0), DVec3::new(0.0, 2.0, 0.0))?;
-        world.set_background(DVec3::new(0.4, 0.6, 0.9))?;
-        world.set_ambient(DVec3::splat(0.2))?;
-        world.add_light(Light::sun(DVec3::new(1.0, 2.0, 1.5)))?;
+        world.look_from([0.0, 3.0, 12.0], [0.0, 2.0, 0.0])?;
+        world.set_background([0.4, 0.6, 0.9])?;
 
         let red = world.add_material(Material::shiny(0.9, 0.2, 0.1))?;
         self.0 = world.add_sphere(DVec3::Y, 1.0, red)?;
@@ -20,7 +18,7 @@ impl Game for Ball {
             ..Material::matte(0.5, 0.5, 0.45)
         })?;
         let corners = [(-9.0, 9.0), (9.0, 9.0), (9.0, -9.0), (-9.0, -9.0)];
-        world.add_polygon(&corners.map(|(x, z)| DVec3::new(x, 0.0, z)), floor)?;
+        world.add_polygon(&corners.map(|(x, z)| [x, 0.0, z]), floor)?;
         Ok(())
     }
 

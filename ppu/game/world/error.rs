@@ -1,5 +1,7 @@
 //! The errors of a world.
 
+use std::error::Error;
+
 use nff::ViewError;
 
 use crate::scene::SceneError;
@@ -51,10 +53,29 @@ pub enum WorldError {
     /// A directional light without a direction.
     #[error("a light that is infinitely far away needs a direction other than 0")]
     NoDirection,
+    /// An error of the game itself, such as a file that it can't read: see [`WorldError::game`].
+    #[error(transparent)]
+    Game(Box<dyn Error + Send + Sync>),
     /// A view that shows nothing.
     #[error(transparent)]
     View(#[from] ViewError),
     /// The world doesn't fit the SPUs' local store, or a shader is missing.
     #[error(transparent)]
     Scene(#[from] SceneError),
+}
+
+impl WorldError {
+    /// An error of the game itself, which ends the session with its message.
+    ///
+    /// ```
+    /// use cellray::game::WorldError;
+    ///
+    /// fn level(file: &str) -> Result<String, WorldError> {
+    ///     std::fs::read_to_string(file).map_err(|error| WorldError::game(format!("{file}: {error}")))
+    /// }
+    /// assert!(level("no-such-level").unwrap_err().to_string().starts_with("no-such-level: "));
+    /// ```
+    pub fn game(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self::Game(error.into())
+    }
 }

@@ -137,7 +137,8 @@ pub struct Light {
 impl Light {
     /// A point light at a position.
     #[must_use]
-    pub fn at(position: DVec3) -> Self {
+    pub fn at(position: impl Into<DVec3>) -> Self {
+        let position = position.into();
         Self {
             kind: LightKind::Point { position },
             colour: None,
@@ -146,7 +147,8 @@ impl Light {
 
     /// A directional light, infinitely far away in the direction `to_light`.
     #[must_use]
-    pub fn sun(to_light: DVec3) -> Self {
+    pub fn sun(to_light: impl Into<DVec3>) -> Self {
+        let to_light = to_light.into();
         Self {
             kind: LightKind::Directional { to_light },
             colour: None,

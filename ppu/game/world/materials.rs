@@ -62,7 +62,8 @@ impl World {
     ///
     /// # Errors
     /// There is no such material, or a number is out of range.
-    pub fn recolour(&mut self, id: MaterialId, colour: DVec3) -> Result<(), WorldError> {
+    pub fn recolour(&mut self, id: MaterialId, colour: impl Into<DVec3>) -> Result<(), WorldError> {
+        let colour = colour.into();
         check::vector("colour", colour)?;
         let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
         if entry.material.colour != colour {

@@ -35,10 +35,11 @@ impl World {
     /// As for [`World::add`].
     pub fn add_sphere(
         &mut self,
-        centre: DVec3,
+        centre: impl Into<DVec3>,
         radius: f64,
         material: MaterialId,
     ) -> Result<ObjectId, WorldError> {
+        let centre = centre.into();
         self.add(Shape::Sphere { centre, radius }, material)
     }
 
@@ -48,10 +49,10 @@ impl World {
     /// As for [`World::add`].
     pub fn add_polygon(
         &mut self,
-        vertices: &[DVec3],
+        vertices: &[impl Into<DVec3> + Copy],
         material: MaterialId,
     ) -> Result<ObjectId, WorldError> {
-        let vertices = vertices.to_vec();
+        let vertices = vertices.iter().map(|&vertex| vertex.into()).collect();
         self.add(Shape::Polygon { vertices }, material)
     }
 
@@ -98,7 +99,8 @@ impl World {
     ///
     /// # Errors
     /// There is no such object, it is fixed, or a number is out of range.
-    pub fn move_to(&mut self, id: ObjectId, position: DVec3) -> Result<(), WorldError> {
+    pub fn move_to(&mut self, id: ObjectId, position: impl Into<DVec3>) -> Result<(), WorldError> {
+        let position = position.into();
         let by = position - self.position(id)?;
         if by == DVec3::ZERO {
             return Ok(());

@@ -36,7 +36,7 @@ impl World {
     /// - The world doesn't fit the SPUs' local store.
     /// - The program lacks a shader that a material names.
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
-        let is_whitted = self.render_options.is_whitted(self.lights.len());
+        let is_whitted = self.render_options.is_whitted(self.light_count());
         let traced = self.traced.take().filter(|traced| {
             !self.edits.rebuild
                 && std::ptr::eq(traced.program.image(), program.image())
@@ -75,7 +75,7 @@ impl World {
         // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
         // Whitted's model keeps room for hidden objects.
-        let is_whitted = self.render_options.is_whitted(self.lights.len());
+        let is_whitted = self.render_options.is_whitted(self.light_count());
         let content = self.content(|object| object.visible || is_whitted);
         let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
         for (number, entry) in self.materials.values_mut().enumerate() {
@@ -142,6 +142,7 @@ impl World {
         let Some(block) = scene.block_mut() else {
             return Ok(false);
         };
+        let ambient = self.ambient_light();
         let Self {
             edits,
             objects,
@@ -149,7 +150,7 @@ impl World {
             lights,
             ..
         } = self;
-        block.set_ambient(self.ambient).map_err(SceneError::from)?;
+        block.set_ambient(ambient).map_err(SceneError::from)?;
         for number in &edits.removed {
             block.remove_object(*number);
         }
