@@ -44,9 +44,10 @@ fn read(path: &Path) -> String {
 fn prose(text: &str) -> String {
     let (mut prose, mut fenced, mut indented) = (String::new(), false, true);
     for line in text.lines() {
+        let code = fenced || indented && line.starts_with("    ");
         if line.starts_with("```") {
             fenced = !fenced;
-        } else if !fenced && !(indented && line.starts_with("    ")) {
+        } else if !code {
             indented = line.is_empty();
             prose.push_str(line);
             prose.push('\n');
