@@ -21,7 +21,7 @@ use std::process::Command;
 pub use image::Image;
 pub use script::{Script, embed, script};
 pub use tools::Tools;
-pub use tracer::{tracer, tracer_with};
+pub use tracer::{assemble_shader, tracer, tracer_with};
 
 /// Why a program was not built. Its `Display` is meant for the person who runs the build.
 #[derive(Debug, thiserror::Error)]

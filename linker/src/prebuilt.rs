@@ -1,8 +1,8 @@
 //! The tracer's images that come with the sources, so that only those who change the SPU program
 //! need an SPU assembler.
 //!
-//! Invariant: an image is only taken while a checksum of everything that it is made of is the one
-//! that was written beside it.
+//! Invariant: an image is only taken while a checksum of all code that it is made of is the one that
+//! was written beside it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -61,6 +61,17 @@ pub fn find() -> Result<PathBuf, Error> {
     }
 }
 
+/// Adds a source without its comments and blank lines, on which no byte of an image depends.
+fn add_code(text: &str, sum: &mut crc32fast::Hasher) {
+    let code = text
+        .lines()
+        .map(|line| line.split('#').next().unwrap_or_default());
+    for line in code.map(str::trim_end).filter(|line| !line.is_empty()) {
+        sum.update(line.as_bytes());
+        sum.update(b"\n");
+    }
+}
+
 /// The checksum of everything that a program is made of, as the text of its file.
 fn checksum(program: &Image) -> Result<String, Error> {
     let mut inputs = program.inputs()?;
@@ -70,9 +81,10 @@ fn checksum(program: &Image) -> Result<String, Error> {
     for path in &inputs {
         let name = path.file_name().unwrap_or_default();
         sum.update(name.as_encoded_bytes());
-        sum.update(&fs::read(path).map_err(|source| file_error(path, source))?);
+        let text = fs::read_to_string(path).map_err(|source| file_error(path, source))?;
+        add_code(&text, &mut sum);
     }
-    sum.update(assembler::constants().as_bytes());
+    add_code(&assembler::constants(), &mut sum);
     for formulations in Formulations::shipped() {
         sum.update(formulations.name().as_bytes());
         for (role, kernel) in formulations.roles() {
@@ -81,4 +93,34 @@ fn checksum(program: &Image) -> Result<String, Error> {
         }
     }
     Ok(format!("{:08x}\n", sum.finalize()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn sum_of(text: &str) -> u32 {
+        let mut sum = crc32fast::Hasher::new();
+        add_code(text, &mut sum);
+        sum.finalize()
+    }
+
+    #[test]
+    fn comments_are_not_code() {
+        let code = sum_of("        ai $3,$3,1\n        bi $lr\n");
+        assert_eq!(
+            code,
+            sum_of("# one more\n        ai $3,$3,1  # here\n\n        bi $lr\n")
+        );
+        assert_ne!(code, sum_of("        ai $3,$3,2\n        bi $lr\n"));
+    }
+
+    #[test]
+    fn the_images_are_those_of_the_sources() {
+        let folder = find().unwrap();
+        for formulations in Formulations::shipped() {
+            let image = fs::read(folder.join(file(&formulations))).unwrap();
+            assert!(image.starts_with(b"\x7fELF"));
+        }
+    }
 }

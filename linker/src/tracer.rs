@@ -3,9 +3,10 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
+use protocol::assembler;
 use protocol::formulation::Formulations;
 
-use crate::{Error, Image, Tools, file_error};
+use crate::{Error, Image, Tools, file_error, write};
 
 /// Folders below `spu/` that hold kernels.
 const KERNELS: [&str; 4] = ["isect", "shade", "shaders", "trace"];
@@ -47,4 +48,19 @@ pub fn tracer_with(shaders: &[PathBuf]) -> Result<Vec<u8>, Error> {
     let image = work.path().join("tracer.elf");
     program.build(&Tools::find()?, &work.path().join("objects"), &image)?;
     fs::read(&image).map_err(|source| file_error(&image, source))
+}
+
+/// Assembles one shader into an object, with the names of its registers, which the scheduler needs.
+///
+/// # Errors
+///
+/// As for [`tracer_with`].
+pub fn assemble_shader(shader: &Path, object: &Path) -> Result<(), Error> {
+    let temporary = std::env::temp_dir();
+    let work = tempfile::tempdir().map_err(|source| file_error(&temporary, source))?;
+    let constants = work.path().join(assembler::FILE);
+    write(&constants, &assembler::constants())?;
+    let includes = Path::new(env!("CARGO_MANIFEST_DIR")).join("spu/include");
+    let includes = [includes, work.path().to_path_buf()];
+    Tools::find()?.assemble(&includes, &[], object, shader)
 }

@@ -3,20 +3,61 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use clap::Args;
+use clap::{Args, ValueEnum};
 
 use super::Outcome;
 
 /// The sources that this program was built from.
 const SOURCES: &str = env!("CARGO_MANIFEST_DIR");
 
-const MAIN: &str = include_str!("new/main.rs");
+/// A game to begin with: one of the tutorial's, whose files the links in `new/` lead to.
+#[derive(Clone, Copy, Debug, Default, ValueEnum)]
+enum Template {
+    /// A ball that jumps
+    #[default]
+    Ball,
+    /// A ball to steer over a mirror, with a recorded session
+    Steer,
+    /// A planet with a shader of its own; needs an SPU assembler
+    Stripes,
+}
+
+impl Template {
+    /// Its files, by their paths in the game's folder.
+    fn files(self) -> &'static [(&'static str, &'static [u8])] {
+        match self {
+            Self::Ball => &[("src/main.rs", include_bytes!("new/ball.rs"))],
+            Self::Steer => &[
+                ("src/main.rs", include_bytes!("new/steer.rs")),
+                ("played.session", include_bytes!("new/played.session")),
+            ],
+            Self::Stripes => &[
+                ("src/main.rs", include_bytes!("new/stripes.rs")),
+                ("build.rs", include_bytes!("new/build.rs")),
+                ("shaders/stripes.s", include_bytes!("new/stripes.s")),
+            ],
+        }
+    }
+
+    /// The crates of cellray that it depends on, by their folders.
+    fn crates(self) -> &'static [(&'static str, &'static [(&'static str, &'static str)])] {
+        const GAME: (&str, &[(&str, &str)]) =
+            ("dependencies", &[("cellray", ""), ("cellray-play", "play")]);
+        match self {
+            Self::Ball | Self::Steer => &[GAME],
+            Self::Stripes => &[GAME, ("build-dependencies", &[("spu-build", "linker")])],
+        }
+    }
+}
 
 /// Make a folder with a game of your own, ready to run.
 #[derive(Args)]
 pub struct Arguments {
     /// Folder to make; its name is the game's
     folder: PathBuf,
+    /// The game to begin with
+    #[arg(long, value_enum, default_value_t)]
+    template: Template,
     /// Folder of cellray's sources that the game depends on [default: those that this program was
     /// built from]
     #[arg(long, value_name = "FOLDER", conflicts_with = "git")]
@@ -29,27 +70,22 @@ pub struct Arguments {
 pub fn run(arguments: &Arguments) -> Outcome {
     let folder = &arguments.folder;
     let name = package_name(folder)?;
-    let dependencies = arguments.dependencies()?;
     let manifest = format!(
-        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\n\
-         [dependencies]\n{dependencies}\n\
+        "[package]\nname = \"{name}\"\nversion = \"0.1.0\"\nedition = \"2024\"\n{}\n\
          # Without optimisation the emulated SPUs are slow.\n\
-         [profile.dev]\nopt-level = 2\n"
+         [profile.dev]\nopt-level = 2\n",
+        arguments.dependencies()?
     );
-    let failed = |path: &Path| {
-        let path = path.display().to_string();
-        move |error: std::io::Error| format!("{path}: {error}")
-    };
-    fs::create_dir(folder).map_err(failed(folder))?;
-    let sources = folder.join("src");
-    fs::create_dir(&sources).map_err(failed(&sources))?;
-    let files = [
-        (folder.join("Cargo.toml"), manifest.as_str()),
-        (folder.join(".gitignore"), "/target\n"),
-        (sources.join("main.rs"), MAIN),
+    let written = [
+        ("Cargo.toml", manifest.as_bytes()),
+        (".gitignore", b"/target\n".as_slice()),
     ];
-    for (path, text) in &files {
-        fs::write(path, text).map_err(failed(path))?;
+    fs::create_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    for (file, bytes) in written.iter().chain(arguments.template.files()) {
+        let path = folder.join(file);
+        let made = path.parent().map_or(Ok(()), fs::create_dir_all);
+        made.and_then(|()| fs::write(&path, bytes))
+            .map_err(|error| format!("{}: {error}", path.display()))?;
     }
     eprintln!(
         "cellray: made {0}; next: cd {0} && cargo run --release",
@@ -59,33 +95,39 @@ pub fn run(arguments: &Arguments) -> Outcome {
 }
 
 impl Arguments {
-    /// The lines of the manifest that name cellray's crates.
+    /// The parts of the manifest that name cellray's crates.
     fn dependencies(&self) -> Result<String, String> {
-        if let Some(address) = &self.git {
-            let address = toml_string(address)?;
-            return Ok(format!(
-                "cellray = {{ git = {address} }}\ncellray-play = {{ git = {address} }}\n"
-            ));
+        let mut text = String::new();
+        for (part, crates) in self.template.crates() {
+            text += &format!("\n[{part}]\n");
+            for (name, folder) in *crates {
+                text += &format!("{name} = {{ {} }}\n", self.source(folder)?);
+            }
         }
-        let path = self.path.clone().unwrap_or_else(|| PathBuf::from(SOURCES));
-        if !path.join("play/Cargo.toml").is_file() {
-            return Err(format!(
+        Ok(text)
+    }
+
+    /// Where a crate in this folder of cellray's sources is found.
+    fn source(&self, folder: &str) -> Result<String, String> {
+        if let Some(address) = &self.git {
+            return Ok(format!("git = {}", toml_string(address)?));
+        }
+        let sources = self.path.clone().unwrap_or_else(|| PathBuf::from(SOURCES));
+        let path = sources.join(folder);
+        let path = fs::canonicalize(&path)
+            .ok()
+            .filter(|path| path.join("Cargo.toml").is_file());
+        let path = path.ok_or_else(|| {
+            format!(
                 "{}: cellray's sources are not there; name their folder by --path or their \
                  repository by --git",
-                path.display()
-            ));
-        }
-        let path =
-            fs::canonicalize(&path).map_err(|error| format!("{}: {error}", path.display()))?;
-        let crate_at = |path: &Path| match path.to_str() {
-            Some(path) => toml_string(path),
+                sources.display()
+            )
+        })?;
+        match path.to_str() {
+            Some(path) => Ok(format!("path = {}", toml_string(path)?)),
             None => Err(format!("{}: the path is not UTF-8", path.display())),
-        };
-        Ok(format!(
-            "cellray = {{ path = {} }}\ncellray-play = {{ path = {} }}\n",
-            crate_at(&path)?,
-            crate_at(&path.join("play"))?
-        ))
+        }
     }
 }
 
