@@ -152,7 +152,7 @@ fn late_transfers_change_nothing() {
                 "render",
                 "sphereflake:3",
                 "--size",
-                "200x120",
+                "132x100",
                 "--frames",
                 "3",
                 "--out",
