@@ -14,7 +14,7 @@ use spu_isa::{Class, Instruction, Op};
 pub(crate) const LONGEST: usize = 64;
 
 /// A basic block.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Block {
     /// Address of its first instruction.
     pub start: u32,

@@ -43,44 +43,43 @@ impl DecodeCache {
         }
     }
 
-    /// The instruction in `word`, which was just fetched from `pc`: `Some(None)` if this machine
-    /// has none, `None` if another word was decoded here last.
-    #[inline]
-    pub fn get(&self, pc: u32, word: u32) -> Option<Option<Instruction>> {
-        let entry = &self.entries[index(pc)];
-        (entry.word == word).then_some(entry.instruction)
-    }
-
     /// Whether `word` is what was decoded at `pc` last.
+    #[inline]
     pub fn is_current(&self, pc: u32, word: u32) -> bool {
         self.entries[index(pc)].word == word
     }
 
+    /// What was decoded at `pc` last; `None` if this machine has no such instruction.
+    #[inline]
+    pub fn latest(&self, pc: u32) -> Option<Instruction> {
+        self.entries[index(pc)].instruction
+    }
+
     /// Decodes `word`, which was fetched from `pc`.
     #[cold]
-    pub fn decode(&mut self, pc: u32, word: u32) -> Option<Instruction> {
+    pub fn decode(&mut self, pc: u32, word: u32) {
         let at = index(pc);
-        let entry = Entry::of(word, self.double_extension);
-        self.entries[at] = entry;
+        self.entries[at] = Entry::of(word, self.double_extension);
         let (group, bit) = (&mut self.in_blocks[at / 64], 1 << (at % 64));
         if *group & bit != 0 {
             *group &= !bit;
             self.rewritings += 1;
         }
-        entry.instruction
     }
 
     /// The instruction in `word` at `pc`, which somebody remembers from now on.
     pub fn get_for_block(&mut self, pc: u32, word: u32) -> Option<Instruction> {
-        let known = self.get(pc, word);
-        let instruction = known.unwrap_or_else(|| self.decode(pc, word))?;
+        if !self.is_current(pc, word) {
+            self.decode(pc, word);
+        }
+        let instruction = self.latest(pc)?;
         self.remember(pc);
         Some(instruction)
     }
 
     /// Whether `instruction` is what was decoded at `pc` last. Then it is remembered again.
     pub fn has_for_block(&mut self, pc: u32, instruction: Instruction) -> bool {
-        let same = self.entries[index(pc)].instruction == Some(instruction);
+        let same = self.latest(pc) == Some(instruction);
         if same {
             self.remember(pc);
         }

@@ -105,8 +105,14 @@ impl Spu {
             }
             self.pc = pc;
             let word = local_store.load_word(pc);
-            let known = self.decoded.get(pc, word);
-            let Some(instruction) = known.unwrap_or_else(|| self.decoded.decode(pc, word)) else {
+            if !self.decoded.is_current(pc, word) {
+                self.decoded.decode(pc, word);
+                // With interrupts enabled, whoever came here again would ask for one twice.
+                if !self.interrupts_enabled {
+                    break Ended::Decoded;
+                }
+            }
+            let Some(instruction) = self.decoded.latest(pc) else {
                 let reason = Stop::InvalidInstruction(word);
                 break Ended::Stopped(Stopped {
                     reason,
@@ -114,10 +120,6 @@ impl Spu {
                     npc: pc,
                 });
             };
-            // With interrupts enabled, whoever came here again would be asked for one twice.
-            if known.is_none() && !self.interrupts_enabled {
-                break Ended::Decoded;
-            }
             observer.before_instruction(self, instruction);
             match execute(self, local_store, channels, pc, instruction) {
                 Flow::Next => {

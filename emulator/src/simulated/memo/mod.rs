@@ -16,7 +16,7 @@
 
 mod transition;
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::sync::Arc;
 
 use crate::interp::{Block, Spu};
@@ -54,7 +54,8 @@ pub(super) struct Memo {
     rules: Rules,
     states: Vec<KnownState>,
     numbers: HashMap<Arc<TimerState>, StateId>,
-    blocks: HashSet<Arc<Block>>,
+    /// By their addresses.
+    blocks: HashMap<u32, Vec<Arc<Block>>>,
     transitions: Vec<Transition>,
     /// States behind a hint, by the state before its target was told and the target.
     hinted: HashMap<(StateId, u32), StateId>,
@@ -149,12 +150,8 @@ impl Memo {
         local_store: &LocalStore,
     ) -> Option<TransitionId> {
         let block = spu.block(local_store)?;
-        let block = self.blocks.get(&block).cloned().unwrap_or_else(|| {
-            let block = Arc::new(block);
-            self.blocks.insert(Arc::clone(&block));
-            block
-        });
         let pc = block.start;
+        let block = self.shared(block);
         let start = Arc::clone(&self.states[from.0 as usize].state);
         let (mut transition, end) = Transition::new(&start, block, self.rules);
         transition.to = self.number(end);
@@ -170,6 +167,19 @@ impl Memo {
         }
         ways.push((pc, at));
         Some(at)
+    }
+
+    /// The block that is kept of those that are like this one.
+    fn shared(&mut self, block: Block) -> Arc<Block> {
+        let blocks = self.blocks.entry(block.start).or_default();
+        if let Some(known) = blocks.iter().find(|known| ***known == block) {
+            return Arc::clone(known);
+        }
+        let block = Arc::new(block);
+        // Code that is ever new is not looked for.
+        blocks.truncate(VERSIONS);
+        blocks.push(Arc::clone(&block));
+        block
     }
 
     /// The transition happens; gives the state behind it.

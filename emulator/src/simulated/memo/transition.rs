@@ -53,7 +53,7 @@ impl Transition {
     pub(super) fn new(start: &TimerState, block: Arc<Block>, rules: Rules) -> (Self, TimerState) {
         let mut timer = timer(start, rules);
         let before = timer.pipeline.clock();
-        let mut charging = Charging::default();
+        let mut charging = Charging::new(&timer.pipeline);
         for (pc, instruction) in block.instructions() {
             timer.issue(pc, instruction, &mut charging);
         }
@@ -128,25 +128,40 @@ fn state(timer: &Timer) -> TimerState {
 }
 
 /// Charges as [`Recording`] does, wherever the block's instructions stand in a profile.
-#[derive(Default)]
 struct Charging {
     issued: u8,
     joined: u64,
     charges: Vec<Charge>,
-    charged: Stalls,
+    /// The cycles that are charged, and those of them in which nothing issued.
+    clock: u64,
+    stalls: Stalls,
 }
 
 impl Charging {
+    fn new(pipeline: &Pipeline) -> Self {
+        Self {
+            issued: 0,
+            joined: 0,
+            charges: Vec::new(),
+            clock: pipeline.clock(),
+            stalls: pipeline.account().stalls().clone(),
+        }
+    }
+
     fn charge(&mut self, pipeline: &Pipeline) {
+        if pipeline.clock() == self.clock {
+            return;
+        }
         let stalls = pipeline.account().stalls();
-        let passed = stalls.since(&self.charged).by_cost();
-        self.charges
-            .extend(passed.into_iter().map(|(cause, cycles)| Charge {
-                to: self.issued,
-                cause,
-                cycles,
-            }));
-        self.charged = stalls.clone();
+        let charge = |(cause, cycles)| Charge {
+            to: self.issued,
+            cause,
+            cycles,
+        };
+        let passed = stalls.since(&self.stalls).by_cost();
+        self.charges.extend(passed.into_iter().map(charge));
+        self.stalls = stalls.clone();
+        self.clock = pipeline.clock();
     }
 }
 
@@ -154,6 +169,7 @@ impl Recorder for Charging {
     fn issued(&mut self, _: u32, _: Instruction, issue: &Issue, pipeline: &Pipeline) {
         self.joined |= u64::from(issue.dual) << self.issued;
         self.issued += 1;
+        self.clock += u64::from(!issue.dual);
         self.charge(pipeline);
     }
 
