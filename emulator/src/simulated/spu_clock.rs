@@ -208,7 +208,7 @@ impl SpuClock {
         let begun = Begun {
             from,
             transition: at,
-            length: transition.length(),
+            length: transition.length.into(),
             hint: transition.hint,
         };
         if begun.length > most || !may_pass(self.now() + cycles) {
@@ -239,7 +239,7 @@ impl SpuClock {
     #[cold]
     pub(super) fn cut_short(&mut self, begun: Begun, ran: u64) {
         let transition = self.memo.transition(begun.transition);
-        let block = Arc::clone(&transition.block);
+        let block = Arc::clone(transition.block());
         self.memo.undo(begun.transition);
         self.state = None;
         self.settle_at(begun.from);

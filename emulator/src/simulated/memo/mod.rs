@@ -14,6 +14,7 @@
 //! Invariant: a transition's block is what the interpreter had decoded when
 //! [`Spu::rewritings`] was the transition's.
 
+mod hasher;
 mod transition;
 
 use std::collections::HashMap;
@@ -23,6 +24,7 @@ use crate::interp::{Block, Spu};
 use crate::local_store::LocalStore;
 use crate::profile::Recording;
 use crate::timer::{Timer, TimerState};
+use hasher::Mixing;
 use spu_isa::timing::{Passage, Rules};
 use transition::Transition;
 
@@ -53,12 +55,12 @@ struct KnownState {
 pub(super) struct Memo {
     rules: Rules,
     states: Vec<KnownState>,
-    numbers: HashMap<Arc<TimerState>, StateId>,
+    numbers: HashMap<Arc<TimerState>, StateId, Mixing>,
     /// By their addresses.
-    blocks: HashMap<u32, Vec<Arc<Block>>>,
+    blocks: HashMap<u32, Vec<Arc<Block>>, Mixing>,
     transitions: Vec<Transition>,
     /// States behind a hint, by the state before its target was told and the target.
-    hinted: HashMap<(StateId, u32), StateId>,
+    hinted: HashMap<(StateId, u32), StateId, Mixing>,
     /// Transitions that have happened since the last [`settle`](Self::settle).
     happened: Vec<TransitionId>,
 }
@@ -72,6 +74,7 @@ impl Memo {
     }
 
     /// Whether there is no room for another state and another transition.
+    #[inline]
     pub fn is_full(&self) -> bool {
         self.states.len().max(self.transitions.len()) + 2 > ROOM
     }
@@ -134,7 +137,7 @@ impl Memo {
         let pc = spu.pc();
         for &(address, at) in &self.states[from.0 as usize].ways {
             let transition = &mut self.transitions[at.0 as usize];
-            if address == pc && spu.has_decoded(&transition.block) {
+            if address == pc && spu.has_decoded(transition.block()) {
                 transition.rewritings = spu.rewritings();
                 return Some(at);
             }

@@ -26,21 +26,28 @@ struct Charge {
     cycles: u64,
 }
 
-/// A block from a state on.
-#[derive(Clone, Debug)]
+/// A block from a state on. What each passage of the block asks for lies in one cache line.
+#[derive(Debug)]
 pub(in super::super) struct Transition {
     /// [`Spu::rewritings`](crate::interp::Spu::rewritings) when the block was last compared.
     pub(super) rewritings: u64,
-    /// The state behind it.
-    pub(super) to: StateId,
     /// How often it has happened since it was last settled.
     pub(super) count: u64,
     /// What it adds to the clock.
     pub cycles: u64,
+    /// The state behind it.
+    pub(super) to: StateId,
+    /// Instructions of the block.
+    pub length: u32,
     /// The hint by a register that ends the block.
     pub hint: Option<Instruction>,
-    /// The block.
-    pub block: Arc<Block>,
+    details: Box<Details>,
+}
+
+/// What makes up a transition's cycles.
+#[derive(Debug)]
+struct Details {
+    block: Arc<Block>,
     /// The last instruction before it, and its address.
     previous: (u32, Instruction),
     /// Which instructions joined the ones before them, from the lowest bit on.
@@ -59,29 +66,31 @@ impl Transition {
         }
         let transition = Self {
             rewritings: 0,
-            to: StateId(0),
             count: 0,
             cycles: timer.pipeline.clock() - before,
+            to: StateId(0),
+            length: block.instructions.len() as u32,
             hint: Some(block.last()).filter(|last| hints_by_register(*last)),
-            block,
-            previous: start.previous,
-            joined: charging.joined,
-            charges: charging.charges.into(),
+            details: Box::new(Details {
+                block,
+                previous: start.previous,
+                joined: charging.joined,
+                charges: charging.charges.into(),
+            }),
         };
         (transition, state(&timer))
     }
 
-    /// Instructions of the block.
-    #[inline]
-    pub fn length(&self) -> u64 {
-        self.block.instructions.len() as u64
+    /// The block.
+    pub fn block(&self) -> &Arc<Block> {
+        &self.details.block
     }
 
     /// Adds what it does in `count` times.
     pub(super) fn pass(&self, count: u64, passage: &mut Passage) {
-        passage.instructions += count * self.length();
-        passage.joined += count * u64::from(self.joined.count_ones());
-        for charge in &self.charges {
+        passage.instructions += count * u64::from(self.length);
+        passage.joined += count * u64::from(self.details.joined.count_ones());
+        for charge in &self.details.charges {
             passage.stalls.add(charge.cause, count * charge.cycles);
         }
     }
@@ -91,15 +100,21 @@ impl Transition {
         if count == 0 {
             return;
         }
-        for (at, (pc, instruction)) in self.block.instructions().enumerate() {
+        let Details {
+            block,
+            previous,
+            joined,
+            charges,
+        } = &*self.details;
+        for (at, (pc, instruction)) in block.instructions().enumerate() {
             let tally = recording.tally(pc, instruction);
             tally.issued += count;
-            tally.joined += count * (self.joined >> at & 1);
+            tally.joined += count * (joined >> at & 1);
         }
-        for charge in &self.charges {
+        for charge in charges {
             let (pc, instruction) = match charge.to {
-                0 => self.previous,
-                at => self.block.instruction(usize::from(at) - 1),
+                0 => *previous,
+                at => block.instruction(usize::from(at) - 1),
             };
             let stalls = &mut recording.tally(pc, instruction).stalls;
             stalls.add(charge.cause, count * charge.cycles);
