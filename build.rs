@@ -1,6 +1,7 @@
-//! Builds the SPU programs, one of each set of formulations that is shipped, and embeds them; for
-//! the console's target, also libraries of nothing but names to link against: libspe2's and the C
-//! library's. Every switch is listed in `docs/build-options.md`.
+//! Embeds the SPU programs, one for each set of formulations that is shipped. They are built where
+//! there is an SPU assembler; elsewhere those that come with the sources are taken. For the
+//! console's target it also makes the libraries to link against, which have nothing but the names
+//! of libspe2 and of the C library. Every switch is listed in `docs/build-options.md`.
 
 use std::env;
 use std::fmt::Write as _;
@@ -9,7 +10,7 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use protocol::formulation::Formulations;
-use spu_build::{Script, Tools, script, stub, tracer};
+use spu_build::{Script, Tools, prebuilt, script, stub, tracer};
 
 type Outcome<T> = Result<T, Box<dyn std::error::Error>>;
 
@@ -18,19 +19,22 @@ fn main() -> ExitCode {
 }
 
 fn build(script: &mut Script) -> Outcome<()> {
-    let root = PathBuf::from(env::var("CARGO_MANIFEST_DIR")?);
     let out = PathBuf::from(env::var("OUT_DIR")?);
     script.watch(Path::new("build.rs"));
 
     script.watch_variable("CELLRAY_SPU_IMAGES");
     let images = match env::var_os("CELLRAY_SPU_IMAGES") {
         Some(ready) => ready_images(Path::new(&ready), script)?,
-        None => spu_programs(&out, script)?,
+        None => match Tools::find() {
+            Ok(tools) => spu_programs(&tools, &out, script)?,
+            Err(no_tool) if Tools::are_named() => return Err(no_tool.into()),
+            Err(no_tool) => prebuilt_images(no_tool, script)?,
+        },
     };
     fs::write(out.join("images.rs"), table(&images)?)?;
 
     if env::var("CARGO_CFG_TARGET_ARCH")? == "powerpc64" {
-        stubs(&root, &out, script)?;
+        stubs(&out, script)?;
     }
     Ok(())
 }
@@ -38,32 +42,36 @@ fn build(script: &mut Script) -> Outcome<()> {
 /// A program of each set of formulations, the standard one first.
 type Images = Vec<(Formulations, PathBuf)>;
 
-fn image_file(formulations: &Formulations) -> String {
-    format!("cellray-spu-{}.elf", formulations.name())
-}
-
-fn spu_programs(out: &Path, script: &mut Script) -> Outcome<Images> {
+fn spu_programs(tools: &Tools, out: &Path, script: &mut Script) -> Outcome<Images> {
     // Also for a scheduled version that comes to a kernel.
     script.watch(Path::new("spu"));
     let program = tracer()?;
     script.watch_image(&program)?;
-    let tools = Tools::find()?;
     let work = out.join("objects");
-    let objects = program.assemble(&tools, &work)?;
+    let objects = program.assemble(tools, &work)?;
     let mut images = Vec::new();
     for formulations in Formulations::shipped() {
-        let image = out.join(image_file(&formulations));
+        let image = out.join(prebuilt::file(&formulations));
         let program = program.clone().formulations(formulations);
-        program.link(&tools, &work, &objects, &image)?;
+        program.link(tools, &work, &objects, &image)?;
         images.push((formulations, image));
     }
     Ok(images)
 }
 
+/// The programs that come with the sources, for a machine without an SPU assembler. Sources that
+/// have changed need one.
+fn prebuilt_images(no_tool: spu_build::Error, script: &mut Script) -> Outcome<Images> {
+    script.watch(Path::new("spu"));
+    script.watch_image(&tracer()?)?;
+    let folder = prebuilt::find().map_err(|stale| format!("{stale}\n{no_tool}"))?;
+    ready_images(&folder, script)
+}
+
 /// The programs that an earlier build has left in its folder of output.
 fn ready_images(folder: &Path, script: &mut Script) -> Outcome<Images> {
     let ready = |formulations| {
-        let image = folder.join(image_file(&formulations));
+        let image = folder.join(prebuilt::file(&formulations));
         script.watch(&image);
         fs::metadata(&image).map_err(|error| format!("{}: {error}", image.display()))?;
         Ok((formulations, image))
@@ -88,17 +96,14 @@ fn table(images: &Images) -> Outcome<String> {
 /// Links the console's program, and whatever depends on this crate, against the names of libspe2
 /// alone, so that no PS3 sysroot is needed, and against those of an old C library, so that an old
 /// system runs it.
-fn stubs(root: &Path, out: &Path, script: &mut Script) -> Outcome<()> {
-    let list = root.join("linker/libspe2.symbols");
-    script.watch(&list);
+fn stubs(out: &Path, script: &mut Script) -> Outcome<()> {
     let compiler = stub::compiler(script);
     let folder = out.join("stub");
     fs::create_dir_all(&folder)?;
-    let text = fs::read_to_string(&list).map_err(|error| format!("{}: {error}", list.display()))?;
     stub::build(
         &compiler,
         "libspe2.so.2",
-        &stub::names(&text),
+        &stub::names(stub::LIBSPE2),
         &folder.join("libspe2.so"),
     )?;
     stub::glibc::build(&compiler, &folder)?;

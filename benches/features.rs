@@ -95,13 +95,13 @@ fn features() -> Vec<Without> {
             ..EVERYTHING
         },
         Without {
-            name: "eye rays only: depth 1",
+            name: "primary rays only: depth 1",
             options: &["--ray-depth", "1"],
             depth: 1,
             ..EVERYTHING
         },
         Without {
-            name: "eye rays, one light, no shadows, no highlights",
+            name: "primary rays, one light, no shadows, no highlights",
             change: |scene| {
                 scene.lights.truncate(1);
                 lambert(scene);

@@ -1,4 +1,4 @@
-# What the scripts of ci/ share: where the tools are, and how a script speaks. Sourced, not run.
+# The common part of the scripts in ci/: the places of the tools, and messages. Scripts source this file.
 # shellcheck shell=bash
 
 set -euo pipefail
@@ -7,9 +7,9 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$top"
 
 ppc64=powerpc64-unknown-linux-gnu
-# build.rs looks for the SPU tools here too, after the variables and PATH.
+# build.rs looks for the SPU tools here, too, after the variables and PATH.
 spu_binutils=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-binutils
-# A kernel of the distribution, unpacked, for the machine that ci/fbdev runs.
+# The distribution's kernel, unpacked, for the machine that ci/fbdev runs.
 linux=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/linux
 out=$top/target/ci
 
@@ -17,7 +17,7 @@ say() { printf '== %s\n' "$*" >&2; }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 have() { command -v "$1" >/dev/null 2>&1; }
 
-# The SPU tool NAME (as, ld, objdump, ...): by variable, by name on PATH, or from the cache.
+# Prints the path of the SPU tool NAME (as, ld, objdump, ...): from its variable, from PATH, or from the cache.
 spu_tool() {
     local name=$1 variable candidate
     variable=SPU_$(printf '%s' "$name" | tr '[:lower:]' '[:upper:]')
@@ -30,14 +30,14 @@ spu_tool() {
     return 1
 }
 
-# The kernel in $linux.
+# Prints the path of the kernel in $linux.
 linux_image() {
     local image
     image=$(ls "$linux"/boot/vmlinuz-* 2>/dev/null | tail -1)
     [ -n "$image" ] && printf '%s\n' "$image"
 }
 
-# Runs a step and says how long it took.
+# Runs a step and reports how long it took.
 step() {
     local what=$1 start=$SECONDS
     shift
@@ -46,6 +46,6 @@ step() {
     say "$what: $((SECONDS - start)) s"
 }
 
-# This machine's programs as the tests have them: optimised, too, and built with the tests, once.
+# The host's programs from the tests' build. They are optimised, too, and so nothing is built twice.
 host=${CARGO_TARGET_DIR:-$top/target}/debug
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }

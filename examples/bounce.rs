@@ -11,7 +11,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 use cellray::game::{
-    DVec3, DepthShading, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId,
+    DVec3, DepthShading, FixedSteps, Frame, FrameRange, Game, Material, NoInput, ObjectId,
     Pictures, Session, Start, World, WorldError,
 };
 
@@ -48,10 +48,10 @@ impl Game for Bounce {
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
         // Four jumps from left to right, each a parabola.
-        let across = moment.time / (4.0 * JUMP) % 1.0;
-        let jump = moment.time / JUMP % 1.0;
+        let across = frame.time / (4.0 * JUMP) % 1.0;
+        let jump = frame.time / JUMP % 1.0;
         let height = RADIUS + 6.0 * jump * (1.0 - jump);
         world.move_to(self.ball, DVec3::new(across * 8.0 - 4.0, height, 0.0))
     }

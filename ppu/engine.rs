@@ -1,4 +1,4 @@
-//! The SPUs: started once, mailed every frame.
+//! The engine starts the SPUs once, and mails every frame to them.
 
 mod error;
 mod records;
@@ -13,7 +13,7 @@ use zerocopy::FromZeros as _;
 pub use self::error::EngineError;
 use self::records::Records;
 pub use self::settings::Settings;
-pub use self::silence::{Doing, Silence};
+pub use self::silence::{Activity, Silence};
 use self::spus::Spus;
 pub use self::unchecked::Unchecked;
 use crate::framebuffer::{self, Framebuffer};
@@ -24,7 +24,7 @@ use crate::work::{self, Order, Plan, Policy, Size, Skip};
 use protocol::formulation::EyeRecord;
 use protocol::layout::{Frame, MAX_SPUS, Statistics, UnitCost};
 
-/// How a program takes spheres; one that does not name its formulations takes them as they are.
+/// The form of spheres that a program expects: their centres, if it doesn't name its formulations.
 fn eye_record(program: &Program) -> Result<EyeRecord, ProgramError> {
     match program.formulations() {
         Ok(formulations) => Ok(formulations.eye.record),
@@ -37,13 +37,14 @@ fn eye_record(program: &Program) -> Result<EyeRecord, ProgramError> {
 pub struct Engine {
     // Dropped first: they may still write to the records.
     spus: Spus,
-    /// `None` once an SPU was lost that may still write there.
+    /// `None` after an SPU was lost, because it may still write there.
     records: Option<Records>,
     settings: Settings,
     record: EyeRecord,
     number: u32,
     plan: Plan,
-    /// The SPUs' answers to the last frame, as they lay in memory and as they are given out.
+    /// The SPUs' answers to the last frame, in their format; `statistics` has them in the
+    /// caller's.
     lines: Vec<Statistics>,
     costs: Vec<UnitCost>,
     statistics: FrameStatistics,
@@ -51,6 +52,11 @@ pub struct Engine {
 
 impl Engine {
     /// Creates the SPE contexts, loads the program into each and starts it on a thread of its own.
+    ///
+    /// # Errors
+    /// - The number of SPUs is 0, or above [`MAX_SPUS`].
+    /// - The program's table of formulations is damaged.
+    /// - libspe2 or the system fails.
     pub fn start(
         settings: Settings,
         framebuffer: Box<dyn Framebuffer>,
@@ -72,20 +78,25 @@ impl Engine {
         })
     }
 
-    /// The framebuffer; `None` once an SPU was lost that may still write there.
+    /// The framebuffer; `None` after an SPU was lost, because it may still write there.
+    ///
+    /// The next frame is traced completely, because the caller may draw.
     pub fn framebuffer(&mut self) -> Option<&mut dyn Framebuffer> {
-        // Who asks may draw there.
+        // The caller may draw there.
         self.plan.forget_pages();
         Some(self.records.as_mut()?.framebuffer.as_mut())
     }
 
-    /// The frame that the framebuffer shows, where it can be read back.
+    /// The frame that the framebuffer shows, or `None` if it can't be read back.
     #[must_use]
     pub fn picture(&self) -> Option<RgbImage> {
         self.records.as_ref()?.framebuffer.picture()
     }
 
-    /// Shows frames elsewhere from now on; gives the framebuffer that they were shown on.
+    /// Shows frames on another framebuffer from now on, and returns the previous one.
+    ///
+    /// # Errors
+    /// The SPUs were lost by an earlier error.
     pub fn show_on(
         &mut self,
         framebuffer: Box<dyn Framebuffer>,
@@ -95,15 +106,20 @@ impl Engine {
         Ok(records.show_on(framebuffer))
     }
 
-    /// What the SPUs said of the last frame.
+    /// The SPUs' statistics of the last frame.
     #[must_use]
     pub fn statistics(&self) -> &FrameStatistics {
         &self.statistics
     }
 
-    /// Traces a frame into the framebuffer and presents it; what the framebuffer already shows is
-    /// not traced again. `progress` is told from time to time which part of the frame is done, 0
-    /// to 1.
+    /// Traces a frame into the framebuffer and presents it. Tiles that the framebuffer already
+    /// shows are not traced again. `progress` is called from time to time with the part of the
+    /// frame that is done, 0 to 1.
+    ///
+    /// # Errors
+    /// - The camera can't be made for the framebuffer's size.
+    /// - An SPU refuses the frame, ends, or doesn't answer; see [`EngineError`].
+    /// - The framebuffer can't present the frame.
     pub fn render(
         &mut self,
         scene: &Scene,
@@ -155,11 +171,11 @@ impl Engine {
                 check_shaders: self.settings.check_shaders,
             });
             // SAFETY: all addresses are those of records that the engine keeps as long as its SPUs
-            // run, the target is the framebuffer's own, and sizes and counts are theirs.
+            // run; the target is the framebuffer's; and the sizes and counts match them.
             unsafe { self.exchange_frame(&frame, progress)? };
         }
         self.statistics.read(&self.lines, size);
-        let traced = self.statistics.eye_rays();
+        let traced = self.statistics.primary_rays();
         if traced != size.pixels {
             return Err(EngineError::Incomplete {
                 traced,
@@ -176,13 +192,17 @@ impl Engine {
         Ok(())
     }
 
-    /// Sends a descriptor as it is and waits for every SPU's answer. What the framebuffer shows
-    /// counts as unknown from then on.
+    /// Sends a frame's record unchanged, and waits for every SPU's answer. Afterwards the contents
+    /// of the framebuffer count as unknown.
+    ///
+    /// # Errors
+    /// An SPU refuses the frame, ends, or doesn't answer.
     ///
     /// # Safety
     ///
-    /// The SPUs write where the descriptor says: its addresses must be those of memory that
-    /// nothing else uses until this returns; after [`EngineError::Silent`], ever.
+    /// The SPUs write to the addresses in the record. They must be those of memory that nothing
+    /// else uses until this returns; after [`EngineError::Silent`], nothing else may use it ever
+    /// again.
     pub unsafe fn submit(
         &mut self,
         frame: &Frame,
@@ -195,11 +215,11 @@ impl Engine {
         Ok(&self.statistics)
     }
 
-    /// [`Engine::submit`], up to the SPUs' statistics lines.
+    /// Does what [`Engine::submit`] does, up to reading the SPUs' statistics lines.
     ///
     /// # Safety
     ///
-    /// As there.
+    /// As for [`Engine::submit`].
     unsafe fn exchange_frame(
         &mut self,
         frame: &Frame,
@@ -214,11 +234,15 @@ impl Engine {
         Ok(())
     }
 
-    /// Mails an address to every SPU as that of `frame`, and waits for the answers.
+    /// Mails `address` to every SPU as the address of `frame`, and waits for the answers.
+    ///
+    /// # Errors
+    /// An SPU refuses the frame, ends, or doesn't answer.
     ///
     /// # Safety
     ///
-    /// As [`Engine::submit`]; and `address` may be one that the SPUs refuse, or that of `frame`.
+    /// As for [`Engine::submit`]. In addition, `address` must be that of `frame`, or one that the
+    /// SPUs refuse.
     pub unsafe fn mail(
         &mut self,
         address: u64,
@@ -229,7 +253,7 @@ impl Engine {
         self.mail_watched(address, frame, progress)
     }
 
-    /// Mails an address to every SPU and waits for the answers; gives the SPUs up if they are
+    /// Mails an address to every SPU and waits for the answers. Abandons the SPUs if they are
     /// lost.
     fn mail_watched(
         &mut self,
@@ -240,17 +264,17 @@ impl Engine {
         let records = self.records.as_ref().ok_or(EngineError::Lost)?;
         let spus = &mut self.spus;
         let outcome = spus.exchange(address, frame, records, &self.settings, progress);
-        // Where libspe2 fails, nobody knows what the SPUs are doing.
+        // After libspe2 has failed, the state of the SPUs is unknown.
         if let Err(EngineError::Silent { .. } | EngineError::Spe(_)) = outcome {
             self.abandon();
         }
         outcome
     }
 
-    /// Gives up the SPUs, and all memory that they may still write to. The screen is given back
-    /// now: whoever would do it is left, too.
+    /// Abandons the SPUs, and leaks all memory that they may still write to. The screen is
+    /// restored now, because the framebuffer that would restore it later is leaked too.
     fn abandon(&mut self) {
-        framebuffer::put_back();
+        framebuffer::restore_screen();
         std::mem::forget(self.records.take());
         self.spus.abandon();
     }

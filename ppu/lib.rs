@@ -1,18 +1,18 @@
 //! cellray: an interactive ray tracer for the Cell Broadband Engine under PS3 Linux.
 //!
-//! This is the PPU's part. A [`Scene`] is handed, frame by frame, to an [`Engine`], whose SPUs
-//! trace it and write finished rows straight into a [`framebuffer`]. What answers below the
-//! libspe2 calls in [`spe`], a console's SPEs or emulated ones, this crate does not know.
+//! This is the PPU's part. Frame by frame, an [`Engine`] receives a [`Scene`]; its SPUs trace the
+//! scene and write finished rows directly into a [`framebuffer`]. Whether the libspe2 calls in
+//! [`spe`] reach a console's SPEs or emulated ones is decided at link time; this crate can't tell.
 //!
 //! A game changes a [`World`](game::World) from frame to frame and leaves the rest to a
-//! [`Session`](game::Session). A ball that jumps, as numbered pictures:
+//! [`Session`](game::Session). This example renders a bouncing ball as numbered pictures:
 //!
 //! ```
 //! use std::time::Duration;
 //!
 //! use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 //! use cellray::game::{
-//!     DVec3, FixedSteps, FrameRange, Game, Material, Moment, NoInput, ObjectId, Pictures, Session,
+//!     DVec3, FixedSteps, Frame, FrameRange, Game, Material, NoInput, ObjectId, Pictures, Session,
 //!     Start, World, WorldError,
 //! };
 //!
@@ -24,8 +24,8 @@
 //!         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
 //!         Ok(())
 //!     }
-//!     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-//!         let part = moment.time % 1.0;
+//!     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+//!         let part = frame.time % 1.0;
 //!         world.move_to(self.0, DVec3::Y * 8.0 * part * (1.0 - part))
 //!     }
 //! }
@@ -44,12 +44,14 @@
 pub mod engine;
 pub mod framebuffer;
 pub mod game;
+pub mod prelude;
 pub mod quality;
 mod report;
 pub mod scene;
 mod shared;
 pub mod spe;
 pub mod statistics;
+pub mod watch;
 pub mod work;
 
 pub use engine::{Engine, EngineError, Settings};

@@ -1,21 +1,22 @@
-//! Three points on the front of run time against error that `docs/accuracy.md` measures.
+//! Three qualities: points on the Pareto front of run time and error that `docs/accuracy.md`
+//! measures.
 
 use protocol::formulation::Formulations;
 
-/// How much run time is given for how little error.
+/// A trade-off between run time and error.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Quality {
-    /// The fastest whose pictures are right to a step of a colour.
+    /// The fastest formulations with pictures that are right to a step of a colour.
     Fast,
-    /// The fastest that keeps distances to 2 units in the last place.
+    /// The fastest formulations with distances that are right to 2 units in the last place.
     #[default]
     Default,
-    /// The least error, in double precision.
+    /// The formulations with the least error, in double precision.
     Exact,
 }
 
 impl Quality {
-    /// The formulations of that point.
+    /// The formulations of this quality.
     #[must_use]
     pub fn formulations(self) -> Formulations {
         match self {

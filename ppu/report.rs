@@ -1,4 +1,5 @@
-//! Frames of one scene, summed up: what `--stats` writes and a run says at its end.
+//! The report of a run: the statistics of its frames, added up. `--stats` writes it as JSON, and a
+//! run prints it at its end.
 
 mod loop_time;
 mod memory;
@@ -13,56 +14,58 @@ use protocol::formulation::Formulations;
 
 pub use loop_time::LoopTime;
 
-/// Ticks of the decrementer a second on a PlayStation 3, in the emulator too.
+/// Ticks a second of the decrementer on a PlayStation 3, and in the emulator.
 const PS3_TIMEBASE: f64 = 79_800_000.0;
-/// Frames a second that a television shows.
+/// A television's frames a second.
 const TELEVISION: f64 = 60.0;
 
-/// A run's frames; its JSON is what `--stats` writes. Times are in seconds.
+/// The statistics of a run's frames, added up; `--stats` writes them as JSON. Times are in
+/// seconds.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
-    /// The scene.
+    /// Name of the scene.
     pub scene: String,
-    /// The formulations by which rays were intersected, if the SPU program names them.
+    /// The formulations that rays were intersected with, if the SPU program names them.
     pub formulations: Option<Intersected>,
-    /// Pixels across.
+    /// Width of the picture in pixels.
     pub width: u32,
-    /// Pixels down.
+    /// Height of the picture in pixels.
     pub height: u32,
-    /// SPUs used.
+    /// Number of SPUs.
     pub spus: u32,
-    /// Frames shown.
+    /// Number of frames that were shown.
     pub frames: u32,
-    /// Of these, those of which anything was traced; the others already were where they go.
+    /// Number of frames with anything to trace; the others were already in the framebuffer.
     pub frames_traced: u32,
-    /// Seconds of the host's clock that passed in the frame loop.
+    /// Time spent in the frame loop, in seconds of the host's clock.
     pub host_seconds: f64,
-    /// What of them the loop's thread had on its processor. Emulated SPUs run in threads of their
-    /// own, which are not in it.
+    /// Processor time of the loop's thread in `host_seconds`. Emulated SPUs run in threads of their
+    /// own, which don't count here.
     pub loop_seconds: f64,
     /// Part of `host_seconds` in which the loop's thread slept, in per cent.
     pub loop_free_percent: f64,
-    /// Most bytes of memory that the program has had at a time, emulated SPUs included, if it was
-    /// asked for.
+    /// Peak memory use of the program in bytes, including emulated SPUs;
+    /// [`Report::add_memory`] measures it.
     pub peak_bytes: Option<u64>,
-    /// Frames traced a second by the SPUs' decrementers: the console's time on a console.
+    /// Traced frames a second, measured by the SPUs' decrementers: the console's time on a console.
     pub frames_per_second: f64,
-    /// Part of the time that the SPUs were at work in, until the slowest of each frame was done: 1
-    /// if none ever waited for another or for a transfer.
+    /// Part of the frames' time in which the SPUs were at work, from 0 to 1. A frame's time is that
+    /// of its slowest SPU. It is 1 if no SPU ever waited for another or for a transfer.
     pub busy_share: f64,
-    /// Largest part of its frames' time that an SPU waited for the MFC.
+    /// Part of the frames' time in which an SPU waited for the MFC, from 0 to 1; the largest of all
+    /// SPUs.
     pub dma_wait_share: f64,
-    /// Per SPU.
+    /// The SPUs, in the order of their numbers.
     pub spu: Vec<SpuReport>,
-    /// Time at work of all SPUs, by what was done.
+    /// Time at work of all SPUs, by phase.
     pub phases: Phases<f64>,
     /// Rays by kind.
     pub rays: Rays,
-    /// Tests of one ray with one object, and of groups of rays.
+    /// Tests of single rays with single objects, and of groups of rays.
     pub tests: Tests,
-    /// Tiles by what became of them.
+    /// Tiles by how they were handled.
     pub tiles: Tiles,
-    /// Packets by what became of them.
+    /// Packets by how they were handled.
     pub packets: Packets,
     #[serde(skip)]
     timebase: f64,
@@ -70,62 +73,63 @@ pub struct Report {
     ticks: u64,
 }
 
-/// By which formulations rays were intersected.
+/// The formulations that rays were intersected with.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Intersected {
-    /// The eye's rays with spheres.
+    /// Name of the formulation for primary rays and spheres.
     pub spheres: &'static str,
-    /// All rays with triangles.
+    /// Name of the formulation for all rays and triangles.
     pub triangles: &'static str,
 }
 
-/// One SPU over all frames.
+/// The statistics of one SPU over all frames. Times are in seconds.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct SpuReport {
-    /// At work.
+    /// Time at work.
     pub busy: f64,
-    /// Waiting for the MFC.
+    /// Time waiting for the MFC.
     pub dma_wait: f64,
-    /// Waiting for a frame.
+    /// Time waiting for a frame.
     pub idle: f64,
-    /// `busy` in per cent of all three.
+    /// `busy` in per cent of all three times.
     pub busy_percent: f64,
-    /// `dma_wait` in per cent of all three.
+    /// `dma_wait` in per cent of all three times.
     pub dma_wait_percent: f64,
-    /// `idle` in per cent of all three.
+    /// `idle` in per cent of all three times.
     pub idle_percent: f64,
-    /// Tiles traced or filled.
+    /// Number of tiles that were traced or filled.
     pub tiles: u64,
-    /// Packets of 16 rays traced or filled.
+    /// Number of packets of 16 rays that were traced or filled.
     pub packets: u64,
-    /// `busy` by what was done.
+    /// `busy` by phase.
     pub phases: Phases<f64>,
 }
 
-/// Tiles by what became of them.
+/// Numbers of tiles by how they were handled.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Tiles {
-    /// Traced.
+    /// Tiles that were traced.
     pub traced: u64,
-    /// Filled with the background: nothing can be seen in them.
+    /// Tiles that were filled with the background, because no object is visible in them.
     pub filled: u64,
-    /// Of these, not sent: they showed the background before.
+    /// Filled tiles that were not written, because they showed the background before.
     pub blank: u64,
-    /// Left alone: they already showed what they should.
+    /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub retained: u64,
 }
 
-/// Packets by what became of them.
+/// Numbers of packets by how they were handled.
 #[derive(Clone, Copy, Debug, Default, Serialize)]
 pub struct Packets {
-    /// Traced.
+    /// Packets that were traced.
     pub traced: u64,
-    /// Filled with the background: nothing can be seen in them.
+    /// Packets that were filled with the background, because no object is visible in them.
     pub filled: u64,
 }
 
 impl Report {
-    /// A report on a scene at a size, with no frames as yet.
+    /// A report without frames, for a scene, a size of width and height in pixels, and a number of
+    /// SPUs.
     #[must_use]
     pub fn new(scene: &str, (width, height): (u32, u32), spus: u32) -> Self {
         Self {
@@ -154,7 +158,7 @@ impl Report {
         }
     }
 
-    /// Says by which of a program's formulations the rays of a scene are intersected.
+    /// Records which of a program's formulations intersect the rays of a scene.
     #[must_use]
     pub fn intersected(mut self, scene: &Scene, formulations: Option<Formulations>) -> Self {
         self.formulations = formulations.map(|formulations| Intersected {
@@ -164,7 +168,7 @@ impl Report {
         self
     }
 
-    /// Adds the time since a moment of this thread.
+    /// Adds the time since `began`, which must be a time of this thread.
     pub fn add_time_since(&mut self, began: LoopTime) {
         let (passed, processor) = began.until_now();
         self.host_seconds += passed.as_secs_f64();
@@ -175,18 +179,18 @@ impl Report {
         }
     }
 
-    /// Asks the system how much memory the program has had.
+    /// Records the program's peak memory use, as the system reports it.
     pub fn add_memory(&mut self) {
         self.peak_bytes = memory::peak_bytes();
     }
 
-    /// Time of the loop's thread on its processor for one frame.
+    /// Processor time of the loop's thread for one frame, in seconds.
     #[must_use]
     pub fn loop_seconds_a_frame(&self) -> f64 {
         self.loop_seconds / f64::from(self.frames.max(1))
     }
 
-    /// Adds a frame.
+    /// Adds a frame's statistics.
     pub fn add(&mut self, frame: &FrameStatistics) {
         self.frames += 1;
         self.frames_traced += u32::from(frame.is_traced());
@@ -213,7 +217,7 @@ impl Report {
         self.share();
     }
 
-    /// Brings the quotients up to the sums.
+    /// Computes the quotients from the sums.
     fn share(&mut self) {
         let part = |of: f64, all: f64| if all > 0.0 { of / all } else { 0.0 };
         let seconds = self.ticks as f64 / self.timebase;
@@ -298,8 +302,8 @@ impl fmt::Display for Report {
             percent(phases.isect, busy),
             percent(phases.shade, busy)
         )?;
-        // Of the frames' time, which the slowest SPU sets: what an SPU has left it waits for that
-        // one.
+        // Per cent of the frames' time, which the slowest SPU determines. The other SPUs spend the
+        // rest of it waiting for that one.
         let seconds = self.ticks as f64 / self.timebase;
         for (number, spu) in self.spu.iter().enumerate() {
             let (busy, wait) = (percent(spu.busy, seconds), percent(spu.dma_wait, seconds));
@@ -355,7 +359,8 @@ impl Phases<f64> {
     }
 }
 
-/// Ticks of the decrementer a second: what Linux says of this machine, else the PlayStation 3's.
+/// Ticks a second of the decrementer: as Linux reports for this machine, otherwise the PlayStation
+/// 3's.
 fn timebase() -> f64 {
     std::fs::read_to_string("/proc/cpuinfo")
         .ok()
@@ -377,7 +382,7 @@ mod tests {
     use crate::statistics::{Rays, SpuStatistics};
 
     #[test]
-    fn the_timebase_is_what_linux_says() {
+    fn the_timebase_is_read_from_cpuinfo() {
         let console = "cpu\t\t: Cell Broadband Engine, altivec supported\ntimebase\t: 79800000\n";
         assert_eq!(timebase_of(console), Some(79_800_000.0));
         assert_eq!(timebase_of("timebase : 0\n"), None);
@@ -427,7 +432,7 @@ mod tests {
     }
 
     #[test]
-    fn frames_that_nothing_was_traced_of_are_no_speed() {
+    fn frames_without_traced_tiles_do_not_count_as_speed() {
         let mut report = Report::new("s", (4, 4), 2);
         report.add(&frame([(798_000, 0), (798_000, 0)], 16));
         let expected = report.frames_per_second;

@@ -1,11 +1,12 @@
-//! The scene as it is traced: by Whitted's model all of it, by depth shading its spheres.
+//! The scene in the form that is traced: all of it for Whitted's model, only its spheres for depth
+//! shading.
 //!
-//! Invariant: every number that depth shading takes lies in the domain that the kernels state.
+//! Invariant: every number that depth shading uses is in the domain that the kernels state.
 
 pub(crate) mod block;
-mod look;
 #[cfg(test)]
 pub(crate) mod random;
+mod render_options;
 pub(crate) mod single;
 
 use glam::DVec3;
@@ -13,7 +14,7 @@ use nff::depth::{self, DepthShading, NotDrawn};
 
 use self::block::ShaderEntries;
 pub use self::block::{BlockError, BlockOptions, SceneBlock};
-pub use self::look::{Look, Model};
+pub use self::render_options::{Model, RenderOptions};
 use self::single::{LARGEST, SMALLEST};
 use crate::spe::Program;
 use protocol::formulation::{Formulations, SphereFormulation};
@@ -22,54 +23,54 @@ use protocol::layout::MAX_SPHERES;
 /// Why a scene can't be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum SceneError {
-    /// The local store is too small for it.
+    /// Depth shading: the local store is too small for the scene's spheres.
     #[error(
         "{file}: {count} spheres do not fit: the local store has room for {MAX_SPHERES}; leave out \
          {} of them", count - MAX_SPHERES as usize
     )]
     TooManySpheres {
-        /// The scene.
+        /// Name of the scene's file.
         file: String,
-        /// Spheres in it.
+        /// Number of spheres in the scene.
         count: usize,
     },
     /// Whitted's model can't trace it.
     #[error(transparent)]
     Block(#[from] BlockError),
-    /// A number that is not in the SPU's single format with room to be squared.
+    /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{file}: {what} {value} is out of range: its magnitude must be at most 2^62{also}")]
     OutOfRange {
-        /// The scene.
+        /// Name of the scene's file.
         file: String,
-        /// Which number.
+        /// Name of the number.
         what: String,
-        /// What it was.
+        /// Its value.
         value: f64,
-        /// A further bound.
+        /// A further bound, as a part of the message.
         also: &'static str,
     },
     /// The camera can't be made for this size.
     #[error("{file}: {source}")]
     View {
-        /// The scene.
+        /// Name of the scene's file.
         file: String,
-        /// What is wrong with it.
+        /// The reason.
         source: nff::ViewError,
     },
 }
 
-/// A sphere that is drawn.
+/// A sphere of depth shading.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Sphere {
-    /// Centre.
+    /// Centre, in the scene's coordinates.
     pub centre: DVec3,
-    /// Radius, over 0.
+    /// Radius, above 0.
     pub radius: f64,
     /// Red, green and blue, each 0 to 1.
     pub colour: DVec3,
 }
 
-/// A scene, ready to be handed to SPUs.
+/// A scene in the form that an [`Engine`](crate::Engine) traces.
 #[derive(Clone, Debug)]
 pub struct Scene {
     file: String,
@@ -78,42 +79,53 @@ pub struct Scene {
     spheres: Vec<Sphere>,
     depth: DepthShading,
     not_drawn: Vec<NotDrawn>,
-    look: Look,
+    render_options: RenderOptions,
     block: Option<SceneBlock>,
 }
 
 impl Scene {
-    /// A scene that looks as its lights ask for.
+    /// A scene with the default [`RenderOptions`] and the built-in SPU program.
+    ///
+    /// # Errors
+    /// As for [`Scene::new`].
     pub fn from_nff(scene: &nff::Scene) -> Result<Self, SceneError> {
-        Self::new(scene, Look::default(), &Program::tracer())
+        Self::new(scene, RenderOptions::default(), &Program::tracer())
     }
 
-    /// A scene that is to look in some way, with the shaders of the program that will trace it. By
-    /// depth shading, [`Scene::not_drawn`] says what is left out.
-    pub fn new(scene: &nff::Scene, look: Look, program: &Program) -> Result<Self, SceneError> {
-        if !look.is_whitted(scene.lights.len()) {
-            return Self::by_depth(scene, look);
+    /// A scene with these options, for the SPU program that will trace it and that has its
+    /// shaders. With depth shading, [`Scene::not_drawn`] lists the parts that are left out.
+    ///
+    /// # Errors
+    /// - The scene doesn't fit the local store, or a number is out of range.
+    /// - Whitted's model: see [`BlockError`].
+    pub fn new(
+        scene: &nff::Scene,
+        render_options: RenderOptions,
+        program: &Program,
+    ) -> Result<Self, SceneError> {
+        if !render_options.is_whitted(scene.lights.len()) {
+            return Self::by_depth(scene, render_options);
         }
         let shader = |name: &str| program.shader(name).ok();
-        let block = SceneBlock::new(scene, options(look), &shader)?;
-        Ok(Self::by_whitted(scene, look, block))
+        let block = SceneBlock::new(scene, options(render_options), &shader)?;
+        Ok(Self::by_whitted(scene, render_options, block))
     }
 
-    /// As [`Scene::new`]; by Whitted's model with room for more, so that it can be changed in
-    /// place.
+    /// [`Scene::new`] with room for more objects in Whitted's model, so that the scene can be
+    /// changed in place.
     pub(crate) fn with_room(
         scene: &nff::Scene,
-        look: Look,
+        render_options: RenderOptions,
         shaders: &ShaderEntries,
     ) -> Result<Self, SceneError> {
-        if !look.is_whitted(scene.lights.len()) {
-            return Self::by_depth(scene, look);
+        if !render_options.is_whitted(scene.lights.len()) {
+            return Self::by_depth(scene, render_options);
         }
-        let block = SceneBlock::with_room(scene, options(look), shaders)?;
-        Ok(Self::by_whitted(scene, look, block))
+        let block = SceneBlock::with_room(scene, options(render_options), shaders)?;
+        Ok(Self::by_whitted(scene, render_options, block))
     }
 
-    fn by_whitted(scene: &nff::Scene, look: Look, block: SceneBlock) -> Self {
+    fn by_whitted(scene: &nff::Scene, render_options: RenderOptions, block: SceneBlock) -> Self {
         Self {
             file: scene.name.clone(),
             view: scene.view.clone(),
@@ -124,12 +136,12 @@ impl Scene {
                 far: 0.0,
             },
             not_drawn: Vec::new(),
-            look,
+            render_options,
             block: Some(block),
         }
     }
 
-    fn by_depth(scene: &nff::Scene, look: Look) -> Result<Self, SceneError> {
+    fn by_depth(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, SceneError> {
         let file = &scene.name;
         let out_of_range = |what: String, value: f64, also: &'static str| SceneError::OutOfRange {
             file: file.clone(),
@@ -178,26 +190,29 @@ impl Scene {
             spheres,
             depth: DepthShading::of(scene),
             not_drawn: depth::not_drawn(scene),
-            look,
+            render_options,
             block: None,
         })
     }
 
-    /// The scene's file, or what it is called.
+    /// The name of the scene or of its file.
     #[must_use]
     pub fn file(&self) -> &str {
         &self.file
     }
 
-    /// Where the eye is and what it looks at.
+    /// The scene's view: the eye, its target, and the angle.
     #[must_use]
     pub fn view(&self) -> &nff::View {
         &self.view
     }
 
-    /// The eye's rays for a picture of this size.
+    /// The camera for a picture of this size in pixels.
+    ///
+    /// # Errors
+    /// The view has no camera for this size.
     pub fn camera(&self, width: u32, height: u32) -> Result<nff::Camera, SceneError> {
-        let corners = self.look.corners;
+        let corners = self.render_options.corners;
         let one = u32::from(corners);
         let mut camera = self
             .view
@@ -212,20 +227,19 @@ impl Scene {
         Ok(camera)
     }
 
-    /// How it is made to look.
+    /// The model and its settings.
     #[must_use]
-    pub fn look(&self) -> Look {
-        self.look
+    pub fn render_options(&self) -> RenderOptions {
+        self.render_options
     }
 
-    /// What SPUs are sent of it by Whitted's model; nothing by depth shading.
+    /// The records of Whitted's model; `None` with depth shading.
     #[must_use]
     pub fn block(&self) -> Option<&SceneBlock> {
         self.block.as_ref()
     }
 
-    /// Of a program's formulations, the one by which the eye's rays into the scene are intersected
-    /// with spheres.
+    /// The one of a program's formulations that intersects the scene's primary rays with spheres.
     #[must_use]
     pub fn sphere_formulation(&self, formulations: &Formulations) -> &'static SphereFormulation {
         match self.block {
@@ -234,34 +248,34 @@ impl Scene {
         }
     }
 
-    /// Colour where nothing is hit.
+    /// The background: the colour of rays that hit nothing.
     #[must_use]
     pub fn background(&self) -> DVec3 {
         self.background
     }
 
-    /// Spheres that are drawn, in the order of the file.
+    /// The spheres of depth shading, in the order of the file.
     #[must_use]
     pub fn spheres(&self) -> &[Sphere] {
         &self.spheres
     }
 
-    /// Range of the depth shading.
+    /// The distances between which depth shading fades.
     #[must_use]
     pub fn depth(&self) -> DepthShading {
         self.depth
     }
 
-    /// Moves the eye. [`Scene::write`] is to follow.
+    /// Moves the eye. Call [`Scene::write`] afterwards.
     pub(crate) fn set_view(&mut self, view: &nff::View) {
         self.view.clone_from(view);
     }
 
-    /// Writes what SPUs are sent of it by Whitted's model as its eye sees it: the last step of a
+    /// Writes the records of Whitted's model for the scene's eye. This is the last step of a
     /// change.
     ///
     /// # Errors
-    /// An eye out of range.
+    /// The eye is out of range.
     pub(crate) fn write(&mut self) -> Result<(), SceneError> {
         match &mut self.block {
             Some(block) => Ok(block.write_for(self.view.from)?),
@@ -269,7 +283,7 @@ impl Scene {
         }
     }
 
-    /// Changes the colour where nothing is hit.
+    /// Sets the background.
     pub(crate) fn set_background(&mut self, colour: DVec3) -> Result<(), SceneError> {
         self.background = colour;
         match &mut self.block {
@@ -278,8 +292,8 @@ impl Scene {
         }
     }
 
-    /// Changes the spheres of depth shading, and its range: to that of the spheres, if none is
-    /// given. They have to be in range, and as many as fit.
+    /// Sets the spheres of depth shading and the distances between which it fades; without those
+    /// the spheres' own range. The spheres' numbers must be in range, and the spheres must fit.
     pub(crate) fn set_spheres(
         &mut self,
         spheres: impl Iterator<Item = Sphere>,
@@ -287,29 +301,29 @@ impl Scene {
     ) {
         self.spheres.clear();
         self.spheres.extend(spheres);
-        let balls = self.spheres.iter();
-        let balls = balls.map(|sphere| (sphere.centre, sphere.radius));
+        let spheres = self.spheres.iter();
+        let spheres = spheres.map(|sphere| (sphere.centre, sphere.radius));
         let from = self.view.from;
-        self.depth = depth.unwrap_or_else(|| DepthShading::around(from, balls));
+        self.depth = depth.unwrap_or_else(|| DepthShading::around(from, spheres));
     }
 
-    /// What Whitted's model has SPUs sent, to be changed; [`Scene::write`] is to follow.
+    /// The records of Whitted's model. Call [`Scene::write`] after a change.
     pub(crate) fn block_mut(&mut self) -> Option<&mut SceneBlock> {
         self.block.as_mut()
     }
 
-    /// What the file has and a picture by depth shading will not show.
+    /// The parts of the file that depth shading leaves out.
     #[must_use]
     pub fn not_drawn(&self) -> &[NotDrawn] {
         &self.not_drawn
     }
 }
 
-/// How a look has Whitted's model traced.
-fn options(look: Look) -> BlockOptions {
+/// The options of the block for these render options.
+fn options(render_options: RenderOptions) -> BlockOptions {
     BlockOptions {
-        ray_depth: look.ray_depth,
-        fresnel: look.fresnel,
-        spd_rays: look.spd_rays,
+        ray_depth: render_options.ray_depth,
+        fresnel: render_options.fresnel,
+        spd_rays: render_options.spd_rays,
     }
 }

@@ -1,4 +1,4 @@
-//! Memory that SPUs read and write while this program lives on.
+//! Memory that SPUs read and write while this program runs.
 
 use std::cell::UnsafeCell;
 use std::sync::atomic::{AtomicU32, Ordering};
@@ -10,13 +10,13 @@ struct Line(UnsafeCell<[u8; LINE as usize]>);
 
 /// Zeroed memory on 128-byte lines, for records of the work-unit protocol.
 ///
-/// SPUs reach it by its address, behind the compiler's back, so it is never lent out as a slice:
-/// bytes are copied in before the address is mailed, and out after the answer, and the mailbox
-/// calls in between keep that order.
+/// SPUs access it by its address, unseen by the compiler, so it is never lent out as a slice.
+/// Bytes are copied in before the address is mailed, and out after the answer. The mailbox calls
+/// in between keep that order.
 pub struct SharedMemory(Box<[Line]>);
 
 impl SharedMemory {
-    /// Room for `bytes`, rounded up to whole lines; at least one.
+    /// Allocates `bytes` bytes, rounded up to whole lines, and at least one line.
     #[must_use]
     pub fn new(bytes: usize) -> Self {
         let lines = bytes.div_ceil(LINE as usize).max(1);
@@ -27,48 +27,57 @@ impl SharedMemory {
         )
     }
 
-    /// Effective address of the first byte.
+    /// The effective address of the first byte.
     #[must_use]
     pub fn address(&self) -> u64 {
         self.0.as_ptr().expose_provenance() as u64
     }
 
-    /// Bytes in all.
+    /// The size in bytes.
     fn bytes(&self) -> usize {
         self.0.len() * LINE as usize
     }
 
-    /// Copies `bytes` in. Panics if they do not fit: sizes are this program's own.
+    /// Copies `bytes` to the offset `offset`.
+    ///
+    /// # Panics
+    /// The bytes don't fit. All sizes are this program's own, so that is a bug.
     pub fn write(&mut self, offset: usize, bytes: &[u8]) {
         assert!(bytes.len() <= self.bytes() && offset <= self.bytes() - bytes.len());
         let base = self.0.as_ptr().cast::<u8>().cast_mut();
-        // SAFETY: the range was checked; the bytes are in `UnsafeCell`s, so writing them is
-        // allowed; `bytes` can't overlap them, as they are never lent out.
+        // SAFETY: the range was checked. The bytes are in `UnsafeCell`s, so they may be written.
+        // `bytes` can't overlap them, because they are never lent out.
         unsafe {
             base.add(offset)
                 .copy_from_nonoverlapping(bytes.as_ptr(), bytes.len())
         };
     }
 
-    /// Copies bytes out. Panics if there are not as many.
+    /// Copies bytes from the offset `offset` out to `into`.
+    ///
+    /// # Panics
+    /// The memory has fewer bytes.
     pub fn read(&self, offset: usize, into: &mut [u8]) {
         assert!(into.len() <= self.bytes() && offset <= self.bytes() - into.len());
         let base = self.0.as_ptr().cast::<u8>();
-        // SAFETY: the range was checked; `into` can't overlap it, as it is never lent out.
+        // SAFETY: the range was checked; `into` can't overlap it, because it is never lent out.
         unsafe {
             base.add(offset)
                 .copy_to_nonoverlapping(into.as_mut_ptr(), into.len())
         };
     }
 
-    /// A word that an SPU may be writing at this moment: the old one or the new one. Panics if
-    /// there is no such word.
+    /// Reads a word that an SPU may be writing concurrently. The result is the old or the new
+    /// word.
+    ///
+    /// # Panics
+    /// `offset` is not a multiple of 4, or beyond the end.
     #[must_use]
     pub fn peek_word(&self, offset: usize) -> u32 {
         assert!(offset.is_multiple_of(4) && offset < self.bytes());
         let word = self.0.as_ptr().cast::<u32>().wrapping_byte_add(offset);
-        // SAFETY: an aligned word of the memory, checked above; an atomic read, as others may
-        // write.
+        // SAFETY: the word is aligned and within the memory, as checked above. The read is atomic,
+        // because SPUs may write.
         u32::from_be(unsafe { AtomicU32::from_ptr(word.cast_mut()) }.load(Ordering::Relaxed))
     }
 }

@@ -1,4 +1,4 @@
-//! What SPUs say of their frames.
+//! The SPUs' statistics of a frame.
 
 use serde::Serialize;
 use zerocopy::big_endian::U64;
@@ -9,98 +9,96 @@ use protocol::layout::Statistics;
 /// Rays of a packet.
 const PACKET_RAYS: u64 = 16;
 
-/// One SPU's part of a frame.
+/// One SPU's statistics of a frame.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct SpuStatistics {
-    /// Tiles traced or filled.
+    /// Number of tiles that were traced or filled.
     pub tiles: u64,
-    /// Of these, filled with the background: nothing can be seen in them.
+    /// Tiles that were filled with the background, because no object is visible in them.
     pub tiles_filled: u64,
-    /// Of these, not sent: they showed the background before.
+    /// Filled tiles that were not written, because they showed the background before.
     pub tiles_blank: u64,
-    /// Packets of 16 rays traced or filled.
+    /// Number of packets of 16 rays that were traced or filled.
     pub packets: u64,
-    /// Of these, filled with the background.
+    /// Packets that were filled with the background.
     pub packets_filled: u64,
-    /// Rays.
+    /// Rays by kind.
     pub rays: Rays,
-    /// Tests.
+    /// Tests of rays with objects.
     pub tests: Tests,
-    /// Decrementer ticks at work.
+    /// Time at work, in ticks of the decrementer.
     pub busy: u64,
-    /// Ticks waiting for the MFC.
+    /// Time waiting for the MFC, in ticks.
     pub dma_wait: u64,
-    /// Ticks waiting for the frame.
+    /// Time waiting for the frame, in ticks.
     pub idle: u64,
-    /// Ticks at work, by what was done.
+    /// `busy` by phase, in ticks.
     pub phases: Phases<u64>,
 }
 
-/// Rays by kind, under the names of the Standard Procedural Databases. Eye, reflected and
-/// refracted rays are as many as those that hit and those that see the background.
+/// Numbers of rays by kind, with the names of the Standard Procedural Databases. The sum of eye,
+/// reflected and refracted rays equals the sum of `hit` and `background`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Rays {
-    /// From the eye.
+    /// Primary rays.
     pub eye: u64,
-    /// Of these, those that hit something.
+    /// Primary rays that hit something.
     pub eye_hit: u64,
-    /// From mirrors, and totally reflected ones.
+    /// Reflected rays, including totally reflected ones.
     pub reflected: u64,
-    /// Through glass.
+    /// Refracted rays.
     pub refracted: u64,
-    /// To lights.
+    /// Shadow rays.
     pub shadow: u64,
-    /// Eye, reflected and refracted rays that hit something.
+    /// Primary, reflected and refracted rays that hit something.
     pub hit: u64,
-    /// Those that hit nothing.
+    /// Primary, reflected and refracted rays that hit nothing.
     pub background: u64,
 }
 
-/// Tests of one ray with one object, and of groups of rays.
+/// Numbers of tests. Except for `cull` they count tests of one ray with one object.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Tests {
-    /// Made.
+    /// Tests that were made.
     pub made: u64,
-    /// Of these, those after which a hit was looked for: of a packet's rays one at least could
-    /// hit.
+    /// Tests that went on to compute a hit, because at least one of the packet's rays could hit.
     pub hits_looked_for: u64,
-    /// Found needless by the SPUs.
+    /// Tests that the SPUs found unnecessary.
     pub skipped: u64,
-    /// Of these, those left out because all rays of a packet had hit something nearer.
+    /// Skipped tests of packets whose rays had all hit something nearer.
     pub hidden: u64,
-    /// With objects that no SPU was told of: the picture can't show them.
+    /// Tests with objects that were not sent to the SPUs, because the picture can't show them.
     pub unseen: u64,
-    /// Tests of a frustum or of a packet's cone with an object; those are not among the tests
-    /// above.
+    /// Tests of a frustum or of a packet's cone with an object; the numbers above exclude them.
     pub cull: u64,
 }
 
-/// Time by what it was spent on.
+/// Time by phase of the work.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Phases<T> {
     /// Fetching and checking the frame and its scene.
     pub fetch: T,
     /// Culling.
     pub cull: T,
-    /// Making rays.
+    /// Generating rays.
     pub rays: T,
-    /// Testing rays with objects.
+    /// Intersecting rays with objects.
     pub isect: T,
     /// Shading and packing pixels.
     pub shade: T,
 }
 
-/// One frame, SPU by SPU.
+/// The statistics of one frame.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct FrameStatistics {
-    /// In order of the SPUs' numbers.
+    /// The SPUs, in the order of their numbers.
     pub spus: Vec<SpuStatistics>,
-    /// Tiles that already showed what they should, and were left alone.
+    /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub tiles_retained: u64,
 }
 
 impl FrameStatistics {
-    /// Reads the SPUs' lines of a frame that was planned to be of this size.
+    /// Reads the SPUs' lines of statistics. `size` is the size of the planned frame.
     pub(crate) fn read(&mut self, lines: &[Statistics], size: Size) {
         self.spus.clear();
         let unseen = size.spheres_unseen;
@@ -109,19 +107,19 @@ impl FrameStatistics {
         self.tiles_retained = size.tiles_retained;
     }
 
-    /// Eye rays of all SPUs.
+    /// The number of primary rays of all SPUs.
     #[must_use]
-    pub fn eye_rays(&self) -> u64 {
+    pub fn primary_rays(&self) -> u64 {
         self.spus.iter().map(|spu| spu.rays.eye).sum()
     }
 
     /// Whether anything was traced.
     #[must_use]
     pub fn is_traced(&self) -> bool {
-        self.eye_rays() > 0
+        self.primary_rays() > 0
     }
 
-    /// Tests of all SPUs.
+    /// The tests of all SPUs.
     #[must_use]
     pub fn tests(&self) -> Tests {
         self.spus.iter().fold(Tests::default(), |mut sum, spu| {
@@ -130,7 +128,7 @@ impl FrameStatistics {
         })
     }
 
-    /// Ticks from the mail to the last answer: the slowest SPU's.
+    /// Ticks from the mail to the slowest SPU's answer.
     #[must_use]
     pub fn ticks(&self) -> u64 {
         self.spus
@@ -175,8 +173,8 @@ impl SpuStatistics {
 impl Rays {
     fn of(line: &Statistics) -> Self {
         let [eye, reflected, refracted] =
-            [line.eye_rays, line.reflected, line.refracted].map(U64::get);
-        // By depth shading there are no rays but the eye's, and no other hits are counted.
+            [line.primary_rays, line.reflected, line.refracted].map(U64::get);
+        // Depth shading has only primary rays, and counts only their hits.
         let hit = line.hits.get().max(line.eye_hits.get());
         Self {
             eye,

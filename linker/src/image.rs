@@ -76,6 +76,14 @@ impl Image {
         Ok(image)
     }
 
+    /// Leaves out the line tables, so that the image depends on its sources alone, and not on where
+    /// they are.
+    #[must_use]
+    pub fn without_line_tables(mut self) -> Self {
+        self.link.push("--strip-debug".into());
+        self
+    }
+
     /// Leaves out sections that nothing refers to.
     #[must_use]
     pub fn only_used(mut self) -> Self {
@@ -168,12 +176,25 @@ impl Image {
             let roles = formulations.roles();
             link.extend(roles.map(|(role, kernel)| format!("--defsym={role}={kernel}").into()));
         }
+        let absolute =
+            |path: &PathBuf| std::path::absolute(path).map_err(|source| file_error(path, source));
         link.extend([
             "--fatal-warnings".into(),
             "-T".into(),
-            self.script.clone().into(),
+            absolute(&self.script)?.into(),
         ]);
-        run(&mut tools.link(&link, image, &objects))
+        let objects: Vec<PathBuf> = objects.iter().map(absolute).collect::<Result<_, _>>()?;
+        // The linker notes the image's path in the image. Linked in its folder, the same sources
+        // make the same bytes anywhere.
+        let name = image.file_name().unwrap_or(image.as_os_str());
+        let mut command = tools.link(&link, Path::new(name), &objects);
+        if let Some(folder) = image
+            .parent()
+            .filter(|folder| !folder.as_os_str().is_empty())
+        {
+            command.current_dir(folder);
+        }
+        run(&mut command)
     }
 }
 

@@ -1,12 +1,14 @@
 //! Builds SPU programs from assembly, for use in a build script.
 //!
-//! [`embed`] is a whole build script. [`Tools::find`] names the SPU assembler and linker,
+//! [`embed`] is a whole build script, and [`prebuilt`] has the tracer's images for machines without
+//! an SPU assembler. [`Tools::find`] names the SPU assembler and linker,
 //! [`Image`] turns `.s` files into one SPU ELF image, [`stub`] makes a shared library of nothing
 //! but names, to link against where the real one is not installed. [`tracer`] is the tracer's own
 //! program, to which another crate's build script may add shaders. Apart from that, nothing here
 //! knows what the programs do.
 
 mod image;
+pub mod prebuilt;
 mod script;
 pub mod stub;
 mod tools;
@@ -19,7 +21,7 @@ use std::process::Command;
 pub use image::Image;
 pub use script::{Script, embed, script};
 pub use tools::Tools;
-pub use tracer::tracer;
+pub use tracer::{assemble_shader, tracer, tracer_with};
 
 /// Why a program was not built. Its `Display` is meant for the person who runs the build.
 #[derive(Debug, thiserror::Error)]
@@ -70,6 +72,12 @@ pub enum Error {
     /// No source files.
     #[error("{0}: no .s files in it")]
     NoSources(PathBuf),
+    /// Prebuilt images of other sources.
+    #[error(
+        "{}: these images were built from other sources than those beside them; write them again with \
+         `cargo run --bin kernels -- images`", .0.display()
+    )]
+    StaleImages(PathBuf),
     /// The C library to link against can't be read.
     #[error("{0}")]
     Library(String),

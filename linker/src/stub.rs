@@ -14,6 +14,9 @@ use std::process::Command;
 
 use crate::{Error, Script, run, write};
 
+/// The functions of libspe2, one a line, for [`names`].
+pub const LIBSPE2: &str = include_str!("../libspe2.symbols");
+
 /// The compiler of a build script's target: what cargo links with.
 #[must_use]
 pub fn compiler(script: &mut Script) -> PathBuf {

@@ -34,6 +34,15 @@ impl Tools {
         })
     }
 
+    /// Whether a variable names a tool: then no other is taken in its place.
+    #[must_use]
+    pub fn are_named() -> bool {
+        ["SPU_AS", "SPU_LD"]
+            .map(env::var_os)
+            .iter()
+            .any(Option::is_some)
+    }
+
     /// Assembles one source, with line tables; `.include` finds files in `includes`, `further` are
     /// options of the assembler's own. Warnings count as errors: of an operand out of range, the
     /// assembler only warns.

@@ -1,10 +1,10 @@
-//! Depth shading, the paper's: the nearer, the brighter. Spheres only.
+//! Depth shading, the paper's model: nearer spheres are brighter. It draws only spheres.
 //!
-//! A sphere is one-sided: a ray hits it where it enters, in front of the eye, or not at all; so an
-//! eye inside a sphere sees through it. The colour of a pixel is the material's times
-//! [`DepthShading::brightness`], the background where nothing is hit.
+//! A sphere is one-sided: a ray hits it only where it enters, in front of the eye. So an eye
+//! inside a sphere sees through it. The colour of a pixel is the material's colour times
+//! [`DepthShading::brightness`], or the background if nothing is hit.
 //!
-//! Invariant: brightness is from 0 to 1 for every scene and distance.
+//! Invariant: the brightness is from 0 to 1 for every scene and distance.
 
 mod not_drawn;
 
@@ -17,9 +17,10 @@ pub use not_drawn::{Kind, NotDrawn, not_drawn};
 /// The distances from the eye between which brightness falls from 1 to 0.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct DepthShading {
-    /// Where brightness is 1: the least that a drawn sphere can be from the eye, at least 0.
+    /// The distance of brightness 1: the least distance of a drawn sphere from the eye, at least
+    /// 0.
     pub near: f64,
-    /// Where brightness is 0: the most that a drawn sphere can be from the eye.
+    /// The distance of brightness 0: the largest distance of a drawn sphere from the eye.
     pub far: f64,
 }
 
@@ -58,8 +59,8 @@ impl DepthShading {
         Self::around(scene.view.from, spheres)
     }
 
-    /// The range of spheres, given by centres and radii, as an eye sees them; from 0 to 0 without
-    /// any.
+    /// The range of spheres, given by centres and radii, relative to an eye; from 0 to 0 without
+    /// spheres.
     pub fn around(eye: DVec3, spheres: impl Iterator<Item = (DVec3, f64)>) -> Self {
         let start = (f64::INFINITY, 0.0f64);
         let (near, far) = spheres.fold(start, |(near, far), (centre, radius)| {
@@ -72,8 +73,8 @@ impl DepthShading {
         }
     }
 
-    /// Brightness of a hit at `distance` from the eye. A range of no width, as rounding makes of a
-    /// far small scene, is bright.
+    /// The brightness of a hit at `distance` from the eye. If the range has no width, as the
+    /// rounding of a small scene far away can cause, the brightness is 1.
     #[must_use]
     pub fn brightness(&self, distance: f64) -> f64 {
         let range = self.far - self.near;
@@ -85,7 +86,7 @@ impl DepthShading {
     }
 }
 
-/// The bytes, red, green and blue, that stand for a colour.
+/// The bytes red, green and blue of a colour.
 #[must_use]
 pub fn bytes(colour: DVec3) -> [u8; 3] {
     colour

@@ -1,7 +1,6 @@
-//! Directives: what a scene says beyond NFF, in comments, so that other programs read the file
-//! too.
+//! Directives: extensions of NFF in comments, so that other programs can still read the file.
 //!
-//! Invariant: what is read is as the scene's own rules have it: a direction is not 0, a size is
+//! Invariant: a directive that was read follows the scene's rules: a direction is not 0, a size is
 //! above 0, a range has a width.
 
 use std::io::BufRead;
@@ -13,20 +12,20 @@ use crate::lines::LineError;
 use crate::words::Words;
 use crate::{Fault, Shader};
 
-/// What a directive says.
+/// A directive.
 pub(crate) enum Directive {
-    /// Light that is everywhere.
+    /// The ambient light.
     Ambient(DVec3),
-    /// A light infinitely far.
+    /// A light infinitely far away.
     Sun {
         to_light: DVec3,
         colour: Option<DVec3>,
     },
-    /// Of the material before it.
+    /// The shader of the material before it.
     Shader(Shader),
 }
 
-/// The directive of a line, of which the first word is read.
+/// Reads the directive of a line whose first word was already read.
 pub(crate) fn read(words: &mut Words<impl BufRead>) -> Result<Directive, LineError> {
     match words.word("directive")? {
         "ambient" => {

@@ -1,4 +1,4 @@
-//! What can be wrong with a scene file, each fault by name.
+//! The errors of scene files.
 
 use std::fmt;
 use std::io;
@@ -8,7 +8,7 @@ use thiserror::Error;
 use crate::words::MAX_MAGNITUDE;
 use crate::{ViewError, sphereflake, tetra};
 
-/// Why there is no scene.
+/// Why a scene can't be read or generated.
 #[derive(Debug, Error)]
 pub enum Error {
     /// The file could not be opened or read.
@@ -16,17 +16,17 @@ pub enum Error {
     Io {
         /// The file.
         file: String,
-        /// What the system said.
+        /// The system's error.
         source: io::Error,
     },
-    /// The file's text is wrong.
+    /// The file's text has a fault.
     #[error("{file}:{line}: {fault}")]
     Text {
         /// The file.
         file: String,
-        /// The line at fault, from 1; for a file that ends too early its last line.
+        /// The line of the fault, from 1. If the file ends too early, its last line.
         line: u32,
-        /// What is wrong there.
+        /// The fault.
         fault: Fault,
     },
     /// A sphereflake that can't be generated.
@@ -37,124 +37,124 @@ pub enum Error {
     Tetra(#[from] tetra::Error),
 }
 
-/// What is wrong with a line.
+/// A fault in a line.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum Fault {
-    /// An entity that the format does not have.
+    /// The format has no such entity.
     #[error("unknown entity {0} (known: v b l f s c p pp)")]
     UnknownEntity(Excerpt),
-    /// A directive that there is not.
+    /// There is no such directive.
     #[error("unknown directive {0} (known: ambient sun shader)")]
     UnknownDirective(Excerpt),
-    /// A name that can't be a shader's.
+    /// A shader's name has characters that are not allowed.
     #[error("shader {0} is not a name: letters, digits and _, a letter first")]
     ShaderName(Excerpt),
-    /// A range of depth shading that is none.
+    /// A range of depth shading has no width.
     #[error("depth far {far} is not more than near {near}")]
     DepthRange {
-        /// Where all is black.
+        /// The distance at which the surface is black.
         far: f64,
-        /// Where it begins to fade.
+        /// The distance at which the surface begins to fade.
         near: f64,
     },
-    /// A direction that points nowhere.
+    /// A direction is 0.
     #[error("{0} is 0 0 0")]
     NoDirection(&'static str),
     /// A number that must be above 0 is not.
     #[error("{field} {value} is not above 0")]
     NotPositive {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: f64,
     },
-    /// A word that is no number.
+    /// A word is not a number.
     #[error("{field} {value} is not a number")]
     NotANumber {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: Excerpt,
     },
-    /// An infinite number or none at all.
+    /// A number is infinite or NaN.
     #[error("{field} {value} is not a finite number")]
     NotFinite {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: Excerpt,
     },
-    /// A number whose square is beyond an `f64`.
+    /// A number is so large that its square exceeds an `f64`.
     #[error("{field} {value:e} is larger than {MAX_MAGNITUDE:e}")]
     TooLarge {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: f64,
     },
     /// A number that must not be negative is.
     #[error("{field} {value} is negative")]
     Negative {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: f64,
     },
-    /// A word that is no whole number from 0.
+    /// A word is not a whole number from 0.
     #[error("{field} {value} is not a whole number from 0")]
     NotACount {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: Excerpt,
     },
-    /// A whole number that is too large.
+    /// A whole number is too large.
     #[error("{field} {value} is more than {limit}")]
     LargeCount {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: Excerpt,
-        /// The most that it may be.
+        /// The largest allowed value.
         limit: usize,
     },
-    /// A directive's line ends before all is given.
+    /// A directive's line ends before all its fields.
     #[error("{0} is missing")]
     Missing(&'static str),
-    /// Another entity begins before all is given.
+    /// Another entity begins before all fields of this one.
     #[error(
-        "{field} of the {entity} that starts on line {start} is missing: {value} is in its place"
+        "{field} of the {entity} that starts on line {start} is missing: found {value} instead"
     )]
     Incomplete {
-        /// What was to be given.
+        /// The name of the field.
         field: &'static str,
         /// The entity.
         entity: &'static str,
-        /// Where it starts.
+        /// The line that it starts on.
         start: u32,
-        /// The keyword that is there.
+        /// The keyword that was found.
         value: Excerpt,
     },
-    /// More words after all is given.
+    /// A directive's line has more words than fields.
     #[error("{entity} is followed by {value}, which does not belong there")]
     Extra {
-        /// What they follow.
+        /// The name of the directive.
         entity: &'static str,
-        /// The first word too many.
+        /// The first extra word.
         value: Excerpt,
     },
     /// Another part of a view was expected.
     #[error("the view's `{expected}` is expected here, not {value}")]
     ViewLine {
-        /// The keyword that comes next.
+        /// The expected keyword.
         expected: &'static str,
-        /// What is there.
+        /// The value in the file.
         value: Excerpt,
     },
     /// The view shows nothing.
     #[error("{0}")]
     View(#[from] ViewError),
-    /// An entity that may be given once was given again.
+    /// An entity that may occur once occurs again.
     #[error("a second {entity}; the first is on line {first}")]
     Second {
         /// The entity.
@@ -162,12 +162,12 @@ pub enum Fault {
         /// The first one's line.
         first: u32,
     },
-    /// An object before what it needs.
+    /// An object comes before an entity that it needs.
     #[error("{entity} before the {needed}")]
     TooEarly {
         /// The object.
         entity: &'static str,
-        /// What must come first.
+        /// The entity that must come first.
         needed: &'static str,
     },
     /// The file ends inside an entity.
@@ -175,18 +175,18 @@ pub enum Fault {
     Truncated {
         /// The entity.
         entity: &'static str,
-        /// Where it starts.
+        /// The line that it starts on.
         start: u32,
-        /// What was to be given next.
+        /// The next field.
         field: &'static str,
     },
     /// The file ends without a view.
     #[error("the file has no view (v)")]
     NoView,
-    /// A radius of 0.
+    /// A radius is 0.
     #[error("{0} is 0")]
     ZeroRadius(&'static str),
-    /// Radii of a cone of which one shows the inside and the other the outside.
+    /// A cone's radii have different signs.
     #[error("base radius {base} and apex radius {apex} have different signs")]
     MixedRadii {
         /// The radius at the base.
@@ -194,39 +194,39 @@ pub enum Fault {
         /// The radius at the apex.
         apex: f64,
     },
-    /// A cone without height.
+    /// A cone has no height.
     #[error("the cone's base and apex are the same point")]
     FlatCone,
-    /// A polygon with too few vertices.
+    /// A polygon has too few vertices.
     #[error("{entity} with {count} vertices, fewer than 3")]
     FewVertices {
         /// `polygon` or `patch`.
         entity: &'static str,
-        /// How many it says it has.
+        /// The number of vertices that the file states.
         count: usize,
     },
-    /// More of something than [`Limits`](crate::Limits) allow.
+    /// The scene has more of something than [`Limits`](crate::Limits) allow.
     #[error("more than {limit} {what}")]
     TooMany {
-        /// What there are too many of.
+        /// The name of the things that are too many.
         what: &'static str,
-        /// How many are allowed.
+        /// The allowed number.
         limit: usize,
     },
-    /// A line longer than [`Limits`](crate::Limits) allow.
+    /// A line is longer than [`Limits`](crate::Limits) allow.
     #[error("the line is longer than {0} bytes")]
     LongLine(usize),
-    /// Bytes that are not UTF-8.
+    /// A line has bytes that are not UTF-8.
     #[error("byte {0} of the line is not UTF-8 text")]
     NotText(usize),
 }
 
-/// A word of the file, quoted and cut to what a message can hold.
+/// A word of the file, quoted and shortened for a message.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Excerpt(String);
 
 impl Excerpt {
-    /// Most characters of a word that a message repeats.
+    /// The most characters of a word that a message repeats.
     const MAX_CHARS: usize = 40;
 
     /// The excerpt of `word`.
@@ -241,7 +241,7 @@ impl Excerpt {
 }
 
 impl fmt::Display for Excerpt {
-    /// Control characters are escaped: a file must not be able to write to a terminal.
+    /// Control characters are escaped, so that a file can't control a terminal.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "`{}`", self.0.escape_debug())
     }

@@ -1,11 +1,11 @@
-//! The triangles of a polygon whose edges cross, by the even-odd rule.
+//! Finds the triangles of a polygon whose edges cross, by the even-odd rule.
 //!
-//! Crossings become points of their own, and the edges are cut where they meet points. A polygon
-//! is one closed line: so what the pieces part the plane into has no holes, and each such face is
-//! cut into ears. Whether a triangle is inside is then asked of the pieces.
+//! Crossings become points, and the edges are cut at all points. Because a polygon is one closed
+//! line, the pieces divide the plane into faces without holes. Each face is cut into ears. The
+//! pieces then tell whether a triangle is inside.
 //!
-//! Invariant: points that are shared are the same to the bit, so that nothing shows between
-//! triangles; all is the same on every machine.
+//! Invariant: shared points have bit-identical coordinates, so no gap shows between triangles. The
+//! result is the same on every machine.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,9 +13,10 @@ use glam::{DVec2, DVec3};
 
 use crate::triangles::{cut, flat, height, rounding, turn};
 
-/// The triangles that fill what is inside a planar polygon, counter-clockwise as that is: inside
-/// is where a line crosses its edges an odd number of times. Nothing where there would be more
-/// than `most`. Takes time with the square of the number of vertices, and with that of crossings.
+/// The triangles that fill the inside of a planar polygon, counter-clockwise like the polygon. A
+/// point is inside if a line from it crosses the edges an odd number of times. `None` if there
+/// would be more than `most` triangles. The time grows with the squares of the numbers of vertices
+/// and of crossings.
 #[must_use]
 pub fn even_odd(vertices: &[DVec3], most: usize) -> Option<Vec<[DVec3; 3]>> {
     let outline = flat(vertices);
@@ -29,10 +30,11 @@ pub fn even_odd(vertices: &[DVec3], most: usize) -> Option<Vec<[DVec3; 3]>> {
         .zip(vertices)
         .map(|(&at, &place)| points.number(at, || place))
         .collect();
-    // Each crossing is a corner of two triangles, which have three corners.
+    // Each crossing is a corner of two triangles, and a triangle has three corners.
     points.add_crossings(&ring, ring.len() + most / 2 * 3)?;
 
-    // With whether an odd number of edges goes there: what an even number does has one side only.
+    // For each piece, whether an odd number of edges covers it. If the number is even, both sides
+    // of the piece are equally inside or outside.
     let mut pieces = BTreeMap::new();
     for edge in edges(&ring) {
         for piece in points.on(edge).windows(2) {
@@ -57,7 +59,7 @@ pub fn even_odd(vertices: &[DVec3], most: usize) -> Option<Vec<[DVec3; 3]>> {
     (found.len() <= most).then_some(found)
 }
 
-/// Points of a plane, told apart by more than rounding, and where they are in space.
+/// Points of a plane that differ by more than rounding, with their positions in space.
 struct Points {
     rounding: f64,
     flat: Vec<DVec2>,
@@ -65,7 +67,7 @@ struct Points {
 }
 
 impl Points {
-    /// The number of a point, which is a new one if it is at none that there is.
+    /// The number of a point. A point that is not at an existing one is added.
     fn number(&mut self, at: DVec2, place: impl FnOnce() -> DVec3) -> u32 {
         let is_there = |other: &DVec2| other.distance(at) <= self.rounding;
         let number = self.flat.iter().position(is_there).unwrap_or_else(|| {
@@ -76,7 +78,7 @@ impl Points {
         number as u32
     }
 
-    /// Adds the points in which edges cross; nothing if there are more points than `most` then.
+    /// Adds the points where edges cross; `None` if there are more than `most` points then.
     fn add_crossings(&mut self, ring: &[u32], most: usize) -> Option<()> {
         let edges: Vec<[u32; 2]> = edges(ring).collect();
         for (index, &first) in edges.iter().enumerate() {
@@ -96,8 +98,8 @@ impl Points {
         Some(())
     }
 
-    /// How far along the first edge the second crosses it, if both go on beyond by more than
-    /// rounding.
+    /// The position along the first edge where the second one crosses it, if both extend beyond
+    /// the crossing by more than rounding.
     fn crossing(&self, first: [u32; 2], second: [u32; 2]) -> Option<f64> {
         let [a, b] = first.map(|number| self.flat[number as usize]);
         let [c, d] = second.map(|number| self.flat[number as usize]);
@@ -111,7 +113,7 @@ impl Points {
         sides(c, d, [a, b])
     }
 
-    /// The points on an edge, from its beginning to its end.
+    /// The points on an edge, from its start to its end.
     fn on(&self, [from, to]: [u32; 2]) -> Vec<u32> {
         let (start, end) = (self.flat[from as usize], self.flat[to as usize]);
         let way = end - start;
@@ -131,15 +133,15 @@ impl Points {
     }
 }
 
-/// The edges of a ring that have a length.
+/// The edges of a ring, except those without length.
 fn edges(ring: &[u32]) -> impl Iterator<Item = [u32; 2]> {
     let next = ring.iter().cycle().skip(1);
     let edges = ring.iter().zip(next).map(|(&from, &to)| [from, to]);
     edges.filter(|[from, to]| from != to)
 }
 
-/// The rings around the faces that pieces of edges part the plane into, but for the outermost,
-/// counter-clockwise.
+/// The counter-clockwise rings around the faces into which pieces of edges divide the plane,
+/// except the outermost face.
 fn faces<'a>(pieces: impl Iterator<Item = &'a [u32; 2]> + Clone, flat: &[DVec2]) -> Vec<Vec<u32>> {
     // The neighbours of each point, counter-clockwise.
     let mut around: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
@@ -151,7 +153,7 @@ fn faces<'a>(pieces: impl Iterator<Item = &'a [u32; 2]> + Clone, flat: &[DVec2])
         let angle = |&other: &u32| angle(flat[other as usize] - flat[point as usize]);
         neighbours.sort_by(|a, b| angle(a).total_cmp(&angle(b)));
     }
-    // Who comes by a piece and turns left as far as can be keeps one face at the left.
+    // Walking along pieces and always taking the leftmost turn keeps one face at the left.
     let next = |[from, to]: [u32; 2]| {
         let neighbours = &around[&to];
         let place = neighbours.iter().position(|&point| point == from)?;
@@ -181,7 +183,7 @@ fn faces<'a>(pieces: impl Iterator<Item = &'a [u32; 2]> + Clone, flat: &[DVec2])
     found
 }
 
-/// Takes out of a ring where it goes to a point and the same way back.
+/// Removes the parts of a ring that go to a point and back the same way.
 fn without_spikes(ring: &mut Vec<u32>) {
     let mut place = 0;
     while ring.len() > 2 && place < ring.len() {
@@ -190,7 +192,7 @@ fn without_spikes(ring: &mut Vec<u32>) {
         if ring[before] == ring[after] {
             ring.remove(place.max(after));
             ring.remove(place.min(after));
-            // What was before may be a spike now.
+            // The part before it may be a spike now.
             place = place.saturating_sub(2);
         } else {
             place += 1;
@@ -198,7 +200,7 @@ fn without_spikes(ring: &mut Vec<u32>) {
     }
 }
 
-/// A number that grows with the angle of a direction, counter-clockwise all around.
+/// A number that grows with the counter-clockwise angle of a direction, over the full circle.
 fn angle(way: DVec2) -> f64 {
     let slope = way.y / (way.x.abs() + way.y.abs());
     if way.x < 0.0 { 2.0 - slope } else { slope }

@@ -1,8 +1,8 @@
-//! Scenes as Eric Haines' Neutral File Format (NFF) gives them.
+//! Scenes in Eric Haines' Neutral File Format (NFF).
 //!
-//! Owns the scene data, the text format both ways with what `#cellray` adds to it, the camera that
-//! a view stands for, the triangles of a polygon, the sphereflake and the tetrahedra of the
-//! Standard Procedural Databases and the depth-shading model. Knows nothing of work units, SPUs or
+//! Owns the scene data, reading and writing the text format with its `#cellray` extensions, the
+//! camera of a view, the triangles of a polygon, the sphereflake and the tetrahedra of the
+//! Standard Procedural Databases, and the depth-shading model. Doesn't know work units, SPUs or
 //! pictures.
 //!
 //! Invariant: a [`Scene`] that [`parse`] returned has a valid view, only finite numbers of at most
@@ -33,11 +33,12 @@ pub use words::MAX_MAGNITUDE;
 
 use std::path::Path;
 
-/// Brings the scene that a user named: `sphereflake:LEVEL` and `tetra:LEVEL` are generated, all
-/// else is a file to [`read`].
+/// Loads the scene that a user has named: `sphereflake:LEVEL` and `tetra:LEVEL` are generated, any
+/// other name is a file to [`read`].
 ///
-/// # Errors What [`read`], [`sphereflake::generate`] or [`tetra::generate`] refuses; a level that
-/// is not a number.
+/// # Errors
+/// The level is not a number, or any error of [`read`], [`sphereflake::generate`] or
+/// [`tetra::generate`].
 pub fn load(name: &Path) -> Result<Scene, Error> {
     let text = name.to_str().unwrap_or_default();
     if let Some(level) = text.strip_prefix(sphereflake::PREFIX) {

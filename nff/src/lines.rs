@@ -1,29 +1,28 @@
-//! The lines of a file that have words, read within limits. A comment that is a directive has
-//! words. A line ends with a line feed, a carriage return or both; a byte-order mark is passed
-//! over.
+//! Reads the lines of a file that have words, within limits. A comment that is a directive has
+//! words. A line ends with a line feed, a carriage return or both. A byte-order mark is skipped.
 //!
-//! Invariant: never more than one line and one buffer of the reader in memory.
+//! Invariant: memory never holds more than one line and one buffer of the reader.
 
 use std::io::{self, BufRead};
 
 use crate::Fault;
 
-/// The first word of a directive: to other programs it begins a comment.
+/// The first word of a directive. Other programs take the line for a comment.
 pub(crate) const DIRECTIVE: &str = "#cellray";
 
-/// What some programs begin UTF-8 text with.
+/// The byte-order mark, with which some programs begin UTF-8 text.
 const BYTE_ORDER_MARK: &[u8] = b"\xef\xbb\xbf";
 
-/// How much a scene may hold, so that no file can take all memory or time.
+/// Limits of a scene's size, so that no file can take all memory or time.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Limits {
-    /// Most objects; likewise most lights and most materials.
+    /// The most objects, the most lights, and the most materials.
     pub objects: usize,
-    /// Most vertices of all polygons and patches together.
+    /// The most vertices of all polygons and patches together.
     pub vertices: usize,
-    /// Most bytes in a line, its end not counted.
+    /// The most bytes in a line, without its end.
     pub line_bytes: usize,
-    /// Most lines, empty ones and comments included.
+    /// The most lines, including empty ones and comments.
     pub lines: u32,
 }
 
@@ -41,11 +40,11 @@ impl Default for Limits {
 /// A reader's lines, one at a time.
 pub(crate) struct Lines<R> {
     reader: R,
-    /// The line at hand, without its comment.
+    /// The current line, without its comment.
     bytes: Vec<u8>,
     /// Its number, from 1; 0 before the first.
     number: u32,
-    /// Whether a line feed that comes next belongs to the line at hand.
+    /// Whether a following line feed belongs to the current line.
     after_return: bool,
     max_bytes: usize,
     max_lines: u32,
@@ -69,12 +68,12 @@ impl<R: BufRead> Lines<R> {
         }
     }
 
-    /// Number of the line that [`Self::advance`] gave last, from 1.
+    /// The number of the current line, from 1.
     pub(crate) fn number(&self) -> u32 {
         self.number
     }
 
-    /// Brings the next line that has words; false at the end of the file.
+    /// Reads the next line that has words; false at the end of the file.
     pub(crate) fn advance(&mut self) -> Result<bool, LineError> {
         while self.read()? {
             if self.bytes.iter().any(|byte| !byte.is_ascii_whitespace()) {
@@ -84,12 +83,12 @@ impl<R: BufRead> Lines<R> {
         Ok(false)
     }
 
-    /// The line at hand, without its comment. What is in a comment need not be text.
+    /// The current line, without its comment. Comments need not be valid text.
     pub(crate) fn bytes(&self) -> &[u8] {
         &self.bytes
     }
 
-    /// Brings the next line into `bytes`; false at the end of the file.
+    /// Reads the next line into `bytes`; false at the end of the file.
     fn read(&mut self) -> Result<bool, LineError> {
         self.bytes.clear();
         loop {
@@ -129,7 +128,7 @@ impl<R: BufRead> Lines<R> {
         }
     }
 
-    /// Takes off what is not the scene's: a byte-order mark and the comment.
+    /// Removes a byte-order mark and the comment.
     fn trim(&mut self) {
         if self.number == 1 && self.bytes.starts_with(BYTE_ORDER_MARK) {
             self.bytes.drain(..BYTE_ORDER_MARK.len());

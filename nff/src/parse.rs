@@ -1,6 +1,6 @@
-//! The grammar: from words to a scene.
+//! The grammar, which turns words into a scene.
 //!
-//! Invariant: what is allocated grows with what was read, never with what the file announces.
+//! Invariant: allocated memory grows with the text that was read, never with a number in the file.
 
 use std::fs::File;
 use std::io::{BufRead, BufReader};
@@ -14,7 +14,7 @@ use crate::view;
 use crate::words::Words;
 use crate::{Error, Fault, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
-/// What entities are called in messages.
+/// The names of entities in messages.
 const VIEW: &str = "view";
 const BACKGROUND: &str = "background";
 const LIGHT: &str = "light";
@@ -24,7 +24,7 @@ const CONE: &str = "cone";
 const POLYGON: &str = "polygon";
 const PATCH: &str = "patch";
 
-/// The name of the entity that a keyword begins.
+/// The name of the entity with this keyword.
 fn name(keyword: &str) -> Option<&'static str> {
     Some(match keyword {
         "v" => VIEW,
@@ -43,7 +43,7 @@ fn name(keyword: &str) -> Option<&'static str> {
 /// Reads a scene file within the default [`Limits`].
 ///
 /// # Errors
-/// A file that can't be read, and all that [`parse`] refuses.
+/// The file can't be read, or any error of [`parse`].
 pub fn read(path: &Path) -> Result<Scene, Error> {
     let name = path.display().to_string();
     match File::open(path) {
@@ -52,13 +52,14 @@ pub fn read(path: &Path) -> Result<Scene, Error> {
     }
 }
 
-/// Parses a scene; `name` is what messages call it.
+/// Parses a scene; error messages begin with `name`.
 ///
-/// Lights and the background may stand anywhere: that they come before the objects helps only
-/// programs that draw while they read.
+/// Lights and the background may be anywhere in the text. Only programs that draw while they read
+/// need them before the objects.
 ///
 /// # Errors
-/// A reader that fails, text that is not NFF, and scenes beyond `limits`; each with its line.
+/// - The reader fails.
+/// - The text is not NFF, or the scene exceeds `limits`; the error names the line.
 pub fn parse(reader: impl BufRead, name: &str, limits: &Limits) -> Result<Scene, Error> {
     let mut parser = Parser::new(reader, limits);
     parser
@@ -69,7 +70,7 @@ pub fn parse(reader: impl BufRead, name: &str, limits: &Limits) -> Result<Scene,
                 file: name.to_owned(),
                 source,
             },
-            // An empty file has no line, but a message needs one.
+            // An empty file has no line, but the message needs one.
             LineError::Fault(fault) => Error::Text {
                 file: name.to_owned(),
                 line: parser.words.line().max(1),
@@ -90,7 +91,7 @@ struct Parser<'a, R> {
     view: Option<(u32, View)>,
     background: Option<(u32, DVec3)>,
     ambient: Option<(u32, DVec3)>,
-    /// Line of the last material's shader.
+    /// The line of the last material's shader.
     shader: Option<u32>,
     lights: Vec<Light>,
     materials: Vec<Material>,
@@ -135,7 +136,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(())
     }
 
-    /// The scene, of what was read.
+    /// Makes the scene of the entities that were read.
     fn take(&mut self, name: &str) -> Result<Scene, LineError> {
         let (_, view) = self.view.take().ok_or(Fault::NoView)?;
         Ok(Scene {
@@ -246,7 +247,7 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(())
     }
 
-    /// Adds an object, whose keyword is read; `shape` reads what is left of it.
+    /// Adds an object whose keyword was read; `shape` reads the rest of it.
     fn object(
         &mut self,
         entity: &'static str,
@@ -325,8 +326,8 @@ impl<'a, R: BufRead> Parser<'a, R> {
         Ok(Shape::Patch { vertices, normals })
     }
 
-    /// Reads how many vertices there are to come. Refused before the first one is read: it may be
-    /// far beyond any memory.
+    /// Reads the number of vertices. A number beyond the limit is refused before the first vertex
+    /// is read, because it may exceed all memory.
     fn vertices(&mut self, entity: &'static str) -> Result<usize, LineError> {
         let limit = self.limits.vertices;
         let count = self.words.count(limit)?;
@@ -345,12 +346,12 @@ impl<'a, R: BufRead> Parser<'a, R> {
     }
 }
 
-/// Whether what may be given once was not; else its first line is here.
+/// Checks that an entity occurs only once; `first` is the line of an earlier one.
 fn once(entity: &'static str, first: Option<u32>) -> Result<(), Fault> {
     first.map_or(Ok(()), |first| Err(Fault::Second { entity, first }))
 }
 
-/// Whether one more of `what` may be added to `len`.
+/// Checks that the limit allows one more of `what`.
 fn room(len: usize, what: &'static str, limit: usize) -> Result<(), Fault> {
     if len < limit {
         Ok(())

@@ -1,22 +1,23 @@
 //! The scene's data, in the file's order.
 //!
-//! Equality is that of what is shown: where things came from (file name and lines) is not
-//! compared, so that a scene equals itself written and read back.
+//! Equality compares only what is shown, not the file name and the lines. So a scene that is
+//! written and read back is equal to the original.
 
 use glam::DVec3;
 
 use crate::View;
 
-/// A scene: who looks, at what, under which lights. Lengths are in the scene's own unit.
+/// A scene: view, lights, materials and objects. Lengths are in the scene's own unit.
 #[derive(Debug, Clone)]
 pub struct Scene {
-    /// Where the scene came from; messages begin with it.
+    /// The name of the scene or its file; messages begin with it.
     pub name: String,
-    /// The eye.
+    /// The eye and its target.
     pub view: View,
-    /// Colour where no object is hit, red, green and blue from 0 to 1. Black if the file has none.
+    /// The colour of rays that hit nothing: red, green and blue from 0 to 1. Black if the file has
+    /// none.
     pub background: DVec3,
-    /// Light that is everywhere, red, green and blue. Black if the file has none.
+    /// The ambient light's red, green and blue. Black if the file has none.
     pub ambient: DVec3,
     /// Lights, in file order.
     pub lights: Vec<Light>,
@@ -31,23 +32,23 @@ pub struct Scene {
 pub struct Light {
     /// Line of the file, from 1.
     pub line: u32,
-    /// Where it is.
+    /// The light's position or direction.
     pub kind: LightKind,
-    /// Its colour, where the file gives one.
+    /// The light's colour, if the file has one.
     pub colour: Option<DVec3>,
 }
 
-/// Where a light is.
+/// A light's position or direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum LightKind {
-    /// In a place of the scene (`l`).
+    /// A point light (`l`).
     Point {
-        /// That place.
+        /// The position.
         position: DVec3,
     },
-    /// Infinitely far, the same from everywhere (`#cellray sun`).
+    /// A light infinitely far away (`#cellray sun`).
     Directional {
-        /// The direction to it, as given: not 0, not normalised.
+        /// The direction to the light, as in the file: not 0, and not normalised.
         to_light: DVec3,
     },
 }
@@ -61,73 +62,73 @@ pub struct Material {
     pub colour: DVec3,
     /// Diffuse share, Kd.
     pub diffuse: f64,
-    /// Specular share, Ks: of the highlight, and of what a mirror reflects.
+    /// Specular share, Ks: of the highlight and of the reflected light.
     pub specular: f64,
     /// Exponent of Phong's highlight.
     pub shine: f64,
-    /// Share of light let through, T; 0 is opaque.
+    /// Share of the light that passes through, T; 0 is opaque.
     pub transmittance: f64,
     /// Index of refraction.
     pub refraction_index: f64,
-    /// What makes its colour (`#cellray shader`).
+    /// The shader that computes the colour (`#cellray shader`).
     pub shader: Shader,
 }
 
-/// What makes the colour of a material's surfaces.
+/// The shader that computes the colour of a material's surfaces.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub enum Shader {
-    /// The material's colour as it is, without lights, mirror or glass.
+    /// The material's colour, without lights, reflection or transmission.
     Flat,
-    /// Without a highlight.
+    /// Lambert's model, without a highlight.
     Lambert,
-    /// With one: NFF's own.
+    /// Phong's model with a highlight, NFF's default.
     #[default]
     Phong,
-    /// Cubes of two colours by turns.
+    /// A checker pattern of cubes with two colours.
     Checker {
-        /// The colour beside the material's own.
+        /// The second colour; the first is the material's.
         other: DVec3,
-        /// Edge of a cube, more than 0.
+        /// The edge of a cube, above 0.
         size: f64,
     },
-    /// The material's colour, the nearer the brighter, without lights, mirror or glass.
+    /// The material's colour, brighter when nearer, without lights, reflection or transmission.
     Depth {
-        /// Distance at which it is black.
+        /// The distance at which the surface is black.
         far: f64,
-        /// Distance, less than `far`, up to which it is as bright as it gets.
+        /// The distance, below `far`, up to which the surface has full brightness.
         near: f64,
     },
-    /// A game's own.
+    /// A game's own shader.
     Own {
-        /// Its name.
+        /// The shader's name.
         name: String,
-        /// What it makes of these is its own affair; 0 where the file gives none.
+        /// The shader's parameters, whose meaning is its own; 0 if the file has none.
         parameters: [f64; 4],
     },
 }
 
-/// A thing to see.
+/// An object.
 #[derive(Debug, Clone)]
 pub struct Object {
     /// Line of the file on which the object starts, from 1.
     pub line: u32,
     /// Index of its material in [`Scene::materials`].
     pub material: u32,
-    /// What it is.
+    /// The object's shape.
     pub shape: Shape,
 }
 
-/// The form of an object.
+/// The shape of an object.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
-    /// `s`. A negative radius shows only the inside.
+    /// `s`. With a negative radius only the inside is visible.
     Sphere {
         /// Centre.
         centre: DVec3,
         /// Radius, not 0.
         radius: f64,
     },
-    /// `c`: a cylinder or a cone without caps. Two negative radii show only the inside.
+    /// `c`: a cone or cylinder without caps. With two negative radii only the inside is visible.
     Cone {
         /// Centre of the base.
         base: DVec3,
@@ -135,27 +136,27 @@ pub enum Shape {
         base_radius: f64,
         /// Centre of the apex.
         apex: DVec3,
-        /// Radius at the apex; not 0 together with the base's.
+        /// Radius at the apex. The two radii are not both 0.
         apex_radius: f64,
     },
-    /// `p`: a planar polygon, perhaps concave, counter-clockwise as seen from its front.
+    /// `p`: a planar polygon, possibly concave, counter-clockwise as seen from its front.
     Polygon {
         /// At least three vertices.
         vertices: Vec<DVec3>,
     },
-    /// `pp`: a polygon with a normal a vertex.
+    /// `pp`: a polygon with a normal at each vertex.
     Patch {
         /// At least three vertices.
         vertices: Vec<DVec3>,
-        /// A normal for each vertex, as given: not normalised.
+        /// A normal for each vertex, as in the file: not normalised.
         normals: Vec<DVec3>,
     },
 }
 
 impl Scene {
-    /// The brightness of a light, red, green and blue: its colour, as it stands, where the file
-    /// gives one; else a grey by the Standard Procedural Databases' rule, sqrt(n) / (2 n) of all n
-    /// lights.
+    /// The brightness of a light in red, green and blue. It is the light's colour if the file has
+    /// one. Otherwise it is a grey by the rule of the Standard Procedural Databases: sqrt(n) / (2
+    /// n) for n lights in all.
     #[must_use]
     pub fn brightness(&self, light: &Light) -> DVec3 {
         let count = self.lights.len().max(1) as f64;

@@ -1,10 +1,10 @@
-//! The sphereflake: the Standard Procedural Databases' scene "balls", generated.
+//! Generates the sphereflake, the Standard Procedural Databases' scene "balls".
 //!
-//! A sphere carries nine children of a third of its radius that touch it: six around its equator,
-//! three around its pole. A child's pole points away from its parent.
+//! Each sphere has nine children that touch it, with a third of its radius: six around its equator
+//! and three around its pole. A child's pole points away from its parent.
 //!
-//! Source of the numbers: the published balls.nff of SPD 3. Invariant: the lines of the generated
-//! scene are those of its own text.
+//! Source of the numbers: the published balls.nff of SPD 3. Invariant: the line numbers in the
+//! generated scene are those of its own text.
 
 use std::f64::consts::{FRAC_PI_3, FRAC_PI_4, PI};
 
@@ -12,46 +12,46 @@ use glam::{DQuat, DVec3};
 
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
-/// What names a generated sphereflake where a file name is expected: `sphereflake:LEVEL`.
+/// The prefix of a generated sphereflake's name: `sphereflake:LEVEL`.
 pub(crate) const PREFIX: &str = "sphereflake:";
 
-/// Radius of the first sphere, around the origin; the ground lies under it.
+/// The radius of the first sphere. It is at the origin, and the ground is below it.
 const RADIUS: f64 = 0.5;
 /// Half the side of the square ground.
 const GROUND: f64 = 12.0;
-/// A child's radius in its parent's.
+/// A child's radius, relative to its parent's.
 const SHRINK: f64 = 1.0 / 3.0;
-/// The parent's own axis: where the pole of the first sphere points.
+/// The pole of the first sphere.
 const POLE: DVec3 = DVec3::Z;
-/// Where the lights are.
+/// The positions of the lights.
 const LIGHTS: [DVec3; 3] = [
     DVec3::new(4.0, 3.0, 2.0),
     DVec3::new(1.0, -4.0, 4.0),
     DVec3::new(-3.0, 1.0, 5.0),
 ];
 
-/// Why a sphereflake is not generated.
+/// Why a sphereflake can't be generated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The level is not a number.
     #[error("sphereflake level {0} is not a whole number from 0")]
     Level(Excerpt),
-    /// A scene beyond the default [`Limits`].
+    /// The scene exceeds the default [`Limits`].
     #[error(
         "a sphereflake of level {level} has {count} spheres and a polygon, more than {limit} objects"
     )]
     TooMany {
-        /// The level asked for.
+        /// The requested level.
         level: u32,
-        /// How many spheres it has; the largest number there is stands for all beyond it.
+        /// The number of its spheres, or `u128::MAX` if that is larger.
         count: u128,
-        /// Most objects.
+        /// The most objects.
         limit: usize,
     },
 }
 
-/// How many spheres a level has, the sum of 9^n from 0 to the level; the largest number there is
-/// stands for all beyond it.
+/// The number of spheres of a level: the sum of 9^n for n from 0 to the level, or `u128::MAX` if
+/// that is larger.
 #[must_use]
 pub fn sphere_count(level: u32) -> u128 {
     let next = level
@@ -60,10 +60,10 @@ pub fn sphere_count(level: u32) -> u128 {
     next.map_or(u128::MAX, |next| (next - 1) / 8)
 }
 
-/// Generates the scene; level 0 is one sphere on its ground, SPD's default is 4.
+/// Generates the scene. Level 0 is one sphere on the ground; SPD's default is 4.
 ///
 /// # Errors
-/// A level with more objects than the default [`Limits`] allow.
+/// The level has more objects than the default [`Limits`] allow.
 pub fn generate(level: u32) -> Result<Scene, Error> {
     let limit = Limits::default().objects;
     let count = sphere_count(level);
@@ -119,7 +119,7 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
     grow(
         &mut objects,
         &children(),
-        &Ball {
+        &Flake {
             centre: DVec3::ZERO,
             radius: RADIUS,
             pole: POLE,
@@ -145,18 +145,18 @@ pub fn generate(level: u32) -> Result<Scene, Error> {
     })
 }
 
-/// A sphere and the direction, of length 1, in which its pole is.
-struct Ball {
+/// A sphere, and the direction of its pole, of length 1.
+struct Flake {
     centre: DVec3,
     radius: f64,
     pole: DVec3,
 }
 
-/// Adds `ball` and, down to `levels` below it, its descendants, each right after its parent.
-fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u32) {
+/// Adds `sphere` and, down to `levels` below it, its descendants, each right after its parent.
+fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], sphere: &Flake, levels: u32) {
     let shape = Shape::Sphere {
-        centre: ball.centre,
-        radius: ball.radius,
+        centre: sphere.centre,
+        radius: sphere.radius,
     };
     // The first sphere is on line 19 and follows one polygon.
     let line = objects.len() as u32 + 18;
@@ -168,15 +168,15 @@ fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u
     if levels == 0 {
         return;
     }
-    let turn = DQuat::from_rotation_arc(POLE, ball.pole);
-    let radius = ball.radius * SHRINK;
+    let turn = DQuat::from_rotation_arc(POLE, sphere.pole);
+    let radius = sphere.radius * SHRINK;
     for &child in children {
         let pole = (turn * child).normalize();
-        let centre = ball.centre + (ball.radius + radius) * pole;
+        let centre = sphere.centre + (sphere.radius + radius) * pole;
         grow(
             objects,
             children,
-            &Ball {
+            &Flake {
                 centre,
                 radius,
                 pole,
@@ -186,9 +186,9 @@ fn grow(objects: &mut Vec<Object>, children: &[DVec3; 9], ball: &Ball, levels: u
     }
 }
 
-/// Where a sphere with its pole at [`POLE`] carries its children: nine of a cuboctahedron's twelve
-/// vertices, so that neighbours are 60 degrees apart. Three sets, each of one child near the pole
-/// and the two on the equator next to it.
+/// The directions of the children of a sphere with its pole at [`POLE`]: nine of a cuboctahedron's
+/// twelve vertices, so that neighbours are 60 degrees apart. There are three sets, each with one
+/// child near the pole and the two next to it on the equator.
 fn children() -> [DVec3; 9] {
     // The face around the pole is an equilateral triangle of chords of length 1.
     let near_pole = libm::asin(1.0 / 3.0f64.sqrt());

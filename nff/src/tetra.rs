@@ -1,20 +1,19 @@
-//! The tetrahedra: the Standard Procedural Databases' scene "tetra", generated.
+//! Generates the tetrahedra, the Standard Procedural Databases' scene "tetra".
 //!
-//! A tetrahedron in every other corner of a cube; a level more puts four half as large into its
-//! corners.
+//! A tetrahedron has its vertices at every other corner of a cube. Each further level replaces it
+//! by four of half the size in its corners.
 //!
-//! Source of the numbers: the published tetra.nff of SPD 3. Invariant: the lines of the generated
-//! scene are those of its own text.
+//! Source of the numbers: the published tetra.nff of SPD 3. Invariant: the line numbers in the
+//! generated scene are those of its own text.
 
 use glam::DVec3;
 
 use crate::{Excerpt, Light, LightKind, Limits, Material, Object, Scene, Shader, Shape, View};
 
-/// What names generated tetrahedra where a file name is expected: `tetra:LEVEL`.
+/// The prefix of generated tetrahedra's name: `tetra:LEVEL`.
 pub(crate) const PREFIX: &str = "tetra:";
 
-/// Where a tetrahedron's vertices are in its cube: the corners whose signs have a positive
-/// product.
+/// The vertices of a tetrahedron in its cube: the corners whose signs have a positive product.
 const CORNERS: [DVec3; 4] = [
     DVec3::new(-1.0, -1.0, 1.0),
     DVec3::new(-1.0, 1.0, -1.0),
@@ -30,18 +29,18 @@ const LINES_BEFORE: u32 = 10;
 /// Lines of a polygon.
 const LINES_EACH: u32 = 4;
 
-/// Why tetrahedra are not generated.
+/// Why tetrahedra can't be generated.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum Error {
     /// The level is not a number.
     #[error("tetra level {0} is not a whole number from 0")]
     Level(Excerpt),
-    /// A scene beyond the default [`Limits`].
+    /// The scene exceeds the default [`Limits`].
     #[error("tetra of level {level} has {count} polygons, more than {limit} objects")]
     TooMany {
-        /// The level asked for.
+        /// The requested level.
         level: u32,
-        /// How many polygons it has; the largest number there is stands for all beyond it.
+        /// The number of its polygons, or `u128::MAX` if that is larger.
         count: u128,
         /// Most objects.
         limit: usize,

@@ -22,12 +22,12 @@ pub fn area_vector(vertices: &[DVec3]) -> DVec3 {
     })
 }
 
-/// The triangles of a polygon, as indices of its vertices: of the corners left, beginning with the
-/// second, the first that is an ear is cut, until three are left. Takes time with the square of
-/// the number of vertices.
+/// The triangles of a polygon, as indices of its vertices. Of the remaining corners, starting with
+/// the second, the first one that is an ear is cut off until three are left. The time grows with
+/// the square of the number of vertices.
 ///
-/// Nothing where that does not fill what is inside by the even-odd rule, because edges cross:
-/// [`even_odd`](crate::even_odd) has the triangles then.
+/// `None` if the triangles would not fill the inside by the even-odd rule, because edges cross.
+/// Use [`even_odd`](crate::even_odd) then.
 #[must_use]
 pub fn triangles(vertices: &[DVec3]) -> Option<Vec<[u32; 3]>> {
     let flat = flat(vertices);
@@ -35,8 +35,8 @@ pub fn triangles(vertices: &[DVec3]) -> Option<Vec<[u32; 3]>> {
     is_cover(&found, &flat).then_some(found)
 }
 
-/// Cuts the ears of a ring of points, given by their indices. What is no more than `slack` beside
-/// an edge is taken to be on it.
+/// Cuts the ears off a ring of points, given by their indices. Points within `slack` of an edge
+/// count as on it.
 pub(crate) fn cut(mut ring: Vec<u32>, flat: &[DVec2], slack: f64) -> Vec<[u32; 3]> {
     let mut found = Vec::with_capacity(ring.len().saturating_sub(2));
     while ring.len() > 3 {
@@ -50,9 +50,8 @@ pub(crate) fn cut(mut ring: Vec<u32>, flat: &[DVec2], slack: f64) -> Vec<[u32; 3
     found
 }
 
-/// Whether triangles that a ring was cut into are all counter-clockwise and overlap nowhere. How
-/// often the ring winds around a point is in how many of them it lies: then that is nowhere more
-/// than once.
+/// Whether the triangles of a ring are all counter-clockwise and don't overlap. The number of
+/// triangles that contain a point is the ring's winding number there, so that is then at most 1.
 fn is_cover(triangles: &[[u32; 3]], flat: &[DVec2]) -> bool {
     let rounding = rounding(flat);
     let mut sound: Vec<([DVec2; 3], DVec2, DVec2)> = Vec::with_capacity(triangles.len());
@@ -80,7 +79,7 @@ fn is_cover(triangles: &[[u32; 3]], flat: &[DVec2]) -> bool {
     true
 }
 
-/// Whether a triangle lies on the outer side of an edge of another.
+/// Whether a triangle is on the outer side of another one's edge.
 fn lies_beside(corners: &[DVec2; 3], other: &[DVec2; 3], rounding: f64) -> bool {
     let [a, b, c] = *other;
     [(a, b), (b, c), (c, a)].iter().any(|&(from, to)| {
@@ -91,14 +90,13 @@ fn lies_beside(corners: &[DVec2; 3], other: &[DVec2; 3], rounding: f64) -> bool 
     })
 }
 
-/// A distance that counts for nothing: what rounding may move points, and far less than a picture
-/// shows.
+/// A negligible distance: the error of points by rounding, which is far less than a picture shows.
 pub(crate) fn rounding(flat: &[DVec2]) -> f64 {
     let reach = flat.iter().map(|point| point.abs().max_element());
     reach.fold(0.0, f64::max) / (1_u64 << 40) as f64
 }
 
-/// Height of a triangle over its longest edge, negative if it is clockwise.
+/// The height of a triangle over its longest edge, negative if it is clockwise.
 pub(crate) fn height([a, b, c]: [DVec2; 3]) -> f64 {
     let longest = a.distance(b).max(b.distance(c)).max(c.distance(a));
     if longest > 0.0 {
@@ -119,7 +117,7 @@ pub(crate) fn flat(vertices: &[DVec3]) -> Vec<DVec2> {
     vertices.iter().map(project).collect()
 }
 
-/// The corner at a place of the ring: the vertex before, its own and the one after.
+/// The corner at a place of the ring: the previous vertex, the vertex itself, and the next one.
 fn corner(ring: &[u32], place: usize) -> [u32; 3] {
     let len = ring.len();
     [
@@ -129,15 +127,15 @@ fn corner(ring: &[u32], place: usize) -> [u32; 3] {
     ]
 }
 
-/// Place of the first corner, from the second on, whose triangle lies in the polygon; without one,
-/// as may be where edges cross, that of the second.
+/// The place of the first corner, from the second on, whose triangle is inside the polygon. If
+/// there is none, which is possible if edges cross, the second corner's place.
 fn first_ear(flat: &[DVec2], ring: &[u32], slack: f64) -> usize {
     let at = |vertex: u32| flat[vertex as usize];
     let turn = |a: u32, b: u32, c: u32| turn(at(a), at(b), at(c));
     let least = |from: u32, to: u32| slack * at(from).distance(at(to));
     let is_convex = |[a, b, c]: [u32; 3]| turn(a, b, c) > least(a, c);
     let is_right = |from: u32, to: u32, vertex: u32| turn(from, to, vertex) < -least(from, to);
-    // Only a vertex at which the polygon is not convex can be the deepest within an ear.
+    // Only a vertex at which the polygon is concave can be the deepest one within an ear.
     let hollow: Vec<u32> = (0..ring.len())
         .filter(|&place| !is_convex(corner(ring, place)))
         .map(|place| ring[place])

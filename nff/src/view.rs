@@ -1,32 +1,32 @@
-//! The eye (`v`) and the rays that leave it.
+//! The view (`v`) and its camera.
 //!
-//! Invariant: a [`Camera`] has finite vectors, `right` and `down` at right angles to each other
-//! and of one length.
+//! Invariant: a [`Camera`]'s vectors are finite, and `right` and `down` are perpendicular and of
+//! equal length.
 
 use glam::DVec3;
 use thiserror::Error;
 
-/// Most pixels on a side of a picture, whoever makes it.
+/// The largest width and height of a picture in pixels.
 pub const MAX_SIDE: u32 = 8192;
 
-/// Sine of the smallest angle between the line of sight and `up` that still tells where up is:
-/// far above what rounding does to two parallel vectors (some 1e-16).
+/// The sine of the smallest allowed angle between the line of sight and `up`. It is far above the
+/// rounding error for two parallel vectors, about 1e-16.
 const MIN_UP_SINE: f64 = 1e-9;
 
-/// The eye as the file gives it.
+/// The view of a file: the eye, its target, and the picture's angle and size.
 #[derive(Debug, Clone, PartialEq)]
 pub struct View {
-    /// Where the eye is.
+    /// The position of the eye.
     pub from: DVec3,
-    /// What it looks at.
+    /// The point that the eye looks at.
     pub at: DVec3,
-    /// Which way is up; need not be perpendicular to the line of sight.
+    /// The up direction. It need not be perpendicular to the line of sight.
     pub up: DVec3,
-    /// Degrees between the centres of the top and the bottom pixel row.
+    /// The angle in degrees between the centres of the top and the bottom row of pixels.
     pub angle: f64,
-    /// Distance of the hither plane, which a ray tracer does not need.
+    /// The distance of the hither plane, which a ray tracer does not need.
     pub hither: f64,
-    /// Width and height of the picture that the file asks for, in pixels.
+    /// The picture's width and height in pixels, as the file requests.
     pub resolution: (u32, u32),
 }
 
@@ -34,23 +34,23 @@ pub struct View {
 /// `corner + x * right + y * down`, which is not normalised.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Camera {
-    /// Where every ray starts.
+    /// The origin of every ray.
     pub eye: DVec3,
-    /// Direction through the centre of the top left pixel.
+    /// The direction through the centre of the top left pixel.
     pub corner: DVec3,
-    /// From a pixel to its right neighbour.
+    /// The step from a pixel to its right neighbour.
     pub right: DVec3,
-    /// From a pixel to its lower neighbour.
+    /// The step from a pixel to its lower neighbour.
     pub down: DVec3,
 }
 
 /// Why a view shows nothing.
 #[derive(Debug, Clone, PartialEq, Error)]
 pub enum ViewError {
-    /// The eye looks at itself.
+    /// The eye is at its target.
     #[error("from and at are the same point, {0}")]
     NoSight(DVec3),
-    /// `up` is 0 or lies along the line of sight.
+    /// `up` is 0 or parallel to the line of sight.
     #[error("up {0} is zero or parallel to the line of sight")]
     NoUp(DVec3),
     /// The angle is not between 0 and 180 degrees.
@@ -59,17 +59,19 @@ pub enum ViewError {
     /// The hither plane is behind the eye.
     #[error("hither {0} is negative")]
     Hither(f64),
-    /// A picture with no pixels or with too many.
+    /// A side of the picture has no pixels or too many.
     #[error("a picture of {0} pixels: each side must be 1 to {MAX_SIDE}")]
     Size(String),
 }
 
 impl View {
-    /// The rays of a `width` x `height` picture. Pixels are square: the angle is that of the
-    /// height, whatever the width. A picture one pixel high has the angle along its width.
+    /// The camera for a picture of `width` x `height` pixels. Pixels are square, so the angle is
+    /// that of the height, whatever the width. A picture that is one pixel high has the angle
+    /// along its width.
     ///
     /// # Errors
-    /// A view without a line of sight, an up or a sensible angle, and a size that is none.
+    /// - The eye is at its target, or `up` is 0 or parallel to the line of sight.
+    /// - The angle, the hither plane or the size is out of range.
     pub fn camera(&self, width: u32, height: u32) -> Result<Camera, ViewError> {
         check_size(width, height)?;
         check_angle(self.angle)?;
@@ -108,7 +110,7 @@ pub(crate) fn sight(from: DVec3, at: DVec3) -> Result<DVec3, ViewError> {
     unit(at - from).ok_or(ViewError::NoSight(from))
 }
 
-/// The unit direction to the right of who looks along `sight`.
+/// The unit direction to the right of an observer that looks along `sight`.
 pub(crate) fn right(sight: DVec3, up: DVec3) -> Result<DVec3, ViewError> {
     let right = sight.cross(unit(up).ok_or(ViewError::NoUp(up))?);
     if right.length() < MIN_UP_SINE {
@@ -118,7 +120,7 @@ pub(crate) fn right(sight: DVec3, up: DVec3) -> Result<DVec3, ViewError> {
     }
 }
 
-/// Whether a view can have this angle; NaN is none.
+/// Checks that a view can have this angle; NaN is refused.
 pub(crate) fn check_angle(angle: f64) -> Result<(), ViewError> {
     if angle > 0.0 && angle < 180.0 {
         Ok(())
@@ -127,7 +129,7 @@ pub(crate) fn check_angle(angle: f64) -> Result<(), ViewError> {
     }
 }
 
-/// Whether the hither plane can be here; NaN is nowhere.
+/// Checks that the hither plane can have this distance; NaN is refused.
 pub(crate) fn check_hither(hither: f64) -> Result<(), ViewError> {
     if hither >= 0.0 {
         Ok(())
@@ -136,10 +138,10 @@ pub(crate) fn check_hither(hither: f64) -> Result<(), ViewError> {
     }
 }
 
-/// Whether a picture can have this size.
+/// Checks that a picture can have this size in pixels.
 ///
 /// # Errors
-/// A side of no pixels or of more than [`MAX_SIDE`].
+/// A side is 0 or above [`MAX_SIDE`].
 pub fn check_size(width: u32, height: u32) -> Result<(), ViewError> {
     let sides = 1..=MAX_SIDE;
     let fits = sides.contains(&width) && sides.contains(&height);
@@ -150,8 +152,8 @@ pub fn check_size(width: u32, height: u32) -> Result<(), ViewError> {
     }
 }
 
-/// `vector` at length 1; nothing where it has no direction. Its largest component is brought to 1
-/// first, because the squares of tiny ones are 0 and those of huge ones infinite.
+/// Normalises `vector`; `None` if it has no direction. The largest component is scaled to 1 first,
+/// because the squares of tiny components are 0 and those of huge ones infinite.
 #[must_use]
 pub fn unit(vector: DVec3) -> Option<DVec3> {
     let largest = vector.abs().max_element();

@@ -1,9 +1,9 @@
-//! The words of a file, whichever lines they stand on, and what each may be.
+//! Reads the words of a file, and checks their values.
 //!
-//! NFF is read word by word: a line's end is a blank. Only a directive, a comment to other
-//! programs, ends with its line.
+//! NFF is read word by word, and the end of a line is only a blank. Directives, which other
+//! programs take for comments, are the exception: they end with their line.
 //!
-//! Invariant: a number that comes from here is finite and at most [`MAX_MAGNITUDE`] in size.
+//! Invariant: numbers are finite, with a magnitude of at most [`MAX_MAGNITUDE`].
 
 use std::io::BufRead;
 use std::str::FromStr;
@@ -14,11 +14,11 @@ use crate::error::Excerpt;
 use crate::lines::{DIRECTIVE, LineError, Lines};
 use crate::{Fault, LightKind, Limits, MAX_SIDE, Material, Shader, Shape};
 
-/// Largest magnitude of a number in a scene: the squares of differences of such numbers, and sums
-/// of those, stay finite in an `f64`.
+/// The largest magnitude of a number in a scene. The squares of such numbers' differences, and
+/// sums of these squares, are still finite in an `f64`.
 pub const MAX_MAGNITUDE: f64 = 1e150;
 
-/// The words that begin an entity or a part of the view: none of them stands for a number.
+/// The words that begin an entity or a part of the view. None of them can be a number.
 const KEYWORDS: [&str; 15] = [
     "v",
     "b",
@@ -37,7 +37,7 @@ const KEYWORDS: [&str; 15] = [
     "resolution",
 ];
 
-/// What words belong to.
+/// The entity that words belong to.
 #[derive(Clone, Copy)]
 struct Entity {
     name: &'static str,
@@ -50,7 +50,7 @@ struct Entity {
 /// A reader's words, one at a time.
 pub(crate) struct Words<R> {
     lines: Lines<R>,
-    /// Where in the line at hand the next word may begin.
+    /// The position in the current line where the next word may begin.
     at: usize,
     entity: Entity,
 }
@@ -68,7 +68,7 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// Number of the line that the last word, or one that was looked for after it, is on, from 1.
+    /// The number of the current line, from 1: that of the last word, or of a search for the next.
     pub(crate) fn line(&self) -> u32 {
         self.lines.number()
     }
@@ -78,8 +78,8 @@ impl<R: BufRead> Words<R> {
         self.entity.start
     }
 
-    /// The next entity's name for messages, by its keyword, of which `known` knows the names;
-    /// nothing at the end of the file.
+    /// Reads the next entity's keyword, and returns the name that `known` has for it; `None` at
+    /// the end of the file.
     pub(crate) fn entity(
         &mut self,
         known: impl FnOnce(&str) -> Option<&'static str>,
@@ -130,7 +130,7 @@ impl<R: BufRead> Words<R> {
         self.take()
     }
 
-    /// As [`Self::word`], where a keyword is one of the next entity.
+    /// [`Self::word`], except that a keyword belongs to the next entity.
     fn number(&mut self, field: &'static str) -> Result<&str, LineError> {
         let Entity { name, start, .. } = self.entity;
         let word = self.word(field)?;
@@ -146,7 +146,7 @@ impl<R: BufRead> Words<R> {
         Ok(word)
     }
 
-    /// The next word has to be a certain one of the view's.
+    /// Reads the next word, which must be this keyword of the view.
     pub(crate) fn expect(&mut self, expected: &'static str) -> Result<(), LineError> {
         let found = self.word(expected)?;
         if found == expected {
@@ -187,12 +187,12 @@ impl<R: BufRead> Words<R> {
         ))
     }
 
-    /// A side of the resolution, which is still to be checked.
+    /// Reads a side of the resolution, without checking its range.
     pub(crate) fn side(&mut self, field: &'static str) -> Result<u32, LineError> {
         self.whole(field, MAX_SIDE as usize)
     }
 
-    /// A number of vertices, at most `limit`.
+    /// Reads a number of vertices, at most `limit`.
     pub(crate) fn count(&mut self, limit: usize) -> Result<usize, LineError> {
         let field = "number of vertices";
         let count: usize = self.whole(field, limit)?;
@@ -203,7 +203,7 @@ impl<R: BufRead> Words<R> {
         Ok(count)
     }
 
-    /// A whole number, not negative; one that is none of its type is above the limit as well.
+    /// Reads a whole number, not negative. One that its type can't hold is above the limit too.
     fn whole<T: FromStr>(&mut self, field: &'static str, limit: usize) -> Result<T, LineError> {
         let word = self.number(field)?;
         let digits = word.strip_prefix('+').unwrap_or(word);
@@ -220,7 +220,7 @@ impl<R: BufRead> Words<R> {
         Ok((LightKind::Point { position }, colour))
     }
 
-    /// A light's colour, if there is one.
+    /// Reads a light's colour, if there is one.
     pub(crate) fn light_colour(&mut self) -> Result<Option<DVec3>, LineError> {
         if self.more()? {
             let colour = self.colour(["light red", "light green", "light blue"])?;
@@ -230,8 +230,8 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// Whether the entity goes on, where it need not: with anything but a keyword on its line,
-    /// with a number on a later one.
+    /// Whether the entity continues with optional fields: with any word except a keyword on its
+    /// line, or with a number on a later line.
     pub(crate) fn more(&mut self) -> Result<bool, LineError> {
         if self.seek_in_line() {
             return Ok(!KEYWORDS.contains(&self.peek()?));
@@ -239,7 +239,7 @@ impl<R: BufRead> Words<R> {
         Ok(self.entity.name != DIRECTIVE && self.seek()? && is_like_a_number(self.peek()?))
     }
 
-    /// A material, for who knows its line to fill that in.
+    /// Reads a material. The caller fills in its line.
     pub(crate) fn material(&mut self) -> Result<Material, LineError> {
         Ok(Material {
             line: 0,
@@ -263,7 +263,7 @@ impl<R: BufRead> Words<R> {
         }
     }
 
-    /// Refuses a directive that goes on.
+    /// Checks that a directive's line has no more words.
     pub(crate) fn end(&mut self, directive: &'static str) -> Result<(), LineError> {
         if !self.seek_in_line() {
             return Ok(());
@@ -276,7 +276,7 @@ impl<R: BufRead> Words<R> {
         .into())
     }
 
-    /// Goes to the next word, on whichever line; false at the end of the file.
+    /// Goes to the next word, on any line; false at the end of the file.
     fn seek(&mut self) -> Result<bool, LineError> {
         while !self.seek_in_line() {
             self.at = 0;
@@ -287,19 +287,19 @@ impl<R: BufRead> Words<R> {
         Ok(true)
     }
 
-    /// Goes to the next word of the line at hand; false at its end.
+    /// Goes to the next word of the current line; false at the line's end.
     fn seek_in_line(&mut self) -> bool {
         let rest = &self.lines.bytes()[self.at..];
         self.at += rest.len() - rest.trim_ascii_start().len();
         self.at < self.lines.bytes().len()
     }
 
-    /// The word that was gone to.
+    /// The current word.
     fn peek(&self) -> Result<&str, Fault> {
         word_at(self.lines.bytes(), self.at)
     }
 
-    /// The word that was gone to, and goes behind it.
+    /// Returns the current word, and moves behind it.
     fn take(&mut self) -> Result<&str, LineError> {
         let word = word_at(self.lines.bytes(), self.at)?;
         self.at += word.len();
@@ -315,7 +315,7 @@ fn word_at(line: &[u8], at: usize) -> Result<&str, Fault> {
     str::from_utf8(word).map_err(|error| Fault::NotText(at + error.valid_up_to() + 1))
 }
 
-/// That a whole number is above a limit.
+/// The fault that a whole number is above a limit.
 fn large(field: &'static str, value: &str, limit: usize) -> Fault {
     let value = Excerpt::of(value);
     Fault::LargeCount {
@@ -330,7 +330,7 @@ fn is_like_a_number(word: &str) -> bool {
     word.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
 }
 
-/// The real number that `token` is.
+/// Parses a real number.
 fn real(field: &'static str, token: &str) -> Result<f64, Fault> {
     let value: f64 = token.parse().map_err(|_| Fault::NotANumber {
         field,

@@ -1,7 +1,7 @@
-//! A scene as NFF text.
+//! Writes a scene as NFF text.
 //!
-//! Invariant: what is written reads back equal. Numbers are the shortest decimals that name the
-//! same `f64`.
+//! Invariant: a scene that is read back is equal. Numbers are the shortest decimals for the same
+//! `f64`.
 
 use std::fmt;
 
@@ -11,8 +11,8 @@ use crate::lines::DIRECTIVE;
 use crate::{Light, LightKind, Material, Object, Scene, Shader, Shape, View};
 
 impl fmt::Display for Scene {
-    /// Materials keep their order. An object whose material is not the last one written is given
-    /// it once more, which only scenes not made by [`parse`](crate::parse) need.
+    /// Materials keep their order. If an object's material is not the last one written, it is
+    /// written again. Only scenes that [`parse`](crate::parse) did not make need this.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         self.view.fmt(f)?;
         writeln!(f, "b {}", Triple(self.background))?;

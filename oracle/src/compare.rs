@@ -1,36 +1,36 @@
-//! How far a picture is from the reference.
+//! Compares a picture with the reference.
 
 use serde::Serialize;
 
 use crate::{Error, Picture, Reference};
 
-/// What a difference picture multiplies an error with: 1/255 is seen, 16/255 is white.
+/// The factor of errors in a difference picture: 1/255 is visible, 16/255 is white.
 pub const DIFFERENCE_SCALE: u8 = 16;
 
-/// Largest error of a channel, in 1/255, of a pixel that is right: one rounding to a byte.
+/// The largest error of a right pixel's channel, in 1/255: one rounding to a byte.
 const TOLERANCE: u8 = 1;
 
 /// The errors of a picture. Errors of channels are in 1/255.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct Comparison {
-    /// Pixels of which a channel is off by more than 1.
+    /// The number of pixels with a channel that is off by more than 1.
     pub wrong_pixels: u64,
     /// Their share of all pixels, from 0 to 1.
     pub wrong_fraction: f64,
-    /// How many of them are not on a silhouette.
+    /// The number of wrong pixels that are not on a silhouette.
     pub wrong_off_silhouette: u64,
-    /// Largest error of a channel.
+    /// The largest error of a channel.
     pub max_error: u8,
-    /// Largest error of a channel of a pixel that is not on a silhouette.
+    /// The largest error of a channel of pixels that are not on a silhouette.
     pub max_error_off_silhouette: u8,
-    /// Mean error of all channels of all pixels.
+    /// The mean error over all channels of all pixels.
     pub mean_error: f64,
 }
 
 /// Compares a picture with the reference.
 ///
 /// # Errors
-/// Pictures of different sizes.
+/// The pictures have different sizes.
 pub fn compare(picture: &Picture, reference: &Reference) -> Result<Comparison, Error> {
     check_sizes(picture, &reference.picture)?;
     let mut result = Comparison {
@@ -61,10 +61,10 @@ pub fn compare(picture: &Picture, reference: &Reference) -> Result<Comparison, E
     Ok(result)
 }
 
-/// The errors of two pictures, [`DIFFERENCE_SCALE`] times amplified.
+/// The absolute difference of two pictures, times [`DIFFERENCE_SCALE`].
 ///
 /// # Errors
-/// Pictures of different sizes.
+/// The pictures have different sizes.
 pub fn difference(picture: &Picture, reference: &Picture) -> Result<Picture, Error> {
     check_sizes(picture, reference)?;
     let mut result = Picture::black(picture.width(), picture.height())?;
@@ -93,7 +93,8 @@ fn check_sizes(picture: &Picture, reference: &Picture) -> Result<(), Error> {
 mod tests {
     use super::*;
 
-    /// A black reference of five pixels whose last two are on a silhouette, and a picture of it.
+    /// A black reference of five pixels, with the last two on a silhouette, and a picture to
+    /// compare.
     fn pictures(pixels: [[u8; 3]; 5]) -> (Picture, Reference) {
         let black = Picture::black(5, 1).expect("a picture");
         let mut picture = black.clone();

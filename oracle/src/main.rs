@@ -1,6 +1,6 @@
 //! The command line of the reference: renders scenes and compares pictures with them.
 //!
-//! Data goes to stdout, talk to stderr.
+//! Data goes to standard output, messages go to standard error.
 
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
@@ -26,7 +26,7 @@ spheres, tetra:3 has 256 polygons).";
 
 /// Renders scenes in double precision and measures how far pictures are from that.
 #[derive(Parser)]
-#[command(version, after_help = EXAMPLES)]
+#[command(name = "oracle", version, after_help = EXAMPLES)]
 struct Cli {
     #[command(subcommand)]
     verb: Verb,
@@ -37,13 +37,13 @@ enum Verb {
     /// Compares a picture of a scene with the reference.
     ///
     /// A pixel is wrong if a channel is off by more than 1/255. It is on a silhouette if a
-    /// neighbour shows another sphere or its ray passes a sphere's edge within 1e-5 of the radius;
-    /// with --model whitted if a neighbour's rays meet other objects or see other lights.
+    /// neighbour shows another sphere, or if its ray passes a sphere's edge within 1e-5 of the
+    /// radius; with --model whitted, if a neighbour's rays hit other objects or see other lights.
     #[command(after_help = EXAMPLES)]
     Compare {
-        /// The picture, a PNG; the reference is rendered at its size
+        /// PNG picture to compare; the reference is rendered at its size
         picture: PathBuf,
-        /// The scene it shows
+        /// Scene of the picture
         scene: PathBuf,
         /// Prints the errors as JSON
         #[arg(long)]
@@ -58,51 +58,53 @@ enum Verb {
     Render {
         /// The scene
         scene: PathBuf,
-        /// Size of the picture in pixels; the scene's own if not given
+        /// Size of the picture in pixels [default: the scene's own]
         #[arg(long, value_name = "WxH", allow_hyphen_values = true, value_parser = size)]
         size: Option<(u32, u32)>,
-        /// Where to write the picture
+        /// File to write the picture to
         #[arg(long, value_name = "PNG")]
         out: PathBuf,
-        /// Prints how many rays there were as JSON (whitted)
+        /// Prints the numbers of rays as JSON (whitted)
         #[arg(long)]
         stats: bool,
         #[command(flatten)]
         model: Model,
     },
+    /// Write man pages and shell completions.
+    #[command(hide = true)]
+    Pages(pages::Arguments),
 }
 
-/// How a scene is to look.
+/// The options of the model.
 #[derive(Args)]
 struct Model {
-    /// What gives the pixels their colours
+    /// Model to render with
     #[arg(long = "model", value_enum, default_value_t = Name::Depth)]
     name: Name,
-    /// Most rays in a chain, the eye ray counted; 5 if not given (whitted)
+    /// Longest chain of rays, including the primary ray [default: 5] (whitted)
     #[arg(long, value_name = "N", allow_negative_numbers = true, value_parser = ray_depth())]
     ray_depth: Option<u32>,
-    /// Lets glass reflect more the flatter it is looked at, by Schlick (whitted)
+    /// Lets glass reflect by Schlick's approximation (whitted)
     #[arg(long)]
     fresnel: bool,
-    /// Sends rays that add nothing to the picture where SPD counts them (whitted)
+    /// Traces all rays that SPD counts, even those that add nothing to the picture (whitted)
     #[arg(long)]
     spd_rays: bool,
-    /// Sends eye rays through the corners of pixels and averages four, as SPD asks for (whitted)
+    /// Traces primary rays through the corners of pixels and averages four, as SPD does (whitted)
     #[arg(long)]
     corners: bool,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
 enum Name {
-    /// The nearer, the brighter: the paper's; spheres only
+    /// The paper's depth shading, in which nearer spheres are brighter; only spheres
     Depth,
-    /// Lights, shadows, mirrors and glass, all shapes
+    /// Whitted's model: lights, shadows, mirrors, glass, and all shapes
     Whitted,
 }
 
 impl Model {
-    /// Refuses what depth shading has no use for; `stats` is the option that is not the model's
-    /// own.
+    /// Refuses options that depth shading doesn't have. `stats` is an option of the command.
     fn check(&self, stats: bool) {
         let given = [
             (self.ray_depth.is_some(), "--ray-depth"),
@@ -120,7 +122,7 @@ impl Model {
         }
     }
 
-    /// Renders a scene, and tells what of it the model leaves out.
+    /// Renders a scene, and prints the parts that the model leaves out.
     fn trace(&self, scene: &Scene, (width, height): (u32, u32)) -> Result<Traced, oracle::Error> {
         match self.name {
             Name::Depth => {
@@ -150,10 +152,10 @@ impl Model {
     }
 }
 
-/// A scene as rendered.
+/// A rendered scene.
 struct Traced {
     reference: Reference,
-    /// The rays, where the model counts them.
+    /// The numbers of rays, if the model counts them.
     counts: Option<Counts>,
 }
 
@@ -179,6 +181,7 @@ fn main() -> ExitCode {
             model.check(stats);
             render(&scene, &model, size, &out, stats)
         }
+        Verb::Pages(arguments) => pages::write(Cli::command(), &arguments).map_err(Into::into),
     };
     match done {
         Ok(()) => ExitCode::SUCCESS,
@@ -253,17 +256,17 @@ fn render(scene: &Path, model: &Model, size: Option<(u32, u32)>, out: &Path, sta
     Ok(())
 }
 
-/// What `--diff` does.
+/// The help of `--diff`.
 fn difference_help() -> String {
     format!("Writes the absolute difference, {DIFFERENCE_SCALE} times amplified")
 }
 
-/// The ray depths there are.
+/// Parses a ray depth.
 fn ray_depth() -> clap::builder::RangedI64ValueParser<u32> {
     clap::value_parser!(u32).range(1..=i64::from(whitted::MAX_DEPTH))
 }
 
-/// A size such as 1280x720.
+/// Parses a size such as 1280x720.
 fn size(text: &str) -> Result<(u32, u32), String> {
     let is_number =
         |side: &&str| !side.is_empty() && side.bytes().all(|byte| byte.is_ascii_digit());

@@ -1,7 +1,7 @@
 //! Pictures of 8-bit red, green and blue, and their PNG files.
 //!
-//! Invariant: as many bytes as width, height and three channels say; each side as
-//! [`nff::check_size`] has it.
+//! Invariant: the number of pixels is width times height, and [`nff::check_size`] accepts the
+//! size.
 
 use std::fs::File;
 use std::io::BufReader;
@@ -12,7 +12,7 @@ use nff::check_size;
 
 use crate::Error;
 
-/// A picture, row after row from the top, red, green and blue a pixel.
+/// A picture of 8-bit red, green and blue.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Picture {
     image: RgbImage,
@@ -22,7 +22,7 @@ impl Picture {
     /// A black picture.
     ///
     /// # Errors
-    /// A size that no picture can have.
+    /// The size is out of range.
     pub fn black(width: u32, height: u32) -> Result<Self, Error> {
         check_size(width, height)?;
         Ok(Self {
@@ -33,7 +33,7 @@ impl Picture {
     /// Reads a PNG of 8-bit red, green and blue.
     ///
     /// # Errors
-    /// A file that can't be read, is no such PNG, or is too large.
+    /// The file can't be read, is not such a PNG, or is too large.
     pub fn read_png(path: &Path) -> Result<Self, Error> {
         let failed = |source| Error::Png {
             path: path.to_owned(),
@@ -56,7 +56,7 @@ impl Picture {
     /// Writes a PNG.
     ///
     /// # Errors
-    /// A file that can't be written.
+    /// The file can't be written.
     pub fn write_png(&self, path: &Path) -> Result<(), Error> {
         self.image
             .save_with_format(path, ImageFormat::Png)
@@ -66,25 +66,25 @@ impl Picture {
             })
     }
 
-    /// Pixels in a row.
+    /// The width in pixels.
     #[must_use]
     pub fn width(&self) -> u32 {
         self.image.width()
     }
 
-    /// Rows.
+    /// The height in pixels.
     #[must_use]
     pub fn height(&self) -> u32 {
         self.image.height()
     }
 
-    /// The pixels, row after row from the top.
+    /// The pixels, row by row from the top.
     #[must_use]
     pub fn pixels(&self) -> &[[u8; 3]] {
         self.image.as_chunks().0
     }
 
-    /// The pixels, to be changed.
+    /// The pixels, mutable.
     pub fn pixels_mut(&mut self) -> &mut [[u8; 3]] {
         self.image.as_chunks_mut().0
     }

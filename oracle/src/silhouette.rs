@@ -1,9 +1,9 @@
-//! Which pixels lie where a picture jumps.
+//! Finds the pixels on silhouettes.
 //!
-//! Invariant: as many answers as pixels, in their order.
+//! Invariant: the result has one entry for each pixel, in their order.
 
-/// Whether what a pixel shows is not what all of its eight neighbours show. `sights` is what each
-/// shows, row after row of `width`.
+/// For each pixel, whether one of its eight neighbours shows something else. `sights` has what
+/// each pixel shows, in rows of `width`.
 pub(crate) fn mask<T: PartialEq>(sights: &[T], width: usize) -> Vec<bool> {
     let height = sights.len() / width;
     let around = |at: usize, end: usize| at.saturating_sub(1)..(at + 2).min(end);

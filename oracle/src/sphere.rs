@@ -1,27 +1,28 @@
-//! One ray and one sphere, in `f64`.
+//! Intersects a ray and a sphere in `f64`.
 //!
-//! The ray's least distance from the centre decides, not the discriminant b² - a c: that one loses
-//! the radius of a small far sphere beside the square of its distance. Of the two roots, the one
-//! sum of the quadratic's that does not cancel is divided into their product.
+//! The ray's least distance from the centre decides about a hit. The discriminant b² - a c is not
+//! used, because it loses the radius of a small sphere far away in the square of its distance. The
+//! root is the roots' product divided by the other root, whose sum does not cancel.
 
 use glam::DVec3;
 
 /// A sphere as seen from the eye.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Sphere {
-    /// From the eye to the centre.
+    /// The vector from the eye to the centre.
     to_centre: DVec3,
     radius: f64,
-    /// Square of the length of a tangent from the eye; negative for an eye inside.
+    /// The square of the length of a tangent from the eye; negative if the eye is inside.
     tangent_squared: f64,
 }
 
 /// How a ray passes a sphere that is not behind it.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Passage {
-    /// Least distance of the ray from the centre, in radii: 1 is the edge.
+    /// The least distance of the ray from the centre, in radii: 1 is the edge.
     pub offset: f64,
-    /// Where the ray enters, from the eye; nothing for a miss and for an eye inside.
+    /// The distance from the eye at which the ray enters; `None` for a miss, or if the eye is
+    /// inside.
     pub entry: Option<f64>,
 }
 
@@ -37,16 +38,16 @@ impl Sphere {
         }
     }
 
-    /// Whether no ray in the plane through the eye at right angles to the unit vector `normal`
-    /// comes within `reach` radii of the centre. A normal that is none excludes nothing.
+    /// Whether no ray in a plane comes within `reach` radii of the centre. The plane goes through
+    /// the eye, at right angles to the unit vector `normal`. A normal of NaN excludes nothing.
     pub(crate) fn is_off_plane(&self, normal: DVec3, reach: f64) -> bool {
-        // Rounding of the dot product grows with the distance, by some 1e-15 of it.
+        // The rounding error of the dot product is about 1e-15 of the distance.
         let rounding = 1e-12 * self.to_centre.length();
         self.to_centre.dot(normal).abs() > reach * self.radius + rounding
     }
 
-    /// How the ray from the eye in the unit direction `direction` passes; nothing if the centre is
-    /// not in front of it, where no ray can enter.
+    /// How the ray from the eye in the unit direction `direction` passes the sphere. `None` if the
+    /// centre is not in front of the eye, because then no ray can enter.
     pub(crate) fn passage(&self, direction: DVec3) -> Option<Passage> {
         let along = self.to_centre.dot(direction);
         if along <= 0.0 {
@@ -84,7 +85,7 @@ mod tests {
         let mut random = Random(1);
         let mut counts = [0; 3];
         for round in 0..200_000 {
-            // Aimed at the sphere's neighbourhood, from far away, near and inside.
+            // Rays aimed near the sphere, from far away, from nearby, and from inside.
             let radius = 1 + random.whole(1 << 16).abs();
             let centre = random.triple(if round % 4 == 0 { radius } else { 1 << 20 });
             let aside = random.triple(2 * radius);
@@ -147,7 +148,7 @@ mod tests {
 
     #[test]
     fn an_entry_is_exact_to_some_ulps_however_near_or_far() {
-        // Along the axis the distance is known: centre less radius.
+        // Along the axis the exact distance is known: the centre's minus the radius.
         for exponent in -50..=50 {
             let gap = libm::exp2(f64::from(exponent));
             let sphere = Sphere::new(DVec3::ZERO, DVec3::new(0.0, 1.0 + gap, 0.0), 1.0);
@@ -161,7 +162,8 @@ mod tests {
 
     #[test]
     fn the_edge_is_offset_1() {
-        // 3-4-5: a ray from 5 away at sine 3/5 touches a sphere of radius 3.
+        // A triangle of 3, 4, 5: a ray from a distance of 5 with sine 3/5 touches a sphere of
+        // radius 3.
         let sphere = Sphere::new(DVec3::ZERO, DVec3::new(0.0, 5.0, 0.0), 3.0);
         let passage = sphere.passage(DVec3::new(0.6, 0.8, 0.0)).expect("in front");
         assert!((passage.offset - 1.0).abs() < 1e-15);

@@ -1,6 +1,6 @@
-//! The picture of a scene by depth shading, and which of its pixels lie on silhouettes.
+//! Renders a scene by depth shading, and finds the pixels on silhouettes.
 //!
-//! Invariant: what is skipped for speed changes no pixel.
+//! Invariant: tests that are skipped for speed change no pixel.
 
 use glam::DVec3;
 use nff::depth::{self, DepthShading};
@@ -9,45 +9,45 @@ use nff::{Camera, Scene};
 use crate::sphere::Sphere;
 use crate::{Error, Picture, rows, silhouette};
 
-/// How near to a sphere's edge, in radii, a ray counts as on it: some hundred roundings of single
-/// precision, in which a kernel may well take the other side.
+/// A ray within this distance of a sphere's edge, in radii, counts as on the edge. This is about a
+/// hundred rounding errors of single precision, with which a kernel may decide differently.
 const EDGE: f64 = 1e-5;
 
-/// What a scene looks like, for comparison.
+/// The reference picture of a scene.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Reference {
     /// The picture.
     pub picture: Picture,
-    /// Whether a pixel is on a silhouette. By depth shading: its nearest sphere is not that of all
-    /// eight neighbours, or its ray passes a sphere's edge within 1e-5 of the radius. By Whitted:
-    /// the rays that it takes meet other objects, or see other lights, than those of a neighbour.
-    /// Order as in the picture.
+    /// For each pixel, in the picture's order, whether it is on a silhouette. With depth shading:
+    /// one of its eight neighbours shows another sphere, or its ray passes a sphere's edge within
+    /// 1e-5 of the radius. With Whitted's model: its rays hit other objects, or see other lights,
+    /// than those of a neighbour.
     pub silhouette: Vec<bool>,
-    /// Share of the eye rays that meet an object, from 0 to 1.
+    /// The share of the primary rays that hit an object, from 0 to 1.
     pub covered: f64,
 }
 
-/// What the ray of a pixel meets.
+/// What the ray of a pixel hits.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 struct Sight {
-    /// Index of the nearest sphere among those that are drawn; of equally near ones the first.
+    /// The index of the nearest drawn sphere; of equally near ones the first.
     nearest: Option<usize>,
-    /// Whether the ray passes an edge closely.
+    /// Whether the ray passes close to an edge.
     on_edge: bool,
 }
 
-/// The picture of a scene.
+/// Renders a scene.
 ///
 /// # Errors
-/// A size that the view or a [`Picture`] can't have.
+/// The view has no camera for this size, or the size is out of range.
 pub fn render(scene: &Scene, width: u32, height: u32) -> Result<Picture, Error> {
     Ok(trace(scene, width, height)?.picture)
 }
 
-/// The picture of a scene with its silhouettes, on as many threads as there are processors.
+/// Renders a scene with its silhouettes, on as many threads as there are processors.
 ///
 /// # Errors
-/// A size that the view or a [`Picture`] can't have.
+/// The view has no camera for this size, or the size is out of range.
 pub fn trace(scene: &Scene, width: u32, height: u32) -> Result<Reference, Error> {
     let mut picture = Picture::black(width, height)?;
     let camera = scene
@@ -78,7 +78,7 @@ pub fn trace(scene: &Scene, width: u32, height: u32) -> Result<Reference, Error>
     })
 }
 
-/// A scene made ready for its camera.
+/// A scene prepared for its camera.
 struct Stage {
     camera: Camera,
     spheres: Vec<(Sphere, DVec3)>,
@@ -102,7 +102,7 @@ impl Stage {
     }
 
     fn row(&self, y: u32, pixels: &mut [[u8; 3]], sights: &mut [Sight]) {
-        // All rays of a row lie in one plane, which most spheres of a large scene do not touch.
+        // All rays of a row are in one plane, which most spheres of a large scene don't touch.
         let normal = self
             .camera
             .direction(0, y)
@@ -124,7 +124,7 @@ impl Stage {
         }
     }
 
-    /// What a ray meets of the spheres of the indices `reached`, and how far away.
+    /// What a ray hits among the spheres with the indices `reached`, and the distance.
     fn look(&self, direction: DVec3, reached: &[usize]) -> (Sight, f64) {
         let mut sight = Sight::default();
         let mut distance = f64::INFINITY;
@@ -168,12 +168,12 @@ mod tests {
 
     #[test]
     fn brightness_falls_with_distance() {
-        // 81 rows: the middle pixel looks along y, at 9 of the range from 9 to 29.
+        // With 81 rows the middle pixel looks along y, at 9 of the range from 9 to 29.
         let reference = trace(&scene("s 0 0 0 1\ns 0 18 0 1\n"), 81, 81).expect("a picture");
         let pixels = reference.picture.pixels();
         assert_eq!(pixels[40 * 81 + 40], [255, 128, 64]);
         assert_eq!(pixels[0], [0, 0, 255]);
-        // The far one alone, at 27 of the range from 27 to 29 and from 9 to 29.
+        // The far sphere, at 27: alone in the range from 27 to 29, and together from 9 to 29.
         let far = render(&scene("s 0 18 0 1\n"), 81, 81).expect("a picture");
         assert_eq!(far.pixels()[40 * 81 + 40], [255, 128, 64]);
         let both = render(&scene("s 0 18 0 1\ns 5 0 0 1\n"), 81, 81).expect("a picture");
@@ -185,8 +185,8 @@ mod tests {
 
     #[test]
     fn the_share_covered_is_that_of_the_disc() {
-        // Seen from d away a radius r fills a circle of tangent r / sqrt(d² - r²); the picture is
-        // 2 tan 20° high between the outer centres, and one gap more.
+        // From a distance d, a sphere of radius r fills a circle with the tangent r / sqrt(d² -
+        // r²). The picture's height is 2 tan 20° between the outer centres, and one gap more.
         let reference = trace(&scene("s 0 0 0 2\n"), 601, 601).expect("a picture");
         let radius = 2.0 / (100.0f64 - 4.0).sqrt();
         let side = 2.0 * libm::tan(20f64.to_radians()) * 601.0 / 600.0;
@@ -224,14 +224,13 @@ mod tests {
         let reference = trace(&scene("s 0 0 0 2\n"), 201, 201).expect("a picture");
         let middle = &reference.silhouette[100 * 201..][..201];
         let ring: Vec<usize> = (0..201).filter(|&x| middle[x]).collect();
-        // tan of the edge over the gap of 2 tan 20° / 200 is 56.08 pixels from the middle.
+        // The tangent of the edge, divided by the gap of 2 tan 20° / 200, is 56.08 pixels.
         assert_eq!(ring, [43, 44, 156, 157]);
     }
 
     #[test]
     fn a_ray_at_an_edge_is_on_the_silhouette_whatever_its_neighbours_show() {
-        // A sphere smaller than a pixel whose edge the middle ray just misses, and one whose
-        // centre it meets.
+        // A sphere smaller than a pixel: the middle ray just misses its edge, or hits its centre.
         let edge = |x: f64| trace(&scene(&format!("s {x} 0 0 0.001\n")), 3, 3).expect("a picture");
         assert!(edge(0.001_000_001).silhouette[4]);
         assert!(edge(0.001_000_001).covered == 0.0);

@@ -6,15 +6,17 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{FramebufferError, Geometry, NumberedPath};
 use cellray::game::FrameRange;
-use cellray::scene::{self, Look};
-use cellray::spe::{Program, ProgramError};
+use cellray::scene::{self, RenderOptions};
+use cellray::spe::Program;
 use clap::{Args, Parser, Subcommand, ValueEnum};
+
+use crate::error::PlayError;
 
 /// Play games and look at scenes, traced by SPUs.
 #[derive(Debug, Parser)]
 #[command(name = "cellray-play", version, after_help = KEYS, after_long_help = KEYS)]
 pub struct Arguments {
-    /// What to do.
+    /// The command.
     #[command(subcommand)]
     pub command: Command,
 }
@@ -37,19 +39,27 @@ Examples:
   cellray-play view scenes/whitted16.nff --display terminal
   cellray-play play orrery --frames 0..250 --out 'f-%05d.png' --size 1280x720";
 
-/// What to do.
+/// The commands.
 #[derive(Debug, Subcommand)]
 pub enum Command {
-    /// Play a game; without a name, list those that there are
+    /// Play a game; without a name, list the games
     Play(PlayArguments),
     /// Look at a scene from all sides
     View(ViewArguments),
+    /// Write man pages and shell completions
+    #[command(hide = true)]
+    Pages(pages::Arguments),
+    /// Show a PNG file in the terminal
+    Show {
+        /// The picture
+        picture: PathBuf,
+    },
 }
 
 /// `play`.
 #[derive(Debug, Args)]
 pub struct PlayArguments {
-    /// Game
+    /// Name of the game
     pub name: Option<String>,
     /// Options of the game.
     #[command(flatten)]
@@ -68,8 +78,7 @@ pub struct OneGame {
 /// Options of a game.
 #[derive(Debug, Args)]
 pub struct GameOptions {
-    /// All of the game's chance comes from this number [default: another one each time, but 0 for
-    /// pictures]
+    /// Random seed of the game [default: a different one each time, but 0 for pictures]
     #[arg(long, value_name = "N", allow_negative_numbers = true)]
     pub seed: Option<u64>,
     /// Options of the session.
@@ -82,33 +91,35 @@ pub struct GameOptions {
 pub struct ViewArguments {
     /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
     pub scene: PathBuf,
-    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all
-    /// shapes
+    /// Model that the scene is rendered with
     #[arg(long, value_enum, default_value_t)]
     model: Model,
-    /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
+    /// Longest chain of reflected and refracted rays, including the primary ray, 1 to 16
     #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=16))]
     ray_depth: u32,
-    /// Glass reflects as Schlick's approximation has it, beyond its Ks
+    /// Let glass reflect by Schlick's approximation, in addition to its Ks
     #[arg(long)]
     fresnel: bool,
-    /// Objects throw no shadows
+    /// Trace no shadows
     #[arg(long)]
     no_shadows: bool,
+    /// Load the scene, the SPU program and its shaders again whenever their files change
+    #[arg(long, conflicts_with_all = ["record", "replay", "out"])]
+    pub watch: bool,
     /// Options of the session.
     #[command(flatten)]
     pub options: Options,
 }
 
-/// How a scene looks, as a word of the command line.
+/// `--model`.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Model {
-    /// Whitted's if the scene has lights, else depth shading.
+    /// Whitted's model if the scene has lights, otherwise depth shading.
     #[default]
     Scene,
-    /// The paper's: spheres that fade to black with their distance.
+    /// The paper's model: spheres that fade to black with their distance.
     Depth,
-    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
+    /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
     Whitted,
 }
 
@@ -123,10 +134,10 @@ impl From<Model> for scene::Model {
 }
 
 impl ViewArguments {
-    /// How the scene is to look.
+    /// The model and its settings.
     #[must_use]
-    pub fn look(&self) -> Look {
-        Look {
+    pub fn render_options(&self) -> RenderOptions {
+        RenderOptions {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
@@ -137,38 +148,38 @@ impl ViewArguments {
     }
 }
 
-/// Where a game is seen.
+/// The kind of display.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum DisplayKind {
     /// A window on a desktop.
     Window,
-    /// The terminal, in colours.
+    /// The terminal, with coloured characters.
     Terminal,
     /// The console's framebuffer.
     Fb,
     /// Numbered pictures: needs --frames and --out.
     Images,
-    /// Nowhere: frames are traced and measured; needs --frames or --replay.
+    /// No display: frames are only traced and measured; needs --frames or --replay.
     None,
 }
 
 /// Options of a session.
 #[derive(Debug, Args)]
 pub struct Options {
-    /// Where it is seen [default: images with --out; else a window if there is a display server,
-    /// else the terminal]
+    /// Display to use [default: images with --out; otherwise a window if there is a display server,
+    /// otherwise the terminal]
     #[arg(long, value_enum)]
     pub display: Option<DisplayKind>,
-    /// Pixels across and down [default: in a window and a terminal as many as are fluid]
+    /// Width and height in pixels [default: in a window or terminal, as many as run smoothly]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Geometry>,
     /// Framebuffer device, or a regular file that is written like one
     #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
     pub device: PathBuf,
-    /// Frames: A..B, from A up to B, which is not among them; or N, the first N
+    /// Frames: A..B for frames A to B - 1, or N for the first N
     #[arg(long, value_name = "A..B", allow_hyphen_values = true)]
     pub frames: Option<FrameRange>,
-    /// Numbered pictures, such as f-%05d.png; those that are there already are kept
+    /// Numbered pictures to write, such as f-%05d.png; pictures that exist are kept
     #[arg(long, value_name = "F-%05d.png", value_parser = numbered)]
     pub out: Option<NumberedPath>,
     /// Frames a second of game time, for pictures
@@ -180,10 +191,10 @@ pub struct Options {
     /// Play a recorded session back
     #[arg(long, value_name = "F", conflicts_with = "record")]
     pub replay: Option<PathBuf>,
-    /// Folder that F12 puts pictures in
+    /// Folder for the pictures that F12 takes
     #[arg(long, default_value = ".", value_name = "FOLDER")]
     pub screenshots: PathBuf,
-    /// Nothing is said over the picture at first
+    /// Start with the overlay hidden
     #[arg(long)]
     pub no_overlay: bool,
     /// SPUs to use
@@ -197,36 +208,48 @@ pub struct Options {
     /// SPU program to trace with, such as one with shaders of its own [default: the built-in one]
     #[arg(long, value_name = "F.elf")]
     program: Option<PathBuf>,
-    /// Check at every call of a shader that it keeps what it must
+    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    #[arg(long = "shader", value_name = "F.s", conflicts_with = "program")]
+    shaders: Vec<PathBuf>,
+    /// Check at every call of a shader that it keeps the rules for shaders
     #[arg(long)]
     check_shaders: bool,
-    /// Seconds in which no SPU takes work, finishes any or answers, before all count as lost
+    /// Seconds after which SPUs count as lost if none takes work, finishes any or answers
     #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     timeout: u64,
 }
 
 impl Options {
-    /// Whether an SPU program is asked for.
+    /// Whether `--program` selects an SPU program.
     #[must_use]
     pub fn has_program(&self) -> bool {
-        self.program.is_some()
+        self.program.is_some() || !self.shaders.is_empty()
     }
 
-    /// How the engine is to work.
-    pub fn settings(&self) -> Result<Settings, ProgramError> {
+    /// The files that the SPU program is made of, if it is not the built-in one.
+    pub fn program_files(&self) -> impl Iterator<Item = PathBuf> {
+        self.program.iter().chain(&self.shaders).cloned()
+    }
+
+    /// The engine's settings.
+    ///
+    /// # Errors
+    /// The SPU program of `--program` can't be read or is not valid, or a shader can't be built.
+    pub fn settings(&self) -> Result<Settings, PlayError> {
         Ok(Settings {
             spus: self.spus,
             check_shaders: self.check_shaders,
             timeout: Duration::from_secs(self.timeout),
             program: match &self.program {
                 Some(file) => Program::from_file(file)?,
-                None => Program::tracer(),
+                None if self.shaders.is_empty() => Program::tracer(),
+                None => Program::from_image(&spu_build::tracer_with(&self.shaders)?)?,
             },
             ..Settings::default()
         })
     }
 
-    /// Game time from one picture to the next.
+    /// The game's time from one picture to the next.
     #[must_use]
     pub fn step(&self) -> Duration {
         Duration::from_secs(1) / self.fps

@@ -1,4 +1,4 @@
-//! Why there was nothing to see, or no more.
+//! The errors that end `cellray-play`.
 
 use std::io;
 use std::path::PathBuf;
@@ -6,63 +6,81 @@ use std::path::PathBuf;
 use cellray::EngineError;
 use cellray::framebuffer::FramebufferError;
 use cellray::game::{RecordingError, SessionError};
+use cellray::scene::SceneError;
 use cellray::spe::ProgramError;
 
 use crate::display::DisplayError;
 
-/// Why a session came to no good end.
+/// Why a session can't start, or why it ended with an error.
 #[derive(Debug, thiserror::Error)]
 pub enum PlayError {
-    /// No game of that name.
+    /// There is no game with this name.
     #[error("no game {name:?}; there are: {known}")]
     NoGame {
-        /// The name.
+        /// The requested name.
         name: String,
-        /// Those that there are.
+        /// The names of the games.
         known: String,
     },
     /// The scene can't be read.
     #[error(transparent)]
     Scene(#[from] nff::Error),
-    /// The SPU program can't be.
+    /// The SPU program can't be read, or is not valid.
     #[error(transparent)]
     Program(#[from] ProgramError),
-    /// Options that don't go together.
+    /// A shader can't be assembled or linked.
+    #[error(transparent)]
+    Build(#[from] spu_build::Error),
+    /// A picture can't be read.
+    #[error("{}: {source}", path.display())]
+    Picture {
+        /// The file.
+        path: PathBuf,
+        /// The reason.
+        source: image::ImageError,
+    },
+    /// The scene can't be drawn.
+    #[error(transparent)]
+    Refused(#[from] SceneError),
+    /// Man pages or completions can't be written.
+    #[error(transparent)]
+    Pages(io::Error),
+    /// Options that can't be used together.
     #[error("{0}")]
     Options(&'static str),
-    /// No display was named and there is none to choose.
+    /// No display was selected, and there is no display server and no terminal.
     #[error(
-        "no display server and no terminal to show it on; say --display fb for the console's framebuffer, or \
+        "no display server and no terminal to show it on; use --display fb for the console's framebuffer, or \
          --frames A..B --out 'f-%05d.png' for pictures"
     )]
     NoDisplay,
-    /// The display can't be had.
+    /// The display can't be opened.
     #[error(transparent)]
     Display(#[from] DisplayError),
     /// The display failed.
     #[error("display: {0}")]
     Show(#[source] io::Error),
-    /// Nothing can be written to standard output.
+    /// Standard output can't be written to.
     #[error("standard output: {0}")]
     Output(#[source] io::Error),
     /// Signals can't be caught.
     #[error("signals: {0}")]
     Signals(#[source] io::Error),
-    /// A recording can't be made or read.
+    /// A recording can't be created or read.
     #[error("{}: {source}", path.display())]
     Recording {
-        /// Its file.
+        /// The recording's file.
         path: PathBuf,
-        /// What is wrong.
+        /// The reason.
         source: RecordingError,
     },
-    /// A frame can't be traced or shown.
+    /// The session failed: a frame can't be traced or shown.
     #[error(transparent)]
     Session(#[from] SessionError),
-    /// The framebuffer refuses.
+    /// The framebuffer failed.
     #[error(transparent)]
     Framebuffer(#[from] FramebufferError),
-    /// The SPUs can't go on.
+    /// The engine failed.
     #[error(transparent)]
     Engine(#[from] EngineError),
 }

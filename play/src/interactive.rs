@@ -1,5 +1,5 @@
-//! A session in front of a player: frame by frame, with what is said over the picture, pictures
-//! taken of it and a resolution that follows the load.
+//! Runs a session for a player, frame by frame, with an overlay, screenshots, and a resolution
+//! that adapts to the load.
 
 use std::ops::ControlFlow;
 use std::time::Instant;
@@ -12,50 +12,56 @@ use image::RgbImage;
 use crate::arguments::Options;
 use crate::display::Display;
 use crate::error::PlayError;
-use crate::front::{Ending, Front};
-use crate::input::Hub;
+use crate::frontend::{Ending, Frontend};
+use crate::input::InputDevices;
 use crate::meter::Meter;
 use crate::pace::Pace;
 use crate::recording;
+use crate::reload::Reload;
 use crate::screenshot;
 use crate::talk::say;
 use crate::viewer::VIEW;
 
-/// Fewer pixels across or down show nothing.
+/// The least width and height in pixels; smaller pictures show nothing useful.
 const LEAST_SIDE: u32 = 8;
 
-/// What a session was.
+/// The result of a session.
 #[derive(Debug)]
 pub struct Played {
-    /// Why it ended.
+    /// Why the session ended.
     pub ending: Ending,
-    /// What its frames took.
+    /// The statistics of its frames.
     pub report: Report,
-    /// What could not be said before: the terminal was the picture's.
+    /// Messages that could not be printed before, because the terminal showed the picture.
     pub messages: Vec<String>,
 }
 
-/// What a session is seen and heard by.
+/// The display and the devices of a player.
 pub struct Player {
-    /// What is seen.
+    /// The display that shows the frames.
     pub display: Box<dyn Display>,
-    /// Devices, if they are read.
-    pub devices: Option<Hub>,
-    /// A terminal whose keys are read beside them.
+    /// The input devices, if they are read.
+    pub devices: Option<InputDevices>,
+    /// A terminal whose keys are read in addition.
     pub keys: Option<Box<dyn Display>>,
-    /// Whether messages may be written while it lasts.
+    /// Whether messages may be printed during the session.
     pub may_talk: bool,
 }
 
-/// Plays to an end.
+/// Runs a session until it ends.
+///
+/// # Errors
+/// The session, the display or an input device fails.
 pub fn play(
     game: Box<dyn Game>,
     seed: u64,
     options: &Options,
     mut clock: Box<dyn Clock>,
     player: Player,
+    reload: Option<Reload<'_>>,
 ) -> Result<Played, PlayError> {
     let mut show = Show::start(game, seed, options, player)?;
+    show.reload = reload;
     let mut left = options.frames.map(|range| range.end);
     let mut ending = Ending::Over;
     while left != Some(0) {
@@ -73,26 +79,28 @@ pub fn play(
     })
 }
 
-/// A session and what it is seen and heard by.
+/// A session with its frontend.
 struct Show<'a> {
     session: Session<Box<dyn Game>>,
-    front: Front,
+    front: Frontend,
     options: &'a Options,
     may_talk: bool,
-    /// Pixels across and down that are traced.
+    /// The size of the traced picture.
     size: Geometry,
-    /// What that follows, where no size is asked for.
+    /// Chooses the size, if none was requested.
     pace: Option<Pace>,
     meter: Meter,
     has_overlay: bool,
-    /// Messages that are told at the end.
+    /// Messages to print at the end.
     kept: Vec<String>,
-    /// What the session takes with the next step.
+    /// The events for the session's next step.
     events: Vec<InputEvent>,
-    /// The frame that is seen, of a display that is drawn to.
+    /// The visible frame, if the display is drawn to.
     picture: Option<RgbImage>,
-    /// What the names of pictures begin with.
+    /// The beginning of screenshots' names.
     stem: String,
+    /// What is loaded again when its files change.
+    reload: Option<Reload<'a>>,
 }
 
 impl<'a> Show<'a> {
@@ -108,7 +116,7 @@ impl<'a> Show<'a> {
         let size = wanted_size(display.area(), pace.as_ref(), options.size);
         let framebuffer = display.framebuffer(size)?;
         let stem = file_stem(game.name());
-        let front = Front::new(display, player.devices, player.keys, interrupted)
+        let front = Frontend::new(display, player.devices, player.keys, interrupted)
             .map_err(PlayError::Signals)?;
         let session = Session::start(game, options.settings()?, framebuffer)?.with_seed(seed);
         let replay = options.replay.as_deref();
@@ -125,12 +133,14 @@ impl<'a> Show<'a> {
             events: Vec::new(),
             picture: None,
             stem,
+            reload: None,
         })
     }
 
-    /// One frame: its time, what the player does, the session's step, what is said over the
-    /// picture and done beside the game.
+    /// Runs one frame: waits for its time, reads the input, steps the session, shows the picture
+    /// with the overlay, and handles the player's requests.
     fn frame(&mut self, clock: &mut dyn Clock) -> Result<ControlFlow<Ending>, PlayError> {
+        self.reload()?;
         let step = self.session.wait(clock)?;
         let heard = self.front.poll(&mut self.events);
         let heard = heard.map_err(SessionError::Input)?;
@@ -144,20 +154,42 @@ impl<'a> Show<'a> {
             }
             None => None,
         };
-        let wishes = self.front.take_wishes();
+        let requests = self.front.take_requests();
         if flow.is_some() {
-            self.has_overlay ^= wishes.overlay;
+            self.has_overlay ^= requests.overlay;
             self.show()?;
         }
-        self.tell(wishes.screenshot);
+        self.tell(requests.screenshot);
         if flow != Some(ControlFlow::Continue(())) {
-            return Ok(ControlFlow::Break(wishes.ending.unwrap_or(Ending::Over)));
+            return Ok(ControlFlow::Break(requests.ending.unwrap_or(Ending::Over)));
         }
-        self.fit(wishes.resized, began)?;
+        self.fit(requests.resized, began)?;
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Brings the frame before the player's eyes.
+    /// Loads the scene again if its files have changed. If that fails, it shows a message, and the
+    /// scene stays as it was.
+    fn reload(&mut self) -> Result<(), PlayError> {
+        let Some(reload) = &mut self.reload else {
+            return Ok(());
+        };
+        match reload.viewer(self.session.world().view()) {
+            None => Ok(()),
+            Some(Err(error)) => {
+                self.say(format!("not loaded: {error}"));
+                Ok(())
+            }
+            Some(Ok(viewer)) => {
+                let framebuffer = self.front.display.framebuffer(self.size)?;
+                let settings = self.options.settings()?;
+                self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
+                self.say("loaded again".to_owned());
+                Ok(())
+            }
+        }
+    }
+
+    /// Shows the frame on the display, if it is drawn to.
     fn show(&mut self) -> Result<(), PlayError> {
         let Geometry { width, height } = self.front.display.area();
         let sizes = ((self.size.width, self.size.height), (width, height));
@@ -176,7 +208,7 @@ impl<'a> Show<'a> {
         }
     }
 
-    /// Says what the devices have to say, and what has become of a picture that was asked for.
+    /// Prints messages about devices, and takes a screenshot if one was requested.
     fn tell(&mut self, takes_picture: bool) {
         let mut messages = self.front.take_messages();
         if takes_picture {
@@ -184,16 +216,20 @@ impl<'a> Show<'a> {
             messages.push(take_picture(picture, self.options, &self.stem));
         }
         for message in messages {
-            self.meter.say(message.clone(), Instant::now());
-            if self.may_talk {
-                say(message);
-            } else {
-                self.kept.push(message);
-            }
+            self.say(message);
         }
     }
 
-    /// Has the next frame as fine as this one's time allows, and as large as the display.
+    fn say(&mut self, message: String) {
+        self.meter.say(message.clone(), Instant::now());
+        if self.may_talk {
+            say(message);
+        } else {
+            self.kept.push(message);
+        }
+    }
+
+    /// Adapts the size of the next frame to this one's time and to the display's size.
     fn fit(&mut self, is_resized: bool, began: Instant) -> Result<(), PlayError> {
         let is_traced = self.session.engine().statistics().is_traced();
         let took = is_traced.then(|| began.elapsed());
@@ -225,7 +261,7 @@ fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> 
 
 fn take_picture(picture: Option<&RgbImage>, options: &Options, stem: &str) -> String {
     let Some(picture) = picture else {
-        return "no picture can be taken of this display".to_owned();
+        return "this display can't be read back as a picture".to_owned();
     };
     match screenshot::write(&options.screenshots, stem, picture) {
         Ok(path) => format!("picture {}", path.display()),
@@ -233,7 +269,7 @@ fn take_picture(picture: Option<&RgbImage>, options: &Options, stem: &str) -> St
     }
 }
 
-/// A game's name as the beginning of a file's.
+/// Converts a game's name to the beginning of a file's name.
 fn file_stem(name: &str) -> String {
     let file = name.strip_prefix(VIEW).unwrap_or(name);
     let file = file.rsplit('/').next().unwrap_or_default();
@@ -249,7 +285,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn names_become_those_of_files() {
+    fn names_of_games_become_names_of_files() {
         assert_eq!(file_stem("view paper16.nff"), "paper16-nff");
         assert_eq!(file_stem("view my scene.nff"), "my-scene-nff");
         assert_eq!(file_stem("billiards"), "billiards");
@@ -257,7 +293,7 @@ mod tests {
     }
 
     #[test]
-    fn a_size_that_is_asked_for_is_kept() {
+    fn a_requested_size_is_kept() {
         let area = Geometry {
             width: 640,
             height: 360,

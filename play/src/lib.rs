@@ -1,58 +1,62 @@
-//! Games and scenes before a player: in a window, a terminal, on the console's framebuffer, or as
+//! Shows games and scenes in a window, in a terminal, on the console's framebuffer, or as
 //! pictures.
 //!
-//! Owns displays, input devices and the command line of `cellray-play`; what is played it is
-//! given, as a table of [`Entry`]s. A program of one game needs no more than that game:
+//! Owns displays, input devices and the command line of `cellray-play`. The games come from the
+//! caller, as a table of [`Entry`]s. A program with a single game needs only that game:
 //!
 //! ```no_run
-#![doc = include_str!("../../examples/tutorial/src/bin/ball.rs")]
+#![doc = include_str!("ball.rs")]
 //! ```
 
 mod arguments;
 mod display;
 mod error;
-mod front;
+mod frontend;
 pub mod input;
 mod interactive;
 mod meter;
 mod overlay;
 mod pace;
 mod recording;
+mod reload;
 mod screenshot;
 mod talk;
 mod viewer;
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal as _, Write as _};
+use std::path::Path;
 use std::process::ExitCode;
 use std::time::{SystemTime, UNIX_EPOCH};
 
 use cellray::Report;
 use cellray::framebuffer::{Geometry, Interrupted, Memory, refuse_large_files};
 use cellray::game::{Clock, Entry, FixedSteps, Game, Pictures, RealTime, Session};
-use clap::Parser as _;
+use clap::{CommandFactory as _, Parser as _};
 
 use self::arguments::{Arguments, Command, DisplayKind, GameOptions, OneGame, Options};
-use self::display::{Nowhere, Screen, Terminal, Window};
+use self::display::{Colours, NoDisplay, Screen, Terminal, Window, lines};
 use self::error::PlayError;
-use self::front::Ending;
-use self::input::{Hub, SystemDevices, Wanted};
+use self::frontend::Ending;
+use self::input::{DeviceSet, InputDevices, SystemDevices};
 use self::interactive::Player;
+use self::reload::Reload;
 use self::talk::say;
 use self::viewer::Viewer;
 
-/// Size of a window at first, and of pictures.
+/// The initial size of a window, and the default size of pictures.
 const SIZE: Geometry = Geometry {
     width: 960,
     height: 540,
 };
 
-/// The program, with these games.
+/// Runs `cellray-play` with these games. Returns the exit code.
 pub fn main(games: &[Entry]) -> ExitCode {
     end(prepare().and_then(|()| run(games, &Arguments::parse())))
 }
 
-/// A program of one game, whose command line has the options of `cellray-play play` alone.
+/// Runs a program with a single game. Its command line has only the options of `cellray-play
+/// play`. Returns the exit code.
 pub fn main_of<G: Game + Default + 'static>() -> ExitCode {
     end(prepare().and_then(|()| {
         let OneGame { options } = OneGame::parse();
@@ -69,7 +73,7 @@ fn end(ending: Result<Ending, PlayError>) -> ExitCode {
         Ok(Ending::Over | Ending::Closed) => ExitCode::SUCCESS,
         Ok(Ending::Signal(signal)) => {
             say(format_args!("ended by signal {signal}"));
-            // As shells tell of it.
+            // The exit code that shells use for signals.
             u8::try_from(128 + signal).map_or(ExitCode::FAILURE, ExitCode::from)
         }
         Err(error) => {
@@ -83,7 +87,7 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
     match &arguments.command {
         Command::Play(play) => {
             let Some(name) = &play.name else {
-                return print(&list(games));
+                return print(list(games).as_bytes());
             };
             let entry = games.iter().find(|entry| entry.name == name.as_str());
             let entry = entry.ok_or_else(|| PlayError::NoGame {
@@ -99,23 +103,48 @@ fn run(games: &[Entry], arguments: &Arguments) -> Result<Ending, PlayError> {
             }
             self::play((entry.new)(), &play.options)
         }
+        Command::Show { picture } => show(picture),
+        Command::Pages(pages) => {
+            pages::write(Arguments::command(), pages).map_err(PlayError::Pages)?;
+            Ok(Ending::Over)
+        }
         Command::View(view) => {
             let scene = nff::load(&view.scene)?;
             let (width, height) = scene.view.resolution;
             let size = Geometry { width, height };
             size.check()?;
-            let viewer = Viewer::new(scene, view.look());
-            session(Box::new(viewer), Some(0), size, &view.options)
+            let viewer = Viewer::new(scene, view.render_options());
+            session(
+                Box::new(viewer),
+                Some(0),
+                size,
+                &view.options,
+                Reload::new(view),
+            )
         }
     }
 }
 
+/// Writes a picture to standard output, as wide as the terminal.
+fn show(path: &Path) -> Result<Ending, PlayError> {
+    let picture = image::open(path).map_err(|source| PlayError::Picture {
+        path: path.to_path_buf(),
+        source,
+    })?;
+    let columns = crossterm::terminal::size().map_or(80, |(columns, _)| columns);
+    print(&lines(
+        &picture.to_rgb8(),
+        columns,
+        Colours::of_environment(),
+    ))
+}
+
 fn play(game: Box<dyn Game>, options: &GameOptions) -> Result<Ending, PlayError> {
-    session(game, options.seed, SIZE, &options.session)
+    session(game, options.seed, SIZE, &options.session, None)
 }
 
 fn list(games: &[Entry]) -> String {
-    let mut text = String::new();
+    let mut text = String::from("Games; start one with `cellray play NAME`:\n\n");
     for entry in games {
         // Writing to a string can't fail.
         let _ = writeln!(text, "{:12} {}", entry.name, entry.line);
@@ -123,16 +152,16 @@ fn list(games: &[Entry]) -> String {
     text
 }
 
-/// Writes to standard output; whoever reads there may have had enough.
-fn print(text: &str) -> Result<Ending, PlayError> {
+/// Writes to standard output. A reader that has closed its pipe is no error.
+fn print(text: &[u8]) -> Result<Ending, PlayError> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+    match out.write_all(text).and_then(|()| out.flush()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(PlayError::Output(error)),
         _ => Ok(Ending::Over),
     }
 }
 
-/// The display that was asked for, or the first that there is.
+/// The requested display, or the first possible one.
 fn display_kind(options: &Options) -> Result<DisplayKind, PlayError> {
     match options.display {
         Some(kind) => Ok(kind),
@@ -148,27 +177,30 @@ fn session(
     seed: Option<u64>,
     usual: Geometry,
     options: &Options,
+    reload: Option<Reload<'_>>,
 ) -> Result<Ending, PlayError> {
     if options.has_program() && game.program()?.is_some() {
         return Err(PlayError::Options(
             "--program: the game has an SPU program of its own",
         ));
     }
-    // Before a display is opened: a signal that comes meanwhile is a request, too.
+    // Done before a display is opened, so that a signal meanwhile is a request too.
     let _interrupted = Interrupted::install().map_err(PlayError::Signals)?;
     let kind = display_kind(options)?;
     let size = options.size.unwrap_or(usual);
     if kind != DisplayKind::Images {
         if options.out.is_some() {
-            return Err(PlayError::Options("--out goes with --display images alone"));
+            return Err(PlayError::Options(
+                "--out can only be used with --display images",
+            ));
         }
         if options.frames.is_some_and(|range| range.first != 0) {
             return Err(PlayError::Options(
-                "--frames A..B with an A over 0 goes with --out alone: a session begins with frame 0",
+                "--frames A..B with A above 0 needs --out: a session begins with frame 0",
             ));
         }
     }
-    let device_hub = |wanted| Some(Hub::new(Box::new(SystemDevices), wanted));
+    let input_devices = |wanted| Some(InputDevices::new(Box::new(SystemDevices), wanted));
     let real: Box<dyn Clock> = Box::new(RealTime::default());
     let fixed: Box<dyn Clock> = Box::new(FixedSteps(options.step()));
     let title = format!("cellray: {}", game.name());
@@ -177,7 +209,7 @@ fn session(
         DisplayKind::Window => {
             let player = Player {
                 display: Box::new(Window::open(&title, size)?),
-                devices: device_hub(Wanted::Pads),
+                devices: input_devices(DeviceSet::Pads),
                 keys: None,
                 may_talk: true,
             };
@@ -186,7 +218,7 @@ fn session(
         DisplayKind::Terminal => {
             let player = Player {
                 display: Box::new(Terminal::open()?),
-                devices: device_hub(Wanted::Pads),
+                devices: input_devices(DeviceSet::Pads),
                 keys: None,
                 may_talk: false,
             };
@@ -200,7 +232,7 @@ fn session(
             let screen = Screen::open(&options.device, options.size)?;
             let player = Player {
                 display: Box::new(screen),
-                devices: device_hub(Wanted::All),
+                devices: input_devices(DeviceSet::All),
                 keys,
                 may_talk: true,
             };
@@ -213,7 +245,7 @@ fn session(
                 ));
             }
             let player = Player {
-                display: Box::new(Nowhere::new(size)),
+                display: Box::new(NoDisplay::new(size)),
                 devices: None,
                 keys: None,
                 may_talk: true,
@@ -228,7 +260,7 @@ fn session(
             any_seed()
         }
     });
-    let played = interactive::play(game, seed, options, clock, player)?;
+    let played = interactive::play(game, seed, options, clock, player, reload)?;
     for message in &played.messages {
         say(message);
     }
@@ -257,7 +289,7 @@ fn pictures(
     let made = pictures.write(&mut session, range, &mut clock, &mut interrupted)?;
     tell(session.report().clone());
     say(format_args!(
-        "{} picture(s) written, {} there already",
+        "{} picture(s) written, {} existed already",
         made.written, made.kept
     ));
     Ok(interrupted.signal().map_or(Ending::Over, Ending::Signal))
@@ -270,7 +302,7 @@ fn tell(mut report: Report) {
     }
 }
 
-/// Another number at each start.
+/// A seed that differs at each start.
 fn any_seed() -> u64 {
     let now = SystemTime::now().duration_since(UNIX_EPOCH);
     now.map_or(0, |now| now.as_nanos() as u64)

@@ -1,4 +1,4 @@
-//! From what SPUs and frame loop say of themselves to what the overlay says.
+//! Computes the overlay's texts from the statistics of the SPUs and the frame loop.
 
 use std::time::{Duration, Instant};
 
@@ -7,12 +7,12 @@ use cellray::statistics::FrameStatistics;
 
 use crate::overlay::Overlay;
 
-/// Numbers are means over so long: shorter can't be read.
+/// Numbers are averages over this time; for shorter times they change too fast to be read.
 const EVERY: Duration = Duration::from_millis(400);
-/// How long a message stays.
+/// How long a message is visible.
 const MESSAGE: Duration = Duration::from_secs(5);
 
-/// Measures a session.
+/// Measures the speed and the load of a session.
 #[derive(Debug)]
 pub struct Meter {
     began: Instant,
@@ -29,7 +29,7 @@ pub struct Meter {
 }
 
 impl Meter {
-    /// Begins to measure.
+    /// Starts to measure.
     #[must_use]
     pub fn new(now: Instant) -> Self {
         Self {
@@ -47,12 +47,12 @@ impl Meter {
         }
     }
 
-    /// Has this said for a while.
+    /// Shows a message for a while.
     pub fn say(&mut self, message: String, now: Instant) {
         self.message = Some((message, now));
     }
 
-    /// What to say after a frame.
+    /// The overlay after a frame.
     pub fn frame(
         &mut self,
         now: Instant,
@@ -64,7 +64,7 @@ impl Meter {
         if passed >= EVERY {
             self.measure(now, passed.as_secs_f64(), report);
         }
-        // What stands still is not traced: the last numbers stay.
+        // While nothing is traced, the last numbers stay.
         if last.is_traced() {
             let tests = last.tests();
             let needless = tests.skipped + tests.unseen;
@@ -100,7 +100,7 @@ impl Meter {
             0.0
         };
         self.shown = f64::from(report.frames - self.frames) / seconds;
-        // While nothing is traced there is no speed to tell of: the last one stays.
+        // While nothing is traced, the last speed stays.
         if spu_seconds > self.spu_seconds {
             let traced = f64::from(report.frames_traced - self.traced);
             self.simulated = traced / (spu_seconds - self.spu_seconds);

@@ -1,19 +1,19 @@
-//! What is said over the picture: speed, each SPU's load, work that was saved.
+//! The overlay over the picture: speed, each SPU's load, and skipped work.
 
-/// What is said.
+/// The content of the overlay.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Overlay {
     /// Lines of text.
     pub lines: Vec<String>,
-    /// Part of the frame's time that each SPU was at work in, 0 to 1.
+    /// For each SPU the part of the frame's time in which it was at work, 0 to 1.
     pub loads: Vec<f32>,
-    /// News, for a while.
+    /// A message that is shown for a while.
     pub message: Option<String>,
 }
 
 impl Overlay {
-    /// All of it in one line, for where there are letters alone; what matters most first, as the
-    /// line may be cut.
+    /// All of it in one line, for displays with only text. The most important part comes first,
+    /// because the line may be cut off.
     #[must_use]
     pub fn line(&self) -> String {
         let loads: Vec<_> = self

@@ -1,39 +1,41 @@
-//! How finely a picture is traced, by how long its frames take.
+//! Chooses how coarsely a picture is traced, by the time that its frames take.
 //!
-//! Invariants: the divisor is from 1 to [`COARSEST`]; it never becomes smaller within [`REST`]
-//! frames of another change; a change is foreseen not to be taken back at the same load.
+//! Invariants: the divisor is from 1 to [`COARSEST`]. It never becomes smaller within [`REST`]
+//! frames after another change. A change is only made if it is not expected to be reverted at the
+//! same load.
 
 use std::time::Duration;
 
-/// Largest divisor of the display's width and height.
+/// The largest divisor of the display's width and height.
 pub const COARSEST: u32 = 8;
-/// A frame that takes longer makes the picture coarser.
+/// Frames that take longer than this, in seconds, make the picture coarser.
 const TOO_LONG: f64 = 1.0 / 20.0;
-/// A finer picture has to be foreseen to take less: well under [`TOO_LONG`].
+/// A picture becomes finer if it is expected to take less than this, in seconds: well below
+/// [`TOO_LONG`].
 const SHORT: f64 = 1.0 / 30.0;
-/// A picture that stands still may take so long to be made finer: it is traced once.
+/// A picture that stands still is traced only once, so a finer one may take this long, in seconds.
 const STILL: f64 = 0.4;
-/// Frames without anything to trace, after which it counts as standing still.
+/// The number of frames without anything to trace after which a picture counts as standing still.
 const STILL_FRAMES: u32 = 15;
-/// Frames between a change and one that makes the picture finer.
+/// The least number of frames between a change and one that makes the picture finer.
 const REST: u32 = 8;
-/// Part that a frame has in the mean.
+/// The weight of a frame in the running average.
 const WEIGHT: f64 = 0.25;
 
-/// Chooses the divisor.
+/// Chooses the divisor of the display's width and height.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
     divisor: u32,
-    /// Mean seconds of a traced frame at this divisor.
+    /// The average time of a traced frame at this divisor, in seconds.
     seconds: Option<f64>,
-    /// Frames since the last change.
+    /// The number of frames since the last change.
     rested: u32,
-    /// Frames since something was traced.
+    /// The number of frames since something was traced.
     still: u32,
 }
 
 impl Pace {
-    /// Begins in the middle, so that the first frame is not the slowest of all.
+    /// Starts with a medium divisor, so that the first frame isn't the slowest of all.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -44,14 +46,14 @@ impl Pace {
         }
     }
 
-    /// By what the display's width and height are divided.
+    /// The current divisor of the display's width and height.
     #[must_use]
     pub fn divisor(&self) -> u32 {
         self.divisor
     }
 
-    /// Takes the time of a frame, `None` where nothing was traced; whether the divisor is another
-    /// now.
+    /// Records the time of a frame, or `None` if nothing was traced. Returns whether the divisor
+    /// has changed.
     pub fn frame(&mut self, took: Option<Duration>) -> bool {
         self.rested += 1;
         match took {
@@ -59,7 +61,7 @@ impl Pace {
                 let took = took.as_secs_f64();
                 let mean = |mean: f64| mean + WEIGHT * (took - mean);
                 self.seconds = Some(self.seconds.map_or(took, mean));
-                // The first frame after a change is traced because of it, if for nothing else.
+                // The first frame after a change is always traced, because of the change.
                 if self.rested > 1 {
                     self.still = 0;
                 }
@@ -72,7 +74,7 @@ impl Pace {
         let next = self.next(seconds);
         let changes = next != self.divisor;
         if changes {
-            self.seconds = Some(foreseen(seconds, self.divisor, next));
+            self.seconds = Some(expected(seconds, self.divisor, next));
             self.divisor = next;
             self.rested = 0;
         }
@@ -87,11 +89,11 @@ impl Pace {
         };
         let finer = self.divisor.saturating_sub(1).max(1);
         if self.still == 0 && self.rested > 1 && seconds > TOO_LONG {
-            // At once as coarse as it needs to be.
+            // As coarse as necessary in a single step.
             (self.divisor + 1..COARSEST)
-                .find(|&coarser| foreseen(seconds, self.divisor, coarser) < TOO_LONG)
+                .find(|&coarser| expected(seconds, self.divisor, coarser) < TOO_LONG)
                 .unwrap_or(COARSEST)
-        } else if self.rested >= REST && foreseen(seconds, self.divisor, finer) < allowed {
+        } else if self.rested >= REST && expected(seconds, self.divisor, finer) < allowed {
             finer
         } else {
             self.divisor
@@ -105,8 +107,8 @@ impl Default for Pace {
     }
 }
 
-/// Seconds at another divisor: rays are what takes time.
-fn foreseen(seconds: f64, from: u32, to: u32) -> f64 {
+/// The expected time at another divisor, in seconds. It is proportional to the number of rays.
+fn expected(seconds: f64, from: u32, to: u32) -> f64 {
     seconds * (f64::from(from) / f64::from(to)).powi(2)
 }
 
@@ -114,7 +116,7 @@ fn foreseen(seconds: f64, from: u32, to: u32) -> f64 {
 mod tests {
     use super::*;
 
-    /// Frames that take `full` seconds undivided, and the divisors after each.
+    /// Simulates frames that take `full` seconds at divisor 1. Returns the divisor after each.
     fn run(pace: &mut Pace, full: f64, frames: u32) -> Vec<u32> {
         (0..frames)
             .map(|_| {
@@ -156,7 +158,7 @@ mod tests {
         let moving = *run(&mut pace, 1.5, 100).last().expect("frames");
         let mut finest = moving;
         for _ in 0..400 {
-            // Each change is traced once, then nothing is.
+            // After each change one frame is traced, and then nothing.
             let took = pace
                 .frame(None)
                 .then(|| 1.5 / f64::from(pace.divisor()).powi(2));
@@ -169,7 +171,7 @@ mod tests {
         assert!(1.5 / f64::from(finest).powi(2) <= STILL);
         assert_eq!(pace.divisor(), finest);
 
-        // What begins to move then is coarse again at the second slow frame.
+        // When the picture moves again, it becomes coarse at the second slow frame.
         assert_eq!(run(&mut pace, 1.5, 3).last(), Some(&moving));
     }
 }

@@ -1,6 +1,6 @@
-//! Files of recorded sessions.
+//! The files of recorded sessions.
 //!
-//! Invariant: a recording that is there is never overwritten.
+//! Invariant: an existing file is never overwritten.
 
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufWriter, Write};
@@ -10,19 +10,19 @@ use cellray::game::{Game, Recording, RecordingError, Session};
 
 use crate::error::PlayError;
 
-/// A new file that is written to; what goes wrong names it.
-struct Named {
+/// A file whose errors name its path.
+struct NamedFile {
     file: File,
     path: PathBuf,
 }
 
-impl Named {
+impl NamedFile {
     fn name(&self, error: io::Error) -> io::Error {
         io::Error::new(error.kind(), format!("{}: {error}", self.path.display()))
     }
 }
 
-impl Write for Named {
+impl Write for NamedFile {
     fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
         self.file.write(bytes).map_err(|error| self.name(error))
     }
@@ -32,7 +32,7 @@ impl Write for Named {
     }
 }
 
-/// Has the session recorded or a recording played back, as is asked for.
+/// Records the session, or plays a recording back, if a path is given for it.
 pub fn connect<G: Game>(
     session: Session<G>,
     record: Option<&Path>,
@@ -61,7 +61,7 @@ fn create(path: &Path) -> Result<Box<dyn Write>, PlayError> {
         path: path.to_owned(),
         source: RecordingError::Io(error),
     })?;
-    Ok(Box::new(BufWriter::new(Named {
+    Ok(Box::new(BufWriter::new(NamedFile {
         file,
         path: path.to_owned(),
     })))

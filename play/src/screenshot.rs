@@ -1,6 +1,6 @@
-//! Pictures of what is shown, each under a number of its own.
+//! Screenshots with numbered names.
 //!
-//! Invariant: no file that is there is ever replaced.
+//! Invariant: an existing file is never replaced.
 
 use std::fs::{self, OpenOptions};
 use std::io;
@@ -9,42 +9,45 @@ use std::path::{Path, PathBuf};
 use cellray::framebuffer::write_png;
 use image::RgbImage;
 
-/// Most numbers.
+/// The highest number.
 const MOST: u32 = 9999;
 
-/// Why there is no picture.
+/// Why a screenshot can't be written.
 #[derive(Debug, thiserror::Error)]
 pub enum ScreenshotError {
-    /// No file can be made there.
+    /// The file can't be created.
     #[error("cannot write {}: {source}", path.display())]
     Io {
-        /// Where.
+        /// The file.
         path: PathBuf,
-        /// The system's answer.
+        /// The system's error.
         source: io::Error,
     },
     /// The picture can't be written.
     #[error(transparent)]
     Png(#[from] cellray::framebuffer::FramebufferError),
-    /// All numbers are taken.
-    #[error("{}: all of {stem}-0001.png to {stem}-{MOST}.png are there already", folder.display())]
+    /// All numbers are in use.
+    #[error("{}: all of {stem}-0001.png to {stem}-{MOST}.png exist already", folder.display())]
     Full {
-        /// Where.
+        /// The folder.
         folder: PathBuf,
-        /// What the names begin with.
+        /// The beginning of the names.
         stem: String,
     },
 }
 
-/// Writes a picture as `STEM-NNNN.png` with the lowest number that is free; gives its path.
+/// Writes a picture as `STEM-NNNN.png` with the lowest free number, and returns its path.
+///
+/// # Errors
+/// The file can't be created or written, or all numbers are in use.
 pub fn write(folder: &Path, stem: &str, picture: &RgbImage) -> Result<PathBuf, ScreenshotError> {
     for number in 1..=MOST {
         let path = folder.join(format!("{stem}-{number:04}.png"));
-        // The name is taken first: whoever writes there at the same time gets another.
+        // The file is created first, so that a concurrent writer gets another name.
         match OpenOptions::new().write(true).create_new(true).open(&path) {
             Ok(_) => {
                 if let Err(error) = write_png(&path, picture) {
-                    // The error to tell is the first one.
+                    // The first error is the one to report.
                     let _ = fs::remove_file(&path);
                     return Err(error.into());
                 }

@@ -1,13 +1,12 @@
-//! What is said beside the picture.
+//! Messages on standard error.
 //!
-//! Invariant: nobody has to listen: where standard error is closed, hangs up or is full, the
-//! session goes on.
+//! Invariant: the session continues if standard error is closed, hung up or full.
 
 use std::fmt::Display;
 use std::io::{self, Write as _};
 
-/// Says a line on standard error.
+/// Prints a line on standard error.
 pub fn say(line: impl Display) {
-    // There is nowhere else to tell of it.
+    // There is nowhere else to report an error.
     let _ = writeln!(io::stderr(), "cellray-play: {line}");
 }

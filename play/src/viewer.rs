@@ -1,55 +1,66 @@
-//! A scene to look at: a game whose only player is the eye.
+//! The scene viewer: a game in which only the eye moves.
 //!
-//! Invariant: the eye stays on a sphere about what it looks at, and never passes its poles. Turns
-//! are by rational numbers, not by sines, so that a recorded session is the same on every machine.
+//! Invariant: the eye stays on a sphere around its target, and never passes its poles. Rotations
+//! use rational functions instead of sines, so that a recorded session is the same on every
+//! machine.
 
 use cellray::game::{
-    Axis, Button, DVec3, Game, Key, Moment, Mouse, MouseButton, Start, View, World, WorldError,
+    Axis, Button, DVec3, Frame, Game, Key, Mouse, MouseButton, Start, View, World, WorldError,
 };
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 
-/// What a viewer's name as a game begins with, before the scene's.
+/// The beginning of a viewer's name as a game, before the scene's name.
 pub const VIEW: &str = "view ";
-/// Turn of the eye by a key or a stick, in radians a second.
+/// Rotation of the eye by a key or a stick, in radians a second.
 const TURN: f64 = 1.5;
-/// Turn by a drag across the whole picture.
+/// Rotation by a drag across the whole picture, in radians.
 const DRAG: f64 = std::f64::consts::PI;
-/// Turn by a mouse that points nowhere, for each of its units.
+/// Rotation in radians for each unit of a mouse without a pointer position.
 const UNIT: f64 = 0.005;
-/// Part of the distance by one notch of the wheel.
+/// Change of the distance by one notch of the wheel, relative to the distance.
 const NOTCH: f64 = 0.1;
-/// Part of the distance in a second of a key.
+/// Change of the distance by a key in a second, relative to the distance.
 const ZOOM: f64 = 1.0;
-/// Largest cosine of the angle between the line of sight and the pole.
+/// The largest cosine of the angle between the line of sight and the pole.
 const STEEPEST: f64 = 0.995;
-/// Times that the distance may become larger or smaller.
+/// The factor by which the distance may become larger or smaller.
 const FARTHEST: f64 = 100.0;
 
 /// A viewer of one scene.
 pub struct Viewer {
     name: String,
     scene: nff::Scene,
-    look: Look,
+    render_options: RenderOptions,
     orbit: Orbit,
-    /// Where the mouse was, as parts of the picture's sides: its pixels may be others from frame
-    /// to frame.
+    /// The last position of the mouse, relative to the picture's sides, because the picture's size
+    /// may change from frame to frame.
     pointer: Option<[f64; 2]>,
 }
 
 impl Viewer {
-    /// Of this scene.
+    /// A viewer of this scene.
     #[must_use]
-    pub fn new(scene: nff::Scene, look: Look) -> Self {
+    pub fn new(scene: nff::Scene, render_options: RenderOptions) -> Self {
         Self {
             name: format!("{VIEW}{}", file_name(&scene.name)),
             orbit: Orbit::of(&scene.view),
             scene,
-            look,
+            render_options,
             pointer: None,
         }
     }
 
-    /// Radians to the right and up that the mouse was dragged by.
+    /// The same scene, seen from this view instead of its own.
+    #[must_use]
+    pub fn seen_from(mut self, view: &View) -> Self {
+        self.orbit = Orbit {
+            first_distance: self.orbit.first_distance,
+            ..Orbit::of(view)
+        };
+        self
+    }
+
+    /// The drag of the mouse to the right and up, in radians.
     fn drag(&mut self, mouse: Mouse, size: (u32, u32)) -> [f64; 2] {
         let part = |at: f32, side: u32| f64::from(at) / f64::from(side.max(1));
         let now = mouse.position;
@@ -69,14 +80,14 @@ impl Game for Viewer {
     }
 
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
-        *world = World::from_nff(&self.scene, self.look)?;
+        *world = World::from_nff(&self.scene, self.render_options)?;
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        let Moment {
-            input, step, size, ..
-        } = *moment;
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        let Frame {
+            input, delta, size, ..
+        } = *frame;
         if input.key_pressed(Key::Home) || input.pad().is_some_and(|pad| pad.pressed(Button::Start))
         {
             self.orbit = Orbit::of(&self.scene.view);
@@ -86,31 +97,31 @@ impl Game for Viewer {
         let [across, along] = if held { drag } else { [0.0; 2] };
         let key = |less, more| f64::from(input.key_axis(less, more));
         let stick = |axis| input.pad().map_or(0.0, |pad| f64::from(pad.axis(axis)));
-        let turn = TURN * step;
+        let turn = TURN * delta;
         // The scene follows the mouse; the eye follows keys and sticks.
         let right = turn * (key(Key::Left, Key::Right) + stick(Axis::LeftX)) - across;
         let up = turn * (key(Key::Down, Key::Up) - stick(Axis::LeftY)) + along;
         self.orbit.turn(right, up);
         let nearer = f64::from(input.mouse().wheel[1]) * NOTCH
-            + (key(Key::PageDown, Key::PageUp) - stick(Axis::RightY)) * ZOOM * step;
+            + (key(Key::PageDown, Key::PageUp) - stick(Axis::RightY)) * ZOOM * delta;
         self.orbit.approach(nearer);
         world.look_from(self.orbit.eye(), self.orbit.at)
     }
 }
 
-/// A scene is the same by whichever path it was found; that its content is, the world's checksum
-/// tells.
+/// The file's name without its folders, so that a recording can be played back with the scene at
+/// another path. The world's checksum tells whether the content is the same.
 fn file_name(path: &str) -> &str {
     path.rsplit('/').next().unwrap_or_default()
 }
 
-/// An eye about a place.
+/// An eye that orbits a point.
 #[derive(Clone, Copy, Debug)]
 struct Orbit {
     at: DVec3,
-    /// The pole.
+    /// The direction of the pole.
     up: DVec3,
-    /// From the place to the eye; of length 1.
+    /// The direction from the target to the eye, of length 1.
     towards: DVec3,
     distance: f64,
     first_distance: f64,
@@ -133,7 +144,7 @@ impl Orbit {
         self.at + self.towards * self.distance
     }
 
-    /// Moves the eye to its right and up, by about so many radians.
+    /// Moves the eye to its right and up, by approximate angles in radians.
     fn turn(&mut self, right: f64, up: f64) {
         if right != 0.0 {
             self.towards = rotate(self.towards, self.up, right).normalize();
@@ -142,7 +153,7 @@ impl Orbit {
         if up != 0.0 && side.length_squared() > 0.0 {
             let raised = rotate(self.towards, side.normalize(), -up).normalize();
             let height = raised.dot(self.up);
-            // A view that begins beyond the steepest may come back.
+            // A view that starts steeper than allowed may become less steep.
             let is_steeper = height.abs() > self.towards.dot(self.up).abs();
             let has_passed = raised.dot(self.towards.reject_from_normalized(self.up)) <= 0.0;
             if !(is_steeper && height.abs() > STEEPEST || has_passed) {
@@ -151,7 +162,7 @@ impl Orbit {
         }
     }
 
-    /// Moves the eye nearer by about this part of its distance.
+    /// Moves the eye nearer by about `part` of its distance.
     fn approach(&mut self, part: f64) {
         let distance = if part >= 0.0 {
             self.distance / (1.0 + part)
@@ -166,8 +177,8 @@ impl Orbit {
     }
 }
 
-/// A vector, turned about an axis of length 1 by `2 atan(angle / 2)`: the angle itself where it is
-/// small.
+/// Rotates a vector about an axis of length 1 by `2 atan(angle / 2)`, which is about the angle
+/// itself if that is small.
 fn rotate(vector: DVec3, axis: DVec3, angle: f64) -> DVec3 {
     let half = angle / 2.0;
     let scale = 1.0 / (1.0 + half * half);
@@ -196,7 +207,8 @@ mod tests {
 
     impl Player {
         fn new() -> Self {
-            let (mut viewer, mut world) = (Viewer::new(scene(), Look::default()), World::new());
+            let (mut viewer, mut world) =
+                (Viewer::new(scene(), RenderOptions::default()), World::new());
             let start = Start {
                 seed: 0,
                 size: (64, 36),
@@ -211,23 +223,23 @@ mod tests {
             }
         }
 
-        /// Frames with these events in the first; where the eye is then.
+        /// Runs frames with these events in the first one. Returns the eye's position at the end.
         fn play(&mut self, events: &[InputEvent], frames: u64) -> DVec3 {
             for number in 0..frames {
                 self.input.begin_frame();
                 if number == 0 {
                     events.iter().for_each(|event| self.input.apply(event));
                 }
-                let moment = Moment {
-                    frame: self.frame,
+                let frame = Frame {
+                    number: self.frame,
                     time: 0.0,
-                    step: 0.05,
+                    delta: 0.05,
                     input: &self.input,
                     size: self.size,
                     last: None,
                 };
                 self.viewer
-                    .frame(&mut self.world, &moment)
+                    .update(&mut self.world, &frame)
                     .expect("a frame");
                 self.frame += 1;
             }
@@ -263,7 +275,7 @@ mod tests {
                 "{eye}"
             );
         }
-        // Nor by a drag across many pictures.
+        // A drag across many pictures doesn't either.
         let mut orbit = Orbit::of(&scene().view);
         for up in [9.0, -50.0, 3.2, 1e6] {
             orbit.turn(0.0, up);
@@ -296,7 +308,10 @@ mod tests {
                 name: path.into(),
                 ..scene()
             };
-            assert_eq!(Viewer::new(scene, Look::default()).name(), "view x.nff");
+            assert_eq!(
+                Viewer::new(scene, RenderOptions::default()).name(),
+                "view x.nff"
+            );
         }
     }
 

@@ -1,5 +1,5 @@
-//! The library's choices as words of the command line. Their help is written here: it speaks to
-//! those who type.
+//! The library's choices as words of the command line. Their help is written here because it
+//! addresses the command line's users.
 
 use cellray::scene;
 use cellray::work;
@@ -8,12 +8,12 @@ use clap::ValueEnum;
 /// `--model`.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Model {
-    /// Whitted's if the scene has lights, else depth shading.
+    /// Whitted's model if the scene has lights, otherwise depth shading.
     #[default]
     Scene,
-    /// The paper's: spheres that fade to black with their distance.
+    /// The paper's model: spheres that fade to black with their distance.
     Depth,
-    /// Whitted's: lights, shadows, mirrors, glass, all shapes.
+    /// Whitted's model: lights, shadows, mirrors, glass, and all shapes.
     Whitted,
 }
 
@@ -30,7 +30,7 @@ impl From<Model> for scene::Model {
 /// `--split`.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Split {
-    /// Each SPU takes the next work unit when it has finished one.
+    /// An SPU that has finished a work unit takes the next one.
     #[default]
     Units,
     /// Each SPU has its own consecutive part of the picture, as in the paper.
@@ -49,12 +49,12 @@ impl From<Split> for work::Split {
 /// `--quality`.
 #[derive(Clone, Copy, Debug, Default, ValueEnum)]
 pub enum Quality {
-    /// The fastest whose pictures are right to a step of a colour.
+    /// The fastest formulations with pictures that are right to a step of a colour.
     Fast,
-    /// The fastest that keeps distances to 2 units in the last place.
+    /// The fastest formulations with distances that are right to 2 units in the last place.
     #[default]
     Default,
-    /// The least error, in double precision.
+    /// The formulations with the least error, in double precision.
     Exact,
 }
 

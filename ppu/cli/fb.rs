@@ -1,4 +1,4 @@
-//! `cellray fb`: a scene into a framebuffer.
+//! `cellray fb`: traces a scene into a framebuffer.
 
 use std::fs;
 use std::os::unix::fs::FileTypeExt as _;
@@ -9,7 +9,7 @@ use clap::{Args, ValueEnum};
 
 use super::{Outcome, run};
 
-/// Trace a scene into a framebuffer, or a file in the place of one.
+/// Trace a scene into a framebuffer, or into a file instead.
 #[derive(Args)]
 pub struct Arguments {
     #[command(flatten)]
@@ -17,22 +17,22 @@ pub struct Arguments {
     /// Framebuffer device, or a regular file that is written like one
     #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
     device: PathBuf,
-    /// Pixels across and down: needed for a file, the device's own otherwise
+    /// Width and height in pixels; a file needs it, a device has its own
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Set ps3fb's video mode until the end: within borders, or of the whole screen [default: as
-    /// it is]
+    /// Set ps3fb's video mode until the program ends: with borders, or the full screen [default:
+    /// leave the mode unchanged]
     #[arg(long, value_enum, value_name = "MODE")]
     mode: Option<VideoMode>,
-    /// Frames that the device's memory is to hold, where it has room: with 2, one is shown while
-    /// the next is made
+    /// How many frames the device's memory holds, if it has room: with 2, one is shown while the
+    /// next is made
     #[arg(long, default_value_t = 2, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=2))]
     buffers: u32,
     /// Show a frame without waiting for the vertical blank
     #[arg(long)]
     no_vsync: bool,
-    /// Make frames in private memory and copy them, or in the device's own [default: in the
-    /// device's where that is known to be main memory]
+    /// Where frames are made: in private memory, to be copied, or in the device's memory [default:
+    /// the device's, if that is known to be main memory]
     #[arg(long, value_enum, value_name = "WHERE")]
     made: Option<Made>,
     /// Frames to show [default: 1 into a file; on a device, until Ctrl-C]
@@ -74,8 +74,8 @@ pub fn run(arguments: &Arguments) -> Outcome {
     let options = &arguments.options;
     let program = options.program()?;
     let scene = nff::load(&options.scene)?;
-    let scene = run::scene(options, &scene, options.look(), &program)?;
-    // Before the screen is taken over, so that no signal leaves it that way.
+    let scene = run::scene(options, &scene, options.render_options(), &program)?;
+    // Signals are caught before the screen is taken over, so that none leaves it taken over.
     let interrupted = Interrupted::install()?;
     let framebuffer = framebuffer::open_with(&arguments.device, arguments.framebuffer())?;
     eprintln!("cellray: {}", framebuffer.describe());

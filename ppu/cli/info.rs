@@ -1,4 +1,4 @@
-//! `cellray info`: what this program has to work with.
+//! `cellray info`: shows the libspe2, the SPEs and the framebuffer that this program uses.
 
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
@@ -11,10 +11,10 @@ use protocol::layout;
 
 use super::Outcome;
 
-/// Show the libspe2 that answers, its SPEs, and the framebuffer.
+/// Show the libspe2 in use, its SPEs, and the framebuffer.
 #[derive(Args)]
 pub struct Arguments {
-    /// Framebuffer device to look at
+    /// Framebuffer device to inspect
     #[arg(long, default_value = "/dev/fb0", value_name = "PATH")]
     device: PathBuf,
 }

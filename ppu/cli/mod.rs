@@ -1,25 +1,27 @@
-//! Commands: data goes to standard output, talk to standard error.
+//! The commands. Data goes to standard output, messages go to standard error.
 
-mod beside;
 mod choices;
+mod external;
 mod fb;
 mod info;
+mod new;
 mod progress;
 mod render;
 mod run;
 mod sequence;
+mod shader;
 mod sphereflake;
 
 use std::process::ExitCode;
 
 use cellray::framebuffer;
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 
 type Outcome = Result<(), Box<dyn std::error::Error>>;
 
 /// Interactive ray tracer for the Cell Broadband Engine under PS3 Linux.
 ///
-/// The SPUs trace the picture, through the libspe2 that this program is linked to.
+/// SPUs trace the picture. The libspe2 that this program is linked with provides them.
 #[derive(Parser)]
 #[command(name = "cellray", version, after_help = EXAMPLES, after_long_help = EXAMPLES)]
 struct Arguments {
@@ -37,6 +39,8 @@ Examples:
   cellray play billiards
   cellray view scenes/whitted16.nff
   cellray bench accuracy
+  cellray new mygame
+  cellray render scene.nff --shader stripes.s --watch --out scene.png
   cellray sphereflake 4 > balls.nff
   cellray info";
 
@@ -44,17 +48,26 @@ Examples:
 enum Command {
     /// Trace a scene into a PNG file, or into a sequence of them
     Render(render::Arguments),
-    /// Trace a scene into a framebuffer, or a file in the place of one
+    /// Trace a scene into a framebuffer, or into a file instead
     Fb(fb::Arguments),
-    /// Play a game, by the program cellray-play; without a name, list those that there are
-    Play(beside::Arguments),
-    /// Look at a scene from all sides, by the program cellray-play
-    View(beside::Arguments),
-    /// Measure run time against error, and numerical stability, by the program cellray-bench
-    Bench(beside::Arguments),
+    /// Play a game with the program cellray-play; without a name, list the games
+    Play(external::Arguments),
+    /// Look at a scene from all sides with the program cellray-play
+    View(external::Arguments),
+    /// Measure run time, error and numerical stability with the program cellray-bench
+    Bench(external::Arguments),
+    /// Show a PNG file in the terminal with the program cellray-play
+    Show(external::Arguments),
+    /// Make a folder with a game of your own, ready to run
+    New(new::Arguments),
+    /// Build shaders of your own into an SPU program, for --program
+    Shader(shader::Arguments),
+    /// Write man pages and shell completions
+    #[command(hide = true)]
+    Pages(pages::Arguments),
     /// Write a sphereflake as an NFF scene to standard output
     Sphereflake(sphereflake::Arguments),
-    /// Show the libspe2 that answers, its SPEs, and the framebuffer
+    /// Show the libspe2 in use, its SPEs, and the framebuffer
     Info(info::Arguments),
 }
 
@@ -73,9 +86,13 @@ fn dispatch(command: &Command) -> Outcome {
     match command {
         Command::Render(arguments) => render::run(arguments),
         Command::Fb(arguments) => fb::run(arguments),
-        Command::Play(arguments) => beside::PLAY.run(Some("play"), arguments),
-        Command::View(arguments) => beside::PLAY.run(Some("view"), arguments),
-        Command::Bench(arguments) => beside::BENCH.run(None, arguments),
+        Command::Play(arguments) => external::PLAY.run(Some("play"), arguments),
+        Command::View(arguments) => external::PLAY.run(Some("view"), arguments),
+        Command::Bench(arguments) => external::BENCH.run(None, arguments),
+        Command::Show(arguments) => external::PLAY.run(Some("show"), arguments),
+        Command::New(arguments) => new::run(arguments),
+        Command::Shader(arguments) => shader::run(arguments),
+        Command::Pages(arguments) => Ok(pages::write(Arguments::command(), arguments)?),
         Command::Sphereflake(arguments) => sphereflake::run(arguments),
         Command::Info(arguments) => info::run(arguments),
     }

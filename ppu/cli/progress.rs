@@ -1,11 +1,11 @@
-//! How far a long frame is, on standard error; short ones pass in silence.
+//! Shows the progress of long frames on standard error.
 
 use std::io::{IsTerminal as _, Write as _};
 use std::time::{Duration, Instant};
 
-/// Work shorter than this is not reported on.
+/// No progress is shown for frames that take less time than this.
 const PATIENCE: Duration = Duration::from_secs(2);
-/// Between two lines where the output is no terminal.
+/// Time between two lines if standard error isn't a terminal.
 const LINE_EVERY: Duration = Duration::from_secs(10);
 
 /// Progress of a run.
@@ -16,7 +16,7 @@ pub struct Progress {
 }
 
 impl Progress {
-    /// Begins to count time.
+    /// Starts the clock.
     pub fn start() -> Self {
         Self {
             start: Instant::now(),
@@ -25,7 +25,7 @@ impl Progress {
         }
     }
 
-    /// Says that `part` of a frame, 0 to 1, is done.
+    /// Shows that `part` of a frame, 0 to 1, is done.
     pub fn show(&mut self, frame: usize, part: f64) {
         let pause = if self.terminal {
             Duration::ZERO
@@ -40,14 +40,14 @@ impl Progress {
         let text = format!("cellray: frame {frame}: {:.0} %", part * 100.0);
         if self.terminal {
             eprint!("\r{text}  ");
-            // Progress that can't be shown is no reason to stop.
+            // If progress can't be shown, the work still goes on.
             let _ = std::io::stderr().flush();
         } else {
             eprintln!("{text}");
         }
     }
 
-    /// Leaves the line.
+    /// Ends the progress line.
     pub fn end(&mut self) {
         if self.terminal && self.shown.is_some() {
             eprintln!();

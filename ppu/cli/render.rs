@@ -1,4 +1,4 @@
-//! `cellray render`: a scene into a PNG file, or a sequence of them.
+//! `cellray render`: traces a scene into a PNG file, or into a sequence of them.
 
 use std::path::{Path, PathBuf};
 
@@ -6,7 +6,8 @@ use cellray::framebuffer::{
     Corners, Framebuffer, FramebufferError, Geometry, Memory, NumberedPath, Png,
 };
 use cellray::game::{FrameRange, Pictures, Turntable, View};
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
+use cellray::watch::Watch;
 use clap::Args;
 
 use super::{Outcome, run, sequence};
@@ -16,16 +17,16 @@ use super::{Outcome, run, sequence};
 pub struct Arguments {
     #[command(flatten)]
     options: run::Options,
-    /// Pixels across and down [default: the scene's own]
+    /// Width and height in pixels [default: the scene's own]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     size: Option<Geometry>,
-    /// Picture to write; without it the frames are traced and only measured. With the frames'
-    /// number in it, as in f-%05d.png, every frame is a picture; those that are there already are
-    /// kept
+    /// Picture to write; without it the frames are traced and only measured. If the name has a
+    /// place for the frame's number, as f-%05d.png, every frame becomes a picture; pictures that
+    /// exist are kept
     #[arg(long, value_name = "F.png")]
     out: Option<PathBuf>,
-    /// Frames: N, the first N, of which a frame that stands still is traced once unless --retrace
-    /// asks for more; or A..B, from A up to B, which is not among them, as numbered pictures
+    /// Frames: N for the first N, traced only once unless --retrace is given; or A..B for numbered
+    /// pictures from A to B - 1
     #[arg(
         long,
         default_value = "1",
@@ -33,17 +34,20 @@ pub struct Arguments {
         allow_hyphen_values = true
     )]
     frames: FrameRange,
-    /// Frames in which the eye of numbered pictures goes once around what it looks at
+    /// Frames in which the eye goes once around its target, in numbered pictures
     #[arg(long, default_value_t = 250, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..))]
     turn: u32,
-    /// Eye rays through the corners of the pixels, the four of each averaged, as the Standard
-    /// Procedural Databases have it
+    /// Trace primary rays through the corners of the pixels and average each pixel's four, as the
+    /// Standard Procedural Databases do
     #[arg(long)]
     corners: bool,
+    /// Render again whenever the scene, the SPU program or a shader's source changes, until Ctrl-C
+    #[arg(long, requires = "out")]
+    watch: bool,
 }
 
 impl Arguments {
-    /// The pictures' size: as asked for, else the scene's own.
+    /// The pictures' size: the given one, otherwise the scene's.
     fn geometry(&self, view: &View) -> Result<Geometry, FramebufferError> {
         match (self.size, view.resolution) {
             (Some(size), _) => Ok(size),
@@ -51,25 +55,25 @@ impl Arguments {
         }
     }
 
-    /// The names of numbered pictures, if such are wanted.
+    /// The names of numbered pictures, if `--out` asks for them.
     fn numbered(&self) -> Result<Option<NumberedPath>, FramebufferError> {
         let pattern = self.out.as_deref().and_then(Path::to_str);
         let pattern = pattern.filter(|pattern| pattern.contains('%'));
         pattern.map(NumberedPath::new).transpose()
     }
 
-    /// Every frame a picture, as the eye goes around.
+    /// Writes every frame as a picture while the eye goes around the scene.
     fn sequence(&self, paths: NumberedPath) -> Outcome {
         if self.corners {
-            return Err("--corners has no numbered pictures".into());
+            return Err("--corners can't be used with numbered pictures".into());
         }
-        let look = self.options.look();
+        let render_options = self.options.render_options();
         let program = self.options.program()?;
         let scene = nff::load(&self.options.scene)?;
-        // What can't be drawn is said before the first frame.
-        run::scene(&self.options, &scene, look, &program)?;
+        // Notes on what can't be drawn come before the first frame.
+        run::scene(&self.options, &scene, render_options, &program)?;
         let size = self.geometry(&scene.view)?;
-        let turntable = Turntable::new(scene, look, self.turn);
+        let turntable = Turntable::new(scene, render_options, self.turn);
         let pictures = Pictures::new(paths);
         sequence::run(
             &self.options,
@@ -83,21 +87,38 @@ impl Arguments {
 }
 
 pub fn run(arguments: &Arguments) -> Outcome {
+    if !arguments.watch {
+        return once(arguments);
+    }
+    if arguments.numbered()?.is_some() {
+        return Err("--watch renders one picture, not numbered ones".into());
+    }
+    let mut watch = Watch::new(arguments.options.files());
+    loop {
+        if let Err(error) = once(arguments) {
+            eprintln!("cellray: error: {error}");
+        }
+        eprintln!("cellray: waiting for a change");
+        watch.wait();
+    }
+}
+
+fn once(arguments: &Arguments) -> Outcome {
     if let Some(paths) = arguments.numbered()? {
         return arguments.sequence(paths);
     }
     if arguments.frames.first != 0 {
         return Err(
-            "--frames A..B with an A over 0 needs numbered pictures: --out 'f-%05d.png'".into(),
+            "--frames A..B with A above 0 needs numbered pictures, as in --out 'f-%05d.png'".into(),
         );
     }
-    let look = Look {
+    let render_options = RenderOptions {
         corners: arguments.corners,
-        ..arguments.options.look()
+        ..arguments.options.render_options()
     };
     let program = arguments.options.program()?;
     let scene = nff::load(&arguments.options.scene)?;
-    let scene = run::scene(&arguments.options, &scene, look, &program)?;
+    let scene = run::scene(&arguments.options, &scene, render_options, &program)?;
     let geometry = arguments.geometry(scene.view())?;
     let framebuffer: Box<dyn Framebuffer> = match &arguments.out {
         out if arguments.corners => Box::new(Corners::new(out.as_deref(), geometry)?),

@@ -1,4 +1,4 @@
-//! What `render` and `fb` have in common: a scene, SPUs, a number of frames, statistics.
+//! The common part of `render` and `fb`: a scene, SPUs, a number of frames, statistics.
 
 use std::fs;
 use std::io::Write as _;
@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use cellray::framebuffer::{Framebuffer, Geometry};
-use cellray::scene::Look;
-use cellray::spe::{Program, ProgramError};
+use cellray::scene::RenderOptions;
+use cellray::spe::Program;
 use cellray::work::Skip;
 use cellray::{Engine, LoopTime, Report, Scene, Settings};
 use clap::Args;
@@ -18,7 +18,7 @@ use super::Outcome;
 use super::choices::{Model, Quality, Split};
 use super::progress::Progress;
 
-/// Options of the SPUs and their report.
+/// Options for the scene, the SPUs and the statistics.
 #[derive(Args)]
 pub struct Options {
     /// Scene: an NFF file, or sphereflake:LEVEL, or tetra:LEVEL
@@ -34,57 +34,59 @@ pub struct Options {
     /// How the picture is split among the SPUs
     #[arg(long, value_enum, default_value_t)]
     pub split: Split,
-    /// Test every ray with every object, and trace every frame as a whole
+    /// Test every ray with every object, and trace every frame completely
     #[arg(long)]
     pub no_skip: bool,
-    /// How the scene looks: by Whitted's model it has lights, shadows, mirrors, glass and all
-    /// shapes
+    /// Model that the scene is rendered with
     #[arg(long, value_enum, default_value_t)]
     pub model: Model,
-    /// Most rays in a chain of mirrors and glass, the eye's counted, 1 to 16
+    /// Longest chain of reflected and refracted rays, including the primary ray, 1 to 16
     #[arg(long, default_value_t = 5, value_name = "N", allow_negative_numbers = true, value_parser = clap::value_parser!(u32).range(1..=16))]
     pub ray_depth: u32,
-    /// Glass reflects as Schlick's approximation has it, beyond its Ks
+    /// Let glass reflect by Schlick's approximation, in addition to its Ks
     #[arg(long)]
     pub fresnel: bool,
-    /// Send rays that add nothing to the picture where the Standard Procedural Databases count
-    /// them, as glass of Ks 0 reflects nothing
+    /// Trace the same rays as the Standard Procedural Databases count, even those that add nothing
+    /// to the picture, such as reflected rays of glass with Ks 0
     #[arg(long)]
     pub spd_rays: bool,
-    /// Objects throw no shadows
+    /// Trace no shadows
     #[arg(long)]
     pub no_shadows: bool,
-    /// How much run time is given for how little error
+    /// Trade run time for accuracy
     #[arg(long, value_enum, default_value_t)]
     pub quality: Quality,
-    /// How rays are intersected with spheres, instead of as the quality has it; docs/accuracy.md
+    /// Formulation for spheres, instead of the quality's; see docs/accuracy.md
     #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
     pub sphere: Option<String>,
-    /// How rays are intersected with triangles, likewise
+    /// Formulation for triangles, instead of the quality's; see docs/accuracy.md
     #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
     pub triangle: Option<String>,
-    /// SPU program to trace with, such as a game's that has shaders of its own [default: the
-    /// built-in one]
+    /// SPU program to trace with, such as one with a game's own shaders [default: the built-in
+    /// one]
     #[arg(long, value_name = "F.elf", conflicts_with_all = ["quality", "sphere", "triangle"])]
     pub program: Option<PathBuf>,
-    /// Check at every call of a shader that it keeps what it must
+    /// Shader in SPU assembly to link into the SPU program; needs an SPU assembler
+    #[arg(long = "shader", value_name = "F.s", conflicts_with_all = ["program", "quality", "sphere", "triangle"])]
+    pub shaders: Vec<PathBuf>,
+    /// Check at every call of a shader that it keeps the rules for shaders
     #[arg(long)]
     pub check_shaders: bool,
-    /// Trace every frame as a whole, even where it already shows
+    /// Trace every frame completely, even tiles that have not changed
     #[arg(long)]
     pub retrace: bool,
-    /// Write statistics as JSON to a file, or - for standard output
+    /// Write statistics as JSON to a file, or to standard output with -
     #[arg(long, value_name = "S.json")]
     pub stats: Option<PathBuf>,
-    /// Seconds in which no SPU takes work, finishes any or answers, before all count as lost
+    /// Seconds after which SPUs count as lost if none takes work, finishes any or answers
     #[arg(long, default_value_t = 600, value_name = "S", allow_negative_numbers = true, value_parser = clap::value_parser!(u64).range(1..=86_400))]
     pub timeout: u64,
 }
 
 impl Options {
-    /// How the scene is to look.
-    pub fn look(&self) -> Look {
-        Look {
+    /// The model and its settings.
+    pub fn render_options(&self) -> RenderOptions {
+        RenderOptions {
             model: self.model.into(),
             ray_depth: self.ray_depth,
             fresnel: self.fresnel,
@@ -94,7 +96,13 @@ impl Options {
         }
     }
 
-    /// How the engine is to work.
+    /// The files that a picture is made of.
+    pub fn files(&self) -> impl Iterator<Item = PathBuf> {
+        let files = [&self.scene].into_iter().chain(&self.program);
+        files.chain(&self.shaders).cloned()
+    }
+
+    /// The engine's settings.
     pub fn settings(&self, program: Program) -> Settings {
         Settings {
             spus: self.spus,
@@ -111,10 +119,14 @@ impl Options {
         }
     }
 
-    /// What the SPUs are to run.
-    pub fn program(&self) -> Result<Program, ProgramError> {
+    /// The SPU program, as the options select it.
+    pub fn program(&self) -> Result<Program, Box<dyn std::error::Error>> {
         if let Some(file) = &self.program {
-            return Program::from_file(file);
+            return Ok(Program::from_file(file)?);
+        }
+        if !self.shaders.is_empty() {
+            let image = spu_build::tracer_with(&self.shaders)?;
+            return Ok(Program::from_image(&image)?);
         }
         let mut formulations = cellray::Quality::from(self.quality).formulations();
         if let Some(sphere) = self.sphere.as_deref().and_then(formulation::sphere) {
@@ -123,31 +135,33 @@ impl Options {
         if let Some(triangle) = self.triangle.as_deref().and_then(formulation::triangle) {
             formulations.triangle = triangle;
         }
-        Program::of(&formulations)
+        Ok(Program::of(&formulations)?)
     }
 }
 
-/// Makes a scene ready, and says what of it will not be drawn, or not as asked for.
+/// Prepares a scene, and prints notes about objects that will not be drawn, or not as requested.
 pub fn scene(
     options: &Options,
     scene: &nff::Scene,
-    look: Look,
+    render_options: RenderOptions,
     program: &Program,
 ) -> Result<Scene, Box<dyn std::error::Error>> {
-    let scene = Scene::new(scene, look, program)?;
+    let scene = Scene::new(scene, render_options, program)?;
     for what in scene.not_drawn() {
         eprintln!("cellray: note: {what}");
     }
-    if let Some(asked) = &options.sphere {
+    if let Some(requested) = &options.sphere {
         let used = scene.sphere_formulation(&program.formulations()?).name;
-        if used != asked {
-            eprintln!("cellray: note: {asked} has no kernel for this scene's rays; {used} is used");
+        if used != requested {
+            eprintln!(
+                "cellray: note: {requested} has no kernel for this scene's rays; {used} is used instead"
+            );
         }
     }
     Ok(scene)
 }
 
-/// Traces frames until `enough` says so, then reports.
+/// Traces frames until `enough` returns true for their number, then reports.
 pub fn frames(
     options: &Options,
     program: Program,
@@ -173,7 +187,7 @@ pub fn frames(
     tell(options, report)
 }
 
-/// Says what frames have taken, and writes it where it is wanted.
+/// Prints the statistics, and writes them to the file of `--stats`.
 pub fn tell(options: &Options, mut report: Report) -> Outcome {
     report.add_memory();
     for line in report.to_string().lines() {

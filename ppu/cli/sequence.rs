@@ -9,7 +9,7 @@ use signal_hook::low_level::emulate_default_handler;
 
 use super::{Outcome, run};
 
-/// Makes those of a range of frames that are not there.
+/// Writes the pictures of a range of frames, except those that exist.
 pub fn run(
     options: &run::Options,
     program: Program,
@@ -21,12 +21,12 @@ pub fn run(
     let mut interrupted = Interrupted::install()?;
     let picture = Box::new(Memory::new(size)?);
     let mut session = Session::start(turntable, options.settings(program), picture)?;
-    // A frame is told by its number alone.
+    // A turntable's frame depends only on its number, so time doesn't matter.
     let mut clock = FixedSteps(Duration::ZERO);
     let made = pictures.write(&mut session, frames, &mut clock, &mut interrupted)?;
     run::tell(options, session.report().clone())?;
     eprintln!(
-        "cellray: {} picture(s) written, {} there already",
+        "cellray: {} picture(s) written, {} existed already",
         made.written, made.kept
     );
     if let Some(signal) = interrupted.signal() {

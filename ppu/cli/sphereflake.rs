@@ -1,4 +1,4 @@
-//! `cellray sphereflake`: the generator's scene as a file.
+//! `cellray sphereflake`: writes a generated scene as a file.
 
 use std::io::{BufWriter, Write as _};
 
@@ -9,7 +9,8 @@ use super::Outcome;
 /// Write a sphereflake as an NFF scene to standard output.
 #[derive(Args)]
 pub struct Arguments {
-    /// Levels below the first sphere: 0 is one sphere, 4 the Standard Procedural Databases' 7381
+    /// Levels below the first sphere: 0 makes one sphere, 4 the 7381 of the Standard Procedural
+    /// Databases
     #[arg(allow_negative_numbers = true)]
     level: u32,
 }

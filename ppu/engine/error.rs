@@ -1,4 +1,4 @@
-//! Why there is no frame.
+//! The errors of the engine.
 
 use super::silence::Silence;
 use super::unchecked::Unchecked;
@@ -8,65 +8,65 @@ use crate::spe::{Ended, ProgramError, SpeError};
 use crate::work::Refusal;
 use protocol::layout::MAX_SPUS;
 
-/// Why no frame came.
+/// Why the engine made no frame.
 #[derive(Debug, thiserror::Error)]
 pub enum EngineError {
-    /// A number of SPUs that the work unit has no room for.
+    /// The number of SPUs is 0, or more than a frame's record has room for.
     #[error("{0} SPUs: must be 1 to {MAX_SPUS}")]
     SpuCount(u32),
-    /// An SPU program came to an end; no further frame can be traced.
+    /// An SPU program ended; no further frame can be traced.
     #[error("SPU {spu} {ended}{unchecked}")]
     Ended {
         /// Number of the SPU.
         spu: u32,
-        /// How.
+        /// How the program ended.
         ended: Ended,
-        /// What may be behind it.
+        /// Whether unchecked shaders may be the cause.
         unchecked: Unchecked,
     },
-    /// An SPU did not accept the frame.
+    /// An SPU refused the frame.
     #[error("SPU {spu} {refusal}{unchecked}")]
     Refused {
         /// Number of the SPU.
         spu: u32,
-        /// What was wrong.
+        /// The reason that the SPU gave.
         refusal: Refusal,
-        /// What may be behind it.
+        /// Whether unchecked shaders may be the cause.
         unchecked: Unchecked,
     },
-    /// An SPU did not answer, and none did anything.
+    /// An SPU did not answer, and no SPU did anything until the timeout.
     #[error("SPU {spu} {silence}{unchecked}")]
     Silent {
-        /// Number of the first such SPU.
+        /// Number of the first SPU that did not answer.
         spu: u32,
-        /// What is known of it.
+        /// What is known about that SPU.
         silence: Silence,
-        /// What may be behind it.
+        /// Whether unchecked shaders may be the cause.
         unchecked: Unchecked,
     },
     /// The SPUs' statistics do not add up to the whole picture.
-    #[error("the SPUs traced {traced} of {wanted} rays: the picture is not whole{unchecked}")]
+    #[error("the SPUs traced {traced} of {wanted} rays: the picture is incomplete{unchecked}")]
     Incomplete {
         /// Rays in the statistics.
         traced: u64,
-        /// Pixels of the tiles that were to be traced.
+        /// Pixels of the tiles that had to be traced.
         wanted: u64,
-        /// What may be behind it.
+        /// Whether unchecked shaders may be the cause.
         unchecked: Unchecked,
     },
-    /// An earlier error has left no SPUs to work with.
+    /// The SPUs were lost by an earlier error.
     #[error("the SPUs were lost by an earlier error")]
     Lost,
-    /// The scene does not suit.
+    /// The scene can't be drawn.
     #[error(transparent)]
     Scene(#[from] SceneError),
-    /// The framebuffer does not show it.
+    /// The framebuffer failed.
     #[error(transparent)]
     Framebuffer(#[from] FramebufferError),
     /// libspe2 failed.
     #[error(transparent)]
     Spe(#[from] SpeError),
-    /// The SPU program is not known well enough.
+    /// The SPU program is not valid.
     #[error(transparent)]
     Program(#[from] ProgramError),
 }

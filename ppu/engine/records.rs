@@ -1,4 +1,4 @@
-//! What the SPUs reach by address.
+//! The memory that the SPUs access by address.
 
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
@@ -17,14 +17,14 @@ pub(super) struct Records {
     scene: SharedMemory,
     unit_counter: SharedMemory,
     statistics: SharedMemory,
-    /// Room for as many units as there may be.
+    /// Room for the largest possible number of units.
     units: SharedMemory,
     costs: SharedMemory,
     pub framebuffer: Box<dyn Framebuffer>,
 }
 
 impl Records {
-    /// Room for frames there.
+    /// Allocates room for frames of this framebuffer's size.
     pub fn new(framebuffer: Box<dyn Framebuffer>) -> Self {
         let [units, costs] = units_and_costs(framebuffer.as_ref());
         Self {
@@ -39,13 +39,13 @@ impl Records {
         }
     }
 
-    /// Takes another framebuffer, and room for its frames; gives the one that there was.
+    /// Takes another framebuffer, with room for its frames, and returns the previous one.
     pub fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Box<dyn Framebuffer> {
         [self.units, self.costs] = units_and_costs(framebuffer.as_ref());
         std::mem::replace(&mut self.framebuffer, framebuffer)
     }
 
-    /// Where they lie.
+    /// The addresses of all records.
     pub fn addresses(&self) -> Addresses {
         Addresses {
             spheres: self.spheres.address(),
@@ -57,8 +57,9 @@ impl Records {
         }
     }
 
-    /// Writes what a planned frame of the scene is made of, and that no unit has cost anything as
-    /// yet: what one takes is not 0, which shows that it is finished. `costs` is room for that.
+    /// Writes the records of a planned frame. All units' costs are set to 0: a finished unit's
+    /// cost is never 0, so a cost other than 0 shows that the unit is finished. `costs` is a
+    /// buffer.
     pub fn write(&mut self, scene: &Scene, plan: &Plan, costs: &mut Vec<UnitCost>) {
         self.spheres.write(0, plan.spheres().bytes());
         if let Some(block) = scene.block() {
@@ -70,8 +71,8 @@ impl Records {
         self.costs.write(0, costs.as_bytes());
     }
 
-    /// Writes a descriptor, the counter and these lines for the statistics; gives the descriptor's
-    /// address.
+    /// Writes a frame's record, the unit counter and these lines of statistics. Returns the
+    /// record's address.
     pub fn write_frame(&mut self, frame: &Frame, lines: &[Statistics]) -> u64 {
         self.frame.write(0, frame.as_bytes());
         let counter = UnitCounter::new_zeroed();
@@ -85,14 +86,14 @@ impl Records {
         self.statistics.read(0, lines.as_mut_bytes());
     }
 
-    /// Reads what units have cost.
+    /// Reads the units' costs.
     pub fn read_costs(&self, costs: &mut [UnitCost]) {
         self.costs.read(0, costs.as_mut_bytes());
     }
 
-    /// How often SPUs have taken a unit of the frame from the counter, which they do not by
-    /// slices, and how many units they have finished, which a frame of other records than these
-    /// does not tell.
+    /// How many units of the frame the SPUs have taken from the counter, and how many they have
+    /// finished. The first is 0 if the frame is split into slices, which don't use the counter.
+    /// The second is 0 if the frame's costs are written to other memory than these records'.
     pub fn units_done(&self, frame: &Frame) -> (u32, u32) {
         let units = frame.unit_count.get();
         let mut finished = 0;
@@ -105,7 +106,7 @@ impl Records {
     }
 }
 
-/// Room for most units that a picture there is cut into, of one tile each, and for their costs.
+/// Room for the most units that a picture can be split into, of one tile each, and their costs.
 fn units_and_costs(framebuffer: &dyn Framebuffer) -> [SharedMemory; 2] {
     let most = tile_count(framebuffer.geometry()) as usize;
     [size_of::<WorkUnit>(), size_of::<UnitCost>()].map(|size| SharedMemory::new(most * size))

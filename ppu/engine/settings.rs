@@ -1,4 +1,4 @@
-//! What can be chosen of an engine.
+//! The engine's settings.
 
 use std::time::Duration;
 
@@ -8,21 +8,22 @@ use crate::work::{Skip, Split};
 /// How an [`Engine`](super::Engine) works.
 #[derive(Clone, Copy, Debug)]
 pub struct Settings {
-    /// SPUs to use.
+    /// The number of SPUs, from 1 to [`MAX_SPUS`](protocol::layout::MAX_SPUS).
     pub spus: u32,
-    /// How the frame is split among them.
+    /// How the frame is split among the SPUs.
     pub split: Split,
-    /// What the SPUs need not test.
+    /// Which tests the SPUs may skip.
     pub skip: Skip,
-    /// Whether what the framebuffer already shows is kept and only what has changed is traced.
-    /// With [`Skip::Nothing`] every frame is traced as a whole.
+    /// Whether only tiles that have changed are traced. With [`Skip::Nothing`] every frame is
+    /// traced completely.
     pub retain: bool,
-    /// Whether the SPUs check, at each call of a shader, that it keeps what it must.
+    /// Whether the SPUs check at each call of a shader that it keeps the rules of
+    /// `docs/shaders.md`.
     pub check_shaders: bool,
-    /// How long none of a frame's SPUs may take a work unit, finish one or answer, before they
-    /// count as lost.
+    /// The timeout: the SPUs count as lost when none of them has taken a work unit, finished one
+    /// or answered for so long.
     pub timeout: Duration,
-    /// What they run.
+    /// The program that the SPUs run.
     pub program: Program,
 }
 

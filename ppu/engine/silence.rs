@@ -1,19 +1,19 @@
-//! How long a frame is waited for, and what is said of an SPU that does not answer.
+//! The timeout of a frame, and the report about an SPU that doesn't answer.
 //!
-//! Owns the question whether a frame still comes. It is not how long it takes, which on emulated
-//! SPUs may be hours, but whether any SPU still does something: takes a work unit, finishes one,
-//! or answers.
+//! Owns the decision whether a frame can still be expected. A frame's duration doesn't tell: on
+//! emulated SPUs it may be hours. What counts is whether any SPU still takes a work unit, finishes
+//! one, or answers.
 
 use std::fmt;
 use std::time::{Duration, Instant};
 
-/// How often the caller of a frame hears of its progress, at most.
+/// The shortest time between two calls that report progress.
 const LOOK_EVERY: Duration = Duration::from_millis(250);
 /// The shortest sleep that libspe2 knows.
 const SHORTEST: Duration = Duration::from_millis(1);
-/// How long to sleep at a time. libspe2 may count time by another clock than this program: 1 ms of
-/// an emulator's may take seconds. So sleeps begin short, and grow as long as they take no more
-/// than they should.
+/// How long to sleep at a time. libspe2's clock may differ from this program's: a millisecond of
+/// an emulator's may take seconds. So sleeps begin short, and grow only while they take no longer
+/// than requested.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pause(Duration);
 
@@ -22,12 +22,12 @@ impl Pause {
         Self(SHORTEST)
     }
 
-    /// The next sleep, if there are `left` to the end of all patience.
+    /// The length of the next sleep, if the timeout is `left` away.
     pub fn length(self, left: Duration) -> Duration {
         self.0.min(left)
     }
 
-    /// A sleep of that length took so long, and nothing has happened in it.
+    /// Adapts to a sleep of that length that took `took` and ended without an event.
     pub fn slept(&mut self, took: Duration) {
         self.0 = if took > LOOK_EVERY {
             (self.0 / 2).max(SHORTEST)
@@ -37,15 +37,15 @@ impl Pause {
     }
 }
 
-/// Since when nothing has happened.
-pub(super) struct Watch {
+/// Measures the time since the SPUs last showed a sign of work.
+pub(super) struct Watchdog {
     timeout: Duration,
     since: Instant,
     done: u64,
 }
 
-impl Watch {
-    /// From now on.
+impl Watchdog {
+    /// Starts the timeout.
     pub fn start(timeout: Duration) -> Self {
         Self {
             timeout,
@@ -54,52 +54,53 @@ impl Watch {
         }
     }
 
-    /// What the SPUs have done so far, in any unit that only grows.
-    pub fn saw(&mut self, done: u64) {
+    /// Restarts the timeout if the SPUs have done more than before. `done` is any measure of their
+    /// work that only grows.
+    pub fn observe(&mut self, done: u64) {
         if done != self.done {
             self.done = done;
-            self.heard();
+            self.restart();
         }
     }
 
-    /// An SPU has answered.
-    pub fn heard(&mut self) {
+    /// Restarts the timeout.
+    pub fn restart(&mut self) {
         self.since = Instant::now();
     }
 
-    /// How long it may yet take until something happens.
+    /// The time that is left until the timeout.
     pub fn left(&self) -> Duration {
         self.timeout.saturating_sub(self.since.elapsed())
     }
 }
 
-/// Why an SPU counts as lost that has not answered.
+/// What is known about an SPU that did not answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Silence {
-    /// How long no SPU has done anything that can be seen.
+    /// How long no SPU has shown a sign of work.
     pub waited: Duration,
-    /// Work units of the frame that an SPU has taken.
+    /// The number of the frame's work units that SPUs have taken.
     pub begun: u32,
-    /// Work units of the frame.
+    /// The number of the frame's work units.
     pub units: u32,
     /// What the SPU was doing.
-    pub doing: Doing,
+    pub activity: Activity,
 }
 
-/// What an SPU was doing that has not answered.
+/// What an SPU was doing when the frame timed out.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Doing {
-    /// It has not even taken the frame's address from its mailbox: it did not run, or was busy
-    /// with what was before.
+pub enum Activity {
+    /// It has not read the frame's address from its mailbox: it did not run, or was still busy with
+    /// earlier work.
     HasMail,
     /// It ran, and was made to stop.
     Ran {
-        /// Local-store address of the instruction that came next.
+        /// Local-store address of the next instruction.
         address: u32,
-        /// The function that it is in, if the program has names.
+        /// The function that contains the instruction, if the program has symbols.
         function: Option<String>,
     },
-    /// It reached no further instruction: it waited for a channel, or did not run.
+    /// It executed no further instruction: it waited for a channel, or did not run.
     Waited,
 }
 
@@ -109,25 +110,25 @@ impl fmt::Display for Silence {
             waited,
             begun,
             units,
-            doing,
+            activity,
         } = self;
         write!(
             f,
             "has not answered, and for {} s no SPU has taken or finished any work ({begun} of {units} work units \
-             were begun): it ",
+             were begun); it ",
             waited.as_secs_f64()
         )?;
-        match doing {
-            Doing::HasMail => write!(f, "has not read its mailbox")?,
-            Doing::Waited => write!(f, "waited for a channel, or did not run")?,
-            Doing::Ran { address, function } => {
+        match activity {
+            Activity::HasMail => write!(f, "has not read its mailbox")?,
+            Activity::Waited => write!(f, "waited for a channel, or did not run")?,
+            Activity::Ran { address, function } => {
                 write!(f, "was at {address:#07x}")?;
                 if let Some(function) = function {
                     write!(f, ", {function}")?;
                 }
             }
         }
-        f.write_str("; if it only is slow, --timeout allows more time")
+        f.write_str("; if it is only slow, raise --timeout")
     }
 }
 
@@ -144,7 +145,7 @@ mod tests {
         }
         assert_eq!(pause.length(left), LOOK_EVERY);
         assert_eq!(pause.length(SHORTEST), SHORTEST);
-        // Of an emulator's clock that goes a thousand times slower.
+        // An emulator's clock may run a thousand times slower.
         let mut pause = Pause::new();
         for _ in 0..20 {
             pause.slept(pause.length(left) * 1000);
@@ -153,14 +154,14 @@ mod tests {
     }
 
     #[test]
-    fn work_puts_the_end_off() {
-        let mut watch = Watch::start(Duration::from_millis(200));
+    fn work_restarts_the_timeout() {
+        let mut watchdog = Watchdog::start(Duration::from_millis(200));
         std::thread::sleep(Duration::from_millis(120));
-        watch.saw(1);
+        watchdog.observe(1);
         std::thread::sleep(Duration::from_millis(120));
-        assert!(!watch.left().is_zero());
-        watch.saw(1);
+        assert!(!watchdog.left().is_zero());
+        watchdog.observe(1);
         std::thread::sleep(Duration::from_millis(120));
-        assert!(watch.left().is_zero());
+        assert!(watchdog.left().is_zero());
     }
 }

@@ -1,4 +1,4 @@
-//! The SPUs, each on a thread of its own, and the mails by which they hear of a frame and answer.
+//! The SPUs, each on a thread of its own, and the mail exchanged with them for each frame.
 
 use std::sync::Arc;
 use std::thread::{self, JoinHandle};
@@ -7,14 +7,14 @@ use std::time::{Duration, Instant};
 use super::error::EngineError;
 use super::records::Records;
 use super::settings::Settings;
-use super::silence::{Doing, Pause, Silence, Watch};
+use super::silence::{Activity, Pause, Silence, Watchdog};
 use super::unchecked::Unchecked;
 use crate::spe::{Context, Ended, Event, Events, SpeError};
 use crate::work::Refusal;
 use protocol::layout::{FEATURE_WHITTED, Frame, MAX_SPUS};
 
-/// How long an SPU that is made to stop is waited for: it does so with its next instruction, if
-/// there is one.
+/// How long to wait for an SPU that is made to stop. It stops with its next instruction, if it
+/// executes one.
 const UNTIL_HALTED: Duration = Duration::from_secs(1);
 
 struct Spu {
@@ -22,9 +22,9 @@ struct Spu {
     thread: Option<JoinHandle<Ended>>,
 }
 
-/// SPUs that wait for frames; they are ended when this is dropped.
+/// SPUs that wait for frames. Dropping this ends their programs.
 pub(super) struct Spus {
-    // Dropped first: it knows the contexts.
+    // Dropped first, because it refers to the contexts.
     events: Events,
     spus: Vec<Spu>,
     pause: Pause,
@@ -58,7 +58,7 @@ impl Spus {
         Ok(started)
     }
 
-    /// Mails an address as that of `frame`, and waits for the answers.
+    /// Mails `address` as the address of `frame`, and waits for the answers.
     pub fn exchange(
         &mut self,
         address: u64,
@@ -75,14 +75,14 @@ impl Spus {
         }
         let is_whitted = frame.features.get() & FEATURE_WHITTED != 0;
         let unchecked = || Unchecked::of(settings, is_whitted);
-        let mut watch = Watch::start(settings.timeout);
+        let mut watchdog = Watchdog::start(settings.timeout);
         let mut waiting = [false; MAX_SPUS as usize];
         waiting[..self.spus.len()].fill(true);
         let mut first_error = None;
-        // All SPUs are waited for, also after an error: they write to the frame's memory until
-        // then.
+        // All SPUs are waited for, even after an error, because they write to the frame's memory
+        // until they answer.
         while let Some(slowest) = waiting.iter().position(|waiting| *waiting) {
-            let left = watch.left();
+            let left = watchdog.left();
             if left.is_zero() {
                 let silence = self.silence(slowest, settings, frame, records);
                 let (spu, unchecked) = (slowest as u32, unchecked());
@@ -96,19 +96,19 @@ impl Spus {
             let Some((number, event)) = self.events.wait(self.pause.length(left))? else {
                 self.pause.slept(began.elapsed());
                 let (taken, finished) = records.units_done(frame);
-                watch.saw(u64::from(taken) + u64::from(finished));
+                watchdog.observe(u64::from(taken) + u64::from(finished));
                 progress(part(taken.max(finished), frame));
                 continue;
             };
-            watch.heard();
+            watchdog.restart();
             let spu = &mut self.spus[number as usize];
             let error = match event {
                 Event::Answer => {
                     let Some(answer) = spu.context.answer()? else {
                         continue;
                     };
-                    // Looked up for what was refused alone: it takes memory. An image without the
-                    // table has no names either.
+                    // The names are looked up only after a refusal, because that allocates memory.
+                    // An image without the table has no names.
                     let shaders = match answer {
                         0 => Vec::new(),
                         _ => settings.program.shaders().unwrap_or_default(),
@@ -127,7 +127,7 @@ impl Spus {
                 }
                 Event::Stopped => {
                     spu.context.take_stop_record()?;
-                    // The thread is on its way out: libspe2 wrote the record just before.
+                    // The thread is about to end: libspe2 wrote the record just before.
                     let ended = spu.thread.take().and_then(|thread| thread.join().ok());
                     ended.map(|ended| EngineError::Ended {
                         spu: number,
@@ -142,8 +142,8 @@ impl Spus {
         first_error.map_or(Ok(()), Err)
     }
 
-    /// What can be told of an SPU that does not answer. It is stopped to learn where it is: it is
-    /// lost anyway.
+    /// Finds out what an SPU that doesn't answer is doing. It is lost anyway, so it is stopped to
+    /// learn where it is.
     fn silence(
         &mut self,
         number: usize,
@@ -153,31 +153,30 @@ impl Spus {
     ) -> Silence {
         let (taken, finished) = records.units_done(frame);
         let program = settings.program;
-        let doing = if self.spus[number].context.has_unread_mail() {
-            Doing::HasMail
+        let activity = if self.spus[number].context.has_unread_mail() {
+            Activity::HasMail
         } else {
             self.spus[number].context.halt(&program);
             match self.until_ended(number) {
                 Some(ended) => {
                     let address = ended.npc.wrapping_sub(4);
                     let function = program.name_of(address);
-                    Doing::Ran { address, function }
+                    Activity::Ran { address, function }
                 }
-                None => Doing::Waited,
+                None => Activity::Waited,
             }
         };
         let units = frame.unit_count.get();
         Silence {
             waited: settings.timeout,
-            // An SPU that finds none left has counted, too.
+            // An SPU that finds no unit left has incremented the counter too.
             begun: taken.max(finished).min(units),
             units,
-            doing,
+            activity,
         }
     }
 
-    /// Waits a while for the end of an SPU's program; nobody waits for what the others say any
-    /// more.
+    /// Waits a while for the end of an SPU's program. The other SPUs' answers are discarded.
     fn until_ended(&mut self, number: usize) -> Option<Ended> {
         let asked = Instant::now();
         while asked.elapsed() < UNTIL_HALTED {
@@ -199,8 +198,8 @@ impl Spus {
         None
     }
 
-    /// Gives the SPUs up. libspe2 has no call that stops one: its thread and its context are left
-    /// to the end of the process.
+    /// Leaks the SPUs' threads and contexts until the process ends, because libspe2 has no call
+    /// that stops an SPU.
     pub fn abandon(&mut self) {
         for spu in self.spus.drain(..) {
             std::mem::forget(spu);
@@ -214,7 +213,7 @@ impl Drop for Spus {
             let Some(thread) = spu.thread.take() else {
                 continue;
             };
-            // Address 0 ends the program. If it can't be mailed, waiting would be for ever.
+            // Address 0 ends the program. If it can't be mailed, the program would never end.
             if spu.context.mail([0, 0]).is_ok() {
                 let _ = thread.join();
             }
@@ -222,7 +221,7 @@ impl Drop for Spus {
     }
 }
 
-/// The part of a frame's units.
+/// The part of a frame's units that `done` is, at most 1.
 fn part(done: u32, frame: &Frame) -> f64 {
     (f64::from(done) / f64::from(frame.unit_count.get().max(1))).min(1.0)
 }

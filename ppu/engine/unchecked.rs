@@ -1,18 +1,17 @@
-//! What is said with an error that a shader of a game's own may be behind: how to find out.
+//! A hint for errors that a game's own shader may have caused.
 
 use std::fmt;
 
 use super::settings::Settings;
 use crate::spe::Program;
 
-/// Whether shaders that do not come with the tracer ran and were not checked. One that does not
-/// keep what it must spoils what the tracer's program goes by afterwards, so that any error may
-/// come of it.
+/// Whether a game's own shaders ran unchecked. A shader that breaks the rules damages the tracer's
+/// state, which can cause any error later. The text is empty, or a hint to append to a message.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Unchecked(bool);
 
 impl Unchecked {
-    /// Of a frame of Whitted's model or of another.
+    /// For a frame with these settings, by Whitted's model or by depth shading.
     pub(super) fn of(settings: &Settings, is_whitted: bool) -> Self {
         let shaders = |program: &Program| program.shaders().unwrap_or_default();
         let known = shaders(&Program::tracer());
@@ -30,8 +29,8 @@ impl fmt::Display for Unchecked {
             return Ok(());
         }
         f.write_str(
-            "; a shader of the program's own that does not keep what it must can be behind this: --check-shaders \
-             (Settings::check_shaders) finds it",
+            "; one of the program's own shaders may have caused this by breaking the rules for shaders: \
+             --check-shaders (Settings::check_shaders) finds it",
         )
     }
 }

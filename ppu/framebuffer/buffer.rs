@@ -1,16 +1,17 @@
-//! Private memory for one frame: zeroed, and aligned so that DMA runs at its best.
+//! Private memory for one frame, zeroed and aligned for the fastest DMA.
 //!
-//! Invariant: base and stride are multiples of 128, the MFC's line, so every row starts one.
+//! Invariant: base and stride are multiples of 128 bytes, the MFC's line, so every row starts a
+//! line.
 
 use super::{FramebufferError, Geometry, PIXEL_BYTES, PixelFormat, Target};
 use std::alloc::{self, Layout};
 use std::ptr::NonNull;
 
-/// Bytes of a line: full-line transfers are the fastest that the MFC has.
+/// The bytes of a line: the MFC is fastest with transfers of whole lines.
 const LINE: usize = 128;
 
-/// One frame, written through [`FrameBuffer::target`], in the pixel format that the caller gives
-/// there.
+/// One frame, which is written through [`FrameBuffer::target`] in the pixel format that the caller
+/// passes there.
 pub(super) struct FrameBuffer {
     base: NonNull<u8>,
     layout: Layout,
@@ -18,7 +19,7 @@ pub(super) struct FrameBuffer {
     geometry: Geometry,
 }
 
-// SAFETY: the allocation belongs to this value alone and has no tie to a thread.
+// SAFETY: the allocation belongs only to this value, and isn't tied to a thread.
 unsafe impl Send for FrameBuffer {}
 
 impl FrameBuffer {
@@ -57,7 +58,7 @@ impl FrameBuffer {
         }
     }
 
-    /// The rows as they are shown, top first, without padding.
+    /// The rows from top to bottom, without padding.
     pub(super) fn rows(&self) -> impl Iterator<Item = &[u8]> {
         let shown = self.geometry.shown_row_bytes();
         self.bytes()
@@ -66,15 +67,15 @@ impl FrameBuffer {
     }
 
     fn bytes(&self) -> &[u8] {
-        // SAFETY: the allocation is this long and initialised; by Target's rule nobody writes
-        // through an older target while a method of the framebuffer runs.
+        // SAFETY: the allocation has this length and is initialised. By Target's rule nobody
+        // writes through an older target while a method of the framebuffer runs.
         unsafe { std::slice::from_raw_parts(self.base.as_ptr(), self.layout.size()) }
     }
 }
 
 impl Drop for FrameBuffer {
     fn drop(&mut self) {
-        // SAFETY: allocated in `new` with this very layout.
+        // SAFETY: `new` allocated it with this layout.
         unsafe { alloc::dealloc(self.base.as_ptr(), self.layout) }
     }
 }

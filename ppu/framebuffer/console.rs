@@ -1,15 +1,15 @@
-//! The virtual terminal behind the screen: while frames are shown, the kernel must not draw text,
-//! and before the user sees another terminal, the program lets go of the screen.
+//! The virtual terminal behind the screen. While frames are shown, the kernel must not draw text
+//! there. Before the user sees another terminal, the program releases the screen.
 //!
-//! Invariant: the modes found are put back when a [`Console`] is dropped, be it on return, on an
-//! error or by a panic's unwinding; and the terminal's text at any other end that a program can
-//! see.
+//! Invariant: the terminal's modes are restored when a [`Console`] is dropped, on return, on an
+//! error or when a panic unwinds. If the program ends in any other way that it can catch, the text
+//! mode is restored.
 
 mod terminal;
 
 use super::interrupted;
 use super::ioctl::{KD_GRAPHICS, VT_ACKACQ, VT_PROCESS, VT_RELEASED, VtMode};
-use super::switching::{self, Asked, Switching};
+use super::switching::{self, ScreenRequest, Switching};
 use std::fmt;
 use std::io;
 use std::path::Path;
@@ -20,18 +20,19 @@ pub(super) struct Console {
     name: &'static str,
     terminal: Box<dyn Terminal>,
     found: i32,
-    /// The terminal that was on the screen at the start, where that can be asked.
+    /// The terminal that was on the screen at the start, if the kernel tells.
     on_screen: Option<u16>,
-    /// How the kernel changed terminals, where it asks us now.
+    /// How the kernel switched terminals before; `None` if it doesn't ask this program now.
     changes: Option<VtMode>,
     switching: Switching,
-    /// Whether another terminal has the screen by our leave.
+    /// Whether this program has released the screen to another terminal.
     away: bool,
 }
 
 impl Console {
-    /// Puts the program's terminal into graphics mode; where that is no virtual terminal (a remote
-    /// login), the one in the foreground. Without the right to, an error.
+    /// Puts the program's terminal into graphics mode, or the one in the foreground if the
+    /// program's isn't a virtual terminal (a remote login). Without the permission, returns an
+    /// error.
     pub(super) fn enter() -> io::Result<Console> {
         let enter = |name| Console::take(name, Box::new(VirtualTerminal::open(Path::new(name))?));
         enter("/dev/tty").or_else(|_| enter("/dev/tty0"))
@@ -54,46 +55,45 @@ impl Console {
         Ok(console)
     }
 
-    /// What is asked of a terminal that is on the screen.
-    pub(super) fn asked(&self) -> Option<Asked> {
+    /// The pending request to release the screen, if the screen is not released already.
+    pub(super) fn request(&self) -> Option<ScreenRequest> {
         if self.away {
             None
         } else {
-            self.switching.asked()
+            self.switching.take_request()
         }
     }
 
-    /// Does what was asked, once nothing of the program's is on the screen.
-    pub(super) fn leave(&mut self, asked: Asked) {
-        match asked {
-            Asked::Leave => {
+    /// Fulfils a request. The program must have taken its picture off the screen before.
+    pub(super) fn leave(&mut self, request: ScreenRequest) {
+        match request {
+            ScreenRequest::Leave => {
                 self.switching.leave();
-                // Refused where nobody waits for the screen: the user thought better of it, or the
-                // signal was not the kernel's. Then it is not given back, either.
+                // The kernel refuses this if nobody waits for the screen: the user switched back,
+                // or the signal wasn't the kernel's. Then the screen will not be returned either.
                 self.away = self.terminal.answer(VT_RELEASED).is_ok();
             }
-            Asked::Stop => {
+            ScreenRequest::Stop => {
                 self.restore();
                 switching::stop();
-                // Without the right any more, the frames go over the text.
+                // If the permission is gone, the frames are drawn over the text.
                 let _ = self.seize();
             }
         }
     }
 
-    /// Waits until the screen is the program's, and says whether it is: not when it is asked to
-    /// end.
+    /// Waits until the program has the screen; `false` if the program is asked to end meanwhile.
     pub(super) fn come_back(&mut self) -> bool {
         if self.away && self.switching.wait_until_back() {
             self.away = false;
-            // The kernel does not wait for the answer.
+            // The kernel doesn't wait for this answer.
             let _ = self.terminal.answer(VT_ACKACQ);
         }
         !self.away
     }
 
-    /// Whether the screen still is this program's alone: the kernel draws on it for the terminal
-    /// that the user switches to.
+    /// Whether this program still has the screen. If the user has switched to another terminal,
+    /// the kernel draws that one's text.
     pub(super) fn has_the_screen(&self) -> bool {
         self.on_screen.is_some() && self.terminal.on_screen().ok() == self.on_screen
     }
@@ -114,12 +114,12 @@ impl Console {
     }
 
     fn restore(&mut self) {
-        // There is nobody left to tell.
+        // An error can't be reported here.
         if let Some(changes) = self.changes.take() {
             let _ = self.terminal.set_changes(changes);
         }
         let _ = self.terminal.set_mode(self.found);
-        // Keys that steered the program are no commands to the shell.
+        // The shell must not take keys that were meant for the program as commands.
         self.terminal.discard_input();
     }
 }

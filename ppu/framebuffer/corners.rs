@@ -1,7 +1,7 @@
-//! Pictures whose pixels are each the mean of the four rays through its corners, as the Standard
-//! Procedural Databases ask for.
+//! Pictures whose pixels are averages of four rays through their corners, as the Standard
+//! Procedural Databases require.
 //!
-//! Invariant: the frame that is traced has a row and a column more than the picture. The rays'
+//! Invariant: the traced frame has one more row and one more column than the picture. The rays'
 //! colours are rounded to bytes before they are averaged, so a pixel is up to half a step off its
 //! exact mean.
 
@@ -9,15 +9,21 @@ use super::{Framebuffer, FramebufferError, Geometry, Memory, Png, Target, write_
 use image::{Rgb, RgbImage};
 use std::path::{Path, PathBuf};
 
-/// A framebuffer for rays through corners, whose every presented frame replaces the picture at one
-/// path, if it has one.
+/// A framebuffer for rays through corners. Every presented frame replaces the picture at its path,
+/// if it has one.
 pub struct Corners {
     memory: Memory,
     path: Option<PathBuf>,
 }
 
 impl Corners {
-    /// Prepares frames for a picture of `geometry`; nothing is written before the first frame.
+    /// Prepares frames for a picture of size `geometry`. Nothing is written before the first
+    /// frame.
+    ///
+    /// # Errors
+    /// - `path` isn't a regular file.
+    /// - The frame, which is one larger in both directions, exceeds the largest size, or there is
+    ///   not enough memory for it.
     pub fn new(path: Option<&Path>, geometry: Geometry) -> Result<Corners, FramebufferError> {
         if let Some(path) = path {
             Png::new(path, geometry)?;
@@ -32,7 +38,7 @@ impl Corners {
         })
     }
 
-    /// The picture.
+    /// The averaged picture.
     fn averaged(&self) -> RgbImage {
         let rays = self.memory.rgb();
         RgbImage::from_fn(rays.width() - 1, rays.height() - 1, |x, y| {

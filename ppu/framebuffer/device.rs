@@ -1,9 +1,9 @@
 //! The kernel's framebuffer device, /dev/fb0.
 //!
-//! Frames are made in the device's memory where SPUs can and should write to it, else in private
-//! memory, and copied as whole lines. While another terminal is on the screen, frames wait.
-//! Invariant: the order on drop is display, memory, console, so that the console redraws a screen
-//! that is its own again.
+//! Frames are made in the device's memory if SPUs can and should write to it. Otherwise they are
+//! made in private memory, and copied as whole lines. While another terminal is on the screen,
+//! frames wait. Invariant: the order of dropping is display, memory, console, so that the console
+//! redraws its text after the screen has been restored.
 
 use super::buffer::FrameBuffer;
 use super::console::Console;
@@ -13,7 +13,7 @@ use super::forward;
 use super::interrupted;
 use super::ioctl::FbVarScreeninfo;
 use super::surface::{Scheme, Surface, driver_name};
-use super::video_mode::Moded;
+use super::video_mode::VideoModeGuard;
 use super::{Framebuffer, FramebufferError, Geometry, Options, Target};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -23,9 +23,9 @@ use std::sync::atomic::{Ordering, fence};
 /// Where a device's frames are made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Mode {
-    /// In the device's own memory: nothing is copied by this program.
+    /// In the device's memory, so that this program copies nothing.
     Direct,
-    /// In private memory, copied to the device when complete. Right for every driver.
+    /// In private memory, and copied to the device when complete. This works with every driver.
     Shadow,
 }
 
@@ -35,18 +35,18 @@ pub struct Device {
     surface: Surface,
     display: Display,
     map: Mapping,
-    /// Where frames are made, unless in the device's memory.
+    /// The private memory for frames, with [`Mode::Shadow`].
     shadow: Option<FrameBuffer>,
-    /// The frame that the next picture goes to.
+    /// The number of the frame that the next picture is written to.
     next: u32,
-    /// Whether somebody else has drawn on the frames since one was shown.
+    /// Whether other programs have drawn on the frames since one was shown.
     lost: bool,
     console: io::Result<Console>,
 }
 
-/// A driver that answered, before anything but its video mode was changed.
+/// A driver that has answered. So far only its video mode may have been changed.
 struct Found {
-    driver: Moded,
+    driver: VideoModeGuard,
     var: FbVarScreeninfo,
     surface: Surface,
     map: Mapping,
@@ -74,18 +74,25 @@ impl Found {
 }
 
 impl Device {
-    /// Opens the device at `path` and takes over the screen and its console.
+    /// Opens the device at `path`, and takes over the screen and its console.
+    ///
+    /// # Errors
+    /// The device can't be opened, its driver's answers are not supported, or the options don't
+    /// suit it.
     pub fn open(path: &Path, options: Options) -> Result<Device, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;
-        // Before the video mode is another: a signal that nobody waits for puts it back, too.
+        // Done before the video mode is changed, so that an unexpected signal restores it too.
         interrupted::watch()
             .map_err(|source| FramebufferError::io("catch signals for", path, source))?;
         let found = Device::look(Box::new(driver), path, options)?;
         Device::start(found, path, options, Console::enter())
     }
 
-    /// One line about the device at `path`, of which nothing is changed.
+    /// A line of text about the device at `path`, which is not changed.
+    ///
+    /// # Errors
+    /// The device can't be opened, or its driver's answers are not supported.
     pub fn inspect(path: &Path) -> Result<String, FramebufferError> {
         let driver = KernelDriver::open(path)
             .map_err(|source| FramebufferError::io("open", path, source))?;
@@ -104,8 +111,8 @@ impl Device {
                 source,
             }
         };
-        let mut driver = Moded::keep(driver);
-        let ask = |driver: &mut Moded| {
+        let mut driver = VideoModeGuard::keep(driver);
+        let ask = |driver: &mut VideoModeGuard| {
             let var = driver
                 .var_screeninfo()
                 .map_err(refused("FBIOGET_VSCREENINFO"))?;
@@ -158,7 +165,7 @@ impl Device {
         }
         let promised = surface.scheme();
         for frame in 0..surface.frames(promised) {
-            // The second frame is shown before it is first written to.
+            // The second frame is shown before anything was written to it.
             blacken(&map, &surface, promised, frame);
         }
         let display = Display::start(driver, path, var, &surface, options.vsync)?;
@@ -176,7 +183,8 @@ impl Device {
                 });
             }
             (Some(Mode::Direct), None) => None,
-            // Only what ps3fb shows on demand is known to be main memory that nobody looks at.
+            // Only memory that ps3fb shows on request is known to be main memory that isn't
+            // visible.
             (None, None) if scheme == Scheme::Ps3fb => None,
             _ => Some(FrameBuffer::new(surface.geometry)?),
         };
@@ -201,13 +209,13 @@ impl Device {
         }
     }
 
-    /// Lets another terminal have the screen where that is asked for, and waits until it is given
-    /// back. Whether the screen is this program's: not when it is asked to end meanwhile.
+    /// Releases the screen if another terminal requests it, and waits until it is returned.
+    /// Returns whether this program has the screen; `false` if it is asked to end meanwhile.
     fn hold_screen(&mut self) -> Result<bool, FramebufferError> {
         let Ok(console) = &mut self.console else {
             return Ok(true);
         };
-        if let Some(asked) = console.asked() {
+        if let Some(asked) = console.request() {
             self.display.leave();
             console.leave(asked);
         }
@@ -223,7 +231,7 @@ impl Device {
     }
 }
 
-/// Address of the byte `offset` bytes into the device's memory.
+/// The address of a byte, `offset` bytes into the device's memory.
 fn address(map: &Mapping, offset: u64) -> *mut u8 {
     // Every offset comes from a surface, which keeps it below a 32-bit length.
     map.base().wrapping_add(offset as usize)
@@ -244,7 +252,7 @@ impl Framebuffer for Device {
     }
 
     fn target(&mut self) -> Target {
-        // The copy to the device is not a conversion: a shadow has the device's own pixels.
+        // Copying to the device converts nothing, so the shadow has the device's pixel format.
         let format = self.surface.format;
         if let Some(shadow) = &mut self.shadow {
             return shadow.target(format);
@@ -260,7 +268,7 @@ impl Framebuffer for Device {
     }
 
     fn present(&mut self) -> Result<(), FramebufferError> {
-        // A frame made in memory that others have drawn on is as lost as those before.
+        // A frame in memory that others have drawn on is lost too.
         if !self.hold_screen()? || (self.lost && self.shadow.is_none()) {
             return Ok(());
         }
@@ -274,14 +282,15 @@ impl Framebuffer for Device {
                 line = line.wrapping_add(self.surface.line_length as usize);
             }
         }
-        // The kernel's copy must not begin before our stores have left the processor.
+        // The kernel's copy must not begin before this program's stores are visible.
         fence(Ordering::SeqCst);
         self.display.show(self.next)?;
         self.next = (self.next + 1) % self.display.frames();
         Ok(())
     }
 
-    /// Private memory does; the device's own as long as no other terminal is on the screen.
+    /// Private memory keeps its contents. The device's memory keeps them as long as no other
+    /// terminal is on the screen.
     fn keeps_contents(&self) -> bool {
         let undisturbed = || self.console.as_ref().is_ok_and(Console::has_the_screen);
         self.shadow.is_some() || (!self.lost && undisturbed())

@@ -1,39 +1,39 @@
-//! Which frame is on the screen, and when it changes.
+//! Selects the frame that is on the screen, and the time when it changes.
 //!
-//! Tries what a driver's numbers promise, once; a call that it does not know is not made again.
-//! Invariant: what was changed on the device is put back on drop.
+//! Tries the calls that a driver's numbers promise. A call that the driver doesn't know is not
+//! made again. Invariant: all changes of the device are undone on drop.
 
 use super::FramebufferError;
 use super::ioctl::{FB_ACTIVATE_VBL, FBIOPAN_DISPLAY, FbVarScreeninfo};
-use super::last_resort::{Argument, Place, PutBack};
+use super::last_resort::{Argument, Place, RestorePromise};
 use super::surface::{Scheme, Surface};
-use super::video_mode::Moded;
+use super::video_mode::VideoModeGuard;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// A driver and the way frames are shown by it.
+/// A driver, and the scheme by which it shows frames.
 pub(super) struct Display {
-    // Dropped first: it needs the driver open.
-    _promise: Option<PutBack>,
-    driver: Moded,
+    // Dropped first, because it needs the open driver.
+    _promise: Option<RestorePromise>,
+    driver: VideoModeGuard,
     path: PathBuf,
-    /// The screen as it was found, to be put back.
+    /// The screen's original settings, to be restored.
     found: FbVarScreeninfo,
     scheme: Scheme,
     frames: u32,
     vsync: bool,
-    /// Whether the driver has answered to waiting.
+    /// Whether the driver has answered a request to wait.
     waited: bool,
-    /// Whether the screen was put back for somebody else.
+    /// Whether the screen was restored because it was released.
     left: bool,
 }
 
 impl Display {
-    /// Takes the screen over by the scheme that `surface` promises, or a simpler one where the
-    /// driver lacks the calls. With two frames the second is the one shown first. Without `vsync`
-    /// the vertical blank is not waited for.
+    /// Takes over the screen with the scheme that `surface` promises, or a simpler one if the
+    /// driver lacks the calls. With two frames, the second one is shown first. Without `vsync`,
+    /// showing doesn't wait for the vertical blank.
     pub(super) fn start(
-        driver: Moded,
+        driver: VideoModeGuard,
         path: &Path,
         found: FbVarScreeninfo,
         surface: &Surface,
@@ -66,7 +66,7 @@ impl Display {
         self.frames
     }
 
-    /// Whether the vertical blank is waited for, in words.
+    /// A text that says whether showing waits for the vertical blank.
     pub(super) fn vsync(&self) -> &'static str {
         match (self.vsync, self.waited) {
             (true, true) => "vsync",
@@ -75,7 +75,7 @@ impl Display {
         }
     }
 
-    /// Waits until the visible frame may be written to, where that is the only one there is.
+    /// Waits until the visible frame may be written to, if it is the only one.
     pub(super) fn before_write(&mut self) -> Result<(), FramebufferError> {
         if self.scheme == Scheme::Single {
             self.wait_for_vsync()
@@ -84,7 +84,7 @@ impl Display {
         }
     }
 
-    /// Shows a finished frame, and returns when the one shown before may be written to.
+    /// Shows a finished frame, and returns when the previous one may be written to.
     pub(super) fn show(&mut self, frame: u32) -> Result<(), FramebufferError> {
         match self.scheme {
             Scheme::Ps3fb => {
@@ -97,14 +97,15 @@ impl Display {
             Scheme::Pan => {
                 self.pan(frame)
                     .map_err(|source| self.ioctl("FBIOPAN_DISPLAY", source))?;
-                // Most drivers move the screen at the blank: until then the old frame is visible.
+                // Most drivers move the screen at the vertical blank; until then the old frame is
+                // visible.
                 self.wait_for_vsync()
             }
             Scheme::Single => Ok(()),
         }
     }
 
-    /// Puts the screen back as it was found, until [`Display::come_back`].
+    /// Restores the screen's original settings until [`Display::come_back`].
     pub(super) fn leave(&mut self) {
         if !self.left {
             self.left = true;
@@ -112,7 +113,7 @@ impl Display {
         }
     }
 
-    /// Takes the screen over again after [`Display::leave`]; whether it had been left.
+    /// Takes over the screen again after [`Display::leave`]. Returns whether it had been left.
     pub(super) fn come_back(&mut self) -> Result<bool, FramebufferError> {
         if !self.left {
             return Ok(false);
@@ -135,7 +136,7 @@ impl Display {
         if self.optional("PS3FB_IOCTL_ON", on)?.is_none() {
             return Ok(());
         }
-        // From here on drop switches it off.
+        // From now on, drop switches it off.
         self.scheme = Scheme::Ps3fb;
         self.frames = surface.frames(Scheme::Ps3fb).min(screen.num_frames).max(1);
         loop {
@@ -178,7 +179,8 @@ impl Display {
             return Ok(());
         }
         match self.driver.wait_for_vsync() {
-            // No blank within the driver's patience, or a signal: the frame is shown all the same.
+            // There was no blank within the driver's timeout, or a signal arrived. The frame is
+            // shown anyway.
             Err(source) if matches!(source.raw_os_error(), Some(libc::ETIMEDOUT | libc::EINTR)) => {
             }
             waited => self.vsync = self.optional("FBIO_WAITFORVSYNC", waited)?.is_some(),
@@ -187,7 +189,7 @@ impl Display {
         Ok(())
     }
 
-    /// `None` where the driver does not know the request.
+    /// `None` if the driver doesn't know the request.
     fn optional<T>(
         &self,
         request: &'static str,
@@ -211,7 +213,7 @@ impl Display {
     }
 
     fn restore(&mut self) {
-        // There is nobody to tell, and closing the device undoes the rest.
+        // An error can't be reported here, and closing the device undoes the rest.
         let _ = match self.scheme {
             Scheme::Ps3fb => self.driver.ps3fb_off(),
             Scheme::Pan => self.driver.pan_display(&self.found),

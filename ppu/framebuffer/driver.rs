@@ -1,9 +1,9 @@
-//! The calls a framebuffer driver answers, one method each, without a decision.
+//! The calls of a framebuffer driver, one method each, without any logic.
 //!
-//! The trait is the seam at which tests put a scripted driver in the kernel's place.
+//! Tests implement the trait with a scripted driver in place of the kernel's.
 
 use super::ioctl::{self, Encoding, FbFixScreeninfo, FbVarScreeninfo, Ps3fbIoctlRes};
-use super::last_resort::{Argument, Place, PutBack};
+use super::last_resort::{Argument, Place, RestorePromise};
 use memmap2::{MmapOptions, MmapRaw};
 use std::fs::{File, OpenOptions};
 use std::io;
@@ -14,31 +14,31 @@ use std::path::Path;
 /// The device's memory in this process.
 pub(super) struct Mapping {
     map: MmapRaw,
-    /// Where the framebuffer begins: the kernel maps from the page that it starts in.
+    /// The offset of the framebuffer. The kernel maps from the page that it begins in.
     start: usize,
 }
 
 impl Mapping {
-    /// Takes `map`, of which the framebuffer occupies the bytes from `start` on.
+    /// The framebuffer occupies the bytes of `map` from `start` on.
     pub(super) fn new(map: MmapRaw, start: usize) -> Mapping {
         Mapping { map, start }
     }
 
-    /// Address of the framebuffer's first byte.
+    /// The address of the framebuffer's first byte.
     pub(super) fn base(&self) -> *mut u8 {
         self.map.as_mut_ptr().wrapping_add(self.start)
     }
 }
 
-/// A framebuffer driver. An error is the errno of the call as it came.
+/// A framebuffer driver. Errors are the calls' errno, unchanged.
 pub(super) trait Driver: Send {
     /// FBIOGET_VSCREENINFO.
     fn var_screeninfo(&mut self) -> io::Result<FbVarScreeninfo>;
     /// FBIOGET_FSCREENINFO.
     fn fix_screeninfo(&mut self) -> io::Result<FbFixScreeninfo>;
-    /// Maps all of the memory that `fix` tells of.
+    /// Maps all of the memory that `fix` describes.
     fn map(&mut self, fix: &FbFixScreeninfo) -> io::Result<Mapping>;
-    /// FBIOPAN_DISPLAY: only the offsets of `var` count.
+    /// FBIOPAN_DISPLAY, which uses only the offsets in `var`.
     fn pan_display(&mut self, var: &FbVarScreeninfo) -> io::Result<()>;
     /// FBIO_WAITFORVSYNC.
     fn wait_for_vsync(&mut self) -> io::Result<()>;
@@ -48,15 +48,15 @@ pub(super) trait Driver: Send {
     fn ps3fb_setmode(&mut self, mode: u32) -> io::Result<()>;
     /// PS3FB_IOCTL_SCREENINFO.
     fn ps3fb_screeninfo(&mut self) -> io::Result<Ps3fbIoctlRes>;
-    /// PS3FB_IOCTL_ON: from here on frames are shown by `ps3fb_fsel` alone.
+    /// PS3FB_IOCTL_ON: from now on only `ps3fb_fsel` shows frames.
     fn ps3fb_on(&mut self) -> io::Result<()>;
     /// PS3FB_IOCTL_OFF: the kernel shows frame 0 at every vertical blank.
     fn ps3fb_off(&mut self) -> io::Result<()>;
     /// PS3FB_IOCTL_FSEL: copies this frame to the video memory and shows it.
     fn ps3fb_fsel(&mut self, frame: u32) -> io::Result<()>;
-    /// Promises that a request restores `place` should the program end without a drop; `None`
-    /// where there is no device that outlives the program.
-    fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<PutBack>;
+    /// Promises to restore `place` with a request if the program ends without a drop. `None` if
+    /// there is no device that outlives the program.
+    fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<RestorePromise>;
 }
 
 /// The kernel's driver behind a device node.
@@ -66,7 +66,8 @@ pub(super) struct KernelDriver {
 
 impl KernelDriver {
     pub(super) fn open(path: &Path) -> io::Result<KernelDriver> {
-        // A device node may be something else, a serial line say, whose plain open waits.
+        // The path may be another device, for example a serial line, on which opening would wait
+        // without O_NONBLOCK.
         let flags = libc::O_NONBLOCK | libc::O_NOCTTY;
         let device = OpenOptions::new()
             .read(true)
@@ -77,8 +78,8 @@ impl KernelDriver {
     }
 
     fn request<T>(&mut self, request: u32, argument: &mut T) -> io::Result<()> {
-        // SAFETY: the descriptor is open, and each caller passes the structure that its request
-        // reads or writes, which outlives the call.
+        // SAFETY: the descriptor is open. Each caller passes the structure that its request reads
+        // or writes, and it outlives the call.
         let result = unsafe {
             libc::ioctl(
                 self.device.as_raw_fd(),
@@ -161,8 +162,8 @@ impl Driver for KernelDriver {
         self.request(const { Encoding::HOST.ps3fb_ioctl_fsel() }, &mut frame)
     }
 
-    fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<PutBack> {
-        Some(PutBack::promise(
+    fn promise(&self, place: Place, request: u32, argument: Argument) -> Option<RestorePromise> {
+        Some(RestorePromise::promise(
             place,
             self.device.as_fd(),
             request,

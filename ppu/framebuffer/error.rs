@@ -1,48 +1,50 @@
-//! What can go wrong with a framebuffer, in words that name the file and the values found.
+//! The errors of framebuffers. Their messages name the file and the values found.
 
 use super::Geometry;
 use super::raster::Raster;
 use std::io;
 use std::path::{Path, PathBuf};
 
-/// Why a framebuffer could not be opened or a frame not be shown.
+/// Why a framebuffer can't be opened, or a frame can't be shown.
 #[derive(Debug, thiserror::Error)]
 pub enum FramebufferError {
-    /// A side is zero or too long.
+    /// A side of the picture is zero or too long.
     #[error(transparent)]
     BadSize(nff::ViewError),
-    /// A size is not written `WIDTHxHEIGHT`.
-    #[error("{text:?} is no size: expected WIDTHxHEIGHT, as in 1280x720")]
+    /// A text is not of the form `WIDTHxHEIGHT`.
+    #[error("{text:?} is not a size: expected WIDTHxHEIGHT, as in 1280x720")]
     MalformedSize {
         /// The text as given.
         text: String,
     },
-    /// Paths that have no number, or more than one.
-    #[error("{pattern:?} numbers nothing: expected the number's place once, as in frame-%05d.png")]
+    /// A pattern for paths has no place for a number, or more than one.
+    #[error(
+        "{pattern:?} is not a pattern: expected one place for the number, as in frame-%05d.png"
+    )]
     MalformedNumbering {
         /// The pattern as given.
         pattern: String,
     },
-    /// Pictures were asked of a framebuffer whose frames can't be read back.
-    #[error("what is shown there can't be read back as a picture")]
+    /// Pictures are requested from a framebuffer whose frames can't be read back.
+    #[error("frames in this framebuffer can't be read back as pictures")]
     NoPicture,
-    /// A file has no geometry of its own and none was given.
-    #[error("{}: no framebuffer device, and a file in the place of one needs a size", path.display())]
+    /// A file is to be used as a framebuffer, but no size was given.
+    #[error("{}: not a framebuffer device, and a file instead of one needs a size", path.display())]
     SizeNeeded {
         /// The file.
         path: PathBuf,
     },
-    /// The device's mode is not the size asked for.
-    #[error("{}: asked for {requested}, but the device shows {actual}", path.display())]
+    /// The device has another size than the requested one.
+    #[error("{}: requested {requested}, but the device shows {actual}", path.display())]
     SizeMismatch {
         /// The device.
         path: PathBuf,
-        /// What was asked for.
+        /// The requested size.
         requested: Geometry,
-        /// What the driver says.
+        /// The size that the driver reports.
         actual: Geometry,
     },
-    /// A file holds a framebuffer of another geometry, or was cut while open.
+    /// A file has the length of another geometry, or was truncated while open.
     #[error(
         "{}: holds {found} bytes, but a framebuffer of {geometry} takes {expected}: \
          it belongs to another geometry",
@@ -51,11 +53,11 @@ pub enum FramebufferError {
     FileSize {
         /// The file.
         path: PathBuf,
-        /// Its length in bytes.
+        /// The file's length in bytes.
         found: u64,
         /// The length that `geometry` needs, in bytes.
         expected: u64,
-        /// The size asked for.
+        /// The requested size.
         geometry: Geometry,
     },
     /// The path is neither a device nor a regular file.
@@ -63,25 +65,25 @@ pub enum FramebufferError {
     NotAFramebuffer {
         /// The path.
         path: PathBuf,
-        /// What it is.
+        /// The kind of file that it is.
         kind: &'static str,
     },
-    /// The operating system refused.
+    /// The operating system refused an action.
     #[error("cannot {action} {}: {source}", path.display())]
     Io {
-        /// What was tried, as a verb.
+        /// The action, as a verb.
         action: &'static str,
-        /// On what.
+        /// The file.
         path: PathBuf,
-        /// The system's answer.
+        /// The system's error.
         source: io::Error,
     },
-    /// The driver refused a request that the program can't do without.
+    /// The driver refused a request that the program needs.
     #[error("{}: {request}: {source}", path.display())]
     Ioctl {
         /// The device.
         path: PathBuf,
-        /// Name of the request.
+        /// The name of the request.
         request: &'static str,
         /// The driver's answer.
         source: io::Error,
@@ -91,9 +93,9 @@ pub enum FramebufferError {
     UnsupportedPixels {
         /// The device.
         path: PathBuf,
-        /// The driver's name for itself.
+        /// The name that the driver reports.
         driver: String,
-        /// What it said.
+        /// The format that it reports.
         found: String,
     },
     /// The driver's numbers contradict each other.
@@ -101,43 +103,43 @@ pub enum FramebufferError {
     BadSurface {
         /// The device.
         path: PathBuf,
-        /// The driver's name for itself.
+        /// The name that the driver reports.
         driver: String,
         /// The contradiction.
         why: String,
     },
-    /// Rendering straight into the device was asked for, but DMA can't reach it as it is laid out.
-    #[error("{}: driver {driver}: cannot render straight into it: {why}", path.display())]
+    /// Rendering directly into the device is requested, but DMA can't write to its memory.
+    #[error("{}: driver {driver}: cannot render directly into its memory: {why}", path.display())]
     NoDirect {
         /// The device.
         path: PathBuf,
-        /// The driver's name for itself.
+        /// The name that the driver reports.
         driver: String,
         /// The obstacle.
         why: String,
     },
-    /// A video mode was asked for that the device does not have.
+    /// The device doesn't have the requested video mode.
     #[error("{}: cannot set {raster}: {why}", path.display())]
     NoVideoMode {
-        /// The device, or the file in its place.
+        /// The device, or the file that is used instead.
         path: PathBuf,
-        /// What was asked for.
+        /// The requested raster.
         raster: Raster,
         /// The obstacle, or the driver's answer.
         why: String,
     },
-    /// There is no memory for a frame.
+    /// There is not enough memory for a frame.
     #[error("no memory for a frame of {bytes} bytes")]
     OutOfMemory {
-        /// The size asked of the allocator.
+        /// The size of the frame.
         bytes: usize,
     },
     /// A picture could not be written.
     #[error("cannot write {}: {source}", path.display())]
     Png {
-        /// The picture's file.
+        /// The picture's path.
         path: PathBuf,
-        /// The encoder's answer.
+        /// The encoder's error.
         source: image::ImageError,
     },
 }

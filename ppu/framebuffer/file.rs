@@ -1,11 +1,11 @@
-//! A regular file in the place of /dev/fb0, for tests, emulators and machines without a screen.
+//! A regular file instead of /dev/fb0, for tests, emulators and machines without a screen.
 //!
-//! The file is what ps3fb's buffer would be for the same geometry: bytes A, R, G, B, rows padded
-//! to 64 bytes, no header. Whoever maps or reads it sees the frame as it is made, as on the
-//! device.
+//! The file has the format of ps3fb's memory for the same geometry: bytes A, R, G, B, rows padded
+//! to 64 bytes, no header. Programs that map or read the file see the frame while it is made, as
+//! on the device.
 //!
-//! Invariant: every byte of the mapping has its place on the disk, so that writing can't fail for
-//! want of room; only another program that cuts the file could make it fail.
+//! Invariant: every byte of the mapping has space on the disk, so writing can't fail for lack of
+//! space. It can only fail if another program truncates the file.
 
 use super::{Framebuffer, FramebufferError, Geometry, PIXEL_BYTES, PixelFormat, Target};
 use memmap2::{MmapOptions, MmapRaw};
@@ -15,10 +15,10 @@ use std::os::fd::AsRawFd;
 use std::path::{Path, PathBuf};
 use std::ptr::NonNull;
 
-/// Bytes that ps3fb rounds a row up to (firmware 1.90 and later).
+/// ps3fb rounds a row up to a multiple of this many bytes (firmware 1.90 and later).
 const ROW_ALIGN: u32 = 64;
 
-/// A mapped file that holds one frame.
+/// A mapped file with one frame.
 pub struct File {
     path: PathBuf,
     file: fs::File,
@@ -28,9 +28,12 @@ pub struct File {
 }
 
 impl File {
-    /// Opens or creates the file at `path` for frames of `size`, which a file can't do without.
+    /// Opens or creates the file at `path` for frames of `size`.
     ///
-    /// A file that already holds another number of bytes is left alone and refused.
+    /// # Errors
+    /// - `size` is `None`, or out of range.
+    /// - The file exists with a length that doesn't match `size`; it is not changed.
+    /// - The file can't be created, extended or mapped.
     pub fn open(path: &Path, size: Option<Geometry>) -> Result<File, FramebufferError> {
         let geometry = size.ok_or_else(|| FramebufferError::SizeNeeded {
             path: path.to_owned(),
@@ -77,8 +80,8 @@ fn length(file: &fs::File, path: &Path) -> Result<u64, FramebufferError> {
     Ok(metadata.len())
 }
 
-/// Gives `file` this length with every block allocated: a store to a hole on a full disk kills the
-/// program, where this call returns an error.
+/// Gives `file` this length with all blocks allocated. Without them, a store to a hole on a full
+/// disk would kill the program; this call returns an error instead.
 fn allocate(file: &fs::File, bytes: u64) -> io::Result<()> {
     let bytes = libc::off_t::try_from(bytes).map_err(io::Error::other)?;
     // SAFETY: the descriptor is open for as long as `file` is borrowed.
@@ -103,8 +106,8 @@ impl Framebuffer for File {
         }
     }
 
-    /// The frame already is in the file, for every reader of it; this only makes sure that the
-    /// file still has room for the next one.
+    /// The frame is already in the file, visible to its readers. This only checks that the file
+    /// still has its length for the next frame.
     fn present(&mut self) -> Result<(), FramebufferError> {
         let (found, expected) = (length(&self.file, &self.path)?, self.map.len() as u64);
         if found < expected {
@@ -118,7 +121,7 @@ impl Framebuffer for File {
         Ok(())
     }
 
-    /// The file is this program's while it shows frames there; others read it.
+    /// While this program shows frames in the file, others only read it.
     fn keeps_contents(&self) -> bool {
         true
     }
@@ -232,13 +235,12 @@ mod tests {
         fs::write(&path, "").unwrap();
         fs::set_permissions(&path, fs::Permissions::from_mode(0o444)).unwrap();
         fs::set_permissions(folder.path(), fs::Permissions::from_mode(0o755)).unwrap();
-        // The superuser may write anything: this thread opens the file as nobody.
+        // The superuser may write to any file, so this thread opens it as user nobody.
         const NOBODY: libc::uid_t = 65534;
-        // SAFETY: changes the identity that this thread's file accesses are checked by, nothing
-        // else.
+        // SAFETY: the call only changes the user that this thread's file accesses are checked for.
         let user = unsafe { libc::setfsuid(NOBODY) };
         let opened = File::open(&path, Some(ODD));
-        // SAFETY: as above; this puts the former identity back.
+        // SAFETY: as above; this restores the user.
         unsafe { libc::setfsuid(user as libc::uid_t) };
         match opened.err().unwrap() {
             FramebufferError::Io {

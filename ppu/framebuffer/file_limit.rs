@@ -1,4 +1,4 @@
-//! Files that may not grow.
+//! The limit of the process for the size of files.
 
 use std::io;
 use std::sync::Arc;
@@ -6,8 +6,11 @@ use std::sync::atomic::AtomicBool;
 
 use signal_hook::consts::SIGXFSZ;
 
-/// Has a file that may not grow beyond the limit of the process be an error to tell of, where the
-/// system would kill the program otherwise.
+/// Catches SIGXFSZ, so that writing a file beyond the process's size limit returns an error. By
+/// default the system would kill the program.
+///
+/// # Errors
+/// The system refuses to install the handler.
 pub fn refuse_large_files() -> io::Result<()> {
     signal_hook::flag::register(SIGXFSZ, Arc::new(AtomicBool::new(false)))?;
     Ok(())

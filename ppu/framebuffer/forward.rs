@@ -1,14 +1,15 @@
 //! Stores to a device's memory.
 //!
-//! Such memory may be write-combined, uncached and slow to read: it is written forward only, in
-//! the widest whole stores that the address allows, and never read. The C library's copy and fill
-//! won't do: on the PowerPC they may use dcbz, which faults on memory that is not cached.
+//! Such memory may be write-combined, uncached and slow to read. So it is written only in
+//! ascending order, with the widest stores that the address allows, and never read. The C
+//! library's copy and fill can't be used: on the PowerPC they may use dcbz, which faults on
+//! uncached memory.
 
 use std::ptr;
 
 const WORD: usize = size_of::<u64>();
 
-/// Copies `from` to `to`, which is not read.
+/// Copies `from` to `to`, without reading from `to`.
 ///
 /// # Safety
 /// `to` must be writable for the length of `from`, which must not overlap it.
@@ -18,7 +19,7 @@ pub(super) unsafe fn copy(from: &[u8], to: *mut u8) {
         store(
             from.len(),
             to,
-            // The source words are read in memory order, so the host's byte order plays no part.
+            // The source words are read in memory order, so the host's byte order doesn't matter.
             |at| ptr::read_unaligned(from.as_ptr().add(at).cast::<u64>()),
             |at| from[at],
         );
@@ -34,10 +35,11 @@ pub(super) unsafe fn clear(to: *mut u8, bytes: usize) {
     unsafe { store(bytes, to, |_| 0, |_| 0) }
 }
 
-/// Stores `bytes` at `to`: single bytes up to the first word boundary, words, single bytes.
+/// Stores `bytes` bytes at `to`: single bytes up to the first word boundary, then words, then
+/// single bytes.
 ///
 /// # Safety
-/// `to` must be writable for `bytes`; `word` is only asked where eight bytes are left.
+/// `to` must be writable for `bytes` bytes. `word` is only called where eight bytes are left.
 unsafe fn store(
     bytes: usize,
     to: *mut u8,
@@ -52,7 +54,7 @@ unsafe fn store(
     };
     (0..head).for_each(single);
     for at in (head..words_end).step_by(WORD) {
-        // SAFETY: `at` is a multiple of a word from an aligned address, and the word ends in
+        // SAFETY: `at` is a multiple of a word from an aligned address, and the word ends within
         // `bytes`.
         unsafe { to.add(at).cast::<u64>().write_volatile(word(at)) };
     }
@@ -70,7 +72,7 @@ mod tests {
             for from in 0..WORD {
                 for bytes in 0..40 {
                     let mut memory = [0xA5u8; 64];
-                    // SAFETY: at most 7 + 39 of the 64 bytes are reached.
+                    // SAFETY: at most 7 + 39 of the 64 bytes are accessed.
                     unsafe { copy(&source[from..from + bytes], memory.as_mut_ptr().add(to)) };
                     assert_eq!(memory[to..to + bytes], source[from..from + bytes]);
                     assert!(

@@ -1,9 +1,9 @@
-//! Signals that end the program, as a flag for the frame loop: the screen and its console are put
-//! back on the ordinary way out.
+//! Turns signals that end the program into a flag for the frame loop, so that the screen and its
+//! console are restored on the normal way out.
 //!
-//! A second signal ends the program at once, as it would by default, so that a frame loop which
-//! does not come round can still be stopped; the handler puts the screen back then. Invariant:
-//! without an [`Interrupted`] alive, the signals have their default effect.
+//! A second signal ends the program immediately, as it would by default, so that a frame loop that
+//! hangs can still be stopped. The handler restores the screen first. Invariant: without an
+//! [`Interrupted`] alive, the signals have their default effect.
 
 use super::last_resort;
 use signal_hook::SigId;
@@ -18,20 +18,20 @@ use std::sync::{Mutex, MutexGuard, OnceLock, PoisonError};
 
 const SIGNALS: [i32; 4] = [SIGINT, SIGTERM, SIGHUP, SIGQUIT];
 
-/// Handles alive; the handler reads it, [`COUNTING`] guards its changes.
+/// The number of [`Interrupted`] alive. The handler reads it; [`COUNTING`] guards its changes.
 static ALIVE: AtomicUsize = AtomicUsize::new(0);
 static COUNTING: Mutex<()> = Mutex::new(());
-/// The signal that came; 0 for none.
+/// The signal that has arrived; 0 for none.
 static SIGNAL: AtomicI32 = AtomicI32::new(0);
-/// Holds one byte while [`SIGNAL`] is set, to wake whoever polls. Set once the handlers are in
-/// place.
+/// A pipe that has one byte while [`SIGNAL`] is set, for polling. It is made together with the
+/// handlers.
 static WAKE: OnceLock<(PipeReader, PipeWriter)> = OnceLock::new();
 
-/// Makes SIGINT, SIGTERM, SIGHUP and SIGQUIT a request to stop, while it lives.
+/// Turns SIGINT, SIGTERM, SIGHUP and SIGQUIT into a request to stop while it lives.
 ///
-/// All values share one state, as signals are the process's. A signal that the program was started
-/// with ignored (nohup) stays ignored. [`AsFd`] gives a descriptor that turns readable with the
-/// signal.
+/// All values share one state, because signals belong to the process. A signal that was ignored
+/// when the program started (nohup) stays ignored. [`AsFd`] returns a descriptor that becomes
+/// readable with the signal.
 #[derive(Debug)]
 pub struct Interrupted {
     wake: &'static PipeReader,
@@ -39,6 +39,9 @@ pub struct Interrupted {
 
 impl Interrupted {
     /// Begins to catch the signals.
+    ///
+    /// # Errors
+    /// The system refuses to install the handlers.
     pub fn install() -> io::Result<Interrupted> {
         let _guard = counting();
         let wake = handlers()?;
@@ -46,7 +49,7 @@ impl Interrupted {
         Ok(Interrupted { wake })
     }
 
-    /// The signal that asks the program to stop, if one came.
+    /// The signal that asks the program to stop, if one has arrived.
     pub fn signal(&self) -> Option<i32> {
         match SIGNAL.load(Ordering::SeqCst) {
             0 => None,
@@ -65,13 +68,13 @@ impl Drop for Interrupted {
     fn drop(&mut self) {
         let _guard = counting();
         if ALIVE.fetch_sub(1, Ordering::SeqCst) == 1 && SIGNAL.swap(0, Ordering::SeqCst) != 0 {
-            // The handler that set the signal writes one byte; a broken pipe has none to take.
+            // The handler that set the signal writes one byte. A broken pipe has none.
             let _ = self.wake.read(&mut [0]);
         }
     }
 }
 
-/// Puts the screen back at these signals, also where nobody waits for them.
+/// Restores the screen at these signals, even without an [`Interrupted`] alive.
 pub(super) fn watch() -> io::Result<()> {
     let _guard = counting();
     handlers().map(drop)
@@ -82,7 +85,7 @@ pub(super) fn came() -> bool {
     SIGNAL.load(Ordering::SeqCst) != 0
 }
 
-/// Turns readable when the program is asked to stop.
+/// A descriptor that becomes readable when the program is asked to stop.
 pub(super) fn wake() -> Option<BorrowedFd<'static>> {
     WAKE.get().map(|(wake, _)| wake.as_fd())
 }
@@ -124,10 +127,10 @@ fn catch(signal: i32) -> io::Result<SigId> {
     unsafe { low_level::register(signal, move || on_signal(signal)) }
 }
 
-/// Whether a signal is ignored, as the program was started or by its own wish.
+/// Whether a signal is ignored, from the program's start or by its own choice.
 pub(super) fn is_ignored(signal: i32) -> io::Result<bool> {
     let mut action = MaybeUninit::<libc::sigaction>::uninit();
-    // SAFETY: with no new action this only writes the present one.
+    // SAFETY: without a new action this only writes the current one.
     if unsafe { libc::sigaction(signal, ptr::null(), action.as_mut_ptr()) } != 0 {
         return Err(io::Error::last_os_error());
     }
@@ -142,11 +145,11 @@ fn on_signal(signal: i32) {
             .is_ok()
     };
     if ALIVE.load(Ordering::SeqCst) == 0 || !first() {
-        last_resort::put_back();
-        // It only fails for signals that can't be caught.
+        last_resort::restore_screen();
+        // This fails only for signals that can't be caught.
         let _ = low_level::emulate_default_handler(signal);
     } else if let Some((_, wake)) = WAKE.get() {
-        // SAFETY: the pipe is never closed; one byte is read.
+        // SAFETY: the pipe is never closed, and the call reads one byte of the array.
         unsafe { libc::write(wake.as_raw_fd(), [0u8].as_ptr().cast(), 1) };
     }
 }
@@ -156,20 +159,20 @@ pub(super) mod tests {
     use super::*;
     use std::panic::catch_unwind;
 
-    /// Runs `scenario` in a process of its own and gives its end as waitpid tells it.
+    /// Runs `scenario` in a process of its own, and returns its status as waitpid reports it.
     pub(in crate::framebuffer) fn in_child(scenario: fn() -> i32) -> i32 {
-        // SAFETY: the child runs `scenario` alone and leaves without returning to the test
-        // harness; no other test holds the locks of this module or of the signal registry.
+        // SAFETY: the child runs only `scenario`, and ends without returning to the test harness.
+        // No other test holds the locks of this module or of the signal registry.
         let child = unsafe { libc::fork() };
         assert!(child >= 0);
         if child == 0 {
-            // What starts the tests may have ignored signals, as a shell does for what it runs
-            // behind.
+            // The tests may have been started with ignored signals, as shells do for background
+            // commands.
             for signal in SIGNALS {
                 if is_ignored(signal).expect("the action of a signal") {
-                    // SAFETY: the default action is no handler of ours.
+                    // SAFETY: the default action runs no code of this program.
                     unsafe { libc::signal(signal, libc::SIG_DFL) };
-                    // Handlers that another test has put in place left this one out.
+                    // Another test has installed the handlers without this one.
                     if WAKE.get().is_some() {
                         catch(signal).expect("a handler");
                     }
@@ -191,7 +194,7 @@ pub(super) mod tests {
             events: libc::POLLIN,
             revents: 0,
         };
-        // SAFETY: one descriptor, and no waiting.
+        // SAFETY: the call reads and writes one record, and doesn't wait.
         unsafe { libc::poll(&mut poll, 1, 0) == 1 }
     }
 

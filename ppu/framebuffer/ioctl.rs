@@ -1,12 +1,11 @@
-//! The kernel's framebuffer and console interface, as it is: structures, request numbers,
-//! constants.
+//! The kernel's interface for framebuffers and consoles: structures, request numbers, constants.
 //!
-//! Names are the kernel's, from linux/fb.h, linux/kd.h and asm/ps3fb.h. Nothing here calls
-//! anything.
+//! The names are the kernel's, from linux/fb.h, linux/kd.h and asm/ps3fb.h. This file makes no
+//! calls.
 
 use std::mem::offset_of;
 
-/// How a machine's kernel packs direction, size, type and number into a request (asm/ioctl.h).
+/// The encoding of direction, size, type and number in a machine's requests (asm/ioctl.h).
 pub(super) struct Encoding {
     none: u32,
     write: u32,
@@ -14,19 +13,19 @@ pub(super) struct Encoding {
 }
 
 impl Encoding {
-    /// Most machines: two direction bits over fourteen size bits.
+    /// The encoding of most machines: two direction bits above fourteen size bits.
     pub(super) const GENERIC: Encoding = Encoding {
         none: 0,
         write: 1,
         direction_shift: 30,
     };
-    /// PowerPC, MIPS and SPARC: three direction bits over thirteen size bits.
+    /// The encoding of PowerPC, MIPS and SPARC: three direction bits above thirteen size bits.
     pub(super) const POWERPC: Encoding = Encoding {
         none: 1,
         write: 4,
         direction_shift: 29,
     };
-    /// The machine that this is compiled for.
+    /// The encoding of the machine that this is compiled for.
     pub(super) const HOST: Encoding = if cfg!(any(
         target_arch = "powerpc",
         target_arch = "powerpc64",
@@ -39,7 +38,7 @@ impl Encoding {
     } else {
         Encoding::GENERIC
     };
-    /// The one direction that all machines number alike.
+    /// The only direction with the same number on all machines.
     const READ: u32 = 2;
 
     const fn request(&self, direction: u32, kind: u8, number: u8, size: usize) -> u32 {
@@ -58,7 +57,7 @@ impl Encoding {
         self.request(Self::READ, b'r', 2, size_of::<u32>())
     }
 
-    /// Encoded with the size of an int, though a [`Ps3fbIoctlRes`] is written.
+    /// Encoded with the size of an int, although the kernel writes a [`Ps3fbIoctlRes`].
     pub(super) const fn ps3fb_ioctl_screeninfo(&self) -> u32 {
         self.request(Self::READ, b'r', 3, size_of::<u32>())
     }
@@ -76,7 +75,7 @@ impl Encoding {
     }
 }
 
-// These are older than the encoding: plain numbers on every machine.
+// These requests are older than the encoding. They have the same numbers on every machine.
 pub(super) const FBIOGET_VSCREENINFO: u32 = 0x4600;
 pub(super) const FBIOGET_FSCREENINFO: u32 = 0x4602;
 pub(super) const FBIOPAN_DISPLAY: u32 = 0x4606;
@@ -87,24 +86,25 @@ pub(super) const VT_SETMODE: u32 = 0x5602;
 pub(super) const VT_GETSTATE: u32 = 0x5603;
 pub(super) const VT_RELDISP: u32 = 0x5605;
 
-/// Console mode in which the kernel draws text.
+/// The console mode in which the kernel draws text.
 pub(super) const KD_TEXT: i32 = 0;
-/// Console mode in which a program draws.
+/// The console mode in which a program draws.
 pub(super) const KD_GRAPHICS: i32 = 1;
 
-/// The program is asked, by signals, before its terminal leaves the screen and after it came back.
+/// The kernel sends signals to the program before its terminal leaves the screen, and after it
+/// came back.
 pub(super) const VT_PROCESS: i8 = 1;
-/// VT_RELDISP: the screen may go to another terminal.
+/// VT_RELDISP: another terminal may have the screen.
 pub(super) const VT_RELEASED: i32 = 1;
 /// VT_RELDISP: the screen is taken back.
 pub(super) const VT_ACKACQ: i32 = 2;
 
 pub(super) const FB_TYPE_PACKED_PIXELS: u32 = 0;
 pub(super) const FB_VISUAL_TRUECOLOR: u32 = 2;
-/// Asks that a change take effect at the next vertical blank.
+/// Requests that a change takes effect at the next vertical blank.
 pub(super) const FB_ACTIVATE_VBL: u32 = 16;
 
-/// Where one channel stands in a native pixel, in bits from the least significant.
+/// The position of a channel in a native pixel, in bits from the least significant.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FbBitfield {
@@ -113,7 +113,7 @@ pub(super) struct FbBitfield {
     pub(super) msb_right: u32,
 }
 
-/// What of a screen a program may change.
+/// The settings of a screen that a program may change.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FbVarScreeninfo {
@@ -148,7 +148,7 @@ pub(super) struct FbVarScreeninfo {
     pub(super) reserved: [u32; 4],
 }
 
-/// What of a screen is fixed for its mode.
+/// The properties of a screen that its mode determines.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct FbFixScreeninfo {
@@ -169,8 +169,8 @@ pub(super) struct FbFixScreeninfo {
     pub(super) reserved: [u16; 2],
 }
 
-/// The answer to PS3FB_IOCTL_SCREENINFO. Only `num_frames` is of use: the others describe the
-/// raster of the driver's first version.
+/// The answer to PS3FB_IOCTL_SCREENINFO. Only `num_frames` is useful. The other fields describe
+/// the raster of the driver's first version.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct Ps3fbIoctlRes {
@@ -185,29 +185,30 @@ pub(super) struct Ps3fbIoctlRes {
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default)]
 pub(super) struct VtStat {
-    /// Number of the virtual terminal that is on the screen.
+    /// The number of the virtual terminal that is on the screen.
     pub(super) active: u16,
     pub(super) signal: u16,
-    /// Which terminals are open, a bit each.
+    /// The open terminals, one bit for each.
     pub(super) state: u16,
 }
 
-/// How a virtual terminal leaves the screen: VT_GETMODE and VT_SETMODE.
+/// How the kernel switches away from a virtual terminal: VT_GETMODE and VT_SETMODE.
 #[repr(C)]
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct VtMode {
     pub(super) mode: i8,
     pub(super) waitv: i8,
-    /// The signal that asks for the screen.
+    /// The signal that requests the screen.
     pub(super) relsig: i16,
-    /// The signal that gives it back.
+    /// The signal that returns the screen.
     pub(super) acqsig: i16,
     pub(super) frsig: i16,
 }
 
 const _: () = assert!(size_of::<VtStat>() == 6 && size_of::<VtMode>() == 8);
 
-// Offsets measured with a powerpc64 compiler; those of the 32-bit fields hold on every machine.
+// The offsets were measured with a powerpc64 compiler. Those of 32-bit fields hold on every
+// machine.
 const _: () = {
     assert!(size_of::<FbBitfield>() == 12);
     assert!(size_of::<FbVarScreeninfo>() == 160);
@@ -263,7 +264,7 @@ mod tests {
 
     #[test]
     fn the_hosts_encoding_is_that_of_its_libc() {
-        // A request that writes an int, known to libc for every machine.
+        // A request that writes an int, which libc knows for every machine.
         let host = Encoding::HOST;
         assert_eq!(
             host.request(host.write, b'T', 202, size_of::<u32>()) as libc::Ioctl,

@@ -1,10 +1,11 @@
-//! What puts the screen back where nothing unwinds: at a second signal, at a fault, at `abort`.
+//! Restores the screen when the program ends without unwinding: at a second signal, at a fault, at
+//! `abort`.
 //!
-//! A place is promised the call that restores it for as long as a [`PutBack`] lives. [`put_back`]
-//! makes the calls promised, and then those of a [`LastResort`], by which a program restores what
-//! else it took: it takes no lock and allocates nothing, so signal handlers may call it.
-//! Invariant: whoever takes a promise out of its place makes its call or frees it, and no other
-//! does.
+//! A [`RestorePromise`] registers the call that restores a [`Place`], for as long as it lives.
+//! [`restore_screen`] makes all registered calls, and then that of the armed [`LastResort`], which
+//! restores other things that the program has changed. It takes no lock and allocates nothing, so
+//! signal handlers may call it. Invariant: only the code that takes a call out of its place makes
+//! the call, or frees it.
 
 use super::ioctl::FbVarScreeninfo;
 use std::mem::{self, MaybeUninit};
@@ -13,25 +14,25 @@ use std::ptr::{self, NonNull};
 use std::sync::Once;
 use std::sync::atomic::{AtomicPtr, Ordering};
 
-/// What can be put back, in the order in which it is: the console redraws a screen that is its own
-/// again.
+/// The things that can be restored, in the order of restoring. The console is last, because it
+/// then redraws the screen.
 #[derive(Clone, Copy)]
 pub(super) enum Place {
-    /// The part of a taller picture that the screen shows.
+    /// The offset of the screen in a taller picture.
     Offset,
     /// The driver's video mode.
     Mode,
-    /// The virtual terminal's.
+    /// The virtual terminal's mode.
     Console,
 }
 
 /// The argument of a restoring ioctl.
 pub(super) enum Argument {
-    /// Given by value.
+    /// Passed by value.
     Value(libc::c_long),
-    /// Given by address.
+    /// Passed by address.
     Word(u32),
-    /// Given by address.
+    /// Passed by address.
     Screen(FbVarScreeninfo),
 }
 
@@ -43,24 +44,25 @@ struct Call {
 
 static PROMISED: [AtomicPtr<Call>; 3] = [const { AtomicPtr::new(ptr::null_mut()) }; 3];
 
-/// A promise to restore something; when dropped, the program has done it, or need not any more.
-pub(super) struct PutBack {
+/// A promise to restore something. It is dropped when the program has restored it itself, or no
+/// longer needs to.
+pub(super) struct RestorePromise {
     place: Place,
     call: NonNull<Call>,
 }
 
-// SAFETY: the call is only read, by whoever took it out of its place.
-unsafe impl Send for PutBack {}
+// SAFETY: the call is only read, by the code that took it out of its place.
+unsafe impl Send for RestorePromise {}
 
-impl PutBack {
-    /// Promises that `request` is made on `descriptor`, which must stay open while the value
-    /// lives. A promise made before for the same place is forgotten.
+impl RestorePromise {
+    /// Promises to make `request` on `descriptor`, which must stay open while the value lives. An
+    /// earlier promise for the same place is forgotten.
     pub(super) fn promise(
         place: Place,
         descriptor: BorrowedFd<'_>,
         request: u32,
         argument: Argument,
-    ) -> PutBack {
+    ) -> RestorePromise {
         catch_ends();
         let call = NonNull::from(Box::leak(Box::new(Call {
             descriptor: descriptor.as_raw_fd(),
@@ -68,11 +70,11 @@ impl PutBack {
             argument,
         })));
         PROMISED[place as usize].store(call.as_ptr(), Ordering::SeqCst);
-        PutBack { place, call }
+        RestorePromise { place, call }
     }
 }
 
-impl Drop for PutBack {
+impl Drop for RestorePromise {
     fn drop(&mut self) {
         let (call, none) = (self.call.as_ptr(), ptr::null_mut());
         let taken = PROMISED[self.place as usize].compare_exchange(
@@ -81,56 +83,56 @@ impl Drop for PutBack {
             Ordering::SeqCst,
             Ordering::SeqCst,
         );
-        // Elsewhere a handler may be at it, in a program that is ending, or a later promise took
-        // the place: a few bytes stay allocated.
+        // Otherwise a handler of the ending program may be using the call, or a later promise took
+        // the place. Then a few bytes stay allocated.
         if taken.is_ok() {
-            // SAFETY: leaked from a box by `promise`, and nobody else can have found it since.
+            // SAFETY: `promise` leaked it from a box, and no other code can have found it since.
             drop(unsafe { Box::from_raw(call) });
         }
     }
 }
 
-/// What a program has changed besides the screen, such as the terminal that it was started from.
+/// Restores things other than the screen that a program has changed, such as the terminal that it
+/// was started from.
 ///
-/// Once armed, it is put back by whatever ends the program without unwinding: a fault, `abort`, a
-/// signal that nobody has asked for, or the second of those that
-/// [`Interrupted`](super::Interrupted) makes a request of. Ctrl-Z puts it back too, and takes it
-/// again when the program goes on.
+/// Once armed, it is called when the program ends without unwinding: by a fault, by `abort`, by an
+/// unhandled signal, or by the second signal of those that [`Interrupted`](super::Interrupted)
+/// turns into a request. Ctrl-Z calls it too, and retakes the things when the program continues.
 #[derive(Debug)]
 pub struct LastResort {
-    /// Puts it back, unless it is not taken or was put back before.
-    pub put_back: fn(),
-    /// Takes it again, if the last stop put it back.
-    pub take_again: fn(),
+    /// Restores the things, unless they are not taken or are restored already.
+    pub restore: fn(),
+    /// Takes the things again, if the last stop restored them.
+    pub retake: fn(),
 }
 
-/// The one that is armed.
+/// The armed one, or null.
 static ARMED: AtomicPtr<LastResort> = AtomicPtr::new(ptr::null_mut());
 
 impl LastResort {
-    /// Has it called by what ends the program, in the place of one that was armed before.
+    /// Calls it from now on when the program ends, in place of an earlier one.
     ///
     /// # Safety
     ///
-    /// As [`LastResort::arm`].
+    /// As for [`LastResort::arm`].
     pub(super) unsafe fn take_place(&'static self) {
         ARMED.store(ptr::from_ref(self).cast_mut(), Ordering::SeqCst);
         catch_ends();
     }
 
-    /// The one that is armed, if one is.
+    /// The armed one, if there is one.
     pub(super) fn armed() -> Option<&'static LastResort> {
-        // SAFETY: only `take_place` sets it, to what lives for good.
+        // SAFETY: only `take_place` sets it, to a value that lives forever.
         unsafe { ARMED.load(Ordering::SeqCst).as_ref() }
     }
 }
 
-/// Makes every call promised, once, and those of what is armed.
-pub(crate) fn put_back() {
+/// Makes every promised call once, and that of the armed [`LastResort`].
+pub(crate) fn restore_screen() {
     for place in &PROMISED {
         let call = place.swap(ptr::null_mut(), Ordering::SeqCst);
-        // SAFETY: what is in a place was leaked from a box, and is not freed once it was taken
-        // out.
+        // SAFETY: the calls in places were leaked from boxes, and are not freed after they were
+        // taken out.
         let Some(Call {
             descriptor,
             request,
@@ -140,8 +142,8 @@ pub(crate) fn put_back() {
             continue;
         };
         let (descriptor, request) = (*descriptor, *request as libc::Ioctl);
-        // SAFETY: the promise's owner keeps the descriptor open, and gave the argument that the
-        // request takes; the kernel writes to none of them (FBIOPAN_DISPLAY does, to a copy).
+        // SAFETY: the promise's owner keeps the descriptor open, and passed the argument that the
+        // request takes. The kernel doesn't write to it (FBIOPAN_DISPLAY does, but to a copy).
         unsafe {
             match argument {
                 Argument::Value(value) => libc::ioctl(descriptor, request, *value),
@@ -154,11 +156,11 @@ pub(crate) fn put_back() {
         };
     }
     if let Some(armed) = LastResort::armed() {
-        (armed.put_back)();
+        (armed.restore)();
     }
 }
 
-/// Faults, and what else ends a program that does not expect it.
+/// Faults and other signals that end a program unless it handles them.
 const ENDS: [i32; 15] = [
     libc::SIGSEGV,
     libc::SIGBUS,
@@ -177,9 +179,9 @@ const ENDS: [i32; 15] = [
     libc::SIGPWR,
 ];
 
-/// How many of [`ENDS`], from the first, are faults whose instruction is done again, so that they
-/// go on to whoever handled them before: the Rust runtime says of a SIGSEGV that a stack is full,
-/// and ends the program. The others' handlers are let be.
+/// The first so many of [`ENDS`] are faults. Their instruction is executed again, so they go on to
+/// the earlier handler: at a SIGSEGV the Rust runtime reports a stack overflow and ends the
+/// program. Other signals that already have a handler are not touched.
 const FAULTS: usize = 4;
 
 static BEFORE: [AtomicPtr<libc::sigaction>; ENDS.len()] =
@@ -193,7 +195,7 @@ fn catch_ends() {
 fn catch_each_end() {
     for (index, &signal) in ENDS.iter().enumerate() {
         let mut before = MaybeUninit::<libc::sigaction>::zeroed();
-        // SAFETY: with no new action this only writes the present one.
+        // SAFETY: without a new action this only writes the current one.
         let before = unsafe {
             if libc::sigaction(signal, ptr::null(), before.as_mut_ptr()) != 0 {
                 continue;
@@ -206,9 +208,9 @@ fn catch_each_end() {
         }
         BEFORE[index].store(Box::leak(Box::new(before)), Ordering::SeqCst);
         let handler: extern "C" fn(i32, *mut libc::siginfo_t, *mut libc::c_void) = on_end;
-        // SAFETY: zeros are an action with an empty mask; `on_end` has the type that SA_SIGINFO
-        // asks for and uses atomics and calls that handlers may use. A full stack needs
-        // SA_ONSTACK.
+        // SAFETY: zeros are an action with an empty mask. `on_end` has the type that SA_SIGINFO
+        // requires, and uses only atomics and calls that handlers may use. SA_ONSTACK is needed
+        // for a stack overflow.
         unsafe {
             let mut action: libc::sigaction = mem::zeroed();
             action.sa_sigaction = handler as libc::sighandler_t;
@@ -219,24 +221,24 @@ fn catch_each_end() {
 }
 
 extern "C" fn on_end(signal: i32, info: *mut libc::siginfo_t, _: *mut libc::c_void) {
-    put_back();
+    restore_screen();
     let Some(index) = ENDS.iter().position(|&end| end == signal) else {
         return;
     };
-    // SAFETY: the kernel gives a handler with SA_SIGINFO a siginfo_t; the action before is null or
-    // leaked for good; a valid signal is raised.
+    // SAFETY: the kernel passes a siginfo_t to a handler with SA_SIGINFO. The earlier action is
+    // null or leaked forever. The signal that is raised is valid.
     unsafe {
         if index < FAULTS && (*info).si_code > 0 {
-            // The kernel's word that it was one.
+            // A positive code means that the kernel sent it for a fault.
             libc::sigaction(
                 signal,
                 BEFORE[index].load(Ordering::SeqCst),
                 ptr::null_mut(),
             );
         } else {
-            // Sent, by a timer as it may be, so it has to be sent again, and waits until this
-            // handler has returned. The runtime's handler would let it pass for a fault that does
-            // not come again.
+            // The signal was sent, for example by a timer, so it must be sent again. It is pending
+            // until this handler has returned. The runtime's handler would take it for a fault
+            // that doesn't recur.
             libc::signal(signal, libc::SIG_DFL);
             libc::raise(signal);
         }
@@ -253,15 +255,15 @@ mod tests {
     use std::sync::Mutex;
     use std::sync::atomic::AtomicI32;
 
-    /// The pipe that children inherit: the mode of its open file is theirs and the test's.
+    /// The pipe that children inherit. They share the mode of its open file with the test.
     static SHARED: AtomicI32 = AtomicI32::new(-1);
-    /// Whose pipe it is.
+    /// Held by the test that uses the pipe.
     static SHARING: Mutex<()> = Mutex::new(());
 
-    fn promise() -> PutBack {
+    fn promise() -> RestorePromise {
         // SAFETY: the test keeps the pipe open.
         let pipe = unsafe { BorrowedFd::borrow_raw(SHARED.load(Ordering::SeqCst)) };
-        PutBack::promise(
+        RestorePromise::promise(
             Place::Console,
             pipe,
             libc::FIONBIO as u32,
@@ -269,7 +271,7 @@ mod tests {
         )
     }
 
-    fn was_put_back(pipe: &PipeReader) -> bool {
+    fn was_restored(pipe: &PipeReader) -> bool {
         let descriptor = pipe.as_fd().as_raw_fd();
         // SAFETY: the descriptor is open.
         let flags = unsafe { libc::fcntl(descriptor, libc::F_GETFL) };
@@ -280,7 +282,7 @@ mod tests {
     fn whatever_ends_the_program_the_promise_is_kept() {
         let segv: fn() -> i32 = || {
             let _promise = promise();
-            // SAFETY: none: the fault is what is tested, in a process of its own.
+            // SAFETY: not sound on purpose: the test is about the fault, in a process of its own.
             unsafe { ptr::without_provenance::<i32>(8).read_volatile() }
         };
         let abort: fn() -> i32 = || {
@@ -289,13 +291,13 @@ mod tests {
         };
         let sent_fault: fn() -> i32 = || {
             let _promise = promise();
-            // SAFETY: the signal is what is tested, in a process of its own.
+            // SAFETY: the test is about the signal, in a process of its own.
             unsafe { libc::raise(libc::SIGSEGV) };
             0
         };
         let timer: fn() -> i32 = || {
             let _promise = promise();
-            // SAFETY: the signal is what is tested, in a process of its own.
+            // SAFETY: the test is about the signal, in a process of its own.
             unsafe {
                 libc::alarm(1);
                 libc::pause();
@@ -304,13 +306,13 @@ mod tests {
         };
         let sent: fn() -> i32 = || {
             let _promise = promise();
-            // SAFETY: the signal is what is tested, in a process of its own.
+            // SAFETY: the test is about the signal, in a process of its own.
             unsafe { libc::raise(libc::SIGUSR1) };
             0
         };
         let done: fn() -> i32 = || {
             drop(promise());
-            put_back();
+            restore_screen();
             // SAFETY: as above.
             unsafe { libc::raise(libc::SIGUSR1) };
             0
@@ -330,17 +332,17 @@ mod tests {
             let status = in_child(scenario);
             assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
             assert_eq!(libc::WTERMSIG(status), signal);
-            assert_eq!(was_put_back(&pipe), restored, "{signal}");
+            assert_eq!(was_restored(&pipe), restored, "{signal}");
         }
     }
 
     static RESORT: LastResort = LastResort {
-        put_back: || {
+        restore: || {
             let on: libc::c_int = 1;
             // SAFETY: the test keeps the pipe open; the request reads one int.
             unsafe { libc::ioctl(SHARED.load(Ordering::SeqCst), libc::FIONBIO, &raw const on) };
         },
-        take_again: || {},
+        retake: || {},
     };
 
     fn arm() {
@@ -351,7 +353,7 @@ mod tests {
     #[test]
     fn what_is_armed_is_put_back_by_all_that_ends_the_program() {
         fn raise(signal: i32) {
-            // SAFETY: the signal is what is tested, in a process of its own.
+            // SAFETY: the test is about the signal, in a process of its own.
             unsafe { libc::raise(signal) };
         }
         let alarm: fn() -> i32 = || {
@@ -361,7 +363,7 @@ mod tests {
         };
         let fault: fn() -> i32 = || {
             arm();
-            // SAFETY: none: the fault is what is tested, in a process of its own.
+            // SAFETY: not sound on purpose: the test is about the fault, in a process of its own.
             unsafe { ptr::without_provenance::<i32>(8).read_volatile() }
         };
         let unexpected: fn() -> i32 = || {
@@ -380,7 +382,7 @@ mod tests {
             arm();
             let _interrupted = Interrupted::install().unwrap();
             raise(libc::SIGQUIT);
-            // A request alone: nothing is put back yet.
+            // The first signal is only a request, so nothing is restored yet.
             // SAFETY: SIGKILL ends the child, and can't be caught.
             unsafe { libc::raise(libc::SIGKILL) }
         };
@@ -397,7 +399,7 @@ mod tests {
             let status = in_child(scenario);
             assert!(libc::WIFSIGNALED(status), "{signal}: {status:#x}");
             assert_eq!(libc::WTERMSIG(status), signal);
-            assert_eq!(was_put_back(&pipe), restored, "{signal}");
+            assert_eq!(was_restored(&pipe), restored, "{signal}");
         }
     }
 

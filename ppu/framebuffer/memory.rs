@@ -1,16 +1,19 @@
-//! A framebuffer that nobody sees: frames stay in memory, to be compared or written as pictures.
+//! A framebuffer in memory, whose frames can be compared or written as pictures.
 
 use super::buffer::FrameBuffer;
 use super::{Framebuffer, FramebufferError, Geometry, PixelFormat, Target};
 use image::RgbImage;
 
-/// One frame in private memory, rows aligned to 128 bytes.
+/// One frame in private memory, with rows aligned to 128 bytes.
 pub struct Memory {
     frame: FrameBuffer,
 }
 
 impl Memory {
-    /// A black frame of `geometry`.
+    /// A black frame of size `geometry`.
+    ///
+    /// # Errors
+    /// The size is out of range, or there is not enough memory.
     pub fn new(geometry: Geometry) -> Result<Memory, FramebufferError> {
         Ok(Memory {
             frame: FrameBuffer::new(geometry)?,
@@ -28,7 +31,7 @@ impl Memory {
             .flat_map(move |row| row.chunks_exact(4).map(pixel))
     }
 
-    /// The frame as a picture of its own.
+    /// A copy of the frame as a picture.
     pub fn rgb(&self) -> RgbImage {
         let Geometry { width, height } = self.frame.geometry();
         let mut picture = RgbImage::new(width, height);
@@ -48,7 +51,7 @@ impl Framebuffer for Memory {
         self.frame.target(PixelFormat::ARGB)
     }
 
-    /// Nothing to do: the finished frame is where readers look for it.
+    /// Does nothing, because the finished frame is already where readers expect it.
     fn present(&mut self) -> Result<(), FramebufferError> {
         Ok(())
     }

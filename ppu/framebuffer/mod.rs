@@ -1,13 +1,12 @@
-//! Where frames go: the picture on the console's screen, a file in its place, or memory.
+//! Framebuffers: the console's screen, a file instead of it, memory, or PNG pictures.
 //!
-//! Owns the geometry, pixel layout and addresses of the buffer a frame is written to, and the
-//! moment at which a finished frame is shown. Knows nothing of scenes or work units: the SPUs
-//! write finished rows by DMA through a [`Target`], then the frame loop calls
+//! Owns the geometry, pixel format and addresses of the buffer that a frame is written to, and the
+//! time at which a finished frame is shown. It doesn't know scenes or work units: the SPUs write
+//! finished rows by DMA through a [`Target`], and then the frame loop calls
 //! [`Framebuffer::present`].
 //!
-//! Invariant: every [`Target`] satisfies the DMA rules stated at [`Target`], whatever the driver
-//! below offers; where a driver's own memory does not, the frame is made in private memory and
-//! copied.
+//! Invariant: every [`Target`] follows the DMA rules stated there, whatever the driver offers. If
+//! a driver's memory doesn't follow them, the frame is made in private memory and copied.
 
 mod arming;
 mod buffer;
@@ -42,7 +41,7 @@ pub use file::File;
 pub use file_limit::refuse_large_files;
 pub use interrupted::Interrupted;
 pub use last_resort::LastResort;
-pub(crate) use last_resort::put_back;
+pub(crate) use last_resort::restore_screen;
 pub use memory::Memory;
 pub use numbered::NumberedPath;
 pub use open::{open, open_with};
@@ -56,16 +55,16 @@ use std::str::FromStr;
 
 use image::RgbImage;
 
-/// Bytes a pixel: only 32-bit formats exist here, as the PS3's driver has no other.
+/// The bytes of a pixel. Only 32-bit formats are supported, because the PS3's driver has no other.
 pub const PIXEL_BYTES: u32 = 4;
 
-/// Alignment that a row's start needs, in bytes: the MFC moves whole quadwords.
+/// The alignment of a row's start in bytes: the MFC transfers whole quadwords.
 pub const DMA_ALIGN: usize = 16;
 
-/// Pixels that an SPU writes at once: four words fill one quadword.
+/// The number of pixels that an SPU writes at once: four words are a quadword.
 pub const PIXEL_GROUP: u32 = 4;
 
-/// Size of a picture in pixels.
+/// The size of a picture in pixels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Geometry {
     /// Pixels in a row.
@@ -75,32 +74,37 @@ pub struct Geometry {
 }
 
 impl Geometry {
-    /// Largest width and height, which SPUs take too: keeps every byte offset within 32 bits, with
-    /// room for padding.
+    /// The largest width and height, which the SPUs accept too. With it every byte offset fits 32
+    /// bits, with room for padding.
     pub const MAX_SIDE: u32 = {
         assert!(nff::MAX_SIDE == protocol::layout::MAX_SIDE);
         nff::MAX_SIDE
     };
 
-    /// A checked geometry: both sides 1 to [`Geometry::MAX_SIDE`], else
-    /// [`FramebufferError::BadSize`].
+    /// A checked geometry.
+    ///
+    /// # Errors
+    /// [`FramebufferError::BadSize`] if a side isn't 1 to [`Geometry::MAX_SIDE`].
     pub fn new(width: u32, height: u32) -> Result<Geometry, FramebufferError> {
         let geometry = Geometry { width, height };
         geometry.check()?;
         Ok(geometry)
     }
 
-    /// Refuses a side of zero or over [`Geometry::MAX_SIDE`] with [`FramebufferError::BadSize`].
+    /// Checks both sides.
+    ///
+    /// # Errors
+    /// [`FramebufferError::BadSize`] if a side isn't 1 to [`Geometry::MAX_SIDE`].
     pub fn check(self) -> Result<(), FramebufferError> {
         nff::check_size(self.width, self.height).map_err(FramebufferError::BadSize)
     }
 
-    /// Bytes of a row as an SPU writes it: whole groups of four pixels.
+    /// The bytes of a row as an SPU writes it, in whole groups of four pixels.
     pub fn written_row_bytes(self) -> u32 {
         self.width.next_multiple_of(PIXEL_GROUP) * PIXEL_BYTES
     }
 
-    /// Bytes of a row as it is shown.
+    /// The bytes of a row that are shown.
     pub(crate) fn shown_row_bytes(self) -> usize {
         self.width as usize * PIXEL_BYTES as usize
     }
@@ -115,7 +119,7 @@ impl fmt::Display for Geometry {
 impl FromStr for Geometry {
     type Err = FramebufferError;
 
-    /// Reads `WIDTHxHEIGHT`, as in `1280x720`.
+    /// Parses `WIDTHxHEIGHT`, as in `1280x720`.
     fn from_str(text: &str) -> Result<Geometry, FramebufferError> {
         let malformed = || FramebufferError::MalformedSize {
             text: text.to_owned(),
@@ -137,64 +141,71 @@ impl FromStr for Geometry {
 /// The buffer that the next frame is written to.
 ///
 /// - `base` is a multiple of [`DMA_ALIGN`], and so is `stride`.
-/// - `stride` is at least [`Geometry::written_row_bytes`], `bytes` at least `stride` times the
-///   height.
+/// - `stride` is at least [`Geometry::written_row_bytes`], and `bytes` is at least `stride` times
+///   the height.
 ///
-/// Writing through `base`, by the PPU or by DMA, is allowed from the [`Framebuffer::target`] call
-/// that gave it until the next call of any method on that framebuffer, or its drop.
+/// The PPU and DMA may write through `base` from the [`Framebuffer::target`] call that returned it
+/// until the next call of any method of that framebuffer, or its drop.
 #[derive(Clone, Copy, Debug)]
 pub struct Target {
-    /// First byte of the first row.
+    /// The address of the first row.
     pub base: NonNull<u8>,
-    /// Bytes that may be written from `base`.
+    /// The number of bytes from `base` that may be written.
     pub bytes: usize,
-    /// Bytes from one row to the next.
+    /// The number of bytes from one row to the next.
     pub stride: u32,
-    /// Size of the picture.
+    /// The size of the picture.
     pub geometry: Geometry,
-    /// Where the channels stand in the word that an SPU stores.
+    /// The positions of the channels in the word that an SPU stores.
     pub format: PixelFormat,
 }
 
-/// A place that shows frames.
+/// A destination of frames.
 pub trait Framebuffer: Send {
-    /// Size of the picture; it does not change while the framebuffer is open.
+    /// The size of the picture. It doesn't change while the framebuffer is open.
     fn geometry(&self) -> Geometry;
 
-    /// Where the next frame goes. With two buffers the address alternates, so ask for every frame.
+    /// The buffer for the next frame. With two buffers the address alternates, so call this for
+    /// every frame.
     fn target(&mut self) -> Target;
 
-    /// Shows the frame written to the last [`Framebuffer::target`]. All DMA into it must be
-    /// complete.
+    /// Shows the frame that was written to the last [`Framebuffer::target`]. All DMA into it must
+    /// be complete.
+    ///
+    /// # Errors
+    /// The device, the file or the picture can't be written.
     fn present(&mut self) -> Result<(), FramebufferError>;
 
-    /// Whether nobody else writes to the targets at this time. What is written from one such
-    /// answer to the next is still there then.
+    /// Whether the targets keep their contents, because nobody else writes to them now. If two
+    /// successive calls return true, everything that was written between them is still there.
     fn keeps_contents(&self) -> bool {
         false
     }
 
-    /// The frame that was shown last, where it can be read back.
+    /// The frame that was shown last, or `None` if it can't be read back.
     fn picture(&self) -> Option<RgbImage> {
         None
     }
 
-    /// One line for people: what this is, its size, stride and how frames are shown.
+    /// A line of text for users: the kind of framebuffer, its size, stride, and how frames are
+    /// shown.
     fn describe(&self) -> String;
 }
 
-/// How a framebuffer is to be used. The default is what suits each best.
+/// Options for opening a framebuffer. The defaults suit each kind best.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Options {
-    /// Size of the picture: a file needs one; a device has its own, and another is an error.
+    /// The size of the picture. A file needs one. A device has its own, and another one is an
+    /// error.
     pub size: Option<Geometry>,
-    /// The video mode that ps3fb is to be set to, until the framebuffer is dropped; an error
-    /// elsewhere.
+    /// The video mode to set on ps3fb until the framebuffer is dropped; an error for other
+    /// drivers.
     pub raster: Option<Raster>,
-    /// Where a device's frames are made; `None` is [`Mode::Direct`] where the memory is known to
-    /// be main memory (mainline ps3fb) and laid out for DMA, else [`Mode::Shadow`].
+    /// Where a device's frames are made. `None` selects [`Mode::Direct`] if the device's memory is
+    /// known to be main memory (mainline ps3fb) and is aligned for DMA, otherwise
+    /// [`Mode::Shadow`].
     pub mode: Option<Mode>,
-    /// Whether a device that has room for two frames shows one while the other is made.
+    /// Whether a device with room for two frames shows one while the other is made.
     pub two_frames: bool,
     /// Whether a device waits for the vertical blank before a frame is shown.
     pub vsync: bool,

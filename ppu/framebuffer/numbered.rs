@@ -1,13 +1,13 @@
-//! Names of numbered pictures.
+//! The names of numbered pictures.
 
 use std::path::PathBuf;
 
 use super::FramebufferError;
 
-/// Most digits of a number: as many as the largest has.
+/// The most digits of a number: as many as the largest `u64` has.
 const MOST_DIGITS: usize = 20;
 
-/// Paths that differ in a number: `%d` stands for it, `%05d` for five digits of it at least.
+/// A pattern of paths with a number: `%d` stands for the number, `%05d` for at least five digits.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct NumberedPath {
     before: String,
@@ -16,7 +16,11 @@ pub struct NumberedPath {
 }
 
 impl NumberedPath {
-    /// Reads a pattern such as `f-%05d.png`, with the number's place once; `%%` is a percent sign.
+    /// Parses a pattern with one place for the number, such as `f-%05d.png`. `%%` is a percent
+    /// sign.
+    ///
+    /// # Errors
+    /// The pattern has no place for the number, or several.
     pub fn new(pattern: &str) -> Result<Self, FramebufferError> {
         let malformed = || FramebufferError::MalformedNumbering {
             pattern: pattern.to_owned(),
@@ -55,7 +59,7 @@ impl NumberedPath {
         }
     }
 
-    /// The path of a number.
+    /// The path for a number.
     #[must_use]
     pub fn of(&self, number: u64) -> PathBuf {
         let Self {

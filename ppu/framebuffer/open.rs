@@ -1,4 +1,4 @@
-//! Opening whatever is at a path: a device, or a file in the place of one.
+//! Opens a framebuffer by its path: a device, or a file instead of one.
 
 use super::device::Device;
 use super::file::File;
@@ -8,7 +8,10 @@ use std::io;
 use std::os::unix::fs::FileTypeExt;
 use std::path::Path;
 
-/// Opens the framebuffer at `path` as suits it best: [`open_with`] the default options and `size`.
+/// Opens the framebuffer at `path` with `size` and otherwise default options; see [`open_with`].
+///
+/// # Errors
+/// As for [`open_with`].
 pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>, FramebufferError> {
     open_with(
         path,
@@ -19,8 +22,12 @@ pub fn open(path: &Path, size: Option<Geometry>) -> Result<Box<dyn Framebuffer>,
     )
 }
 
-/// Opens the framebuffer at `path`: a character device by its driver, a regular file or a path
-/// that does not exist yet as a file in the device's place.
+/// Opens the framebuffer at `path`. A character device is opened with its driver. A regular file,
+/// or a path that doesn't exist yet, is used as a file instead of a device.
+///
+/// # Errors
+/// - The path is neither a character device nor a regular file.
+/// - The device or the file can't be opened; see [`FramebufferError`].
 pub fn open_with(path: &Path, options: Options) -> Result<Box<dyn Framebuffer>, FramebufferError> {
     let file = || -> Result<Box<dyn Framebuffer>, FramebufferError> {
         match options.raster {

@@ -1,10 +1,10 @@
-//! A test picture, written as an SPU writes: whole groups of four pixels, junk where a group
-//! passes the right edge, and the byte that no channel uses zero.
+//! A test picture, written as SPUs write: in whole groups of four pixels, with junk beyond the
+//! right edge, and zero in the byte that no channel uses.
 
 use super::{DMA_ALIGN, PIXEL_GROUP, Target};
 use image::RgbImage;
 
-/// What a group's pixels outside the picture are filled with.
+/// The value of pixels outside of the picture.
 const OUTSIDE: u32 = 0xEEEE_EEEE;
 
 /// The colour at `x`, `y`: different for every pixel of a small picture and for every `seed`.
@@ -16,7 +16,7 @@ pub(super) fn colour(x: u32, y: u32, seed: u32) -> [u8; 3] {
     ]
 }
 
-/// Writes the picture of `seed` through `target`, having checked what DMA needs of it.
+/// Writes the picture of `seed` through `target`, after checking the rules for DMA.
 pub(super) fn paint(target: Target, seed: u32) {
     let Target {
         base,

@@ -1,9 +1,9 @@
-//! Where the channels of a pixel stand.
+//! The positions of a pixel's channels.
 //!
-//! An SPU stores a pixel as one big-endian word; a driver describes it by bit offsets in the
-//! host's own word. The difference is settled here, once, when a framebuffer is opened.
+//! An SPU stores a pixel as a big-endian word. A driver describes a pixel by bit offsets in the
+//! host's native word. One is converted to the other when a framebuffer is opened.
 
-/// Position of the 8-bit channels in the big-endian 32-bit word that an SPU stores, as left
+/// The positions of the 8-bit channels in the big-endian 32-bit word that an SPU stores, as left
 /// shifts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct PixelFormat {
@@ -16,17 +16,15 @@ pub struct PixelFormat {
 }
 
 impl PixelFormat {
-    /// Bytes A, R, G, B in memory, as ps3fb has them; also the order of files and of memory
-    /// frames.
+    /// Bytes A, R, G, B in memory: the format of ps3fb, of files and of frames in memory.
     pub const ARGB: PixelFormat = PixelFormat {
         red_shift: 16,
         green_shift: 8,
         blue_shift: 0,
     };
 
-    /// The format of a driver whose native 32-bit word has its channels at the given bit offsets.
-    ///
-    /// `None` where a channel does not fill a byte of its own.
+    /// The format of a driver whose native 32-bit words have their channels at these bit offsets.
+    /// `None` if a channel isn't a byte of its own.
     pub(super) fn from_native_offsets(
         red: u32,
         green: u32,

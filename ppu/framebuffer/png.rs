@@ -1,7 +1,7 @@
-//! Frames as PNG pictures.
+//! Writes frames as PNG pictures.
 //!
-//! Invariant: at the picture's path there is either what was there before or a whole new picture.
-//! It is written beside its place under another name, made durable, then renamed.
+//! Invariant: the picture's path has either the previous file or a complete new picture. The new
+//! one is written under another name in the same folder, synced to the disk, and then renamed.
 
 use super::{Framebuffer, FramebufferError, Geometry, Memory, Target};
 use image::codecs::png::PngEncoder;
@@ -13,10 +13,12 @@ use std::path::{Path, PathBuf};
 use std::process;
 use std::sync::atomic::{AtomicU32, Ordering};
 
-/// Writes `picture` to `path` as an 8-bit RGB PNG, replacing a picture that is there.
+/// Writes `picture` to `path` as an 8-bit RGB PNG, and replaces an existing picture. A symbolic
+/// link is followed.
 ///
-/// A symbolic link is followed. Anything but a regular file at `path` is an error and stays as it
-/// is.
+/// # Errors
+/// - `path` exists and isn't a regular file; it is not changed.
+/// - The picture can't be written; an existing one is not changed.
 pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), FramebufferError> {
     let place = replaceable(path)?;
     let partial = partial_beside(&place)?;
@@ -29,14 +31,14 @@ pub fn write_png(path: &Path, picture: &RgbImage) -> Result<(), FramebufferError
             .map_err(|source| FramebufferError::io("put a picture at", &place, source))
     });
     if placed.is_err() {
-        // The error to tell is the first one; a partial file that can't be removed is marked by
-        // its name.
+        // The first error is the one to report. A partial file that can't be removed can be told
+        // by its name.
         let _ = fs::remove_file(&partial);
     }
     placed
 }
 
-/// The path behind links, if a picture may be put there.
+/// The path with links resolved, if a picture may be written there.
 fn replaceable(path: &Path) -> Result<PathBuf, FramebufferError> {
     match fs::metadata(path) {
         Ok(metadata) if metadata.is_file() => {
@@ -46,14 +48,14 @@ fn replaceable(path: &Path) -> Result<PathBuf, FramebufferError> {
         Ok(_) => Err(FramebufferError::io(
             "write",
             path,
-            io::Error::other("it is there and no regular file"),
+            io::Error::other("it exists and is not a regular file"),
         )),
-        // Renaming over a link to nothing would leave the picture elsewhere than the link says.
+        // Renaming would replace a dangling link instead of creating its target.
         Err(error) if error.kind() == io::ErrorKind::NotFound && path.is_symlink() => {
             Err(FramebufferError::io(
                 "write",
                 path,
-                io::Error::other("it is a link to what is not there"),
+                io::Error::other("it is a link to a missing file"),
             ))
         }
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(path.to_owned()),
@@ -61,7 +63,7 @@ fn replaceable(path: &Path) -> Result<PathBuf, FramebufferError> {
     }
 }
 
-/// A name in the same folder, thus on the same file system, that no other writer uses.
+/// A name that no other writer uses, in the same folder and so on the same file system.
 fn partial_beside(place: &Path) -> Result<PathBuf, FramebufferError> {
     static SERIAL: AtomicU32 = AtomicU32::new(0);
     let Some(name) = place.file_name() else {
@@ -98,14 +100,17 @@ fn write_whole(partial: &Path, picture: &RgbImage) -> Result<(), image::ImageErr
     Ok(())
 }
 
-/// A framebuffer whose every presented frame replaces the picture at one path.
+/// A framebuffer whose presented frames each replace the picture at one path.
 pub struct Png {
     path: PathBuf,
     memory: Memory,
 }
 
 impl Png {
-    /// Prepares frames of `geometry` for `path`; nothing is written before the first frame.
+    /// Prepares frames of size `geometry` for `path`. Nothing is written before the first frame.
+    ///
+    /// # Errors
+    /// The size is out of range, there is not enough memory, or `path` isn't a regular file.
     pub fn new(path: &Path, geometry: Geometry) -> Result<Png, FramebufferError> {
         replaceable(path)?;
         let memory = Memory::new(geometry)?;
@@ -183,7 +188,7 @@ mod tests {
         let folder = tempfile::tempdir().unwrap();
         let path = folder.path().join("frame.png");
         fs::write(&path, "old").unwrap();
-        // The encoder refuses a picture without pixels, after the partial file was made.
+        // The encoder refuses a picture without pixels after the partial file was created.
         assert!(matches!(
             write_png(&path, &RgbImage::new(0, 0)),
             Err(FramebufferError::Png { .. })

@@ -1,13 +1,14 @@
-//! How much of the screen a picture is to fill.
+//! How much of the screen a picture fills.
 
 use std::fmt;
 
 /// How much of a television's picture ps3fb uses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Raster {
-    /// What every television shows, within black borders that the driver makes: 1124x644 of 720p.
+    /// The area that every television shows, within black borders that the driver makes: 1124x644
+    /// of 720p.
     Bordered,
-    /// All of it: 1280x720 of 720p.
+    /// The full screen: 1280x720 of 720p.
     Full,
 }
 

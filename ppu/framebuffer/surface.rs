@@ -1,23 +1,23 @@
-//! What a driver says about its screen, checked and in our terms. Pure: no call is made here.
+//! A driver's description of its screen, checked and converted. This file makes no calls.
 //!
-//! Invariant: every frame offset given out has all shown pixels of a frame within the device's
-//! memory.
+//! Invariant: at every frame offset that this returns, all shown pixels of the frame are within
+//! the device's memory.
 
 use super::ioctl::{FB_TYPE_PACKED_PIXELS, FB_VISUAL_TRUECOLOR, FbFixScreeninfo, FbVarScreeninfo};
 use super::{DMA_ALIGN, FramebufferError, Geometry, PIXEL_BYTES, PixelFormat};
 use std::path::Path;
 
-/// What the PS3's driver calls itself.
+/// The name that the PS3's driver reports.
 pub(super) const PS3FB: &str = "ps3fb";
 
-/// How a driver can be told which of its frames to show.
+/// How to select the frame that a driver shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Scheme {
-    /// By PS3FB_IOCTL_FSEL.
+    /// With PS3FB_IOCTL_FSEL.
     Ps3fb,
     /// By moving the screen over a taller picture.
     Pan,
-    /// Not at all: there is one frame, always visible.
+    /// There is only one frame, which is always visible.
     Single,
 }
 
@@ -27,11 +27,11 @@ pub(super) struct Surface {
     pub(super) driver: String,
     pub(super) geometry: Geometry,
     pub(super) format: PixelFormat,
-    /// Bytes from a row to the next.
+    /// The number of bytes from a row to the next.
     pub(super) line_length: u32,
-    /// Bytes of the device's memory.
+    /// The size of the device's memory in bytes.
     smem_len: usize,
-    /// Rows of the whole picture, of which the screen shows `geometry.height`.
+    /// The rows of the whole picture, of which the screen shows `geometry.height`.
     virtual_rows: u32,
     xoffset: u32,
     yoffset: u32,
@@ -87,12 +87,12 @@ impl Surface {
         Ok(surface)
     }
 
-    /// From here on there is room for one frame.
+    /// Uses only one frame from now on.
     pub(super) fn use_one_frame(&mut self) {
         self.most_frames = 1;
     }
 
-    /// The scheme that the driver's numbers promise; its calls may still turn out to be missing.
+    /// The scheme that the driver's numbers promise. The driver may still lack its calls.
     pub(super) fn scheme(&self) -> Scheme {
         let height = self.geometry.height;
         let steps_fit = self.ypanstep != 0 && height.is_multiple_of(self.ypanstep);
@@ -113,7 +113,7 @@ impl Surface {
         }
     }
 
-    /// How many frames of `scheme` the memory holds, two at most.
+    /// The number of frames that the memory holds with `scheme`, at most two.
     pub(super) fn frames(&self, scheme: Scheme) -> u32 {
         let second = self.most_frames > 1
             && scheme != Scheme::Single
@@ -121,7 +121,7 @@ impl Surface {
         if second { 2 } else { 1 }
     }
 
-    /// Byte offset of a frame's first pixel.
+    /// The byte offset of a frame's first pixel.
     pub(super) fn frame_offset(&self, scheme: Scheme, frame: u32) -> u64 {
         let line = u64::from(self.line_length);
         match scheme {
@@ -136,19 +136,19 @@ impl Surface {
         }
     }
 
-    /// Why SPUs can't write to the frame at `address`, `offset` bytes into the memory, if they
-    /// can't.
+    /// Why SPUs can't write to the frame at `address`, which is `offset` bytes into the memory;
+    /// `None` if they can.
     pub(super) fn direct_obstacle(&self, address: usize, offset: u64) -> Option<String> {
         let line = self.line_length;
-        // Where both are multiples of a quadword, a line that holds the shown pixels also holds
-        // their last group of four.
+        // If both are multiples of a quadword, a line with room for the shown pixels also has room
+        // for their last group of four.
         if !address.is_multiple_of(DMA_ALIGN) {
             Some(format!(
                 "a frame starts at address {address:#x}, not on {DMA_ALIGN} bytes"
             ))
         } else if !(line as usize).is_multiple_of(DMA_ALIGN) {
             Some(format!(
-                "a line takes {line} bytes, no multiple of {DMA_ALIGN}"
+                "a line takes {line} bytes, which is not a multiple of {DMA_ALIGN}"
             ))
         } else if offset + u64::from(line) * u64::from(self.geometry.height) > self.smem_len as u64
         {
@@ -162,10 +162,10 @@ impl Surface {
         self.driver == PS3FB
     }
 
-    /// Whether ps3fb's memory is main memory, which SPUs reach and where its frames lie one after
-    /// the other. The mainline driver reserves whole MiB, 48 at most, and keeps 64 KiB of them for
-    /// itself. Patched drivers that map the video memory tell whole MiB; how their frames lie is
-    /// not known.
+    /// Whether ps3fb's memory is main memory, which SPUs can access and which has its frames one
+    /// after the other. The mainline driver reserves whole MiB, at most 48, and keeps 64 KiB of
+    /// them for itself. Patched drivers that map the video memory report whole MiB; their frames'
+    /// positions are unknown.
     fn is_main_memory(&self) -> bool {
         const KEPT: usize = 64 << 10;
         const MIB: usize = 1 << 20;
@@ -181,7 +181,7 @@ impl Surface {
         (u64::from(self.yoffset) * u64::from(self.line_length)).saturating_add(self.column_offset())
     }
 
-    /// Whether the shown pixels of a frame at `offset` lie in the memory.
+    /// Whether all shown pixels of a frame at `offset` are within the memory.
     fn holds(&self, offset: u64) -> bool {
         let last_row = u64::from(self.geometry.height - 1) * u64::from(self.line_length);
         let end = offset.saturating_add(last_row + self.geometry.shown_row_bytes() as u64);
@@ -195,7 +195,7 @@ pub(super) fn driver_name(id: &[u8; 16]) -> String {
     String::from_utf8_lossy(name).into_owned()
 }
 
-/// The pixel format, or what the driver said that we can't serve.
+/// The pixel format, or the driver's description if it is not supported.
 fn pixel_format(var: &FbVarScreeninfo, fix: &FbFixScreeninfo) -> Result<PixelFormat, String> {
     if var.bits_per_pixel != 32 {
         return Err(format!("{} bits a pixel", var.bits_per_pixel));

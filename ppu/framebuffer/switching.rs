@@ -1,9 +1,9 @@
-//! Who may have the screen: the kernel's asking for it when the user changes to another terminal,
-//! its giving it back, and Ctrl-Z, as questions for the frame loop.
+//! Switching between terminals: requests for the frame loop when the kernel wants the screen for
+//! another terminal, returns it, or when the user types Ctrl-Z.
 //!
-//! Invariant: handlers only set flags and wake [`wait_until_back`]; without a [`Switching`] alive
-//! the kernel's two signals mean nothing, and Ctrl-Z stops the program as by default. What is
-//! armed as a [`LastResort`] is put back before the program stops.
+//! Invariant: handlers only set flags and wake [`wait_until_back`]. Without a [`Switching`] alive
+//! the kernel's two signals have no effect, and Ctrl-Z stops the program as by default. An armed
+//! [`LastResort`] is called before the program stops.
 
 use super::interrupted;
 use super::last_resort::LastResort;
@@ -21,26 +21,26 @@ static STOP: AtomicBool = AtomicBool::new(false);
 /// Holds a byte for each time that [`BACK`] was set. Set before the handlers are in place.
 static WAKE: OnceLock<(PipeReader, PipeWriter)> = OnceLock::new();
 
-/// What the program is asked to do with its screen.
+/// A request to release the screen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Asked {
-    /// Let another terminal have it.
+pub(super) enum ScreenRequest {
+    /// Let another terminal have the screen.
     Leave,
-    /// Let the terminal have its text, and stop.
+    /// Restore the terminal's text, and stop the program.
     Stop,
 }
 
-/// The signal by which the kernel shall ask for the screen.
+/// The signal with which the kernel requests the screen.
 pub(super) fn leave_signal() -> i32 {
     libc::SIGRTMIN()
 }
 
-/// The signal by which the kernel shall give it back.
+/// The signal with which the kernel returns the screen.
 pub(super) fn back_signal() -> i32 {
     libc::SIGRTMIN() + 1
 }
 
-/// The signals are caught while it lives.
+/// Catches the signals while it lives.
 #[derive(Debug)]
 pub(super) struct Switching(());
 
@@ -54,24 +54,23 @@ impl Switching {
         Ok(Switching(()))
     }
 
-    /// What is asked, once.
-    pub(super) fn asked(&self) -> Option<Asked> {
+    /// Takes the pending request.
+    pub(super) fn take_request(&self) -> Option<ScreenRequest> {
         if LEAVE.swap(false, Ordering::SeqCst) {
-            Some(Asked::Leave)
+            Some(ScreenRequest::Leave)
         } else if STOP.swap(false, Ordering::SeqCst) {
-            Some(Asked::Stop)
+            Some(ScreenRequest::Stop)
         } else {
             None
         }
     }
 
-    /// Forgets that the screen was given back: it is about to be left.
+    /// Forgets that the screen was returned, because it is about to be released.
     pub(super) fn leave(&self) {
         BACK.store(false, Ordering::SeqCst);
     }
 
-    /// Sleeps until the screen is given back, and says whether it is; not when the program is
-    /// asked to end meanwhile.
+    /// Sleeps until the screen is returned; `false` if the program is asked to end meanwhile.
     pub(super) fn wait_until_back(&self) -> bool {
         loop {
             if BACK.swap(false, Ordering::SeqCst) {
@@ -91,22 +90,22 @@ impl Drop for Switching {
     }
 }
 
-/// Stops the program as Ctrl-Z does; returns when it is continued. May be called from a signal
-/// handler.
+/// Stops the program as Ctrl-Z does, and returns when it is continued. Signal handlers may call
+/// it.
 pub(super) fn stop() {
     let armed = LastResort::armed();
     if let Some(armed) = armed {
-        (armed.put_back)();
+        (armed.restore)();
     }
     // SIGSTOP can't be refused.
     let _ = low_level::raise(libc::SIGSTOP);
-    // A program that is continued to end has no more use for it.
+    // A program that is continued only to end doesn't need the things again.
     if let Some(armed) = armed.filter(|_| !interrupted::came()) {
-        (armed.take_again)();
+        (armed.retake)();
     }
 }
 
-/// Has Ctrl-Z stop the program by way of [`stop`], also where no screen is taken.
+/// Makes Ctrl-Z stop the program through [`stop`], even if no screen is taken.
 pub(super) fn watch() -> io::Result<()> {
     if WAKE.get().is_none() {
         let pipe = io::pipe()?;
@@ -137,7 +136,7 @@ fn on_signal(signal: i32, flag: &AtomicBool) {
     if ALIVE.load(Ordering::SeqCst) > 0 {
         flag.store(true, Ordering::SeqCst);
         if let Some((_, wake)) = WAKE.get().filter(|_| signal == back_signal()) {
-            // SAFETY: the pipe is never closed; one byte is read.
+            // SAFETY: the pipe is never closed, and the call reads one byte of the array.
             unsafe { libc::write(wake.as_raw_fd(), [0u8].as_ptr().cast(), 1) };
         }
     } else if signal == SIGTSTP {
@@ -153,13 +152,13 @@ fn sleep() {
         events: libc::POLLIN,
         revents: 0,
     };
-    // A negative descriptor is passed over.
+    // poll ignores a negative descriptor.
     let ending = interrupted::wake().map_or(-1, |wake| wake.as_raw_fd());
     let mut polls = [readable(wake.as_fd().as_raw_fd()), readable(ending)];
     // SAFETY: two records, which outlive the call.
     let ready = unsafe { libc::poll(polls.as_mut_ptr(), polls.len() as libc::nfds_t, -1) };
     if ready > 0 && polls[0].revents != 0 {
-        // A broken pipe has none to take, and the flag tells all the same.
+        // A broken pipe has no byte to take, and the flag is set anyway.
         let _ = (&mut &*wake).read(&mut [0; 64]);
     }
 }

@@ -1,45 +1,45 @@
-//! ps3fb's video modes: with borders, as televisions cut some of the picture, or of the whole
+//! ps3fb's video modes: with borders, because televisions cut off some of the picture, or full
 //! screen.
 //!
-//! Invariant: a mode that was changed is put back when the [`Moded`] driver is dropped. The mode
-//! is not part of what the driver forgets when it is closed.
+//! Invariant: a changed mode is restored when the [`VideoModeGuard`] is dropped. The driver would
+//! keep the changed mode after it is closed.
 
 use super::FramebufferError;
 use super::driver::Driver;
 use super::ioctl::Encoding;
-use super::last_resort::{Argument, Place, PutBack};
+use super::last_resort::{Argument, Place, RestorePromise};
 use super::raster::Raster;
 use super::surface::PS3FB;
 use std::ops::{Deref, DerefMut};
 use std::path::Path;
 
-/// Bits of a mode's number that say which; 0 leaves it to the kernel.
+/// The bits of a mode's number that select its lines and rate; 0 leaves the choice to the kernel.
 const BASE: u32 = 0x0F;
-/// Last mode of a television: those above are of monitors, which cut nothing.
+/// The last mode for televisions. The modes above are for monitors, which cut nothing off.
 const LAST_TELEVISION: u32 = 10;
-/// Bit of a mode that fills the whole screen.
+/// The bit of a mode's number that selects the full screen.
 const FULL: u32 = 0x80;
 
-/// A driver whose video mode may have been changed.
-pub(super) struct Moded {
+/// A driver whose video mode may have been changed. Dropping it restores the mode.
+pub(super) struct VideoModeGuard {
     // Dropped first: it needs the driver open.
-    _promise: Option<PutBack>,
+    _promise: Option<RestorePromise>,
     driver: Box<dyn Driver>,
     found: Option<u32>,
 }
 
-impl Moded {
-    /// The driver in the mode that it is in.
-    pub(super) fn keep(driver: Box<dyn Driver>) -> Moded {
-        Moded {
+impl VideoModeGuard {
+    /// Wraps a driver, and leaves its mode unchanged.
+    pub(super) fn keep(driver: Box<dyn Driver>) -> VideoModeGuard {
+        VideoModeGuard {
             driver,
             found: None,
             _promise: None,
         }
     }
 
-    /// Changes the mode of ps3fb, which `name` should be, to the one of the same lines and rate
-    /// that has `raster`, if it is another.
+    /// Changes the mode of ps3fb to the one with the same lines and rate, and with `raster`.
+    /// `name` is the driver's; any other than ps3fb is an error.
     pub(super) fn set(
         &mut self,
         raster: Raster,
@@ -79,7 +79,7 @@ impl Moded {
     }
 }
 
-/// The number of the mode like `mode` that has `raster`, where there is one.
+/// The number of the mode like `mode` but with `raster`, if there is one.
 fn with_raster(mode: u32, raster: Raster) -> Option<u32> {
     let television = mode & BASE <= LAST_TELEVISION;
     match raster {
@@ -90,7 +90,7 @@ fn with_raster(mode: u32, raster: Raster) -> Option<u32> {
     }
 }
 
-impl Deref for Moded {
+impl Deref for VideoModeGuard {
     type Target = dyn Driver;
 
     fn deref(&self) -> &(dyn Driver + 'static) {
@@ -98,16 +98,16 @@ impl Deref for Moded {
     }
 }
 
-impl DerefMut for Moded {
+impl DerefMut for VideoModeGuard {
     fn deref_mut(&mut self) -> &mut (dyn Driver + 'static) {
         self.driver.as_mut()
     }
 }
 
-impl Drop for Moded {
+impl Drop for VideoModeGuard {
     fn drop(&mut self) {
         if let Some(mode) = self.found {
-            // There is nobody left to tell.
+            // A drop can't report an error.
             let _ = self.driver.ps3fb_setmode(mode);
         }
     }
@@ -124,7 +124,7 @@ mod tests {
             (131, Raster::Full, Some(131)),
             (131, Raster::Bordered, Some(3)),
             (8 | 0x1000, Raster::Full, Some(136 | 0x1000)),
-            // Automatic: the kernel chooses the lines.
+            // Mode 0: the kernel chooses the lines.
             (0, Raster::Full, Some(128)),
             (10, Raster::Bordered, Some(10)),
             (11, Raster::Full, Some(11)),

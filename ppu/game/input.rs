@@ -1,8 +1,8 @@
-//! What the player does: keys, mouse and pads, from frame to frame.
+//! The state of keys, mouse and pads, from frame to frame.
 //!
-//! Owns the state that [`InputEvent`]s add up to. Knows no device: who reads one makes the events.
-//! Invariants: the state depends on the events alone; every number in it is finite, axes are from
-//! -1 to 1.
+//! Owns the state that results from [`InputEvent`]s. It knows no device: the code that reads a
+//! device makes the events. Invariants: the state depends only on the events; every number in it is
+//! finite, and axes are from -1 to 1.
 
 mod event;
 mod names;
@@ -14,16 +14,16 @@ pub use pad::{Pad, PadId, Sensors};
 
 use names::Switches;
 
-/// The mouse.
+/// The state of the mouse.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Mouse {
-    /// Where it points, in pixels from the picture's top left; nothing while it is elsewhere.
+    /// The pointer's position in pixels from the picture's top left; `None` while it is outside of
+    /// the picture.
     pub position: Option<[f32; 2]>,
-    /// How far it was moved since the last frame, to the right and down, in its own unit: pixels
-    /// for most.
+    /// The mouse's motion since the last frame, to the right and down, in the device's own unit,
+    /// which usually is pixels.
     pub motion: [f32; 2],
-    /// By how many notches the wheel was turned since the last frame, to the right and away from
-    /// the player.
+    /// The wheel's motion since the last frame in notches, to the right and away from the player.
     pub wheel: [f32; 2],
 }
 
@@ -50,8 +50,8 @@ pub struct Input {
 }
 
 impl Input {
-    /// Begins a frame: what was pressed, released and moved in the last one is forgotten; what is
-    /// held stays.
+    /// Begins a frame: forgets what was pressed, released and moved in the last one. Keys and
+    /// buttons that are held stay held.
     pub fn begin_frame(&mut self) {
         self.keys.begin_frame();
         self.buttons.begin_frame();
@@ -63,7 +63,7 @@ impl Input {
         }
     }
 
-    /// Takes an event of the frame at hand. One of a pad that is not there is passed over.
+    /// Applies an event of the current frame. An event of a pad that isn't connected is ignored.
     pub fn apply(&mut self, event: &InputEvent) {
         match event {
             InputEvent::Key { key, down } => self.keys.set(*key, *down),
@@ -75,7 +75,7 @@ impl Input {
             InputEvent::MouseMotion { by } => add(&mut self.mouse.motion, *by),
             InputEvent::Wheel { by } => add(&mut self.mouse.wheel, *by),
             InputEvent::MouseButton { button, down } => self.buttons.set(*button, *down),
-            InputEvent::FocusLost => self.let_go(),
+            InputEvent::FocusLost => self.lose_focus(),
             InputEvent::PadConnected { pad, name } => {
                 self.pads.retain(|known| known.id() != *pad);
                 self.pads.push(Pad::new(*pad, name));
@@ -94,14 +94,14 @@ impl Input {
         }
     }
 
-    /// Whether keys began to go elsewhere in this frame: what counts as released by that, the
-    /// player did not let go.
+    /// Whether the input focus was lost in this frame. Keys and buttons then count as released
+    /// although the player may still hold them.
     #[must_use]
     pub fn lost_focus(&self) -> bool {
         self.lost_focus
     }
 
-    /// Whether a key is down, or was within the frame.
+    /// Whether a key is down, or was down within this frame.
     #[must_use]
     pub fn key_held(&self, key: Key) -> bool {
         self.keys.held(key)
@@ -119,13 +119,13 @@ impl Input {
         self.keys.released(key)
     }
 
-    /// Where the mouse is and what it did.
+    /// The state of the mouse.
     #[must_use]
     pub fn mouse(&self) -> Mouse {
         self.mouse
     }
 
-    /// Whether a button of the mouse is down, or was within the frame.
+    /// Whether a button of the mouse is down, or was down within this frame.
     #[must_use]
     pub fn mouse_held(&self, button: MouseButton) -> bool {
         self.buttons.held(button)
@@ -143,19 +143,19 @@ impl Input {
         self.buttons.released(button)
     }
 
-    /// The pads that are there, in order of their numbers.
+    /// The connected pads, in the order of their numbers.
     #[must_use]
     pub fn pads(&self) -> &[Pad] {
         &self.pads
     }
 
-    /// The pad of the first player, if there is one.
+    /// The connected pad with the lowest number.
     #[must_use]
     pub fn pad(&self) -> Option<&Pad> {
         self.pads.first()
     }
 
-    /// -1, 0 or 1 by which of two keys is held: the one for less, the one for more.
+    /// A pair of keys as an axis: -1 if only `less` is held, 1 if only `more` is, otherwise 0.
     #[must_use]
     pub fn key_axis(&self, less: Key, more: Key) -> f32 {
         f32::from(i8::from(self.key_held(more)) - i8::from(self.key_held(less)))
@@ -167,16 +167,17 @@ impl Input {
         }
     }
 
-    /// Everything held counts as released: nobody will hear of it when it is.
-    fn let_go(&mut self) {
+    /// Counts everything that is held as released, because without the focus no event will come
+    /// when it is.
+    fn lose_focus(&mut self) {
         self.lost_focus = true;
-        self.keys.let_go();
-        self.buttons.let_go();
-        self.pads.iter_mut().for_each(Pad::let_go);
+        self.keys.release_all();
+        self.buttons.release_all();
+        self.pads.iter_mut().for_each(Pad::release_all);
     }
 }
 
-/// Adds what is finite, so that the sum is.
+/// Adds the components for which the sum stays finite.
 fn add(sum: &mut [f32; 2], by: [f32; 2]) {
     for (sum, by) in sum.iter_mut().zip(by) {
         let moved = *sum + by;

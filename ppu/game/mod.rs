@@ -1,10 +1,10 @@
-//! The user layer: a [`Game`] is called once a frame and changes its [`World`]; the engine traces
-//! it.
+//! The user layer: a [`Game`] is called once a frame and changes its [`World`], which the engine
+//! then traces.
 //!
-//! Owns what a game sees: the world, the input, the moment. Knows no window and no device: those
-//! who show a game bring a framebuffer and a source of [`Input`] to its [`Session`]. Invariant:
-//! what a game sees in a frame depends on the frames' times, sizes and inputs alone, but for
-//! [`Moment::last`], so that a recorded session is played back bit for bit.
+//! Owns everything that a game sees: the world, the input, the frame. It knows neither windows nor
+//! devices: the program that shows a game gives its [`Session`] a framebuffer and the
+//! [`InputEvent`]s. Invariant: except for [`Frame::last`], everything that a game sees depends only
+//! on the frames' times, sizes and inputs, so a recorded session plays back bit for bit.
 
 mod input;
 mod run;
@@ -21,72 +21,81 @@ pub use run::{
     Recording, RecordingError, Session, SessionError,
 };
 pub use turntable::Turntable;
-pub use world::{Light, LightId, Material, MaterialId, ObjectId, World, WorldError};
+pub use world::{Light, LightId, Material, MaterialId, ObjectId, Pick, World, WorldError};
 
-pub use crate::scene::{Look, Model};
+pub use crate::scene::{Model, RenderOptions};
 use crate::spe::{Program, ProgramError};
 use crate::statistics::FrameStatistics;
 
-/// Something to play or to watch.
+/// A program that changes a [`World`] once a frame: a game, an animation, a viewer.
 pub trait Game {
-    /// What it is called, in recordings and statistics.
+    /// The game's name, as recordings and statistics have it.
     fn name(&self) -> &str {
         "game"
     }
 
-    /// The SPU program that it is traced by, if that is one of its own, with its shaders.
+    /// The game's own SPU program, with its shaders; `None` selects the one in the settings.
+    ///
+    /// # Errors
+    /// The program that the game brings is not a valid SPU program.
     fn program(&self) -> Result<Option<Program>, ProgramError> {
         Ok(None)
     }
 
     /// Puts the first objects, lights and materials into the world. Called once.
+    ///
+    /// # Errors
+    /// Any [`WorldError`] from a change of the world; it ends the session.
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError>;
 
-    /// Changes the world for the frame that comes next. Called once a frame.
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError>;
+    /// Changes the world for the coming frame. Called once a frame.
+    ///
+    /// # Errors
+    /// Any [`WorldError`] from a change of the world; it ends the session.
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError>;
 
-    /// Whether the game is over: after the frame at hand no other comes.
+    /// Whether the game is over. Asked after each frame; if it is, that frame was the last.
     fn is_over(&self) -> bool {
         false
     }
 }
 
-/// A game in a table of those that can be started.
+/// A row in a table of games: how to list a game, and how to create it.
 #[derive(Clone, Copy)]
 pub struct Entry {
-    /// What it is called on a command line, as [`Game::name`] has it.
+    /// The game's name on a command line, equal to its [`Game::name`].
     pub name: &'static str,
-    /// What it is, in a line.
+    /// A description of one line.
     pub line: &'static str,
-    /// What the player can do, a line each.
+    /// The controls, each in a line of its own.
     pub controls: &'static [&'static str],
-    /// Makes it.
+    /// Creates the game.
     pub new: fn() -> Box<dyn Game>,
 }
 
-/// What a game is told before its first frame.
+/// What a game receives before its first frame.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Start {
-    /// Number that all of a game's chance is to come from: a recorded session has it again.
+    /// The random seed. A game that takes all its random numbers from it plays back as recorded.
     pub seed: u64,
-    /// Pixels across and down.
+    /// The picture's width and height in pixels.
     pub size: (u32, u32),
 }
 
-/// What a game is told of a frame.
+/// What a game receives for a frame.
 #[derive(Clone, Copy, Debug)]
-pub struct Moment<'a> {
+pub struct Frame<'a> {
     /// Number of the frame, from 0.
-    pub frame: u64,
+    pub number: u64,
     /// Seconds from the first frame to this one.
     pub time: f64,
     /// Seconds from the last frame to this one; 0 in the first.
-    pub step: f64,
-    /// What the player does.
+    pub delta: f64,
+    /// The state of keys, mouse and pads.
     pub input: &'a Input,
-    /// Pixels across and down.
+    /// The picture's width and height in pixels.
     pub size: (u32, u32),
-    /// What the SPUs said of the last frame; nothing in the first. It is another from run to run:
-    /// to be shown, not to be played by.
+    /// The SPUs' statistics of the last frame; `None` in the first. They differ from run to run:
+    /// show them, but don't let the game depend on them.
     pub last: Option<&'a FrameStatistics>,
 }

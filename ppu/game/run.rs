@@ -1,9 +1,9 @@
-//! The frame loop: input, game, world, SPUs, picture; again.
+//! The frame loop: input, game, world, SPUs, picture, and again from the start.
 //!
-//! Owns the [`Session`] of a game, which is stepped: events and time in, a frame out. Who steps it
-//! has the display, the devices and the clock; it has none of them. Invariant: the game is called
-//! in the thread that steps the session, once a frame, and sleeps there while SPUs trace; what it
-//! is told comes from that step, or from a recording, and from nothing else.
+//! Owns the [`Session`] of a game. Each step takes events and a time and makes a frame. The caller
+//! owns the display, the devices and the clock. Invariant: the game is called once a frame, in the
+//! thread that steps the session, which then sleeps while the SPUs trace. The time and the events
+//! that a game receives come from that step or from a recording, and from nowhere else.
 
 mod clock;
 mod error;
@@ -27,7 +27,7 @@ use std::time::Duration;
 use image::RgbImage;
 
 use self::recording::{FrameRecord, Header, Recorder};
-use super::{Game, Input, InputEvent, Moment, Start, World};
+use super::{Frame, Game, Input, InputEvent, Start, World};
 use crate::engine::{Engine, EngineError, Settings};
 use crate::framebuffer::Framebuffer;
 use crate::report::{LoopTime, Report};
@@ -41,11 +41,11 @@ use crate::spe::{Program, ProgramError};
 /// use cellray::Settings;
 /// use cellray::framebuffer::{Geometry, Memory};
 /// use cellray::game::{
-///     DVec3, Game, InputEvent, Key, Material, Moment, ObjectId, Session, Start, World,
+///     DVec3, Game, InputEvent, Key, Material, Frame, ObjectId, Session, Start, World,
 ///     WorldError,
 /// };
 ///
-/// /// A ball that lies until somebody presses the space bar.
+/// /// A ball that rests until somebody presses the space bar.
 /// struct Still(ObjectId);
 ///
 /// impl Game for Still {
@@ -54,8 +54,8 @@ use crate::spe::{Program, ProgramError};
 ///         self.0 = world.add_sphere(DVec3::ZERO, 1.0, red)?;
 ///         Ok(())
 ///     }
-///     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-///         match moment.input.key_pressed(Key::Space) {
+///     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+///         match frame.input.key_pressed(Key::Space) {
 ///             true => world.move_to(self.0, DVec3::Y),
 ///             false => Ok(()),
 ///         }
@@ -69,7 +69,7 @@ use crate::spe::{Program, ProgramError};
 /// for _ in 0..3 {
 ///     session.step(step, &mut Vec::new(), &mut |_| ())?;
 /// }
-/// // What stands still is traced once.
+/// // A world that stands still is traced once.
 /// assert_eq!(session.report().frames_traced, 1);
 ///
 /// let before = session.picture();
@@ -83,20 +83,20 @@ pub struct Session<G> {
     world: World,
     engine: Engine,
     settings: Settings,
-    /// Pixels across and down of the framebuffer.
+    /// The framebuffer's width and height in pixels.
     size: (u32, u32),
     start: Option<Start>,
     seed: u64,
     recorder: Option<Recorder>,
     replay: Option<Recording>,
     input: Input,
-    /// The frame at hand; its buffers serve for the next.
+    /// The current frame; its buffers are reused for the next.
     record: FrameRecord,
-    /// Whether that is one of the recording that is played back, read and not yet stepped.
+    /// Whether `record` was read from the recording that is played back, and is not yet stepped.
     is_read: bool,
-    /// Room for the events of a frame that is asked for.
+    /// Buffer for the events that a source of input appends.
     events: Vec<InputEvent>,
-    /// When the frame at hand began, if it was waited for.
+    /// When the current frame began, if [`Session::wait`] was called for it.
     began: Option<LoopTime>,
     frame: u64,
     time: Duration,
@@ -106,6 +106,10 @@ pub struct Session<G> {
 impl<G: Game> Session<G> {
     /// Starts the SPUs, with the game's own program if it has one. The game is set up at the first
     /// frame.
+    ///
+    /// # Errors
+    /// - The game's own SPU program is not valid.
+    /// - The engine does not start; see [`Engine::start`].
     pub fn start(
         game: G,
         mut settings: Settings,
@@ -116,8 +120,7 @@ impl<G: Game> Session<G> {
         }
         let geometry = framebuffer.geometry();
         let size = (geometry.width, geometry.height);
-        // It refuses what can't be: a number of SPUs for which there is no room in a report,
-        // either.
+        // The engine also refuses a number of SPUs for which a report has no room.
         let engine = Engine::start(settings, framebuffer)?;
         let report = Report::new(game.name(), size, settings.spus);
         Ok(Self {
@@ -141,7 +144,7 @@ impl<G: Game> Session<G> {
         })
     }
 
-    /// Gives the game another seed than 0.
+    /// Sets the random seed, which is 0 otherwise.
     #[must_use]
     pub fn with_seed(self, seed: u64) -> Self {
         Self { seed, ..self }
@@ -156,12 +159,12 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// Plays a recording back: the game is told of the same seed, sizes, times and events,
-    /// whatever it is stepped by, and after the last of them the session ends. The framebuffer may
-    /// be of another size; the game is told the recorded one.
+    /// Plays a recording back. The game receives the recorded seed, sizes, times and events,
+    /// whatever the steps' own are, and the session ends after the last recorded frame. The
+    /// framebuffer may have another size; the game receives the recorded one.
     ///
     /// # Errors
-    /// One of another game.
+    /// The recording is of another game.
     pub fn replaying(self, recording: Recording) -> Result<Self, SessionError> {
         let (recorded, name) = (recording.game(), self.game.name());
         if recorded != name {
@@ -176,8 +179,11 @@ impl<G: Game> Session<G> {
         })
     }
 
-    /// Runs by a clock and a source of input until the game is over, the input ends, the recording
-    /// does or so many frames are shown, and [finishes](Session::finish).
+    /// Runs with a clock and a source of input, and [finishes](Session::finish). Ends when the game
+    /// is over, when the input or the recording ends, or after `frames` frames.
+    ///
+    /// # Errors
+    /// As for [`Session::frame`] and [`Session::finish`].
     pub fn run(
         &mut self,
         frames: Option<u64>,
@@ -195,8 +201,12 @@ impl<G: Game> Session<G> {
         Ok(&self.report)
     }
 
-    /// Writes what its recording still lacks. To be called after the last frame: where it isn't,
-    /// what the disk refuses then is told to nobody. The session may go on all the same.
+    /// Writes the rest of the recording, if the session is recorded. Call it after the last frame:
+    /// dropping the session writes the rest too, but reports no error. The session may go on
+    /// afterwards.
+    ///
+    /// # Errors
+    /// The recording can't be written.
     pub fn finish(&mut self) -> Result<(), SessionError> {
         match &mut self.recorder {
             Some(recorder) => Ok(recorder.finish(&self.world)?),
@@ -204,8 +214,11 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// One frame by a clock and a source of input; with [`ControlFlow::Break`], that the session
-    /// is over. After the last one comes [`Session::finish`].
+    /// Makes one frame with a clock and a source of input. [`ControlFlow::Break`] means that the
+    /// session is over; then call [`Session::finish`].
+    ///
+    /// # Errors
+    /// An input device fails, or any error of [`Session::step`].
     pub fn frame(
         &mut self,
         clock: &mut dyn Clock,
@@ -226,8 +239,13 @@ impl<G: Game> Session<G> {
         flow
     }
 
-    /// Waits until it is time for the next frame; gives the time since the last one. A recording
-    /// that is played back has that time written down: after its last frame there is nothing.
+    /// Waits until it is time for the next frame, and returns the time since the last one. When a
+    /// recording is played back, that time is the recorded one, and after its last frame the result
+    /// is `None`.
+    ///
+    /// # Errors
+    /// - The game's [`Game::set_up`] fails, if this is the first frame.
+    /// - The recording can't be read or written.
     pub fn wait(&mut self, clock: &mut dyn Clock) -> Result<Option<Duration>, SessionError> {
         self.began = Some(LoopTime::now());
         self.set_up()?;
@@ -241,10 +259,19 @@ impl<G: Game> Session<G> {
         Ok(Some(self.record.step()))
     }
 
-    /// One frame: so much time after the last one the game hears of `events`, which are taken, and
-    /// what it makes of the world is traced and shown. `tracing` is told meanwhile, from time to
-    /// time, which part of that is done, 0 to 1. With [`ControlFlow::Break`] the session is over,
-    /// and if a recording that is played back is, there was no such frame.
+    /// Makes one frame: the game updates the world, which is then traced and shown.
+    ///
+    /// `step` is the time since the last frame. `events` are the events since then, and are taken
+    /// out of the vector. `tracing` is called from time to time while the SPUs trace, with the part
+    /// of the frame that is done, 0 to 1.
+    ///
+    /// [`ControlFlow::Break`] means that the session is over. If it is over because a recording has
+    /// no more frames, this step made none.
+    ///
+    /// # Errors
+    /// - The game fails, or its world can't be traced.
+    /// - The engine fails; see [`Engine::render`].
+    /// - A recording can't be read or written, or its world differs from this one.
     pub fn step(
         &mut self,
         step: Duration,
@@ -257,8 +284,11 @@ impl<G: Game> Session<G> {
         flow
     }
 
-    /// [`Session::step`] without a picture: the game is called, nothing is traced or shown. So a
-    /// sequence of pictures may begin in the middle of a game.
+    /// [`Session::step`] without a picture: the game is called, but nothing is traced or shown.
+    /// With it a sequence of pictures can begin in the middle of a game.
+    ///
+    /// # Errors
+    /// The game fails, or a recording can't be read or written, or its world differs from this one.
     pub fn pass_over(
         &mut self,
         step: Duration,
@@ -295,7 +325,7 @@ impl<G: Game> Session<G> {
         }
     }
 
-    /// The game makes the world what it is in the frame at hand.
+    /// Takes the frame's input and lets the game update the world.
     fn play(
         &mut self,
         step: Duration,
@@ -309,7 +339,7 @@ impl<G: Game> Session<G> {
             }
             self.is_read = false;
         } else {
-            self.take_down(step, events);
+            self.begin_frame(step, events);
         }
         self.input.begin_frame();
         for event in &self.record.events {
@@ -318,20 +348,20 @@ impl<G: Game> Session<G> {
         let step = self.record.step();
         self.time += step;
         let last = (self.frame > 0).then(|| self.engine.statistics());
-        let moment = Moment {
-            frame: self.frame,
+        let frame = Frame {
+            number: self.frame,
             time: self.time.as_secs_f64(),
-            step: step.as_secs_f64(),
+            delta: step.as_secs_f64(),
             input: &self.input,
             size: self.record.size.unwrap_or(self.size),
             last,
         };
-        self.game.frame(&mut self.world, &moment)?;
+        self.game.update(&mut self.world, &frame)?;
         self.check_and_record()?;
         Ok(ControlFlow::Continue(()))
     }
 
-    /// Has the game set up its world, if it has not.
+    /// Lets the game set up its world, unless it has done so.
     fn set_up(&mut self) -> Result<(), SessionError> {
         if self.start.is_some() {
             return Ok(());
@@ -349,7 +379,7 @@ impl<G: Game> Session<G> {
         Ok(())
     }
 
-    /// Has the recording's next frame as the one at hand; `false` where it has no more.
+    /// Makes the recording's next frame the current one; `false` if it has no more.
     fn read_recorded(&mut self) -> Result<bool, SessionError> {
         if let Some(recording) = self.replay.as_mut().filter(|_| !self.is_read) {
             self.is_read = recording.next_frame(&mut self.record)?;
@@ -357,12 +387,12 @@ impl<G: Game> Session<G> {
         Ok(self.is_read)
     }
 
-    /// Makes a frame of what has happened since the last one.
-    fn take_down(&mut self, step: Duration, events: &mut Vec<InputEvent>) {
+    /// Fills the current frame with the events since the last one.
+    fn begin_frame(&mut self, step: Duration, events: &mut Vec<InputEvent>) {
         let record = &mut self.record;
         record.clear();
         record.events.append(events);
-        // A game would not hear of others, and a recording has no word for them.
+        // The input ignores numbers that aren't finite, and JSON can't represent them.
         record.events.retain(InputEvent::is_finite);
         merge::merge(&mut record.events);
         record.set_step(if self.frame == 0 {
@@ -373,7 +403,7 @@ impl<G: Game> Session<G> {
         record.size = Some(self.size);
     }
 
-    /// Compares the world with the recorded one, or writes down what it is now.
+    /// Compares the world with the recorded one, and records the frame if the session is recorded.
     fn check_and_record(&mut self) -> Result<(), SessionError> {
         if let Some(expected) = self.record.world.filter(|_| self.replay.is_some())
             && self.world.checksum() != expected.0
@@ -386,7 +416,11 @@ impl<G: Game> Session<G> {
         Ok(())
     }
 
-    /// Shows the game elsewhere from now on, as in another size; gives what it was shown on.
+    /// Shows the game on another framebuffer from now on, for example one of another size. Returns
+    /// the previous framebuffer.
+    ///
+    /// # Errors
+    /// As for [`Engine::show_on`]; the previous framebuffer then stays.
     pub fn show_on(
         &mut self,
         framebuffer: Box<dyn Framebuffer>,
@@ -397,19 +431,19 @@ impl<G: Game> Session<G> {
         Ok(before)
     }
 
-    /// The frame that is shown, where the framebuffer can be read back.
+    /// The frame that is shown, or `None` if the framebuffer can't be read back.
     #[must_use]
     pub fn picture(&self) -> Option<RgbImage> {
         self.engine.picture()
     }
 
-    /// Number of the frame that comes next, from 0.
+    /// The number of the next frame, from 0.
     #[must_use]
     pub fn next_frame(&self) -> u64 {
         self.frame
     }
 
-    /// What the frames so far have taken.
+    /// The statistics of all frames so far.
     #[must_use]
     pub fn report(&self) -> &Report {
         &self.report
@@ -421,14 +455,15 @@ impl<G: Game> Session<G> {
         &self.game
     }
 
-    /// The world, such as for a camera that the player moves beside the game. What is changed here
-    /// is not in a recording: one that is made meanwhile is found to be of another world when it
-    /// is played back.
+    /// The world, for example for a camera that the player moves independently of the game.
+    ///
+    /// Changes that are made here are not recorded. A recording that is made meanwhile fails to
+    /// play back, because its world then differs.
     pub fn world(&mut self) -> &mut World {
         &mut self.world
     }
 
-    /// What the player does in the frame at hand.
+    /// The input of the current frame.
     #[must_use]
     pub fn input(&self) -> &Input {
         &self.input
@@ -453,8 +488,8 @@ impl<G: Game + ?Sized> Game for Box<G> {
         (**self).set_up(world, start)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), super::WorldError> {
-        (**self).frame(world, moment)
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), super::WorldError> {
+        (**self).update(world, frame)
     }
 
     fn is_over(&self) -> bool {

@@ -1,29 +1,30 @@
-//! A scene that is turned before the eye.
+//! A scene that the eye goes around.
 //!
-//! Invariant: the eye depends on the frame's number alone, and is the same on every machine:
+//! Invariant: the eye depends only on the frame's number, and is the same on every machine because
 //! `libm`'s sines are.
 
 use glam::DVec3;
 use nff::View;
 
-use super::{Game, Moment, Start, World, WorldError};
-use crate::scene::Look;
+use super::{Frame, Game, Start, World, WorldError};
+use crate::scene::RenderOptions;
 
-/// A scene whose eye goes around what it looks at, at the height and distance that it has.
+/// A scene whose eye goes around its target, at constant height and distance.
 #[derive(Clone, Debug)]
 pub struct Turntable {
     scene: nff::Scene,
-    look: Look,
+    render_options: RenderOptions,
     frames: u32,
 }
 
 impl Turntable {
-    /// Once around takes so many frames; with none the eye stands still.
+    /// A turntable of a scene that takes `frames` frames to go once around. With 0 the eye stands
+    /// still.
     #[must_use]
-    pub fn new(scene: nff::Scene, look: Look, frames: u32) -> Self {
+    pub fn new(scene: nff::Scene, render_options: RenderOptions, frames: u32) -> Self {
         Self {
             scene,
-            look,
+            render_options,
             frames,
         }
     }
@@ -47,15 +48,15 @@ impl Game for Turntable {
     }
 
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
-        *world = World::from_nff(&self.scene, self.look)?;
+        *world = World::from_nff(&self.scene, self.render_options)?;
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        match moment.frame % u64::from(self.frames.max(1)) {
-            // To the bit, what the scene says.
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        match frame.number % u64::from(self.frames.max(1)) {
+            // The scene's own numbers, bit for bit.
             0 => world.look_from(self.scene.view.from, self.scene.view.at),
-            _ => world.look_from(self.eye(moment.frame), self.scene.view.at),
+            _ => world.look_from(self.eye(frame.number), self.scene.view.at),
         }
     }
 }
@@ -69,7 +70,7 @@ mod tests {
         let text = "v\nfrom 3 -4 2\nat 0 0 1\nup 0 0 2\nangle 40\nhither 1\nresolution 4 4\nf 1 1 1 1 0 0 0 1\ns 0 0 1 1\n";
         let scene = nff::parse(text.as_bytes(), "s", &nff::Limits::default()).expect("a scene");
         let View { from, at, .. } = scene.view;
-        let turntable = Turntable::new(scene, Look::default(), 8);
+        let turntable = Turntable::new(scene, RenderOptions::default(), 8);
         let eyes: Vec<_> = (0..16).map(|frame| turntable.eye(frame)).collect();
         for (frame, eye) in eyes.iter().enumerate() {
             assert!((eye.distance(at) - from.distance(at)).abs() < 1e-12);

@@ -1,9 +1,9 @@
-//! The world: what a game changes from frame to frame, by handles.
+//! The world: the content that a game changes from frame to frame, by handles.
 //!
-//! Owns the content: camera, background, lights, materials and objects, and the scene that is
-//! traced. Invariants: a handle is valid until what it stands for is removed, and is never
-//! another's; every number is one that the SPUs have room for; a world is traced as a scene of the
-//! same content would be.
+//! Owns the camera, background, lights, materials and objects, and the scene that is traced.
+//! Invariants: a handle is valid until its object, light or material is removed, and is never
+//! reused for another one; every number is in the range that the SPUs can represent; a world is
+//! traced exactly like a scene with the same content.
 
 mod check;
 mod checksum;
@@ -14,11 +14,13 @@ mod ids;
 mod material;
 mod materials;
 mod objects;
+mod pick;
 mod traced;
 
 pub use error::WorldError;
 pub use ids::{LightId, MaterialId, ObjectId};
 pub use material::{Light, Material};
+pub use pick::Pick;
 
 use glam::DVec3;
 use nff::View;
@@ -26,26 +28,41 @@ use nff::depth::DepthShading;
 use slotmap::{SecondaryMap, SlotMap};
 
 use self::checksum::Checksum;
-use self::content::{Lamp, Object, Stuff};
+use self::content::{Object, WorldLight, WorldMaterial};
 use self::edits::{Edits, Traced};
-use crate::scene::Look;
+use crate::scene::{Model, RenderOptions};
+
+/// Ambient light beside the default light: shadows are dark, not black.
+const DEFAULT_AMBIENT: DVec3 = DVec3::splat(0.2);
+
+/// The light of a world that has none.
+fn default_light() -> nff::Light {
+    nff::Light {
+        line: 0,
+        kind: nff::LightKind::Directional {
+            to_light: DVec3::new(1.0, 2.0, 1.5),
+        },
+        colour: Some(DVec3::splat(0.8)),
+    }
+}
 
 /// A scene that a game changes.
 ///
-/// What is changed costs what has changed: records are written in place and the trees above them
-/// fitted again; nothing is said of the rest, and where the eye stands still the
-/// [`Engine`](crate::Engine) traces only what the change shows in (`keeps_contents` of the
-/// framebuffer permitting):
+/// The cost of a change depends only on the change: its records are written in place, and the
+/// bounding volumes above them are refitted. While the eye stands still, and if the framebuffer
+/// keeps its contents (`keeps_contents`), the [`Engine`](crate::Engine) traces only the tiles that
+/// a change can show in:
 ///
-/// - nothing changed: nothing is traced;
-/// - by depth shading: the tiles in which a changed sphere is or was seen; all, where the range of
-///   the shading has changed with them, which [`World::set_fade`] prevents;
-/// - by Whitted's model: the tiles in which a changed object is or was seen, and its shadows fall
-///   or fell, and those in which mirrors, glass and objects with a game's own shader are seen, in
-///   all of which it may show;
-/// - all, when a light, the ambient light, the background, the eye or the look has changed.
+/// - Nothing has changed: no tiles.
+/// - Depth shading: the tiles in which a changed sphere is or was visible. If the range of the
+///   shading changes with the spheres, all tiles; [`World::set_fade`] prevents that.
+/// - Whitted's model: the tiles in which a changed object is or was visible, those on which its
+///   shadow falls or fell, and those in which mirrors, glass or objects with a game's own shader
+///   are visible, because the object may show in them.
+/// - A light, the ambient light, the background, the eye or the [`RenderOptions`] have changed: all
+///   tiles.
 ///
-/// The SPUs fetch the whole scene for each frame of which anything is traced.
+/// For every frame with any tiles to trace, the SPUs fetch the whole scene.
 ///
 /// ```
 /// use cellray::game::{DVec3, Light, Material, World};
@@ -67,14 +84,15 @@ pub struct World {
     view: View,
     background: DVec3,
     ambient: DVec3,
-    look: Look,
+    render_options: RenderOptions,
     fade: Option<DepthShading>,
-    materials: SlotMap<MaterialId, Stuff>,
-    lights: SlotMap<LightId, Lamp>,
+    has_default_light: bool,
+    materials: SlotMap<MaterialId, WorldMaterial>,
+    lights: SlotMap<LightId, WorldLight>,
     objects: SlotMap<ObjectId, Object>,
-    /// What was traced last.
+    /// The scene that was traced last.
     traced: Option<Traced>,
-    /// What of the world has been touched since.
+    /// The changes since then.
     edits: Edits,
 }
 
@@ -85,7 +103,7 @@ impl Default for World {
 }
 
 impl World {
-    /// An empty black world; the eye is ten before the origin and looks at it, y is up.
+    /// An empty black world. The eye is at (0, 0, 10) and looks at the origin; y is up.
     #[must_use]
     pub fn new() -> Self {
         Self {
@@ -100,8 +118,9 @@ impl World {
             },
             background: DVec3::ZERO,
             ambient: DVec3::ZERO,
-            look: Look::default(),
+            render_options: RenderOptions::default(),
             fade: None,
+            has_default_light: true,
             materials: SlotMap::with_key(),
             lights: SlotMap::with_key(),
             objects: SlotMap::with_key(),
@@ -110,9 +129,13 @@ impl World {
         }
     }
 
-    /// The world that a scene shows. Its objects, materials and lights are in the scene's order,
-    /// and called by the lines that they are in.
-    pub fn from_nff(scene: &nff::Scene, look: Look) -> Result<Self, WorldError> {
+    /// A world with a scene's content. Objects, materials and lights keep the scene's order, and
+    /// error messages name them by their lines in the file.
+    ///
+    /// # Errors
+    /// The scene's content breaks a rule of the world; see [`WorldError`]. The error names the file
+    /// and the line of an object, material or light.
+    pub fn from_nff(scene: &nff::Scene, render_options: RenderOptions) -> Result<Self, WorldError> {
         let at = |line| {
             move |source| WorldError::At {
                 file: scene.name.clone(),
@@ -122,7 +145,8 @@ impl World {
         };
         let mut world = Self::new();
         world.name.clone_from(&scene.name);
-        world.set_look(look);
+        world.has_default_light = false;
+        world.set_render_options(render_options);
         world.set_view(scene.view.clone())?;
         world.set_background(scene.background)?;
         world.set_ambient(scene.ambient)?;
@@ -146,7 +170,7 @@ impl World {
         Ok(world)
     }
 
-    /// What the world shows, as a scene: what is not visible is left out.
+    /// The world's content as a scene, without the hidden objects.
     #[must_use]
     pub fn to_nff(&self) -> nff::Scene {
         self.content(|object| object.visible)
@@ -160,20 +184,21 @@ impl World {
             name: self.name.clone(),
             view: self.view.clone(),
             background: self.background,
-            ambient: self.ambient,
+            ambient: self.ambient_light(),
             lights: (1..)
                 .zip(self.lights.values())
-                .map(|(line, lamp)| {
-                    let Light { kind, colour } = lamp.light;
-                    let line = lamp.line.unwrap_or(line);
+                .map(|(line, entry)| {
+                    let Light { kind, colour } = entry.light;
+                    let line = entry.line.unwrap_or(line);
                     nff::Light { line, kind, colour }
                 })
+                .chain(self.needs_light().then(default_light))
                 .collect(),
             materials: (1..)
                 .zip(self.materials.values())
-                .map(|(line, stuff)| nff::Material {
-                    line: stuff.line.unwrap_or(line),
-                    ..stuff.material.clone()
+                .map(|(line, entry)| nff::Material {
+                    line: entry.line.unwrap_or(line),
+                    ..entry.material.clone()
                 })
                 .collect(),
             objects: (1..)
@@ -187,25 +212,61 @@ impl World {
         }
     }
 
-    /// What the world is called in messages and statistics.
+    /// Whether the default light shines: nothing else does, and nothing asks for depth shading.
+    fn needs_light(&self) -> bool {
+        self.has_default_light
+            && self.lights.is_empty()
+            && self.fade.is_none()
+            && self.render_options.model == Model::Scene
+    }
+
+    /// The number of lights in the traced scene.
+    fn light_count(&self) -> usize {
+        self.lights.len() + usize::from(self.needs_light())
+    }
+
+    /// The ambient light of the traced scene.
+    fn ambient_light(&self) -> DVec3 {
+        if self.needs_light() && self.ambient == DVec3::ZERO {
+            DEFAULT_AMBIENT
+        } else {
+            self.ambient
+        }
+    }
+
+    /// Whether a world without lights gets a default light, as a [`World::new`] does: a sun behind
+    /// the right shoulder, and some ambient light. It goes out as soon as a light is added. Without
+    /// it, and without lights, a world is traced with depth shading, as it is with
+    /// [`Model::Depth`] or [`World::set_fade`].
+    pub fn set_default_light(&mut self, is_wanted: bool) {
+        if self.has_default_light != is_wanted {
+            self.has_default_light = is_wanted;
+            self.edits.rebuild = true;
+        }
+    }
+
+    /// The world's name in messages and statistics.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Calls it so.
+    /// Sets the world's name.
     pub fn set_name(&mut self, name: &str) {
         name.clone_into(&mut self.name);
-        self.edits.anew = true;
+        self.edits.rebuild = true;
     }
 
-    /// The eye. Its resolution is not looked at: the picture is as large as the framebuffer.
+    /// The view. Its resolution is not used: the picture is as large as the framebuffer.
     #[must_use]
     pub fn view(&self) -> &View {
         &self.view
     }
 
-    /// Moves the eye, or turns it.
+    /// Sets the view: moves or turns the eye, or changes its angle.
+    ///
+    /// # Errors
+    /// A number is out of range, or the view shows nothing.
     pub fn set_view(&mut self, view: View) -> Result<(), WorldError> {
         for (what, place) in [
             ("view from", view.from),
@@ -214,69 +275,87 @@ impl World {
         ] {
             check::vector(what, place)?;
         }
-        // Of any size: the camera's other conditions are the view's own.
+        // Any size will do: the camera's other conditions concern only the view.
         view.camera(2, 2)?;
         self.view = view;
         Ok(())
     }
 
-    /// Moves the eye to a place and turns it to another.
-    pub fn look_from(&mut self, from: DVec3, at: DVec3) -> Result<(), WorldError> {
+    /// Moves the eye to `from`, and turns it towards `at`.
+    ///
+    /// # Errors
+    /// As for [`World::set_view`].
+    pub fn look_from(
+        &mut self,
+        from: impl Into<DVec3>,
+        at: impl Into<DVec3>,
+    ) -> Result<(), WorldError> {
         self.set_view(View {
-            from,
-            at,
+            from: from.into(),
+            at: at.into(),
             ..self.view.clone()
         })
     }
 
-    /// Colour where nothing is hit.
+    /// The background: the colour of rays that hit nothing.
     #[must_use]
     pub fn background(&self) -> DVec3 {
         self.background
     }
 
-    /// Changes that colour.
-    pub fn set_background(&mut self, colour: DVec3) -> Result<(), WorldError> {
+    /// Sets the background.
+    ///
+    /// # Errors
+    /// A number is out of range.
+    pub fn set_background(&mut self, colour: impl Into<DVec3>) -> Result<(), WorldError> {
+        let colour = colour.into();
         check::vector("background", colour)?;
         self.background = colour;
         Ok(())
     }
 
-    /// Brightness of the light that is everywhere.
+    /// The ambient light's brightness in red, green and blue.
     #[must_use]
     pub fn ambient(&self) -> DVec3 {
         self.ambient
     }
 
-    /// Changes that brightness.
-    pub fn set_ambient(&mut self, brightness: DVec3) -> Result<(), WorldError> {
+    /// Sets the ambient light's brightness.
+    ///
+    /// # Errors
+    /// A number is out of range.
+    pub fn set_ambient(&mut self, brightness: impl Into<DVec3>) -> Result<(), WorldError> {
+        let brightness = brightness.into();
         check::vector("ambient light", brightness)?;
         self.ambient = brightness;
         Ok(())
     }
 
-    /// How the world is made to look: the model, and its settings.
+    /// The model that the world is rendered with, and the model's settings.
     #[must_use]
-    pub fn look(&self) -> Look {
-        self.look
+    pub fn render_options(&self) -> RenderOptions {
+        self.render_options
     }
 
-    /// Makes it look otherwise.
-    pub fn set_look(&mut self, look: Look) {
-        if self.look != look {
-            self.look = look;
-            self.edits.anew = true;
+    /// Sets the model and its settings.
+    pub fn set_render_options(&mut self, render_options: RenderOptions) {
+        if self.render_options != render_options {
+            self.render_options = render_options;
+            self.edits.rebuild = true;
         }
     }
 
-    /// Distances between which depth shading fades, where they were given.
+    /// The distances between which depth shading fades, if [`World::set_fade`] set them.
     #[must_use]
     pub fn fade(&self) -> Option<DepthShading> {
         self.fade
     }
 
-    /// Gives depth shading its distances. Without them (`None`) they are those of the nearest and
-    /// the farthest sphere, and the picture's brightness changes where these move.
+    /// Sets the distances between which depth shading fades. With `None` they are those of the
+    /// nearest and the farthest sphere, so the picture's brightness changes when these move.
+    ///
+    /// # Errors
+    /// A distance is out of range or negative, or `far` is not above `near`.
     pub fn set_fade(&mut self, fade: Option<DepthShading>) -> Result<(), WorldError> {
         if let Some(DepthShading { near, far }) = fade {
             check::fade(near, far)?;
@@ -285,8 +364,8 @@ impl World {
         Ok(())
     }
 
-    /// A number that tells this world's content from another's, the same on every machine: of
-    /// objects, materials and lights in their order, the handles apart; of the look nothing.
+    /// A checksum of the world's content, the same on every machine. It covers objects, materials
+    /// and lights in their order, but neither the handles nor the [`RenderOptions`].
     #[must_use]
     pub fn checksum(&self) -> u64 {
         let mut sum = Checksum::new();
@@ -301,14 +380,14 @@ impl World {
             sum.vector(vector);
         }
         sum.float(angle);
-        for lamp in self.lights.values() {
-            sum.light(&lamp.light);
+        for entry in self.lights.values() {
+            sum.light(&entry.light);
         }
         for object in self.objects.values() {
             sum.shape(&object.shape);
             sum.word(u64::from(object.visible));
-            if let Some(stuff) = self.materials.get(object.material) {
-                sum.material(&stuff.material);
+            if let Some(entry) = self.materials.get(object.material) {
+                sum.material(&entry.material);
             }
         }
         sum.number()

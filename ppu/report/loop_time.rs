@@ -1,8 +1,8 @@
-//! Time of the frame loop's thread: what passes, and what of it the thread has on its processor.
+//! Elapsed time and processor time of the frame loop's thread.
 
 use std::time::{Duration, Instant};
 
-/// A moment of the thread that asks.
+/// A point in time, as elapsed time and as processor time of the current thread.
 #[derive(Clone, Copy, Debug)]
 pub struct LoopTime {
     passed: Instant,
@@ -10,7 +10,7 @@ pub struct LoopTime {
 }
 
 impl LoopTime {
-    /// This moment.
+    /// The current time of this thread.
     #[must_use]
     pub fn now() -> Self {
         Self {
@@ -19,21 +19,21 @@ impl LoopTime {
         }
     }
 
-    /// Time that has passed since, and what of it this thread had on its processor.
+    /// The elapsed time and this thread's processor time since then.
     pub(super) fn until_now(self) -> (Duration, Duration) {
         let processor = processor_time().saturating_sub(self.processor);
         (self.passed.elapsed(), processor)
     }
 }
 
-/// Time that this thread has had on a processor.
+/// This thread's processor time so far.
 fn processor_time() -> Duration {
     let mut time = libc::timespec {
         tv_sec: 0,
         tv_nsec: 0,
     };
-    // SAFETY: the call writes to `time` alone. It fails for no thread's own clock; then the time
-    // is 0.
+    // SAFETY: the call writes only to `time`. It doesn't fail for a thread's own clock; if it did,
+    // the time would be 0.
     unsafe { libc::clock_gettime(libc::CLOCK_THREAD_CPUTIME_ID, &raw mut time) };
     Duration::new(time.tv_sec as u64, time.tv_nsec as u32)
 }

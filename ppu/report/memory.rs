@@ -1,6 +1,6 @@
-//! How much memory the program has had.
+//! The program's peak memory use.
 
-/// Most bytes that were resident at a time, if the system tells.
+/// The largest resident size so far in bytes, if the system reports it.
 pub(super) fn peak_bytes() -> Option<u64> {
     peak_of(&std::fs::read_to_string("/proc/self/status").ok()?)
 }
@@ -19,7 +19,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_peak_is_what_linux_says() {
+    fn the_peak_is_read_from_proc() {
         let status =
             "Name:\tcellray\nVmPeak:\t  9999 kB\nVmHWM:\t    1234 kB\nVmRSS:\t      99 kB\n";
         assert_eq!(peak_of(status), Some(1234 * 1024));

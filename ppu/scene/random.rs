@@ -1,10 +1,10 @@
-//! For tests: random numbers and directions.
+//! Random numbers and directions for tests.
 
 use glam::DVec3;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 
-/// A number between 2^`from` and 2^`to`, as likely in each octave.
+/// A number between 2^`from` and 2^`to`, equally likely in each octave.
 pub fn magnitude(random: &mut ChaCha8Rng, from: f64, to: f64) -> f64 {
     libm::exp2(random.random_range(from..to))
 }

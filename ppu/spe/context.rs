@@ -8,39 +8,39 @@ use std::ptr::{self, NonNull};
 use super::sys;
 use super::{Program, SpeError};
 
-/// An SPE context; destroyed when dropped.
+/// An SPE context, which is destroyed when dropped.
 #[derive(Debug)]
 pub struct Context(NonNull<sys::spe_context>);
 
-// SAFETY: libspe2 allows any thread to use a context, many at the same time; what the context
-// points to is the library's own and guarded by it or by the kernel.
+// SAFETY: libspe2 allows any thread to use a context, even many at the same time. The data that
+// the context points to belongs to the library, which guards it, or the kernel does.
 unsafe impl Send for Context {}
 // SAFETY: as above.
 unsafe impl Sync for Context {}
 
-/// Why an SPU program came to an end.
+/// How an SPU program ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
-    /// It exited with this code.
+    /// The program exited with this code.
     Exit(i32),
-    /// It stopped with a code that nobody has given a meaning.
+    /// The program stopped with a code that has no defined meaning.
     Signal(u32),
-    /// The SPU could not go on: `SPU_Status` and what its bits say.
+    /// The SPU could not continue; a description of the bits in `SPU_Status`.
     Fault(&'static str),
-    /// The MFC raised an exception; the kernel's event word and what it says.
+    /// The MFC raised an exception; a description, and the kernel's event word.
     Dma(&'static str, i32),
-    /// libspe2 gave up for a reason of its own: stop reason and result.
+    /// Any other reason of libspe2: stop reason and result.
     Library(u32, i32),
 }
 
-/// The end of a run.
+/// How and where a run ended.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Ended {
-    /// What happened.
+    /// How the run ended.
     pub outcome: Outcome,
-    /// Local-store address of the next instruction.
+    /// The local-store address of the next instruction.
     pub npc: u32,
-    /// The instruction word before it: the one that stopped, unless the stop was not precise.
+    /// The instruction word before it. It caused the stop, unless the stop was imprecise.
     pub instruction: u32,
 }
 
@@ -63,16 +63,20 @@ impl fmt::Display for Ended {
     }
 }
 
-/// Words that the inbound mailbox holds.
+/// The number of words that the inbound mailbox holds.
 const MAILBOX_DEPTH: c_int = 4;
 
 impl Context {
-    /// The stop code of [`Context::halt`]. The instruction of a stop is its code.
+    /// The stop code of [`Context::halt`]. The instruction word of a stop equals its code.
     pub const HALTED: u32 = 0x3ffe;
 
-    /// A context whose faults come back as results, not as signals to the process.
+    /// Creates a context. Faults are returned as results of a run, not sent as signals to the
+    /// process.
+    ///
+    /// # Errors
+    /// libspe2 fails, for example because there is no SPE.
     pub fn create() -> Result<Self, SpeError> {
-        // SAFETY: takes no pointer but the gang, which may be null.
+        // SAFETY: the only pointer is the gang, which may be null.
         let context = unsafe { sys::spe_context_create(sys::SPE_EVENTS_ENABLE, ptr::null_mut()) };
         NonNull::new(context)
             .map(Self)
@@ -84,10 +88,13 @@ impl Context {
     }
 
     /// Copies a program into local store.
+    ///
+    /// # Errors
+    /// libspe2 refuses the program.
     pub fn load(&self, program: &Program) -> Result<(), SpeError> {
         let mut handle = program.handle();
-        // SAFETY: the context lives; the handle points to a whole ELF file that lives for ever,
-        // and the library keeps no reference to the handle itself.
+        // SAFETY: the context lives. The handle points to a complete ELF file that lives forever,
+        // and the library keeps no reference to the handle.
         let result = unsafe { sys::spe_program_load(self.as_ptr(), &raw mut handle) };
         if result == 0 {
             Ok(())
@@ -96,13 +103,13 @@ impl Context {
         }
     }
 
-    /// Runs the loaded program from its entry until it ends; `argument` arrives in `$4`.
+    /// Runs the loaded program from its entry until it ends, with `argument` in `$4`.
     #[must_use]
     pub fn run(&self, argument: usize) -> Ended {
         let mut entry = sys::SPE_DEFAULT_ENTRY;
         let mut info = sys::spe_stop_info_t::default();
-        // SAFETY: the context lives; entry and info are valid for writing; argp is a number to
-        // this program and to the SPU's, and libspe2 follows it only with SPE_RUN_USER_REGS.
+        // SAFETY: the context lives. entry and info are valid for writing. argp is only a number
+        // here; libspe2 would follow it only with SPE_RUN_USER_REGS.
         unsafe {
             sys::spe_context_run(
                 self.as_ptr(),
@@ -125,7 +132,7 @@ impl Context {
             sys::SPE_RUNTIME_EXCEPTION => Outcome::Dma(
                 match info.result {
                     sys::SPE_DMA_ALIGNMENT => "DMA alignment",
-                    sys::SPE_DMA_STORAGE => "DMA to or from memory that is not there",
+                    sys::SPE_DMA_STORAGE => "DMA to or from unmapped memory",
                     sys::SPE_INVALID_DMA => "invalid DMA command",
                     _ => "MFC exception",
                 },
@@ -141,7 +148,8 @@ impl Context {
         }
     }
 
-    /// A word of local store; the address wraps. `None` if libspe2 has no mapping of it.
+    /// The address of a word of local store; `address` wraps. `None` if libspe2 doesn't map local
+    /// store.
     fn local_store(&self, address: u32) -> Option<*mut u32> {
         // SAFETY: the context lives.
         let (base, size) = unsafe {
@@ -154,31 +162,33 @@ impl Context {
             return None;
         }
         let offset = address as usize & (size as usize - 1) & !3;
-        // SAFETY: the mapping is `size` bytes, a power of two, and offset is a word within it.
+        // SAFETY: the mapping has `size` bytes, a power of two, and offset is that of a word
+        // within it.
         Some(unsafe { base.cast::<u8>().add(offset) }.cast::<u32>())
     }
 
-    /// What stands there. Meant for a context that is not running.
+    /// Reads a word of local store, in a context that is not running.
     fn local_store_word(&self, address: u32) -> u32 {
-        // SAFETY: a word of the mapping, which lives as long as the context; others may write
-        // there, hence volatile.
+        // SAFETY: the word is in the mapping, which lives as long as the context. The access is
+        // volatile, because the SPU may write there.
         let read = |word: *mut u32| u32::from_be(unsafe { word.read_volatile() });
         self.local_store(address).map_or(0, read)
     }
 
-    /// Makes the program stop wherever it is, for good: all of its instructions become one that
-    /// stops. It does so as [`Outcome::Signal`] of [`Context::HALTED`] as soon as it comes to the
-    /// next one, which it does not while it waits for a channel.
+    /// Stops the program wherever it is, by overwriting all of its instructions with stops. The
+    /// program ends with [`Outcome::Signal`] and [`Context::HALTED`] at its next instruction.
+    /// While it waits for a channel, it doesn't reach that.
     pub fn halt(&self, program: &Program) {
         for address in program.code().into_iter().flat_map(|code| code.step_by(4)) {
             if let Some(word) = self.local_store(address) {
-                // SAFETY: a word of the mapping; others may read and write there, hence volatile.
+                // SAFETY: the word is in the mapping. The access is volatile, because the SPU may
+                // read and write there.
                 unsafe { word.write_volatile(Self::HALTED.to_be()) };
             }
         }
     }
 
-    /// Whether there are words in the inbound mailbox that the SPU has not read.
+    /// Whether the inbound mailbox has words that the SPU has not read.
     #[must_use]
     pub fn has_unread_mail(&self) -> bool {
         // SAFETY: the context lives.
@@ -186,10 +196,13 @@ impl Context {
         (0..MAILBOX_DEPTH).contains(&room)
     }
 
-    /// Writes all words into the inbound mailbox; sleeps while it is full.
+    /// Writes all words to the inbound mailbox. Sleeps while the mailbox is full.
+    ///
+    /// # Errors
+    /// libspe2 fails.
     pub fn mail<const COUNT: usize>(&self, mut words: [u32; COUNT]) -> Result<(), SpeError> {
         let count = words.len() as c_int;
-        // SAFETY: the context lives; the pointer is to `count` words.
+        // SAFETY: the context lives, and the pointer is that of `count` words.
         let written = unsafe {
             sys::spe_in_mbox_write(
                 self.as_ptr(),
@@ -205,10 +218,13 @@ impl Context {
         }
     }
 
-    /// The word in the outbound interrupt mailbox, if there is one.
+    /// Reads a word from the outbound interrupt mailbox; `None` if it is empty.
+    ///
+    /// # Errors
+    /// libspe2 fails.
     pub fn answer(&self) -> Result<Option<u32>, SpeError> {
         let mut word: c_uint = 0;
-        // SAFETY: the context lives; one word is valid for writing.
+        // SAFETY: the context lives, and one word is valid for writing.
         let read = unsafe {
             sys::spe_out_intr_mbox_read(
                 self.as_ptr(),
@@ -224,10 +240,13 @@ impl Context {
         }
     }
 
-    /// Takes the stop record that libspe2 keeps of the last run, so that its event ends.
+    /// Takes libspe2's record of how the last run ended, which also clears its event.
+    ///
+    /// # Errors
+    /// libspe2 fails.
     pub fn take_stop_record(&self) -> Result<(), SpeError> {
         let mut info = sys::spe_stop_info_t::default();
-        // SAFETY: the context lives; info is valid for writing.
+        // SAFETY: the context lives, and info is valid for writing.
         let result = unsafe { sys::spe_stop_info_read(self.as_ptr(), &raw mut info) };
         if result == 0 {
             Ok(())
@@ -239,33 +258,37 @@ impl Context {
 
 impl Drop for Context {
     fn drop(&mut self) {
-        // SAFETY: the context lives and nobody else has it any more. An error could only mean that
-        // it did not exist.
+        // SAFETY: the context lives, and has no other users any more. The only possible error is
+        // that it doesn't exist.
         unsafe { sys::spe_context_destroy(self.as_ptr()) };
     }
 }
 
-/// SPEs that libspe2 says a program may use. Linux counts other entries of a folder among them on
-/// some kernels, so a console may answer 7 or 8 with six SPEs.
+/// The number of SPEs that a program may use, as libspe2 reports it. Some Linux kernels also count
+/// other entries of a folder, so a console with six SPEs may report 7 or 8.
+///
+/// # Errors
+/// libspe2 fails.
 pub fn usable_spes() -> Result<u32, SpeError> {
     // SAFETY: takes no pointers.
     let count = unsafe { sys::spe_cpu_info_get(sys::SPE_COUNT_USABLE_SPES, -1) };
     u32::try_from(count).map_err(|_| SpeError::last("spe_cpu_info_get"))
 }
 
-/// The file that libspe2's code was loaded from: a shared library, or this program itself.
+/// The file that libspe2 was loaded from: a shared library, or this program itself. `None` if the
+/// system doesn't tell.
 #[must_use]
 pub fn library_path() -> Option<PathBuf> {
     use std::os::unix::ffi::OsStrExt as _;
 
     let function = sys::spe_context_create as *const c_void;
-    // SAFETY: an all-zero Dl_info is a valid one: four null pointers.
+    // SAFETY: an all-zero Dl_info is valid, because it has only pointers.
     let mut info: libc::Dl_info = unsafe { std::mem::zeroed() };
-    // SAFETY: any address may be asked for; info is valid for writing.
+    // SAFETY: dladdr accepts any address, and info is valid for writing.
     if unsafe { libc::dladdr(function, &raw mut info) } == 0 || info.dli_fname.is_null() {
         return None;
     }
-    // SAFETY: dladdr gave a terminated string that lives as long as the file is loaded.
+    // SAFETY: dladdr returned a terminated string that lives as long as the file is loaded.
     let name = unsafe { CStr::from_ptr(info.dli_fname) };
     Some(PathBuf::from(std::ffi::OsStr::from_bytes(name.to_bytes())))
 }

@@ -1,7 +1,6 @@
-//! What is read of an SPU program's ELF image before any SPU does.
+//! Reads an SPU program's ELF image.
 //!
-//! Invariant: an image that [`check`] takes can be given to libspe2, which trusts the offsets in
-//! it.
+//! Invariant: an image that [`check`] accepts is safe for libspe2, which trusts the offsets in it.
 
 use std::ops::Range;
 
@@ -12,11 +11,11 @@ use super::error::ProgramError;
 use protocol::formulation::Formulations;
 
 const LOCAL_STORE: u64 = 0x40000;
-/// An entry of the table of shaders, and where in it the name stands: `spu/include/shader.inc`.
+/// The size of an entry in the table of shaders, and the name's offset: `spu/include/shader.inc`.
 const ENTRY_SIZE: usize = 32;
 const NAME: usize = 16;
 
-/// Whether all that its headers point to is in the image, and fits into a local store.
+/// Checks that everything its headers point to is in the image, and fits a local store.
 pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
     let file = parse(image)?;
     let machine = file.elf_header().e_machine(BigEndian);
@@ -24,7 +23,7 @@ pub(super) fn check(image: &[u8]) -> Result<(), ProgramError> {
         return Err(ProgramError::Machine(machine.0));
     }
     for header in file.elf_program_headers() {
-        let outside = |()| ProgramError::Malformed("a segment lies outside of the file".into());
+        let outside = |()| ProgramError::Malformed("a segment is outside of the file".into());
         header.data(BigEndian, image).map_err(outside)?;
         let end = u64::from(header.p_vaddr(BigEndian)) + u64::from(header.p_memsz(BigEndian));
         if header.p_type(BigEndian) == object::elf::PT_LOAD && end > LOCAL_STORE {
@@ -71,7 +70,7 @@ pub(super) fn formulations(image: &[u8]) -> Result<Formulations, ProgramError> {
     found.ok_or_else(|| ProgramError::Formulations(names.join(", ")))
 }
 
-/// Where in local store its instructions lie.
+/// The ranges of its instructions in local store.
 pub(super) fn code(image: &[u8]) -> Result<Vec<Range<u32>>, ProgramError> {
     let file = parse(image)?;
     let code = file
@@ -83,7 +82,7 @@ pub(super) fn code(image: &[u8]) -> Result<Vec<Range<u32>>, ProgramError> {
         .collect())
 }
 
-/// The nearest name at or before an address of its instructions, and how far that is behind it.
+/// The nearest symbol at or before an address of its instructions, and the distance to it.
 pub(super) fn name_of(image: &[u8], address: u32) -> Option<(String, u32)> {
     let file = parse(image).ok()?;
     let is_code = |index| {
@@ -135,7 +134,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_cut_off_is_refused() {
+    fn truncated_images_are_refused() {
         let image = Program::tracer().image();
         for length in (0..image.len()).step_by(97) {
             let error = Program::from_image(&image[..length]).expect_err("a part");
@@ -165,9 +164,9 @@ mod tests {
         assert!(matches!(error, ProgramError::TooLarge(_)), "{error}");
     }
 
-    /// Whatever stands in the headers: an answer, and never a slice out of bounds.
+    /// Random bytes in the headers give a result or an error, and never a slice out of bounds.
     #[test]
-    fn spoilt_headers_are_answered() {
+    fn damaged_headers_are_handled() {
         let mut image = Program::tracer().image().to_vec();
         let sections = u32::from_be_bytes(image[32..36].try_into().unwrap()) as usize;
         let mut refused = 0;

@@ -1,8 +1,8 @@
-//! What can be wrong with an SPU program.
+//! The errors of SPU programs.
 
 use std::path::PathBuf;
 
-/// Why an image is no program, or has not what is looked for.
+/// Why an image is not a valid program, or lacks something.
 #[derive(Debug, thiserror::Error)]
 pub enum ProgramError {
     /// A file can't be read.
@@ -13,54 +13,54 @@ pub enum ProgramError {
         /// The system's error.
         source: std::io::Error,
     },
-    /// The bytes are no ELF file of 32 bits, big-endian, or point outside of themselves.
-    #[error("no SPU program: {0}")]
+    /// The bytes aren't a big-endian 32-bit ELF file, or it points outside of itself.
+    #[error("not an SPU program: {0}")]
     Malformed(String),
-    /// An ELF file for another machine.
-    #[error("no SPU program: it is for the ELF machine {0}, and an SPU's is 23")]
+    /// The ELF file is for another machine.
+    #[error("not an SPU program: it is for the ELF machine {0}, but an SPU's is 23")]
     Machine(u16),
-    /// Something is loaded beyond the local store.
-    #[error("no SPU program: it is loaded up to {0:#x}, and the local store ends at 0x40000")]
+    /// A segment is loaded beyond the end of local store.
+    #[error("not an SPU program: it is loaded up to {0:#x}, but the local store ends at 0x40000")]
     TooLarge(u64),
-    /// There is no section `.shaders`.
-    #[error("the SPU program has no table of shaders: it has to be linked by linker/spu.ld")]
+    /// The image has no section `.shaders`.
+    #[error("the SPU program has no table of shaders: it must be linked with linker/spu.ld")]
     NoTable,
-    /// It does not say by which formulations it intersects.
+    /// The image does not name its formulations.
     #[error(
-        "the SPU program does not name its formulations: it has to be built by spu-build's `tracer`"
+        "the SPU program does not name its formulations: it must be built with spu-build's `tracer`"
     )]
     NoFormulations,
-    /// There is no program of these formulations in this one.
+    /// This program has no SPU program with these formulations.
     #[error(
-        "no SPU program here intersects by {asked}, but by {}. The laboratory in cellray's repository builds it: \
+        "no built-in SPU program has the formulations {requested}; there are {}. Build one in cellray's repository: \
          `cargo run --release --bin kernels -- image --sphere {sphere} --triangle {triangle} --out {sphere}.elf`; \
-         then name it by --program {sphere}.elf",
+         then select it with --program {sphere}.elf",
         .shipped.join(", ")
     )]
     NotShipped {
-        /// The names of all formulations that were asked for.
-        asked: String,
-        /// That of spheres.
+        /// The names of all requested formulations.
+        requested: String,
+        /// The name of the formulation for spheres.
         sphere: &'static str,
-        /// That of triangles.
+        /// The name of the formulation for triangles.
         triangle: &'static str,
-        /// Those that there are programs of.
+        /// The formulations of the built-in programs.
         shipped: Vec<String>,
     },
-    /// It says so by names that are not known here.
+    /// The image names formulations that this program doesn't know.
     #[error(
-        "the SPU program intersects by {0}, which this cellray does not know: one of them is too old"
+        "the SPU program has the formulations {0}, which this cellray does not know: one of the two is too old"
     )]
     Formulations(String),
-    /// The table of shaders is not made of entries.
-    #[error("the SPU program's table of shaders is spoilt at entry {0}")]
+    /// An entry of the table of shaders is damaged.
+    #[error("the SPU program's table of shaders is damaged at entry {0}")]
     Table(usize),
-    /// There is no shader of this name.
+    /// The program has no shader with this name.
     #[error("the SPU program has no shader {name}; it has {}", .known.join(", "))]
     NoShader {
-        /// The name.
+        /// The requested name.
         name: String,
-        /// Those that there are.
+        /// The names of the program's shaders.
         known: Vec<String>,
     },
 }

@@ -1,7 +1,7 @@
-//! SPE contexts, safely: the one place that calls libspe2.
+//! A safe interface to SPE contexts. Only this module calls libspe2.
 //!
-//! A [`Context`] may be used by many threads at once, as the library allows; one of them sits in
-//! [`Context::run`] while the SPU runs.
+//! Many threads may use a [`Context`] at the same time, as the library allows. One of them stays
+//! in [`Context::run`] while the SPU runs.
 
 mod context;
 mod elf;
@@ -15,13 +15,13 @@ pub use error::ProgramError;
 pub use event::{Event, Events};
 pub use program::{Image, Program};
 
-/// A call of libspe2 that failed.
+/// A failed call of libspe2.
 #[derive(Debug, thiserror::Error)]
 #[error("libspe2: {call}: {source}")]
 pub struct SpeError {
-    /// The C function.
+    /// The name of the C function.
     pub call: &'static str,
-    /// What errno said.
+    /// The error from errno.
     pub source: std::io::Error,
 }
 
@@ -34,6 +34,6 @@ impl SpeError {
     }
 }
 
-// Makes libspe2 part of the program where no shared library takes its place.
+// Links libspe2 into the program if there is no shared library for it.
 #[cfg(not(target_arch = "powerpc64"))]
 use spe2 as _;

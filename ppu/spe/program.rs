@@ -12,29 +12,29 @@ use super::error::ProgramError;
 use super::sys::spe_program_handle_t;
 use protocol::formulation::Formulations;
 
-/// Bytes aligned as the MFC likes its transfers.
+/// Bytes with the alignment for the fastest transfers.
 #[repr(C, align(128))]
 pub struct Image<Bytes: ?Sized>(pub Bytes);
 
-/// An SPU ELF image, as libspe2 takes it.
+/// An SPU program: an ELF image that libspe2 can load.
 #[derive(Clone, Copy, Debug)]
 pub struct Program {
     image: &'static [u8],
 }
 
-/// A piece of memory as the MFC likes it.
+/// A line of memory, the unit of the fastest transfers.
 #[derive(Clone, FromBytes, IntoBytes, Immutable, KnownLayout)]
 #[repr(C, align(128))]
 struct Line([u8; 128]);
 
-/// A program by the names of its formulations.
+/// The names of a program's formulations, and its image.
 type Built = ([&'static str; 4], &'static Image<[u8]>);
 
-/// The tracer's programs, the standard one first.
+/// The built-in programs, the standard one first.
 static TRACERS: &[Built] = &include!(concat!(env!("OUT_DIR"), "/images.rs"));
 
 impl Program {
-    /// The tracer's own program, which intersects by the standard formulations.
+    /// The tracer's program with the standard formulations.
     #[must_use]
     pub fn tracer() -> Self {
         Self {
@@ -42,15 +42,18 @@ impl Program {
         }
     }
 
-    /// The tracer's own program that intersects by these formulations: one of
+    /// The tracer's program with these formulations, which must be among
     /// [`Formulations::shipped`].
+    ///
+    /// # Errors
+    /// There is no built-in program with these formulations.
     pub fn of(formulations: &Formulations) -> Result<Self, ProgramError> {
         let names = formulations.names();
         let built = TRACERS.iter().find(|(built, _)| *built == names);
         match built {
             Some((_, image)) => Ok(Self { image: &image.0 }),
             None => Err(ProgramError::NotShipped {
-                asked: formulations.name(),
+                requested: formulations.name(),
                 sphere: formulations.named_sphere().name,
                 triangle: formulations.triangle.name,
                 shipped: TRACERS.iter().map(|(names, _)| names.join("-")).collect(),
@@ -58,23 +61,30 @@ impl Program {
         }
     }
 
-    /// The formulations by which it intersects.
+    /// The formulations of the program.
+    ///
+    /// # Errors
+    /// The image does not name its formulations, or the names are unknown.
     pub fn formulations(&self) -> Result<Formulations, ProgramError> {
         elf::formulations(self.image)
     }
 
-    /// Another program: a complete SPU ELF file. libspe2 trusts the offsets in it.
+    /// A program of a complete SPU ELF file, without checking it. libspe2 trusts the offsets in
+    /// it.
     ///
     /// # Safety
     ///
-    /// The image must be a whole, well-formed ELF file: no header in it may point outside of it.
+    /// The image must be a complete, well-formed ELF file. No header may point outside of it.
     #[must_use]
     pub unsafe fn from_elf(image: &'static [u8]) -> Self {
         Self { image }
     }
 
-    /// The program of an ELF image, which is checked. Its memory is kept to the end of the
-    /// process, as SPUs may always still be running it.
+    /// Checks an ELF image, and makes a program of it. The copy of the image is never freed,
+    /// because SPUs may still be running it.
+    ///
+    /// # Errors
+    /// The image is not a valid SPU program.
     pub fn from_image(image: &[u8]) -> Result<Self, ProgramError> {
         let lines = image.len().div_ceil(size_of::<Line>());
         let mut memory = vec![Line::new_zeroed(); lines];
@@ -86,7 +96,10 @@ impl Program {
         })
     }
 
-    /// The program of an ELF file, as [`Program::from_image`].
+    /// Reads an ELF file; see [`Program::from_image`].
+    ///
+    /// # Errors
+    /// The file can't be read, or is not a valid SPU program.
     pub fn from_file(path: &Path) -> Result<Self, ProgramError> {
         let image = fs::read(path).map_err(|source| ProgramError::File {
             path: path.to_path_buf(),
@@ -95,12 +108,18 @@ impl Program {
         Self::from_image(&image)
     }
 
-    /// The names of the shaders in it; a shader's number is its place here.
+    /// The names of the program's shaders, in the order of their numbers.
+    ///
+    /// # Errors
+    /// The image has no table of shaders, or a damaged one.
     pub fn shaders(&self) -> Result<Vec<String>, ProgramError> {
         elf::shaders(self.image)
     }
 
-    /// The number of the shader of this name.
+    /// The number of the shader with this name.
+    ///
+    /// # Errors
+    /// The program has no shader with this name, or no valid table of shaders.
     pub fn shader(&self, name: &str) -> Result<u32, ProgramError> {
         let known = self.shaders()?;
         let number = known.iter().position(|known| known == name);
@@ -112,12 +131,13 @@ impl Program {
             })
     }
 
-    /// Where in local store its instructions lie; nowhere if it has no sections.
+    /// The ranges of its instructions in local store; empty if it has no sections.
     pub(super) fn code(&self) -> Vec<Range<u32>> {
         elf::code(self.image).unwrap_or_default()
     }
 
-    /// The place of one of its instructions as `name+0x10`, if it has names.
+    /// The function of one of its instructions, as `name+0x10`; `None` if the program has no
+    /// symbols.
     #[must_use]
     pub fn name_of(&self, address: u32) -> Option<String> {
         let (name, behind) = elf::name_of(self.image, address)?;
@@ -127,7 +147,7 @@ impl Program {
         })
     }
 
-    /// The ELF file.
+    /// The bytes of the ELF file.
     #[must_use]
     pub fn image(&self) -> &'static [u8] {
         self.image

@@ -1,13 +1,13 @@
-//! libspe2's C API, as its headers declare it: the part that this program uses.
+//! The part of libspe2's C API that this program uses, as its headers declare it.
 //!
-//! Which library answers is decided at link time: the console's libspe2.so.2, or the one of this
-//! project, linked in on other hosts.
+//! The library is selected at link time: the console's libspe2.so.2, or on other hosts this
+//! project's own, which is linked in.
 
 #![allow(non_camel_case_types, reason = "the C names")]
 
 use std::ffi::{c_int, c_uint, c_void};
 
-/// Opaque; its address is what an SPU program receives as first argument.
+/// An opaque type. An SPU program receives its address as the first argument.
 #[repr(C)]
 pub struct spe_context {
     _private: [u8; 0],
@@ -23,7 +23,8 @@ pub struct spe_program_handle_t {
     pub toe_shadow: *const c_void,
 }
 
-/// The union in it has a 64-bit member: `result` is its `int` members, which all stand first.
+/// The C header has a union with a 64-bit member here. `result` stands for its `int` members,
+/// which are all at its beginning.
 #[repr(C, align(8))]
 #[derive(Clone, Copy, Default)]
 pub struct spe_stop_info_t {
@@ -34,7 +35,7 @@ pub struct spe_stop_info_t {
     pub spu_status: c_int,
 }
 
-/// `data` is the union of the C header by its member `u64`.
+/// `data` stands for the union of the C header, with its member `u64`.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct spe_event_unit_t {

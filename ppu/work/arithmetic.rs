@@ -1,5 +1,5 @@
-//! For tests: eye rays and their entries into spheres in the SPU's own arithmetic, as the kernels
-//! find them, and random cameras and spheres.
+//! For tests: primary rays and their intersections with spheres in the SPU's arithmetic, as the
+//! kernels compute them, and random cameras and spheres.
 
 use glam::DVec3;
 use nff::{Camera, View};
@@ -7,8 +7,8 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fnms, to_f64};
-use twins::ball::Ball;
 use twins::sphere::{Axis, Constants, Eye as _, Perpendicular};
+use twins::sphere_ray::BareSphere;
 use zerocopy::big_endian::F32;
 
 use crate::scene;
@@ -38,7 +38,7 @@ fn is_negative(value: u32) -> bool {
     value >> 31 == 1
 }
 
-/// The unit direction through a point of the picture, which may lie between pixels.
+/// The unit direction through a point of the picture, which may be between pixels.
 pub fn direction(camera: &Camera, x: f64, y: f64) -> Singles {
     let [corner, right, down] = [camera.corner, camera.right, camera.down].map(nearest);
     let [x, y] = [x, y].map(|value| (value as f32).to_bits());
@@ -52,21 +52,21 @@ pub fn direction(camera: &Camera, x: f64, y: f64) -> Singles {
 }
 
 /// Whether a direction's product with the centre is above a limit, as `filter_spheres_r16` and
-/// `cull_spheres_p16` find it.
+/// `cull_spheres_p16` compute it.
 pub fn is_above(limit: F32, centre: [F32; 3], direction: Singles) -> bool {
     let product = |sum, (c, d)| fnms(c, d, sum);
     let terms = bits(centre).into_iter().zip(direction);
     is_negative(terms.fold(limit.get().to_bits(), product))
 }
 
-/// Whether a sphere is outside of a plane, as `frustum_spheres` finds it.
+/// Whether a sphere is outside of a plane, as `frustum_spheres` computes it.
 pub fn is_outside(sphere: &Sphere, normal: Singles) -> bool {
     let product = |sum, (c, n)| fma(c, n, sum);
     let terms = bits(sphere.centre).into_iter().zip(normal);
     is_negative(terms.fold(sphere.reach.get().to_bits(), product))
 }
 
-/// A form of the records, either.
+/// A random form of the sphere records.
 pub fn form(random: &mut ChaCha8Rng) -> EyeRecord {
     if random.random() {
         EyeRecord::Centre
@@ -75,14 +75,15 @@ pub fn form(random: &mut ChaCha8Rng) -> EyeRecord {
     }
 }
 
-/// The entry that the kernel for records of this form finds.
+/// The distance at which a ray enters a sphere, as the kernel for records of this form computes
+/// it.
 pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64> {
     let word = |value: F32| value.get().to_bits();
     let (centre, square) = (bits(sphere.centre), word(sphere.radius_squared));
     let found = match form {
         EyeRecord::Centre => Perpendicular::entry(
             direction,
-            &Ball {
+            &BareSphere {
                 centre,
                 radius_squared: square,
             },
@@ -99,7 +100,7 @@ pub fn entry(sphere: &Sphere, form: EyeRecord, direction: Singles) -> Option<f64
     (!is_negative(found.outside) && !is_negative(found.t)).then(|| to_f64(found.t))
 }
 
-/// A camera that looks anywhere from near the origin, with a narrow or a wide picture.
+/// A random camera near the origin, with any direction and a narrow or wide angle.
 pub fn camera(random: &mut ChaCha8Rng, width: u32, height: u32) -> Camera {
     let from = unit(random) * magnitude(random, -6.0, 6.0);
     let sight = unit(random);
@@ -118,7 +119,7 @@ pub fn camera(random: &mut ChaCha8Rng, width: u32, height: u32) -> Camera {
     view.camera(width, height).expect("a camera")
 }
 
-/// A sphere in a direction as seen from `eye`: small or large, far or close to the eye.
+/// A random sphere in a direction from `eye`: small or large, far from the eye or close to it.
 pub fn sphere(random: &mut ChaCha8Rng, eye: DVec3, towards: DVec3) -> scene::Sphere {
     let distance = magnitude(random, -10.0, 20.0);
     let share = match random.random_range(0..3) {

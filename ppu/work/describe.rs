@@ -1,4 +1,4 @@
-//! From a scene, a camera and a framebuffer to a frame descriptor.
+//! Makes a frame's record of a scene, a camera and a framebuffer.
 
 use nff::Camera;
 use zerocopy::FromZeros as _;
@@ -14,51 +14,51 @@ use protocol::layout::{
     SKIP_MISSES, SKIP_NOTHING, SPLIT_SLICES, SPLIT_UNITS, VERSION,
 };
 
-/// Where the frame's records lie in main memory.
+/// The addresses of a frame's records in main memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Addresses {
-    /// Sphere records.
+    /// The sphere records of depth shading.
     pub spheres: u64,
-    /// The scene of Whitted's model.
+    /// The block of Whitted's model.
     pub scene: u64,
-    /// Unit counter.
+    /// The unit counter.
     pub unit_counter: u64,
-    /// Statistics records.
+    /// The statistics records.
     pub statistics: u64,
-    /// Work units.
+    /// The work units.
     pub units: u64,
-    /// Lines for the units' costs.
+    /// The lines for the units' costs.
     pub costs: u64,
 }
 
-/// All that a frame descriptor is made from.
+/// Everything that a frame's record is made of.
 #[derive(Clone, Copy)]
 pub struct Order<'a> {
-    /// Depth shading and background.
+    /// The scene, with its background and depth shading.
     pub scene: &'a Scene,
-    /// The eye's rays.
+    /// The camera, which defines the primary rays.
     pub camera: &'a Camera,
-    /// Where the picture goes.
+    /// The page of the framebuffer that the picture is written to.
     pub target: &'a Target,
-    /// Where the records lie.
+    /// The addresses of the records.
     pub addresses: Addresses,
-    /// Sphere records there.
+    /// The number of sphere records.
     pub sphere_count: u32,
-    /// The work units there.
+    /// The work units.
     pub units: &'a Units,
-    /// Number of the frame.
+    /// The number of the frame.
     pub number: u32,
-    /// SPUs that share it.
+    /// The number of SPUs.
     pub spus: u32,
-    /// How they share it.
+    /// How the frame is split among the SPUs.
     pub split: Split,
-    /// What they need not test.
+    /// Which tests the SPUs may skip.
     pub skip: Skip,
-    /// Whether they check each call of a shader.
+    /// Whether the SPUs check each call of a shader.
     pub check_shaders: bool,
 }
 
-/// The descriptor of a frame.
+/// The record of a frame.
 #[must_use]
 pub fn describe(order: &Order) -> Frame {
     let Order {
@@ -104,7 +104,7 @@ pub fn describe(order: &Order) -> Frame {
 
     let depth = scene.depth();
     let range = (depth.far - depth.near) as f32;
-    // A range of no width is bright everywhere: the brightness is clamped to 1.
+    // If the range has no width, the brightness is clamped to 1 everywhere.
     let (far, scale) = if range > 0.0 {
         (depth.far as f32, range.recip())
     } else {
@@ -125,19 +125,19 @@ pub fn describe(order: &Order) -> Frame {
         frame.batch = block.batch().into();
         frame.lights = block.light_address().into();
         frame.light_count = block.light_count().into();
-        frame.trees = block.trees();
+        frame.trees = block.bvhs();
         frame.ambient = block.ambient();
         frame.eye = quadword(singles(camera.eye));
     }
     frame
 }
 
-/// What the scene has, and what is asked for.
+/// The frame's feature bits: the scene's needs and the requested options.
 fn features(order: &Order) -> u32 {
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     flag(order.sphere_count > 0, FEATURE_SPHERES)
         | flag(order.scene.block().is_some(), FEATURE_WHITTED)
-        | flag(!order.scene.look().shadows, FEATURE_NO_SHADOWS)
+        | flag(!order.scene.render_options().shadows, FEATURE_NO_SHADOWS)
         | flag(order.check_shaders, FEATURE_CHECK_SHADERS)
 }
 

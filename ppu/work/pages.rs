@@ -1,32 +1,32 @@
-//! What the framebuffer's pages show, so that what has not changed is not traced again.
+//! The contents of the framebuffer's pages, so that unchanged tiles are not traced again.
 //!
-//! Invariant: a page is known only while it shows a whole frame: from the moment it is to be
-//! written to until it is whole again, nothing is assumed of it.
+//! Invariant: a page's contents are known only while it shows a complete frame. From the moment
+//! that SPUs may write to it until the next frame is complete, nothing is assumed about it.
 
 use nff::Camera;
 
-use super::lens::Lens;
-use super::shown::Shown;
+use super::projection::Projection;
+use super::snapshot::Snapshot;
 use super::tiles::TileSet;
 use super::units;
 use crate::framebuffer::{Geometry, PixelFormat, Target};
 use crate::scene::Scene;
 use protocol::layout::{TILE_BLANK, UnitCost, WorkUnit};
 
-/// Most pages that are remembered: no framebuffer has more.
+/// The number of pages that are remembered; no framebuffer has more.
 const MOST: usize = 4;
 
 /// The pages of a framebuffer.
 #[derive(Default)]
 pub struct Pages {
     pages: Vec<Page>,
-    /// Number of the page that is being written to.
+    /// Index of the page that is being written to.
     open: usize,
-    /// What it is to show; once the page has taken that over, the room for the next.
-    to_show: Shown,
+    /// The contents that the page will show. After the page has taken them over, this is a buffer.
+    to_show: Snapshot,
 }
 
-/// Where a page lies, and in which form.
+/// The address and the format of a page.
 #[derive(Clone, Copy, PartialEq)]
 struct Place {
     address: usize,
@@ -37,27 +37,27 @@ struct Place {
 
 struct Page {
     place: Place,
-    /// Whether it shows all of that.
-    whole: bool,
-    shown: Shown,
+    /// Whether it shows all of `shown`.
+    is_complete: bool,
+    shown: Snapshot,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
 
 impl Pages {
-    /// Nothing is known any more.
+    /// Forgets the contents of all pages.
     pub fn forget(&mut self) {
         self.pages.clear();
     }
 
-    /// Finds the tiles that differ between what a page shows and what it is to show; then it
-    /// counts as unknown until [`Pages::close`].
+    /// Finds the tiles in which a page's contents differ from the frame that it will show. The
+    /// page's contents then count as unknown until [`Pages::close`].
     pub fn open(
         &mut self,
         target: &Target,
         scene: &Scene,
         camera: &Camera,
-        lens: &Lens,
+        projection: &Projection,
         changed: &mut TileSet,
     ) {
         let place = Place {
@@ -77,27 +77,27 @@ impl Pages {
             self.pages.len() - 1
         });
         let page = &mut self.pages[self.open];
-        if !page.whole || !page.shown.has_background_of(&self.to_show) {
+        if !page.is_complete || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
-        if page.whole {
-            self.to_show.changes(&page.shown, lens, changed);
+        if page.is_complete {
+            self.to_show.changes(&page.shown, projection, changed);
         } else {
             changed.add_all();
         }
-        page.whole = false;
+        page.is_complete = false;
         std::mem::swap(&mut page.shown, &mut self.to_show);
     }
 
-    /// Tiles of the page opened last that show nothing but the background.
+    /// The tiles that show only the background, in the page that was opened last.
     pub fn blank(&self) -> Option<&TileSet> {
         self.pages.get(self.open).map(|page| &page.blank)
     }
 
-    /// The page opened last shows its frame, after these units with these costs.
+    /// Records that the page that was opened last shows its frame. `costs` are those of `units`.
     pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost]) {
         if let Some(page) = self.pages.get_mut(self.open) {
-            page.whole = true;
+            page.is_complete = true;
             for (tile, cost) in units::tiles_and_costs(units, costs) {
                 page.blank.set(tile, cost & TILE_BLANK != 0);
             }
@@ -109,8 +109,8 @@ impl Page {
     fn new(place: Place) -> Self {
         Self {
             place,
-            whole: false,
-            shown: Shown::default(),
+            is_complete: false,
+            shown: Snapshot::default(),
             blank: TileSet::default(),
         }
     }

@@ -1,13 +1,13 @@
 //! The plan of a frame: which tiles are traced, in which units, with which spheres.
 //!
-//! Owns all that is carried from one frame to the next: what the pages show and what tiles cost.
-//! Its buffers serve for every frame.
+//! Owns everything that is kept from one frame to the next: the pages' contents and the tiles'
+//! costs. Its buffers are reused for every frame.
 
 use nff::Camera;
 
-use super::lens::Lens;
 use super::pages::Pages;
 use super::policy::Policy;
+use super::projection::Projection;
 use super::spheres::EyeSpheres;
 use super::tiles::{TileSet, tile_count, tile_pixels};
 use super::units::{TileCosts, Units};
@@ -27,14 +27,14 @@ pub(crate) struct Plan {
     keeps: bool,
 }
 
-/// How much a planned frame is.
+/// The size of a planned frame.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Size {
-    /// Pixels that are traced.
+    /// The number of pixels to trace.
     pub pixels: u64,
-    /// Tiles that already show what they shall.
+    /// The number of tiles that need no tracing, because the page shows them already.
     pub tiles_retained: u64,
-    /// Spheres that the picture can't show.
+    /// The number of spheres that are not sent, because the picture can't show them.
     pub spheres_unseen: u64,
 }
 
@@ -42,21 +42,21 @@ impl Plan {
     /// Plans a frame into `target`.
     pub fn make(&mut self, scene: &Scene, camera: &Camera, target: &Target, policy: Policy) {
         let geometry = target.geometry;
-        let lens = Lens::new(camera, geometry);
+        let projection = Projection::new(camera, geometry);
         self.keeps = policy.keeps;
         if !self.keeps {
             self.pages.forget();
         }
         self.pages
-            .open(target, scene, camera, &lens, &mut self.tiles);
+            .open(target, scene, camera, &projection, &mut self.tiles);
         if !policy.retain {
             self.tiles.add_all();
         }
         self.spheres
-            .look(scene.spheres(), &lens, policy.skip, policy.record);
+            .cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = self.tiles.numbers();
         let costs = self.costs.of(geometry);
-        self.units.cut(tiles, policy.spus, policy.split, costs);
+        self.units.split(tiles, policy.spus, policy.split, costs);
         if let Some(blank) = self.pages.blank() {
             self.units.mark_blank(blank);
         }
@@ -70,7 +70,7 @@ impl Plan {
         };
     }
 
-    /// The frame is in its page, and its units have cost what is said here.
+    /// Records that the frame is in its page, and its units' costs.
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
         if self.keeps {
@@ -78,7 +78,7 @@ impl Plan {
         }
     }
 
-    /// Pages may show anything.
+    /// Forgets the contents of all pages.
     pub fn forget_pages(&mut self) {
         self.pages.forget();
     }

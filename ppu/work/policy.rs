@@ -1,24 +1,24 @@
-//! How frames are made: split among SPUs, and what is left out of them.
+//! How frames are planned: how they are split among SPUs, and which work is skipped.
 
 use protocol::formulation::EyeRecord;
 
 /// How a frame is split among SPUs.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Split {
-    /// Each SPU takes the next work unit when it has finished one.
+    /// An SPU that has finished a work unit takes the next one.
     #[default]
     Units,
     /// Each SPU has its own consecutive part of the picture, as in the paper.
     Slices,
 }
 
-/// What need not be tested.
+/// Which tests the SPUs may skip.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Skip {
-    /// What can't be hit.
+    /// Tests of rays with objects that they can't hit.
     #[default]
     Misses,
-    /// Every ray is tested with every object, as in the paper.
+    /// None: every ray is tested with every object, as in the paper.
     Nothing,
 }
 
@@ -28,10 +28,10 @@ pub(crate) struct Policy {
     pub spus: u32,
     pub split: Split,
     pub skip: Skip,
-    /// How the program takes spheres.
+    /// The form of sphere records that the program expects.
     pub record: EyeRecord,
-    /// Whether pages keep what was written to them, so that the background need not be sent twice.
+    /// Whether pages keep their contents, so that the background need not be written again.
     pub keeps: bool,
-    /// Whether what they show need not be traced again.
+    /// Whether tiles that the pages already show are not traced again.
     pub retain: bool,
 }

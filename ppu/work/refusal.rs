@@ -1,4 +1,4 @@
-//! What an SPU's status means: the field that it refused, and what stood there.
+//! The meaning of an SPU's status: the field that it refused, and the field's value.
 
 use std::fmt;
 
@@ -6,38 +6,37 @@ use zerocopy::IntoBytes as _;
 
 use protocol::layout::{Frame, RULE_KNOWN, RULE_LANES, RULE_REGISTER, RULE_STACK, Status};
 
-/// An SPU's answer other than "done".
+/// An SPU's answer that isn't "done".
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// The status word.
     pub status: u32,
-    /// Field of the frame descriptor or of a work unit that it is about; empty if the status is
-    /// unknown.
+    /// The refused field of the frame's record or of a work unit; empty if the status is unknown.
     pub field: &'static str,
     rule: &'static str,
     values: Vec<u64>,
     shader: Option<ShaderFault>,
 }
 
-/// What an SPU says of a shader. In the answer: the rule in the second lowest byte, then the
-/// register, then the shader.
+/// The fault of a shader. The answer has the broken rule in the second lowest byte, the register
+/// above it, and the shader in the highest byte.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct ShaderFault {
     rule: u32,
     register: u32,
-    /// Number, and the name if there is one.
+    /// The shader's number; `name` is its name, if it has one.
     shader: u32,
     name: Option<String>,
 }
 
 impl Refusal {
-    /// Whether it is about a shader, which it names.
+    /// Whether the refusal is a shader's fault, and its message names the shader.
     #[must_use]
     pub fn names_shader(&self) -> bool {
         self.shader.is_some()
     }
 
-    /// Reads an answer; `None` is "done". `shaders` are the names of the program's.
+    /// Decodes an answer; `None` means "done". `shaders` are the names of the program's shaders.
     #[must_use]
     pub fn of(answer: u32, frame: &Frame, address: u64, shaders: &[String]) -> Option<Self> {
         if answer == Status::Done as u32 {
@@ -88,7 +87,7 @@ impl Refusal {
     }
 }
 
-/// A number of the descriptor by its field's name.
+/// The value of a field of the frame's record, by its name.
 fn value_of(frame: &Frame, name: &str) -> Option<u64> {
     let field = Frame::RECORD
         .fields
@@ -116,16 +115,16 @@ impl fmt::Display for ShaderFault {
             name,
         } = self;
         if *rule == RULE_KNOWN {
-            return write!(f, "has no shader {shader}, which a material asks for");
+            return write!(f, "has no shader {shader}, which a material names");
         }
         match name {
-            Some(name) => write!(f, "found the shader {name} to break its contract: it ")?,
-            None => write!(f, "found shader {shader} to break its contract: it ")?,
+            Some(name) => write!(f, "found that the shader {name} breaks its contract: it ")?,
+            None => write!(f, "found that shader {shader} breaks its contract: it ")?,
         }
         match *rule {
-            RULE_REGISTER => write!(f, "changed ${register}, which it has to keep"),
-            RULE_STACK => write!(f, "wrote below the 1024 bytes of stack that it has"),
-            _ => write!(f, "changed surfaces that it was not to shade"),
+            RULE_REGISTER => write!(f, "changed ${register}, which it must preserve"),
+            RULE_STACK => write!(f, "wrote below its 1024 bytes of stack"),
+            _ => write!(f, "changed surfaces that it must not shade"),
         }
     }
 }
@@ -177,19 +176,19 @@ mod tests {
     fn a_shader_is_told_with_what_it_broke() {
         assert_eq!(
             told(RULE_REGISTER, 90, 1),
-            "found the shader depth to break its contract: it changed $90, which it has to keep"
+            "found that the shader depth breaks its contract: it changed $90, which it must preserve"
         );
         assert_eq!(
             told(RULE_STACK, 0, 7),
-            "found shader 7 to break its contract: it wrote below the 1024 bytes of stack that it has"
+            "found that shader 7 breaks its contract: it wrote below its 1024 bytes of stack"
         );
         assert_eq!(
             told(RULE_LANES, 0, 0),
-            "found the shader checker to break its contract: it changed surfaces that it was not to shade"
+            "found that the shader checker breaks its contract: it changed surfaces that it must not shade"
         );
         assert_eq!(
             told(RULE_KNOWN, 0, 255),
-            "has no shader 255, which a material asks for"
+            "has no shader 255, which a material names"
         );
         assert_eq!(told(9, 1, 1), "answered with the unknown status 16845084");
     }

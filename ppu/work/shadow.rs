@@ -1,42 +1,43 @@
-//! Where the shadow of a ball may fall.
+//! Finds the pixels that a sphere's shadow may fall on.
 //!
-//! Behind a ball, as a light sees it, is a row of balls of which each point in the shadow is in
-//! one: along the ray from the light through the centre, all touching the cone that the light sees
-//! the first one fill. Invariant: the answers hold every pixel in the shadow, with much room for
-//! the rounding of the SPU's shadow rays.
+//! The shadow is covered by a row of spheres behind the first one. Their centres are on the ray
+//! from the light through the sphere's centre, and they all touch the cone from the light around
+//! the sphere. Invariant: the result has every pixel in the shadow, with much room for the
+//! rounding of the SPU's shadow rays.
 
 use glam::DVec3;
 use nff::{LightKind, unit};
 
-use super::lens::{Lens, Rectangle};
-use crate::scene::block::Ball;
+use super::projection::{Projection, Rectangle};
+use crate::scene::block::BoundingSphere;
 
-/// By how much a ball that throws a shadow is widened, in parts of all distances that its shadow
-/// rays take: they are off by some 2^-20 of these.
+/// By how much a sphere that casts a shadow is widened, relative to the sum of all distances that
+/// determine its shadow rays. The error of these rays is about 2^-20 of that sum.
 const SLACK: f64 = 1.0 / (1 << 15) as f64;
 
-/// Pieces into which the row of balls on an object is cut: a shadow that runs across the picture
-/// then needs not all of the rectangle around it.
+/// The number of pieces that the row of spheres on an object is cut into. With pieces, a shadow
+/// that runs diagonally across the picture doesn't need the whole rectangle around it.
 const PIECES: u32 = 8;
 
-/// The row: ball k is `growth` k + `radius` large, at `from` + k `way`, for k from `first` on.
+/// The row of spheres: sphere k has the radius `growth` k + `radius` and the centre `from` + k
+/// `way`, for k from `first` on.
 pub(super) struct Shadow {
     from: DVec3,
     way: DVec3,
     growth: f64,
     radius: f64,
     first: f64,
-    /// The sum of the distances that the slack is a part of, but for those of the object that it
-    /// falls on.
+    /// The sum of the distances that the slack is relative to, without those of the object that
+    /// the shadow falls on.
     reach: f64,
 }
 
 impl Shadow {
-    /// The shadow of what is in a ball; nothing where the light is in it or nearly so: it falls
-    /// anywhere.
-    pub fn of(ball: Ball, light: LightKind, lens: &Lens) -> Option<Self> {
-        let Ball { centre, radius } = ball;
-        let reach = lens.to(centre).length() + radius;
+    /// The shadow of an object inside a sphere. `None` if the light is inside the sphere or close
+    /// to it, because the shadow may then fall anywhere.
+    pub fn of(sphere: BoundingSphere, light: LightKind, projection: &Projection) -> Option<Self> {
+        let BoundingSphere { centre, radius } = sphere;
+        let reach = projection.to(centre).length() + radius;
         match light {
             LightKind::Point { position } => {
                 let way = centre - position;
@@ -62,21 +63,21 @@ impl Shadow {
         }
     }
 
-    /// Hands out the pixels on which it may fall on an object within a ball, which may lie in a
-    /// plane, given by a point and a normal.
+    /// Calls `found` with the pixels on which the shadow may fall on an object inside `sphere`. If
+    /// the object is flat, `plane` is its plane: a point and a normal.
     pub fn on(
         &self,
-        ball: Ball,
+        sphere: BoundingSphere,
         plane: Option<(DVec3, DVec3)>,
-        lens: &Lens,
+        projection: &Projection,
         found: &mut impl FnMut(&Rectangle),
     ) {
-        let distances = self.reach + self.from.distance(ball.centre) + ball.radius;
+        let distances = self.reach + self.from.distance(sphere.centre) + sphere.radius;
         let wider = Self {
-            radius: self.radius + SLACK * (distances + lens.to(ball.centre).length()),
+            radius: self.radius + SLACK * (distances + projection.to(sphere.centre).length()),
             ..*self
         };
-        let Some((first, last)) = wider.touching(ball, plane) else {
+        let Some((first, last)) = wider.touching(sphere, plane) else {
             return;
         };
         let at = |piece: u32| {
@@ -84,15 +85,19 @@ impl Shadow {
             (wider.from + k * wider.way, wider.growth * k + wider.radius)
         };
         for piece in 0..PIECES {
-            found(&lens.hull([at(piece), at(piece + 1)]));
+            found(&projection.hull([at(piece), at(piece + 1)]));
         }
     }
 
-    /// The first and the last of the balls that may touch an object.
-    fn touching(&self, ball: Ball, plane: Option<(DVec3, DVec3)>) -> Option<(f64, f64)> {
-        // |to - k way| <= growth k + radius + the object's radius, squared.
-        let to = ball.centre - self.from;
-        let sum = self.radius + ball.radius;
+    /// The first and the last sphere of the row that may touch an object.
+    fn touching(
+        &self,
+        sphere: BoundingSphere,
+        plane: Option<(DVec3, DVec3)>,
+    ) -> Option<(f64, f64)> {
+        // Solves |to - k way| <= growth k + radius + the object's radius, squared, for k.
+        let to = sphere.centre - self.from;
+        let sum = self.radius + sphere.radius;
         let square = self.way.length_squared() - self.growth * self.growth;
         let half = to.dot(self.way) + self.growth * sum;
         let rest = to.length_squared() - sum * sum;
@@ -104,7 +109,7 @@ impl Shadow {
         let mut first = ((half - root) / square).max(self.first);
         let mut last = (half + root) / square;
         if let Some((point, normal)) = plane {
-            // |height + k rise| <= growth k + radius, on either side.
+            // |height + k rise| <= growth k + radius, on both sides of the plane.
             let height = (self.from - point).dot(normal);
             let rise = self.way.dot(normal);
             for side in [1.0, -1.0] {
@@ -138,7 +143,7 @@ mod tests {
         height: 50,
     };
 
-    /// The pixel in which a point is seen.
+    /// The pixel in which a point is visible.
     fn pixel(camera: &Camera, point: DVec3) -> Option<[u32; 2]> {
         let ahead = camera.right.cross(camera.down);
         let to = point - camera.eye;
@@ -151,15 +156,15 @@ mod tests {
             .then(|| place.map(|place| place.round() as u32))
     }
 
-    /// Whether a ball is between a point and a light.
-    fn is_shadowed(ball: Ball, point: DVec3, light: LightKind) -> bool {
+    /// Whether a sphere is between a point and a light.
+    fn is_shadowed(sphere: BoundingSphere, point: DVec3, light: LightKind) -> bool {
         let (way, most) = match light {
             LightKind::Point { position } => (position - point, 1.0),
             LightKind::Directional { to_light } => (to_light, f64::INFINITY),
         };
-        let nearest = (ball.centre - point).dot(way) / way.length_squared();
+        let nearest = (sphere.centre - point).dot(way) / way.length_squared();
         let nearest = nearest.clamp(0.0, most);
-        (point + nearest * way).distance(ball.centre) < ball.radius
+        (point + nearest * way).distance(sphere.centre) < sphere.radius
     }
 
     #[test]
@@ -168,15 +173,15 @@ mod tests {
         let (mut shadowed, mut small, mut all) = (0, 0, 0);
         for _ in 0..20_000 {
             let camera = camera(&mut random, SIZE.width, SIZE.height);
-            let lens = Lens::new(&camera, SIZE);
+            let projection = Projection::new(&camera, SIZE);
             let place = random.random_range(0.0..80.0);
             let sight = camera.corner + camera.right * place + camera.down * place * 0.6;
             let middle = camera.eye + sight.normalize() * magnitude(&mut random, 1.0, 5.0);
-            let mut ball = |spread: f64| Ball {
+            let mut sphere = |spread: f64| BoundingSphere {
                 centre: middle + unit(&mut random) * spread,
                 radius: spread * random.random_range(0.01..0.9),
             };
-            let (caster, on) = (ball(3.0), ball(4.0));
+            let (caster, on) = (sphere(3.0), sphere(4.0));
             let towards = unit(&mut random);
             let light = if random.random() {
                 LightKind::Directional { to_light: towards }
@@ -186,11 +191,11 @@ mod tests {
             };
             let normal = unit(&mut random);
             let plane = random.random::<bool>().then_some((on.centre, normal));
-            let Some(shadow) = Shadow::of(caster, light, &lens) else {
+            let Some(shadow) = Shadow::of(caster, light, &projection) else {
                 continue;
             };
             let mut pixels = Vec::new();
-            shadow.on(on, plane, &lens, &mut |found: &Rectangle| {
+            shadow.on(on, plane, &projection, &mut |found: &Rectangle| {
                 pixels.push(found.clone())
             });
             all += 1;

@@ -1,16 +1,16 @@
-//! The tiles of a picture: how many, how large, and sets of them.
+//! The tiles of a picture: their number, their sizes, and sets of them.
 
-use super::lens::Rectangle;
+use super::projection::Rectangle;
 use crate::framebuffer::Geometry;
 use protocol::layout::{TILE_HEIGHT, TILE_WIDTH};
 
-/// Tiles in a picture.
+/// The number of tiles in a picture.
 #[must_use]
 pub fn tile_count(geometry: Geometry) -> u32 {
     across(geometry) * geometry.height.div_ceil(TILE_HEIGHT)
 }
 
-/// Pixels of a tile that lie within the picture.
+/// The number of a tile's pixels that are within the picture.
 #[must_use]
 pub fn tile_pixels(geometry: Geometry, tile: u32) -> u32 {
     let x = tile % across(geometry) * TILE_WIDTH;
@@ -22,7 +22,7 @@ fn across(geometry: Geometry) -> u32 {
     geometry.width.div_ceil(TILE_WIDTH)
 }
 
-/// Some of a picture's tiles; its memory serves for the next picture.
+/// A set of a picture's tiles. Its memory is reused for the next picture.
 #[derive(Default)]
 pub struct TileSet {
     geometry: Option<Geometry>,
@@ -31,7 +31,7 @@ pub struct TileSet {
 }
 
 impl TileSet {
-    /// Becomes the empty set of a picture's tiles.
+    /// Empties the set, for a picture of this size.
     pub fn clear(&mut self, geometry: Geometry) {
         self.geometry = Some(geometry);
         self.wanted.clear();
@@ -43,20 +43,20 @@ impl TileSet {
         self.wanted.fill(true);
     }
 
-    /// Adds a tile, or takes it out.
+    /// Adds a tile, or removes it.
     pub fn set(&mut self, tile: u32, wanted: bool) {
         if let Some(is_wanted) = self.wanted.get_mut(tile as usize) {
             *is_wanted = wanted;
         }
     }
 
-    /// Whether a tile is among them.
+    /// Whether the set has a tile.
     #[must_use]
     pub fn contains(&self, tile: u32) -> bool {
         self.wanted.get(tile as usize).is_some_and(|wanted| *wanted)
     }
 
-    /// Adds the tiles of some pixels of the picture.
+    /// Adds the tiles that contain these pixels.
     pub fn add(&mut self, pixels: &Rectangle) {
         let Some(geometry) = self.geometry.filter(|_| !pixels.is_empty()) else {
             return;
@@ -68,7 +68,7 @@ impl TileSet {
         }
     }
 
-    /// Numbers of the tiles, rising.
+    /// The tiles' numbers, ascending.
     pub fn numbers(&mut self) -> &[u32] {
         self.numbers.clear();
         let wanted = (0..).zip(&self.wanted).filter(|(_, wanted)| **wanted);

@@ -1,7 +1,6 @@
-//! Cutting a frame into work units, so that all SPUs are done at the same time.
+//! Splits a frame into work units, so that all SPUs finish at the same time.
 //!
-//! Invariant: a cut has every tile that it is given exactly once, 1 to [`UNIT_TILES`] of them a
-//! unit.
+//! Invariant: the units have every given tile exactly once, and each unit has 1 to [`UNIT_TILES`].
 
 use std::cmp::Reverse;
 
@@ -13,41 +12,43 @@ use super::tiles::{TileSet, tile_count};
 use crate::framebuffer::Geometry;
 use protocol::layout::{MAX_SPUS, TILE_BLANK, UNIT_TILES, UnitCost, WorkUnit};
 
-/// Units an SPU where nothing is known of the tiles' costs, not counting the small ones at the
-/// end: few enough that taking one costs nothing.
+/// The number of units for each SPU if the tiles' costs are unknown, without the small ones at the
+/// end. It is low enough for the time to take a unit to be negligible.
 const UNITS_AN_SPU: u32 = 24;
 
-/// A unit is at most one in this many parts of an SPU's share of what is left: so the last ones
-/// are small. Fewer would leave SPUs idle at the end, more would have them wait for the counter.
+/// An SPU's share of the remaining work is divided by this to get the largest cost of the next
+/// unit, so the last units are small. With a lower number SPUs would idle at the end; with a
+/// higher one they would wait for the counter.
 const PARTS_OF_A_SHARE: u64 = 2;
 
-/// The same in tiles, where their costs are not known.
+/// The same for numbers of tiles, if their costs are unknown.
 const PARTS_OF_UNKNOWN_COST: usize = 4;
 
-/// No unit need be smaller than one in this many parts of an SPU's share of the frame: what SPUs
-/// then wait for each other at the end is less than what they would wait for the counter.
+/// An SPU's share of the frame is divided by this to get the cost below which a unit need not be
+/// made smaller: then SPUs wait less for each other at the end than they would for the counter.
 const PARTS_OF_THE_WHOLE: u64 = 40;
 
-/// The work units of a frame; its buffers serve for the next.
+/// The work units of a frame. Its buffers are reused for the next.
 #[derive(Default)]
 pub struct Units {
     lines: Vec<WorkUnit>,
-    /// Tiles, the dearest first, and in the order of the units.
-    falling: Vec<u32>,
+    /// The tiles in descending order of their costs.
+    by_cost: Vec<u32>,
+    /// The tiles in the order of the units.
     order: Vec<u32>,
     slices: [U32; MAX_SPUS as usize + 1],
 }
 
 impl Units {
-    /// Cuts `tiles`, whose numbers rise, into units for `spus` SPUs. `costs` has what each tile of
-    /// the picture took the last time; slices make no use of it.
-    pub fn cut(&mut self, tiles: &[u32], spus: u32, split: Split, costs: Option<&[u32]>) {
+    /// Splits `tiles`, whose numbers are ascending, into units for `spus` SPUs. `costs` has the
+    /// last cost of each tile of the picture; slices don't use it.
+    pub fn split(&mut self, tiles: &[u32], spus: u32, split: Split, costs: Option<&[u32]>) {
         self.lines.clear();
         let spus = spus.max(1);
         match (split, costs) {
-            (Split::Slices, _) => return self.cut_slices(tiles, spus),
-            (Split::Units, None) => self.cut_runs(tiles, spus),
-            (Split::Units, Some(costs)) => self.cut_by_cost(tiles, u64::from(spus), costs),
+            (Split::Slices, _) => return self.split_slices(tiles, spus),
+            (Split::Units, None) => self.split_runs(tiles, spus),
+            (Split::Units, Some(costs)) => self.split_by_cost(tiles, u64::from(spus), costs),
         }
         self.slices = [U32::new(self.lines.len() as u32); MAX_SPUS as usize + 1];
     }
@@ -58,20 +59,21 @@ impl Units {
         &self.lines
     }
 
-    /// The units as they lie in memory.
+    /// The units' bytes.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.lines.as_bytes()
     }
 
-    /// First unit of each SPU's slice; all further entries are the end of the last.
+    /// The index of the first unit of each SPU's slice. All further entries are the last slice's
+    /// end.
     #[must_use]
     pub fn slices(&self) -> [U32; MAX_SPUS as usize + 1] {
         self.slices
     }
 
-    /// In the order of the tiles; towards the end of all tiles the runs get shorter.
-    fn cut_runs(&mut self, tiles: &[u32], spus: u32) {
+    /// Makes units of consecutive tiles. The units get smaller towards the end.
+    fn split_runs(&mut self, tiles: &[u32], spus: u32) {
         let length = run_length(tiles.len(), spus);
         let mut rest = tiles;
         while !rest.is_empty() {
@@ -82,8 +84,8 @@ impl Units {
         }
     }
 
-    /// As in the paper: as many tiles for each SPU, one behind the other.
-    fn cut_slices(&mut self, tiles: &[u32], spus: u32) {
+    /// Gives each SPU the same number of consecutive tiles, as in the paper.
+    fn split_slices(&mut self, tiles: &[u32], spus: u32) {
         let length = run_length(tiles.len(), spus);
         let start = |number: usize| tiles.len() * number / spus as usize;
         for number in 0..=MAX_SPUS as usize {
@@ -95,20 +97,20 @@ impl Units {
         }
     }
 
-    fn cut_by_cost(&mut self, tiles: &[u32], spus: u64, costs: &[u32]) {
+    fn split_by_cost(&mut self, tiles: &[u32], spus: u64, costs: &[u32]) {
         let cost = |tile: u32| u64::from(costs.get(tile as usize).copied().unwrap_or(0).max(1));
-        self.falling.clear();
-        self.falling.extend_from_slice(tiles);
-        self.falling
+        self.by_cost.clear();
+        self.by_cost.extend_from_slice(tiles);
+        self.by_cost
             .sort_unstable_by_key(|&tile| (Reverse(cost(tile)), tile));
         let mut left: u64 = tiles.iter().map(|&tile| cost(tile)).sum();
         let least = left / (PARTS_OF_THE_WHOLE * spus);
-        let dear = self
-            .falling
+        let expensive = self
+            .by_cost
             .partition_point(|&tile| 2 * cost(tile) * tiles.len() as u64 >= left);
         self.order.clear();
         self.order
-            .extend(spread(&self.falling, dear, spus as usize));
+            .extend(spread(&self.by_cost, expensive, spus as usize));
 
         let order = std::mem::take(&mut self.order);
         let mut rest = order.as_slice();
@@ -129,7 +131,7 @@ impl Units {
         self.order = order;
     }
 
-    /// Marks those of the tiles that show nothing but the background.
+    /// Marks the tiles that already show only the background.
     pub fn mark_blank(&mut self, blank: &TileSet) {
         for unit in &mut self.lines {
             let count = unit.count.get() as usize;
@@ -151,22 +153,25 @@ impl Units {
     }
 }
 
-/// Cheap tiles that come last, for each SPU.
+/// The number of cheap tiles at the end, for each SPU.
 const CHEAP_AT_THE_END: usize = 4;
 
-/// The first `dear` of the tiles, with the others evenly between them, but for a few at the end:
-/// tiles that are only filled wait for main memory when many come together, but they are the
-/// smallest that there is to even out when the SPUs finish.
-fn spread(falling: &[u32], dear: usize, spus: usize) -> impl Iterator<Item = u32> {
-    let (dear, cheap) = falling.split_at(dear);
+/// Spreads the cheap tiles evenly between the first `expensive` ones, and keeps a few for the end.
+/// Tiles that are only filled wait for main memory when many come together. At the end, though,
+/// they are the smallest pieces of work, with which all SPUs finish at nearly the same time.
+fn spread(by_cost: &[u32], expensive: usize, spus: usize) -> impl Iterator<Item = u32> {
+    let (expensive, cheap) = by_cost.split_at(expensive);
     let between = cheap.len().saturating_sub(CHEAP_AT_THE_END * spus);
     let (between, last) = cheap.split_at(between);
-    let run = |number: usize| between.len() * number / dear.len();
-    let mixed = dear.iter().enumerate().flat_map(move |(number, tile)| {
-        std::iter::once(tile).chain(&between[run(number)..run(number + 1)])
-    });
-    // Without a dear tile, there is nothing to come between.
-    let alone = if dear.is_empty() { between } else { &[] };
+    let run = |number: usize| between.len() * number / expensive.len();
+    let mixed = expensive
+        .iter()
+        .enumerate()
+        .flat_map(move |(number, tile)| {
+            std::iter::once(tile).chain(&between[run(number)..run(number + 1)])
+        });
+    // Without expensive tiles, the others follow one another.
+    let alone = if expensive.is_empty() { between } else { &[] };
     mixed.chain(alone).chain(last).copied()
 }
 
@@ -176,7 +181,7 @@ fn run_length(tiles: usize, spus: u32) -> usize {
         .clamp(1, UNIT_TILES as usize)
 }
 
-/// What each tile of a picture took the last time it was traced, in decrementer ticks.
+/// The time that each tile of a picture took when it was last traced, in decrementer ticks.
 #[derive(Default)]
 pub struct TileCosts {
     geometry: Option<Geometry>,
@@ -190,7 +195,7 @@ impl TileCosts {
         (self.geometry == Some(geometry)).then_some(&self.ticks)
     }
 
-    /// Takes over what the units of a frame have cost.
+    /// Records the costs of a frame's units.
     pub fn learn(&mut self, geometry: Geometry, units: &[WorkUnit], costs: &[UnitCost]) {
         if self.geometry != Some(geometry) {
             self.geometry = Some(geometry);
@@ -205,7 +210,7 @@ impl TileCosts {
     }
 }
 
-/// The tiles of the units that were answered, each with its cost.
+/// The tiles of the units that SPUs have finished, each with its cost.
 pub(super) fn tiles_and_costs<'a>(
     units: &'a [WorkUnit],
     costs: &'a [UnitCost],

@@ -1,15 +1,15 @@
-//! The work-unit layout in the assembler's words: `work_unit.inc`.
+//! Prints the work-unit layout for the assembler, as `work_unit.inc`.
 //!
-//! Owns the names that the layout has in assembly.
+//! Owns the layout's names in assembly.
 
 use std::fmt::Write as _;
 
 use crate::layout::{self, Field};
 
-/// The file that sources include.
+/// The name of the file that sources include.
 pub const FILE: &str = "work_unit.inc";
 
-/// Sizes, offsets and constants of the layout, as the assembler's symbols.
+/// The text of the file: all sizes, offsets and constants of the layout, as assembler symbols.
 #[must_use]
 pub fn constants() -> String {
     let mut text = String::from("# Generated from protocol/src/layout.\n");

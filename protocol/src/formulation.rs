@@ -1,58 +1,58 @@
-//! The formulations of ray-sphere and ray-triangle intersection that the tracer's program is
-//! linked with, one of each: their names, where they come from, and the kernels that compute by
-//! them.
+//! The formulations of ray-sphere and ray-triangle intersection: their names, their sources, and
+//! the kernels that implement them.
 //!
-//! None is a flag inside of another: each is kernels of its own, and a program has those of one
-//! formulation alone. `spu-build` links by this table, the command line and the benchmark of
-//! accuracy choose from it.
+//! Each formulation has its own kernels, and a program is linked with only one formulation for
+//! each purpose. `spu-build` links programs by this table. The command line and the accuracy
+//! benchmark choose from it.
 
-/// One formulation of each: those of a program.
+/// The formulations of a program, one for each purpose.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Formulations {
-    /// Of spheres, for the eye's rays by depth shading.
+    /// For spheres and the primary rays of depth shading.
     pub eye: &'static SphereFormulation,
-    /// Of spheres, for the eye's rays by Whitted's model.
+    /// For spheres and the primary rays of Whitted's model.
     pub seen: &'static SphereFormulation,
-    /// Of spheres, for the rays of mirrors, glass and shadows. These start where others have hit,
-    /// which is no more certain than their length.
+    /// For spheres and the secondary and shadow rays of Whitted's model. The origins of these rays
+    /// are hits of other rays, with the error of those rays' lengths.
     pub bounced: &'static SphereFormulation,
-    /// Of triangles.
+    /// For triangles and all rays.
     pub triangle: &'static TriangleFormulation,
 }
 
-/// What a sphere's record holds for the eye's rays.
+/// The form of a sphere's record for the primary rays of depth shading.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EyeRecord {
-    /// The centre as the eye sees it, and the radius squared.
+    /// The centre relative to the eye, and the square of the radius.
     Centre,
-    /// The centre's unit direction and distance, and the square of radius over distance: worked
-    /// out in double precision.
+    /// The centre's unit direction and distance, and the square of radius over distance, all
+    /// computed in double precision.
     Axis,
 }
 
 /// A way to intersect a ray with a sphere.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SphereFormulation {
-    /// Its name.
+    /// The name of the formulation.
     pub name: &'static str,
-    /// What is computed.
+    /// A description of the computation, with its source.
     pub doc: &'static str,
-    /// The kernel for the eye's rays, which share their origin: depth shading's.
+    /// The kernel for the primary rays of depth shading, which all start at the eye, if there is
+    /// one.
     pub eye: Option<&'static str>,
-    /// What that kernel takes of a sphere.
+    /// The form of the records for that kernel.
     pub record: EyeRecord,
-    /// The kernel for rays from anywhere: Whitted's model's.
+    /// The kernel for rays from anywhere, which Whitted's model needs, if there is one.
     pub general: Option<&'static str>,
 }
 
 /// A way to intersect a ray with a triangle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TriangleFormulation {
-    /// Its name.
+    /// The name of the formulation.
     pub name: &'static str,
-    /// What is computed.
+    /// A description of the computation, with its source.
     pub doc: &'static str,
-    /// The kernel.
+    /// The name of the kernel.
     pub kernel: &'static str,
 }
 
@@ -61,16 +61,16 @@ const PERPENDICULAR: SphereFormulation = SphereFormulation {
     doc: "discriminant by the perpendicular from the centre to the ray (Hearn and Baker), one Newton step",
     eye: Some("isect_pairs_r16"),
     record: EyeRecord::Centre,
-    general: Some("isect_ball_pairs_r16"),
+    general: Some("isect_sphere_pairs_r16"),
 };
 
-/// All formulations of spheres.
+/// All formulations for spheres.
 pub const SPHERES: &[SphereFormulation] = &[
     SphereFormulation {
         name: "paper",
         doc: "the paper's b^2 - 4ac, one Newton step",
         eye: Some("isect_pairs_paper_r16"),
-        general: Some("isect_ball_pairs_paper_r16"),
+        general: Some("isect_sphere_pairs_paper_r16"),
         ..PERPENDICULAR
     },
     PERPENDICULAR,
@@ -78,35 +78,35 @@ pub const SPHERES: &[SphereFormulation] = &[
         name: "estimate",
         doc: "perpendicular, the root from the bare estimate",
         eye: Some("isect_pairs_estimate_r16"),
-        general: Some("isect_ball_pairs_estimate_r16"),
+        general: Some("isect_sphere_pairs_estimate_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "interpolated",
         doc: "perpendicular, the root from estimate and fi",
         eye: Some("isect_pairs_interpolated_r16"),
-        general: Some("isect_ball_pairs_interpolated_r16"),
+        general: Some("isect_sphere_pairs_interpolated_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "newton2",
         doc: "perpendicular, two Newton steps",
         eye: Some("isect_pairs_newton2_r16"),
-        general: Some("isect_ball_pairs_newton2_r16"),
+        general: Some("isect_sphere_pairs_newton2_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "stable",
         doc: "perpendicular, the near root as c/q, which does not cancel (Numerical Recipes)",
         eye: Some("isect_pairs_stable_r16"),
-        general: Some("isect_ball_pairs_stable_r16"),
+        general: Some("isect_sphere_pairs_stable_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "factored",
         doc: "discriminant (r - l)(r + l) (pbrt)",
         eye: Some("isect_pairs_factored_r16"),
-        general: Some("isect_ball_pairs_factored_r16"),
+        general: Some("isect_sphere_pairs_factored_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
@@ -120,26 +120,26 @@ pub const SPHERES: &[SphereFormulation] = &[
         name: "refined",
         doc: "perpendicular, with what truncation took from b put back",
         eye: Some("isect_pairs_refined_r16"),
-        general: Some("isect_ball_pairs_refined_r16"),
+        general: Some("isect_sphere_pairs_refined_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "unnormalised",
         doc: "perpendicular, for directions of any length",
         eye: Some("isect_pairs_unnormalised_r16"),
-        general: Some("isect_ball_pairs_unnormalised_r16"),
+        general: Some("isect_sphere_pairs_unnormalised_r16"),
         ..PERPENDICULAR
     },
     SphereFormulation {
         name: "double",
         doc: "perpendicular and c/q in double precision",
         eye: Some("isect_pairs_double_r16"),
-        general: Some("isect_ball_pairs_double_r16"),
+        general: Some("isect_sphere_pairs_double_r16"),
         ..PERPENDICULAR
     },
 ];
 
-/// All formulations of triangles.
+/// All formulations for triangles.
 pub const TRIANGLES: &[TriangleFormulation] = &[
     TriangleFormulation {
         name: "watertight",
@@ -153,28 +153,28 @@ pub const TRIANGLES: &[TriangleFormulation] = &[
     },
 ];
 
-/// The formulation of spheres of this name.
+/// The formulation for spheres with this name.
 #[must_use]
 pub fn sphere(name: &str) -> Option<&'static SphereFormulation> {
     SPHERES.iter().find(|sphere| sphere.name == name)
 }
 
-/// The formulation of triangles of this name.
+/// The formulation for triangles with this name.
 #[must_use]
 pub fn triangle(name: &str) -> Option<&'static TriangleFormulation> {
     TRIANGLES.iter().find(|triangle| triangle.name == name)
 }
 
 impl Formulations {
-    /// Those that a program has unless others are asked for.
+    /// The default formulations.
     #[must_use]
     pub fn standard() -> Self {
         Self::named(["constants", "refined", "perpendicular", "watertight"])
             .expect("they are in the tables")
     }
 
-    /// Those of these names, if there are such and each sphere formulation has the kernel that is
-    /// asked of it.
+    /// The formulations with these names, in the order of the fields. `None` if a name is unknown,
+    /// or if a sphere formulation lacks the kernel that its purpose needs.
     #[must_use]
     pub fn named([eye, seen, bounced, triangle]: [&str; 4]) -> Option<Self> {
         let general = |name| sphere(name).filter(|sphere| sphere.general.is_some());
@@ -186,8 +186,8 @@ impl Formulations {
         })
     }
 
-    /// One formulation of spheres for all rays that it has a kernel for; the standard one for the
-    /// others.
+    /// A sphere formulation for all rays that it has a kernel for, with the standard ones for
+    /// other rays.
     #[must_use]
     pub fn of(sphere: &'static SphereFormulation, triangle: &'static TriangleFormulation) -> Self {
         let standard = Self::standard();
@@ -199,39 +199,39 @@ impl Formulations {
         }
     }
 
-    /// The fastest whose pictures are right to a step of a colour.
+    /// The fastest formulations with pictures that are right to a step of a colour.
     #[must_use]
     pub fn fast() -> Self {
         Self::by("interpolated")
     }
 
-    /// Those of the least error, in double precision.
+    /// The formulations with the least error, in double precision.
     #[must_use]
     pub fn exact() -> Self {
         Self::by("double")
     }
 
-    /// The paper's own.
+    /// The paper's formulations.
     #[must_use]
     pub fn paper() -> Self {
         Self::by("paper")
     }
 
-    /// Those that `cellray` carries SPU programs of, the standard ones first. The laboratory
-    /// builds programs of all others.
+    /// The formulations of `cellray`'s built-in SPU programs, the standard ones first. The
+    /// laboratory builds programs with all others.
     #[must_use]
     pub fn shipped() -> [Self; 4] {
         [Self::standard(), Self::fast(), Self::exact(), Self::paper()]
     }
 
-    /// One formulation of spheres, and the standard one of triangles.
+    /// A formulation for spheres, with the standard one for triangles.
     fn by(name: &str) -> Self {
         let sphere = sphere(name).expect("it is in the table");
         Self::of(sphere, Self::standard().triangle)
     }
 
-    /// The formulation of spheres that tells these from the standard ones: what
-    /// [`Formulations::of`] was given, if it has a kernel of any kind.
+    /// The sphere formulation that distinguishes these from the standard ones: the argument of
+    /// [`Formulations::of`], if it has any kernel.
     #[must_use]
     pub fn named_sphere(&self) -> &'static SphereFormulation {
         let standard = Self::standard();
@@ -242,7 +242,7 @@ impl Formulations {
         }
     }
 
-    /// Their names, in the order of the fields.
+    /// The formulations' names, in the order of the fields.
     #[must_use]
     pub fn names(&self) -> [&'static str; 4] {
         [
@@ -253,14 +253,14 @@ impl Formulations {
         ]
     }
 
-    /// A name for all of them: of a file, say.
+    /// A name for the whole combination, for example for a file.
     #[must_use]
     pub fn name(&self) -> String {
         self.names().join("-")
     }
 
-    /// The kernels of the program's roles: the symbol that the driver calls, and what it stands
-    /// for.
+    /// The kernels for the program's roles: the symbol that the driver calls, and the kernel that
+    /// it stands for.
     #[must_use]
     pub fn roles(&self) -> [(&'static str, &'static str); 4] {
         [

@@ -6,7 +6,7 @@
 #           rest the node's; one more quadword may be written
 #           $3 behind the list
 #   Uses    $3-$4, $10-$45   Saves  -   Stack  0   Calls  -
-#   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's ball
+#   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's sphere
 #           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
 #           less the largest single; distances from 2^-60 to 2^60
 #   Error   0: no child is left out that a ray of the packet meets, from inside or within its t
@@ -15,17 +15,17 @@
 # The four children stand in the four lanes. Seen from the bound's apex, with v = c - apex:
 #   a = v.axis                  along the cone
 #   perp = |v - a axis|         beside its axis
-#   S = R + radius              the rays, shrunk to the apex, meet a ball that has grown by as much
+#   S = R + radius              the rays, shrunk to the apex, meet a sphere that has grown by as much
 # and a child is left out if one of these is below 0:
 #   S - perp cosine + a sine    S less the distance from the cone's side
-#   S + a                       all of the ball is behind the apex
+#   S + a                       all of the sphere is behind the apex
 #   S + farthest - a            all of it is too far
-# The perpendicular keeps the digits of a distant ball. Of its length 12 bits are enough: the
+# The perpendicular keeps the digits of a distant sphere. Of its length 12 bits are enough: the
 # bound's cosine is less by as much.
 #
-# The slack is 32 ulp; the roundings add up to 24. Most truncate to the safe side: of the balls in
-# kernels/tests/rays/conservative.rs none was lost with a slack of 2 ulp of R alone, the first ones
-# when 2 ulp of |c| + R were taken away.
+# The slack is 32 ulp; the roundings add up to 24. Most truncate to the safe side: of the spheres
+# in kernels/tests/rays/conservative.rs none was lost with a slack of 2 ulp of R alone, the first
+# ones when 2 ulp of |c| + R were taken away.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -43,7 +43,7 @@
         registers candidate,a_bound,child
         # the bound
         registers apex_x,apex_y,apex_z,axis_x,axis_y,axis_z,cosine,sine
-        registers ball                                  # the rays' radius
+        registers rays_radius                             # the rays' radius
         registers farthest
         # the children
         registers vx,vy,vz
@@ -77,7 +77,7 @@ next_node:
         lqd     $reach,NODE_radius($candidate)
         lqd     $cosine,BOUND_cosine($a_bound)
         lqd     $sine,BOUND_sine($a_bound)
-        lqd     $ball,BOUND_radius($a_bound)
+        lqd     $rays_radius,BOUND_radius($a_bound)
         lqd     $farthest,BOUND_farthest($a_bound)
     .irp axis, x,y,z
         lqd     $v\axis,NODE_\axis($candidate)
@@ -88,7 +88,7 @@ next_node:
         fm      $along,$vx,$axis_x
         fma     $along,$vy,$axis_y,$along
         fma     $along,$vz,$axis_z,$along
-        fa      $reach,$reach,$ball
+        fa      $reach,$reach,$rays_radius
         fa      $ahead,$reach,$along
         fa      $near,$reach,$farthest
         fs      $near,$near,$along

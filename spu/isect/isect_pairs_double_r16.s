@@ -1,4 +1,4 @@
-# isect_pairs_double_r16   nearest entry of packets' eye rays into spheres, in double precision
+# isect_pairs_double_r16   nearest entries of primary rays into spheres, in double precision
 #   C       void isect_pairs_double_r16(const struct pair *, int count);
 #   In      $3 pairs, $4 count (0 is none); pointers 16-aligned
 #   Out     the pairs' packets: t, object, where an entry is nearer than what was there

@@ -1,10 +1,10 @@
-# Transfers of any size, and waiting for them.
+# DMA transfers of any size, and waiting for their end.
 
         .include "work_unit.inc"
         .include "macros.inc"
         .include "driver.inc"
 
-# dma_wait   sleeps until nothing is outstanding under some tags; the time goes into g_dma_wait
+# dma_wait   sleeps until no transfer with these tags is outstanding; adds the time to g_dma_wait
 #   In      $3 mask of tags
 #   Uses    $10-$13
         .set    mask,3

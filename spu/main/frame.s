@@ -1,4 +1,5 @@
-# The frame descriptor: fetched, checked, its values spread to where the kernels want them.
+# The frame's record: fetches it, checks it, and copies its values to where the kernels expect
+# them.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -8,12 +9,12 @@
         .section .bss
         .align  7
         .global inverse_across
-inverse_across:                         # one over the tiles across
+inverse_across:                         # one over the number of tiles across
         .skip   16
         .global frame, basis, basis_middles, depth, pixel_shuffle
 frame:  .skip   FRAME_SIZE
 basis:  .skip   BASIS_SIZE
-basis_middles:                          # of the middles of packets instead of pixels
+basis_middles:                          # for the middles of packets instead of pixels
         .skip   BASIS_SIZE
 depth:  .skip   DEPTH_SIZE
 pixel_shuffle:
@@ -46,7 +47,7 @@ lane_bytes:
 identity:
         .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
 
-# A word of the frame into all lanes of the next quadword of a record.
+# Copies a word of the frame to all lanes of the next quadword of a record.
 .macro  spread_word offset:req
         load_word $value,\offset,$a_frame
         splat   $value,$value,$m_splat
@@ -60,7 +61,7 @@ identity:
         spread_word \offset+8
 .endm
 
-# The bytes that a channel has in every pixel word; refuses a shift that is not of whole bytes.
+# Finds the bytes of a channel in every pixel's word. Refuses a shift that is not a multiple of 8.
 .macro  channel_bytes mask:req, channel:req
         load_word $value,FRAME_\channel\()_shift,$a_frame
         andi    $bad,$value,7
@@ -69,8 +70,8 @@ identity:
         splat   \mask,\mask,$m_splat
 .endm
 
-# frame_fetch   fetches the descriptor, checks every field that could lead astray, sets up the
-# frame
+# frame_fetch   fetches the record, checks every field that could cause a wrong access, and sets up
+# the frame
 #   In      $4 and $5 effective address, high word first
 #   Out     $3 STATUS_ value
 #   Uses    $3-$7, $10-$27, the frame's driver registers
@@ -91,7 +92,7 @@ function frame_fetch
         require_equal size,FRAME_SIZE,Size
         require_at_most features,FEATURES_KNOWN,Features
         require_from_one spus,MAX_SPUS,Spus
-        clgt    $bad,$value,$g_number                   # more SPUs than this one's number
+        clgt    $bad,$value,$g_number                   # must be above this SPU's number
         xori    $bad,$bad,-1
         refuse_if $bad,Spus
         require_at_most split,SPLIT_SLICES,Split
@@ -135,7 +136,7 @@ checked:
         require_at_most green_shift,MAX_SHIFT,PixelFormat
         require_at_most blue_shift,MAX_SHIFT,PixelFormat
 
-        # The tiles, and what finds a tile's row: one over the tiles across.
+        # The number of tiles, and its inverse across, with which a tile's row is computed.
         ai      $g_across,$g_width,TILE_WIDTH-1
         rotmi   $g_across,$g_across,-TILE_WIDTH_LOG2
         ai      $value,$g_height,TILE_HEIGHT-1
@@ -149,7 +150,7 @@ checked:
         clgt    $bad,$g_units,$g_tiles
         refuse_if $bad,UnitCount
 
-        # Where red, green and blue stand in a pixel's word: no two on the same byte.
+        # The positions of red, green and blue in a pixel's word. No two may have the same byte.
         splat_mask $m_splat
         il      $k_ff,0xff
         channel_bytes $m_red,red
@@ -183,7 +184,8 @@ checked:
         spread_word FRAME_depth_far
         spread_word FRAME_depth_scale
 
-        # A packet's middle is one and a half pixels from its first, and four from the next one.
+        # A packet's middle is one and a half pixels from its first pixel, and four from the next
+        # middle.
         ila     $a_spread,basis
         ilhu    $k_middle,0x3fc0
         ilhu    $k_side,0x4080

@@ -1,8 +1,8 @@
-# The program of one SPU: sleeps on its mailbox, traces its share of each frame whose address it is
-# mailed, answers with a status.
+# The program of an SPU. It sleeps until its mailbox has the address of a frame, traces its share
+# of the frame, and answers with a status.
 #
 #   Entry   $4 word 1: the number of this SPU
-#   Mail    two words: the effective address of a frame descriptor, high word first; 0, 0 ends the
+#   Mail    two words: the effective address of a frame's record, high word first; 0, 0 ends the
 #           program
 #   Answer  one word in the outbound interrupt mailbox: a STATUS_ value
 #   Exit    stop 0x2000
@@ -56,7 +56,7 @@ answer:
 exit:
         stop    0x2000
 
-# From anywhere: answers with $3 instead of the rest of the frame.
+# Any code may jump here: answers with $3, and skips the rest of the frame.
         .global give_up
 give_up:
         lqa     $sp,first_stack

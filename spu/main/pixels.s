@@ -1,6 +1,6 @@
-# The pixels of a tile. Groups of sixteen packets are culled together; then the packets of all
-# groups go through the same stages, each stage a loop over all that have work to do there: long
-# enough to be pipelined, and no packet waits alone for its latencies.
+# The pixels of a tile. Groups of sixteen packets are culled together. Then the packets of all
+# groups go through the same stages. Each stage is a loop over all packets that need it, which is
+# long enough to be pipelined, so no packet waits for its own latencies.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -10,29 +10,29 @@
         .align  7
 packets:
         .skip   TILE_PACKETS*PACKET_SIZE
-middles:                                # of a group's packets, as a packet
+middles:                                # the middles of a group's packets, in a packet's format
         .skip   TILE_GROUPS*PACKET_SIZE
 colours:
         .skip   TILE_PACKETS*COLOURS_SIZE
-tile_places:                            # of a tile at the origin of picture and tile buffer
+tile_places:                            # of a tile at the origin of the picture and the buffer
         .skip   TILE_PACKETS*PLACE_SIZE
-origin: .skip   PLACE_SIZE              # what the tile at hand adds to them
-places:                                 # of the packets at hand; lists are written one too far
+origin: .skip   PLACE_SIZE              # the current tile's offset to tile_places
+places:                                 # the current packets; one entry more may be written
         .skip   (TILE_PACKETS+1)*PLACE_SIZE
-first_pairs:                            # packets with the first sphere that may be seen from them
+first_pairs:                            # packets, each with the first sphere that it may hit
         .skip   (TILE_PACKETS+1)*PAIR_SIZE
-pairs:                                  # with further ones; without skipping, all
+pairs:                                  # packets with further spheres; without skipping, with all
         .skip   (MAX_PAIRS+1)*PAIR_SIZE
         .global active
-active:                                 # spheres of the tile's frustum
+active:                                 # the spheres in the tile's frustum
         .skip   (MAX_SPHERES+1)*PAIR_SIZE
-packets_at_once:                        # as many as have room for pairs with all spheres
+packets_at_once:                        # how many packets have room for pairs with all spheres
         .skip   16
 named:                                  # masks for a list
         .skip   16
 named_again:
         .skip   16
-masks:                                  # packets that each of them may be seen from, a word a group
+masks:                                  # the packets that may hit each sphere, a word a group
         .skip   MAX_SPHERES*16
     .if TILE_GROUPS != 4 || TILE_HEIGHT != GROUP_SIDE
         .error  "a tile has four groups in a row: their masks are the words of a quadword"
@@ -49,7 +49,7 @@ middle_templates:
     .irp group, 0,1,2,3
         .int    middles+\group*PACKET_SIZE,0,\group*4,0
     .endr
-        # places out of buffer address, x and y
+        # makes places from buffer address, x and y
 origin_of_pixels_and_x:
         .int    0x80808080,0x00010203,0x10111213,0x80808080
 origin_with_y:
@@ -64,13 +64,13 @@ origin_with_y:
         .set    quad,16
         .set    m_splat,17
 
-# pixels_prepare   what all tiles of the frame share: the background's pixels, the buffer of empty
-# tiles full of them, how many packets are filtered at once
+# pixels_prepare   prepares data for all tiles of the frame: the background's pixels, the buffer of
+# empty tiles, which is filled with them, and how many packets are filtered at once
 #   Uses    $3-$79, g_background, g_pitch
 function pixels_prepare
         enter
-        il      $g_pitch,0                              # of no tile
-        # The background goes through the pixel format as any colour does.
+        il      $g_pitch,0                              # no tile's
+        # The background is converted to the pixel format like any colour.
         lqa     $quad,background+SPHERE_colour
         splat_mask $m_splat
     .irp channel, red,green,blue
@@ -114,17 +114,17 @@ next_line:
         leave
 endfunction pixels_prepare
 
-# places_prepare   the places of a tile at the origin, for the row bytes of the tile at hand
+# places_prepare   makes the places of a tile at the origin, for the current tile's row bytes
 #   Uses    $10-$17, g_pitch
 #
-# The packets of a group stand row by row, as its mask has them.
+# The packets of a group are ordered row by row, as in its mask.
 function places_prepare
         ori     $g_pitch,$g_row_bytes,0
         lqa     $step,column_step
         ila     $a_place,tile_places
         ila     $group,packets
         fsmbi   $quad,0xf000
-        and     $group,$group,$quad                     # 0 but for the packet
+        and     $group,$group,$quad                     # 0 except for the packet
         il      $left,TILE_GROUPS
 next_group_places:
         ori     $row,$group,0
@@ -134,7 +134,7 @@ next_group_places:
         stqd    $place,PLACE_SIZE*\column($a_place)
         a       $place,$place,$step
     .endr
-        # To the next row: the packets of this one, four rows of pixels.
+        # The step to the next row: the packets of this row, and four rows of pixels.
         ori     $row,$place,0
         shli    $quad,$step,2
         sf      $row,$quad,$row
@@ -151,7 +151,7 @@ next_group_places:
         a       $row,$row,$quad
         ai      $a_place,$a_place,4*PLACE_SIZE
     .endr
-        # To the next group: the packet at hand, four columns.
+        # The step to the next group: the current packet, and four columns.
         shli    $quad,$step,2
         a       $group,$group,$quad
         fsmbi   $m_splat,0xf000
@@ -179,7 +179,7 @@ endfunction places_prepare
         .set    amount,36
         .set    m_origin,37
 
-# Bits that are 1 in the masks of a tile's groups.
+# Counts the bits that are 1 in the masks of a tile's groups.
 .macro  count_bits out:req, bits:req, t_more:req
         cntb    \out,\bits
         sumb    \out,\out,\out
@@ -190,8 +190,8 @@ endfunction places_prepare
         a       \out,\out,\t_more
 .endm
 
-# tile_pixels   makes the pixels of the tile at hand, unless they are all the background's
-#   Out     $3 whether there are any others
+# tile_pixels   makes the current tile's pixels, unless all of them are the background's Out     $3
+# whether there are any other pixels
 #   Uses    $3-$79, the tile's driver registers
 function tile_pixels
         enter
@@ -200,7 +200,7 @@ function tile_pixels
         brz     $offset,placed
         brsl    $lr,places_prepare
 placed:
-        # Packets within the picture: a group's columns from the left, rows from the top.
+        # The packets within the picture: a group's columns from the left, its rows from the top.
         splat_mask $m_splat
         ai      $columns,$g_tile_width,3
         rotmi   $columns,$columns,-2
@@ -218,7 +218,7 @@ placed:
         il      $g_inside,0x1111
         mpyu    $g_inside,$bits,$g_inside
         ai      $rows,$g_tile_height,3
-        andi    $rows,$rows,-4                          # four bits a row
+        andi    $rows,$rows,-4                          # four bits for each row
         sfi     $rows,$rows,0
         ilhu    $bits,0xffff
         rotm    $bits,$bits,$rows
@@ -230,7 +230,7 @@ placed:
         ai      $g_groups,$g_tile_width,GROUP_SIDE-1
         rotmi   $g_groups,$g_groups,-4
 
-        # What the tile adds to the places: pixels, x, y.
+        # The tile's offsets to the places: pixels, x, y.
         il      $offset,TILE_BYTES
         mpyu    $offset,$offset,$g_parity
         ila     $at,tile_buffers
@@ -262,7 +262,7 @@ culled:
         brsl    $lr,seen_pairs
         br      tested
 all:    brsl    $lr,all_pairs
-        # What no ray has come near to is filled, not shaded.
+        # Packets without any near sphere are filled, not shaded.
         xor     $bits,$g_touched,$g_inside
         count_bits $amount,$bits,$c_over
         brz     $amount,tested
@@ -296,7 +296,7 @@ done:
         leave
 endfunction tile_pixels
 
-# tile_cull   which packets something may be seen from, by the cones around their middles
+# tile_cull   finds the packets that may hit something, with the cones around their middles
 #   Out     g_seen, masks
 #   Uses    $3-$79, g_left
 function tile_cull
@@ -319,7 +319,8 @@ function tile_cull
         ila     $6,background
         brsl    $lr,ray_setup_r16
 
-        # Masks of groups beside the picture mean nothing: g_inside has none of their packets.
+        # The masks of groups outside of the picture are not used, because g_inside has none of
+        # their packets.
         ila     $3,middles
         ila     $4,active
         ori     $5,$g_active,0
@@ -341,8 +342,7 @@ next_mask:
         leave
 endfunction tile_cull
 
-# seen_places   lists the packets in which something may be seen, and fills the groups of the
-# others
+# seen_places   lists the packets that may hit something, and fills the groups without any
 #   Out     places, g_places
 #   Uses    $3-$6, $10-$37, g_left
 function seen_places
@@ -373,11 +373,11 @@ filled:
         leave
 endfunction seen_places
 
-# seen_pairs   tests the packets with the spheres that may be seen from them, front to back
+# seen_pairs   tests the packets with the spheres that they may hit, front to back
 #   Uses    $3-$79, g_left, g_mask, g_touched
 #
-# Each packet is tested with its first sphere; then with the others, unless all its rays have hit
-# something in front of them.
+# Each packet is tested with its first sphere. Then it is tested with the others, unless all its
+# rays have hit something in front of them.
 function seen_pairs
         enter
         ori     $g_left,$g_active,0
@@ -427,9 +427,8 @@ both:
         br      listed
 endfunction seen_pairs
 
-# pairs_test   looks for hits in the pairs of first spheres, then in those of further ones that are
-# not hidden
-#   Out     no pairs
+# pairs_test   looks for hits in the pairs with first spheres, then in those with further spheres
+# that are not hidden Out     empties both lists
 #   Uses    $3-$79, g_first_end, g_again_end
 function pairs_test
         enter
@@ -460,15 +459,15 @@ endfunction pairs_test
 function listed_test
         rotmi   $4,$4,-PAIR_SIZE_LOG2
         count   hits_looked_for,$4,$t_sum,$t_add,$t_carry
-        # Without skipping, filter_spheres_r16 has made the tests, and these are part of them.
+        # Without skipping, filter_spheres_r16 has already counted these tests.
         sfi     $bits,$g_skip,0
         and     $bits,$bits,$4
         count   tests_made,$bits,$t_sum,$t_add,$t_carry
         br      isect_eye_spheres
 endfunction listed_test
 
-# all_pairs   tests all packets with all spheres
-#   Out     g_touched: the packets some rays of which may enter one
+# all_pairs   tests all packets with all spheres Out     g_touched: the packets with a ray that may
+# enter a sphere
 #   Uses    $3-$79, g_left, g_mask, g_again_end
 function all_pairs
         enter
@@ -527,7 +526,7 @@ function group_fill
         minimum $columns,$columns,$limit,$c_over
         ai      $columns,$columns,3
         rotmi   $columns,$columns,-2
-        # Rows below the picture are room of the buffer that is not sent.
+        # Rows below the picture are in the buffer, but are not sent.
         ceqi    $c_over,$columns,4
         brz     $c_over,next_column
     .rept   TILE_HEIGHT
@@ -551,7 +550,7 @@ next_column:
         bi      $lr
 endfunction group_fill
 
-# hits_outside   takes the rays beside the picture out of the count of hits
+# hits_outside   subtracts the hits of rays outside of the picture from the count
 #   Uses    $10-$36, g_n_hits
         .set    beside,40
         .set    below,41

@@ -1,10 +1,10 @@
-# The planes around a tile: all pass through the eye.
+# The planes around a tile, which all go through the eye.
 #
-# D(x, y) = corner + x right + y down is the direction through a pixel, so the plane of column x0
-# has the normal D(x0, .) x down = corner x down + x0 (right x down), and that of row y0 the normal
-# corner x right - y0 (right x down): one product and one sum a tile. Which side is inside depends
-# on the camera's handedness, the sign of V = (corner x down).right: the normal of column x0 has
-# the product V (x - x0) with D(x, y), that of row y0 has -V (y - y0).
+# The direction through a pixel is D(x, y) = corner + x right + y down. So the plane of column x0
+# has the normal D(x0, .) x down = corner x down + x0 (right x down), and the plane of row y0 has
+# the normal corner x right - y0 (right x down). That is one product and one sum for each tile. The
+# inner side depends on the camera's handedness, the sign of V = (corner x down).right: the product
+# of the normal of column x0 with D(x, y) is V (x - x0), and that of row y0 is -V (y - y0).
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -13,7 +13,7 @@
 
         .section .bss
         .align  4
-        # x, y, z of a quadword each: lanes left, right, top, bottom
+        # x, y, z in a quadword each, with the lanes left, right, top, bottom
 plane_base:
         .skip   48
 plane_step:
@@ -63,7 +63,7 @@ edges:  .float  -0.5,0.5,-0.5,0.5                       # from a pixel's centre
         fms     \out,$t_1,$t_2,\out
 .endm
 
-# planes_prepare   what all tiles of the frame share
+# planes_prepare   prepares the products for all tiles of the frame
 #   Uses    $10-$27
 function planes_prepare
         ila     $a_frame,frame
@@ -104,7 +104,7 @@ function planes_prepare
         bi      $lr
 endfunction planes_prepare
 
-# tile_planes   the frustum of the tile at hand, to the outer edges of its pixels
+# tile_planes   makes the frustum of the current tile, to the outer edges of its pixels
 #   Uses    $10-$27
         .set    at,10
         .set    last,11

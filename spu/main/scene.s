@@ -1,4 +1,4 @@
-# The scene: fetched from main memory straight to where the kernels read it, once a frame.
+# The scene: fetched once a frame from main memory to where the kernels read it.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -8,13 +8,13 @@
         .align  7
         .global background, spheres
         .skip   LINE-SPHERE_SIZE                        # so that the spheres begin on a line
-background:                             # as a sphere's record: its colour is all that counts
+background:                             # in a sphere's format; only its colour is used
         .skip   SPHERE_SIZE
 spheres:
         .skip   (MAX_SPHERES+PADDING_SPHERES)*SPHERE_SIZE
 
-# scene_fetch   starts to fetch the spheres, and sets up what stands around them; or the scene of
-# Whitted's model, which has all that it needs
+# scene_fetch   starts to fetch the spheres, and sets up the records around them; or starts to
+# fetch the scene of Whitted's model, which is complete
 #   Uses    $3-$7, $10-$19
         .set    a_frame,15
         .set    quad,16

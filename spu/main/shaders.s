@@ -1,8 +1,8 @@
-# Shaders: calls those of the materials that a packet of surfaces has, and looks, if the frame asks
-# for it, whether they keep to their contract; docs/shaders.md has that.
+# Calls the shaders of a packet of surfaces. If the frame requests it, also checks that they keep
+# their contract, which is in docs/shaders.md.
 #
-# The driver's state is in the very registers that a shader must keep: a check needs memory alone,
-# and gives them back before it answers.
+# The driver's state is in the registers that a shader must preserve. So a check keeps its copies
+# in memory, and restores the registers before it answers.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -11,12 +11,12 @@
         .set    KEPT_REGISTERS,48                       # $80 to $127
         .set    PATTERN,0x5eed57ac
 
-# What shaders_run has on the stack over a call, from its stack pointer.
+# The stack frame of shaders_run during a call, from its stack pointer.
         .set    CALL_surfaces,32
         .set    CALL_rays,48
         .set    CALL_material,64
         .set    CALL_index,80
-        .set    CALL_left,96                            # materials of lanes that are still to come
+        .set    CALL_left,96                            # materials of lanes that are left
         .set    CALL_mask,160
         .set    CALL_kept,224
         .set    CALL_SIZE,CALL_kept+16*KEPT_REGISTERS
@@ -24,11 +24,11 @@
         .section .bss
         .align  7
         .global shading
-shading:                                # what shaders are told of the frame
+shading:                                # the shaders' context
         .skip   SHADING_SIZE
 kept_stack:
         .skip   16
-kept_surfaces:                          # then the registers as a shader left them
+kept_surfaces:                          # then the registers after a shader
         .skip   SURFACES_SIZE
 
         .set    flags,10
@@ -46,20 +46,20 @@ kept_surfaces:                          # then the registers as a shader left th
         .set    limit,22
         .set    left,24                                 # to 27
 
-# most = the larger of most and other, unsigned.
+# most = the larger one of most and other, unsigned.
 .macro  larger
         clgt    $c_larger,$other,$most
         selb    $most,$most,$other,$c_larger
 .endm
 
-# Whether the frame asks for checks.
+# Whether the frame requests checks.
 .macro  checked out:req
         ila     \out,frame
         load_word \out,FRAME_features,\out
         andi    \out,\out,FEATURE_CHECK_SHADERS
 .endm
 
-# shaders_run   shades what has a shader of its own, a material after the other
+# shaders_run   shades the surfaces with shaders of their own, one material after the other
 #   In      $3 SURFACES, $4 RAYS16
 #   Out     $3 STATUS_Done, or STATUS_Shader + (RULE_ value << 8) + (register << 16)
 #           + (shader << 24)
@@ -155,7 +155,7 @@ endfunction shaders_run
         .set    a_pattern,14
         .set    pattern,15
 
-# shader_keep   remembers what a shader must keep, and fills what lies below its stack
+# shader_keep   saves everything that a shader must preserve, and fills the memory below its stack
 #   In      the stack frame of shaders_run
 #   Uses    $10-$15
 function shader_keep
@@ -197,12 +197,12 @@ endfunction shader_keep
         .set    broken_pointer,26
         .set    register,27
 
-# broken, in word 0, is 0 if all of differs is.
+# broken, in word 0, is 0 if all of differs is 0.
 .macro  any_word broken:req
         orx     \broken,$differs
 .endm
 
-# shader_broke   what a shader did not keep; gives registers and the stack pointer back
+# shader_broke   finds what a shader did not preserve; restores registers and the stack pointer
 #   In      the stack frame of shaders_run
 #   Out     $3 0, or a RULE_ value + (register << 8)
 #   Uses    $3, $10-$27
@@ -212,7 +212,7 @@ function shader_broke
         any_word $broken_pointer
         ori     $sp,$quad,0
 
-        # Surfaces: rows of four, but for the last quadword, which a shader may add flags to.
+        # Surfaces are in rows of four, except for the last quadword, where a shader may add flags.
         lqd     $a_now,CALL_surfaces($sp)
         ila     $a_from,kept_surfaces
     .irp row, 0,1,2,3

@@ -1,4 +1,4 @@
-# What this SPU has to say of the frame: a record in main memory.
+# This SPU's statistics of the frame, a record in main memory.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -15,7 +15,7 @@ counters:
 times_added:                            # decrementer when times_add was last called
         .skip   16
 
-# statistics_reset   begins the counts of a frame
+# statistics_reset   sets the counters of a frame to 0
 #   Uses    $20
         .set    zero,20
 
@@ -34,8 +34,8 @@ function statistics_reset
         bi      $lr
 endfunction statistics_reset
 
-# times_add   moves the ticks that are in registers to the counters; to be called before they are
-#             2^32, so also in the middle of a tile that takes long
+# times_add   adds the ticks in registers to the counters; must be called before they reach 2^32,
+#             so also in the middle of a long tile
 #   Uses    $10-$14
         .set    now,10
         .set    since,11
@@ -53,7 +53,7 @@ function times_add
         count   \ticks,$g_\ticks,$t_sum,$t_add,$t_carry
         il      $g_\ticks,0
     .endr
-        # A tile's cost is one word: of what is over by now, it has at most LONG_TICKS.
+        # A tile's cost is one word. At most LONG_TICKS of the time so far are counted.
         sf      $since,$now,$g_tile_began
         rotmi   $since,$since,-LONG_TICKS_LOG2
         biz     $since,$lr
@@ -62,7 +62,7 @@ function times_add
         bi      $lr
 endfunction times_add
 
-# statistics_put   fills the record and sends it; it has arrived when this returns
+# statistics_put   fills the record, sends it, and waits until it has arrived
 #   Uses    $3, $10-$21
         .set    a_frame,10
         .set    a_record,11
@@ -77,7 +77,7 @@ endfunction times_add
         .set    command,20
         .set    more,21
 
-# 64 bits, from the first two words of a register.
+# Stores 64 bits from the first two words of a register.
 .macro  put_long field:req, register:req
         lqd     $t_quad,(STATS_\field)&~15($a_record)
         cdd     $t_mask,(STATS_\field)&15($sp)
@@ -90,7 +90,7 @@ endfunction times_add
         put_long \field,$value
 .endm
 
-# out = a - b, of 64 bits each in the first two words.
+# out = a - b, with 64 bits each in the first two words.
 .macro  difference out:req, a:req, b:req
         bg      $t_carry,\b,\a                          # 1 unless it borrows
         shlqbyi $t_carry,$t_carry,4
@@ -110,7 +110,7 @@ function statistics_put
         fsmbi   $t_mask,0x0f00
         and     $value,$value,$t_mask
         put_long eye_hits,$value
-    .irp field, tiles,packets,eye_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
+    .irp field, tiles,packets,primary_rays,tiles_empty,tiles_blank,packets_empty,tests_hidden,cull_tests
         put_count \field
     .endr
     .irp field, tests_made,hits_looked_for,reflected,refracted,shadow,hits
@@ -126,7 +126,8 @@ function statistics_put
         difference $value,$value,$more
         put_long busy,$value
 
-        # Every packet with every sphere, less the tests made. Whitted's model has counted them.
+        # Skipped tests: every packet with every sphere, minus the tests made. Whitted's model has
+        # already counted them.
         lqa     $value,counters+COUNT_packets
         rotqbyi $value,$value,4
         load_word $more,FRAME_sphere_count,$a_frame

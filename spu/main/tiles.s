@@ -1,4 +1,4 @@
-# A tile: where it lies, what its frustum holds, its pixels on their way to the framebuffer.
+# A tile: its position, the spheres in its frustum, and the transfer of its pixels.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -13,9 +13,9 @@ second: .int    0x00010203,0x04050607,0x08090a0b,0x10111213 # A0 A1 A2 B0
         .section .bss
         .align  7
         .global tile_buffers
-tile_buffers:                           # two, then the one that all empty tiles share
+tile_buffers:                           # two buffers, then the one for all empty tiles
         .skip   3*TILE_BYTES
-tile_lists:                             # likewise; empty tiles have EMPTY_LISTS
+tile_lists:                             # two lists, then EMPTY_LISTS for empty tiles
         .skip   (2+EMPTY_LISTS)*LIST_BYTES
 
         .set    across,10
@@ -23,12 +23,12 @@ tile_lists:                             # likewise; empty tiles have EMPTY_LISTS
         .set    c_over,12
         .set    limit,13
 
-# tile_place   where a tile lies
+# tile_place   computes a tile's position
 #   In      $3 its number, within the picture
 #   Out     g_tile_x to g_row_bytes
 #   Uses    $3, $10-$13
 function tile_place
-        # The quotient of the tiles across may be one too small or too large.
+        # The quotient by the number of tiles across may be too small or too large by one.
         csflt   $q,$3,0
         lqa     $limit,inverse_across
         fm      $q,$q,$limit
@@ -59,8 +59,8 @@ function tile_place
         bi      $lr
 endfunction tile_place
 
-# tile_trace   makes the pixels of the tile at hand, and starts to send them
-#   Out     $3 TILE_BLANK if they are the background's, else 0
+# tile_trace   makes the current tile's pixels, and starts to send them Out     $3 TILE_BLANK if
+# all pixels are the background's, otherwise 0
 #   Uses    $3-$79, the tile's and the groups' driver registers
         .set    amount,10
         .set    t_sum,11
@@ -83,7 +83,7 @@ function tile_trace
         il      $one,1
         count   tiles,$one,$t_sum,$t_add,$t_carry
         mpyu    $amount,$g_tile_width,$g_tile_height
-        count   eye_rays,$amount,$t_sum,$t_add,$t_carry
+        count   primary_rays,$amount,$t_sum,$t_add,$t_carry
         packets_of_tile $amount,$packets_down
         count   packets,$amount,$t_sum,$t_add,$t_carry
 
@@ -107,7 +107,7 @@ function tile_trace
         phase_ends $g_ticks_cull,$amount
         brz     $g_active,empty
 trace:
-        # The buffer is free when the rows that it held two tiles ago have gone.
+        # The buffer is free when its rows of two tiles ago have been sent.
         il      $3,1<<TAG_TILE
         shl     $3,$3,$g_parity
         brsl    $lr,dma_wait
@@ -150,12 +150,12 @@ is_blank:
         leave
 endfunction tile_trace
 
-# tile_put   starts the transfer of the tile at hand
+# tile_put   starts the transfer of the current tile
 #   In      $3 which of the tile buffers, $4 which of the lists and tags
 #   Uses    $3-$4, $10-$31
 #
-# One list command for all rows. The high word of the address is shared by a list's elements: a
-# tile that lies across a multiple of 4 GB goes row by row instead.
+# One list command sends all rows. A list's elements share the high word of the address, so a tile
+# that crosses a multiple of 4 GB is sent row by row instead.
         .set    a_buffer,3
         .set    list,4
         .set    offset,11
@@ -199,7 +199,7 @@ function tile_put
         clgt    $c_across,$low,$last
         brnz    $c_across,row_by_row
 
-        # Two elements a quadword: bytes, address, bytes, address of the next row.
+        # A quadword has two elements: bytes, address, and bytes, address of the next row.
         il      $offset,LIST_BYTES
         mpyu    $offset,$offset,$list
         ila     $a_list,tile_lists

@@ -1,5 +1,5 @@
-# Work units: each is taken before the one in front of it is traced, so that its tiles' numbers are
-# here when they are wanted; what the tiles cost is sent back.
+# Work units. Each is taken before the previous one is traced, so that its tiles' numbers have
+# arrived when they are needed. The tiles' costs are sent back.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -7,13 +7,13 @@
 
         .section .bss
         .align  7
-        # Two of each take turns.
+        # There are two of each, which are used in turn.
 units:  .skip   2*UNIT_SIZE
 costs:  .skip   2*COST_SIZE
 counter:
         .skip   COUNTER_SIZE
         .global tile_was_blank
-tile_was_blank:                         # TILE_BLANK or 0, of the tile at hand
+tile_was_blank:                         # TILE_BLANK or 0, for the current tile
         .skip   16
 
         .set    a_unit,10
@@ -25,7 +25,7 @@ tile_was_blank:                         # TILE_BLANK or 0, of the tile at hand
         .set    mask,16
         .set    blank,17
 
-# units_trace   traces this SPU's share of the frame; all pixels are in main memory at its end
+# units_trace   traces this SPU's share of the frame; at its end all pixels are in main memory
 #   Out     $3 STATUS_ value
 #   Uses    $3-$79, the units' and tiles' driver registers
 function units_trace
@@ -44,7 +44,7 @@ function units_trace
         br      prepared
 whitted:
         brsl    $lr,queues_prepare
-        brsl    $lr,trees_plan
+        brsl    $lr,bvhs_plan
         brsl    $lr,shading_prepare
 prepared:
         phase_ends $g_ticks_fetch,$bad
@@ -55,7 +55,7 @@ next_unit:
         clgt    $bad,$g_units,$g_unit_next
         brz     $bad,all_traced
         ori     $g_unit,$g_unit_next,0
-        # The costs that stood in this buffer two units ago must have gone, too.
+        # This buffer's costs of two units ago must have been sent too.
         il      $3,1<<TAG_COST
         shl     $3,$3,$g_turn
         ori     $3,$3,1<<TAG_UNIT
@@ -121,7 +121,7 @@ settle: il      $3,ALL_TAGS
         leave
 endfunction units_trace
 
-# unit_first   number of this SPU's first unit: of its slice, or from the shared counter
+# unit_first   finds the number of this SPU's first unit: of its slice, or from the shared counter
 #   Out     g_unit_next, g_unit_end
 #   Uses    $10-$19
         .set    a_slice,10
@@ -140,7 +140,7 @@ function unit_first
         br      slice_check
 endfunction unit_first
 
-# unit_next   number of the next unit; g_units or more if there is none
+# unit_next   finds the number of the next unit; g_units or more if there is none
 #   Out     g_unit_next
 #   Uses    $10-$19
         .set    low,11
@@ -162,8 +162,8 @@ function unit_next
         rdch    $raised,$SPU_RdDec
         a       $g_dma_wait,$g_dma_wait,$raised
 take:
-        # The line is fetched with a reservation, and stored only if nobody has stored it since.
-        # Size and tag do not count for these two commands.
+        # The line is fetched with a reservation, and stored only if no other SPU has stored it
+        # since. These two commands ignore size and tag.
         il      $command,MFC_GETLLAR
         mfc_command $a_counter,$high,$low,$command,$command,$command
         rdch    $result,$MFC_RdAtomicStat
@@ -217,7 +217,7 @@ function unit_request
         bi      $lr
 endfunction unit_request
 
-# costs_put   starts to send what the tiles of the unit at hand have cost
+# costs_put   starts to send the costs of the current unit's tiles
 #   Uses    $10-$19
         .set    a_costs,16
 

@@ -1,4 +1,4 @@
-# ray_setup_r16   unit eye rays through the centres of the pixels of packets, nothing hit yet
+# ray_setup_r16   unit primary rays through the centres of the pixels of packets, nothing hit yet
 #   C       void ray_setup_r16(const struct basis *, const struct place *, int count,
 #                              unsigned background);
 #   In      $3 basis, $4 places, $5 count (at least 1), $6 address of the background's record;
@@ -12,7 +12,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "math.inc"
-        .include "eye_ray_tmpl.inc"
+        .include "primary_ray_tmpl.inc"
 
         .set    NEXT,3
         registers a_basis,a_place,count,background
@@ -42,9 +42,9 @@ next_packet:
         shufb   $fy,$fx,$fx,$m_y
         shufb   $fx,$fx,$fx,$m_x
         fa      $fx,$fx,$k_lanes
-        eye_ray_columns
+        primary_ray_columns
     .irp row, 0,1,2,3
-        eye_ray_row \row
+        primary_ray_row \row
         stqd    $dx,PACKET_direction_x+16*\row($a_packet)
         stqd    $dy,PACKET_direction_y+16*\row($a_packet)
         stqd    $dz,PACKET_direction_z+16*\row($a_packet)

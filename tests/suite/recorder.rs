@@ -13,13 +13,13 @@ pub struct Recorder {
 }
 
 /// The frame that a [`Recorder`] last presented.
-pub type Shown = Arc<Mutex<Option<RgbImage>>>;
+pub type Snapshot = Arc<Mutex<Option<RgbImage>>>;
 
 impl Recorder {
     /// A framebuffer for an engine, and what it will have presented.
-    pub fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Shown) {
+    pub fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Snapshot) {
         let memory = Memory::new(Geometry { width, height }).unwrap();
-        let shown = Shown::default();
+        let shown = Snapshot::default();
         (
             Box::new(Self {
                 memory,

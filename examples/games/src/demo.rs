@@ -1,7 +1,7 @@
 //! What a player does before the pictures of `docs/games.md` are taken, and before frames are
 //! measured.
 
-use cellray::game::{Entry, Input, InputEvent, Key, Moment, Start, World, WorldError};
+use cellray::game::{Entry, Frame, Input, InputEvent, Key, Start, World, WorldError};
 
 use crate::{billiards, marbles, orrery, screensaver};
 
@@ -17,7 +17,7 @@ pub struct Demo {
     pub game: &'static Entry,
     /// Keys that are held, from one frame to another.
     pub keys: &'static [(Key, u64, u64)],
-    /// The frame of the moment.
+    /// The frame of the frame.
     pub frame: u64,
 }
 
@@ -99,15 +99,15 @@ impl Demo {
             } else {
                 1.0 / f64::from(RATE)
             };
-            let moment = Moment {
-                frame,
+            let frame = Frame {
+                number: frame,
                 time: frame as f64 / f64::from(RATE),
-                step,
+                delta: step,
                 input: &input,
                 size,
                 last: None,
             };
-            game.frame(&mut world, &moment)?;
+            game.update(&mut world, &frame)?;
         }
         show(&mut world)
     }

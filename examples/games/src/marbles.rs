@@ -11,8 +11,8 @@
 //! | nearer, farther | page keys, wheel | R2, L2 |
 
 use cellray::game::{
-    Axis, Button, DVec3, Entry, Game, Input, Key, Light, Look, Material, MaterialId, Model, Moment,
-    MouseButton, ObjectId, Shader, Start, View, World, WorldError,
+    Axis, Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, MaterialId, Model,
+    MouseButton, ObjectId, RenderOptions, Shader, Start, View, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -424,10 +424,10 @@ impl Game for Marbles {
         self.chance = Xoshiro256PlusPlus::seed_from_u64(start.seed);
         self.place_marbles();
         world.set_name(NAME);
-        world.set_look(Look {
+        world.set_render_options(RenderOptions {
             model: Model::Whitted,
             ray_depth: 4,
-            ..Look::default()
+            ..RenderOptions::default()
         });
         world.set_background(DVec3::new(0.34, 0.47, 0.66))?;
         world.set_ambient(DVec3::splat(0.2))?;
@@ -439,10 +439,10 @@ impl Game for Marbles {
         self.look(world)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        self.orbit.steer(moment.input, moment.step);
-        self.steer(moment.input);
-        for _ in 0..self.steps.of(moment.step) {
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        self.orbit.steer(frame.input, frame.delta);
+        self.steer(frame.input);
+        for _ in 0..self.steps.of(frame.delta) {
             self.roll();
             self.win_gems(world)?;
         }

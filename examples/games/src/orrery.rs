@@ -17,8 +17,8 @@ mod bodies;
 use std::f64::consts::TAU;
 
 use cellray::game::{
-    Button, DVec3, Entry, Game, Input, Key, Light, Look, Material, Model, Moment, ObjectId, Shader,
-    Start, World, WorldError,
+    Button, DVec3, Entry, Frame, Game, Input, Key, Light, Material, Model, ObjectId, RenderOptions,
+    Shader, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -316,10 +316,10 @@ impl Game for Orrery {
 
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
         world.set_name(NAME);
-        world.set_look(Look {
+        world.set_render_options(RenderOptions {
             model: Model::Whitted,
             ray_depth: 1,
-            ..Look::default()
+            ..RenderOptions::default()
         });
         world.set_background(DVec3::new(0.008, 0.009, 0.022))?;
         world.set_ambient(DVec3::new(0.13, 0.135, 0.16))?;
@@ -330,15 +330,15 @@ impl Game for Orrery {
         world.look_from(self.orbit.from(self.at), self.at)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        self.choose(moment.input);
-        for _ in 0..self.steps.of(moment.step) {
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        self.choose(frame.input);
+        for _ in 0..self.steps.of(frame.delta) {
             if !self.stopped {
                 self.days += self.speed * STEP;
             }
         }
         self.place_bodies(world)?;
-        self.look(world, moment.input, moment.step)
+        self.look(world, frame.input, frame.delta)
     }
 }
 

@@ -12,8 +12,8 @@
 //! | nearer, farther | page keys, wheel | R2, L2 |
 
 use cellray::game::{
-    Button, DVec3, DepthShading, Entry, Game, Key, Light, Look, Material, MaterialId, Model,
-    Moment, ObjectId, Shader, Start, World, WorldError,
+    Button, DVec3, DepthShading, Entry, Frame, Game, Key, Light, Material, MaterialId, Model,
+    ObjectId, RenderOptions, Shader, Start, World, WorldError,
 };
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -94,15 +94,15 @@ impl Screensaver {
         ROOM
     }
 
-    fn look(&self) -> Look {
-        Look {
+    fn render_options(&self) -> RenderOptions {
+        RenderOptions {
             model: if self.whitted {
                 Model::Whitted
             } else {
                 Model::Depth
             },
             ray_depth: RAY_DEPTH,
-            ..Look::default()
+            ..RenderOptions::default()
         }
     }
 
@@ -221,7 +221,7 @@ impl Game for Screensaver {
     fn set_up(&mut self, world: &mut World, start: &Start) -> Result<(), WorldError> {
         self.place_spheres(start.seed);
         world.set_name(NAME);
-        world.set_look(self.look());
+        world.set_render_options(self.render_options());
         world.set_background(DVec3::new(0.012, 0.014, 0.03))?;
         world.set_ambient(DVec3::splat(0.16))?;
         world.add_light(Light::at(DVec3::new(-2.2, 2.4, 1.4)).coloured(0.72, 0.67, 0.6))?;
@@ -240,23 +240,23 @@ impl Game for Screensaver {
         self.show(world, 0.0)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        let input = moment.input;
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        let input = frame.input;
         if input.key_pressed(Key::Space)
             || input.pad().is_some_and(|pad| pad.pressed(Button::Cross))
         {
             self.whitted = !self.whitted;
-            world.set_look(self.look());
+            world.set_render_options(self.render_options());
         }
-        if self.orbit.steer(input, moment.step) {
+        if self.orbit.steer(input, frame.delta) {
             self.alone = 0.0;
         } else {
-            self.alone += moment.step;
+            self.alone += frame.delta;
         }
         if self.alone >= PATIENCE {
-            self.wander(moment.time, moment.step);
+            self.wander(frame.time, frame.delta);
         }
-        for _ in 0..self.steps.of(moment.step) {
+        for _ in 0..self.steps.of(frame.delta) {
             for body in &mut self.bodies {
                 body.centre += body.velocity * STEP;
             }
@@ -267,6 +267,6 @@ impl Game for Screensaver {
                 body.keep_within(-ROOM, ROOM, 1.0);
             }
         }
-        self.show(world, moment.time)
+        self.show(world, frame.time)
     }
 }

@@ -6,7 +6,7 @@ use std::error::Error;
 use std::path::PathBuf;
 
 use cellray::framebuffer::{Geometry, Png};
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 
@@ -23,7 +23,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let size = arguments.next();
     let program = Program::from_image(IMAGE)?;
     let scene = nff::parse(SCENE, "still_life.nff", &nff::Limits::default())?;
-    let scene = Scene::new(&scene, Look::default(), &program)?;
+    let scene = Scene::new(&scene, RenderOptions::default(), &program)?;
     let settings = Settings {
         program,
         ..Settings::default()

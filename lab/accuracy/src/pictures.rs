@@ -8,7 +8,7 @@ use std::error::Error;
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
-use cellray::scene::{Look, Model};
+use cellray::scene::{Model, RenderOptions};
 use cellray::spe::Program;
 use cellray::{Engine, Report, Scene, Settings};
 use image::RgbImage;
@@ -138,10 +138,10 @@ impl Subject {
         }
     }
 
-    fn look(&self) -> Look {
-        Look {
+    fn render_options(&self) -> RenderOptions {
+        RenderOptions {
             model: self.model,
-            ..Look::default()
+            ..RenderOptions::default()
         }
     }
 
@@ -213,7 +213,7 @@ fn trace(
         program,
         ..Settings::default()
     };
-    let scene = Scene::new(scene, subject.look(), &program)?;
+    let scene = Scene::new(scene, subject.render_options(), &program)?;
     let shown = Shown::default();
     let framebuffer = Kept {
         memory: Memory::new(Geometry::new(width, height)?)?,

@@ -3,7 +3,7 @@
 
 pub use kernels::vector::{cross, dot, in_cube, less, unit};
 use rand::Rng;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use twins::triangle::Triangle;
 use twins::triangle_pairs::TriangleObject;
 use twins::{FARTHEST, Single};
@@ -53,8 +53,8 @@ pub fn point(vector: Vector) -> [Single; 3] {
     vector.map(nearest)
 }
 
-/// Within the ball of that radius.
-pub fn in_ball(radius: f64, random: &mut impl Rng) -> Vector {
+/// Within the sphere of that radius.
+pub fn in_sphere(radius: f64, random: &mut impl Rng) -> Vector {
     loop {
         let vector = in_cube(1.0, random);
         if dot(vector, vector) < 1.0 {
@@ -66,7 +66,7 @@ pub fn in_ball(radius: f64, random: &mut impl Rng) -> Vector {
 /// A direction, all alike.
 pub fn direction(random: &mut impl Rng) -> Vector {
     loop {
-        let vector = in_ball(1.0, random);
+        let vector = in_sphere(1.0, random);
         // Too near to 0 the quotient would lose digits.
         if dot(vector, vector) > 1e-4 {
             return unit(vector);

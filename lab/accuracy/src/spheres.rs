@@ -145,7 +145,7 @@ mod tests {
         found.unwrap()
     }
 
-    /// Of the eye's rays: what Whitted's model has of another form is the same bits
+    /// Of primary rays: what Whitted's model has of another form is the same bits
     /// (oracle/tests/forms.rs).
     #[test]
     fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {

@@ -2,7 +2,7 @@
 
 use kernels::Bench;
 use kernels::cases::spheres::{self, EyeSphere};
-use kernels::cases::whitted::isect::ball::SphereObject;
+use kernels::cases::whitted::isect::sphere::SphereObject;
 use kernels::eye_records::Vectors;
 use protocol::formulation::{EyeRecord, SPHERES, SphereFormulation};
 use spu_emulator::float::single::to_f64;
@@ -43,14 +43,14 @@ pub fn all() -> impl Iterator<Item = Subject> {
 /// A shot's sphere as a kernel is given it.
 #[derive(Clone, Copy, Debug)]
 pub enum Given {
-    /// As a record for the eye's rays.
+    /// As a record for primary rays.
     Eye(EyeSphere),
     /// As an object of a scene.
     General(SphereObject),
 }
 
 /// A sphere that is seen from within and without.
-pub fn ball(centre: [Single; 3], radius: Single) -> SphereObject {
+pub fn sphere(centre: [Single; 3], radius: Single) -> SphereObject {
     SphereObject {
         centre,
         offset: radius,
@@ -79,7 +79,7 @@ impl Given {
                     distance: nearest(square.sqrt()),
                 })
             }
-            (Form::General, _) => Self::General(ball(shot.centre, shot.radius)),
+            (Form::General, _) => Self::General(sphere(shot.centre, shot.radius)),
         }
     }
 

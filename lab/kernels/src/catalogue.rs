@@ -3,7 +3,7 @@
 use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
-use crate::cases::{ball, eye, flat, math, whitted};
+use crate::cases::{eye, flat, math, sphere_ray, whitted};
 
 /// A kernel as the table knows it.
 pub struct Kernel {
@@ -45,7 +45,7 @@ const FAMILIES: [(&[Kernel], &[&str]); 11] = [
         eye::formulation::KERNELS,
         &["eye::isect_pairs", "spheres::"],
     ),
-    (ball::KERNELS, &["ball::"]),
+    (sphere_ray::KERNELS, &["sphere_ray::"]),
     (flat::KERNELS, &["flat::"]),
     (math::KERNELS, &["math::"]),
     (whitted::rays::KERNELS, &["rays::"]),

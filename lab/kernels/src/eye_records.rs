@@ -2,8 +2,8 @@
 //! give.
 
 use twins::Single;
-use twins::ball::Ball;
 use twins::isect_pairs::Hit;
+use twins::sphere_ray::BareSphere;
 use twins::{ray_setup, shade_depth};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
@@ -47,18 +47,18 @@ pub fn hits(packet: &Packet) -> Hits {
 
 /// A sphere with nothing but its place and size.
 #[must_use]
-pub fn sphere(ball: &Ball) -> Sphere {
+pub fn sphere(bare: &BareSphere) -> Sphere {
     Sphere {
-        centre: ball.centre.map(single),
-        radius_squared: single(ball.radius_squared),
+        centre: bare.centre.map(single),
+        radius_squared: single(bare.radius_squared),
         ..Sphere::new_zeroed()
     }
 }
 
 /// Place and size of a sphere.
 #[must_use]
-pub fn ball(sphere: &Sphere) -> Ball {
-    Ball {
+pub fn bare_sphere(sphere: &Sphere) -> BareSphere {
+    BareSphere {
         centre: sphere.centre.map(bits),
         radius_squared: bits(sphere.radius_squared),
     }

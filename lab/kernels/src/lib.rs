@@ -13,6 +13,7 @@ pub mod check;
 pub mod document;
 pub mod eye_records;
 pub mod flat_records;
+pub mod images;
 pub mod loops;
 pub mod measure;
 pub mod records;

@@ -10,6 +10,7 @@ use clap::{Args, Parser, Subcommand};
 use kernels::catalogue::{self, Kernel};
 use kernels::check::{CheckError, check};
 use kernels::document::{self, DocumentError};
+use kernels::images;
 use kernels::measure::{MeasureError, measure_all};
 use kernels::set::{self, Kernels};
 use kernels::source::Source;
@@ -56,6 +57,12 @@ enum Command {
         /// The file to write
         #[arg(long, value_name = "F.elf")]
         out: PathBuf,
+    },
+    /// Write the images that cellray ships to spu/images, for builds without an SPU assembler
+    Images {
+        /// Write nothing, and fail if an image is not what would be written
+        #[arg(long)]
+        check: bool,
     },
     /// Fill a folder with all images, for a machine that has neither sources nor an SPU assembler:
     /// the variable CELLRAY_KERNELS names it there
@@ -138,6 +145,8 @@ fn run(command: Command) -> Result<(), Failure> {
             let image = set::tracer(Formulations::of(sphere, triangle))?;
             std::fs::write(&out, image).map_err(|source| Failure::File { path: out, source })
         }
+        Command::Images { check: true } => Ok(images::check()?),
+        Command::Images { check: false } => Ok(images::write()?),
         Command::Pack { folder } => Ok(set::pack_into(&folder)?),
     }
 }

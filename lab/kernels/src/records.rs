@@ -1,7 +1,7 @@
 //! Records of the general intersectors, as `spu/include/rays.inc` lays them out; a test compares
 //! the two.
 
-use twins::ball;
+use twins::sphere_ray;
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Unaligned};
 
@@ -46,7 +46,7 @@ pub struct Ray {
 /// A sphere for rays from anywhere.
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
 #[repr(C)]
-pub struct Ball {
+pub struct BareSphere {
     /// Centre: x, y, z.
     pub centre: [F32; 3],
     /// Radius squared.
@@ -56,7 +56,7 @@ pub struct Ball {
 impl Rays {
     /// The record of these rays.
     #[must_use]
-    pub fn new(rays: &[ball::Ray; 16]) -> Self {
+    pub fn new(rays: &[sphere_ray::Ray; 16]) -> Self {
         let mut record = Self::new_zeroed();
         for (lane, ray) in rays.iter().enumerate() {
             [
@@ -77,8 +77,8 @@ impl Rays {
 
     /// The rays of the record.
     #[must_use]
-    pub fn rays(&self) -> [ball::Ray; 16] {
-        std::array::from_fn(|lane| ball::Ray {
+    pub fn rays(&self) -> [sphere_ray::Ray; 16] {
+        std::array::from_fn(|lane| sphere_ray::Ray {
             origin: [self.origin_x, self.origin_y, self.origin_z].map(|axis| bits(axis[lane])),
             direction: [self.direction_x, self.direction_y, self.direction_z]
                 .map(|axis| bits(axis[lane])),
@@ -91,7 +91,7 @@ impl Rays {
 impl Ray {
     /// The record of a ray; `anything` fills what has no meaning.
     #[must_use]
-    pub fn new(ray: &ball::Ray, anything: u32) -> Self {
+    pub fn new(ray: &sphere_ray::Ray, anything: u32) -> Self {
         let vector = |[x, y, z]: [u32; 3]| [x, y, z, anything].map(single);
         let first = |value| [value, anything, anything, anything];
         Self {
@@ -104,9 +104,9 @@ impl Ray {
 
     /// The ray of the record.
     #[must_use]
-    pub fn ray(&self) -> ball::Ray {
+    pub fn ray(&self) -> sphere_ray::Ray {
         let vector = |[x, y, z, _]: [F32; 4]| [x, y, z].map(bits);
-        ball::Ray {
+        sphere_ray::Ray {
             origin: vector(self.origin),
             direction: vector(self.direction),
             t: bits(self.t[0]),
@@ -115,13 +115,13 @@ impl Ray {
     }
 }
 
-impl Ball {
+impl BareSphere {
     /// The record of a sphere.
     #[must_use]
-    pub fn new(ball: &ball::Ball) -> Self {
+    pub fn new(sphere: &sphere_ray::BareSphere) -> Self {
         Self {
-            centre: ball.centre.map(single),
-            radius_squared: single(ball.radius_squared),
+            centre: sphere.centre.map(single),
+            radius_squared: single(sphere.radius_squared),
         }
     }
 }

@@ -66,6 +66,9 @@ pub enum WorkshopError {
     /// Files are missing or not what the scheduler makes now.
     #[error("stale: {}; write them anew with `kernels schedule`", .0.join(", "))]
     Stale(Vec<String>),
+    /// Images are missing or not what the sources make now.
+    #[error("stale: {}; write them again with `kernels images`", .0.join(", "))]
+    StaleImages(Vec<String>),
 }
 
 /// What the scheduler makes of a kernel.

@@ -1,5 +1,5 @@
 # isect_sphere_r1   nearest hit of one ray with one sphere
-#   C       void isect_sphere_r1(struct ray *, const struct ball *, int object);
+#   C       void isect_sphere_r1(struct ray *, const struct sphere *, int object);
 #   In      $3 ray, $4 sphere, $5 object number; pointers 16-aligned
 #   Out     ray: t, object, if a hit is at 0 < t < the t that was there
 #   Uses    $3-$40   Saves  -   Stack  0   Calls  -
@@ -7,9 +7,9 @@
 #           leaves the ray alone)
 #   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
-#   Twin    lab/twins/src/ball.rs
+#   Twin    lab/twins/src/sphere_ray.rs
 #
-# Gives the bits that isect_sphere_r16 gives: its formulas and order of sums (ball_tmpl.inc).
+# Gives the bits that isect_sphere_r16 gives: its formulas and order of sums (sphere_ray_tmpl.inc).
 # Nothing but latency counts: vectors are handled as such where lanes don't meet, and every sum
 # runs over splats, so that it takes no rotation and comes out in all lanes, ready for the next
 # vector.
@@ -19,11 +19,11 @@
         .include "rays.inc"
 
         .set    NEXT,3
-        registers a_ray,a_ball,object
+        registers a_ray,a_sphere,object
         # constants
         registers k_half,k_one,m_sign,m_x,m_y,m_z,m_radius2
         # the ray and the sphere
-        registers origin,direction,dx,dy,dz,t_best,nearest,ball,radius2
+        registers origin,direction,dx,dy,dz,t_best,nearest,quadword,radius2
         # from the origin to the centre; from the ray's nearest point to it
         registers centre,cx,cy,cz,l,lx,ly,lz
         # temporaries, the same in all lanes
@@ -31,7 +31,7 @@
         registers limit                                 # -t of the nearest hit so far
 
 function isect_sphere_r1
-        lqd     $ball,0($a_ball)
+        lqd     $quadword,0($a_sphere)
         lqd     $origin,RAY_origin($a_ray)
         lqd     $direction,RAY_direction($a_ray)
         lqd     $t_best,RAY_t($a_ray)
@@ -44,11 +44,11 @@ function isect_sphere_r1
         ilhu    $k_one,0x3f80
         ilhu    $m_sign,0x8000
         xor     $limit,$t_best,$m_sign
-        fs      $centre,$ball,$origin
+        fs      $centre,$quadword,$origin
         shufb   $dx,$direction,$direction,$m_x
         shufb   $dy,$direction,$direction,$m_y
         shufb   $dz,$direction,$direction,$m_z
-        shufb   $radius2,$ball,$ball,$m_radius2
+        shufb   $radius2,$quadword,$quadword,$m_radius2
         shufb   $cx,$centre,$centre,$m_x
         shufb   $cy,$centre,$centre,$m_y
         shufb   $cz,$centre,$centre,$m_z

@@ -1,5 +1,5 @@
 # isect_sphere_r16   nearest hit of sixteen rays with one sphere
-#   C       void isect_sphere_r16(struct rays *, const struct ball *, int object);
+#   C       void isect_sphere_r16(struct rays *, const struct sphere *, int object);
 #   In      $3 rays, $4 sphere, $5 object number; pointers 16-aligned
 #   Out     rays: t, object, where a hit is at 0 < t < the t that was there
 #   Uses    $3-$5, $10-$66   Saves  -   Stack  0   Calls  -
@@ -7,22 +7,22 @@
 #           leaves the ray alone)
 #   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
-#   Twin    lab/twins/src/ball.rs
+#   Twin    lab/twins/src/sphere_ray.rs
 #
 # The entry, or the exit of a ray from inside; a ray that leaves the surface outwards from 6 ulp
-# of r above it does not meet it again. The steps are in ball_tmpl.inc.
+# of r above it does not meet it again. The steps are in sphere_ray_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"
-        .include "ball_tmpl.inc"
+        .include "sphere_ray_tmpl.inc"
 
         .set    NEXT,3
-        registers a_rays,a_ball,object
+        registers a_rays,a_sphere,object
         # constants
         .set    NEXT,10
         registers m_x,m_y,m_z,m_radius2,k_half,k_one,m_sign,a_merges
         # the sphere
-        registers ball,cx,cy,cz,radius2
+        registers quadword,cx,cy,cz,radius2
         # the rays: rows 0 to 3
         registers ox
         .set    oy,27
@@ -36,19 +36,19 @@
         .set    NEXT,55
         registers fx,fy,fz,b,disc,out,y,s,e,t,hit,merge
 
-        ball_merges
+        sphere_merges
 
 function isect_sphere_r16
-        ball_masks
-        ball_nearest_constants
-        ball_splat $a_ball
+        sphere_masks
+        sphere_nearest_constants
+        sphere_splat $a_sphere
         shufb   $object,$object,$object,$m_x
-        ball_rays $a_rays
+        sphere_rays $a_rays
     .irp row, 0,1,2,3
         lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
-        ball_turn_t \row
-        ball_nearest \row, $object
-        ball_turn_t \row
+        sphere_turn_t \row
+        sphere_nearest \row, $object
+        sphere_turn_t \row
         stqd    $t_best+\row,RAYS_t+16*\row($a_rays)
         stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
     .endr

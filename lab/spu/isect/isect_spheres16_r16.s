@@ -1,5 +1,5 @@
 # isect_spheres16_r16   nearest hit of sixteen rays with sixteen spheres
-#   C       void isect_spheres16_r16(struct rays *, const struct ball *, int first_object);
+#   C       void isect_spheres16_r16(struct rays *, const struct sphere *, int first_object);
 #   In      $3 rays, $4 sixteen spheres, $5 object number of the first; pointers 16-aligned
 #   Out     rays: t, object, where a hit is at 0 < t < the t that was there
 #   Uses    $3-$5, $10-$67   Saves  -   Stack  0   Calls  -
@@ -7,23 +7,23 @@
 #           leaves the ray alone)
 #   Error   40 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
 #           0.995 r of it
-#   Twin    lab/twins/src/ball.rs
+#   Twin    lab/twins/src/sphere_ray.rs
 #
-# Of equal hits the first counts. The rays stay in registers; the steps are in ball_tmpl.inc.
+# Of equal hits the first counts. The rays stay in registers; the steps are in sphere_ray_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"
-        .include "ball_tmpl.inc"
+        .include "sphere_ray_tmpl.inc"
 
         .set    NEXT,3
-        registers a_rays,a_ball,object
+        registers a_rays,a_sphere,object
         # loop
         .set    NEXT,10
         registers count
         # constants
         registers m_x,m_y,m_z,m_radius2,k_half,k_one,m_sign,a_merges
         # the sphere
-        registers ball,cx,cy,cz,radius2
+        registers quadword,cx,cy,cz,radius2
         # the rays: rows 0 to 3
         registers ox
         .set    oy,28
@@ -37,29 +37,29 @@
         .set    NEXT,56
         registers fx,fy,fz,b,disc,out,y,s,e,t,hit,merge
 
-        ball_merges
+        sphere_merges
 
 function isect_spheres16_r16
-        ball_masks
-        ball_nearest_constants
+        sphere_masks
+        sphere_nearest_constants
         shufb   $object,$object,$object,$m_x
-        ball_rays $a_rays
+        sphere_rays $a_rays
     .irp row, 0,1,2,3
         lqd     $nearest+\row,RAYS_object+16*\row($a_rays)
-        ball_turn_t \row
+        sphere_turn_t \row
     .endr
         il      $count,16
-next_ball:
-        ball_splat $a_ball
+next_sphere:
+        sphere_splat $a_sphere
     .irp row, 0,1,2,3
-        ball_nearest \row, $object
+        sphere_nearest \row, $object
     .endr
         ai      $object,$object,1
-        ai      $a_ball,$a_ball,BALL_SIZE
+        ai      $a_sphere,$a_sphere,BARE_SPHERE_SIZE
         ai      $count,$count,-1
-        brnz    $count,next_ball
+        brnz    $count,next_sphere
     .irp row, 0,1,2,3
-        ball_turn_t \row
+        sphere_turn_t \row
         stqd    $t_best+\row,RAYS_t+16*\row($a_rays)
         stqd    $nearest+\row,RAYS_object+16*\row($a_rays)
     .endr

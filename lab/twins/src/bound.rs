@@ -3,9 +3,9 @@
 
 use spu_emulator::float::single::{fa, fcgt, fm, fma, fms, fnms, fs};
 
-use super::eye_rays::Ray;
 use super::flat::SIGN;
 use super::math::{reciprocal, rsqrt, sqrt};
+use super::primary_rays::Ray;
 use super::{ONE, Single, ZERO, below_zero};
 
 /// 2 - 2 (3/16): the square of the longest chord of a cone.
@@ -23,7 +23,7 @@ const SHRUNK: [Single; 2] = [0x3f7f_f000, 0x3eff_f000];
 /// Less the largest single: the radius and the sine where there is nothing.
 pub const NOTHING: Single = 0xffff_ffff;
 
-/// A ball moved along a cone.
+/// A sphere moved along a cone.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Bound {
     /// Middle of the rays' origins.
@@ -99,7 +99,7 @@ impl Cone {
         }
     }
 
-    /// The bound with a ball.
+    /// The bound with a sphere.
     fn bound(
         self,
         apex: [Single; 3],

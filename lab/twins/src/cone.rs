@@ -4,10 +4,10 @@
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 
-use super::ball::{Ray, SIGN};
 use super::math::reciprocal;
 use super::pairs::{Sides, nearer};
 use super::rectangle::dot;
+use super::sphere_ray::{Ray, SIGN};
 use super::{HALF, ONE, Single, below_zero};
 
 /// The smallest single above 0.

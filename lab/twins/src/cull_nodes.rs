@@ -6,7 +6,7 @@ use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
 use super::bound::Bound;
 use super::{Single, below_zero};
 
-/// Whether a ray of the bound may meet the ball around `centre`.
+/// Whether a ray of the bound may meet the sphere around `centre`.
 #[must_use]
 pub fn may_meet(bound: &Bound, centre: [Single; 3], radius: Single) -> bool {
     let v: [Single; 3] = std::array::from_fn(|k| fs(centre[k], bound.apex[k]));

@@ -1,4 +1,4 @@
-//! Twin of the eye form of `spu/include/sphere_tmpl.inc`: nearest entry of an eye ray into
+//! Twin of the eye form of `spu/include/sphere_tmpl.inc`: nearest entry of a primary ray into
 //! spheres.
 
 use super::sphere::Eye;

@@ -6,15 +6,12 @@
 //! format.
 
 pub mod accumulate;
-pub mod ball;
-pub mod ball_pairs;
 pub mod bounce;
 pub mod bound;
 pub mod cone;
 pub mod cull;
 pub mod cull_faces;
 pub mod cull_nodes;
-pub mod eye_rays;
 pub mod flat;
 pub mod isect_pairs;
 pub mod light;
@@ -23,6 +20,7 @@ pub mod load_rays;
 pub mod math;
 pub mod pack;
 pub mod pairs;
+pub mod primary_rays;
 pub mod ray_setup;
 pub mod rectangle;
 pub mod rectangle_pairs;
@@ -33,6 +31,8 @@ pub mod shader;
 pub mod shadow_rays;
 pub mod smooth;
 pub mod sphere;
+pub mod sphere_pairs;
+pub mod sphere_ray;
 pub mod surfaces;
 pub mod triangle;
 pub mod triangle_mt_pairs;

@@ -1,6 +1,6 @@
 //! Twin of `spu/trace/load_rays_r16.s`: a ray of a packet, from the rays that wait.
 
-use super::eye_rays::{ABSENT, Ray};
+use super::primary_rays::{ABSENT, Ray};
 use super::{FARTHEST, Single, ZERO};
 
 /// A ray that waits to be traced.

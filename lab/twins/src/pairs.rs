@@ -1,7 +1,7 @@
 //! Twin of `spu/include/pairs.inc`: what the intersectors of candidates share.
 
 use super::Single;
-use super::ball::Ray;
+use super::sphere_ray::Ray;
 
 /// From where a surface is seen.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

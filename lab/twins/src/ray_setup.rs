@@ -1,4 +1,4 @@
-//! Twin of `spu/trace/ray_setup_r16.s`: a unit eye ray.
+//! Twin of `spu/trace/ray_setup_r16.s`: a unit primary ray.
 
 use spu_emulator::float::convert::csflt;
 use spu_emulator::float::single::{fm, fma};

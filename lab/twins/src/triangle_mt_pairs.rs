@@ -3,10 +3,10 @@
 
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 
-use super::ball::Ray;
 use super::flat::SIGN;
 use super::math::reciprocal;
 use super::pairs::nearer;
+use super::sphere_ray::Ray;
 use super::triangle_pairs::TriangleObject;
 use super::{ONE, Single, ZERO, below_zero};
 

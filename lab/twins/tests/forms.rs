@@ -1,24 +1,24 @@
-//! The eye's rays get the very bits of a formulation's eye form from its general form: what is
+//! primary rays get the very bits of a formulation's eye form from its general form: what is
 //! measured of the one holds of the other.
 
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
 use twins::FARTHEST;
-use twins::ball::{Ball, Ray};
-use twins::ball_pairs::SphereObject;
 use twins::pairs::Sides;
 use twins::sphere::{
     Estimate, Eye, General, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
     Unnormalised,
 };
+use twins::sphere_pairs::SphereObject;
+use twins::sphere_ray::{BareSphere, Ray};
 
 const FRONT: Sides = Sides {
     both: false,
     exit: false,
 };
 
-fn forms_agree<F: General + Eye<Sphere = Ball>>() {
+fn forms_agree<F: General + Eye<Sphere = BareSphere>>() {
     let mut random = ChaCha8Rng::seed_from_u64(31);
     let mut hits = 0;
     for _ in 0..20_000 {
@@ -42,11 +42,11 @@ fn forms_agree<F: General + Eye<Sphere = Ball>>() {
             offset: from_f64(radius),
             sides: FRONT,
         };
-        let ball = Ball {
+        let bare = BareSphere {
             centre,
             radius_squared: from_f64(radius * radius),
         };
-        let (general, eye) = (F::crossing(&ray, &sphere), F::entry(direction, &ball));
+        let (general, eye) = (F::crossing(&ray, &sphere), F::entry(direction, &bare));
         assert_eq!(general.outside >> 31, eye.outside >> 31);
         if eye.outside >> 31 == 0 {
             assert_eq!(general.t, eye.t, "{ray:x?} {sphere:x?}");

@@ -1,4 +1,4 @@
-//! What a scene has that the model leaves out, so that a program can say so.
+//! Lists the parts of a scene that depth shading leaves out.
 
 use std::fmt;
 
@@ -26,7 +26,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Its name, plural.
+    /// The kind's name, in plural.
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
@@ -42,16 +42,16 @@ impl Kind {
     }
 }
 
-/// All things of a kind that are not drawn. Its text is a message without an end of line.
+/// All things of a kind that are not drawn. It displays as a message without a line end.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct NotDrawn {
     /// The scene's name.
     pub file: String,
-    /// Line of the first one, from 1.
+    /// The line of the first one, from 1.
     pub line: u32,
-    /// What they are.
+    /// Their kind.
     pub what: Kind,
-    /// How many there are.
+    /// Their number.
     pub count: usize,
 }
 
@@ -71,7 +71,7 @@ impl fmt::Display for NotDrawn {
     }
 }
 
-/// What the model leaves out of a scene: an entry a kind, by line.
+/// The parts of a scene that depth shading leaves out: one entry for each kind, ordered by line.
 #[must_use]
 pub fn not_drawn(scene: &Scene) -> Vec<NotDrawn> {
     let mut found: Vec<NotDrawn> = Vec::new();

@@ -153,7 +153,7 @@ fn faults_name_file_and_line() {
         ),
         (
             "p 3\n0 0 0\n#cellray sun 0 0 1",
-            "11: vertex x of the polygon that starts on line 9 is missing: `#cellray` is in its place",
+            "11: vertex x of the polygon that starts on line 9 is missing: found `#cellray` instead",
         ),
     ] {
         assert_eq!(refusal(rest), format!("t.nff:{message}"), "{rest}");

@@ -23,7 +23,7 @@ fn lines_after_the_view_and_a_material() {
         ),
         (
             "s 0 0 0\ns 0 0 0 1",
-            "10: radius of the sphere that starts on line 9 is missing: `s` is in its place",
+            "10: radius of the sphere that starts on line 9 is missing: found `s` instead",
         ),
         (
             "s 0 0 0 1 2",
@@ -61,11 +61,11 @@ fn lines_after_the_view_and_a_material() {
         ),
         (
             "l 1 2\nf 1 1 1 1 0 0 0 1",
-            "10: light z of the light that starts on line 9 is missing: `f` is in its place",
+            "10: light z of the light that starts on line 9 is missing: found `f` instead",
         ),
         (
             "l 1 2 3 1 l 1 2 3",
-            "9: light green of the light that starts on line 9 is missing: `l` is in its place",
+            "9: light green of the light that starts on line 9 is missing: found `l` instead",
         ),
         (
             "l 1 2 3\n1",
@@ -91,7 +91,7 @@ fn lines_after_the_view_and_a_material() {
         ),
         (
             "c\n0 0 0\n0 0 1 1\ns 0 0 0 1",
-            "12: apex radius of the cone that starts on line 9 is missing: `s` is in its place",
+            "12: apex radius of the cone that starts on line 9 is missing: found `s` instead",
         ),
         (
             "c\n0 0 0 1\n0 0 1 1 1",
@@ -148,7 +148,7 @@ fn lines_after_the_view_and_a_material() {
         ),
         (
             "p 3\n0 0 0\n1 0\n0 1 0\nf 1 1 1 1 0 0 0 1",
-            "13: vertex z of the polygon that starts on line 9 is missing: `f` is in its place",
+            "13: vertex z of the polygon that starts on line 9 is missing: found `f` instead",
         ),
         (
             "p 3\n0 0 0\n1 0 0 5\n0 1 0",
@@ -156,7 +156,7 @@ fn lines_after_the_view_and_a_material() {
         ),
         (
             "p 3\n0 0 0\n1 0 0\ns 0 0 0 1",
-            "12: vertex x of the polygon that starts on line 9 is missing: `s` is in its place",
+            "12: vertex x of the polygon that starts on line 9 is missing: found `s` instead",
         ),
         (
             "pp 3\n0 0 0 0 0\n",
@@ -184,7 +184,7 @@ fn views() {
         (
             "from 0 -10 0",
             "from 0 -10",
-            "3: from z of the view that starts on line 1 is missing: `at` is in its place",
+            "3: from z of the view that starts on line 1 is missing: found `at` instead",
         ),
         (
             "from 0 -10 0",
@@ -225,7 +225,7 @@ fn views() {
         (
             "resolution 64 48",
             "resolution 64",
-            "8: resolution height of the view that starts on line 1 is missing: `f` is in its place",
+            "8: resolution height of the view that starts on line 1 is missing: found `f` instead",
         ),
         (
             "resolution 64 48",

@@ -1,37 +1,38 @@
 //! Cylinders and cones, cut at right angles to the axis, without caps.
 //!
-//! With w from the base's centre to the ray's origin, both split into parts along the axis (a) and
-//! across it (c), and the radius at the height of the ray's point t being ρ + m t, the crossings
-//! are the roots of |w_c + t d_c|² = (ρ + m t)². A quarter of the discriminant is
-//! |ρ d_c - m w_c|² - |w_c x d_c|², which cancels only at the silhouette. The root -root/a enters the
-//! body, whatever the sign of a: so of the double cone nothing but the heights is to be excluded.
+//! Let w be the vector from the base's centre to the ray's origin. It and the direction d are
+//! split into parts along the axis (a) and across it (c). The radius at the height of the ray's
+//! point t is ρ + m t. The crossings are the roots of |w_c + t d_c|² = (ρ + m t)². A quarter of
+//! the discriminant is |ρ d_c - m w_c|² - |w_c x d_c|², which cancels only at the silhouette. The
+//! root -root/a enters the body, whatever the sign of a, so only the heights must be checked to
+//! exclude the rest of the double cone.
 
 use glam::DVec3;
 use nff::unit;
 
 use super::{Place, Sides, nearest_seen, rounding};
+use crate::bvh::Bounds;
 use crate::ray::Ray;
-use crate::tree::Bounds;
 
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Cone {
     base: DVec3,
     apex: DVec3,
-    /// Unit vector from base to apex.
+    /// The unit vector from base to apex.
     axis: DVec3,
     height: f64,
-    /// Radii at base and apex.
+    /// The radii at base and apex.
     radii: [f64; 2],
-    /// Growth of the radius with the height.
+    /// The growth of the radius with the height.
     slope: f64,
-    /// Whether the normal points to the axis.
+    /// Whether the normal points towards the axis.
     hollow: bool,
     sides: Sides,
 }
 
 impl Cone {
-    /// A cone between two discs, each a centre and a radius; negative radii turn its normal
-    /// inwards.
+    /// A cone between two discs, each given by centre and radius. With negative radii the normal
+    /// points inwards.
     pub(super) fn new(base: (DVec3, f64), apex: (DVec3, f64), sides: Sides) -> Option<Self> {
         let axis = unit(apex.0 - base.0)?;
         let height = (apex.0 - base.0).dot(axis);
@@ -50,14 +51,15 @@ impl Cone {
         })
     }
 
-    /// Height above the base of a point at `from_base` from it, and its part across the axis.
+    /// The height above the base of a point, given relative to the base, and its part across the
+    /// axis.
     fn split(&self, from_base: DVec3) -> (f64, DVec3) {
         let height = from_base.dot(self.axis);
         (height, from_base - height * self.axis)
     }
 
-    /// Distance from the surface, with the sign of the outside, of a point at this height and with
-    /// this distance from the axis.
+    /// The signed distance from the surface, positive outside, of a point at this height and
+    /// distance from the axis.
     fn above(&self, height: f64, from_axis: f64) -> f64 {
         let radius = self.radii[0] + self.slope * height;
         (from_axis - radius) / libm::hypot(self.slope, 1.0)
@@ -108,7 +110,8 @@ impl Cone {
 
     pub(super) fn place(&self, point: DVec3, direction: DVec3) -> Place {
         let (height, across) = self.split(point - self.base);
-        // At an apex every direction across the axis is as good: the one the ray comes from.
+        // At an apex every direction across the axis would do; take the one that the ray comes
+        // from.
         let outward = unit(across)
             .or_else(|| unit(-self.split(direction).1))
             .unwrap_or_else(|| self.axis.any_orthonormal_vector());
@@ -122,7 +125,8 @@ impl Cone {
     }
 
     pub(super) fn bounds(&self) -> Bounds {
-        // A disc reaches as far along a coordinate as the part of it across the disc's normal.
+        // A disc's extent along a coordinate axis is the part of that axis across the disc's
+        // normal.
         let reach = (DVec3::ONE - self.axis * self.axis)
             .max(DVec3::ZERO)
             .map(f64::sqrt);

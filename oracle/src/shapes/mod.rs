@@ -1,37 +1,37 @@
-//! Where rays meet the shapes of a scene, in `f64`, from anywhere.
+//! Intersects rays from anywhere with the shapes of a scene, in `f64`.
 //!
-//! What starts within [`rounding`] of a surface starts on it: a plane is then not met at all, and
-//! of a quadric only the crossing that is not the start. So a ray leaves a surface without an
-//! offset, at any scale, and without being told which object it leaves; a hit's point is put onto
-//! its surface first, to be that near.
+//! A ray that starts within [`rounding`] of a surface counts as starting on it. Then it doesn't
+//! hit a plane at all, and it hits a quadric only at the other crossing. So a ray leaves a surface
+//! without an origin offset, at any scale, and without knowing which object it leaves. A hit's
+//! point is moved onto its surface first, so that it is near enough.
 //!
-//! Invariant: a distance found is finite, above 0 and below the limit; a normal has length 1.
+//! Invariant: a distance is finite, above 0 and below the limit; a normal has length 1.
 
-mod ball;
 mod cone;
 mod polygon;
+mod sphere;
 #[cfg(test)]
 pub(crate) mod tests;
 
 use glam::DVec3;
 use nff::Shape;
 
+use crate::bvh::Bounds;
 use crate::ray::Ray;
-use crate::tree::Bounds;
-use ball::Ball;
 use cone::Cone;
 pub(crate) use polygon::MAX_PATCH_VERTICES;
 use polygon::Polygon;
+use sphere::Sphere;
 
-/// A surface that rays can meet.
+/// A surface that rays can hit.
 #[derive(Debug, Clone)]
 pub(crate) enum Surface {
-    Ball(Ball),
+    Sphere(Sphere),
     Cone(Cone),
     Polygon(Polygon),
 }
 
-/// From which sides a surface is seen. Its front is the side that its normal is on.
+/// The sides from which a surface is visible. Its front is the side of its normal.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) struct Sides {
     pub front: bool,
@@ -48,31 +48,31 @@ impl Sides {
         back: false,
     };
 
-    /// Whether a ray that goes against the normal (`true`) or with it sees the surface.
+    /// Whether the surface is visible to a ray against the normal (`true`) or along it.
     fn seen(self, against: bool) -> bool {
         if against { self.front } else { self.back }
     }
 }
 
-/// A place on a surface.
+/// A point on a surface, with its normals.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Place {
-    /// On the surface but for [`rounding`].
+    /// The point, which is on the surface except for [`rounding`].
     pub point: DVec3,
     /// The surface's normal, on its front.
     pub normal: DVec3,
-    /// The normal that a patch interpolates; else `normal`.
+    /// The normal that a patch interpolates; for other surfaces `normal`.
     pub smooth: DVec3,
 }
 
 impl Surface {
-    /// The surface of a shape; `transmits` makes it seen from both sides. Nothing where the shape
-    /// is none: a polygon without area, a cone without height or radius.
+    /// The surface of a shape. With `transmits` it is visible from both sides. `None` if the shape
+    /// has no surface: a polygon without area, a cone without height or radius.
     pub(crate) fn new(shape: &Shape, transmits: bool) -> Option<Self> {
         let sides = if transmits { Sides::BOTH } else { Sides::FRONT };
         match shape {
             &Shape::Sphere { centre, radius } => {
-                (radius != 0.0).then(|| Self::Ball(Ball::new(centre, radius, sides)))
+                (radius != 0.0).then(|| Self::Sphere(Sphere::new(centre, radius, sides)))
             }
             &Shape::Cone {
                 base,
@@ -80,7 +80,7 @@ impl Surface {
                 apex,
                 apex_radius,
             } => {
-                // A sheet, not a body: where its outside is seen, so is its inside.
+                // A cone is a sheet, not a body: if its outside is visible, its inside is too.
                 let sides = if base_radius.max(apex_radius) > 0.0 {
                     Sides::BOTH
                 } else {
@@ -95,20 +95,20 @@ impl Surface {
         }
     }
 
-    /// Distance to the nearest crossing, short of `limit`, that is seen from its side.
+    /// The distance to the nearest crossing below `limit` that is visible from its side.
     pub(crate) fn hit(&self, ray: &Ray, limit: f64) -> Option<f64> {
         match self {
-            Self::Ball(ball) => ball.hit(ray, limit),
+            Self::Sphere(sphere) => sphere.hit(ray, limit),
             Self::Cone(cone) => cone.hit(ray, limit),
             Self::Polygon(polygon) => polygon.hit(ray, limit),
         }
     }
 
-    /// The place of the hit at a distance that [`Self::hit`] gave.
+    /// The place of a hit, at a distance that [`Self::hit`] returned.
     pub(crate) fn place(&self, ray: &Ray, distance: f64) -> Place {
         let point = ray.at(distance);
         match self {
-            Self::Ball(ball) => ball.place(point),
+            Self::Sphere(sphere) => sphere.place(point),
             Self::Cone(cone) => cone.place(point, ray.direction),
             Self::Polygon(polygon) => polygon.place(point),
         }
@@ -117,22 +117,23 @@ impl Surface {
     /// A box around the surface.
     pub(crate) fn bounds(&self) -> Bounds {
         match self {
-            Self::Ball(ball) => ball.bounds(),
+            Self::Sphere(sphere) => sphere.bounds(),
             Self::Cone(cone) => cone.bounds(),
             Self::Polygon(polygon) => polygon.bounds(),
         }
     }
 }
 
-/// How far off its surface a point that was put onto it may lie: some tens of roundings of its
-/// coordinates and of those from the surface's own origin, where a few happen.
+/// How far a point that was moved onto a surface may be off it: tens of rounding errors of its
+/// coordinates, and of its coordinates relative to the surface's origin. Only a few such errors
+/// occur.
 fn rounding(point: DVec3, from_own_origin: DVec3) -> f64 {
     let largest = |vector: DVec3| vector.abs().max_element();
     64.0 * f64::EPSILON * (largest(point) + largest(from_own_origin))
 }
 
-/// The nearest of two crossings, each with whether it goes against the normal, that is seen, ahead
-/// by more than `least` and short of `limit`.
+/// The nearest visible one of two crossings, at a distance above `least` and below `limit`. Each
+/// crossing has its distance, and whether the ray goes against the normal.
 fn nearest_seen(crossings: [(f64, bool); 2], sides: Sides, least: f64, limit: f64) -> Option<f64> {
     let seen = |&(t, against): &(f64, bool)| t > least && t < limit && sides.seen(against);
     let distances = crossings.iter().filter(|it| seen(it)).map(|&(t, _)| t);

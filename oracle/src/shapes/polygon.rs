@@ -1,29 +1,30 @@
-//! Polygons, convex or not, and patches.
+//! Polygons, convex or concave, and patches.
 //!
-//! Inside is where a line crosses the edges an odd number of times, counted along the ray: the
-//! vertices are sheared so that the ray is the third axis, in the same way for all polygons, and
-//! an edge is taken from its lower end whichever polygon it belongs to (as in Woop, Benthin and
-//! Wald, JCGT 2(1) 2013). So two polygons that share an edge decide alike, and nothing leaks
-//! between them. Vertices that are off the polygon's plane are put onto it first.
+//! A point is inside if a line from it crosses the edges an odd number of times. Crossings are
+//! counted in the plane across the ray: the vertices are sheared so that the ray is the third
+//! axis, in the same way for all polygons, and an edge always starts at its lower end (as in Woop,
+//! Benthin and Wald, JCGT 2(1) 2013). So two polygons with a common edge decide consistently, and
+//! no ray passes between them. Vertices off the polygon's plane are moved onto it first.
 
 use glam::DVec3;
 use nff::{area_vector, triangles, unit};
 
 use super::{Place, Sides, rounding};
+use crate::bvh::Bounds;
 use crate::ray::Ray;
-use crate::tree::Bounds;
 
-/// Most vertices of a patch: its triangles take time with the square of them.
+/// The most vertices of a patch. The time to find its triangles grows with their square.
 pub(crate) const MAX_PATCH_VERTICES: usize = 512;
 
-/// How far off the plane a vertex is left, in parts of the farthest one's distance from the
-/// middle: that much comes of rounded numbers, and what is moved no longer meets its neighbours.
+/// How far off the plane a vertex may be without being moved, relative to the farthest vertex's
+/// distance from the middle. Rounded numbers cause such errors, and a moved vertex would leave a
+/// gap to its neighbours.
 const OFF_PLANE: f64 = 1.0 / 262_144.0;
 
 #[derive(Debug, Clone)]
 pub(crate) struct Polygon {
     vertices: Vec<DVec3>,
-    /// The mean of the vertices, through which the plane goes.
+    /// The mean of the vertices, which is in the plane.
     middle: DVec3,
     normal: DVec3,
     smooth: Vec<Facet>,
@@ -38,14 +39,14 @@ struct Facet {
 }
 
 impl Polygon {
-    /// A polygon, or with a normal a vertex a patch.
+    /// A polygon, or a patch if there is a normal for each vertex.
     pub(super) fn new(
         vertices: &[DVec3],
         normals: Option<&Vec<DVec3>>,
         sides: Sides,
     ) -> Option<Self> {
         let normal = unit(area_vector(vertices))?;
-        // From a vertex: the sum of far ones would lose digits.
+        // Relative to a vertex, because the sum of vertices far from the origin would lose digits.
         let first = *vertices.first()?;
         let sum: DVec3 = vertices.iter().map(|&vertex| vertex - first).sum();
         let middle = first + sum / vertices.len() as f64;
@@ -65,7 +66,7 @@ impl Polygon {
                 corners: triangle.map(|index| vertices[index as usize]),
                 normals: triangle.map(unit_normal),
             };
-            // Where edges cross there are none: such a patch is flat.
+            // A patch whose edges cross has no triangles, and its normal is constant.
             let corners = triangles(&vertices).unwrap_or_default();
             corners.into_iter().map(facet).collect()
         });
@@ -92,7 +93,7 @@ impl Polygon {
         (distance > 0.0 && distance < limit && self.surrounds(ray)).then_some(distance)
     }
 
-    /// Whether the line of the ray goes through the polygon.
+    /// Whether the ray's line goes through the polygon.
     fn surrounds(&self, ray: &Ray) -> bool {
         let mut inside = false;
         let Some(&last) = self.vertices.last() else {

@@ -1,15 +1,15 @@
-//! What a surface does with light at a place: its material, seen through its shader.
+//! The finish of a surface at a point: its material after its shader.
 //!
-//! Invariant: with NFF's own shader that is what the file says.
+//! Invariant: with NFF's default shader the finish equals the material in the file.
 
 use glam::DVec3;
 use nff::{Material, Shader};
 
-/// By how much, in parts of a checker's cube, its faces are moved, so that what lies on a face of
-/// the grid but for rounding is of one colour.
+/// By how much the faces of a checker's cubes are moved, relative to a cube, so that a surface on
+/// a face of the grid has one colour in spite of rounding.
 const OFF_GRID: f64 = 1.0 / 1024.0;
 
-/// A material at a place.
+/// A material at a point.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Finish {
     pub colour: DVec3,
@@ -24,17 +24,17 @@ pub(super) struct Finish {
     /// Share that is let through.
     pub transmittance: f64,
     pub refraction_index: f64,
-    /// What it sends of itself.
+    /// The emitted light.
     pub emission: DVec3,
-    /// Whether light that falls on it counts.
+    /// Whether lights illuminate it.
     pub is_lit: bool,
-    /// Whether it has the other of two colours.
+    /// Whether it has the second colour of a checker.
     pub other: bool,
 }
 
 impl Finish {
-    /// The material at a point, `distance` from where the ray started. A game's own shader counts
-    /// for nothing: who uses this has refused it.
+    /// The material at a point, `distance` from the ray's origin. A game's own shader is ignored
+    /// here, because the caller has refused it.
     pub(super) fn of(material: &Material, point: DVec3, distance: f64) -> Self {
         let plain = Self {
             colour: material.colour,
@@ -71,7 +71,7 @@ impl Finish {
         }
     }
 
-    /// The same, but that it sends a colour of itself and nothing else.
+    /// The same finish, but it only emits a colour.
     fn sends(self, emission: DVec3) -> Self {
         Self {
             diffuse: 0.0,

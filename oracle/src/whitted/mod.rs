@@ -1,7 +1,7 @@
-//! Pictures by the model of Whitted (1980), as `docs/shading.md` writes it down.
+//! Renders pictures by the model of Whitted (1980), as `docs/shading.md` describes it.
 //!
-//! Owns the grid of eye rays and what becomes of their colours. Invariant: the same scene and
-//! options give the same picture and the same counts, however many threads there are.
+//! Owns the grid of primary rays, and combines their colours to pixels. Invariant: the same scene
+//! and options give the same picture and the same counts, with any number of threads.
 
 mod finish;
 mod light;
@@ -19,23 +19,23 @@ use path::Path;
 pub use probe::Probe;
 use stage::Stage;
 
-/// Greatest ray depth: each hit on glass starts two rays, so that a depth of n may cost 2^n.
+/// The greatest ray depth. Each hit on glass sends two rays, so a depth of n may cost 2^n.
 pub const MAX_DEPTH: u32 = 16;
 
-/// How a scene is traced.
+/// The settings of the model.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Options {
-    /// Most rays in a chain, the eye ray counted, from 1 to [`MAX_DEPTH`].
+    /// The longest chain of rays, including the primary ray, from 1 to [`MAX_DEPTH`].
     pub depth: u32,
-    /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
+    /// Whether transparent surfaces reflect by Schlick's approximation in addition to their Ks.
     pub fresnel: bool,
-    /// Whether rays are sent as the Standard Procedural Databases count them, those of weight 0
-    /// too: by every surface that mirrors or lets light through a reflected ray, and by every
-    /// surface that is lit a shadow ray for each light in front of it. They change the counts and
-    /// nothing else.
+    /// Whether to trace all rays that the Standard Procedural Databases count, even those of
+    /// weight 0. Then every surface that reflects or lets light through sends a reflected ray, and
+    /// every lit surface sends a shadow ray to each light in front of it. This changes only the
+    /// counts.
     pub spd_rays: bool,
-    /// Whether eye rays go through the corners of the pixels, the four of each averaged, as the
-    /// Standard Procedural Databases ask for; else through their centres.
+    /// Whether primary rays go through the corners of the pixels instead of their centres, and
+    /// each pixel averages its four, as the Standard Procedural Databases require.
     pub corners: bool,
 }
 
@@ -50,7 +50,7 @@ impl Default for Options {
     }
 }
 
-/// What an eye ray saw.
+/// The result of a primary ray.
 #[derive(Debug, Clone, Copy, Default)]
 struct Sample {
     colour: DVec3,
@@ -58,10 +58,13 @@ struct Sample {
     signature: u64,
 }
 
-/// The picture of a scene with its silhouettes, and the rays that it took.
+/// Renders a scene with its silhouettes, and counts the rays.
 ///
-/// # Errors A size that the view or a [`Picture`] can't have, a depth out of range, glass without
-/// an index of refraction, a patch of too many vertices and a game's own shader.
+/// # Errors
+/// - The size or the ray depth is out of range, or the view has no camera for the size.
+/// - A transparent material has no index of refraction.
+/// - A patch has too many vertices.
+/// - A material has a game's own shader.
 pub fn trace(
     scene: &Scene,
     width: u32,

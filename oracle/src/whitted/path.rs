@@ -1,31 +1,31 @@
-//! What the rays of an eye ray did: how many there were, and which way they took.
+//! The record of a primary ray's chain: the numbers of rays, and the way that they took.
 
 use std::ops::AddAssign;
 
 use serde::Serialize;
 
-/// Rays, by the Standard Procedural Databases' names. Eye, reflected and refracted rays are as
-/// many as those that hit and those that see the background.
+/// Numbers of rays, with the Standard Procedural Databases' names. The sum of eye, reflected and
+/// refracted rays equals the sum of `hit` and `background`.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Counts {
-    /// From the eye.
+    /// Primary rays.
     pub eye: u64,
-    /// Of them, those that meet an object.
+    /// Primary rays that hit an object.
     pub eye_hit: u64,
-    /// Reflected, by mirrors and totally.
+    /// Reflected rays, including totally reflected ones.
     pub reflected: u64,
-    /// Refracted.
+    /// Refracted rays.
     pub refracted: u64,
-    /// To lights.
+    /// Shadow rays.
     pub shadow: u64,
-    /// Eye, reflected and refracted rays that meet an object.
+    /// Primary, reflected and refracted rays that hit an object.
     pub hit: u64,
-    /// Those that meet none.
+    /// Primary, reflected and refracted rays that hit nothing.
     pub background: u64,
 }
 
 impl Counts {
-    /// Those of rays of which nothing is seen.
+    /// The counts of rays whose result is not used.
     pub(super) fn unseen(count: impl FnOnce(&mut Path)) -> Self {
         let mut path = Path::default();
         count(&mut path);
@@ -45,7 +45,7 @@ impl AddAssign for Counts {
     }
 }
 
-/// The record of one eye ray.
+/// The record of one primary ray.
 #[derive(Debug, Default)]
 pub(super) struct Path {
     pub counts: Counts,
@@ -53,7 +53,7 @@ pub(super) struct Path {
 }
 
 impl Path {
-    /// Notes a step of the way, such as the object met.
+    /// Records a step of the way, such as the object that was hit.
     pub(super) fn note(&mut self, step: u64) {
         // The mixing step of Steele's splitmix64.
         let mut mixed = self
@@ -65,8 +65,8 @@ impl Path {
         self.hash = mixed ^ (mixed >> 31);
     }
 
-    /// A number that tells ways apart: rays of equal signature met the same objects from the same
-    /// sides in the same order and were seen by the same lights.
+    /// A hash of the way. Rays with equal signatures hit the same objects from the same sides in
+    /// the same order, and the same lights reach them.
     pub(super) fn signature(&self) -> u64 {
         self.hash
     }

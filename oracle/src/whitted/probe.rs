@@ -1,4 +1,4 @@
-//! Single rays of a picture's camera, also between the pixels' centres.
+//! Traces single primary rays, at the pixels' centres or between them.
 
 use glam::DVec3;
 use nff::{Camera, Scene};
@@ -8,17 +8,17 @@ use super::path::Path;
 use super::stage::Stage;
 use crate::Error;
 
-/// A scene and its camera, to be asked what single eye rays see.
+/// A scene and its camera, to trace single primary rays.
 pub struct Probe<'a> {
     stage: Stage<'a>,
     camera: Camera,
 }
 
 impl<'a> Probe<'a> {
-    /// The rays of a picture of this size; of the options, `corners` plays no part.
+    /// A probe with the camera of a picture of this size. The option `corners` is not used.
     ///
     /// # Errors
-    /// As [`super::trace`].
+    /// As for [`super::trace`].
     pub fn new(
         scene: &'a Scene,
         width: u32,
@@ -38,8 +38,8 @@ impl<'a> Probe<'a> {
         })
     }
 
-    /// The colour that the ray through a place sees, each channel 0 to 1; the centre of the top
-    /// left pixel is (0, 0).
+    /// The colour that the ray through a point of the picture sees, each channel 0 to 1. The
+    /// centre of the top left pixel is (0, 0).
     #[must_use]
     pub fn colour(&self, x: f64, y: f64) -> DVec3 {
         let direction = self.camera.corner + x * self.camera.right + y * self.camera.down;

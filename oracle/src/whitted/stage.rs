@@ -1,8 +1,8 @@
-//! A scene made ready for rays, and the colour that a ray sees.
+//! Computes the colour that a ray sees, in a scene prepared for tracing.
 //!
-//! Invariant: a ray starts at most a reflected and a refracted one, and none at the greatest
-//! depth; a ray that can't matter by its weight is not started and not counted, but by SPD's rule:
-//! then it changes nothing but the counts.
+//! Invariant: a ray sends at most a reflected and a refracted ray, and none at the greatest depth.
+//! A ray with too little weight to matter is neither sent nor counted. If rays are counted as in
+//! SPD, it is sent and counted, but changes only the counts.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shader, Shape};
@@ -12,32 +12,32 @@ use super::light;
 use super::path::{Counts, Path};
 use super::{MAX_DEPTH, Options, weight};
 use crate::Error;
+use crate::bvh::Bvh;
 use crate::ray::Ray;
 use crate::shapes::{MAX_PATCH_VERTICES, Surface};
-use crate::tree::Tree;
 
 pub(super) struct Stage<'a> {
-    tree: Tree,
-    /// Of each surface.
+    tree: Bvh,
+    /// The material of each surface.
     materials: Vec<&'a Material>,
-    /// Place and brightness of each light.
+    /// The position or direction, and the brightness, of each light.
     lights: Vec<(LightKind, DVec3)>,
     ambient: DVec3,
     background: DVec3,
     options: Options,
-    /// Least weight of a ray that is started.
+    /// The least weight of a ray that is sent.
     least_weight: f64,
 }
 
-/// What a ray meets.
+/// The hit of a ray.
 struct Hit {
     finish: Finish,
     point: DVec3,
     /// The surface's normal, on the ray's side.
     normal: DVec3,
-    /// The normal that shades, on the ray's side.
+    /// The shading normal, on the ray's side.
     smooth: DVec3,
-    /// Whether the ray comes from outside of what transmits.
+    /// Whether the ray comes from outside of a transparent body.
     outside: bool,
 }
 
@@ -90,7 +90,7 @@ impl<'a> Stage<'a> {
             weight::least(scene, &materials, &lights, options.depth)
         };
         Ok(Self {
-            tree: Tree::new(surfaces),
+            tree: Bvh::new(surfaces),
             materials,
             lights,
             ambient: scene.ambient,
@@ -100,15 +100,15 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// The colour of an eye ray; the direction need not have length 1.
+    /// The colour that a primary ray sees. The direction need not have length 1.
     pub(super) fn eye(&self, eye: DVec3, direction: DVec3, path: &mut Path) -> DVec3 {
         let colour = self.look(&Ray::new(eye, direction.normalize()), 1, 1.0, path);
         path.counts.eye += 1;
         colour
     }
 
-    /// The colour that a ray sees, which is the `depth`th of its chain and has this weight in its
-    /// pixel.
+    /// The colour that a ray sees. `depth` is the ray's number in its chain, and `weight` its
+    /// weight.
     fn look(&self, ray: &Ray, depth: u32, weight: f64, path: &mut Path) -> DVec3 {
         let Some(hit) = self.meet(ray, path) else {
             path.counts.background += 1;
@@ -152,7 +152,7 @@ impl<'a> Stage<'a> {
         })
     }
 
-    /// What a hit sends back of the lights, and of itself.
+    /// The light that a hit sends back: the lights' and its own.
     fn lit(&self, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
         let finish = &hit.finish;
         let sum = finish.emission + finish.diffuse * self.ambient * finish.colour;
@@ -167,7 +167,7 @@ impl<'a> Stage<'a> {
         self.shone_on(sum, hit, direction, path)
     }
 
-    /// What a hit sends back of the lights, added to a sum.
+    /// Adds the lights' light that a hit sends back to a sum.
     fn shone_on(&self, mut sum: DVec3, hit: &Hit, direction: DVec3, path: &mut Path) -> DVec3 {
         let finish = &hit.finish;
         for &(kind, brightness) in &self.lights {
@@ -194,8 +194,8 @@ impl<'a> Stage<'a> {
         sum
     }
 
-    /// What a hit reflects and lets through of a ray of this weight; the rays for that are the
-    /// `depth`th of their chains.
+    /// The light that a hit reflects and lets through, for a ray of this weight. `depth` is the
+    /// number of the secondary rays in their chains.
     fn bounced(
         &self,
         hit: &Hit,
@@ -210,7 +210,8 @@ impl<'a> Stage<'a> {
         if finish.transmittance > 0.0 {
             let index = finish.refraction_index;
             let ratio = if hit.outside { index.recip() } else { index };
-            // Across a patch the smooth normal's direction may stay on this side of the surface.
+            // With a patch's smooth normal the refracted direction may stay on this side of the
+            // surface.
             let refracted =
                 light::refracted(direction, hit.smooth, ratio).and_then(|(found, beyond)| {
                     if found.dot(hit.normal) < 0.0 {

@@ -1,6 +1,7 @@
-//! A picture on a display of another size: as large as fits, in the middle, its proportions kept.
+//! Fits a picture to a display of another size: centred, as large as possible, with its
+//! proportions.
 
-/// Where the picture lies on the display.
+/// The position of the picture on the display.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Fit {
     left: u32,
@@ -11,8 +12,8 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// Fits a picture of this size to a display of that. What differs by less than a fiftieth, as
-    /// by rounding, fills the display.
+    /// Fits a picture to a display; both sizes are width and height in pixels. If the proportions
+    /// differ by less than a fiftieth, for example by rounding, the picture fills the display.
     #[must_use]
     pub fn new(picture: (u32, u32), display: (u32, u32)) -> Self {
         let ((pw, ph), (dw, dh)) = (picture, display);
@@ -42,21 +43,21 @@ impl Fit {
         }
     }
 
-    /// The picture's column that a column of the display shows; none beside the picture.
+    /// The picture's column that a column of the display shows; `None` outside of the picture.
     #[must_use]
     pub fn column(&self, x: u32) -> Option<u32> {
         let x = x.checked_sub(self.left).filter(|&x| x < self.width)?;
         Some((u64::from(x) * u64::from(self.picture.0) / u64::from(self.width)) as u32)
     }
 
-    /// The picture's row that a row of the display shows; none beside the picture.
+    /// The picture's row that a row of the display shows; `None` outside of the picture.
     #[must_use]
     pub fn row(&self, y: u32) -> Option<u32> {
         let y = y.checked_sub(self.top).filter(|&y| y < self.height)?;
         Some((u64::from(y) * u64::from(self.picture.1) / u64::from(self.height)) as u32)
     }
 
-    /// The place in the picture of a place on the display; none beside the picture.
+    /// The position in the picture of a position on the display; `None` outside of the picture.
     #[must_use]
     pub fn place(&self, x: f64, y: f64) -> Option<[f32; 2]> {
         let along = |at: f64, from: u32, length: u32, pixels: u32| {

@@ -1,11 +1,11 @@
-//! Where a game is seen, and where keys and mouse are read.
+//! The displays, which show a game and read keys and mouse.
 //!
-//! Owns what a display is to the frame loop. Invariants: what a display changed on the system is
-//! put back when it is dropped; the mouse is told in pixels of the picture, whatever its size on
-//! the display.
+//! Owns the interface between displays and the frame loop. Invariants: a display's changes of the
+//! system are undone when it is dropped. Positions of the mouse are in pixels of the picture,
+//! whatever the picture's size on the display.
 
 mod fit;
-mod nowhere;
+mod none;
 mod pointer;
 mod screen;
 mod terminal;
@@ -13,10 +13,10 @@ mod terminal;
 mod window;
 
 pub use fit::Fit;
-pub use nowhere::Nowhere;
+pub use none::NoDisplay;
 pub use pointer::Pointer;
 pub use screen::Screen;
-pub use terminal::Terminal;
+pub use terminal::{Colours, Terminal, lines};
 pub use window::Window;
 
 use std::io;
@@ -27,55 +27,64 @@ use image::RgbImage;
 
 use crate::overlay::Overlay;
 
-/// Something that came from a display.
+/// An event from a display.
 #[derive(Clone, Debug, PartialEq)]
-pub enum Happening {
-    /// Input.
+pub enum DisplayEvent {
+    /// Input of the player.
     Input(InputEvent),
-    /// The display is of another size.
+    /// The display has another size now.
     Resized,
-    /// The player has closed it.
+    /// The player has closed the display.
     Closed,
-    /// The player has asked for an end as by SIGINT.
+    /// The player has typed Ctrl-C.
     Interrupted,
-    /// The terminal that it is on is gone.
+    /// The display's terminal has hung up.
     HungUp,
 }
 
 /// A display.
 pub trait Display {
-    /// Pixels that there are to fill.
+    /// The display's size in pixels.
     fn area(&self) -> Geometry;
 
-    /// Whether pictures of another size than the area's are shown too.
+    /// Whether the display also shows pictures of another size than its own.
     fn scales(&self) -> bool;
 
-    /// What the SPUs are to write to, for pictures of this size.
+    /// The framebuffer that the SPUs write to, for pictures of this size.
+    ///
+    /// # Errors
+    /// The framebuffer can't be made.
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError>;
 
-    /// Appends what has happened since the last call; does not wait.
-    fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()>;
+    /// Appends the events since the last call. Does not wait.
+    ///
+    /// # Errors
+    /// The display fails.
+    fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()>;
 
-    /// Whether frames are to be brought there by [`Display::show`]. Elsewhere the SPUs write to
-    /// what is seen.
+    /// Whether frames must be drawn with [`Display::show`]. If not, the SPUs write directly to the
+    /// visible framebuffer.
     fn draws(&self) -> bool;
 
-    /// Brings a frame before the player's eyes.
+    /// Draws a frame and the overlay.
+    ///
+    /// # Errors
+    /// The display fails.
     fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()>;
 }
 
-/// Why a display can't be had.
+/// Why a display can't be opened.
 #[derive(Debug, thiserror::Error)]
 pub enum DisplayError {
-    /// There is none of that kind.
+    /// There is no display of this kind.
     #[error("no {kind}: {why}")]
     None {
-        /// Which.
+        /// The kind of display that was requested.
         kind: &'static str,
-        /// Why.
+        /// The reason.
         why: String,
     },
-    /// The framebuffer refuses.
+    /// The framebuffer failed.
     #[error(transparent)]
     Framebuffer(#[from] FramebufferError),
 }

@@ -6,7 +6,7 @@ use std::io;
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry};
 use image::RgbImage;
 
-use super::{Display, DisplayError, Happening};
+use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
 
 /// A window; there are none of them here.
@@ -44,7 +44,7 @@ impl Display for Window {
         match self.0 {}
     }
 
-    fn poll(&mut self, _happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, _display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         match self.0 {}
     }
 

@@ -1,7 +1,7 @@
-//! Where a display's mouse points in a picture whose size changes.
+//! The position of a display's mouse in a picture whose size may change.
 //!
-//! Invariant: the last place that was told is one in pixels of the picture at hand; where another
-//! picture lies under a mouse that rests, its place is told again.
+//! Invariant: the last reported position is in pixels of the current picture. If the picture
+//! changes under a resting mouse, the position is reported again.
 
 use cellray::game::InputEvent;
 
@@ -11,20 +11,20 @@ use super::Fit;
 #[derive(Debug, Default)]
 pub struct Pointer {
     fit: Fit,
-    /// The place on the display.
+    /// The position on the display.
     at: Option<(f64, f64)>,
-    /// The picture is another since the place was told.
+    /// Whether the picture has changed since the position was reported.
     is_stale: bool,
 }
 
 impl Pointer {
-    /// Where the picture lies.
+    /// The position of the picture.
     #[must_use]
     pub fn fit(&self) -> Fit {
         self.fit
     }
 
-    /// The picture lies there from now on.
+    /// Changes the position of the picture.
     pub fn refit(&mut self, fit: Fit) {
         if fit != self.fit {
             self.fit = fit;
@@ -32,14 +32,14 @@ impl Pointer {
         }
     }
 
-    /// The mouse is at this place of the display now.
+    /// Moves the mouse to a position on the display.
     pub fn moved(&mut self, x: f64, y: f64) -> InputEvent {
         self.is_stale = false;
         self.at = Some((x, y));
         self.place(x, y)
     }
 
-    /// The mouse has left the display. A terminal does not tell.
+    /// Records that the mouse has left the display. Terminals don't report this.
     #[cfg(any(test, not(target_arch = "powerpc64")))]
     pub fn left(&mut self) -> InputEvent {
         self.is_stale = false;
@@ -47,7 +47,7 @@ impl Pointer {
         InputEvent::MouseLeft
     }
 
-    /// What is to be told again.
+    /// The event that reports the position again, if that is necessary.
     pub fn again(&mut self) -> Option<InputEvent> {
         let is_stale = std::mem::take(&mut self.is_stale);
         let (x, y) = self.at.filter(|_| is_stale)?;
@@ -67,7 +67,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn a_mouse_that_rests_is_told_of_again_in_the_next_pictures_pixels() {
+    fn a_resting_mouse_is_reported_again_in_the_next_pictures_pixels() {
         let mut pointer = Pointer::default();
         let of = |width, height| Fit::new((width, height), (960, 540));
         pointer.refit(of(960, 540));
@@ -79,7 +79,7 @@ mod tests {
         pointer.refit(of(240, 135));
         assert_eq!(pointer.again(), Some(at(120.0, 22.5)));
         assert_eq!(pointer.again(), None);
-        // What the mouse does itself is told in the picture's pixels already.
+        // A move of the mouse is already reported in the new picture's pixels.
         pointer.refit(of(480, 270));
         assert_eq!(pointer.moved(960.0 / 4.0, 0.0), at(120.0, 0.0));
         assert_eq!(pointer.again(), None);

@@ -1,7 +1,7 @@
 //! The console's framebuffer: the SPUs write to it as they do for `cellray fb`.
 //!
-//! Known weakness: nothing is drawn over the picture and no picture is taken of it, as it is the
-//! driver's.
+//! Known weakness: there is no overlay and no screenshot, because the picture is in the driver's
+//! memory.
 
 use std::io;
 use std::path::Path;
@@ -9,19 +9,22 @@ use std::path::Path;
 use cellray::framebuffer::{self, Framebuffer, FramebufferError, Geometry};
 use image::RgbImage;
 
-use super::{Display, DisplayError, Happening};
+use super::{Display, DisplayError, DisplayEvent};
 use crate::overlay::Overlay;
 use crate::talk::say;
 
-/// A framebuffer device, or a file in the place of one.
+/// A framebuffer device, or a file instead of one.
 pub struct Screen {
-    /// Until it is handed out.
+    /// `None` after it was handed out.
     framebuffer: Option<Box<dyn Framebuffer>>,
     area: Geometry,
 }
 
 impl Screen {
-    /// Opens it; a file needs a size.
+    /// Opens the device or file at `path`. A file needs a size.
+    ///
+    /// # Errors
+    /// The framebuffer can't be opened.
     pub fn open(path: &Path, size: Option<Geometry>) -> Result<Self, DisplayError> {
         let framebuffer = framebuffer::open(path, size)?;
         say(framebuffer.describe());
@@ -47,7 +50,7 @@ impl Display for Screen {
             .ok_or_else(|| FramebufferError::BadSize(nff::ViewError::Size(size.to_string())))
     }
 
-    fn poll(&mut self, _happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, _display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         Ok(())
     }
 

@@ -1,7 +1,7 @@
-//! A terminal with colours, such as one over ssh: each character shows two pixels, one above the
+//! A terminal with colours, possibly over ssh. Each character shows two pixels, one above the
 //! other.
 //!
-//! Known weakness: most terminals don't tell when a key is released; see [`keys`].
+//! Known weakness: most terminals don't report when a key is released; see [`keys`].
 
 mod cells;
 mod events;
@@ -20,52 +20,61 @@ use image::RgbImage;
 use signal_hook::consts::SIGWINCH;
 use signal_hook::flag;
 
-use self::cells::{Colours, Grid};
+pub use self::cells::{Colours, lines};
+
+use self::cells::Grid;
 use self::events::Events;
 use self::keys::Keys;
-use self::restore::Taken;
-use super::{Display, DisplayError, Fit, Happening, Pointer};
+use self::restore::TerminalGuard;
+use super::{Display, DisplayError, DisplayEvent, Fit, Pointer};
 use crate::overlay::Overlay;
 
-/// Where the system tells no size.
+/// Columns and rows if the system reports no size.
 const DEFAULT: (u16, u16) = (80, 24);
-/// Most columns and rows: more is none that anyone sees.
+/// The most columns and rows; no real terminal has more.
 const MOST: u16 = 1000;
-/// Pixels of a character, as games know them of a mouse's way: most fonts are nearly so.
+/// The width and height of a character in pixels, for games that use the mouse's motion. Most
+/// fonts are about this size.
 const CHARACTER: [f32; 2] = [8.0, 16.0];
 
 /// The terminal of the program.
 pub struct Terminal {
-    /// Columns and rows.
+    /// Columns and rows of the terminal.
     cells: (u16, u16),
     is_resized: Arc<AtomicBool>,
     pointer: Pointer,
     grid: Grid,
     events: Events,
     keys: Keys,
-    /// The character that the mouse was last on.
+    /// The column and row where the mouse was last.
     mouse: Option<(u16, u16)>,
     has_pictures: bool,
-    /// The terminal has hung up.
+    /// Whether the terminal has hung up.
     is_gone: bool,
-    // Dropped last: all else may still write there.
-    taken: Taken,
+    // Dropped last, because the other fields may still write to the terminal.
+    taken: TerminalGuard,
 }
 
 impl Terminal {
-    /// Whether the program has one to show pictures on.
+    /// Whether the program has a terminal that can show pictures.
     #[must_use]
     pub fn is_possible() -> bool {
         io::stdout().is_terminal() && io::stdin().is_terminal()
     }
 
-    /// Takes the terminal over for pictures.
+    /// Takes over the terminal for pictures.
+    ///
+    /// # Errors
+    /// Standard input or output isn't a terminal, or the terminal can't be changed.
     pub fn open() -> Result<Self, DisplayError> {
         Self::take(true)
     }
 
-    /// Takes its keys alone: what is seen is elsewhere, and no key is to be echoed or kept for the
-    /// shell.
+    /// Takes over only the terminal's keys, for a picture on another display. Keys are neither
+    /// echoed nor left for the shell.
+    ///
+    /// # Errors
+    /// As for [`Terminal::open`].
     pub fn keys_only() -> Result<Self, DisplayError> {
         Self::take(false)
     }
@@ -77,12 +86,14 @@ impl Terminal {
         };
         let there = io::stdin().is_terminal() && (io::stdout().is_terminal() || !has_pictures);
         if !there {
-            return Err(none("standard input or output is none".to_owned()));
+            return Err(none(
+                "standard input or output is not a terminal".to_owned(),
+            ));
         }
         let is_resized = Arc::new(AtomicBool::new(false));
         let opened = || {
             flag::register(SIGWINCH, Arc::clone(&is_resized))?;
-            Ok((Taken::take(has_pictures)?, Events::read()?))
+            Ok((TerminalGuard::take(has_pictures)?, Events::read()?))
         };
         let (taken, events) = opened().map_err(|error: io::Error| none(error.to_string()))?;
         Ok(Self {
@@ -104,22 +115,22 @@ impl Terminal {
         self.pointer.refit(Fit::new(picture, (width, height)));
     }
 
-    fn take_in(&mut self, event: Event, happenings: &mut Vec<Happening>) {
+    fn take_in(&mut self, event: Event, display_events: &mut Vec<DisplayEvent>) {
         if let Event::Key(key) = event
             && key.modifiers.contains(KeyModifiers::CONTROL)
         {
-            // What a terminal itself makes of them where keys come line by line.
+            // In raw mode the terminal doesn't turn these keys into signals.
             match key.code {
-                KeyCode::Char('c') => return happenings.push(Happening::Interrupted),
-                KeyCode::Char('d') => return happenings.push(Happening::Closed),
+                KeyCode::Char('c') => return display_events.push(DisplayEvent::Interrupted),
+                KeyCode::Char('d') => return display_events.push(DisplayEvent::Closed),
                 _ => {}
             }
         }
-        let mut input = |event| happenings.push(Happening::Input(event));
+        let mut input = |event| display_events.push(DisplayEvent::Input(event));
         match event {
             Event::Key(key) => self.keys.take(key, Instant::now(), &mut input),
             Event::Mouse(mouse) => {
-                // The middle of the character.
+                // The centre of the character.
                 let (x, y) = (
                     f64::from(mouse.column) + 0.5,
                     f64::from(mouse.row) * 2.0 + 1.0,
@@ -150,7 +161,8 @@ impl Terminal {
                 self.mouse = None;
                 input(InputEvent::FocusLost);
             }
-            // The signal tells of it too, also while half an event keeps the reader waiting.
+            // A signal reports a new size too, even while the reader waits for the rest of an
+            // event.
             Event::Resize(..) | Event::FocusGained => {}
         }
     }
@@ -174,20 +186,20 @@ impl Display for Terminal {
         Ok(Box::new(Memory::new(size)?))
     }
 
-    fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
-        let is_back = self.taken.is_back();
+    fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
+        let is_back = self.taken.was_retaken();
         if self.is_resized.swap(false, Ordering::SeqCst) || is_back {
-            // A terminal that was made smaller and larger again has lost what it showed.
+            // A terminal that was made smaller and larger again has lost its contents.
             self.grid.forget();
             self.cells = size();
-            happenings.push(Happening::Resized);
+            display_events.push(DisplayEvent::Resized);
         }
         if is_back {
-            self.take_in(Event::FocusLost, happenings);
+            self.take_in(Event::FocusLost, display_events);
         }
         loop {
             match self.events.next() {
-                Ok(Some(event)) => self.take_in(event, happenings),
+                Ok(Some(event)) => self.take_in(event, display_events),
                 Ok(None) => break,
                 Err(_) => {
                     self.is_gone = true;
@@ -195,13 +207,13 @@ impl Display for Terminal {
                 }
             }
         }
-        // Where the picture is elsewhere it goes on without keys.
+        // If the picture is on another display, the session continues without keys.
         if self.is_gone && self.has_pictures {
-            happenings.push(Happening::HungUp);
+            display_events.push(DisplayEvent::HungUp);
         }
-        happenings.extend(self.pointer.again().map(Happening::Input));
-        self.keys.let_go(Instant::now(), &mut |event| {
-            happenings.push(Happening::Input(event));
+        display_events.extend(self.pointer.again().map(DisplayEvent::Input));
+        self.keys.release_silent(Instant::now(), &mut |event| {
+            display_events.push(DisplayEvent::Input(event));
         });
         Ok(())
     }
@@ -218,7 +230,7 @@ impl Display for Terminal {
             .draw(picture, self.pointer.fit(), self.cells, line.as_deref());
         let mut out = io::stdout().lock();
         match out.write_all(text).and_then(|()| out.flush()) {
-            // What the system says of a terminal that has hung up.
+            // The system's error for a terminal that has hung up.
             Err(error) if error.raw_os_error() == Some(libc::EIO) => {
                 self.is_gone = true;
                 Ok(())
@@ -228,7 +240,7 @@ impl Display for Terminal {
     }
 }
 
-/// Columns and rows of the terminal.
+/// The terminal's columns and rows.
 fn size() -> (u16, u16) {
     let (columns, rows) = crossterm::terminal::size().unwrap_or(DEFAULT);
     if columns == 0 || rows == 0 {
@@ -238,7 +250,7 @@ fn size() -> (u16, u16) {
     }
 }
 
-/// What a mouse has gone from character to character, in pixels.
+/// The motion of the mouse from one character to another, in pixels; `None` if it did not move.
 fn way(from: (u16, u16), to: (u16, u16)) -> Option<[f32; 2]> {
     let along = |from: u16, to: u16, pixels: f32| (f32::from(to) - f32::from(from)) * pixels;
     let [width, height] = CHARACTER;

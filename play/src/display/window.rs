@@ -1,7 +1,7 @@
 //! A window on a desktop.
 //!
-//! Invariants: every key and button of the window becomes an event, in order, however long a frame
-//! takes: the window's events are taken in while a frame is traced, too.
+//! Invariant: every key and button of the window becomes an event, in order, however long a frame
+//! takes, because the window's events are also read while a frame is traced.
 
 mod draw;
 mod keys;
@@ -24,12 +24,12 @@ use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::window::{Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
-use super::{Display, DisplayError, Fit, Happening, Pointer};
+use super::{Display, DisplayError, DisplayEvent, Fit, Pointer};
 use crate::overlay::Overlay;
 
-/// What a touchpad scrolls for one notch of a wheel, in pixels.
+/// The pixels of a touchpad's scrolling that count as one notch of a wheel.
 const PIXELS_A_NOTCH: f64 = 40.0;
-/// Least width and height: less shows nothing.
+/// The least width and height in pixels; smaller windows show nothing useful.
 const LEAST: u32 = 64;
 
 type Surface = softbuffer::Surface<Rc<Winit>, Rc<Winit>>;
@@ -40,17 +40,17 @@ pub struct Window {
     state: State,
 }
 
-/// What the window's events are handed to.
+/// The state that the window's events change.
 struct State {
     title: String,
     wanted: PhysicalSize<u32>,
-    /// Once the system has made it.
+    /// `None` until the system has made the window.
     open: Option<(Rc<Winit>, Surface)>,
     failed: Option<String>,
     area: PhysicalSize<u32>,
     pointer: Pointer,
     keys: HeldElsewhere,
-    happenings: Vec<Happening>,
+    display_events: Vec<DisplayEvent>,
 }
 
 impl Window {
@@ -60,7 +60,10 @@ impl Window {
         is_wayland() || is_set("DISPLAY")
     }
 
-    /// Opens one.
+    /// Opens a window with a title and an initial size.
+    ///
+    /// # Errors
+    /// There is no display server, it refuses, or a library is missing.
     pub fn open(title: &str, size: Geometry) -> Result<Self, DisplayError> {
         let none = |why: &str| DisplayError::None {
             kind: "window",
@@ -79,9 +82,9 @@ impl Window {
             return Err(none(&format!("{library} is not installed")));
         }
         if std::env::var("WAYLAND_SOCKET").is_ok_and(|number| !is_open_file(&number)) {
-            return Err(refused("there is no open file of this number"));
+            return Err(refused("there is no open file with this number"));
         }
-        let events = told_of_panics(|| EventLoop::new().map_err(|error| error.to_string()));
+        let events = catch_panics(|| EventLoop::new().map_err(|error| error.to_string()));
         let mut events = events.map_err(|why| refused(&why))?;
         events.set_control_flow(ControlFlow::Poll);
         let wanted = PhysicalSize::new(size.width, size.height);
@@ -93,17 +96,17 @@ impl Window {
             area: wanted,
             pointer: Pointer::default(),
             keys: HeldElsewhere::default(),
-            happenings: Vec::new(),
+            display_events: Vec::new(),
         };
-        // The first events are those that make the window.
+        // The window is made when the first events are handled.
         let patience = Some(Duration::from_secs(5));
-        let status = told_of_panics(|| Ok(events.pump_app_events(patience, &mut state)));
+        let status = catch_panics(|| Ok(events.pump_app_events(patience, &mut state)));
         let status = status.map_err(|why| refused(&why))?;
         if let Some(why) = state.failed.take() {
             return Err(refused(&why));
         }
         if state.open.is_none() || matches!(status, PumpStatus::Exit(_)) {
-            return Err(refused("the display server has made none"));
+            return Err(refused("the display server has not made a window"));
         }
         Ok(Self { events, state })
     }
@@ -132,7 +135,7 @@ impl State {
     }
 
     fn input(&mut self, event: InputEvent) {
-        self.happenings.push(Happening::Input(event));
+        self.display_events.push(DisplayEvent::Input(event));
     }
 }
 
@@ -148,14 +151,14 @@ impl ApplicationHandler for State {
     fn window_event(&mut self, _: &ActiveEventLoop, _: WindowId, event: WindowEvent) {
         match event {
             WindowEvent::CloseRequested | WindowEvent::Destroyed => {
-                self.happenings.push(Happening::Closed);
+                self.display_events.push(DisplayEvent::Closed);
             }
-            // One that is hidden may have no size.
+            // A hidden window may have no size.
             WindowEvent::Resized(size)
                 if size.width > 0 && size.height > 0 && size != self.area =>
             {
                 self.area = size;
-                self.happenings.push(Happening::Resized);
+                self.display_events.push(DisplayEvent::Resized);
             }
             WindowEvent::Focused(false) => self.input(InputEvent::FocusLost),
             WindowEvent::KeyboardInput {
@@ -224,14 +227,14 @@ impl Display for Window {
         Ok(Box::new(Memory::new(size)?))
     }
 
-    fn poll(&mut self, happenings: &mut Vec<Happening>) -> io::Result<()> {
+    fn poll(&mut self, display_events: &mut Vec<DisplayEvent>) -> io::Result<()> {
         let pumped = self
             .events
             .pump_app_events(Some(Duration::ZERO), &mut self.state);
-        happenings.append(&mut self.state.happenings);
-        happenings.extend(self.state.pointer.again().map(Happening::Input));
+        display_events.append(&mut self.state.display_events);
+        display_events.extend(self.state.pointer.again().map(DisplayEvent::Input));
         if let PumpStatus::Exit(_) = pumped {
-            happenings.push(Happening::Closed);
+            display_events.push(DisplayEvent::Closed);
         }
         Ok(())
     }
@@ -267,12 +270,12 @@ fn is_set(variable: &str) -> bool {
     std::env::var_os(variable).is_some_and(|value| !value.is_empty())
 }
 
-/// Whether windows are of Wayland: it goes before X11.
+/// Whether Wayland is used, which has precedence over X11.
 fn is_wayland() -> bool {
     is_set("WAYLAND_DISPLAY") || is_set("WAYLAND_SOCKET")
 }
 
-/// The display server that is asked, as the variable has it that names it.
+/// The display server's name: the environment variable that selects it, with its value.
 fn server(value: impl Fn(&str) -> Option<String>) -> String {
     let named = ["WAYLAND_SOCKET", "WAYLAND_DISPLAY", "DISPLAY"]
         .into_iter()
@@ -283,15 +286,15 @@ fn server(value: impl Fn(&str) -> Option<String>) -> String {
     named.unwrap_or_else(|| "no display server is named by DISPLAY or WAYLAND_DISPLAY".to_owned())
 }
 
-/// Whether this is the number of a file that this program has open: whoever takes another one for
-/// a connection ends the program when it is closed.
+/// Whether this is the number of an open file. The library would take any number for a connection,
+/// and closing one that isn't open would end the program.
 fn is_open_file(number: &str) -> bool {
-    // SAFETY: asks for the flags of whatever number, and changes nothing.
+    // SAFETY: F_GETFD only reads flags, for any number.
     let is_open = |number| unsafe { libc::fcntl(number, libc::F_GETFD) } != -1;
     number.is_empty() || number.parse().is_ok_and(is_open)
 }
 
-/// What winit says, without the place in its sources where it found out.
+/// winit's message, without the place in its source code.
 fn without_place(words: &str) -> &str {
     let place_and_words = words
         .strip_prefix("os error at ")
@@ -301,9 +304,8 @@ fn without_place(words: &str) -> &str {
         .map_or(words, |(_, words)| words)
 }
 
-/// Does what may panic: where a server lacks what winit needs, it does, and has no other way to
-/// tell of it.
-fn told_of_panics<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
+/// Converts panics to errors: winit panics if a server lacks a feature that it needs.
+fn catch_panics<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, String> {
     let tell = panic::take_hook();
     panic::set_hook(Box::new(|_| ()));
     let outcome = panic::catch_unwind(AssertUnwindSafe(work));
@@ -315,7 +317,8 @@ fn told_of_panics<T>(work: impl FnOnce() -> Result<T, String>) -> Result<T, Stri
     })
 }
 
-/// A library that winit loads for the keyboard once it has a display server, and panics without.
+/// The name of a missing library. winit loads these for the keyboard after it has connected to a
+/// display server, and panics without them.
 fn missing_library(
     is_x11: bool,
     has_xkb: impl Fn() -> bool,
@@ -330,7 +333,7 @@ fn missing_library(
     }
 }
 
-/// Paints the picture, each pixel as the one of the picture that lies there.
+/// Paints the picture, with each pixel of the display from the picture's pixel at its position.
 fn paint(picture: &RgbImage, fit: Fit, pixels: &mut [u32], width: usize) {
     let colours = picture.as_chunks::<3>().0;
     let columns: Vec<_> = (0..width as u32).map(|x| fit.column(x)).collect();
@@ -347,7 +350,7 @@ fn paint(picture: &RgbImage, fit: Fit, pixels: &mut [u32], width: usize) {
     }
 }
 
-/// Its own error can't be handed between threads, as one of the system's can.
+/// Converts softbuffer's error, which can't be sent between threads, to an I/O error.
 fn failed(error: softbuffer::SoftBufferError) -> io::Error {
     io::Error::other(error.to_string())
 }
@@ -418,11 +421,11 @@ mod tests {
 
     #[test]
     fn panics_of_others_are_errors() {
-        let lacks = told_of_panics::<()>(|| panic!("{} lacks it", "the server"));
+        let lacks = catch_panics::<()>(|| panic!("{} lacks it", "the server"));
         assert_eq!(lacks, Err("the server lacks it".to_owned()));
-        let lacks = told_of_panics::<()>(|| panic!("it lacks that"));
+        let lacks = catch_panics::<()>(|| panic!("it lacks that"));
         assert_eq!(lacks, Err("it lacks that".to_owned()));
-        assert_eq!(told_of_panics(|| Ok(1)), Ok(1));
+        assert_eq!(catch_panics(|| Ok(1)), Ok(1));
     }
 
     #[test]

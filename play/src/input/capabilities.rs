@@ -1,8 +1,8 @@
-//! What a device can tell of, as the kernel's sysfs has it.
+//! A device's capabilities, read from the kernel's sysfs.
 //!
-//! Sysfs and not EVIOCGBIT: that call fills an array of the kernel's long words, which on a
-//! big-endian machine is not the row of bytes that crates take it for. Sysfs writes the words as
-//! text, the same everywhere.
+//! EVIOCGBIT is not used: it fills an array of the kernel's long words, which crates take for an
+//! array of bytes, wrongly on a big-endian machine. Sysfs writes the words as text, the same
+//! everywhere.
 
 use std::fs;
 use std::io;
@@ -16,7 +16,8 @@ pub struct Codes {
 }
 
 impl Codes {
-    /// Reads words in hexadecimal, the highest first, each of `word_bits` codes.
+    /// Parses hexadecimal words of `word_bits` codes each, the highest word first. `None` if the
+    /// text is malformed.
     #[must_use]
     pub fn parse(text: &str, word_bits: u32) -> Option<Self> {
         let words: Option<Vec<u64>> = text
@@ -42,14 +43,14 @@ impl Codes {
         Some(codes)
     }
 
-    /// Whether a code is among them.
+    /// Whether the set has a code.
     #[must_use]
     pub fn has(&self, code: u16) -> bool {
         let word = self.words.get(usize::from(code / 64));
         word.is_some_and(|word| word >> (code % 64) & 1 == 1)
     }
 
-    /// All of them, the lowest first.
+    /// All codes, ascending.
     pub fn iter(&self) -> impl Iterator<Item = u16> {
         let all = (0..).step_by(64).zip(&self.words);
         all.flat_map(|(first, &word)| {
@@ -58,7 +59,7 @@ impl Codes {
         })
     }
 
-    /// Has a code among them or not.
+    /// Adds a code, or removes it.
     pub fn set(&mut self, code: u16, is_in: bool) {
         if is_in {
             self.insert(code);
@@ -84,29 +85,35 @@ impl FromIterator<u16> for Codes {
     }
 }
 
-/// What a device is called and can tell of.
+/// A device's name, and the codes that it can report.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Capabilities {
-    /// Its name.
+    /// The device's name.
     pub name: String,
     /// Keys and buttons.
     pub keys: Codes,
-    /// Axes that are somewhere.
+    /// Absolute axes, such as sticks.
     pub absolute: Codes,
-    /// Axes that are moved.
+    /// Relative axes, such as a mouse's.
     pub relative: Codes,
 }
 
 impl Capabilities {
     /// Reads them from a device's folder in sysfs, such as `/sys/class/input/event0/device`.
+    ///
+    /// # Errors
+    /// A file can't be read, or its text is malformed; the message names the file.
     pub fn read(folder: &Path) -> io::Result<Self> {
-        // The words are those of the kernel; a 64-bit program runs under no other kernel than a
-        // 64-bit one.
+        // The words are the kernel's. A 64-bit program always runs under a 64-bit kernel.
         let codes = |kind: &str| {
             let path = folder.join("capabilities").join(kind);
             let text = fs::read_to_string(&path)?;
             Codes::parse(&text, usize::BITS).ok_or_else(|| {
-                let message = format!("{}: {:?} are no codes", path.display(), text.trim());
+                let message = format!(
+                    "{}: {:?} is not a list of codes",
+                    path.display(),
+                    text.trim()
+                );
                 io::Error::new(io::ErrorKind::InvalidData, message)
             })
         };
@@ -125,7 +132,7 @@ impl Capabilities {
 mod tests {
     use super::*;
 
-    /// As a kernel with the newer numbering has it of a SIXAXIS.
+    /// The keys of a SIXAXIS, from a kernel with the newer numbering.
     const SIXAXIS_KEYS: &str = "f 0 7fdb000000000000 0 0 0 0\n";
 
     #[test]
@@ -160,7 +167,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_codes_is_refused() {
+    fn malformed_codes_are_refused() {
         for text in ["", "\n", "g", "-1", "10000000000000000", "1 x"] {
             assert_eq!(Codes::parse(text, 64), None, "{text:?}");
         }

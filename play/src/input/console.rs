@@ -1,16 +1,16 @@
-//! What is a terminal of this machine's own keyboard and screen: what is typed there is heard of
-//! its keyboard, too.
+//! Detects terminals of this machine's own keyboard and screen. Keys typed there are also reported
+//! by the keyboard device.
 
 use std::os::fd::{AsRawFd as _, BorrowedFd};
 
-/// Whether a terminal is one of this machine's own keyboard and screen, and not one of a window or
-/// over ssh.
+/// Whether a terminal belongs to this machine's own keyboard and screen, and not to a window or to
+/// ssh.
 #[must_use]
 pub fn is_of_console(terminal: BorrowedFd<'_>) -> bool {
     /// KDGKBTYPE.
     const KEYBOARD_TYPE: libc::Ioctl = 0x4B33;
     let mut kind: libc::c_char = 0;
-    // SAFETY: the descriptor is open; the call writes one byte.
+    // SAFETY: the descriptor is open, and the call writes one byte.
     unsafe { libc::ioctl(terminal.as_raw_fd(), KEYBOARD_TYPE, &raw mut kind) == 0 }
 }
 
@@ -24,7 +24,7 @@ mod tests {
     fn what_is_no_virtual_terminal_has_no_keyboard() {
         let null = fs::File::open("/dev/null").expect("a device");
         assert!(!is_of_console(null.as_fd()));
-        // One as of a window or over ssh.
+        // A terminal like that of a window or of ssh.
         if let Ok(terminal) = fs::File::open("/dev/ptmx") {
             assert!(!is_of_console(terminal.as_fd()));
         }

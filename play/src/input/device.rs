@@ -1,4 +1,4 @@
-//! The devices of this system, and the seam at which tests put others.
+//! The devices of this system, behind traits that tests implement with others.
 
 use std::fmt;
 use std::fs::{self, OpenOptions};
@@ -11,7 +11,7 @@ use evdev::raw_stream::RawDevice;
 
 use super::capabilities::{Capabilities, Codes};
 
-/// An event as a device tells it, with the kernel's numbers.
+/// A device's event with the kernel's numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RawEvent {
     /// Type, such as EV_KEY.
@@ -22,50 +22,58 @@ pub struct RawEvent {
     pub value: i32,
 }
 
-/// Where an axis can be.
+/// The value and the range of an axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Range {
-    /// Where it is now.
+    /// The current value.
     pub value: i32,
-    /// Least value.
+    /// The least value.
     pub least: i32,
-    /// Largest value.
+    /// The largest value.
     pub most: i32,
-    /// Distance from the middle that still is the middle.
+    /// Values within this distance of the middle count as the middle.
     pub flat: i32,
-    /// Units in one g or one degree a second, for sensors; 0 where nothing is said.
+    /// For sensors, the units in one g or in one degree a second; 0 if unknown.
     pub resolution: i32,
 }
 
 /// An open device.
 pub trait Device {
-    /// Where an axis is, and can be.
+    /// The value and the range of an axis.
+    ///
+    /// # Errors
+    /// The device is gone, or has no such axis.
     fn range(&self, axis: u16) -> io::Result<Range>;
 
     /// The keys and buttons that are down now.
+    ///
+    /// # Errors
+    /// The device is gone.
     fn held(&self) -> io::Result<Codes>;
 
-    /// Appends the events that have come since the last call; none is no error, a vanished device
-    /// is one.
+    /// Appends the events since the last call, if there are any.
+    ///
+    /// # Errors
+    /// The device is gone.
     fn read(&mut self, events: &mut Vec<RawEvent>) -> io::Result<()>;
 }
 
-/// Devices that come and go.
+/// A set of devices, which may come and go.
 pub trait Devices {
-    /// The devices that are there, in a lasting order.
+    /// The paths of all devices, in a stable order.
     fn list(&mut self) -> io::Result<Vec<PathBuf>>;
 
-    /// What tells the device at a path from another that comes there later.
+    /// An identifier that distinguishes the device at a path from a later one at the same path.
     fn identity(&mut self, path: &Path) -> io::Result<PathBuf>;
 
-    /// What a device can tell of.
+    /// The capabilities of a device.
     fn capabilities(&mut self, path: &Path) -> io::Result<Capabilities>;
 
     /// Opens a device.
     fn open(&mut self, path: &Path) -> io::Result<Box<dyn Device>>;
 }
 
-/// Those of the system.
+/// The system's devices.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct SystemDevices;
 
@@ -76,7 +84,7 @@ impl Devices for SystemDevices {
     fn list(&mut self) -> io::Result<Vec<PathBuf>> {
         let entries = match fs::read_dir(DEVICES) {
             Ok(entries) => entries,
-            // Without any device there is no folder.
+            // The folder doesn't exist if there is no device.
             Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(Vec::new()),
             Err(error) => return Err(error),
         };
@@ -93,7 +101,7 @@ impl Devices for SystemDevices {
     }
 
     fn identity(&mut self, path: &Path) -> io::Result<PathBuf> {
-        // Its target has the kernel's number of the device, which no other ever gets.
+        // The link's target has the kernel's number of the device, which is never reused.
         fs::read_link(Path::new(CLASSES).join(path.file_name().unwrap_or_default()))
     }
 
@@ -133,7 +141,7 @@ impl Device for EventDevice {
             flat: 0,
             resolution: 0,
         };
-        // SAFETY: the descriptor is open as long as the device is; EVIOCGABS writes one
+        // SAFETY: the descriptor is open as long as the device is, and EVIOCGABS writes one
         // input_absinfo.
         if unsafe { libc::ioctl(self.0.as_raw_fd(), request, &raw mut info) } < 0 {
             return Err(io::Error::last_os_error());
@@ -152,13 +160,13 @@ impl Device for EventDevice {
         const KEYS: u32 = 0x18;
         /// KEY_CNT.
         const COUNT: u16 = 0x300;
-        // The kernel's long words, whatever their bytes' order: no crate takes them for that.
+        // The kernel uses long words in native byte order, which crates don't take into account.
         const BITS: u16 = libc::c_ulong::BITS as u16;
         type Words = [libc::c_ulong; (COUNT / BITS) as usize];
         let mut words = Words::default();
         let request = libc::_IOR::<Words>(u32::from(b'E'), KEYS);
-        // SAFETY: the descriptor is open as long as the device is; EVIOCGKEY writes as many bytes
-        // as it is told.
+        // SAFETY: the descriptor is open as long as the device is, and EVIOCGKEY writes at most
+        // the number of bytes in the request.
         if unsafe { libc::ioctl(self.0.as_raw_fd(), request, words.as_mut_ptr()) } < 0 {
             return Err(io::Error::last_os_error());
         }

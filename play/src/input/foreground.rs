@@ -1,8 +1,8 @@
-//! Whether the player was elsewhere: on another virtual terminal, or at the shell while the
-//! program was stopped.
+//! Detects whether the player was elsewhere: on another virtual terminal, or at the shell while
+//! the program was stopped.
 //!
-//! Keyboards are read past the terminals, so what is typed elsewhere would be heard here, too.
-//! Invariant: a way there and back is seen, however short, and also where the program slept
+//! Keyboards are read directly, not through terminals, so keys that are typed elsewhere would
+//! arrive here too. Invariant: every absence is detected, however short, even if the program slept
 //! through it, as it does while another terminal has its screen.
 
 use std::fs::File;
@@ -15,26 +15,29 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use signal_hook::consts::SIGCONT;
 use signal_hook::flag;
 
-/// Where the kernel names the terminal that is on the screen.
+/// The file in which the kernel names the terminal that is on the screen.
 const ACTIVE: &str = "/sys/class/tty/tty0/active";
 
-/// Tells whether the player was elsewhere.
+/// Detects whether the player was elsewhere.
 pub trait Foreground {
-    /// Whether the player was at any moment since the last call, or is.
+    /// Whether the player is elsewhere, or was at any time since the last call.
     fn was_left(&mut self) -> bool;
 }
 
-/// That of this system.
+/// Detects it on this system.
 #[derive(Debug)]
 pub struct SystemForeground {
-    /// None where the kernel has no virtual terminals.
+    /// `None` if the kernel has no virtual terminals.
     active: Option<Active>,
-    /// The program was stopped, and goes on.
+    /// Whether the program was stopped and continued.
     is_continued: Arc<AtomicBool>,
 }
 
 impl SystemForeground {
-    /// The player is here now.
+    /// The player counts as present now.
+    ///
+    /// # Errors
+    /// The signal can't be caught.
     pub fn new() -> io::Result<Self> {
         let is_continued = Arc::new(AtomicBool::new(false));
         flag::register(SIGCONT, Arc::clone(&is_continued))?;
@@ -70,7 +73,7 @@ impl Active {
         Ok(active)
     }
 
-    /// Reading is what a notice of the kernel's is taken by.
+    /// Reads the terminal's name, which also clears the kernel's notification.
     fn name(&mut self) -> io::Result<String> {
         let mut name = String::new();
         self.file.rewind()?;
@@ -78,20 +81,20 @@ impl Active {
         Ok(name)
     }
 
-    /// Whether the kernel has told of another terminal since the name was read.
+    /// Whether the kernel has notified of a switch since the name was read.
     fn is_notified(&self) -> bool {
         let mut active = libc::pollfd {
             fd: self.file.as_raw_fd(),
             events: libc::POLLPRI,
             revents: 0,
         };
-        // SAFETY: one record, which outlives the call, and no waiting.
+        // SAFETY: the call accesses one record, which outlives it, and doesn't wait.
         unsafe { libc::poll(&raw mut active, 1, 0) == 1 }
     }
 
     fn was_other(&mut self) -> bool {
         let is_notified = self.is_notified();
-        // Read in any case: the notice stays until then.
+        // Always read, because the notification stays until then.
         let is_other = self.name().is_ok_and(|name| name != self.first);
         is_notified || is_other
     }
@@ -116,8 +119,8 @@ mod tests {
     }
 
     #[test]
-    fn a_notice_is_taken_by_the_look_that_finds_it() {
-        // The kernel's own, where it has virtual terminals: nobody changes them during tests.
+    fn a_notification_is_cleared_by_the_call_that_finds_it() {
+        // If the kernel has virtual terminals, nobody switches them during tests.
         if let Ok(mut active) = Active::of(Path::new(ACTIVE)) {
             active.was_other();
             assert!(!active.is_notified() && !active.was_other());

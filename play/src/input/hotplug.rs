@@ -1,7 +1,7 @@
-//! The devices that are there: which are read, and which pad is which player's.
+//! Finds and reads the connected devices, and assigns pads to players.
 //!
-//! Looks for new ones about once a second. A node that can't be opened is tried again then, as its
-//! permissions are often set a moment after it appears; that it can't is said once.
+//! Searches for new devices about once a second. A node that can't be opened is tried again then,
+//! because its permissions are often set a moment after it appears. The failure is reported once.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -13,26 +13,26 @@ use super::capabilities::Capabilities;
 use super::device::{Device, Devices, RawEvent};
 use super::mapping::{self, Kind, Mapping};
 
-/// Between two looks for new devices.
+/// The time between two searches for new devices.
 const LOOK_EVERY: Duration = Duration::from_secs(1);
 
-/// Which devices are read.
+/// The set of devices to read.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Wanted {
-    /// Pads: keys and mouse are the display's.
+pub enum DeviceSet {
+    /// Only pads, because the display reports keys and mouse.
     Pads,
-    /// All.
+    /// All devices.
     All,
 }
 
-/// Reads input devices, those that come later too.
-pub struct Hub {
+/// Reads input devices, including those that are connected later.
+pub struct InputDevices {
     devices: Box<dyn Devices>,
-    wanted: Wanted,
+    wanted: DeviceSet,
     open: BTreeMap<PathBuf, Open>,
-    /// Devices that are of no use, and which they are.
+    /// The devices that games can't use, with their identifiers.
     useless: BTreeMap<PathBuf, PathBuf>,
-    /// Those that can't be opened, and that was said.
+    /// The devices that can't be opened, after this was reported.
     refused: BTreeSet<PathBuf>,
     looked: Option<Instant>,
     raw: Vec<RawEvent>,
@@ -45,10 +45,10 @@ struct Open {
     name: String,
 }
 
-impl Hub {
-    /// None is open until the first [`Hub::poll`].
+impl InputDevices {
+    /// Opens no device until the first [`InputDevices::poll`].
     #[must_use]
-    pub fn new(devices: Box<dyn Devices>, wanted: Wanted) -> Self {
+    pub fn new(devices: Box<dyn Devices>, wanted: DeviceSet) -> Self {
         Self {
             devices,
             wanted,
@@ -61,24 +61,24 @@ impl Hub {
         }
     }
 
-    /// What people should be told since the last call.
+    /// Takes the messages for the user since the last call.
     pub fn take_messages(&mut self) -> Vec<String> {
         std::mem::take(&mut self.messages)
     }
 
-    /// Whether a keyboard is among them.
+    /// Whether a keyboard is open.
     #[must_use]
     pub fn has_keyboard(&self) -> bool {
         let mut all = self.open.values();
         all.any(|open| open.mapping.is_keyboard())
     }
 
-    /// Appends what has happened since the last call.
+    /// Appends the events since the last call.
     pub fn poll(&mut self, now: Instant, events: &mut Vec<InputEvent>) {
         let is_due = |looked| now.saturating_duration_since(looked) >= LOOK_EVERY;
         if self.looked.is_none_or(is_due) {
             self.looked = Some(now);
-            self.look(events);
+            self.scan(events);
         }
         let mut gone = Vec::new();
         for (path, open) in &mut self.open {
@@ -97,10 +97,10 @@ impl Hub {
         }
     }
 
-    fn look(&mut self, events: &mut Vec<InputEvent>) {
+    fn scan(&mut self, events: &mut Vec<InputEvent>) {
         let paths = match self.devices.list() {
             Ok(paths) => paths,
-            // Once is enough: it will be so in a second, too.
+            // Reported once, because it would be the same every second.
             Err(error) if self.refused.insert(PathBuf::new()) => {
                 self.messages.push(format!("no input devices: {error}"));
                 return;
@@ -133,16 +133,16 @@ impl Hub {
                 Err(error) => Err(error),
             };
             match found {
-                // A node may be there before sysfs tells of it.
+                // A node may appear before its entry in sysfs.
                 Err(error) => self.refuse(&path, &error.to_string()),
                 Ok((identity, found)) => match Kind::of(&found) {
                     None => {
                         self.useless.insert(path, identity);
                     }
-                    Some(Kind::Desk) if self.wanted == Wanted::Pads => {
+                    Some(Kind::Desk) if self.wanted == DeviceSet::Pads => {
                         self.useless.insert(path, identity);
                     }
-                    // Those belong to a pad, which has to be known first.
+                    // Sensors belong to a pad, which must be known first.
                     Some(Kind::Sensors) => sensors.push((path, Kind::Sensors, found)),
                     Some(kind) => later.push((path, kind, found)),
                 },
@@ -171,7 +171,7 @@ impl Hub {
             Kind::Pad(_) => Some(self.free_pad()),
             Kind::Sensors => match self.pad_named(mapping::pad_of_sensors(&name)) {
                 Some(pad) => Some(pad),
-                // Its pad may come a moment later.
+                // Its pad may appear a moment later.
                 None => return,
             },
             Kind::Desk => None,
@@ -221,24 +221,24 @@ impl Hub {
                 self.messages
                     .push(format!("pad {} ({}) is gone: {why}", pad.0 + 1, open.name));
             }
-            // A pad's sensors go with it.
+            // A pad's sensors vanish with it.
             (Kind::Sensors, _) => {}
             _ => {
-                // What was held on it will never be released.
+                // Its held keys would never be released.
                 events.push(InputEvent::FocusLost);
                 self.messages.push(format!("{} is gone: {why}", open.name));
             }
         }
     }
 
-    /// The lowest number that no pad has: who plugs a pad in again is the same player.
+    /// The lowest free number, so that a player who plugs a pad in again keeps the number.
     fn free_pad(&self) -> PadId {
         let taken: BTreeSet<_> = self.pads().map(|(pad, _)| pad).collect();
         let mut all = (0..).map(PadId);
         all.find(|pad| !taken.contains(pad)).unwrap_or_default()
     }
 
-    /// The first pad of this name whose sensors are not known yet.
+    /// The first pad with this name that has no sensors yet.
     fn pad_named(&self, name: &str) -> Option<PadId> {
         let mut named: Vec<_> = self.pads().filter(|(_, other)| *other == name).collect();
         named.sort_unstable();

@@ -1,19 +1,20 @@
-//! What the codes of pads and keyboards mean, as tables.
+//! Tables with the meaning of pads' and keyboards' codes.
 //!
-//! Pads: the SIXAXIS has had two numberings, by the age of its driver; others follow one of them,
-//! the numbering of xpad or that of nameless joysticks. Keyboards and mice are all alike.
+//! The SIXAXIS has two numberings, depending on the age of its driver. Other pads follow one of
+//! these, the numbering of xpad, or that of generic joysticks. All keyboards and mice use the same
+//! codes.
 
 use cellray::game::{Axis, Button, Key, MouseButton};
 use evdev::{AbsoluteAxisCode as Abs, KeyCode as Code};
 
 use super::capabilities::Capabilities;
 
-/// What the codes of a kind of pad mean.
+/// The meaning of a kind of pad's codes.
 #[derive(Clone, Copy, Debug)]
 pub struct Layout {
-    /// Buttons.
+    /// The buttons.
     pub buttons: &'static [(Code, Button)],
-    /// Sticks, and triggers that are pressed more or less.
+    /// The sticks, and the analog triggers.
     pub axes: &'static [(Abs, Axis)],
 }
 
@@ -24,12 +25,12 @@ pub fn of_pad(device: &Capabilities) -> Option<Layout> {
     let axis = |axis: Abs| device.absolute.has(axis.0);
     if has(Code::BTN_SOUTH) {
         let lower = device.name.to_ascii_lowercase();
-        // Its driver gives all its pads such axes, and triggers that are no buttons, whatever they
-        // are called.
+        // xpad gives all its pads these axes, and triggers that aren't buttons, whatever their
+        // names.
         let is_like_xpad =
             axis(Abs::ABS_HAT0X) && axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && !has(Code::BTN_TL2);
         let is_xpad = lower.contains("x-box") || lower.contains("xbox") || is_like_xpad;
-        // One that Bluetooth has no driver for, too.
+        // This includes pads without a driver for Bluetooth.
         let has_stick_on_z = !axis(Abs::ABS_RX) && axis(Abs::ABS_Z) && axis(Abs::ABS_RZ);
         Some(Layout {
             buttons: if is_xpad { XPAD } else { FROM_SOUTH },
@@ -58,7 +59,7 @@ pub fn of_pad(device: &Capabilities) -> Option<Layout> {
     }
 }
 
-/// Beyond these the old driver has axes without meaning.
+/// The old driver also has other axes, which have no meaning.
 const OLD_STICKS: &[(Abs, Axis)] = &[
     (Abs::ABS_X, Axis::LeftX),
     (Abs::ABS_Y, Axis::LeftY),
@@ -66,7 +67,7 @@ const OLD_STICKS: &[(Abs, Axis)] = &[
     (Abs::ABS_RZ, Axis::RightY),
 ];
 
-/// hid-sony since Linux 4.13, and all that name their buttons by place.
+/// hid-sony since Linux 4.13, and all drivers that name buttons by their places.
 const FROM_SOUTH: &[(Code, Button)] = &[
     (Code::BTN_SOUTH, Button::Cross),
     (Code::BTN_EAST, Button::Circle),
@@ -105,7 +106,7 @@ const STICKS_ON_Z: &[(Abs, Axis)] = &[
     (Abs::ABS_GAS, Axis::R2),
 ];
 
-/// hid-sony up to Linux 4.12: numbers in the order of the pad's report.
+/// hid-sony up to Linux 4.12, which numbers the buttons in the order of the pad's report.
 const OLD_SIXAXIS: &[(Code, Button)] = &[
     (Code::BTN_TRIGGER, Button::Select),
     (Code::BTN_THUMB, Button::L3),
@@ -126,7 +127,7 @@ const OLD_SIXAXIS: &[(Code, Button)] = &[
     (Code::BTN_TRIGGER_HAPPY1, Button::Ps),
 ];
 
-/// xpad: its X and Y have the codes of the other's place.
+/// xpad, whose X and Y have each other's codes.
 const XPAD: &[(Code, Button)] = &[
     (Code::BTN_SOUTH, Button::Cross),
     (Code::BTN_EAST, Button::Circle),
@@ -145,7 +146,7 @@ const XPAD: &[(Code, Button)] = &[
     (Code::BTN_TRIGGER_HAPPY4, Button::Down),
 ];
 
-/// A pad without a driver of its own: its buttons are numbered as those of most are printed.
+/// A pad without its own driver. The numbering is the one that is printed on most such pads.
 const JOYSTICK: &[(Code, Button)] = &[
     (Code::BTN_TRIGGER, Button::Square),
     (Code::BTN_THUMB, Button::Cross),
@@ -161,13 +162,13 @@ const JOYSTICK: &[(Code, Button)] = &[
     (Code::BTN_BASE6, Button::R3),
 ];
 
-/// Crosses of directions that are axes: the axis, and the buttons that its ends are.
+/// Directional pads that are reported as axes: the axis, and the buttons at its two ends.
 pub static HATS: [(Abs, Button, Button); 2] = [
     (Abs::ABS_HAT0X, Button::Left, Button::Right),
     (Abs::ABS_HAT0Y, Button::Up, Button::Down),
 ];
 
-/// Buttons of mice.
+/// The buttons of mice.
 pub static MOUSE: [(Code, MouseButton); 7] = [
     (Code::BTN_LEFT, MouseButton::Left),
     (Code::BTN_RIGHT, MouseButton::Right),
@@ -178,7 +179,7 @@ pub static MOUSE: [(Code, MouseButton); 7] = [
     (Code::BTN_FORWARD, MouseButton::Forward),
 ];
 
-/// Keys of keyboards.
+/// The keys of keyboards.
 pub static KEYS: [(Code, Key); 84] = [
     (Code::KEY_A, Key::A),
     (Code::KEY_B, Key::B),

@@ -1,4 +1,4 @@
-//! From a device's own events to those of a game, by the tables of its kind.
+//! Converts a device's events to a game's events, by the tables of its kind.
 
 use std::collections::BTreeMap;
 use std::io;
@@ -10,14 +10,14 @@ use super::capabilities::{Capabilities, Codes};
 use super::device::{Device, Range, RawEvent};
 use super::layout::{self, HATS, KEYS, Layout, MOUSE};
 
-/// What a SIXAXIS counts in one g, where its driver doesn't say.
+/// A SIXAXIS' units in one g, if its driver doesn't report them.
 const SIXAXIS_UNITS_A_G: f32 = 113.0;
-/// Ending of the name of a pad's sensors, which are a device of their own.
+/// The end of the name of a pad's sensors, which are a separate device.
 const SENSORS: &str = " Motion Sensors";
-/// EV_SYN's code for events that were dropped.
+/// EV_SYN's code for dropped events.
 const SYN_DROPPED: u16 = 3;
 
-/// What a device is.
+/// The kind of a device.
 #[derive(Clone, Copy, Debug)]
 pub enum Kind {
     /// A pad.
@@ -29,7 +29,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// What the device is, if it is of use to a game.
+    /// The kind of the device, or `None` if games can't use it.
     #[must_use]
     pub fn of(device: &Capabilities) -> Option<Self> {
         let acceleration = [Abs::ABS_X, Abs::ABS_Y, Abs::ABS_Z];
@@ -49,36 +49,36 @@ impl Kind {
     }
 }
 
-/// Name of the pad that the sensors of this name belong to.
+/// The name of the pad that the sensors with this name belong to.
 #[must_use]
 pub fn pad_of_sensors(name: &str) -> &str {
     name.strip_suffix(SENSORS).unwrap_or(name)
 }
 
-/// What the codes of one device mean, and what it said last.
+/// The meaning of one device's codes, and its last reports.
 #[derive(Debug)]
 pub struct Mapping {
     kind: Kind,
-    /// The pad that it is, or that its sensors are of.
+    /// The number of the pad that the device is, or that its sensors belong to.
     pad: Option<PadId>,
     ranges: BTreeMap<u16, Range>,
-    /// The keys and buttons that it has.
+    /// The device's keys and buttons.
     keys: Codes,
-    /// Those that are down, as it said.
+    /// The keys and buttons that are down, according to its events.
     held: Codes,
     sensors: Sensors,
-    /// The sensors moved since the last report.
+    /// Whether the sensors have changed since the last report.
     sensed: bool,
     motion: [f32; 2],
     wheel: [f32; 2],
-    /// The kernel has dropped events, up to the next report.
+    /// Whether the kernel has dropped events, so that all are ignored until the next report.
     dropped: bool,
-    /// It has, and what the device said before may be so no more.
+    /// Whether events were dropped and the state must be read from the device.
     is_stale: bool,
 }
 
 impl Mapping {
-    /// Of a device of this kind, with these keys; its axes have these ranges.
+    /// A mapping for a device of this kind, with these keys, and with the ranges of its axes.
     #[must_use]
     pub fn new(kind: Kind, pad: Option<PadId>, keys: Codes, ranges: BTreeMap<u16, Range>) -> Self {
         Self {
@@ -99,33 +99,35 @@ impl Mapping {
         }
     }
 
-    /// What the device is.
+    /// The kind of the device.
     #[must_use]
     pub fn kind(&self) -> Kind {
         self.kind
     }
 
-    /// The pad that it is, or that its sensors are of.
+    /// The number of the pad that the device is, or that its sensors belong to.
     #[must_use]
     pub fn pad(&self) -> Option<PadId> {
         self.pad
     }
 
-    /// Whether it is a keyboard, whatever else it is.
+    /// Whether the device has a keyboard's keys.
     #[must_use]
     pub fn is_keyboard(&self) -> bool {
         matches!(self.kind, Kind::Desk) && self.keys.has(Code::KEY_A.0)
     }
 
-    /// Where its sticks are at the start: they tell of changes alone.
+    /// Appends the initial positions of the sticks, because devices report only changes.
     pub fn begin(&self, events: &mut Vec<InputEvent>) {
         for (&code, range) in &self.ranges {
             self.axis(code, range.value, events);
         }
     }
 
-    /// After events that the kernel has dropped: what has changed by them, as the device has it
-    /// now.
+    /// After the kernel has dropped events, reads the device's state and appends the changes.
+    ///
+    /// # Errors
+    /// The device is gone.
     pub fn catch_up(
         &mut self,
         device: &dyn Device,
@@ -158,13 +160,13 @@ impl Mapping {
         Ok(())
     }
 
-    /// What the event means, if anything.
+    /// Converts an event, if it has a meaning.
     pub fn translate(&mut self, event: RawEvent, events: &mut Vec<InputEvent>) {
         let RawEvent { kind, code, value } = event;
         match EventType(kind) {
             EventType::SYNCHRONIZATION if code == SYN_DROPPED => self.dropped = true,
             EventType::SYNCHRONIZATION => self.report(events),
-            // Up to the next report nothing is sure.
+            // Until the next report, events are unreliable.
             _ if self.dropped => {}
             EventType::KEY => self.key(Code(code), value, events),
             EventType::ABSOLUTE => match self.kind {
@@ -200,7 +202,7 @@ impl Mapping {
     }
 
     fn key(&mut self, code: Code, value: i32, events: &mut Vec<InputEvent>) {
-        // 2 is the repetition of a key that is held.
+        // 2 is the repetition of a held key.
         let down = match value {
             0 => false,
             1 => true,
@@ -235,7 +237,7 @@ impl Mapping {
                 _ => range.deflection(value),
             };
             events.push(InputEvent::PadAxis { pad, axis, value });
-            // Triggers that are no buttons are pressed from the middle on.
+            // Triggers that aren't buttons count as pressed from the middle on.
             let trigger = match axis {
                 Axis::L2 => (Button::L2, Code::BTN_TL2),
                 Axis::R2 => (Button::R2, Code::BTN_TR2),
@@ -270,7 +272,7 @@ impl Mapping {
 }
 
 impl Range {
-    /// From 0 at its least to 1 at its most.
+    /// Converts a value to 0 at the least to 1 at the most.
     fn part(self, value: i32) -> f32 {
         let length = f64::from(self.most) - f64::from(self.least);
         if length <= 0.0 {
@@ -280,7 +282,7 @@ impl Range {
         part.clamp(0.0, 1.0) as f32
     }
 
-    /// From -1 to 1, 0 around the middle.
+    /// Converts a value to -1 to 1, with 0 around the middle.
     fn deflection(self, value: i32) -> f32 {
         let (least, most) = (f64::from(self.least), f64::from(self.most));
         let (middle, half) = ((least + most) / 2.0, (most - least) / 2.0);

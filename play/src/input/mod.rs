@@ -1,9 +1,9 @@
 //! Input devices of Linux: pads, keyboards and mice under `/dev/input`.
 //!
-//! Owns what a device's codes mean and which pad is which player's. Knows no window. Invariants:
-//! events come in the order in which each device told them; a device that vanishes is an event and
-//! a message, never an error; when the kernel has dropped events, the device is asked how it is
-//! now: nothing is held for ever.
+//! Owns the meaning of devices' codes, and the assignment of pads to players. Doesn't know
+//! windows. Invariants: events keep each device's order. A device that vanishes causes an event
+//! and a message, never an error. When the kernel has dropped events, the device's current state
+//! is read, so that nothing is held forever.
 
 mod capabilities;
 mod console;
@@ -17,5 +17,5 @@ pub use capabilities::{Capabilities, Codes};
 pub use console::is_of_console;
 pub use device::{Device, Devices, Range, RawEvent, SystemDevices};
 pub use foreground::{Foreground, SystemForeground};
-pub use hotplug::{Hub, Wanted};
+pub use hotplug::{DeviceSet, InputDevices};
 pub use mapping::{Kind, Mapping};

@@ -9,7 +9,9 @@ use std::rc::Rc;
 use std::time::{Duration, Instant};
 
 use cellray::game::{Axis, Button, Input, InputEvent, Key, MouseButton, PadId};
-use cellray_play::input::{Capabilities, Codes, Device, Devices, Hub, Range, RawEvent, Wanted};
+use cellray_play::input::{
+    Capabilities, Codes, Device, DeviceSet, Devices, InputDevices, Range, RawEvent,
+};
 
 const SYN: u16 = 0;
 const KEY: u16 = 1;
@@ -175,16 +177,16 @@ impl Device for Opened {
 
 /// A hub, its input's state, and a clock.
 struct Player {
-    hub: Hub,
+    hub: InputDevices,
     input: Input,
     now: Instant,
     events: Vec<InputEvent>,
 }
 
 impl Player {
-    fn new(bench: &Bench, wanted: Wanted) -> Self {
+    fn new(bench: &Bench, wanted: DeviceSet) -> Self {
         Self {
-            hub: Hub::new(Box::new(bench.clone()), wanted),
+            hub: InputDevices::new(Box::new(bench.clone()), wanted),
             input: Input::default(),
             now: Instant::now(),
             events: Vec::new(),
@@ -248,7 +250,7 @@ fn both_numberings_of_the_sixaxis_are_the_same_buttons() {
     for (found, codes) in [(new_sixaxis(), new), (old_sixaxis(), old)] {
         let bench = Bench::default();
         let said = bench.plug("event0", found);
-        let mut player = Player::new(&bench, Wanted::All);
+        let mut player = Player::new(&bench, DeviceSet::All);
         player.frame(0);
         for (code, button) in codes {
             said.borrow_mut()
@@ -276,7 +278,7 @@ fn sticks_and_triggers_go_from_end_to_end() {
     for (found, right) in [(new_sixaxis(), [3, 4]), (old_sixaxis(), [2, 5])] {
         let bench = Bench::default();
         let said = bench.plug("event0", found);
-        let mut player = Player::new(&bench, Wanted::Pads);
+        let mut player = Player::new(&bench, DeviceSet::Pads);
         player.frame(0);
         let codes = [
             (0, Axis::LeftX),
@@ -303,7 +305,7 @@ fn sticks_and_triggers_go_from_end_to_end() {
     }
     let bench = Bench::default();
     let said = bench.plug("event0", new_sixaxis());
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     for (value, expected) in [(0, 0.0), (51, 0.2), (255, 1.0)] {
         said.borrow_mut()
@@ -344,7 +346,7 @@ fn other_pads_have_their_own_tables() {
         let name = found.name.clone();
         let bench = Bench::default();
         let said = bench.plug("event0", found);
-        let mut player = Player::new(&bench, Wanted::Pads);
+        let mut player = Player::new(&bench, DeviceSet::Pads);
         player.frame(0);
         said.borrow_mut().events.extend([
             raw(KEY, code, 1),
@@ -374,7 +376,7 @@ fn a_pads_sensors_are_the_pads() {
     );
     let said = bench.plug("event0", sensors);
     bench.plug("event1", new_sixaxis());
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     assert_eq!(player.input.pads().len(), 1);
     let still = [
@@ -395,7 +397,7 @@ fn a_pads_sensors_are_the_pads() {
 
 #[test]
 fn keyboards_and_mice_are_read_where_they_are_wanted() {
-    for wanted in [Wanted::All, Wanted::Pads] {
+    for wanted in [DeviceSet::All, DeviceSet::Pads] {
         let bench = Bench::default();
         let keys = bench.plug("event0", keyboard());
         let moved = bench.plug("event1", mouse());
@@ -416,7 +418,7 @@ fn keyboards_and_mice_are_read_where_they_are_wanted() {
         ];
         moved.borrow_mut().events.extend(dragged);
         player.frame(20);
-        let is_read = wanted == Wanted::All;
+        let is_read = wanted == DeviceSet::All;
         assert_eq!(player.input.key_pressed(Key::A), is_read);
         assert_eq!(player.input.mouse_held(MouseButton::Left), is_read);
         if is_read {
@@ -435,7 +437,7 @@ fn keyboards_and_mice_are_read_where_they_are_wanted() {
 #[test]
 fn pads_come_and_go_and_keep_their_players() {
     let bench = Bench::default();
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     assert!(player.input.pads().is_empty());
     bench.plug("event0", new_sixaxis());
@@ -476,7 +478,7 @@ fn a_node_without_permission_is_tried_again_and_told_of_once() {
     let bench = Bench::default();
     bench.plug("event0", new_sixaxis());
     bench.let_open("event0", false);
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     for _ in 0..5 {
         player.frame(1100);
     }
@@ -494,7 +496,7 @@ fn a_node_without_permission_is_tried_again_and_told_of_once() {
 fn what_the_kernel_dropped_is_not_held_for_ever() {
     let bench = Bench::default();
     let keys = bench.plug("event0", keyboard());
-    let mut player = Player::new(&bench, Wanted::All);
+    let mut player = Player::new(&bench, DeviceSet::All);
     keys.borrow_mut().events.extend([raw(KEY, 30, 1), report()]);
     player.frame(0);
     assert!(player.input.key_held(Key::A));
@@ -518,7 +520,7 @@ fn what_the_kernel_dropped_is_not_held_for_ever() {
 fn a_keyboard_that_vanishes_holds_nothing() {
     let bench = Bench::default();
     let keys = bench.plug("event0", keyboard());
-    let mut player = Player::new(&bench, Wanted::All);
+    let mut player = Player::new(&bench, DeviceSet::All);
     keys.borrow_mut().events.extend([raw(KEY, 30, 1), report()]);
     player.frame(0);
     bench.unplug("event0");
@@ -534,7 +536,7 @@ fn what_was_held_while_the_kernel_dropped_events_is_held_on() {
     let mut hat = new_sixaxis();
     hat.absolute = [0, 1, 2, 3, 4, 5, 0x10, 0x11].into_iter().collect();
     let pad = bench.plug("event1", hat);
-    let mut player = Player::new(&bench, Wanted::All);
+    let mut player = Player::new(&bench, DeviceSet::All);
     player.frame(0);
     keys.borrow_mut().events.extend([raw(KEY, 30, 1), report()]);
     pad.borrow_mut().events.extend([
@@ -572,7 +574,7 @@ fn what_was_held_while_the_kernel_dropped_events_is_held_on() {
 fn a_mouse_is_no_keyboard() {
     let bench = Bench::default();
     bench.plug("event0", mouse());
-    let mut player = Player::new(&bench, Wanted::All);
+    let mut player = Player::new(&bench, DeviceSet::All);
     player.frame(0);
     assert!(!player.hub.has_keyboard());
     bench.plug("event1", keyboard());
@@ -588,7 +590,7 @@ fn a_pad_that_takes_the_place_of_what_is_of_no_use_is_found() {
     let bench = Bench::default();
     bench.plug("event0", device("Power Button", &[116], &[], &[]));
     bench.plug("event1", keyboard());
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     player.frame(1100);
     assert!(player.input.pads().is_empty());
@@ -605,7 +607,7 @@ fn a_pad_that_takes_the_place_of_what_is_of_no_use_is_found() {
 fn a_pad_that_vanishes_holds_nothing_when_it_is_back() {
     let bench = Bench::default();
     let said = bench.plug("event0", new_sixaxis());
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     said.borrow_mut()
         .events
@@ -650,7 +652,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
         said.borrow_mut()
             .axes
             .extend([(2, 128), (5, 128), (trigger, 0), (0x10, 0), (0x11, 0)]);
-        let mut player = Player::new(&bench, Wanted::Pads);
+        let mut player = Player::new(&bench, DeviceSet::Pads);
         player.frame(0);
         said.borrow_mut().events.extend([
             raw(KEY, 0x133, 1),
@@ -677,7 +679,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
         "event0",
         device("Some pad", &keys, &[0, 1, 2, 3, 4, 5], &[]),
     );
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     said.borrow_mut()
         .events
@@ -689,7 +691,7 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
     let many: Vec<_> = (0x120..=0x12f).chain([0x2c0]).collect();
     let bench = Bench::default();
     let said = bench.plug("event0", device("Throttle", &many, &[0, 1], &[]));
-    let mut player = Player::new(&bench, Wanted::Pads);
+    let mut player = Player::new(&bench, DeviceSet::Pads);
     player.frame(0);
     said.borrow_mut()
         .events

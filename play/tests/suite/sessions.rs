@@ -12,7 +12,7 @@ use std::time::{Duration, Instant};
 use cellray::Settings;
 use cellray::framebuffer::{Framebuffer, Geometry, Memory, NumberedPath};
 use cellray::game::{
-    FixedSteps, Game, Moment, NoInput, Pictures, RealTime, Session, Start, World, WorldError,
+    FixedSteps, Frame, Game, NoInput, Pictures, RealTime, Session, Start, World, WorldError,
 };
 use pty::Pty;
 
@@ -71,7 +71,7 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
     let [whole, parts] = [(); 2].map(|()| tempfile::tempdir().expect("a folder"));
     let talk = pictures(whole.path(), "0..12", &[]);
     assert!(
-        talk.contains("12 picture(s) written, 0 there already"),
+        talk.contains("12 picture(s) written, 0 existed already"),
         "{talk}"
     );
     let expected = files(whole.path());
@@ -89,7 +89,7 @@ fn ranges_of_pictures_are_those_of_one_run_and_resumed() {
         .expect("a time");
     let talk = pictures(parts.path(), "0..12", &[]);
     assert!(
-        talk.contains("8 picture(s) written, 4 there already"),
+        talk.contains("8 picture(s) written, 4 existed already"),
         "{talk}"
     );
     assert!(files(parts.path()) == expected);
@@ -492,7 +492,7 @@ impl Game for Still {
         Ok(())
     }
 
-    fn frame(&mut self, _: &mut World, _: &Moment<'_>) -> Result<(), WorldError> {
+    fn update(&mut self, _: &mut World, _: &Frame<'_>) -> Result<(), WorldError> {
         Ok(())
     }
 }
@@ -561,7 +561,7 @@ fn the_last_frame_of_a_recording_tells_of_the_world() {
     let other = format!("{rest}\"world\":\"{other}\"}}");
     fs::write(&record, text.replace(last, &other)).expect("a file");
     let talk = bad(&[&none[..], &["--replay", name]].concat());
-    assert!(talk.contains("frame 18: the world is another"), "{talk}");
+    assert!(talk.contains("frame 18: the world differs"), "{talk}");
 }
 
 #[test]

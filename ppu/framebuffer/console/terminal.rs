@@ -1,12 +1,12 @@
-//! The calls that a virtual terminal answers, one method each, without a decision.
+//! The calls of a virtual terminal, one method each, without any logic.
 //!
-//! The trait is the seam at which tests put a scripted terminal in the kernel's place.
+//! Tests implement the trait with a scripted terminal in place of the kernel's.
 
 use crate::framebuffer::ioctl::{
     KD_GRAPHICS, KD_TEXT, KDGETMODE, KDSETMODE, VT_GETMODE, VT_GETSTATE, VT_RELDISP, VT_SETMODE,
     VtMode, VtStat,
 };
-use crate::framebuffer::last_resort::{Argument, Place, PutBack};
+use crate::framebuffer::last_resort::{Argument, Place, RestorePromise};
 use std::fs::{File, OpenOptions};
 use std::io;
 use std::os::fd::{AsFd, AsRawFd};
@@ -19,22 +19,22 @@ pub(super) trait Terminal: Send {
     fn mode(&self) -> io::Result<i32>;
     /// KDSETMODE.
     fn set_mode(&mut self, mode: i32) -> io::Result<()>;
-    /// VT_GETSTATE: the number of the terminal that is on the screen, be it this one or another.
+    /// VT_GETSTATE: the number of the terminal that is on the screen, this one or another.
     fn on_screen(&self) -> io::Result<u16>;
     /// VT_GETMODE.
     fn changes(&self) -> io::Result<VtMode>;
     /// VT_SETMODE.
     fn set_changes(&self, changes: VtMode) -> io::Result<()>;
-    /// VT_RELDISP: the answer to the kernel's asking for the screen, or giving it.
+    /// VT_RELDISP: the answer when the kernel requests the screen or returns it.
     fn answer(&self, answer: i32) -> io::Result<()>;
-    /// Forgets what was typed and not read.
+    /// Discards input that was typed but not read.
     fn discard_input(&self);
 }
 
-/// One of the kernel's.
+/// A virtual terminal of the kernel's.
 pub(super) struct VirtualTerminal {
-    // Dropped first: it needs the file open.
-    _promise: Option<PutBack>,
+    // Dropped first, because it needs the open file.
+    _promise: Option<RestorePromise>,
     file: File,
 }
 
@@ -63,7 +63,7 @@ impl VirtualTerminal {
     /// A request that takes a number.
     fn tell(&self, request: u32, value: i32) -> io::Result<()> {
         let (terminal, request) = (self.file.as_raw_fd(), request as libc::Ioctl);
-        // SAFETY: the descriptor is open; the requests told take their argument by value.
+        // SAFETY: the descriptor is open; the requests used here take their argument by value.
         answered(unsafe { libc::ioctl(terminal, request, libc::c_long::from(value)) })
     }
 }
@@ -86,7 +86,7 @@ impl Terminal for VirtualTerminal {
     fn set_mode(&mut self, mode: i32) -> io::Result<()> {
         let promise = (mode == KD_GRAPHICS).then(|| {
             let text = Argument::Value(KD_TEXT.into());
-            PutBack::promise(Place::Console, self.file.as_fd(), KDSETMODE, text)
+            RestorePromise::promise(Place::Console, self.file.as_fd(), KDSETMODE, text)
         });
         self.tell(KDSETMODE, mode)?;
         self._promise = promise;
@@ -117,7 +117,8 @@ impl Terminal for VirtualTerminal {
         let terminal = self.file.as_raw_fd();
         // SAFETY: the descriptor is open.
         unsafe {
-            // Behind the shell what was typed is the shell's, and the call would stop the program.
+            // In the background, the input belongs to the shell, and the call would stop the
+            // program.
             let foreground = libc::tcgetpgrp(terminal);
             if foreground < 0 || foreground == libc::getpgrp() {
                 libc::tcflush(terminal, libc::TCIFLUSH);

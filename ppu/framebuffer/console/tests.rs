@@ -1,4 +1,4 @@
-//! The console's logic against a terminal that notes what it is told.
+//! Tests of the console's logic with a terminal that records its calls.
 
 use super::super::ioctl::KD_TEXT;
 use super::*;
@@ -13,7 +13,7 @@ enum Told {
     Discard,
 }
 
-/// What a terminal was told, and what it is to say is on the screen.
+/// The calls of a terminal, and the number that it reports to be on the screen.
 #[derive(Clone, Default)]
 struct Notes {
     told: Arc<Mutex<Vec<Told>>>,
@@ -21,7 +21,7 @@ struct Notes {
 }
 
 impl Notes {
-    /// What was told since the last question.
+    /// The calls since the last question.
     fn told(&self) -> Vec<Told> {
         std::mem::take(&mut *self.told.lock().unwrap())
     }
@@ -38,7 +38,7 @@ impl Notes {
 struct Noted {
     found: io::Result<i32>,
     denied: bool,
-    /// Whether nobody waits for the screen.
+    /// Whether no other terminal waits for the screen.
     unasked: bool,
     changes: Option<VtMode>,
     notes: Notes,
@@ -150,7 +150,7 @@ fn the_screen_is_lost_while_another_terminal_is_on_it() {
         notes.show(shown);
         assert_eq!(console.has_the_screen(), ours, "{shown:?}");
     }
-    // Where it could not be asked at the start, it is not believed later.
+    // If the number was unknown at the start, a later one is not trusted.
     let (terminal, notes) = noted(Ok(KD_TEXT), false);
     let console = Console::take("tty", terminal).unwrap();
     assert!(!console.has_the_screen());
@@ -158,7 +158,7 @@ fn the_screen_is_lost_while_another_terminal_is_on_it() {
     assert!(!console.has_the_screen());
 }
 
-/// How the kernel changes terminals when nobody asked it to do otherwise.
+/// How the kernel switches terminals by default.
 const AUTO: VtMode = VtMode {
     mode: 0,
     waitv: 3,
@@ -179,13 +179,13 @@ fn the_kernel_says_what_is_no_terminal() {
         null.answer(VT_RELEASED),
     ];
     for answer in answers {
-        // The second is the user-mode emulator's for a request that it does not know.
+        // The user-mode emulator returns the second for a request that it doesn't know.
         let unknown = [Some(libc::ENOTTY), Some(libc::ENOSYS)];
         assert!(unknown.contains(&answer.unwrap_err().raw_os_error()));
     }
 }
 
-/// Each in a process of its own: signals are the process's.
+/// Each scenario runs in a process of its own, because signals belong to the process.
 mod switching {
     use super::*;
     use crate::framebuffer::interrupted::Interrupted;
@@ -214,11 +214,11 @@ mod switching {
             assert_eq!(signals, (libc::SIGRTMIN(), libc::SIGRTMIN() + 1));
             assert_eq!((ours.mode, ours.waitv, ours.frsig), (VT_PROCESS, 3, 5));
             for _ in 0..3 {
-                assert!(console.asked().is_none() && console.come_back());
+                assert!(console.request().is_none() && console.come_back());
                 assert_eq!(notes.told(), []);
                 raise(signals.0);
-                assert_eq!(console.asked(), Some(Asked::Leave));
-                console.leave(Asked::Leave);
+                assert_eq!(console.request(), Some(ScreenRequest::Leave));
+                console.leave(ScreenRequest::Leave);
                 assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
                 // SAFETY: names this thread, which outlives the one that sends to it.
                 let waits = unsafe { libc::pthread_self() };
@@ -249,8 +249,8 @@ mod switching {
             let mut console = Console::take("tty", terminal).unwrap();
             notes.told();
             raise(libc::SIGRTMIN());
-            console.leave(console.asked().unwrap());
-            // At once: nobody would give it back.
+            console.leave(console.request().unwrap());
+            // Returns immediately, because nobody would return the screen.
             assert!(console.come_back());
             assert_eq!(notes.told(), [Told::Answer(VT_RELEASED)]);
             7
@@ -259,17 +259,17 @@ mod switching {
         assert_eq!(libc::WEXITSTATUS(status), 7);
     }
 
-    /// A program that starts behind another terminal is given the screen without having left it.
+    /// A program that starts behind another terminal gets the screen without having released it.
     #[test]
     fn an_earlier_giving_back_is_no_answer_to_a_later_leaving() {
         let status = in_child(|| {
             let interrupted = Interrupted::install().unwrap();
             let (mut console, _) = taken();
             raise(libc::SIGRTMIN() + 1);
-            assert!(console.asked().is_none() && console.come_back());
+            assert!(console.request().is_none() && console.come_back());
             raise(libc::SIGRTMIN());
-            console.leave(console.asked().unwrap());
-            // Else it would wait for ever, as it should.
+            console.leave(console.request().unwrap());
+            // Otherwise it would wait forever, as it should.
             raise(libc::SIGTERM);
             assert!(!console.come_back());
             drop(interrupted);
@@ -285,9 +285,9 @@ mod switching {
             let interrupted = Interrupted::install().unwrap();
             let (mut console, notes) = taken();
             raise(libc::SIGRTMIN());
-            console.leave(console.asked().unwrap());
+            console.leave(console.request().unwrap());
             raise(libc::SIGTERM);
-            assert!(!console.come_back() && console.asked().is_none());
+            assert!(!console.come_back() && console.request().is_none());
             assert_eq!(interrupted.signal(), Some(libc::SIGTERM));
             notes.told();
             drop(console);
@@ -307,7 +307,7 @@ mod switching {
                 return 1;
             };
             raise(libc::SIGTSTP);
-            assert_eq!(console.asked(), Some(Asked::Stop));
+            assert_eq!(console.request(), Some(ScreenRequest::Stop));
             // SAFETY: waits for the child made here, which continues this process once it is
             // stopped.
             unsafe {
@@ -321,7 +321,7 @@ mod switching {
                     libc::kill(stopped, libc::SIGCONT);
                     libc::_exit(0);
                 }
-                console.leave(Asked::Stop);
+                console.leave(ScreenRequest::Stop);
                 libc::waitpid(shell, std::ptr::null_mut(), 0);
             }
             assert!(console.come_back());

@@ -1,5 +1,4 @@
-//! The device's logic against scripted drivers: the calls made, in order, and the pixels that
-//! arrive.
+//! Tests of the device's logic with scripted drivers: the calls in their order, and the pixels.
 
 mod options;
 mod script;
@@ -44,7 +43,7 @@ fn ps3fb_alternates_two_frames_in_its_own_memory() {
 
 #[test]
 fn contents_are_kept_in_private_memory_and_under_a_console_of_our_own() {
-    // The script has no console, so the device's own memory is not to be relied on.
+    // The script has no console, so the device's memory may not keep its contents.
     let (device, _) = Script::ps3fb().open(None, Some(Mode::Direct));
     assert!(!device.unwrap().keeps_contents());
     let (device, _) = Script::ps3fb().open(None, Some(Mode::Shadow));
@@ -67,7 +66,7 @@ fn ps3fb_with_borders_keeps_its_line_length() {
 
 #[test]
 fn ps3fb_with_one_frame_selects_it_alone() {
-    // 1080p does not fit the default memory twice, whatever the driver says.
+    // Two 1080p frames don't fit the default memory, whatever the driver reports.
     let (device, witness) =
         Script::new("ps3fb", 1920, 1080, 7680, 9 * MIB - 0x1_0000).open(None, None);
     let mut device = device.unwrap();
@@ -203,7 +202,7 @@ fn panning_alternates_and_goes_back_to_where_it_was() {
     script.var.yoffset = 3;
     let (device, witness) = script.open(None, None);
     let mut device = device.unwrap();
-    // 404 bytes are no multiple of 16: SPUs write to the shadow's lines.
+    // 404 bytes are not a multiple of 16, so SPUs write to the shadow's lines.
     assert_eq!(device.mode(), Mode::Shadow);
     assert_eq!(witness.calls(), [Pan(0, 57)]);
     for (seed, frame) in [(0, 0), (1, 1), (2, 0)] {
@@ -273,7 +272,7 @@ fn a_screen_within_a_larger_picture_is_written_where_it_is_seen() {
 
 #[test]
 fn direct_is_possible_only_where_dma_is() {
-    // 101 pixels, written as 104: 416 bytes are just enough.
+    // 101 pixels are written as 104, for which 416 bytes are just enough.
     let (device, witness) =
         Script::new("other", 101, 57, 416, 416 * 57).open(None, Some(Mode::Direct));
     let mut device = device.unwrap();
@@ -394,7 +393,7 @@ fn numbers_that_contradict_each_other_are_refused() {
     assert!(plain().open(None, None).0.is_ok());
     let mut offset = plain();
     (offset.var.xoffset, offset.var.yoffset) = (u32::MAX, u32::MAX);
-    // Products of the driver's numbers must not wrap round into the memory.
+    // Products of the driver's numbers must not wrap around to offsets within the memory.
     let mut far = Script::new("odd", 64, 48, u32::MAX, 256 * 48);
     far.var.yoffset = u32::MAX;
     let mut tall = Script::new("odd", 64, 48, u32::MAX, 256 * 48);

@@ -1,88 +1,88 @@
-//! What happened to an input device.
+//! Events of input devices.
 
 use serde::{Deserialize, Serialize};
 
 use super::names::{Axis, Button, Key, MouseButton};
 use super::pad::{PadId, Sensors};
 
-/// Something that happened to an input device.
+/// An event of an input device.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case", deny_unknown_fields)]
 pub enum InputEvent {
-    /// A key went down or up. Repetitions of a key that is held are none.
+    /// A key went down or up. A held key's automatic repetitions are not events.
     Key {
-        /// Which.
+        /// The key.
         key: Key,
         /// Whether it is down now.
         down: bool,
     },
-    /// The mouse points there.
+    /// The pointer moved within the picture.
     MouseMoved {
-        /// Pixels from the picture's left and top.
+        /// The new position in pixels from the picture's top left.
         to: [f32; 2],
     },
-    /// The mouse points out of the picture.
+    /// The pointer left the picture.
     MouseLeft,
-    /// The mouse was moved, wherever it points.
+    /// The mouse was moved, wherever the pointer is.
     MouseMotion {
-        /// To the right and down.
+        /// The motion to the right and down, in the device's own unit.
         by: [f32; 2],
     },
     /// A button of the mouse went down or up.
     MouseButton {
-        /// Which.
+        /// The button.
         button: MouseButton,
         /// Whether it is down now.
         down: bool,
     },
     /// The wheel was turned.
     Wheel {
-        /// To the right and away from the player, in notches.
+        /// The motion to the right and away from the player, in notches.
         by: [f32; 2],
     },
-    /// Keys go elsewhere from now on: nothing counts as held.
+    /// The input focus was lost: nothing counts as held any more.
     FocusLost,
-    /// A pad was plugged in, or was there from the start.
+    /// A pad was plugged in, or was connected from the start.
     PadConnected {
-        /// Its number.
+        /// The pad's number.
         pad: PadId,
-        /// What it calls itself.
+        /// The name that the pad reports.
         name: String,
     },
     /// A pad was unplugged.
     PadDisconnected {
-        /// Its number.
+        /// The pad's number.
         pad: PadId,
     },
     /// A button of a pad went down or up.
     PadButton {
-        /// Which pad.
+        /// The pad's number.
         pad: PadId,
-        /// Which button.
+        /// The button.
         button: Button,
         /// Whether it is down now.
         down: bool,
     },
     /// An axis of a pad moved.
     PadAxis {
-        /// Which pad.
+        /// The pad's number.
         pad: PadId,
-        /// Which axis.
+        /// The axis.
         axis: Axis,
-        /// Where it is now, -1 to 1; what is beyond is brought there.
+        /// The axis' new value, which is clamped to -1 to 1.
         value: f32,
     },
-    /// A pad was tilted.
+    /// A pad's sensors have new readings.
     PadSensors {
-        /// Which pad.
+        /// The pad's number.
         pad: PadId,
-        /// What its sensors say now.
+        /// The new readings.
         sensors: Sensors,
     },
 }
 
 impl InputEvent {
-    /// Whether all that it says are numbers.
+    /// Whether all of the event's numbers are finite.
     #[must_use]
     pub fn is_finite(&self) -> bool {
         match self {

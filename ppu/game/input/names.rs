@@ -1,10 +1,10 @@
-//! The names of keys, buttons and axes, and sets of those that are held.
+//! The names of keys, buttons and axes, and sets of the held ones.
 
 use std::marker::PhantomData;
 
 use serde::{Deserialize, Serialize};
 
-/// Something with a number below 128 that is held, pressed and released.
+/// A key or button: something with a number below 128 that is pressed, held and released.
 pub(super) trait Name: Copy {
     fn number(self) -> u32;
 }
@@ -39,7 +39,7 @@ macro_rules! names {
 }
 
 names! {
-    /// A key, by its place on a keyboard of the United States, whatever is printed on it.
+    /// A key, named by its place on a US keyboard, whatever is printed on it.
     Key {
         /// A.
         A,
@@ -137,7 +137,7 @@ names! {
         Slash,
         /// The space bar.
         Space,
-        /// Enter, the number block's too.
+        /// Enter, on the number pad too.
         Enter,
         /// Tab.
         Tab,
@@ -205,33 +205,34 @@ names! {
         Left,
         /// The right one.
         Right,
-        /// The wheel.
+        /// The middle one, which often is the wheel.
         Middle,
-        /// The one for back.
+        /// The thumb button for going back.
         Back,
-        /// The one for forward.
+        /// The thumb button for going forward.
         Forward,
     }
 }
 
 names! {
-    /// A button of a pad, under the SIXAXIS' names; on others the one in the same place.
+    /// A button of a pad, with the SIXAXIS' names. On other pads it is the button in the same
+    /// place.
     Button {
-        /// The lowest of the four on the right.
+        /// The lowest of the four face buttons.
         Cross,
-        /// The right one of them.
+        /// The right face button.
         Circle,
-        /// The left one.
+        /// The left face button.
         Square,
-        /// The upper one.
+        /// The upper face button.
         Triangle,
-        /// The upper one in front on the left.
+        /// The upper left shoulder button.
         L1,
-        /// The upper one in front on the right.
+        /// The upper right shoulder button.
         R1,
-        /// The lower one in front on the left.
+        /// The lower left shoulder button.
         L2,
-        /// The lower one in front on the right.
+        /// The lower right shoulder button.
         R2,
         /// The left stick, pressed.
         L3,
@@ -241,15 +242,15 @@ names! {
         Select,
         /// Start, or options.
         Start,
-        /// The maker's.
+        /// The button with the maker's logo.
         Ps,
-        /// Up on the cross of directions.
+        /// Up on the directional pad.
         Up,
-        /// Down on it.
+        /// Down on the directional pad.
         Down,
-        /// To the left on it.
+        /// Left on the directional pad.
         Left,
-        /// To the right on it.
+        /// Right on the directional pad.
         Right,
     }
 }
@@ -257,13 +258,13 @@ names! {
 names! {
     /// An axis of a pad.
     Axis {
-        /// The left stick, 1 to the right.
+        /// The left stick: -1 at the left, 1 at the right.
         LeftX,
-        /// The left stick, 1 towards the player.
+        /// The left stick: -1 away from the player, 1 towards the player.
         LeftY,
-        /// The right stick, 1 to the right.
+        /// The right stick: -1 at the left, 1 at the right.
         RightX,
-        /// The right stick, 1 towards the player.
+        /// The right stick: -1 away from the player, 1 towards the player.
         RightY,
         /// How far L2 is pressed, 0 to 1.
         L2,
@@ -272,7 +273,7 @@ names! {
     }
 }
 
-/// Which of some names are down, and what became of them in a frame.
+/// Which keys or buttons are down, and which went down or up in this frame; a bit for each.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Switches<N> {
     down: u128,
@@ -309,12 +310,13 @@ impl<N: Name> Switches<N> {
         }
     }
 
-    pub fn let_go(&mut self) {
+    pub fn release_all(&mut self) {
         self.released |= self.down;
         self.down = 0;
     }
 
-    /// Also what was pressed and released within one frame: or a short press would never be held.
+    /// Whether it is down, or was pressed and released within this frame: otherwise a short press
+    /// would never count as held.
     pub fn held(&self, name: N) -> bool {
         (self.down | self.pressed) >> name.number() & 1 == 1
     }

@@ -4,32 +4,32 @@ use serde::{Deserialize, Serialize};
 
 use super::names::{Axis, Button, Name as _, Switches};
 
-/// Number of a pad, the player's: 0 for the first. Who makes the events gives the lowest that is
-/// free, so a pad that is plugged in again is its player's again.
+/// The number of a pad, which is also its player's: 0 for the first. The source of the events
+/// assigns the lowest free number, so the pad of a player who plugs it in again keeps its number.
 #[derive(
     Clone, Copy, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize,
 )]
 pub struct PadId(pub u32);
 
-/// What the sensors of a pad say, such as a SIXAXIS'.
+/// The readings of a pad's sensors, such as a SIXAXIS'.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sensors {
-    /// Acceleration to the right, up and towards the player, in g: 0, 1, 0 where it lies still.
+    /// Acceleration to the right, up and towards the player, in g: 0, 1, 0 for a pad at rest.
     pub acceleration: [f32; 3],
-    /// Turn to the left about the upright axis, in degrees a second.
+    /// Turn to the left about the vertical axis, in degrees a second.
     pub turn: f32,
 }
 
 impl Sensors {
-    /// Whether all that they say are numbers.
+    /// Whether all readings are finite.
     pub(crate) fn is_finite(&self) -> bool {
         let mut numbers = self.acceleration.iter().chain([&self.turn]);
         numbers.all(|number| number.is_finite())
     }
 }
 
-/// A pad.
+/// The state of a connected pad.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Pad {
     id: PadId,
@@ -50,19 +50,19 @@ impl Pad {
         }
     }
 
-    /// Its number.
+    /// The pad's number.
     #[must_use]
     pub fn id(&self) -> PadId {
         self.id
     }
 
-    /// What it calls itself.
+    /// The name that the pad reports.
     #[must_use]
     pub fn name(&self) -> &str {
         &self.name
     }
 
-    /// Whether a button is down, or was within the frame.
+    /// Whether a button is down, or was down within this frame.
     #[must_use]
     pub fn held(&self, button: Button) -> bool {
         self.buttons.held(button)
@@ -80,13 +80,13 @@ impl Pad {
         self.buttons.released(button)
     }
 
-    /// Where an axis is, -1 to 1.
+    /// An axis' value, -1 to 1.
     #[must_use]
     pub fn axis(&self, axis: Axis) -> f32 {
         self.axes[axis.number() as usize]
     }
 
-    /// What its sensors say, if it has some.
+    /// The sensors' last readings, or `None` if there were none yet.
     #[must_use]
     pub fn sensors(&self) -> Option<Sensors> {
         self.sensors
@@ -96,8 +96,8 @@ impl Pad {
         self.buttons.begin_frame();
     }
 
-    pub(super) fn let_go(&mut self) {
-        self.buttons.let_go();
+    pub(super) fn release_all(&mut self) {
+        self.buttons.release_all();
         self.axes = [0.0; Axis::ALL.len()];
     }
 

@@ -3,21 +3,23 @@
 use std::thread;
 use std::time::{Duration, Instant};
 
-/// Longest that is waited for a recorded frame: a session that was asleep for a day is played back
-/// all the same.
+/// The longest wait for a recorded frame, so that a session that was suspended for a day can still
+/// be played back.
 const LONGEST_PAUSE: Duration = Duration::from_secs(1);
 
 /// A source of time.
 pub trait Clock {
-    /// Time since the last call; called once a frame. May wait until it is time for the next one.
+    /// Returns the time since the last call. Called once a frame; may wait until it is time for the
+    /// next frame.
     fn tick(&mut self) -> Duration;
 
-    /// Called instead where the time is already known, from a recording: may wait so long.
+    /// Called instead of [`Clock::tick`] when the time is known from a recording. May wait for
+    /// `step`.
     fn pace(&mut self, _step: Duration) {}
 }
 
-/// The time that passes, with a bound on the frames a second: what stands still is traced in no
-/// time, and would have the loop run for nothing.
+/// Real time, with a bound on the frames a second. Without the bound the loop would run idle for a
+/// world that stands still, which takes no time to trace.
 #[derive(Clone, Copy, Debug)]
 pub struct RealTime {
     least: Duration,
@@ -25,7 +27,7 @@ pub struct RealTime {
 }
 
 impl RealTime {
-    /// At most so many frames a second; with 0 as many as come.
+    /// At most `frames_per_second` frames a second; 0 sets no bound.
     #[must_use]
     pub fn at_most(frames_per_second: u32) -> Self {
         Self {
@@ -48,7 +50,7 @@ impl RealTime {
 }
 
 impl Default for RealTime {
-    /// Sixty frames a second.
+    /// At most sixty frames a second.
     fn default() -> Self {
         Self::at_most(60)
     }

@@ -1,4 +1,4 @@
-//! What ends a session before its time.
+//! The errors that end a session.
 
 use std::io;
 
@@ -11,16 +11,16 @@ use crate::spe::ProgramError;
 /// Why a session can't go on.
 #[derive(Debug, thiserror::Error)]
 pub enum SessionError {
-    /// The game did with its world what can't be done.
+    /// The world refused a change that the game made, or can't be traced.
     #[error(transparent)]
     World(#[from] WorldError),
-    /// The game's own SPU program is none.
+    /// The game's own SPU program is not valid.
     #[error(transparent)]
     Program(#[from] ProgramError),
-    /// No frame came.
+    /// The engine could not make a frame.
     #[error(transparent)]
     Engine(#[from] EngineError),
-    /// A picture can't be written.
+    /// A picture can't be read back or written.
     #[error(transparent)]
     Picture(#[from] FramebufferError),
     /// An input device failed.
@@ -29,16 +29,16 @@ pub enum SessionError {
     /// A recording can't be written or read.
     #[error(transparent)]
     Recording(#[from] RecordingError),
-    /// A recording of another game.
-    #[error("the recording is one of {recorded}, and this is {game}")]
+    /// The recording is of another game.
+    #[error("the recording is of {recorded}, but this game is {game}")]
     OtherGame {
-        /// The recorded game.
+        /// The recorded game's name.
         recorded: String,
-        /// The one at hand.
+        /// This game's name.
         game: String,
     },
-    /// The world is not what it was when it was recorded.
-    #[error("frame {frame}: the world is another than the recorded one")]
+    /// The world differs from the recorded one.
+    #[error("frame {frame}: the world differs from the recorded one")]
     Diverged {
         /// Number of the frame, from 0.
         frame: u64,

@@ -1,24 +1,24 @@
-//! Which frames are wanted: `A..B`, from A up to B, which is not among them; or `N`, the first N.
+//! Ranges of frames, written `A..B` for the frames from A to B − 1, or `N` for the first N.
 
 use std::str::FromStr;
 
-/// A range of frames; never empty.
+/// A range of frames, which is never empty.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct FrameRange {
-    /// The first.
+    /// The number of the first frame.
     pub first: u64,
-    /// The one behind the last.
+    /// The number after the last frame's.
     pub end: u64,
 }
 
-/// Why a range can't be understood.
+/// Why a text is not a range of frames.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum FrameRangeError {
-    /// Written otherwise.
-    #[error("{0:?} is no range of frames: expected A..B, as in 0..250, or a number of frames")]
+    /// The text is neither `A..B` nor a number.
+    #[error("{0:?} is not a range of frames: expected A..B, as in 0..250, or a number of frames")]
     Malformed(String),
-    /// The end is not behind the first.
-    #[error("{0:?} has no frames: the first has to be below the end")]
+    /// The end is not above the first frame.
+    #[error("{0:?} has no frames: the first must be below the end")]
     Empty(String),
 }
 

@@ -1,15 +1,15 @@
-//! Moves of one frame, made one of each kind.
+//! Merges the moves of one frame into one of each kind.
 //!
-//! Invariant: to a game the frame's input is the same as without it. A mouse or a pad's sensors
-//! may speak a thousand times a second; a frame that took long still is a line of a recording that
-//! can be read back.
+//! Invariant: merging does not change the input that a game sees. A mouse or a pad's sensors may
+//! send a thousand events a second; merged, the events of a long frame still fit the line of a
+//! recording.
 
 use crate::game::InputEvent;
 
-/// Merges what says the same thing again: places are the last one's, ways are added up. Nothing is
-/// taken past a press, a release or whatever else is no move.
+/// Merges moves of the same device: the last position stays, and distances are added up. No move
+/// is merged across a press, a release or any other event that isn't a move.
 pub(super) fn merge(events: &mut Vec<InputEvent>) {
-    // Those that stay are in front; the moves since the last of them that is none begin at `run`.
+    // The first `kept` events stay. The moves since the last of them that isn't one begin at `run`.
     let (mut kept, mut run) = (0, 0);
     for next in 0..events.len() {
         let (before, rest) = events.split_at_mut(next);
@@ -37,7 +37,7 @@ fn is_move(event: &InputEvent) -> bool {
     )
 }
 
-/// Has the first move say what both do, where one can.
+/// Merges the second move into the first; `false` if they can't be merged.
 fn add(first: &mut InputEvent, next: &InputEvent) -> bool {
     match (&mut *first, next) {
         (InputEvent::MouseMotion { by }, InputEvent::MouseMotion { by: more })
@@ -138,7 +138,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_number_spoils_none() {
+    fn events_that_are_not_finite_change_nothing() {
         let axis = |value| InputEvent::PadAxis {
             pad: PadId(0),
             axis: Axis::R2,

@@ -1,17 +1,17 @@
-//! A game's frames as numbered pictures: those that are wanted and not there yet.
+//! Writes a game's frames as numbered pictures, except those that exist already.
 //!
-//! Invariants: a frame's picture depends on the game, its seed, the recording, the size and the
-//! frame's number alone, not on which of them one run makes; a picture is whole as soon as it has
-//! its name.
+//! Invariants: a frame's picture depends only on the game, its seed, the recording, the size and
+//! the frame's number, not on which other frames the same run makes. A picture is complete as soon
+//! as a file has its name.
 
 use super::{Clock, FrameRange, InputSource, Session, SessionError};
 use crate::framebuffer::{FramebufferError, NumberedPath, write_png};
 use crate::game::Game;
 
-/// Pictures of frames, by the frames' numbers.
+/// Pictures of frames, named by the frames' numbers.
 ///
-/// Runs that make parts of them, on other machines too, make what one run would, by a clock of
-/// [`FixedSteps`](super::FixedSteps).
+/// With a clock of [`FixedSteps`](super::FixedSteps), several runs that each make a part of a
+/// sequence, on several machines too, make the same pictures as a single run.
 ///
 /// ```
 /// use std::time::Duration;
@@ -19,7 +19,7 @@ use crate::game::Game;
 /// use cellray::Settings;
 /// use cellray::framebuffer::{Geometry, Memory, NumberedPath};
 /// use cellray::game::{
-///     FixedSteps, FrameRange, Game, Moment, NoInput, Pictures, Session, Start, World, WorldError,
+///     FixedSteps, Frame, FrameRange, Game, NoInput, Pictures, Session, Start, World, WorldError,
 /// };
 ///
 /// struct Dusk;
@@ -28,8 +28,8 @@ use crate::game::Game;
 ///     fn set_up(&mut self, _: &mut World, _: &Start) -> Result<(), WorldError> {
 ///         Ok(())
 ///     }
-///     fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-///         world.set_background([0.9, 0.4, 0.2].map(|part| part / (1.0 + moment.time)).into())
+///     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+///         world.set_background([0.9, 0.4, 0.2].map(|part| part / (1.0 + frame.time)).into())
 ///     }
 /// }
 ///
@@ -50,28 +50,29 @@ pub struct Pictures {
     paths: NumberedPath,
 }
 
-/// What became of the pictures that were wanted.
+/// How many pictures a run wrote, and how many existed already.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Made {
-    /// Written.
+    /// Pictures that were written.
     pub written: u64,
-    /// There already.
+    /// Pictures that existed already.
     pub kept: u64,
 }
 
 impl Pictures {
-    /// Of these names.
+    /// Pictures with these names.
     #[must_use]
     pub fn new(paths: NumberedPath) -> Self {
         Self { paths }
     }
 
-    /// Plays the session up to the end of a range, and writes those frames of the range that are
-    /// not there. It ends earlier where the session does, or the input.
+    /// Plays the session up to the end of a range, and writes the frames of the range that don't
+    /// exist yet. It ends earlier if the session or the input ends.
     ///
     /// # Errors
-    /// A session on a framebuffer that can't be read back, unlike
-    /// [`Memory`](crate::framebuffer::Memory), too.
+    /// - The session's framebuffer can't be read back; [`Memory`](crate::framebuffer::Memory) can.
+    /// - A picture can't be written.
+    /// - An input device fails, or any error of [`Session::step`].
     pub fn write<G: Game>(
         &self,
         session: &mut Session<G>,

@@ -1,7 +1,7 @@
-//! Recorded sessions: JSON, one line for the session, then one for each frame.
+//! Recorded sessions: lines of JSON, the first for the session, then one for each frame.
 //!
-//! Invariant: what is read back is what was written, to the bit: times are whole nanoseconds,
-//! numbers are written so that they round to themselves.
+//! Invariant: everything that was written is read back bit for bit. Times are whole nanoseconds,
+//! and numbers have enough digits to be read back exactly.
 
 use std::fs::File;
 use std::io::{self, BufRead, BufReader, Read as _, Write};
@@ -13,28 +13,28 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 
 use crate::game::{InputEvent, Start, World};
 
-/// What the first line calls itself.
+/// The value of `format` in the first line.
 const FORMAT: &str = "cellray recording";
-/// Version of the format; raised by every change that an older reader would misread.
+/// The format's version. Every change that an older reader would misread raises it.
 const VERSION: u32 = 1;
 /// Frames from one checksum of the world to the next.
 const CHECK_EVERY: u64 = 16;
-/// Longest line: a frame has never so many events.
+/// The longest line, in bytes. No frame has so many events.
 const LONGEST_LINE: u64 = 1 << 20;
 
 /// Why a recording can't be written or read.
 #[derive(Debug, thiserror::Error)]
 pub enum RecordingError {
-    /// The system refused.
+    /// Reading or writing failed.
     #[error("recording: {0}")]
     Io(#[from] io::Error),
-    /// The first line is not that of a recording.
-    #[error("not a recording: its first line has to say \"{FORMAT}\"")]
+    /// The first line isn't a recording's.
+    #[error("not a recording: its first line must have the format \"{FORMAT}\"")]
     Format,
-    /// A recording by another version.
-    #[error("the recording is of version {0}, and this reads version {VERSION}")]
+    /// The recording has another version.
+    #[error("the recording is of version {0}, but this program reads version {VERSION}")]
     Version(u32),
-    /// A line that can't be understood.
+    /// A line can't be parsed.
     #[error("recording, line {line}: {source}")]
     Line {
         /// Number of the line, from 1.
@@ -42,8 +42,8 @@ pub enum RecordingError {
         /// What is wrong with it.
         source: serde_json::Error,
     },
-    /// A line without an end: one that is cut off, or none at all.
-    #[error("recording, line {line}: it has no end within {LONGEST_LINE} bytes")]
+    /// A line doesn't end: the file is cut off, or isn't text.
+    #[error("recording, line {line}: it does not end within {LONGEST_LINE} bytes")]
     CutOff {
         /// Number of the line, from 1.
         line: u64,
@@ -72,7 +72,7 @@ impl Header {
     }
 }
 
-/// A checksum; in hexadecimal, as no JSON number is sure to hold 64 bits.
+/// A checksum, written in hexadecimal because JSON numbers may not hold 64 bits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Checksum(pub u64);
 
@@ -96,18 +96,18 @@ impl<'de> Deserialize<'de> for Checksum {
 pub(super) struct FrameRecord {
     /// Nanoseconds since the last frame.
     step: u64,
-    /// Pixels across and down.
+    /// Width and height in pixels.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub size: Option<(u32, u32)>,
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub events: Vec<InputEvent>,
-    /// What the world has come to.
+    /// The world's checksum after this frame.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub world: Option<Checksum>,
 }
 
 impl FrameRecord {
-    /// Begins another frame.
+    /// Empties the record for another frame, and keeps its buffers.
     pub fn clear(&mut self) {
         self.step = 0;
         self.size = None;
@@ -119,7 +119,7 @@ impl FrameRecord {
         Duration::from_nanos(self.step)
     }
 
-    /// Centuries are brought down to what fits.
+    /// Sets the step; one of more than 2^64 − 1 ns, over five centuries, becomes that.
     pub fn set_step(&mut self, step: Duration) {
         self.step = u64::try_from(step.as_nanos()).unwrap_or(u64::MAX);
     }
@@ -128,9 +128,9 @@ impl FrameRecord {
 /// Writes a recording.
 pub(super) struct Recorder {
     writer: Box<dyn Write>,
-    /// A line, before it is written.
+    /// Buffer for a line.
     line: Vec<u8>,
-    /// The frame at hand: it may turn out to be the last, which tells of the world.
+    /// The latest frame. It is held back because the last frame gets a checksum of the world.
     held: Option<FrameRecord>,
 }
 
@@ -147,7 +147,7 @@ impl Recorder {
         self.write(header)
     }
 
-    /// Takes a frame; gives the buffers of another for it.
+    /// Takes a frame, and leaves the buffers of an earlier one in `record`.
     pub fn frame(
         &mut self,
         number: u64,
@@ -163,7 +163,7 @@ impl Recorder {
         Ok(())
     }
 
-    /// Writes the last frame, and with it what the world has come to.
+    /// Writes the last frame with the world's checksum.
     pub fn finish(&mut self, world: &World) -> Result<(), RecordingError> {
         if let Some(last) = &mut self.held {
             last.world = Some(Checksum(world.checksum()));
@@ -188,7 +188,7 @@ impl Recorder {
 
 impl Drop for Recorder {
     fn drop(&mut self) {
-        // A session that ends by an error has one to tell already.
+        // A session that ends with an error already reports one.
         let _ = self.flush();
     }
 }
@@ -212,13 +212,16 @@ impl Drop for Recorder {
 pub struct Recording {
     header: Header,
     reader: Box<dyn BufRead>,
-    /// Lines read.
+    /// Number of lines read so far.
     lines: u64,
     line: Vec<u8>,
 }
 
 impl Recording {
-    /// Reads the first line of a recording; those of the frames are read when they come.
+    /// Reads the first line of a recording. The frames' lines are read as they are played back.
+    ///
+    /// # Errors
+    /// Reading fails, or the first line is not that of a recording of this version.
     pub fn read(reader: impl BufRead + 'static) -> Result<Self, RecordingError> {
         let mut reader: Box<dyn BufRead> = Box::new(reader);
         let mut line = Vec::new();
@@ -244,7 +247,10 @@ impl Recording {
         })
     }
 
-    /// Opens a file.
+    /// Opens a file, and reads its first line as [`Recording::read`] does.
+    ///
+    /// # Errors
+    /// The file can't be opened, or any error of [`Recording::read`].
     pub fn open(path: &Path) -> Result<Self, RecordingError> {
         Self::read(BufReader::new(File::open(path)?))
     }
@@ -255,7 +261,7 @@ impl Recording {
         &self.header.game
     }
 
-    /// What the game was told before its first frame.
+    /// What the recorded game received before its first frame.
     #[must_use]
     pub fn start(&self) -> Start {
         Start {
@@ -264,7 +270,7 @@ impl Recording {
         }
     }
 
-    /// Reads the next frame; `false` after the last.
+    /// Reads the next frame; `false` if there is none.
     pub(super) fn next_frame(&mut self, record: &mut FrameRecord) -> Result<bool, RecordingError> {
         let line = self.lines + 1;
         if !next_line(&mut self.reader, &mut self.line, line)? {
@@ -277,7 +283,7 @@ impl Recording {
     }
 }
 
-/// Reads a line; `false` at the end.
+/// Reads a line; `false` at the end of the file.
 fn next_line(
     reader: &mut dyn BufRead,
     line: &mut Vec<u8>,

@@ -1,22 +1,25 @@
-//! Where a session's events come from, when a loop asks for them.
+//! Sources of input events, which the frame loop polls.
 
 use std::ops::ControlFlow;
 
 use crate::framebuffer::Interrupted;
 use crate::game::InputEvent;
 
-/// Where input comes from.
+/// A source of input events.
 pub trait InputSource {
-    /// Appends what has happened since the last call; with [`ControlFlow::Break`] the session ends
-    /// before the frame at hand.
+    /// Appends the events since the last call. [`ControlFlow::Break`] ends the session before the
+    /// current frame.
+    ///
+    /// # Errors
+    /// A device fails; this ends the session.
     fn poll(&mut self, events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>>;
 
-    /// Told from time to time, while a frame is traced, which part of it is done, 0 to 1. A window
-    /// answers its system then.
+    /// Called from time to time while a frame is traced, with the part of it that is done, 0 to 1.
+    /// A window uses it to keep answering its window system.
     fn tracing(&mut self, _part: f64) {}
 }
 
-/// No input at all.
+/// A source without any input.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoInput;
 
@@ -26,7 +29,7 @@ impl InputSource for NoInput {
     }
 }
 
-/// No input, up to a signal.
+/// A source without events, which ends the session at a signal.
 impl InputSource for Interrupted {
     fn poll(&mut self, _events: &mut Vec<InputEvent>) -> std::io::Result<ControlFlow<()>> {
         Ok(match self.signal() {

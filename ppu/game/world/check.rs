@@ -1,7 +1,8 @@
-//! What a world takes: numbers that the SPUs have room for, shapes that are some.
+//! Checks that numbers are in the SPUs' range, and that shapes have a surface.
 //!
-//! Invariant: of a world whose parts have all passed, no frame is refused for a number in it, but
-//! for those that come of others, such as the growth of a very flat cone.
+//! Invariant: if all parts of a world have passed, no frame is refused because of a number in it.
+//! The exceptions are numbers that are computed from others, such as the growth of a very flat
+//! cone.
 
 use glam::DVec3;
 use nff::{LightKind, Shader, Shape};
@@ -23,7 +24,7 @@ fn number(what: &'static str, value: f64) -> Result<(), WorldError> {
     }
 }
 
-/// Whether all numbers of a vector can.
+/// Whether all components of a vector can be squared as singles.
 pub(super) fn vector(what: &'static str, vector: DVec3) -> Result<(), WorldError> {
     vector
         .to_array()
@@ -60,7 +61,7 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
             }
             if base_radius * apex_radius < 0.0 {
                 return Err(WorldError::NoSurface(
-                    "one radius of a cone is below 0, the other above",
+                    "one radius of a cone is negative and the other positive",
                 ));
             }
             size("height", base.distance(*apex))
@@ -68,7 +69,9 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
         Shape::Polygon { vertices } => polygon(vertices),
         Shape::Patch { vertices, normals } => {
             if vertices.len() != normals.len() {
-                return Err(WorldError::NoSurface("a patch needs a normal a vertex"));
+                return Err(WorldError::NoSurface(
+                    "a patch needs one normal for each vertex",
+                ));
             }
             polygon(vertices)?;
             normals
@@ -78,7 +81,7 @@ pub(super) fn shape(shape: &Shape) -> Result<(), WorldError> {
     }
 }
 
-/// Whether a shape, all of it moved by so much, is still in range.
+/// Whether a shape is still in range when it is moved by `by`.
 pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldError> {
     match shape {
         Shape::Sphere { .. } => Ok(()),
@@ -92,7 +95,7 @@ pub(super) fn moved(shape: &Shape, by: DVec3) -> Result<(), WorldError> {
 fn polygon(vertices: &[DVec3]) -> Result<(), WorldError> {
     if vertices.len() < 3 {
         return Err(WorldError::NoSurface(
-            "a polygon needs three vertices at least",
+            "a polygon needs at least three vertices",
         ));
     }
     vertices
@@ -125,18 +128,18 @@ pub(super) fn material(material: &Material) -> Result<(), WorldError> {
         }
         Shader::Own { parameters, .. } => parameters
             .iter()
-            .try_for_each(|value| number("number of the shader", *value)),
+            .try_for_each(|value| number("parameter of the shader", *value)),
     }
 }
 
-/// Whether brightness can fall between two distances.
+/// Whether brightness can fade from `near` to `far`.
 pub(super) fn fade(near: f64, far: f64) -> Result<(), WorldError> {
     number("far", far)?;
     number("near", near)?;
     if near < 0.0 {
         return Err(out_of_range("near", near, " and not negative"));
     }
-    size("far less near", far - near)?;
+    size("far - near", far - near)?;
     if near > far {
         return Err(out_of_range("far", far, " and more than near"));
     }

@@ -1,11 +1,11 @@
-//! A number by which two worlds are told apart: the same on every machine.
+//! A checksum of a world's content, the same on every machine.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Shader, Shape};
 
 use super::Light;
 
-/// FNV-1a over the big-endian bytes of all that is added.
+/// FNV-1a over the big-endian bytes of everything that is added.
 pub(super) struct Checksum(u64);
 
 impl Checksum {

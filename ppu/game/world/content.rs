@@ -1,33 +1,33 @@
-//! What a world is made of, each under its handle.
+//! The entries of a world, each stored under its handle.
 
 use nff::Shape;
 
-use super::edits::Tracing;
+use super::edits::SceneEntry;
 use super::ids::MaterialId;
 use super::material::Light;
 
 pub(super) struct Object {
-    /// In the file that it is from.
+    /// Its line in the file that it comes from.
     pub line: Option<u32>,
     pub shape: Shape,
     pub material: MaterialId,
     pub visible: bool,
     pub fixed: bool,
-    pub traced: Tracing,
+    pub traced: SceneEntry,
 }
 
-pub(super) struct Stuff {
-    /// In the file that it is from.
+pub(super) struct WorldMaterial {
+    /// Its line in the file that it comes from.
     pub line: Option<u32>,
     pub material: nff::Material,
-    /// Objects that are made of it.
+    /// How many objects are made of it.
     pub users: u32,
-    pub traced: Tracing,
+    pub traced: SceneEntry,
 }
 
-pub(super) struct Lamp {
-    /// In the file that it is from.
+pub(super) struct WorldLight {
+    /// Its line in the file that it comes from.
     pub line: Option<u32>,
     pub light: Light,
-    pub traced: Tracing,
+    pub traced: SceneEntry,
 }

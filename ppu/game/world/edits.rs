@@ -1,66 +1,66 @@
-//! What of a world is not yet in the scene that is traced, and that scene.
+//! The scene that was traced last, and the changes of the world that aren't in it yet.
 
 use super::ids::{LightId, MaterialId, ObjectId};
 use crate::scene::Scene;
 use crate::scene::block::ShaderEntries;
 use crate::spe::Program;
 
-/// A scene that was traced.
+/// The scene that was traced last.
 pub(super) struct Traced {
     pub scene: Scene,
     pub shaders: ShaderEntries,
-    /// Of which the shaders are.
+    /// The program that has the shaders.
     pub program: Program,
 }
 
-/// What is known of the trace of something in the world.
+/// Where an object, light or material is in the traced scene.
 #[derive(Clone, Copy, Debug, Default)]
-pub(super) struct Tracing {
-    /// Its number in the scene; nothing if it is not in there.
+pub(super) struct SceneEntry {
+    /// Its number in the scene; `None` if it isn't in the scene.
     pub number: Option<usize>,
-    /// Whether it is among the edits.
+    /// Whether it is in [`Edits`].
     pub is_touched: bool,
 }
 
-/// What has been touched of a world since its scene was made or changed, and so has to be brought
-/// into it. Where the picture then differs is not found here.
+/// The changes of a world that its scene doesn't have yet. Where they change the picture is found
+/// elsewhere, in `ppu/work/snapshot.rs`.
 #[derive(Default)]
 pub(super) struct Edits {
-    /// Whether the scene has to be laid out anew.
-    pub anew: bool,
+    /// Whether a new scene must be made.
+    pub rebuild: bool,
     pub objects: Vec<ObjectId>,
     pub materials: Vec<MaterialId>,
     pub lights: Vec<LightId>,
-    /// Numbers of objects that there are no more.
+    /// Numbers of removed objects.
     pub removed: Vec<usize>,
 }
 
 impl Edits {
-    pub fn object(&mut self, id: ObjectId, traced: &mut Tracing) {
+    pub fn object(&mut self, id: ObjectId, traced: &mut SceneEntry) {
         if !std::mem::replace(&mut traced.is_touched, true) {
             self.objects.push(id);
         }
     }
 
-    pub fn material(&mut self, id: MaterialId, traced: &mut Tracing) {
+    pub fn material(&mut self, id: MaterialId, traced: &mut SceneEntry) {
         if !std::mem::replace(&mut traced.is_touched, true) {
             self.materials.push(id);
         }
     }
 
-    pub fn light(&mut self, id: LightId, traced: &mut Tracing) {
+    pub fn light(&mut self, id: LightId, traced: &mut SceneEntry) {
         if !std::mem::replace(&mut traced.is_touched, true) {
             self.lights.push(id);
         }
     }
 
-    pub fn removed(&mut self, traced: &Tracing) {
+    pub fn removed(&mut self, traced: &SceneEntry) {
         self.removed.extend(traced.number);
     }
 
-    /// Forgets all, and keeps the memory.
+    /// Forgets all changes, and keeps the memory.
     pub fn clear(&mut self) {
-        self.anew = false;
+        self.rebuild = false;
         self.objects.clear();
         self.materials.clear();
         self.lights.clear();

@@ -1,60 +1,81 @@
-//! What a world refuses.
+//! The errors of a world.
+
+use std::error::Error;
 
 use nff::ViewError;
 
 use crate::scene::SceneError;
 
-/// Why a world did not change, or can't be traced.
+/// Why a change of a world is refused, or why it can't be traced.
 #[derive(Debug, thiserror::Error)]
 pub enum WorldError {
-    /// A handle of an object that was removed, or of none at all.
+    /// The handle's object was removed, or never was in this world.
     #[error("there is no such object: it was removed, or never was in this world")]
     NoObject,
-    /// A handle of a material that was removed, or of none at all.
+    /// The handle's material was removed, or never was in this world.
     #[error("there is no such material: it was removed, or never was in this world")]
     NoMaterial,
-    /// A handle of a light that was removed, or of none at all.
+    /// The handle's light was removed, or never was in this world.
     #[error("there is no such light: it was removed, or never was in this world")]
     NoLight,
-    /// A material that objects are made of stays.
+    /// A material can't be removed while objects are made of it.
     #[error("the material can't be removed: {users} object(s) are made of it")]
     MaterialInUse {
-        /// How many.
+        /// How many objects are made of it.
         users: u32,
     },
-    /// A fixed object stays where it is.
-    #[error("the object is fixed: it can't be moved before it is freed")]
+    /// A fixed object can't be moved.
+    #[error("the object is fixed: it can't be moved until it is freed")]
     Fixed,
-    /// A number that is not in the SPU's single format with room to be squared.
+    /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{what} {value:e} is out of range: its magnitude must be at most 2^62{also}")]
     OutOfRange {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
-        /// What it was.
+        /// Its value.
         value: f64,
-        /// A further bound.
+        /// A further bound, as a part of the message.
         also: &'static str,
     },
-    /// A shape that is none.
+    /// A shape without a surface.
     #[error("the shape has no surface: {0}")]
     NoSurface(&'static str),
-    /// What is in a line of a file is refused.
+    /// The object, light or material in a line of a file is refused.
     #[error("{file}:{line}: {source}")]
     At {
-        /// The file.
+        /// Name of the file.
         file: String,
-        /// The line, from 1.
+        /// Number of the line, from 1.
         line: u32,
-        /// Why.
+        /// The reason.
         source: Box<WorldError>,
     },
-    /// A light from nowhere.
-    #[error("a light that is infinitely far needs a direction, which 0 is not")]
+    /// A directional light without a direction.
+    #[error("a light that is infinitely far away needs a direction other than 0")]
     NoDirection,
+    /// An error of the game itself, such as a file that it can't read: see [`WorldError::game`].
+    #[error(transparent)]
+    Game(Box<dyn Error + Send + Sync>),
     /// A view that shows nothing.
     #[error(transparent)]
     View(#[from] ViewError),
-    /// Its objects, lights or materials do not fit the SPUs, or a shader is missing.
+    /// The world doesn't fit the SPUs' local store, or a shader is missing.
     #[error(transparent)]
     Scene(#[from] SceneError),
+}
+
+impl WorldError {
+    /// An error of the game itself, which ends the session with its message.
+    ///
+    /// ```
+    /// use cellray::game::WorldError;
+    ///
+    /// fn level(file: &str) -> Result<String, WorldError> {
+    ///     std::fs::read_to_string(file).map_err(|error| WorldError::game(format!("{file}: {error}")))
+    /// }
+    /// assert!(level("no-such-level").unwrap_err().to_string().starts_with("no-such-level: "));
+    /// ```
+    pub fn game(error: impl Into<Box<dyn Error + Send + Sync>>) -> Self {
+        Self::Game(error.into())
+    }
 }

@@ -1,14 +1,14 @@
-//! Handles of what a world is made of.
+//! Handles of objects, materials and lights.
 
 use slotmap::new_key_type;
 
 new_key_type! {
-    /// Handle of an object in a [`World`](super::World); the default one is none's.
+    /// Handle of an object in a [`World`](super::World). No object has the default one.
     pub struct ObjectId;
 
-    /// Handle of a material in a [`World`](super::World); the default one is none's.
+    /// Handle of a material in a [`World`](super::World). No material has the default one.
     pub struct MaterialId;
 
-    /// Handle of a light in a [`World`](super::World); the default one is none's.
+    /// Handle of a light in a [`World`](super::World). No light has the default one.
     pub struct LightId;
 }

@@ -1,4 +1,4 @@
-//! What materials and lights are.
+//! Materials and lights.
 
 use glam::DVec3;
 use nff::{LightKind, Shader};
@@ -22,20 +22,20 @@ pub struct Material {
     pub colour: DVec3,
     /// Diffuse share, Kd.
     pub diffuse: f64,
-    /// Specular share, Ks: of the highlight, and of what a mirror reflects.
+    /// Specular share, Ks: of the highlight and of the reflected light.
     pub specular: f64,
     /// Exponent of Phong's highlight.
     pub shine: f64,
-    /// Share of light let through, T; 0 is opaque.
+    /// Share of the light that passes through, T; 0 is opaque.
     pub transmittance: f64,
     /// Index of refraction.
     pub refraction_index: f64,
-    /// What makes its colour; [`Shader::Own`] names one of the SPU program's.
+    /// The shader that computes the colour; [`Shader::Own`] names one of the SPU program's.
     pub shader: Shader,
 }
 
 impl Material {
-    /// Without highlight or mirror.
+    /// A material without highlight and reflection. Colours are from 0 to 1.
     #[must_use]
     pub fn matte(red: f64, green: f64, blue: f64) -> Self {
         Self {
@@ -49,7 +49,7 @@ impl Material {
         }
     }
 
-    /// With a highlight, and a mirror that takes three tenths.
+    /// A material with a highlight, which reflects three tenths of the light.
     #[must_use]
     pub fn shiny(red: f64, green: f64, blue: f64) -> Self {
         Self {
@@ -60,7 +60,7 @@ impl Material {
         }
     }
 
-    /// That reflects nearly all.
+    /// A mirror that reflects nearly all light.
     #[must_use]
     pub fn mirror() -> Self {
         Self {
@@ -71,7 +71,7 @@ impl Material {
         }
     }
 
-    /// That lets nearly all light through, with the refraction of crown glass.
+    /// Glass that lets nearly all light through, with the refraction of crown glass.
     #[must_use]
     pub fn glass() -> Self {
         Self {
@@ -84,7 +84,7 @@ impl Material {
         }
     }
 
-    /// That shows its colour as it is, whatever light there is.
+    /// A material that shows its colour unchanged, whatever the light.
     #[must_use]
     pub fn flat(red: f64, green: f64, blue: f64) -> Self {
         Self {
@@ -95,7 +95,7 @@ impl Material {
 }
 
 impl Material {
-    /// The same in a scene; messages say this line.
+    /// The same material in a scene; error messages name `line`.
     pub(super) fn into_nff(self, line: u32) -> nff::Material {
         nff::Material {
             line,
@@ -124,29 +124,31 @@ impl From<&nff::Material> for Material {
     }
 }
 
-/// A light.
+/// A point light or a directional light.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Light {
-    /// Where it is.
+    /// The light's position or direction.
     pub kind: LightKind,
-    /// Its colour; without one, a grey by the number of all lights (see
+    /// The light's colour. Without one it is a grey that depends on the number of lights (see
     /// [`nff::Scene::brightness`]).
     pub colour: Option<DVec3>,
 }
 
 impl Light {
-    /// In a place.
+    /// A point light at a position.
     #[must_use]
-    pub fn at(position: DVec3) -> Self {
+    pub fn at(position: impl Into<DVec3>) -> Self {
+        let position = position.into();
         Self {
             kind: LightKind::Point { position },
             colour: None,
         }
     }
 
-    /// Infinitely far in a direction.
+    /// A directional light, infinitely far away in the direction `to_light`.
     #[must_use]
-    pub fn sun(to_light: DVec3) -> Self {
+    pub fn sun(to_light: impl Into<DVec3>) -> Self {
+        let to_light = to_light.into();
         Self {
             kind: LightKind::Directional { to_light },
             colour: None,

@@ -2,44 +2,53 @@
 
 use glam::DVec3;
 
-use super::content::{Lamp, Stuff};
-use super::edits::Tracing;
+use super::content::{WorldLight, WorldMaterial};
+use super::edits::SceneEntry;
 use super::{Light, LightId, Material, MaterialId, World, WorldError, check};
 
 impl World {
     /// Adds a material.
+    ///
+    /// # Errors
+    /// A number is out of range.
     pub fn add_material(&mut self, material: Material) -> Result<MaterialId, WorldError> {
         check::material(&material)?;
-        let id = self.materials.insert(Stuff {
+        let id = self.materials.insert(WorldMaterial {
             line: None,
             material: material.into_nff(0),
             users: 0,
-            traced: Tracing::default(),
+            traced: SceneEntry::default(),
         });
         self.touch_material(id);
         Ok(id)
     }
 
-    /// A material.
+    /// Returns a material.
+    ///
+    /// # Errors
+    /// There is no such material.
     pub fn material(&self, id: MaterialId) -> Result<Material, WorldError> {
-        let stuff = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
-        Ok((&stuff.material).into())
+        let entry = self.materials.get(id).ok_or(WorldError::NoMaterial)?;
+        Ok((&entry.material).into())
     }
 
     /// Changes a material, and all objects made of it.
+    ///
+    /// # Errors
+    /// There is no such material, or a number is out of range.
     pub fn set_material(&mut self, id: MaterialId, material: Material) -> Result<(), WorldError> {
         check::material(&material)?;
-        let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
+        let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
         let material = material.into_nff(0);
-        if stuff.material == material {
+        if entry.material == material {
             return Ok(());
         }
-        // Of what lets light through, both sides are seen.
-        let had_sides = stuff.material.transmittance > 0.0;
-        let other_sides = had_sides != (material.transmittance > 0.0);
-        stuff.material = material;
+        // Transparent objects have two visible sides, so their records change too.
+        let was_transparent = entry.material.transmittance > 0.0;
+        let sides_change = was_transparent != (material.transmittance > 0.0);
+        entry.material = material;
         self.touch_material(id);
-        if other_sides {
+        if sides_change {
             for (object, known) in &mut self.objects {
                 if known.material == id {
                     self.edits.object(object, &mut known.traced);
@@ -50,79 +59,100 @@ impl World {
     }
 
     /// Changes a material's colour, and that of all objects made of it.
-    pub fn recolour(&mut self, id: MaterialId, colour: DVec3) -> Result<(), WorldError> {
+    ///
+    /// # Errors
+    /// There is no such material, or a number is out of range.
+    pub fn recolour(&mut self, id: MaterialId, colour: impl Into<DVec3>) -> Result<(), WorldError> {
+        let colour = colour.into();
         check::vector("colour", colour)?;
-        let stuff = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
-        if stuff.material.colour != colour {
-            stuff.material.colour = colour;
+        let entry = self.materials.get_mut(id).ok_or(WorldError::NoMaterial)?;
+        if entry.material.colour != colour {
+            entry.material.colour = colour;
             self.touch_material(id);
         }
         Ok(())
     }
 
     /// Removes a material that no object is made of.
+    ///
+    /// # Errors
+    /// There is no such material, or objects are made of it.
     pub fn remove_material(&mut self, id: MaterialId) -> Result<(), WorldError> {
         match self.materials.get(id) {
             None => Err(WorldError::NoMaterial),
-            Some(&Stuff { users, .. }) if users > 0 => Err(WorldError::MaterialInUse { users }),
+            Some(&WorldMaterial { users, .. }) if users > 0 => {
+                Err(WorldError::MaterialInUse { users })
+            }
             Some(_) => {
-                // Nothing shows it: what is traced may keep it.
+                // No object shows it, so the traced scene may keep its record.
                 self.materials.remove(id);
                 Ok(())
             }
         }
     }
 
-    /// All materials.
+    /// The handles of all materials.
     pub fn materials(&self) -> impl Iterator<Item = MaterialId> {
         self.materials.keys()
     }
 
     /// Adds a light.
+    ///
+    /// # Errors
+    /// A number is out of range, or a directional light has no direction.
     pub fn add_light(&mut self, light: Light) -> Result<LightId, WorldError> {
         check::light(&light)?;
-        // The others' brightness may depend on how many there are.
-        self.edits.anew = true;
-        Ok(self.lights.insert(Lamp {
+        // The brightness of the other lights may depend on how many there are.
+        self.edits.rebuild = true;
+        Ok(self.lights.insert(WorldLight {
             line: None,
             light,
-            traced: Tracing::default(),
+            traced: SceneEntry::default(),
         }))
     }
 
-    /// A light.
+    /// Returns a light.
+    ///
+    /// # Errors
+    /// There is no such light.
     pub fn light(&self, id: LightId) -> Result<Light, WorldError> {
-        let lamp = self.lights.get(id).ok_or(WorldError::NoLight)?;
-        Ok(lamp.light)
+        let entry = self.lights.get(id).ok_or(WorldError::NoLight)?;
+        Ok(entry.light)
     }
 
     /// Moves a light, or changes its colour.
+    ///
+    /// # Errors
+    /// There is no such light, a number is out of range, or a directional light has no direction.
     pub fn set_light(&mut self, id: LightId, light: Light) -> Result<(), WorldError> {
         check::light(&light)?;
-        let lamp = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
-        if lamp.light != light {
-            self.edits.anew |= lamp.light.colour.is_some() && light.colour.is_none();
-            lamp.light = light;
-            self.edits.light(id, &mut lamp.traced);
+        let entry = self.lights.get_mut(id).ok_or(WorldError::NoLight)?;
+        if entry.light != light {
+            self.edits.rebuild |= entry.light.colour.is_some() && light.colour.is_none();
+            entry.light = light;
+            self.edits.light(id, &mut entry.traced);
         }
         Ok(())
     }
 
     /// Removes a light.
+    ///
+    /// # Errors
+    /// There is no such light.
     pub fn remove_light(&mut self, id: LightId) -> Result<(), WorldError> {
         self.lights.remove(id).ok_or(WorldError::NoLight)?;
-        self.edits.anew = true;
+        self.edits.rebuild = true;
         Ok(())
     }
 
-    /// All lights.
+    /// The handles of all lights.
     pub fn lights(&self) -> impl Iterator<Item = LightId> {
         self.lights.keys()
     }
 
     fn touch_material(&mut self, id: MaterialId) {
-        if let Some(stuff) = self.materials.get_mut(id) {
-            self.edits.material(id, &mut stuff.traced);
+        if let Some(entry) = self.materials.get_mut(id) {
+            self.edits.material(id, &mut entry.traced);
         }
     }
 }

@@ -4,49 +4,63 @@ use glam::DVec3;
 use nff::Shape;
 
 use super::content::Object;
-use super::edits::Tracing;
+use super::edits::SceneEntry;
 use super::{MaterialId, ObjectId, World, WorldError, check};
 
 impl World {
-    /// Adds an object of any shape, visible.
+    /// Adds a visible object of any shape.
+    ///
+    /// # Errors
+    /// - There is no such material.
+    /// - A number of the shape is out of range, or the shape has no surface.
     pub fn add(&mut self, shape: Shape, material: MaterialId) -> Result<ObjectId, WorldError> {
         check::shape(&shape)?;
-        let stuff = self.materials.get_mut(material);
-        stuff.ok_or(WorldError::NoMaterial)?.users += 1;
+        let entry = self.materials.get_mut(material);
+        entry.ok_or(WorldError::NoMaterial)?.users += 1;
         let id = self.objects.insert(Object {
             line: None,
             shape,
             material,
             visible: true,
             fixed: false,
-            traced: Tracing::default(),
+            traced: SceneEntry::default(),
         });
         self.touch(id);
         Ok(id)
     }
 
     /// Adds a sphere.
+    ///
+    /// # Errors
+    /// As for [`World::add`].
     pub fn add_sphere(
         &mut self,
-        centre: DVec3,
+        centre: impl Into<DVec3>,
         radius: f64,
         material: MaterialId,
     ) -> Result<ObjectId, WorldError> {
+        let centre = centre.into();
         self.add(Shape::Sphere { centre, radius }, material)
     }
 
-    /// Adds a polygon, counter-clockwise as seen from its front.
+    /// Adds a polygon. Its vertices are counter-clockwise as seen from the front.
+    ///
+    /// # Errors
+    /// As for [`World::add`].
     pub fn add_polygon(
         &mut self,
-        vertices: &[DVec3],
+        vertices: &[impl Into<DVec3> + Copy],
         material: MaterialId,
     ) -> Result<ObjectId, WorldError> {
-        let vertices = vertices.to_vec();
+        let vertices = vertices.iter().map(|&vertex| vertex.into()).collect();
         self.add(Shape::Polygon { vertices }, material)
     }
 
-    /// Removes an object. Its handle is refused from then on, also when its place serves for
-    /// another.
+    /// Removes an object. Its handle is refused from then on, even when another object takes its
+    /// place.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn remove(&mut self, id: ObjectId) -> Result<(), WorldError> {
         let object = self.objects.remove(id).ok_or(WorldError::NoObject)?;
         self.unuse(object.material);
@@ -54,29 +68,39 @@ impl World {
         Ok(())
     }
 
-    /// All objects, visible or not.
+    /// The handles of all objects, visible or not.
     pub fn objects(&self) -> impl Iterator<Item = ObjectId> {
         self.objects.keys()
     }
 
-    /// How many objects there are.
+    /// The number of objects, visible or not.
     #[must_use]
     pub fn object_count(&self) -> usize {
         self.objects.len()
     }
 
     /// An object's shape.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn shape(&self, id: ObjectId) -> Result<&Shape, WorldError> {
         Ok(&self.object(id)?.shape)
     }
 
-    /// Where an object is: a sphere's centre, a cone's base, the first vertex of all else.
+    /// An object's position: a sphere's centre, a cone's base, a polygon's first vertex.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn position(&self, id: ObjectId) -> Result<DVec3, WorldError> {
         Ok(position(&self.object(id)?.shape))
     }
 
-    /// Moves an object, as it is, so that this becomes its [`World::position`].
-    pub fn move_to(&mut self, id: ObjectId, position: DVec3) -> Result<(), WorldError> {
+    /// Moves an object without turning it, so that `position` becomes its [`World::position`].
+    ///
+    /// # Errors
+    /// There is no such object, it is fixed, or a number is out of range.
+    pub fn move_to(&mut self, id: ObjectId, position: impl Into<DVec3>) -> Result<(), WorldError> {
+        let position = position.into();
         let by = position - self.position(id)?;
         if by == DVec3::ZERO {
             return Ok(());
@@ -85,7 +109,7 @@ impl World {
         let object = self.movable(id)?;
         check::moved(&object.shape, by)?;
         match &mut object.shape {
-            // As it was given: the sum of the old one and the way would be rounded.
+            // Assigned, because the sum of the old centre and the distance would be rounded.
             Shape::Sphere { centre, .. } => *centre = position,
             Shape::Cone { base, apex, .. } => {
                 *base = position;
@@ -102,6 +126,10 @@ impl World {
     }
 
     /// Gives an object another shape.
+    ///
+    /// # Errors
+    /// - There is no such object, or it is fixed.
+    /// - A number of the shape is out of range, or the shape has no surface.
     pub fn reshape(&mut self, id: ObjectId, shape: Shape) -> Result<(), WorldError> {
         check::shape(&shape)?;
         let object = self.movable(id)?;
@@ -112,16 +140,22 @@ impl World {
         Ok(())
     }
 
-    /// What an object is made of.
+    /// The material that an object is made of.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn material_of(&self, id: ObjectId) -> Result<MaterialId, WorldError> {
         Ok(self.object(id)?.material)
     }
 
-    /// Makes an object of another material.
+    /// Gives an object another material.
+    ///
+    /// # Errors
+    /// There is no such object or material.
     pub fn make_of(&mut self, id: ObjectId, material: MaterialId) -> Result<(), WorldError> {
         let before = self.material_of(id)?;
-        let stuff = self.materials.get_mut(material);
-        stuff.ok_or(WorldError::NoMaterial)?.users += 1;
+        let entry = self.materials.get_mut(material);
+        entry.ok_or(WorldError::NoMaterial)?.users += 1;
         self.unuse(before);
         if before != material {
             self.object_mut(id)?.material = material;
@@ -130,12 +164,19 @@ impl World {
         Ok(())
     }
 
-    /// Whether an object is seen.
+    /// Whether an object is visible.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn is_visible(&self, id: ObjectId) -> Result<bool, WorldError> {
         Ok(self.object(id)?.visible)
     }
 
-    /// Shows an object, or hides it. By Whitted's model its room in the SPUs' local store is kept.
+    /// Shows or hides an object. With Whitted's model a hidden object keeps its place in the SPUs'
+    /// local store.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn show(&mut self, id: ObjectId, visible: bool) -> Result<(), WorldError> {
         let object = self.object_mut(id)?;
         if object.visible != visible {
@@ -146,18 +187,28 @@ impl World {
     }
 
     /// Whether an object is fixed.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn is_fixed(&self, id: ObjectId) -> Result<bool, WorldError> {
         Ok(self.object(id)?.fixed)
     }
 
-    /// Fixes an object: it refuses to be moved, so that what is meant to be written, sent and
-    /// traced once is. It may be made of another material, hidden and removed.
+    /// Fixes an object: moving and reshaping it is refused from now on. This guards scenery that
+    /// should be written and traced only once. The object's material can still be changed, and it
+    /// can be hidden and removed.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn fix(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = true;
         Ok(())
     }
 
-    /// Frees an object that was fixed.
+    /// Frees a fixed object, so that it can be moved again.
+    ///
+    /// # Errors
+    /// There is no such object.
     pub fn free(&mut self, id: ObjectId) -> Result<(), WorldError> {
         self.object_mut(id)?.fixed = false;
         Ok(())
@@ -186,8 +237,8 @@ impl World {
     }
 
     fn unuse(&mut self, material: MaterialId) {
-        if let Some(stuff) = self.materials.get_mut(material) {
-            stuff.users -= 1;
+        if let Some(entry) = self.materials.get_mut(material) {
+            entry.users -= 1;
         }
     }
 }

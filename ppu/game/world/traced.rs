@@ -1,12 +1,12 @@
-//! The scene that is traced, kept in step with its world.
+//! Keeps the traced scene in step with its world.
 //!
-//! Invariants: after [`World::scene`] the scene is what one newly made of the world would be, but
-//! for the places of its records and the shape of its trees, which no picture shows. Where nothing
-//! was added, this takes no memory.
+//! Invariants: after [`World::scene`] the scene equals one that is newly made of the world, except
+//! for the order of its records and the shape of its trees, which no picture shows. If nothing was
+//! added, this allocates no memory.
 
 use nff::Shape;
 
-use super::content::{Object, Stuff};
+use super::content::{Object, WorldMaterial};
 use super::edits::Traced;
 use super::{World, WorldError};
 use crate::scene::block::ShaderEntries;
@@ -14,8 +14,8 @@ use crate::scene::{Scene, SceneError, Sphere};
 use crate::spe::Program;
 use protocol::layout::MAX_SPHERES;
 
-impl Stuff {
-    /// Gives it its number in the scene, by which messages call it.
+impl WorldMaterial {
+    /// Sets the material's number in the scene, which error messages use if it has no line.
     fn number(&mut self, number: usize) {
         self.traced.number = Some(number);
         self.material.line = self.line.unwrap_or(number as u32 + 1);
@@ -23,20 +23,22 @@ impl Stuff {
 }
 
 impl World {
-    /// The scene of the world as it is now, for an [`Engine`](crate::Engine) that runs `program`.
+    /// The scene of the world in its current state, for an [`Engine`](crate::Engine) that runs
+    /// `program`.
     ///
-    /// What has changed since the last call is changed in place: where objects were moved, shown
-    /// or made of other materials, and materials, lights or the eye changed, this takes no memory.
-    /// Objects and materials that are added find the room of those that were removed, or that is
-    /// kept for them; without it the scene is laid out anew. So it is when lights are added or
-    /// removed, or the world is made to look otherwise.
+    /// Changes since the last call are made in place. No memory is allocated if objects were moved,
+    /// shown, hidden or given other materials, or if materials, lights or the eye have changed.
+    /// Added objects and materials use the room of removed ones, or spare room. If there is none, a
+    /// new scene is made. A new scene is also made when lights are added or removed, or when the
+    /// [`RenderOptions`](crate::scene::RenderOptions) change.
     ///
     /// # Errors
-    /// What does not fit the SPUs, and a shader that the program does not have.
+    /// - The world doesn't fit the SPUs' local store.
+    /// - The program lacks a shader that a material names.
     pub fn scene(&mut self, program: &Program) -> Result<&Scene, WorldError> {
-        let is_whitted = self.look.is_whitted(self.lights.len());
+        let is_whitted = self.render_options.is_whitted(self.light_count());
         let traced = self.traced.take().filter(|traced| {
-            !self.edits.anew
+            !self.edits.rebuild
                 && std::ptr::eq(traced.program.image(), program.image())
                 && traced.scene.block().is_some() == is_whitted
         });
@@ -55,32 +57,32 @@ impl World {
             }
         }
         for id in &self.edits.materials {
-            if let Some(stuff) = self.materials.get_mut(*id) {
-                stuff.traced.is_touched = false;
+            if let Some(entry) = self.materials.get_mut(*id) {
+                entry.traced.is_touched = false;
             }
         }
         for id in &self.edits.lights {
-            if let Some(lamp) = self.lights.get_mut(*id) {
-                lamp.traced.is_touched = false;
+            if let Some(entry) = self.lights.get_mut(*id) {
+                entry.traced.is_touched = false;
             }
         }
         self.edits.clear();
         Ok(&self.traced.insert(traced).scene)
     }
 
-    /// Makes a scene of all that there is.
+    /// Makes a new scene of the whole world.
     fn lay_out(&mut self, program: &Program) -> Result<Traced, WorldError> {
-        // An image without a table has no shaders that a material could ask for.
+        // An image without a table has no shaders that a material could name.
         let shaders = ShaderEntries::new(program.shaders().unwrap_or_default());
-        // Whitted's model keeps room for what is hidden.
-        let is_whitted = self.look.is_whitted(self.lights.len());
+        // Whitted's model keeps room for hidden objects.
+        let is_whitted = self.render_options.is_whitted(self.light_count());
         let content = self.content(|object| object.visible || is_whitted);
-        let mut scene = Scene::with_room(&content, self.look, &shaders)?;
-        for (number, stuff) in self.materials.values_mut().enumerate() {
-            stuff.number(number);
+        let mut scene = Scene::with_room(&content, self.render_options, &shaders)?;
+        for (number, entry) in self.materials.values_mut().enumerate() {
+            entry.number(number);
         }
-        for (number, lamp) in self.lights.values_mut().enumerate() {
-            lamp.traced.number = Some(number);
+        for (number, entry) in self.lights.values_mut().enumerate() {
+            entry.traced.number = Some(number);
         }
         for (number, object) in self.objects.values_mut().enumerate() {
             object.traced.number = is_whitted.then_some(number);
@@ -99,7 +101,7 @@ impl World {
         })
     }
 
-    /// Changes a scene to what the world is now; `false` if that does not fit.
+    /// Brings the world's changes into a scene; `false` if they don't fit.
     fn change(&mut self, traced: &mut Traced) -> Result<bool, WorldError> {
         let Traced { scene, shaders, .. } = traced;
         scene.set_view(&self.view);
@@ -114,11 +116,11 @@ impl World {
     fn set_spheres(&self, scene: &mut Scene) -> Result<(), WorldError> {
         let drawn = |object: &Object| match object.shape {
             Shape::Sphere { centre, radius } if radius > 0.0 && object.visible => {
-                let stuff = self.materials.get(object.material)?;
+                let entry = self.materials.get(object.material)?;
                 Some(Sphere {
                     centre,
                     radius,
-                    colour: stuff.material.colour,
+                    colour: entry.material.colour,
                 })
             }
             _ => None,
@@ -140,6 +142,7 @@ impl World {
         let Some(block) = scene.block_mut() else {
             return Ok(false);
         };
+        let ambient = self.ambient_light();
         let Self {
             edits,
             objects,
@@ -147,15 +150,15 @@ impl World {
             lights,
             ..
         } = self;
-        block.set_ambient(self.ambient).map_err(SceneError::from)?;
+        block.set_ambient(ambient).map_err(SceneError::from)?;
         for number in &edits.removed {
             block.remove_object(*number);
         }
         for id in &edits.lights {
-            let Some(lamp) = lights.get(*id) else {
+            let Some(entry) = lights.get(*id) else {
                 continue;
             };
-            let (number, light) = (lamp.traced.number, lamp.light);
+            let (number, light) = (entry.traced.number, entry.light);
             let Some(number) = number else {
                 return Ok(false);
             };
@@ -165,15 +168,15 @@ impl World {
             }
         }
         for id in &edits.materials {
-            let Some(stuff) = materials.get_mut(*id) else {
+            let Some(entry) = materials.get_mut(*id) else {
                 continue;
             };
-            let number = stuff.traced.number.or_else(|| block.add_material());
+            let number = entry.traced.number.or_else(|| block.add_material());
             let Some(number) = number else {
                 return Ok(false);
             };
-            stuff.number(number);
-            let fits = block.set_material(number, &stuff.material, shaders);
+            entry.number(number);
+            let fits = block.set_material(number, &entry.material, shaders);
             if !fits.map_err(SceneError::from)? {
                 return Ok(false);
             }
@@ -182,8 +185,8 @@ impl World {
             let Some(object) = objects.get_mut(*id) else {
                 continue;
             };
-            let stuff = materials.get(object.material);
-            let material = stuff.and_then(|stuff| Some((stuff.traced.number?, &stuff.material)));
+            let entry = materials.get(object.material);
+            let material = entry.and_then(|entry| Some((entry.traced.number?, &entry.material)));
             let Some(material) = material else {
                 return Ok(false);
             };

@@ -1,13 +1,15 @@
-//! How long a chain of rays can get, and from which weight on a ray is worth sending.
+//! Bounds of the chains of rays: how long they can get, and the least weight of a ray that is
+//! sent.
 //!
-//! The weight of a ray is its share in its pixel's colour: the product of what the surfaces on its
-//! way reflect or let through. What it can add to the pixel is at most its weight times the
-//! greatest brightness that any ray sees. Where that is less than [`LEAST_CHANGE`] of a byte's
-//! step, the ray is not sent on; and no ray is sent deeper than the shares of the scene's
-//! materials let such weights come. `docs/numerics.md` has the bound.
+//! The weight of a ray is its share of its pixel's colour: the product of the shares that the
+//! surfaces on its way reflect or let through. The ray adds to its pixel at most its weight times
+//! the greatest brightness that any ray can see. If that is less than [`LEAST_CHANGE`] of a byte's
+//! step, the ray is not sent. The materials' largest share also bounds the depth at which a ray
+//! can still have enough weight. `docs/numerics.md` derives the bound.
 //!
-//! A game's own shader may do what its material does not tell: with one in the scene nothing is
-//! bounded. Nor is it where rays are counted by SPD's rule, which knows no weights.
+//! Nothing is bounded if an object has a game's own shader, because the material doesn't tell what
+//! the shader adds. Nothing is bounded either if rays are counted as in the Standard Procedural
+//! Databases, which have no weights.
 
 use nff::{Material, Shader};
 use zerocopy::big_endian::F32;
@@ -15,26 +17,26 @@ use zerocopy::big_endian::F32;
 use super::options::BlockOptions;
 use protocol::layout::{self, MAX_DEPTH};
 
-/// The part of a byte's step that a ray has to be able to add to its pixel, to be sent on.
+/// The part of a byte's step that a ray must be able to add to its pixel, or it is not sent.
 const LEAST_CHANGE: f64 = 1.0 / 16.0;
-/// Steps of a byte from black to white.
+/// The number of a byte's steps from black to white.
 const STEPS: f64 = 255.0;
-/// By how much singles may be off the products of shares here.
+/// A bound of the relative error of the SPU's weights, which are products of singles.
 const ROUNDING: f64 = 1e-5;
 
-/// What the chains of a scene are held to.
+/// The bounds of a scene's chains.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Chains {
-    /// Most rays in a chain, the eye's counted.
+    /// The longest chain of rays, including the primary ray.
     pub ray_depth: u32,
-    /// Least weight of a ray that is sent on.
+    /// The least weight of a secondary ray; lighter rays are not sent.
     pub least_weight: f32,
 }
 
-/// What a material can do to a chain.
+/// What a material adds to a chain.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Sends {
-    /// Share of a ray's weight that all rays have which it sends on.
+    /// The share of a ray's weight that its secondary rays have together.
     share: f64,
     emission: f64,
     diffuse: f64,
@@ -43,7 +45,7 @@ pub(super) struct Sends {
 }
 
 impl Sends {
-    /// Of a material and its record.
+    /// Reads a material and its record.
     pub fn of(record: &layout::Material, material: &Material) -> Self {
         let single = |share: F32| f64::from(share.get());
         let colour = match material.shader {
@@ -51,7 +53,7 @@ impl Sends {
             _ => material.colour,
         };
         let emission = match material.shader {
-            // Full in front.
+            // Brightest at the near distance.
             Shader::Depth { .. } => material.colour.max_element(),
             _ => greatest(&record.emission),
         };
@@ -64,7 +66,7 @@ impl Sends {
         }
     }
 
-    /// Whether rays may go on from it.
+    /// Whether the material may send secondary rays.
     pub fn goes_on(&self) -> bool {
         self.share > 0.0 || self.is_own
     }
@@ -77,14 +79,14 @@ pub(super) fn greatest(colour: &[F32]) -> f64 {
 }
 
 impl Chains {
-    /// Of a scene that nothing is known of.
+    /// The bounds without any knowledge of a scene.
     pub const UNBOUNDED: Self = Self {
         ray_depth: MAX_DEPTH,
         least_weight: 0.0,
     };
 
-    /// Of a scene of these materials, whose background, ambient light and lights together are at
-    /// most so bright.
+    /// The bounds of a scene with these materials. The array has the greatest channels of the
+    /// background, of the ambient light, and of the sum of all lights.
     pub(super) fn of(
         options: BlockOptions,
         materials: impl Iterator<Item = Sends> + Clone,
@@ -101,8 +103,8 @@ impl Chains {
                 ..Self::UNBOUNDED
             };
         }
-        // What a ray sees at most if so many follow it: a surface's own light, and what they see
-        // by its share.
+        // The greatest brightness that a ray can see: a surface's own light, and a share of the
+        // brightness that the next ray of the chain sees.
         let mut seen = 0.0;
         for _ in 0..options.ray_depth {
             let surfaces = materials.clone().map(|sends| {
@@ -155,14 +157,14 @@ mod tests {
     fn weak_mirrors_end_chains_early() {
         let chains = |share| Chains::of(to(16), [sends(share, 1.0)].into_iter(), [0.0, 0.0, 1.0]);
         let weak = chains(0.1);
-        // 1 / (16 * 255 * 1.11...): 0.1^3 is above, 0.1^4 below.
+        // 0.1^3 is above 1 / (16 * 255 * 1.11...), and 0.1^4 is below.
         assert_eq!(weak.ray_depth, 4);
         assert!((weak.least_weight - 2.2e-4).abs() < 1e-5, "{weak:?}");
         assert_eq!(chains(1.0).ray_depth, 16);
     }
 
     #[test]
-    fn counting_by_spds_rule_bounds_nothing() {
+    fn counting_as_in_spd_bounds_nothing() {
         let options = BlockOptions {
             spd_rays: true,
             ..to(6)

@@ -1,9 +1,8 @@
-//! Changing a block in place.
+//! Changes a block in place.
 //!
-//! Invariant: what is asked for has been done, or does not fit where the block has its things:
-//! then the answer is `false`, and the scene has to be laid out anew. After an error it has to be
-//! as well. What was changed is written by the next [`SceneBlock::write_for`], and takes no
-//! memory; [`SceneBlock::bound_chains`] comes before it.
+//! Invariant: a change returns `false` if it doesn't fit the block's layout. Then, and after an
+//! error, a new block must be made of the scene. A change allocates no memory, and the next
+//! [`SceneBlock::write_for`] writes it. Call [`SceneBlock::bound_chains`] before that.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Scene, Shape};
@@ -15,21 +14,21 @@ use super::error::BlockError;
 use super::materials::{self, Light};
 use super::objects::{self, Object};
 use super::options::{BlockOptions, ShaderEntries};
-use super::range::Place;
-use super::{Piece, SceneBlock, Spare, Surface, ambient};
+use super::source_location::SourceLocation;
+use super::{PrimitiveId, SceneBlock, Spare, Surface, ambient};
 use protocol::layout::{self, MAX_OBJECTS, SCENE_ADDRESS};
 
-/// For one object of each kind that there are, the room for how many others is tried: as many
-/// again, half, a quarter, an eighth.
+/// Amounts of spare room to try, as divisors of the number of objects: as many again, half as
+/// many, a quarter, an eighth.
 const PARTS: [usize; 4] = [1, 2, 4, 8];
-/// Room that is taken in any case.
+/// Spare room that is added to each of these.
 const FEW: usize = 4;
-/// Most objects or materials, those counted that were removed: their numbers are not given again.
+/// The most objects or materials. It includes removed ones, because their numbers are not reused.
 const MOST_NUMBERS: usize = 4 * MAX_OBJECTS as usize;
 
 impl SceneBlock {
-    /// As [`SceneBlock::new`], with room for further objects and materials, as far as no fewer
-    /// packets are traced together for it.
+    /// [`SceneBlock::new`] with spare room for objects and materials, as long as this makes the
+    /// batches no smaller.
     pub(crate) fn with_room(
         scene: &Scene,
         options: BlockOptions,
@@ -37,16 +36,16 @@ impl SceneBlock {
     ) -> Result<Self, BlockError> {
         let shader = |name: &str| shaders.entry(name);
         let tight = Self::new(scene, options, &shader)?;
-        // What is added may reflect, even if nothing does as yet.
+        // Added objects may reflect, even if nothing does so far.
         let deepest = options.ray_depth;
         for part in PARTS {
             let more = |count: usize| if count == 0 { 0 } else { count / part + FEW };
             let spare = Spare {
                 materials: more(tight.materials.len()),
                 objects: tight
-                    .planted
+                    .primitives
                     .each_ref()
-                    .map(|planted| more(planted.count())),
+                    .map(|primitives| more(primitives.count())),
             };
             match Self::with_spare(scene, options, &shader, spare) {
                 Ok(roomy) if roomy.batch_at(deepest) == tight.batch_at(deepest) => {
@@ -59,10 +58,10 @@ impl SceneBlock {
         Ok(tight)
     }
 
-    /// Changes the colour where nothing is hit.
+    /// Sets the background.
     pub(crate) fn set_background(&mut self, colour: DVec3) -> Result<(), BlockError> {
         let record = materials::background(&self.file, colour)?;
-        // It follows the background's object.
+        // The background's material follows the background's object.
         let address = SCENE_ADDRESS + size_of::<layout::Object>() as u32;
         let bytes = self.block.at(address, size_of::<layout::Material>());
         bytes.copy_from_slice(record.as_bytes());
@@ -70,20 +69,20 @@ impl SceneBlock {
         Ok(())
     }
 
-    /// Changes the light that is everywhere.
+    /// Sets the ambient light.
     pub(crate) fn set_ambient(&mut self, brightness: DVec3) -> Result<(), BlockError> {
         self.ambient = ambient(&self.file, brightness)?;
         Ok(())
     }
 
-    /// Moves a light of the scene; without a brightness it stays as bright as it is.
+    /// Changes a light of the scene; without a brightness, it keeps its own.
     pub(crate) fn set_light(
         &mut self,
         number: usize,
         kind: LightKind,
         brightness: Option<DVec3>,
     ) -> Result<bool, BlockError> {
-        let place = Place {
+        let place = SourceLocation {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
@@ -97,7 +96,7 @@ impl SceneBlock {
         Ok(true)
     }
 
-    /// Changes a material of the scene that objects may be made of.
+    /// Changes a material of the scene, whether or not objects have it.
     pub(crate) fn set_material(
         &mut self,
         number: usize,
@@ -106,7 +105,7 @@ impl SceneBlock {
     ) -> Result<bool, BlockError> {
         match self.materials.get(number) {
             None => Ok(false),
-            // Its record is written when it is needed.
+            // The record is written when an object needs it.
             Some(None) => Ok(true),
             Some(&Some(Surface { address, .. })) => {
                 self.write_material(number, address, material, shaders)?;
@@ -133,7 +132,7 @@ impl SceneBlock {
         Ok(())
     }
 
-    /// Adds a material to the scene, of which no object is made as yet; its number, if there is
+    /// Adds a material, which no object has yet, and returns its number; `None` if there is no
     /// room.
     pub(crate) fn add_material(&mut self) -> Option<usize> {
         let number = self.materials.len();
@@ -144,7 +143,7 @@ impl SceneBlock {
         Some(number)
     }
 
-    /// Address of a material, for which room is taken if it has none.
+    /// The address of a material. A material without an address gets one of the spare ones.
     fn material_address(
         &mut self,
         number: usize,
@@ -176,50 +175,52 @@ impl SceneBlock {
         let (Some(address), Some(range)) = (address, self.objects.get(number)) else {
             return Ok(false);
         };
-        let place = Place {
+        let place = SourceLocation {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
-        let mut pieces = self.pieces[range.clone()].iter();
-        let planted = &mut self.planted;
+        let mut parts = self.parts[range.clone()].iter();
+        let primitives = &mut self.primitives;
         let mut fits = true;
-        objects::of_shape(shape, material, place, &mut |form, sides| {
+        objects::of_shape(shape, material, place, &mut |primitive, sides| {
             let object = Object {
-                form,
+                primitive,
                 sides,
                 material: material_number as u32,
             };
-            match pieces.next() {
-                Some(&Piece { kind, plot }) if planted[kind as usize].fits(plot, &object) => {
-                    planted[kind as usize].put(plot, object, U32::new(address));
+            match parts.next() {
+                Some(&PrimitiveId { kind, slot })
+                    if primitives[kind as usize].fits(slot, &object) =>
+                {
+                    primitives[kind as usize].put(slot, object, U32::new(address));
                 }
                 _ => fits = false,
             }
             Ok(())
         })?;
-        Ok(fits && pieces.next().is_none())
+        Ok(fits && parts.next().is_none())
     }
 
-    /// Takes an object of the scene out of it; its room is kept.
+    /// Takes an object out of the scene, and keeps its room for it.
     pub(crate) fn hide_object(&mut self, number: usize) {
         if let Some(range) = self.objects.get(number) {
-            for &Piece { kind, plot } in &self.pieces[range.clone()] {
-                self.planted[kind as usize].clear(plot);
+            for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
+                self.primitives[kind as usize].clear(slot);
             }
         }
     }
 
-    /// Takes an object of the scene out of it for good: its number stands for nothing.
+    /// Takes an object out of the scene, and frees its room. Its number stays unused.
     pub(crate) fn remove_object(&mut self, number: usize) {
         if let Some(range) = self.objects.get_mut(number) {
-            for &Piece { kind, plot } in &self.pieces[range.clone()] {
-                self.planted[kind as usize].give_back(plot);
+            for &PrimitiveId { kind, slot } in &self.parts[range.clone()] {
+                self.primitives[kind as usize].free(slot);
             }
             *range = 0..0;
         }
     }
 
-    /// Adds an object to the scene; its number, if there is room.
+    /// Adds an object, and returns its number; `None` if there is no room.
     pub(crate) fn add_object(
         &mut self,
         shape: &Shape,
@@ -230,31 +231,31 @@ impl SceneBlock {
         if number == MOST_NUMBERS {
             return Ok(None);
         }
-        let first = self.pieces.len();
-        let place = Place {
+        let first = self.parts.len();
+        let place = SourceLocation {
             file: &self.file,
             line: Some(number as u32 + 1),
         };
         let Self {
-            planted, pieces, ..
+            primitives, parts, ..
         } = self;
         let mut fits = true;
-        objects::of_shape(shape, material, place, &mut |form, _| {
-            let kind = form.kind();
-            let planted = &mut planted[kind as usize];
-            if planted.count() == MAX_OBJECTS as usize {
+        objects::of_shape(shape, material, place, &mut |primitive, _| {
+            let kind = primitive.kind();
+            let primitives = &mut primitives[kind as usize];
+            if primitives.count() == MAX_OBJECTS as usize {
                 return Err(BlockError::FullTree {
                     place: place.to_string(),
                     what: kind.name(),
                 });
             }
-            match planted.take(form.size()) {
-                Some(plot) => pieces.push(Piece { kind, plot }),
+            match primitives.take(primitive.size()) {
+                Some(slot) => parts.push(PrimitiveId { kind, slot }),
                 None => fits = false,
             }
             Ok(())
         })?;
-        self.objects.push(first..self.pieces.len());
+        self.objects.push(first..self.parts.len());
         let fits = fits && self.set_object(number, shape, (material_number, material), shaders)?;
         Ok(fits.then_some(number))
     }

@@ -1,95 +1,95 @@
-//! Why Whitted's model can't trace a scene.
+//! The errors of Whitted's model.
 
 use protocol::layout::{MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS};
 
-/// Why a scene is not brought into the SPUs' form. Messages begin with the file.
+/// Why a scene can't be converted to the SPUs' format. The messages begin with the file.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BlockError {
-    /// More objects of a shape than a tree holds.
+    /// The scene has more primitives of a kind than a tree holds.
     #[error("{place}: more than {MAX_OBJECTS} {what}: the scene has about {count}; {fits}")]
     TooManyObjects {
-        /// The scene and the line of the object that finds no place.
+        /// The file, and the line of the first object that doesn't fit.
         place: String,
-        /// The shape, plural.
+        /// The kind of primitive, in plural.
         what: &'static str,
-        /// About how many there are.
+        /// About how many the scene has.
         count: usize,
-        /// About how much fits, in words.
+        /// A text that says about how much fits.
         fits: String,
     },
-    /// A tree is full.
+    /// An object is added to a tree that is full.
     #[error("{place}: there are {MAX_OBJECTS} {what} already")]
     FullTree {
-        /// The scene and the line of the object that finds no place.
+        /// The file, and the line of the first object that doesn't fit.
         place: String,
-        /// The shape, plural.
+        /// The kind of primitive, in plural.
         what: &'static str,
     },
-    /// A polygon that no tree holds.
+    /// A polygon needs more triangles than a tree holds.
     #[error("{place}: a polygon of {vertices} vertices takes more than {MAX_OBJECTS} triangles")]
     LargePolygon {
-        /// The scene and the line of the polygon.
+        /// The file, and the polygon's line.
         place: String,
-        /// How many vertices it has.
+        /// The number of its vertices.
         vertices: usize,
     },
-    /// More lights than the SPUs have room for.
+    /// The scene has more lights than the SPUs have room for.
     #[error("{file}:{line}: more than {MAX_LIGHTS} lights")]
     TooManyLights {
-        /// The scene.
+        /// Name of the file.
         file: String,
-        /// Line of the first light that finds no place.
+        /// Line of the first light that doesn't fit.
         line: u32,
     },
-    /// A number that is not in the SPU's single format with room to be squared.
+    /// A number is outside of the range in which the SPU's single format can hold its square.
     #[error("{place}: {what} {value:e} is out of range: its magnitude must be at most 2^62{also}")]
     OutOfRange {
-        /// The scene, and the line where there is one.
+        /// The file, and the line if there is one.
         place: String,
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
-        /// What it was.
+        /// Its value.
         value: f64,
-        /// A further bound.
+        /// A further bound, as a part of the message.
         also: &'static str,
     },
-    /// Glass that refracts nothing.
+    /// A transparent material has no index of refraction.
     #[error("{file}:{line}: an index of refraction of 0 refracts nothing (T is above 0)")]
     RefractionIndex {
-        /// The scene.
+        /// Name of the file.
         file: String,
         /// The material's line.
         line: u32,
     },
-    /// A shader that the SPU program does not have.
+    /// The SPU program doesn't have a material's shader.
     #[error("{file}:{line}: the SPU program has no shader `{name}`")]
     UnknownShader {
-        /// The scene.
+        /// Name of the file.
         file: String,
         /// The material's line.
         line: u32,
         /// The shader's name.
         name: String,
     },
-    /// The local store is too small.
+    /// The local store is too small for the scene.
     #[error(
-        "{file}: the scene takes {needed} bytes of local store and there are {room} (with rays of depth {ray_depth} that wait); of them take {takers}; {fits}"
+        "{file}: the scene takes {needed} bytes of local store, but {room} are free (with queues for rays of depth {ray_depth}): {consumers}; {fits}"
     )]
     TooLarge {
-        /// The scene.
+        /// Name of the file.
         file: String,
-        /// Bytes that it takes.
+        /// The bytes that the scene takes.
         needed: usize,
-        /// Bytes that there are for it.
+        /// The bytes that are available.
         room: usize,
-        /// Most rays in a chain, which is what the waiting rays' room depends on.
+        /// The longest chain of rays, which determines the room for queued rays.
         ray_depth: u32,
-        /// What takes how many of them, in words.
-        takers: String,
-        /// About how much fits, in words.
+        /// A text that lists the largest consumers of memory.
+        consumers: String,
+        /// A text that says about how much fits.
         fits: String,
     },
-    /// No such depth.
+    /// The ray depth is out of range.
     #[error("ray depth {0}: must be 1 to {MAX_DEPTH}")]
     RayDepth(u32),
 }

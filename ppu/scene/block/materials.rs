@@ -1,6 +1,6 @@
-//! Materials and lights in the SPUs' form.
+//! Materials and lights in the SPUs' format.
 //!
-//! Invariant: a material's flags say all that its shares can do.
+//! Invariant: if a material's shares can have an effect, its flags tell so.
 
 use glam::DVec3;
 use nff::{LightKind, Material, Shader, unit};
@@ -10,33 +10,34 @@ use super::chains::greatest;
 use super::error::BlockError;
 use super::objects::taxicab;
 use super::options::BlockOptions;
-use super::range::Place;
+use super::source_location::SourceLocation;
 use crate::scene::single::{single, singles};
 use protocol::layout::{
     self, MATERIAL_LIT, MATERIAL_MIRRORS, MATERIAL_SHADED, MATERIAL_SHINES, MATERIAL_TRANSMITS,
 };
 
-/// By what the exponent of Phong's highlight is multiplied for Blinn's.
+/// Blinn's exponent for a highlight, as a multiple of Phong's.
 const BLINN: f64 = 4.0;
 
-/// What `cull_nodes` takes of an apex's coordinates for its own rounding, and as much again.
+/// Twice the slack that `cull_nodes` allows for its own rounding, relative to the apex's
+/// coordinates.
 const SLACK: f64 = 2.0 / (1 << 18) as f64;
 
-/// The share of a ray that is sent only to be counted: above 0 to the SPUs, and nothing beside any
-/// other.
+/// The share of a ray that is sent only to be counted. It is above 0 for the SPUs, and has no
+/// effect on the picture.
 const COUNTED: f64 = f32::MIN_POSITIVE as f64;
 
-/// Names of the shaders that are the SPUs' own.
+/// Names of the built-in shaders.
 const CHECKER: &str = "checker";
 const DEPTH: &str = "depth";
 
-/// What becomes of a material that is not said by its shares.
+/// The parts of a material's record that depend on its shader.
 #[derive(Default)]
 struct Shading<'a> {
-    /// The shader that SPUs run, if any, and what it is told.
+    /// The name and the parameters of the shader that the SPUs call, if any.
     shader: Option<(&'a str, [f64; 4])>,
     emission: DVec3,
-    /// Whether lights, mirror and glass count.
+    /// Whether the shares for lights, reflection and transmission apply.
     shares: bool,
     /// Whether there is a highlight.
     shines: bool,
@@ -75,9 +76,9 @@ impl<'a> Shading<'a> {
     }
 }
 
-/// What a scene's background is made of.
+/// The material of a scene's background.
 pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, BlockError> {
-    let place = Place { file, line: None };
+    let place = SourceLocation { file, line: None };
     place.vector("background", colour)?;
     Ok(layout::Material {
         emission: singles(colour),
@@ -85,7 +86,8 @@ pub(super) fn background(file: &str, colour: DVec3) -> Result<layout::Material, 
     })
 }
 
-/// The record of a material; `entry` knows the SPUs' shaders by name.
+/// The record of a material. `entry` looks up the entry of a shader of the SPU program by its
+/// name.
 pub(super) fn record(
     file: &str,
     material: &Material,
@@ -102,7 +104,7 @@ pub(super) fn record(
         refraction_index,
         shader: _,
     } = material;
-    let place = Place {
+    let place = SourceLocation {
         file,
         line: Some(line),
     };
@@ -115,7 +117,7 @@ pub(super) fn record(
     ] {
         place.number(what, value)?;
     }
-    // What lets nothing through has no index, whatever the file says.
+    // The index of an opaque material is not used, whatever the file says.
     let index = if transmittance > 0.0 {
         if refraction_index == 0.0 {
             let file = file.to_owned();
@@ -136,7 +138,7 @@ pub(super) fn record(
             name: name.to_owned(),
         })?;
         for value in given {
-            place.number("number of the shader", value)?;
+            place.number("parameter of the shader", value)?;
         }
         parameters = given;
     }
@@ -170,7 +172,7 @@ pub(super) fn record(
     };
     let flag = |set: bool, flag: u32| if set { flag } else { 0 };
     let flags = flag(transmittance > 0.0, MATERIAL_TRANSMITS)
-        // What lets through reflects where it does so totally.
+        // Transparent materials reflect at least by total reflection.
         | flag(mirror > 0.0 || transmittance > 0.0, MATERIAL_MIRRORS)
         | flag(diffuse > 0.0 || highlight > 0.0, MATERIAL_LIT)
         | flag(highlight > 0.0, MATERIAL_SHINES)
@@ -194,7 +196,7 @@ pub(super) fn record(
     })
 }
 
-/// A light as it stands in the scene, with its record but for the place.
+/// A light in the scene's coordinates, with its record except for the position.
 #[derive(Clone, Debug)]
 pub(crate) struct Light {
     kind: LightKind,
@@ -206,7 +208,7 @@ impl Light {
     pub(super) fn of(
         kind: LightKind,
         brightness: DVec3,
-        place: Place<'_>,
+        place: SourceLocation<'_>,
     ) -> Result<Self, BlockError> {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
@@ -219,8 +221,12 @@ impl Light {
         Ok(Self { kind, record })
     }
 
-    /// The same light elsewhere.
-    pub(super) fn moved(&self, kind: LightKind, place: Place<'_>) -> Result<Self, BlockError> {
+    /// The same light at another position or direction.
+    pub(super) fn moved(
+        &self,
+        kind: LightKind,
+        place: SourceLocation<'_>,
+    ) -> Result<Self, BlockError> {
         if let LightKind::Point { position } = kind {
             place.vector("light", position)?;
         }
@@ -230,7 +236,7 @@ impl Light {
         })
     }
 
-    /// Its greatest channel.
+    /// The greatest channel of its brightness.
     pub fn brightness(&self) -> f64 {
         greatest(&self.record.brightness)
     }
@@ -239,21 +245,22 @@ impl Light {
         self.kind
     }
 
-    /// Whether it lights everything as another does.
+    /// Whether both lights light every point equally.
     pub fn lights_as(&self, other: &Self) -> bool {
         self.kind == other.kind && self.record.as_bytes() == other.record.as_bytes()
     }
 
-    /// Its record as seen from `eye`; `leave` is the largest that an object has.
+    /// The record relative to `eye`; `leave` is the largest origin offset of all objects.
     ///
-    /// A shadow ray goes to the light from the point on the surface, but starts off it: it passes
-    /// the light by as much, at most three times `leave`, and by the rounding of its direction and
-    /// length, four units in the last place of the distance. That is at most twice `leave` more,
-    /// and a quarter of the slack of 2^-18 that `cull_nodes` takes of the light's coordinates.
+    /// A shadow ray's direction is from the point on the surface to the light, but the ray starts
+    /// off the surface. So it misses the light by the same offset, at most three times `leave`.
+    /// The rounding of its direction and length adds four units in the last place of the distance.
+    /// That is at most twice `leave` more, and a quarter of the slack of 2^-18 that `cull_nodes`
+    /// allows relative to the light's coordinates.
     pub fn record(&self, eye: DVec3, leave: f64) -> layout::Light {
         let (position, directional) = match self.kind {
             LightKind::Point { position } => (position - eye, 0),
-            // A direction of 0, which no file has, lights nothing.
+            // A direction of 0 lights nothing; files with one are refused.
             LightKind::Directional { to_light } => (unit(to_light).unwrap_or_default(), u32::MAX),
         };
         layout::Light {

@@ -1,31 +1,32 @@
-//! The scene of Whitted's model as SPUs take it: one block of records that lies at `SCENE_ADDRESS`
-//! of every local store.
+//! The scene of Whitted's model in the SPUs' format: one block of records, at `SCENE_ADDRESS` of
+//! every local store.
 //!
-//! What is where in the block is settled once, when the scene is loaded: all addresses, the
-//! materials and the trees. For each eye only what lies somewhere is written anew, relative to the
-//! eye, in `f64` and rounded once; so a scene far from its origin loses nothing near the eye. The
-//! block begins with the background's object, for rays that hit nothing.
+//! All addresses, the materials and the trees are determined once, when the scene is loaded. For
+//! each eye only the records with positions are written again. Positions are relative to the eye,
+//! computed in `f64` and rounded once, so a scene far from its origin loses no precision near the
+//! eye. The block begins with the background's object, for rays that hit nothing.
 //!
-//! The block of a scene that changes has room for more, and is edited in place.
+//! The block of a scene that changes has spare room, and is edited in place.
 //!
-//! Invariant: a block fits the local store with the rays that wait; all its addresses lie within
-//! it. What it does not keep is the order of the file: of equally near surfaces any may be hit.
+//! Invariant: a block fits the local store together with the queues of rays, and all addresses in
+//! it are within it. The order of the file is not kept: a ray that hits several surfaces at equal
+//! distance may take any of them.
 
-mod ball;
+mod bounding_sphere;
+mod bvh;
 mod bytes;
 mod chains;
-mod demand;
 mod edit;
 mod error;
-mod form;
 mod materials;
+mod memory_use;
 mod objects;
 mod options;
-mod planted;
 mod polygons;
-mod range;
-mod seen;
-mod tree;
+mod primitive;
+mod primitives;
+mod source_location;
+mod visible;
 
 use std::ops::Range;
 
@@ -36,31 +37,31 @@ use zerocopy::big_endian::{F32, U32};
 
 use self::bytes::Block;
 use self::chains::{Sends, greatest};
-use self::demand::Demand;
-use self::form::Kind;
+use self::memory_use::MemoryUse;
 use self::objects::Object;
-use self::planted::Planted;
-use self::range::Place;
+use self::primitive::PrimitiveKind;
+use self::primitives::Primitives;
+use self::source_location::SourceLocation;
 use crate::scene::single::singles;
 use protocol::layout::{
-    self, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM, Tree,
+    self, Bvh, MAX_BATCH, MAX_DEPTH, MAX_LIGHTS, MAX_OBJECTS, QueuedRay, SCENE_ADDRESS, SCENE_ROOM,
 };
 
-pub(crate) use ball::Ball;
+pub(crate) use bounding_sphere::BoundingSphere;
+pub(crate) use bvh::widened;
 pub(crate) use chains::Chains;
 pub use error::BlockError;
 pub(crate) use materials::Light;
 pub use options::BlockOptions;
 pub(crate) use options::ShaderEntries;
-pub(crate) use seen::Seen;
-pub(crate) use tree::widened;
+pub(crate) use visible::VisiblePrimitive;
 
-/// Rays that wait at each depth from the second on, in parts of those that are traced together.
+/// Room of a queue, in batches. Each depth from the second on has a queue.
 const QUEUES: usize = 3;
-/// Rays of a packet.
+/// The number of rays in a packet.
 const PACKET: usize = 16;
 
-/// A scene's block; its buffers serve for every eye.
+/// A scene's block of records. Its buffers are reused for every eye.
 #[derive(Clone, Debug)]
 pub struct SceneBlock {
     file: String,
@@ -70,18 +71,17 @@ pub struct SceneBlock {
     ambient: [F32; 4],
     lights: Vec<Light>,
     light_address: u32,
-    /// By their numbers in the scene; nothing for those that no object is made of.
+    /// The materials by their numbers in the scene; `None` for materials that no object has.
     materials: Vec<Option<Surface>>,
-    /// Addresses of room for further materials.
+    /// Addresses of spare room for materials.
     material_room: Vec<u32>,
-    planted: [Planted; 4],
-    /// What the scene's objects have become: for each by its number the range of its pieces, and
-    /// these.
+    primitives: [Primitives; 4],
+    /// For each object, by its number in the scene, the range of its primitives in `parts`.
     objects: Vec<Range<usize>>,
-    pieces: Vec<Piece>,
+    parts: Vec<PrimitiveId>,
     chains: Chains,
     block: Block,
-    /// The eye that it is written for.
+    /// The eye that the block is written for.
     eye: Option<DVec3>,
 }
 
@@ -92,15 +92,15 @@ struct Surface {
     sends: Sends,
 }
 
-/// An object, or a part of one, as the SPUs know it.
+/// A primitive: an object, or a part of one.
 #[derive(Clone, Copy, Debug)]
-struct Piece {
-    kind: Kind,
-    /// Number of its plot.
-    plot: usize,
+struct PrimitiveId {
+    kind: PrimitiveKind,
+    /// Number of its slot in the [`Primitives`] of its kind.
+    slot: usize,
 }
 
-/// Room for what a scene does not have as yet.
+/// Room for materials and primitives that may be added.
 #[derive(Clone, Copy, Debug, Default)]
 struct Spare {
     materials: usize,
@@ -108,11 +108,16 @@ struct Spare {
 }
 
 impl SceneBlock {
-    /// Lays out a scene and writes it as its own view sees it. `shader` gives the entries of the
-    /// SPU program's shaders by their names.
+    /// Makes the block of a scene, and writes it for the scene's own view. `shader` looks up the
+    /// entry of a shader of the SPU program by its name.
     ///
-    /// # Errors A scene that does not fit, numbers that the SPU's format has no room for, glass
-    /// without an index of refraction, a shader that there is not, and a ray depth out of range.
+    /// # Errors
+    /// - The scene doesn't fit the local store, or has more lights, or more primitives of a kind,
+    ///   than the SPUs support.
+    /// - A number is out of the SPU's range.
+    /// - A transparent material has no index of refraction.
+    /// - The SPU program lacks a shader that a material names.
+    /// - The ray depth is out of range.
     pub fn new(
         scene: &Scene,
         options: BlockOptions,
@@ -139,7 +144,7 @@ impl SceneBlock {
         let Found {
             found,
             objects,
-            mut pieces,
+            mut parts,
         } = Found::of(scene, options.ray_depth)?;
         let mut materials = vec![None; scene.materials.len()];
         for object in found.iter().flatten() {
@@ -160,15 +165,15 @@ impl SceneBlock {
             let surface = materials[object.material as usize];
             U32::new(surface.map_or(SCENE_ADDRESS, |surface| surface.address))
         };
-        let mut plots = Kind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
-        let planted = Kind::ALL.map(|kind| {
-            let (found, plots) = (&found[kind as usize], &mut plots[kind as usize]);
-            let number = |index: usize, plot: usize| plots[index] = plot;
+        let mut slots = PrimitiveKind::ALL.map(|kind| vec![0; found[kind as usize].len()]);
+        let primitives = PrimitiveKind::ALL.map(|kind| {
+            let (found, slots) = (&found[kind as usize], &mut slots[kind as usize]);
+            let number = |index: usize, slot: usize| slots[index] = slot;
             let spare = spare.objects[kind as usize];
-            Planted::new(kind, found, spare, material, number, &mut block)
+            Primitives::new(kind, found, spare, material, number, &mut block)
         });
-        for piece in &mut pieces {
-            piece.plot = plots[piece.kind as usize][piece.plot];
+        for part in &mut parts {
+            part.slot = slots[part.kind as usize][part.slot];
         }
         block.finish();
 
@@ -181,9 +186,9 @@ impl SceneBlock {
             light_address,
             materials,
             material_room,
-            planted,
+            primitives,
             objects,
-            pieces,
+            parts,
             chains: Chains::UNBOUNDED,
             block,
             eye: None,
@@ -194,22 +199,22 @@ impl SceneBlock {
         Ok(scene_block)
     }
 
-    /// Writes the block as an eye sees it: what has changed since it was written last, and all of
-    /// it for another eye.
+    /// Writes the block for an eye: only the changes if the eye is the last one, otherwise all
+    /// records with positions.
     ///
     /// # Errors
-    /// An eye out of range; the block is then the last one's.
+    /// The eye is out of range; the block stays as it was.
     pub fn write_for(&mut self, eye: DVec3) -> Result<(), BlockError> {
-        let place = Place {
+        let place = SourceLocation {
             file: &self.file,
             line: None,
         };
         place.vector("eye", eye)?;
         let is_other_eye = self.eye.replace(eye) != Some(eye);
-        for planted in &mut self.planted {
-            planted.write(eye, is_other_eye, &mut self.block);
+        for primitives in &mut self.primitives {
+            primitives.write(eye, is_other_eye, &mut self.block);
         }
-        let leave = self.planted.iter().map(Planted::leave);
+        let leave = self.primitives.iter().map(Primitives::leave);
         let leave = leave.fold(0.0, f64::max);
         let size = size_of::<layout::Light>();
         let places = (self.light_address..).step_by(size);
@@ -222,63 +227,63 @@ impl SceneBlock {
         Ok(())
     }
 
-    /// The block as it goes to local store, whole lines.
+    /// The block's bytes, in whole lines, as they are copied to local store.
     #[must_use]
     pub fn bytes(&self) -> &[u8] {
         self.block.bytes()
     }
 
-    /// Spheres, parallelograms, triangles and cones.
+    /// The BVHs of spheres, parallelograms, triangles and cones.
     #[must_use]
-    pub fn trees(&self) -> [Tree; 4] {
-        self.planted.each_ref().map(Planted::tree)
+    pub fn bvhs(&self) -> [Bvh; 4] {
+        self.primitives.each_ref().map(Primitives::record)
     }
 
-    /// Brightness of the light that is everywhere.
+    /// The ambient light's brightness: red, green, blue, and 0.
     #[must_use]
     pub fn ambient(&self) -> [F32; 4] {
         self.ambient
     }
 
-    /// Address of the first light.
+    /// The local-store address of the first light.
     #[must_use]
     pub fn light_address(&self) -> u32 {
         self.light_address
     }
 
-    /// How many lights there are.
+    /// The number of lights.
     #[must_use]
     pub fn light_count(&self) -> u32 {
         self.lights.len() as u32
     }
 
-    /// Most rays in a chain: at most as many as were asked for, fewer where the scene has nothing
-    /// that would be worth sending one on.
+    /// The longest chain of rays. It is the requested ray depth, or less if the scene's materials
+    /// give no longer chain enough weight.
     #[must_use]
     pub fn ray_depth(&self) -> u32 {
         self.chains.ray_depth
     }
 
-    /// Least weight of a ray that is sent on.
+    /// The least weight of a secondary ray; lighter rays are not sent.
     #[must_use]
     pub fn least_weight(&self) -> f32 {
         self.chains.least_weight
     }
 
-    /// Packets that are traced together: as many as there is room for.
+    /// The number of packets in a batch: as many as there is room for.
     #[must_use]
     pub fn batch(&self) -> u32 {
         self.batch_at(self.ray_depth()).unwrap_or(1)
     }
 
-    /// Packets for which there is room if chains have so many rays.
+    /// The number of packets in a batch that there is room for with chains of `ray_depth` rays.
     fn batch_at(&self, ray_depth: u32) -> Option<u32> {
         let fits = |batch: &u32| self.bytes().len() <= room(*batch, ray_depth);
         (1..=MAX_BATCH).rev().find(fits)
     }
 
-    /// Works out how long chains may get by what the scene is made of now: to be called when that
-    /// has changed. Tells whether there is room for their rays.
+    /// Computes the bounds of the chains from the scene's materials and lights. Call it after
+    /// these have changed. Returns whether there is room for the chains' rays.
     pub(crate) fn bound_chains(&mut self) -> bool {
         let lights = self.lights.iter().map(Light::brightness).sum();
         let bright = [self.background, greatest(&self.ambient), lights];
@@ -293,28 +298,28 @@ impl SceneBlock {
         if needed <= room {
             return Ok(());
         }
-        let objects = self.planted.each_ref();
-        let objects = objects.map(|planted| (planted.count(), planted.size()));
+        let objects = self.primitives.each_ref();
+        let objects = objects.map(|primitives| (primitives.count(), primitives.size()));
         let materials = self.materials.iter().flatten().count();
-        let demand = Demand::new(objects, materials, self.lights.len());
+        let memory_use = MemoryUse::new(objects, materials, self.lights.len());
         Err(BlockError::TooLarge {
             file: self.file.clone(),
             needed,
             room,
             ray_depth: self.ray_depth(),
-            takers: demand.takers(),
-            fits: demand.fits(room),
+            consumers: memory_use.consumers(),
+            fits: memory_use.fits(room),
         })
     }
 }
 
-/// Bytes for a scene beside the rays that wait.
+/// The bytes that the queues of rays leave for a scene.
 fn room(batch: u32, ray_depth: u32) -> usize {
-    let waiting = QUEUES * PACKET * size_of::<QueuedRay>();
-    (SCENE_ROOM as usize).saturating_sub(waiting * (batch * (ray_depth - 1)) as usize)
+    let queued = QUEUES * PACKET * size_of::<QueuedRay>();
+    (SCENE_ROOM as usize).saturating_sub(queued * (batch * (ray_depth - 1)) as usize)
 }
 
-/// Begins a block with what rays hit that hit nothing.
+/// Begins a block with the background's object, for rays that hit nothing.
 fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
     let material = materials::background(&scene.name, scene.background)?;
     let size = size_of::<layout::Object>();
@@ -325,7 +330,7 @@ fn add_background(scene: &Scene, block: &mut Block) -> Result<(), BlockError> {
 }
 
 fn ambient(file: &str, brightness: DVec3) -> Result<[F32; 4], BlockError> {
-    let place = Place { file, line: None };
+    let place = SourceLocation { file, line: None };
     place.vector("ambient light", brightness)?;
     let [red, green, blue] = singles(brightness);
     Ok([red, green, blue, F32::ZERO])
@@ -339,7 +344,7 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
         });
     }
     let light = |light: &nff::Light| {
-        let place = Place {
+        let place = SourceLocation {
             file: &scene.name,
             line: Some(light.line),
         };
@@ -348,14 +353,14 @@ fn lights(scene: &Scene) -> Result<Vec<Light>, BlockError> {
     scene.lights.iter().map(light).collect()
 }
 
-/// What the objects of a scene become.
+/// The primitives of a scene's objects.
 #[derive(Default)]
 struct Found {
-    /// Of each kind.
+    /// The primitives of each kind.
     found: [Vec<Object>; 4],
-    /// The range of each object's pieces, and these; for a plot the place in `found`.
+    /// For each object the range of its primitives in `parts`. There `slot` is an index in `found`.
     objects: Vec<Range<usize>>,
-    pieces: Vec<Piece>,
+    parts: Vec<PrimitiveId>,
 }
 
 impl Found {
@@ -363,60 +368,61 @@ impl Found {
         let Self {
             mut found,
             mut objects,
-            mut pieces,
+            mut parts,
         } = Self::default();
         let most = MAX_OBJECTS as usize;
         let mut counts = [0; 4];
-        // The first object that is one too many, and its kind.
+        // The first object that exceeds the limit, and its kind.
         let mut too_many = None;
         for object in &scene.objects {
-            let first = pieces.len();
+            let first = parts.len();
             if let Some(material) = scene.materials.get(object.material as usize) {
-                let place = Place {
+                let place = SourceLocation {
                     file: &scene.name,
                     line: Some(object.line),
                 };
                 let (kind, about) = objects::about(&object.shape);
-                // What is too many is still counted, but no longer cut: that takes time.
+                // Above the limit, objects are still counted, but not split into triangles, which
+                // takes time.
                 if about > most || counts[kind as usize] > most {
                     counts[kind as usize] += about;
                     too_many.get_or_insert((place, kind));
                     continue;
                 }
-                objects::of_shape(&object.shape, material, place, &mut |form, sides| {
-                    let kind = form.kind();
+                objects::of_shape(&object.shape, material, place, &mut |primitive, sides| {
+                    let kind = primitive.kind();
                     let found = &mut found[kind as usize];
                     counts[kind as usize] += 1;
                     if found.len() == most {
                         too_many.get_or_insert((place, kind));
                         return Ok(());
                     }
-                    pieces.push(Piece {
+                    parts.push(PrimitiveId {
                         kind,
-                        plot: found.len(),
+                        slot: found.len(),
                     });
                     found.push(Object {
-                        form,
+                        primitive,
                         sides,
                         material: object.material,
                     });
                     Ok(())
                 })?;
             }
-            objects.push(first..pieces.len());
+            objects.push(first..parts.len());
         }
         if let Some((place, kind)) = too_many {
             return Err(BlockError::TooManyObjects {
                 place: place.to_string(),
                 what: kind.name(),
                 count: counts[kind as usize],
-                fits: Demand::of(scene, counts).fits(room(1, ray_depth)),
+                fits: MemoryUse::of(scene, counts).fits(room(1, ray_depth)),
             });
         }
         Ok(Self {
             found,
             objects,
-            pieces,
+            parts,
         })
     }
 }

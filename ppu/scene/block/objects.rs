@@ -1,7 +1,7 @@
-//! Objects: what the shapes of a scene become, and their records.
+//! Converts shapes to primitives, and writes their records.
 //!
-//! Invariant: an object's numbers are in range; its record is rounded once, from numbers that are
-//! relative to the eye.
+//! Invariant: an object's numbers are in range. The numbers of its record are computed relative to
+//! the eye, and rounded once.
 
 use glam::DVec3;
 use nff::{Material, Shape, unit};
@@ -9,61 +9,61 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::{F32, U32};
 
 use super::error::BlockError;
-use super::form::{Form, Kind};
 use super::polygons::{self, check_vertices};
-use super::range::Place;
+use super::primitive::{Primitive, PrimitiveKind};
+use super::source_location::SourceLocation;
 use crate::scene::single::{single, singles};
 use protocol::layout::{self, SIDES_BOTH, SIDES_EXIT, SIDES_SMOOTH};
 
-/// How far from its surface a ray starts for the rounding of the object's own numbers, in parts of
+/// The part of the origin offset that covers the rounding of the object's numbers, relative to
 /// their magnitudes.
 ///
-/// A point's height over the surface is a sum of products of them, each of which is truncated by
-/// up to 2^-23: eight roundings of them all.
+/// A point's height over the surface is a sum of products of these numbers, each truncated by up
+/// to 2^-23. This constant covers eight such roundings.
 pub(super) const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 
-/// An object where the scene has it.
+/// A primitive with its sides and its material, in the scene's coordinates.
 #[derive(Clone, Debug)]
 pub(super) struct Object {
-    pub form: Form,
+    pub primitive: Primitive,
     /// `SIDES_` bits.
     pub sides: u32,
     /// Index of the material in the scene.
     pub material: u32,
 }
 
-/// What [`layout::Object`] says of a surface.
+/// The numbers of [`layout::Object`] that describe the surface.
 struct Head {
     centre: DVec3,
     gain: f64,
     axis: DVec3,
     slope: f64,
     offset: f64,
-    /// How far the surface reaches from its centre, where the offset does not say.
+    /// How far the surface extends from its centre, if the offset doesn't tell.
     extent: f64,
 }
 
-/// Of which kind the objects of a shape are, and about how many: exact, but for those of polygons
-/// whose edges cross or that have parts without area.
-pub(super) fn about(shape: &Shape) -> (Kind, usize) {
+/// The kind of primitive that a shape becomes, and about how many of them. The count is exact
+/// except for polygons whose edges cross, or which have parts without area.
+pub(super) fn about(shape: &Shape) -> (PrimitiveKind, usize) {
     match shape {
-        Shape::Sphere { .. } => (Kind::Sphere, 1),
-        Shape::Cone { .. } => (Kind::Cone, 1),
+        Shape::Sphere { .. } => (PrimitiveKind::Sphere, 1),
+        Shape::Cone { .. } => (PrimitiveKind::Cone, 1),
         Shape::Polygon { vertices } if polygons::rectangle(vertices).is_some() => {
-            (Kind::Rectangle, 1)
+            (PrimitiveKind::Rectangle, 1)
         }
         Shape::Polygon { vertices } | Shape::Patch { vertices, .. } => {
-            (Kind::Triangle, vertices.len().saturating_sub(2))
+            (PrimitiveKind::Triangle, vertices.len().saturating_sub(2))
         }
     }
 }
 
-/// Hands `found` the objects of a shape, none if it has no surface.
+/// Calls `found` with each primitive of a shape and its sides; never if the shape has no surface.
 pub(super) fn of_shape(
     shape: &Shape,
     material: &Material,
-    place: Place<'_>,
-    found: &mut impl FnMut(Form, u32) -> Result<(), BlockError>,
+    place: SourceLocation<'_>,
+    found: &mut impl FnMut(Primitive, u32) -> Result<(), BlockError>,
 ) -> Result<(), BlockError> {
     let both = if material.transmittance > 0.0 {
         SIDES_BOTH
@@ -76,7 +76,7 @@ pub(super) fn of_shape(
             place.size("radius", radius)?;
             let exit = if radius < 0.0 { SIDES_EXIT } else { 0 };
             let sides = if both != 0 { both } else { exit };
-            found(Form::Sphere { centre, radius }, sides)
+            found(Primitive::Sphere { centre, radius }, sides)
         }
         &Shape::Cone {
             base,
@@ -93,7 +93,7 @@ pub(super) fn of_shape(
             };
             let height = (apex - base).dot(axis);
             place.size("height", height)?;
-            let form = Form::Cone {
+            let primitive = Primitive::Cone {
                 base,
                 axis,
                 height,
@@ -105,36 +105,41 @@ pub(super) fn of_shape(
             } else {
                 SIDES_EXIT
             };
-            place.number("growth of the radius", form.growth())?;
-            found(form, sides)
+            place.number("growth of the radius", primitive.growth())?;
+            found(primitive, sides)
         }
         Shape::Polygon { vertices } => {
             check_vertices(vertices, place)?;
             match polygons::rectangle(vertices) {
                 Some(rectangle) => found(rectangle, both),
-                None => polygons::triangles(vertices, None, place, |form| found(form, both)),
+                None => {
+                    polygons::triangles(vertices, None, place, |primitive| found(primitive, both))
+                }
             }
         }
         Shape::Patch { vertices, normals } => {
             check_vertices(vertices, place)?;
-            polygons::triangles(vertices, Some(normals), place, |form| {
+            polygons::triangles(vertices, Some(normals), place, |primitive| {
                 let is_smooth = matches!(
-                    form,
-                    Form::Triangle {
+                    primitive,
+                    Primitive::Triangle {
                         smooth: Some(_),
                         ..
                     }
                 );
-                found(form, if is_smooth { both | SIDES_SMOOTH } else { both })
+                found(
+                    primitive,
+                    if is_smooth { both | SIDES_SMOOTH } else { both },
+                )
             })
         }
     }
 }
 
 impl Head {
-    fn of(form: &Form) -> Self {
-        match *form {
-            Form::Sphere { centre, radius } => Self {
+    fn of(primitive: &Primitive) -> Self {
+        match *primitive {
+            Primitive::Sphere { centre, radius } => Self {
                 centre,
                 gain: radius.signum(),
                 axis: DVec3::ZERO,
@@ -142,7 +147,7 @@ impl Head {
                 offset: radius,
                 extent: 0.0,
             },
-            Form::Rectangle {
+            Primitive::Rectangle {
                 corner,
                 edges: [u, v],
                 normal,
@@ -151,19 +156,19 @@ impl Head {
                 let reach = [u, v, u + v].map(taxicab);
                 Self::of_plane(corner, normal, reach.into_iter().fold(0.0, f64::max))
             }
-            Form::Triangle {
+            Primitive::Triangle {
                 vertices: [a, b, c],
                 normal,
                 ..
             } => Self::of_plane(a, normal, taxicab(b - a).max(taxicab(c - a))),
-            Form::Cone {
+            Primitive::Cone {
                 base,
                 axis,
                 height,
                 radii,
                 hollow,
             } => {
-                let growth = form.growth();
+                let growth = primitive.growth();
                 let gain = libm::hypot(growth, 1.0).recip() * if hollow { -1.0 } else { 1.0 };
                 Self {
                     centre: base,
@@ -190,20 +195,19 @@ impl Head {
 }
 
 impl Object {
-    /// How far off its surface a ray has to start for the object's own numbers, as seen from
-    /// `eye`. No coordinate of a point on it adds more than `leave` to that.
+    /// The part of the origin offset that covers the rounding of the object's numbers relative to
+    /// `eye`. The coordinates of a point on the object add at most `leave` each to it.
     pub fn leave(&self, eye: DVec3) -> f64 {
         let Head {
             centre,
             offset,
             extent,
             ..
-        } = Head::of(&self.form);
+        } = Head::of(&self.primitive);
         LEAVE * (taxicab(centre - eye) + offset.abs() + extent)
     }
 
-    /// Writes the record, as seen from `eye`, to where it lies; `material` is its material's
-    /// address.
+    /// Writes the record relative to `eye`; `material` is the address of the object's material.
     pub fn write(&self, eye: DVec3, material: U32, bytes: &mut [u8]) {
         let Head {
             centre,
@@ -212,7 +216,7 @@ impl Object {
             slope,
             offset,
             ..
-        } = Head::of(&self.form);
+        } = Head::of(&self.primitive);
         let centre = centre - eye;
         let head = layout::Object {
             centre: singles(centre),
@@ -226,10 +230,10 @@ impl Object {
         };
         let (first, rest) = bytes.split_at_mut(size_of::<layout::Object>());
         first.copy_from_slice(head.as_bytes());
-        match self.form {
-            Form::Sphere { .. } => {}
-            Form::Rectangle { duals, .. } => put(rest, &duals.map(quadword)),
-            Form::Triangle {
+        match self.primitive {
+            Primitive::Sphere { .. } => {}
+            Primitive::Rectangle { duals, .. } => put(rest, &duals.map(quadword)),
+            Primitive::Triangle {
                 vertices, smooth, ..
             } => {
                 let corners = vertices.map(|vertex| quadword(vertex - eye));
@@ -239,17 +243,17 @@ impl Object {
                     put(normals, &smooth.map(quadword));
                 }
             }
-            Form::Cone { height, radii, .. } => {
+            Primitive::Cone { height, radii, .. } => {
                 put(
                     rest,
-                    &[[radii[0], self.form.growth(), height, 0.0].map(single)],
+                    &[[radii[0], self.primitive.growth(), height, 0.0].map(single)],
                 );
             }
         }
     }
 }
 
-/// What a ray hits that hits nothing: a plane through the eye.
+/// The object of the background, for rays that hit nothing: a plane through the eye.
 pub(super) fn background(material: u32) -> layout::Object {
     layout::Object {
         centre: singles(DVec3::ZERO),
@@ -263,7 +267,7 @@ pub(super) fn background(material: u32) -> layout::Object {
     }
 }
 
-/// Fills `bytes` with quadwords.
+/// Writes quadwords to `bytes`.
 fn put(bytes: &mut [u8], quadwords: &[[F32; 4]]) {
     bytes.copy_from_slice(quadwords.as_bytes());
 }
@@ -273,7 +277,7 @@ fn quadword(vector: DVec3) -> [F32; 4] {
     [x, y, z, F32::ZERO]
 }
 
-/// The sum of a vector's magnitudes.
+/// The sum of the magnitudes of a vector's components.
 pub(super) fn taxicab(vector: DVec3) -> f64 {
     vector.abs().element_sum()
 }

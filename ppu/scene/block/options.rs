@@ -1,15 +1,15 @@
-//! What a block is made by beside the scene: how far rays go, and the program's shaders.
+//! The settings of a block, and the SPU program's shaders.
 
-/// How a scene is traced.
+/// Settings of Whitted's model.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct BlockOptions {
-    /// Most rays in a chain, the eye's counted, from 1 to
+    /// The longest chain of rays, including the primary ray, from 1 to
     /// [`MAX_DEPTH`](protocol::layout::MAX_DEPTH).
     pub ray_depth: u32,
-    /// Whether transmitting surfaces reflect by Schlick's approximation beyond their Ks.
+    /// Whether transparent surfaces reflect by Schlick's approximation in addition to their Ks.
     pub fresnel: bool,
-    /// Whether rays that add nothing to the picture are sent where the Standard Procedural
-    /// Databases count them.
+    /// Whether to trace all rays that the Standard Procedural Databases count, even those that add
+    /// nothing to the picture.
     pub spd_rays: bool,
 }
 
@@ -23,11 +23,11 @@ impl Default for BlockOptions {
     }
 }
 
-/// The entries of a program's shaders by their names, looked up without taking memory.
+/// The entries of a program's shaders by their names. Looking one up allocates no memory.
 pub(crate) struct ShaderEntries(Vec<String>);
 
 impl ShaderEntries {
-    /// Of the shaders in the program's table.
+    /// `names` are the shaders in the program's table, in its order.
     pub fn new(names: Vec<String>) -> Self {
         Self(names)
     }

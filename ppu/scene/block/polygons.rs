@@ -1,7 +1,8 @@
-//! Polygons: the parallelogram or the triangles that one is.
+//! Polygons, which become a parallelogram or triangles.
 //!
-//! Invariant: the triangles of a polygon lie in one plane, but for what rounded numbers make, and
-//! fill what is inside by the even-odd rule; what two of them share is the same to the bit.
+//! Invariant: the triangles of a polygon are in one plane, except for rounding, and fill its
+//! inside by the even-odd rule. Triangles that share a vertex have bit-identical coordinates
+//! there.
 
 use std::borrow::Cow;
 
@@ -9,26 +10,29 @@ use glam::DVec3;
 use nff::{area_vector, unit};
 
 use super::error::BlockError;
-use super::form::{FLAT, Form};
-use super::range::Place;
+use super::primitive::{FLAT, Primitive};
+use super::source_location::SourceLocation;
 use crate::scene::single::{LARGEST, SMALLEST};
 use protocol::layout::MAX_OBJECTS;
 
-/// By how much a corner of a parallelogram may be off, in parts of the longer edge: half a unit in
-/// the last place of what is sent.
+/// By how much a corner of a parallelogram may be off, relative to the longer edge: half a unit in
+/// the last place of the record's numbers.
 const OFF_CORNER: f64 = 1.0 / (1 << 24) as f64;
 
-/// Height of a triangle, in parts of its longest edge, below which no ray hits it.
+/// Height of a triangle, relative to its longest edge, below which no ray hits it.
 const SLIVER: f64 = 1.0 / (1 << 24) as f64;
 
-/// Whether all vertices are in range.
-pub(super) fn check_vertices(vertices: &[DVec3], place: Place<'_>) -> Result<(), BlockError> {
+/// Checks that all vertices are in range.
+pub(super) fn check_vertices(
+    vertices: &[DVec3],
+    place: SourceLocation<'_>,
+) -> Result<(), BlockError> {
     let mut vertices = vertices.iter();
     vertices.try_for_each(|&vertex| place.vector("vertex", vertex))
 }
 
-/// The parallelogram that a polygon is.
-pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Form> {
+/// The polygon as a parallelogram, if it is one.
+pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Primitive> {
     let &[corner, second, opposite, last] = vertices else {
         return None;
     };
@@ -45,9 +49,9 @@ pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Form> {
         across / across.dot(along)
     };
     let duals = [dual(u, v), dual(v, u)];
-    // Of one that is too small for its duals to be singles, the triangles are taken.
+    // If it is too small for its duals to be singles, it becomes triangles instead.
     let sound = |dual: &DVec3| dual.is_finite() && dual.abs().max_element() <= LARGEST;
-    duals.iter().all(sound).then_some(Form::Rectangle {
+    duals.iter().all(sound).then_some(Primitive::Rectangle {
         corner,
         edges,
         normal,
@@ -55,13 +59,14 @@ pub(super) fn rectangle(vertices: &[DVec3]) -> Option<Form> {
     })
 }
 
-/// The vertices of a polygon with a normal, put onto its plane, which goes through their mean.
+/// The vertices of a polygon, projected onto the plane that goes through their mean at right
+/// angles to `normal`.
 fn in_plane(vertices: &[DVec3], normal: DVec3) -> Cow<'_, [DVec3]> {
-    // Three are in a plane.
+    // Three vertices are always in a plane.
     let [first, _, _, _, ..] = *vertices else {
         return Cow::Borrowed(vertices);
     };
-    // From a vertex of its own: the sum of far ones would lose digits.
+    // Relative to a vertex, because the sum of vertices far from the origin would lose digits.
     let sum: DVec3 = vertices.iter().map(|&vertex| vertex - first).sum();
     let middle = first + sum / vertices.len() as f64;
     let above = |vertex: DVec3| (vertex - middle).dot(normal);
@@ -77,19 +82,19 @@ fn in_plane(vertices: &[DVec3], normal: DVec3) -> Cow<'_, [DVec3]> {
     Cow::Owned(vertices.iter().map(put).collect())
 }
 
-/// The triangles of a polygon that have an area. Those of a patch whose edges cross interpolate
-/// nothing.
+/// Finds the triangles of a polygon, except those without area. If the edges of a patch cross, its
+/// triangles don't interpolate normals.
 pub(super) fn triangles(
     vertices: &[DVec3],
     normals: Option<&Vec<DVec3>>,
-    place: Place<'_>,
-    mut found: impl FnMut(Form) -> Result<(), BlockError>,
+    place: SourceLocation<'_>,
+    mut found: impl FnMut(Primitive) -> Result<(), BlockError>,
 ) -> Result<(), BlockError> {
     let too_large = || BlockError::LargePolygon {
         place: place.to_string(),
         vertices: vertices.len(),
     };
-    // Before they are looked for: that takes time with the square of their number.
+    // Checked first, because the time to find triangles grows with the square of their number.
     if vertices.len() > MAX_OBJECTS as usize + 2 {
         return Err(too_large());
     }
@@ -104,7 +109,7 @@ pub(super) fn triangles(
         if longest < SMALLEST || area / longest <= SLIVER * longest {
             return Ok(());
         }
-        found(Form::Triangle {
+        found(Primitive::Triangle {
             vertices,
             normal,
             smooth,
@@ -112,7 +117,7 @@ pub(super) fn triangles(
     };
     let cut;
     let corners = match vertices {
-        // Without memory being taken: what moves may be one.
+        // Without allocating memory, because a moving object may be a triangle.
         [_, _, _] => Some(&[[0, 1, 2]][..]),
         _ => {
             cut = nff::triangles(vertices);

@@ -1,10 +1,10 @@
-//! Blocks as they lie in local store, read back.
+//! Tests that read blocks back in the SPUs' format.
 
+mod bvh;
 mod chains;
 mod records;
 mod refusals;
 mod traced;
-mod trees;
 
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
@@ -44,16 +44,16 @@ impl SceneBlock {
             .0
     }
 
-    /// Addresses of the objects of a kind, from left to right, by walking down the tree.
-    fn leaves(&self, kind: Kind) -> Vec<U32> {
+    /// The addresses of the objects of a kind, from left to right, found by walking down the tree.
+    fn leaves(&self, kind: PrimitiveKind) -> Vec<U32> {
         let mut found = Vec::new();
         self.walk(kind, &mut |address, _| found.push(address));
         found
     }
 
-    /// Hands out every object's address and the spheres above it, from the top: centre and radius.
-    fn walk(&self, kind: Kind, found: &mut impl FnMut(U32, &[(DVec3, f64)])) {
-        let tree = self.trees()[kind as usize];
+    /// Calls `found` with every object's address and the bounding spheres above it, from the top.
+    fn walk(&self, kind: PrimitiveKind, found: &mut impl FnMut(U32, &[(DVec3, f64)])) {
+        let tree = self.bvhs()[kind as usize];
         let size = size_of::<Node>() as u32;
         for root in 0..tree.root_count.get() {
             let address = U32::new(tree.roots.get() + root * size);

@@ -14,8 +14,8 @@ const TILES: usize = 100;
 
 const HEAD: &str = "v\nfrom 0 -10 0\nat 0 0 0\nup 0 0 1\nangle 20\nhither 0\nresolution 640 160\n\
                     b 0 0 1\nf 1 0.5 0.25 1 0 0 0 1\n";
-/// Small spheres left, in the middle and right; the first and the last set the depth shading's
-/// range.
+/// Small spheres at the left, in the middle and at the right. The first and the last determine the
+/// range of the depth shading.
 const SPHERES: &str = "s -2 -5 0 0.1\ns 0 0 0 0.1\ns 5 5 0 0.1\n";
 
 fn scene(text: &str) -> Scene {
@@ -23,7 +23,7 @@ fn scene(text: &str) -> Scene {
     Scene::from_nff(&scene).unwrap()
 }
 
-/// Memory that nobody writes to: only its address counts here.
+/// Memory that is not written to, because only its address matters here.
 struct Screen {
     pages: [u128; 2],
     known: Pages,
@@ -47,7 +47,7 @@ impl Screen {
         }
     }
 
-    /// The tiles to be traced of a frame that is not finished.
+    /// The tiles to trace of a frame that is not finished.
     fn open(&mut self, page: usize, scene: &Scene) -> Vec<u32> {
         let target = self.target(page);
         self.open_target(&target, scene)
@@ -55,9 +55,10 @@ impl Screen {
 
     fn open_target(&mut self, target: &Target, scene: &Scene) -> Vec<u32> {
         let camera = scene.camera(SIZE.width, SIZE.height).unwrap();
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         let mut tiles = TileSet::default();
-        self.known.open(target, scene, &camera, &lens, &mut tiles);
+        self.known
+            .open(target, scene, &camera, &projection, &mut tiles);
         tiles.numbers().to_vec()
     }
 
@@ -84,7 +85,7 @@ fn what_a_page_shows_is_not_traced_again() {
 #[test]
 fn of_what_has_moved_old_and_new_place_are_traced() {
     let before = scene(&format!("{HEAD}{SPHERES}"));
-    // The middle one moves to the right by three spheres' widths.
+    // The middle sphere moves to the right by three spheres' widths.
     let after = scene(&format!(
         "{HEAD}{}",
         SPHERES.replace("s 0 0 0", "s 0.6 0 0")
@@ -93,8 +94,8 @@ fn of_what_has_moved_old_and_new_place_are_traced() {
     for page in [0, 1] {
         screen.show(page, &before);
     }
-    // 160 rows are 20 degrees and 10 away, so 0.1 are some 4.5 pixels: around column 320 and row
-    // 80 before, 27 columns further now.
+    // 160 rows cover 20 degrees. At a distance of 10, 0.1 is about 4.5 pixels. The sphere was
+    // around column 320 and row 80, and is 27 columns further now.
     let around_both = [44, 45, 54, 55];
     assert_eq!(screen.show(0, &after), around_both);
     assert!(screen.show(0, &after).is_empty());
@@ -181,7 +182,7 @@ fn tiles_are_blank_while_the_background_stays() {
     let before = scene(&format!("{HEAD}{SPHERES}"));
     screen.open(0, &before);
     let mut units = Units::default();
-    units.cut(&[3, 5], 1, Split::Units, None);
+    units.split(&[3, 5], 1, Split::Units, None);
     let mut costs = vec![UnitCost::new_zeroed(); units.lines().len()];
     for (unit, cost) in units.lines().iter().zip(&mut costs) {
         cost.count = unit.count;

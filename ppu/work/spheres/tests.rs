@@ -15,7 +15,7 @@ const SIZE: Geometry = Geometry {
     height: 200,
 };
 
-/// A direction that passes the sphere at about its edge, or somewhere else in its neighbourhood.
+/// A random direction close to the sphere's edge, or elsewhere near the sphere.
 fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) -> Singles {
     let to_centre = sphere.centre - eye;
     let along = to_centre.normalize();
@@ -27,7 +27,7 @@ fn near_the_edge(random: &mut ChaCha8Rng, sphere: &scene::Sphere, eye: DVec3) ->
             _ => random.random_range(0.0..1.0),
         };
     let exact = along * libm::cos(angle) + across(random, along) * libm::sin(angle);
-    // Off its length by as much as the kernels' domain allows.
+    // The length is off 1 by as much as the kernels' domain allows.
     let exact = exact * (1.0 + random.random_range(-4.0..4.0) * f64::from(f32::EPSILON) / 2.0);
     exact.to_array().map(|value| (value as f32).to_bits())
 }
@@ -46,12 +46,12 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
     let mut counts = [0; 4];
     for _ in 0..400 {
         let camera = camera(&mut random, SIZE.width, SIZE.height);
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         for _ in 0..500 {
             let towards = unit(&mut random);
             let sphere = sphere(&mut random, camera.eye, towards);
             let form = form(&mut random);
-            let record = record(&sphere, &lens, form);
+            let record = record(&sphere, &projection, form);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
             let (exact, found) = (
                 enters(&sphere, camera.eye, wide(ray)),
@@ -75,7 +75,7 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
             }
         }
     }
-    // The rays were at edges: many of each kind, and some that the SPU's rounding decides.
+    // Rays at edges: many of each kind, and some where the SPU's rounding decides.
     assert!(counts.iter().all(|&count| count > 300), "{counts:?}");
 }
 
@@ -83,7 +83,7 @@ fn no_ray_that_enters_a_sphere_fails_its_test() {
 fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
     let mut random = ChaCha8Rng::seed_from_u64(2);
     let camera = camera(&mut random, SIZE.width, SIZE.height);
-    let lens = Lens::new(&camera, SIZE);
+    let projection = Projection::new(&camera, SIZE);
     for _ in 0..10_000 {
         let along = unit(&mut random);
         let distance = magnitude(&mut random, -10.0, 10.0);
@@ -94,7 +94,7 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
             colour: DVec3::ONE,
         };
         let form = form(&mut random);
-        let record = record(&sphere, &lens, form);
+        let record = record(&sphere, &projection, form);
         let angle = libm::asin(share) + 0.001;
         let passing = along * libm::cos(angle) + across(&mut random, along) * libm::sin(angle);
         let passing = passing.to_array().map(|value| (value as f32).to_bits());
@@ -105,7 +105,7 @@ fn the_test_of_a_ray_leaves_out_nearly_all_that_pass_by() {
     }
 }
 
-/// A packet of 4x4 rays at a place, beyond the picture's edge too, and its middle direction.
+/// A packet of 4x4 rays, possibly beyond the picture's edge, and its middle direction.
 fn packet(random: &mut ChaCha8Rng, camera: &Camera) -> (Vec<Singles>, Singles) {
     let x = f64::from(random.random_range(0..SIZE.width / 4) * 4);
     let y = f64::from(random.random_range(0..SIZE.height / 4) * 4);
@@ -120,7 +120,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
     let (mut hits, mut misses) = (0, 0);
     for _ in 0..300 {
         let camera = camera(&mut random, SIZE.width, SIZE.height);
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         for _ in 0..100 {
             let (rays, middle) = packet(&mut random, &camera);
             // Its edge is near one of the rays, on this side of it or beyond.
@@ -129,7 +129,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
             let mut sphere = sphere(&mut random, camera.eye, anywhere);
             let distance = (sphere.centre - camera.eye).length();
             let edge = libm::asin(sphere.radius / distance);
-            let beside = lens.packet_spread().min(0.1) * random.random_range(0.0..3.0);
+            let beside = projection.packet_spread().min(0.1) * random.random_range(0.0..3.0);
             let angle = match random.random_range(0..3) {
                 0 => edge + beside,
                 1 => edge * random.random_range(0.0..1.0),
@@ -141,7 +141,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_fails_its_test() {
             let towards = ray * libm::cos(angle) + across(&mut random, ray) * libm::sin(angle);
             sphere.centre = camera.eye + towards * distance;
             let form = form(&mut random);
-            let record = record(&sphere, &lens, form);
+            let record = record(&sphere, &projection, form);
             let passes = is_above(record.packet_limit, record.centre, middle);
             for &ray in &rays {
                 let hit =
@@ -161,15 +161,15 @@ fn no_sphere_that_a_ray_within_a_plane_enters_is_outside_of_it() {
     let mut outside = 0;
     for _ in 0..300 {
         let camera = camera(&mut random, SIZE.width, SIZE.height);
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         for _ in 0..300 {
             let towards = unit(&mut random);
             let sphere = sphere(&mut random, camera.eye, towards);
             let form = form(&mut random);
-            let record = record(&sphere, &lens, form);
+            let record = record(&sphere, &projection, form);
             let ray = near_the_edge(&mut random, &sphere, camera.eye);
-            // A plane through the ray, or nearly so, with the ray on its inner side. The worst one
-            // has the sphere on the other side.
+            // A plane (nearly) through the ray, with the ray on its inner side. In the worst case
+            // the sphere is on the other side.
             let along = wide(ray).normalize();
             let to_sphere = (sphere.centre - camera.eye).reject_from(along);
             let Some(away) = (-to_sphere).try_normalize() else {
@@ -200,15 +200,15 @@ fn no_ray_enters_a_sphere_around_the_eye() {
     let mut random = ChaCha8Rng::seed_from_u64(5);
     for _ in 0..300 {
         let camera = camera(&mut random, SIZE.width, SIZE.height);
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         for _ in 0..300 {
             let towards = unit(&mut random);
             let mut sphere = sphere(&mut random, camera.eye, towards);
             let distance = (sphere.centre - camera.eye).length();
             sphere.radius = distance * (1.0 + magnitude(&mut random, -17.99, 4.0));
-            assert!(!can_be_seen(&sphere, &lens));
+            assert!(!can_be_seen(&sphere, &projection));
             let form = form(&mut random);
-            let record = record(&sphere, &lens, form);
+            let record = record(&sphere, &projection, form);
             for _ in 0..10 {
                 let ray = unit(&mut random)
                     .to_array()
@@ -223,16 +223,16 @@ fn no_ray_enters_a_sphere_around_the_eye() {
 fn what_the_eye_touches_is_always_tested() {
     let mut random = ChaCha8Rng::seed_from_u64(6);
     let camera = camera(&mut random, SIZE.width, SIZE.height);
-    let lens = Lens::new(&camera, SIZE);
+    let projection = Projection::new(&camera, SIZE);
     for shift in [-1e-7, 0.0, 1e-7] {
         let sphere = scene::Sphere {
             centre: camera.eye + DVec3::X * 8.0,
             radius: 8.0 * (1.0 + shift),
             colour: DVec3::ONE,
         };
-        assert!(can_be_seen(&sphere, &lens));
+        assert!(can_be_seen(&sphere, &projection));
         let form = form(&mut random);
-        let record = record(&sphere, &lens, form);
+        let record = record(&sphere, &projection, form);
         assert_eq!(record.ray_limit.get(), -f32::MAX);
         assert_eq!(record.packet_limit.get(), -f32::MAX);
         assert_eq!(record.near.get(), 0.0);
@@ -246,7 +246,7 @@ fn extreme_numbers_stay_singles() {
     let mut camera = camera(&mut random, SIZE.width, SIZE.height);
     for eye in [DVec3::ZERO, DVec3::splat(most), DVec3::splat(-most)] {
         camera.eye = eye;
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         for centre in [
             DVec3::ZERO,
             DVec3::splat(most),
@@ -260,7 +260,7 @@ fn extreme_numbers_stay_singles() {
                         radius,
                         colour,
                     },
-                    &lens,
+                    &projection,
                     form(&mut random),
                 );
                 for value in [
@@ -291,7 +291,7 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
         resolution: (SIZE.width, SIZE.height),
     };
     let camera = view.camera(SIZE.width, SIZE.height).unwrap();
-    let lens = Lens::new(&camera, SIZE);
+    let projection = Projection::new(&camera, SIZE);
     let sphere = |x: f64, z: f64, red: f64| scene::Sphere {
         centre: DVec3::new(x, 0.0, z),
         radius: 1.0,
@@ -299,12 +299,12 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
     };
     let spheres = [
         sphere(0.0, 9.0, 0.1),
-        // Behind, beside, and around the eye.
+        // Behind, next to, and around the eye.
         sphere(0.0, -5.0, 0.2),
         sphere(50.0, 5.0, 0.3),
         sphere(0.0, 0.5, 0.4),
         sphere(0.0, 5.0, 0.5),
-        // As near as the first: its place in the scene decides.
+        // As near as the first sphere, so their order in the scene decides.
         sphere(0.0, 9.0, 0.6),
     ];
     let mut eye_spheres = EyeSpheres::default();
@@ -316,9 +316,9 @@ fn records_come_nearest_first_and_only_of_what_can_be_seen() {
             .collect()
     };
     for _ in 0..2 {
-        eye_spheres.look(&spheres, &lens, Skip::Misses, EyeRecord::Centre);
+        eye_spheres.cull(&spheres, &projection, Skip::Misses, EyeRecord::Centre);
         assert_eq!(reds(&eye_spheres), [0.5, 0.1, 0.6]);
-        eye_spheres.look(&spheres, &lens, Skip::Nothing, EyeRecord::Centre);
+        eye_spheres.cull(&spheres, &projection, Skip::Nothing, EyeRecord::Centre);
         assert_eq!(reds(&eye_spheres), [0.4, 0.2, 0.5, 0.1, 0.6, 0.3]);
     }
     let nears: Vec<f32> = eye_spheres

@@ -11,7 +11,7 @@ fn tiles(unit: &WorkUnit) -> Vec<u32> {
         .collect()
 }
 
-/// Every wanted tile once, and units of the sizes that a line has room for.
+/// Checks that the units have every wanted tile once, and no more tiles than a line has room for.
 fn check(units: &Units, wanted: &[u32]) {
     for unit in units.lines() {
         assert!((1..=UNIT_TILES).contains(&unit.count.get()));
@@ -42,7 +42,7 @@ fn every_tile_is_in_one_unit() {
         for spus in [1, 2, 6, 16] {
             for split in [Split::Units, Split::Slices] {
                 for costs in [None, Some(even.as_slice()), Some(costs.as_slice())] {
-                    units.cut(&wanted, spus, split, costs);
+                    units.split(&wanted, spus, split, costs);
                     check(&units, &wanted);
                     assert!(units.lines().len() <= count.max(1));
                 }
@@ -56,7 +56,7 @@ fn without_costs_units_are_runs_of_tiles_some_24_for_each_spu_and_shorter_at_the
     let wanted: Vec<u32> = (0..900).collect();
     let mut units = Units::default();
     for (spus, first, count) in [(6, 7, 22..32), (16, 3, 15..25), (1, 31, 28..45)] {
-        units.cut(&wanted, spus, Split::Units, None);
+        units.split(&wanted, spus, Split::Units, None);
         let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
         assert_eq!(order, wanted);
         let sizes: Vec<u32> = units.lines().iter().map(|unit| unit.count.get()).collect();
@@ -83,7 +83,7 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
         .collect();
     let cost = |tile: &u32| u64::from(costs[*tile as usize]);
     let mut units = Units::default();
-    units.cut(&wanted, 6, Split::Units, Some(&costs));
+    units.split(&wanted, 6, Split::Units, Some(&costs));
     let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
     let sum: u64 = wanted.iter().map(cost).sum();
     let (dear, cheap): (Vec<u32>, Vec<u32>) =
@@ -126,8 +126,8 @@ fn with_costs_dear_tiles_come_early_cheap_ones_between_them_and_the_last_units_a
     );
 }
 
-/// What a machine of SPUs that each take the next unit would make of a cut: the time of the last
-/// one over that of a perfect share.
+/// Simulates SPUs that each take the next unit. Returns the time of the last SPU, relative to the
+/// time of a perfect split.
 fn imbalance(units: &Units, spus: usize, costs: &[u32]) -> f64 {
     let mut ends = vec![0u64; spus];
     for unit in units.lines() {
@@ -143,7 +143,7 @@ fn imbalance(units: &Units, spus: usize, costs: &[u32]) -> f64 {
 
 #[test]
 fn known_costs_balance_an_uneven_picture() {
-    // One corner costs fifty times as much as the rest.
+    // One corner of the picture costs fifty times as much as the rest.
     let wanted: Vec<u32> = (0..900).collect();
     let dear = |tile: u32| tile % 20 >= 10 && tile / 20 >= 25;
     let costs: Vec<u32> = wanted
@@ -151,10 +151,10 @@ fn known_costs_balance_an_uneven_picture() {
         .map(|&tile| if dear(tile) { 5000 } else { 100 })
         .collect();
     let mut units = Units::default();
-    units.cut(&wanted, 6, Split::Units, Some(&costs));
+    units.split(&wanted, 6, Split::Units, Some(&costs));
     let known = imbalance(&units, 6, &costs);
     assert!(known < 1.02, "{known}");
-    units.cut(&wanted, 6, Split::Units, None);
+    units.split(&wanted, 6, Split::Units, None);
     let unknown = imbalance(&units, 6, &costs);
     assert!(known < unknown, "{known} {unknown}");
 }
@@ -165,7 +165,7 @@ fn slices_are_consecutive_and_equal_in_tiles() {
     for count in [0u32, 1, 5, 6, 7, 900, 65536] {
         let wanted: Vec<u32> = (0..count).map(|tile| tile * 3).collect();
         for spus in 1..=MAX_SPUS {
-            units.cut(&wanted, spus, Split::Slices, None);
+            units.split(&wanted, spus, Split::Slices, None);
             check(&units, &wanted);
             let order: Vec<u32> = units.lines().iter().flat_map(tiles).collect();
             assert_eq!(order, wanted);
@@ -198,7 +198,7 @@ fn costs_are_those_of_the_last_time() {
         count: unit.count,
         ticks: [ticks.into(); 31],
     };
-    units.cut(&[0, 1, 2, 3, 4, 5, 6, 7], 1, Split::Units, None);
+    units.split(&[0, 1, 2, 3, 4, 5, 6, 7], 1, Split::Units, None);
     let answers: Vec<UnitCost> = (10..)
         .zip(units.lines())
         .map(|(ticks, unit)| cost(unit, ticks))
@@ -208,7 +208,7 @@ fn costs_are_those_of_the_last_time() {
         costs.of(geometry),
         Some(&[10, 11, 12, 13, 14, 15, 16, 17][..])
     );
-    units.cut(&[2, 6], 1, Split::Units, costs.of(geometry));
+    units.split(&[2, 6], 1, Split::Units, costs.of(geometry));
     assert_eq!(
         units.lines().iter().flat_map(tiles).collect::<Vec<_>>(),
         [6, 2]

@@ -3,10 +3,10 @@
 use zerocopy::big_endian::{F32, U32, U64};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 
-use super::{Field, Record, Tree};
+use super::{Bvh, Field, Record};
 
 record! {
-    /// Frame descriptor: what the PPU mails the address of.
+    /// Frame descriptor: the record whose address the PPU mails.
     Frame as "FRAME" {
         /// `MAGIC`.
         magic: U32,
@@ -14,7 +14,7 @@ record! {
         version: U32,
         /// Bytes of this record.
         size: U32,
-        /// What the scene has: `FEATURE_` bits.
+        /// Parts that the scene has: `FEATURE_` bits.
         features: U32,
         /// Number of the frame, repeated in the statistics.
         number: U32,
@@ -30,19 +30,19 @@ record! {
         stride: U32,
         /// Effective address of the framebuffer's first pixel; a multiple of 16.
         framebuffer: U64,
-        /// Effective address of the sphere records; on a line.
+        /// Effective address of the sphere records; a multiple of 128.
         spheres: U64,
-        /// Effective address of the unit counter; on a line.
+        /// Effective address of the unit counter; a multiple of 128.
         unit_counter: U64,
-        /// Effective address of the statistics records, one a SPU in order; on a line.
+        /// Effective address of the statistics records, one for each SPU, in order; a multiple of 128.
         statistics: U64,
-        /// Effective address of the work units; on a line.
+        /// Effective address of the work units; a multiple of 128.
         units: U64,
-        /// Effective address of the lines that take the units' costs; on a line.
+        /// Effective address of the lines for the units' costs; a multiple of 128.
         costs: U64,
         /// Work units.
         unit_count: U32,
-        /// What need not be tested: a `SKIP_` value.
+        /// Tests that may be left out: a `SKIP_` value.
         skip: U32,
         /// Sphere records.
         sphere_count: U32,
@@ -56,7 +56,7 @@ record! {
         depth_far: F32,
         /// One over the distance in which it fades.
         depth_scale: F32,
-        /// Effective address of the scene of Whitted's model; on a line.
+        /// Effective address of the scene of Whitted's model; a multiple of 128.
         scene: U64,
         /// Direction through the centre of pixel (0, 0): x, y, z, 0.
         corner: [F32; 4],
@@ -70,7 +70,7 @@ record! {
         slices: [U32; 17],
         /// Bytes of the scene; a multiple of 128.
         scene_bytes: U32,
-        /// Most rays in a chain, the eye's counted.
+        /// Most rays in a chain, including the primary ray.
         ray_depth: U32,
         /// Packets that are traced together, at most `MAX_BATCH`.
         batch: U32,
@@ -80,11 +80,11 @@ record! {
         light_count: U32,
         /// A ray whose weight in its pixel is below this is not sent on.
         least_weight: F32,
-        /// Zero; keeps the trees on quadwords.
+        /// Zero; aligns the trees to quadwords.
         reserved: U32,
         /// The objects: spheres, parallelograms, triangles, cones.
-        trees: [Tree; 4],
-        /// Brightness of the light that is everywhere: red, green, blue, 0.
+        trees: [Bvh; 4],
+        /// Brightness of the ambient light: red, green, blue, 0.
         ambient: [F32; 4],
         /// The eye in the scene's coordinates: x, y, z, 0; for shaders.
         eye: [F32; 4],
@@ -92,19 +92,19 @@ record! {
 }
 
 record! {
-    /// One sphere as the eye's rays meet it; the records come in rising order of `near`. For programs whose kernel takes `EyeRecord::Axis`, all lengths but `near` are in parts of `distance`.
+    /// One sphere relative to the eye, for primary rays; the records are in rising order of `near`. For programs whose kernel takes `EyeRecord::Axis`, all lengths except `near` are fractions of `distance`.
     Sphere as "SPHERE" {
         /// Centre less eye: x, y, z.
         centre: [F32; 3],
         /// Radius squared.
         radius_squared: F32,
-        /// No ray of the eye enters it nearer than this.
+        /// No primary ray enters the sphere nearer than this.
         near: F32,
-        /// A unit direction d whose ray enters it has centre.d above this, by the SPU's rounding too.
+        /// If a ray of unit direction d enters the sphere, centre.d is above this, also with the SPU's rounding.
         ray_limit: F32,
-        /// The same for the middle d of a packet, some ray of which enters it.
+        /// The same for a packet: if any of its rays enters the sphere, the packet's middle d is above this.
         packet_limit: F32,
-        /// Radius, and the rounding of the test with a plane through the eye.
+        /// Radius plus the rounding of the test with a plane through the eye.
         reach: F32,
         /// Colour: red, green, blue, each 0 to 1.
         colour: [F32; 3],
@@ -128,53 +128,53 @@ record! {
     WorkUnit as "UNIT" {
         /// Tiles, at least 1.
         count: U32,
-        /// Their numbers, counted row by row from the top left; `TILE_BLANK` with them.
+        /// The tiles' numbers, counted row by row from the top left, with the flag `TILE_BLANK`.
         tiles: [U32; 31],
     }
 }
 
 record! {
-    /// What a work unit has cost: the SPU that traced it writes this to the unit's line of `costs`.
+    /// The cost of a work unit, which the SPU that traced it writes to the unit's line of `costs`.
     UnitCost as "COST" {
         /// Tiles, as in the unit.
         count: U32,
-        /// Decrementer ticks that each tile took, about 2^29 for all that took longer; `TILE_BLANK` with them.
+        /// Decrementer ticks that each tile took, at most about 2^29, with the flag `TILE_BLANK`.
         ticks: [U32; 31],
     }
 }
 
 record! {
-    /// What one SPU says of one frame.
+    /// One SPU's report on one frame.
     Statistics as "STATS" {
         /// Number of the frame.
         number: U32,
-        /// Zero; keeps what follows on doublewords.
+        /// Zero; aligns the following fields to doublewords.
         unused: U32,
         /// Tiles, traced or filled.
         tiles: U64,
         /// Packets of 4x4 rays, traced or filled.
         packets: U64,
-        /// Eye rays within the picture.
-        eye_rays: U64,
-        /// Eye rays that hit something.
+        /// Primary rays within the picture.
+        primary_rays: U64,
+        /// Primary rays that hit something.
         eye_hits: U64,
         /// Decrementer ticks from the mail to the answer, less `dma_wait`.
         busy: U64,
         /// Decrementer ticks spent waiting for the MFC.
         dma_wait: U64,
-        /// Decrementer ticks spent waiting for the mail, less 2^32 each time that the decrementer has come round in that.
+        /// Decrementer ticks spent waiting for the mail, less 2^32 for each time that the decrementer wrapped round meanwhile.
         idle: U64,
         /// Tests of one packet with one object.
         tests_made: U64,
-        /// Such tests that were found needless.
+        /// Such tests that were left out as unnecessary.
         tests_skipped: U64,
-        /// Of `tests_made`, those after which a hit was looked for.
+        /// Those of `tests_made` after which the SPU looked for a hit.
         hits_looked_for: U64,
-        /// Tiles that nothing can be seen in: filled.
+        /// Tiles in which nothing can be seen: filled.
         tiles_empty: U64,
         /// Of these, those that showed the background before: nothing was sent.
         tiles_blank: U64,
-        /// Packets that nothing can be seen in, those of such tiles too: filled.
+        /// Packets in which nothing can be seen, including those of such tiles: filled.
         packets_empty: U64,
         /// Tests left out because all of a packet's rays had hit something nearer.
         tests_hidden: U64,
@@ -190,11 +190,11 @@ record! {
         ticks_isect: U64,
         /// Ticks spent shading and packing pixels.
         ticks_shade: U64,
-        /// Rays that mirrors have sent on.
+        /// Reflected rays.
         reflected: U64,
-        /// Rays that were let through.
+        /// Refracted rays.
         refracted: U64,
-        /// Rays to lights.
+        /// Shadow rays.
         shadow: U64,
         /// Eye, reflected and refracted rays that hit something.
         hits: U64,

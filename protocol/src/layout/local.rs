@@ -1,4 +1,4 @@
-//! Records in local store by which eye rays are traced to spheres.
+//! Records in local store by which primary rays are traced to spheres.
 
 use zerocopy::big_endian::{F32, U32};
 use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
@@ -6,7 +6,7 @@ use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 use super::{Field, Record};
 
 record! {
-    /// Local store: sixteen eye rays and what they have hit; arrays of 16 in rows of four.
+    /// Local store: sixteen primary rays and what they have hit; arrays of 16 in rows of four.
     Packet as "PACKET" {
         /// Unit directions, x.
         direction_x: [F32; 16],
@@ -16,7 +16,7 @@ record! {
         direction_z: [F32; 16],
         /// Distance of the nearest hit so far; the largest single if none.
         t: [F32; 16],
-        /// Address of the record of the object hit; of the background's if none.
+        /// Address of the record of the object that was hit; of the background's if none was.
         object: [U32; 16],
     }
 }
@@ -34,7 +34,7 @@ record! {
 }
 
 record! {
-    /// Local store: a packet of the group at hand, and where its pixels go.
+    /// Local store: a packet of the current group, and the place of its pixels.
     Place as "PLACE" {
         /// Address of the packet.
         packet: U32,
@@ -48,7 +48,7 @@ record! {
 }
 
 record! {
-    /// Local store: an object and a packet that is to be tested with it.
+    /// Local store: an object and a packet to test with it.
     Pair as "PAIR" {
         /// Address of the object's record.
         object: U32,
@@ -94,7 +94,7 @@ record! {
 }
 
 record! {
-    /// Local store: how three quadwords of colour bytes become the framebuffer's words.
+    /// Local store: shuffles that turn three quadwords of colour bytes into the framebuffer's words.
     PixelShuffle as "PIXELS" {
         /// Takes red and green to their places in the word.
         red_green: [U32; 4],

@@ -1,35 +1,35 @@
-//! The work-unit layout: the one definition that the PPU program, the SPU assembler and
-//! `docs/work-unit.md` all follow.
+//! The work-unit layout: the single definition for the PPU program, the SPU assembler and
+//! `docs/work-unit.md`.
 //!
-//! All records are big-endian whatever the host, with the byte order in the field types.
-//! [`crate::assembler`] writes every size, offset and constant into `work_unit.inc` for the SPU's
-//! sources; a test compares the tables in the document.
+//! All records are big-endian on any host; the field types have that byte order.
+//! [`crate::assembler`] writes every size, offset and constant to `work_unit.inc` for the SPU's
+//! sources. A test compares the document's tables with it.
 
-/// A record's shape, as the assembler and the document see it.
+/// The description of a record, for the assembler and the document.
 #[derive(Clone, Copy, Debug)]
 pub struct Record {
-    /// Prefix of the assembler's names.
+    /// The prefix of the assembler's names.
     pub name: &'static str,
-    /// What the record is.
+    /// A description of the record.
     pub doc: &'static str,
     /// Bytes.
     pub size: usize,
-    /// All fields, in order.
+    /// The fields, in their order.
     pub fields: &'static [Field],
 }
 
-/// One field of a [`Record`].
+/// A field of a [`Record`].
 #[derive(Clone, Copy, Debug)]
 pub struct Field {
-    /// Name, in Rust as in the assembler.
+    /// The name in Rust and in the assembler.
     pub name: &'static str,
-    /// Type, as written here.
+    /// The type, as in the Rust source.
     pub kind: &'static str,
-    /// Bytes from the start of the record.
+    /// The offset from the start of the record in bytes.
     pub offset: usize,
     /// Bytes.
     pub size: usize,
-    /// What it says.
+    /// A description of the field.
     pub doc: &'static str,
 }
 
@@ -48,7 +48,7 @@ macro_rules! record {
         }
 
         impl $name {
-            /// Shape of the record.
+            /// The description of the record.
             pub const RECORD: Record = Record {
                 name: $prefix,
                 doc: $doc,
@@ -69,7 +69,7 @@ macro_rules! constants {
     ( $( #[doc = $doc:literal] $name:ident = $value:expr; )* ) => {
         $( #[doc = $doc] pub const $name: u32 = $value; )*
 
-        /// Every constant above: name, value, meaning.
+        /// All constants above: name, value, description.
         pub const CONSTANTS: &[(&str, u32, &str)] = &[ $( (stringify!($name), $name, $doc), )* ];
     };
 }
@@ -113,19 +113,19 @@ constants! {
     TILE_HEIGHT = 16;
     /// Pixels across and down a group: sixteen packets of 4x4 rays that are culled together.
     GROUP_SIDE = 16;
-    /// Most tiles of a work unit: what its line has room for.
+    /// Most tiles of a work unit: its line has no room for more.
     UNIT_TILES = 31;
-    /// With a tile's number in a unit: the framebuffer shows the background there. With a tile's cost: it does now.
+    /// Flag. With a tile's number in a unit: the framebuffer shows the background there. With a tile's cost: it shows the background now.
     TILE_BLANK = 0x8000_0000;
     /// Largest position of a colour channel in the pixel word.
     MAX_SHIFT = 24;
     /// Most bytes of one DMA transfer.
     MAX_TRANSFER = 16384;
-    /// Where in local store the buffers begin that depth shading and Whitted's model each use in their way.
+    /// Address in local store of the buffers that depth shading and Whitted's model each use in their own way.
     ARENA_ADDRESS = 0x1b600;
-    /// Where in local store the scene of Whitted's model lies: first the background's `OBJECT`.
+    /// Address in local store of the scene of Whitted's model, which begins with the background's `OBJECT`.
     SCENE_ADDRESS = 0x2e000;
-    /// Bytes for the scene and the rays that wait.
+    /// Bytes for the scene and the waiting rays.
     SCENE_ROOM = 0x10f80;
     /// Most objects of one shape.
     MAX_OBJECTS = 1024;
@@ -135,43 +135,43 @@ constants! {
     MAX_ROOTS = 4;
     /// Most levels of nodes.
     MAX_LEVELS = 6;
-    /// Most rays in a chain, the eye's counted.
+    /// Most rays in a chain, including the primary ray.
     MAX_DEPTH = 16;
     /// Most packets that are traced together.
     MAX_BATCH = 8;
-    /// Which of the frame's trees has spheres.
-    TREE_BALLS = 0;
-    /// Which has parallelograms.
-    TREE_RECTANGLES = 1;
-    /// Which has triangles.
-    TREE_TRIANGLES = 2;
-    /// Which has cones.
-    TREE_CONES = 3;
+    /// Index of the tree of spheres in the frame's `trees`.
+    BVH_SPHERES = 0;
+    /// Index of the tree of parallelograms.
+    BVH_RECTANGLES = 1;
+    /// Index of the tree of triangles.
+    BVH_TRIANGLES = 2;
+    /// Index of the tree of cones.
+    BVH_CONES = 3;
     /// Trees of a frame.
     TREES = 4;
     /// In `sides`: both sides are seen.
     SIDES_BOTH = 0x4000_0000;
-    /// In `sides`: of a sphere or cone, only where a ray leaves it.
+    /// In `sides`: a sphere or cone is hit only where a ray leaves it.
     SIDES_EXIT = 0x8000_0000;
     /// In `sides`: a triangle with normals at its vertices.
     SIDES_SMOOTH = 0x2000_0000;
-    /// In `flags` of a material: something is let through.
+    /// In `flags` of a material: it transmits light.
     MATERIAL_TRANSMITS = 1;
-    /// In `flags`: something is reflected.
+    /// In `flags`: it reflects light.
     MATERIAL_MIRRORS = 2;
-    /// In `flags`: it shows the light of lights.
+    /// In `flags`: it is lit by lights.
     MATERIAL_LIT = 4;
     /// In `flags`: it has a highlight.
     MATERIAL_SHINES = 8;
     /// In `flags`: it has a shader of its own.
     MATERIAL_SHADED = 16;
-    /// With the status `Shader`, times 256: there is no shader of this number; the number times 2^24, at most 255.
+    /// With the status `Shader`, times 256: no shader has this number. Added to it is the number times 2^24, at most 255.
     RULE_KNOWN = 1;
-    /// The same: the shader changed a register; its number times 2^16.
+    /// The same: the shader changed a register. Added to it is the register's number times 2^16.
     RULE_REGISTER = 2;
-    /// The same: it wrote below its stack.
+    /// The same: the shader wrote below its stack.
     RULE_STACK = 3;
-    /// The same: it changed a surface that it is not to shade.
+    /// The same: the shader changed a surface that it was not to shade.
     RULE_LANES = 4;
 }
 
@@ -207,7 +207,7 @@ pub const RECORDS: &[Record] = &[
     Material::RECORD,
     Light::RECORD,
     Node::RECORD,
-    Tree::RECORD,
+    Bvh::RECORD,
     RayPacket::RECORD,
     QueuedRay::RECORD,
     Bound::RECORD,
@@ -220,14 +220,15 @@ pub const RECORDS: &[Record] = &[
 
 macro_rules! statuses {
     ( $( #[doc = $doc:literal] $name:ident = $value:literal, $field:literal; )* ) => {
-        /// An SPU's answer to a frame: 0, or what it refused.
+        /// An SPU's answer to a frame: 0, or the rule that the frame breaks.
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum Status {
             $( #[doc = $doc] $name = $value, )*
         }
 
         impl Status {
-            /// Every status: assembler's name, status, the field that it is about, rule.
+            /// All statuses: the assembler's name, the status, the field that it concerns, the
+            /// rule.
             pub const ALL: &[(&str, Status, &str, &str)] =
                 &[ $( (stringify!($name), Status::$name, $field, $doc), )* ];
         }

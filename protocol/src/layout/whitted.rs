@@ -10,7 +10,7 @@ use zerocopy::{FromBytes, Immutable, IntoBytes, KnownLayout, Unaligned};
 use super::{Field, Record};
 
 record! {
-    /// How every object begins: its surface near any of its points, whatever its shape.
+    /// The beginning of every object: its surface near any of its points, in one form for all shapes.
     Object as "OBJECT" {
         /// Centre of a sphere, base of a cone, a point of a plane: x, y, z.
         centre: [F32; 3],
@@ -22,7 +22,7 @@ record! {
         slope: F32,
         /// Radius of a sphere, gain times radius at the base for a cone, with the sign of gain; 0 for a plane.
         offset: F32,
-        /// What the object's own numbers add to `leave` of `SURFACES`.
+        /// The part of `leave` in `SURFACES` that comes from the object's own numbers.
         leave: F32,
         /// Address of its `MATERIAL`.
         material: U32,
@@ -34,7 +34,7 @@ record! {
 record! {
     /// A parallelogram: follows its `OBJECT`, whose centre is a corner.
     Rectangle as "RECT" {
-        /// The head.
+        /// The common beginning.
         object: [U32; 12],
         /// With u 1 along the first edge and 0 along the second: u = dual_u . (point - corner).
         dual_u: [F32; 4],
@@ -46,7 +46,7 @@ record! {
 record! {
     /// A triangle: follows its `OBJECT`. With `SIDES_SMOOTH` the normals of its vertices follow it.
     Triangle as "TRI" {
-        /// The head.
+        /// The common beginning.
         object: [U32; 12],
         /// First vertex: x, y, z, 0.
         a: [F32; 4],
@@ -74,7 +74,7 @@ record! {
 record! {
     /// A cone or cylinder without its discs: follows its `OBJECT`, whose axis points to the apex.
     Cone as "CONE" {
-        /// The head.
+        /// The common beginning.
         object: [U32; 12],
         /// Radius at the base, not negative.
         radius: F32,
@@ -88,7 +88,7 @@ record! {
 }
 
 record! {
-    /// What a surface is made of.
+    /// The material of a surface.
     Material as "MATERIAL" {
         /// Colour: red, green, blue.
         colour: [F32; 3],
@@ -100,7 +100,7 @@ record! {
         exponent: F32,
         /// Share that is reflected as by a mirror.
         mirror: F32,
-        /// Share that is let through, T.
+        /// Share that is transmitted, T.
         transmittance: F32,
         /// One over the index of refraction.
         inverse_index: F32,
@@ -108,13 +108,13 @@ record! {
         index: F32,
         /// Schlick's F0; 0 where transmitting surfaces shall not reflect.
         schlick: F32,
-        /// 1 - F0; 0 likewise.
+        /// 1 - F0; 0 where transmitting surfaces shall not reflect.
         grazing: F32,
-        /// What it sends of itself: red, green, blue.
+        /// Light that it emits: red, green, blue.
         emission: [F32; 3],
         /// `MATERIAL_` bits.
         flags: U32,
-        /// For the shader.
+        /// Parameters of the shader.
         parameters: [F32; 4],
         /// Entry of the shader, in `SHADER_` order.
         shader: U32,
@@ -126,19 +126,19 @@ record! {
 record! {
     /// A light.
     Light as "LIGHT" {
-        /// Where it stands, or with `directional` the unit direction to it: x, y, z.
+        /// Position, or with `directional` the unit direction to the light: x, y, z.
         position: [F32; 3],
         /// All ones if it is infinitely far, else 0.
         directional: U32,
         /// Brightness: red, green, blue.
         brightness: [F32; 3],
-        /// How near to it shadow rays end, and with what slack: see `bound_fan_r16`.
+        /// Distance from the light at which shadow rays end, and its slack: see `bound_fan_r16`.
         near: F32,
     }
 }
 
 record! {
-    /// Four bounding spheres of what is below them in the tree. A lane that holds nothing has minus the largest single for a radius.
+    /// Four bounding spheres, each around everything below it in the tree. An empty lane has minus the largest single as its radius.
     Node as "NODE" {
         /// Centres, x.
         x: [F32; 4],
@@ -148,17 +148,17 @@ record! {
         z: [F32; 4],
         /// Radii, with the rounding of the test.
         radius: [F32; 4],
-        /// Addresses of nodes, or at the lowest level of objects.
+        /// Addresses of nodes or, at the lowest level, of objects.
         child: [U32; 4],
     }
 }
 
 record! {
     /// Objects of one shape, under nodes.
-    Tree as "TREE" {
-        /// Address of the first of the nodes at the top, which follow one another; with no level, of objects.
+    Bvh as "BVH" {
+        /// Address of the first node at the top of the tree, which the others follow; without levels, of the first object.
         roots: U32,
-        /// How many of them; 0 if there is no object.
+        /// Number of these nodes or objects; 0 if there is no object.
         root_count: U32,
         /// Levels of nodes.
         levels: U32,
@@ -182,11 +182,11 @@ record! {
         direction_y: [F32; 16],
         /// Unit directions, z.
         direction_z: [F32; 16],
-        /// The farthest distance that counts, then the nearest hit's; -1 for a ray that is not there.
+        /// The farthest distance that counts, later that of the nearest hit; -1 in a lane without a ray.
         t: [F32; 16],
-        /// Address of the record of the object hit; of the background's if none.
+        /// Address of the record of the object that was hit; of the background's if none was.
         object: [U32; 16],
-        /// Share that the ray's colour has in its pixel's.
+        /// Weight of the ray's colour in its pixel.
         weight: [F32; 16],
         /// Address of its pixel's sum: a quadword of red, green, blue, anything.
         pixel: [U32; 16],
@@ -198,7 +198,7 @@ record! {
     QueuedRay as "QUEUED" {
         /// Origin: x, y, z.
         origin: [F32; 3],
-        /// Share that the ray's colour has in its pixel's.
+        /// Weight of the ray's colour in its pixel.
         weight: F32,
         /// Unit direction: x, y, z.
         direction: [F32; 3],
@@ -208,7 +208,7 @@ record! {
 }
 
 record! {
-    /// Local store: what a packet's rays are within, a ball moved along a cone; every value in all four lanes, the last fields but once.
+    /// Local store: the volume that holds a packet's rays, a sphere moved along a cone. Every value is in all four lanes, except in the last fields.
     Bound as "BOUND" {
         /// Middle of the rays' origins, x.
         apex_x: [F32; 4],
@@ -216,7 +216,7 @@ record! {
         apex_y: [F32; 4],
         /// The same, z.
         apex_z: [F32; 4],
-        /// Unit vector about which the directions are, x; 0 if they go every way.
+        /// Axis of the directions, a unit vector, x; 0 if they go every way.
         axis_x: [F32; 4],
         /// The same, y.
         axis_y: [F32; 4],
@@ -230,9 +230,9 @@ record! {
         radius: [F32; 4],
         /// Largest distance that a ray counts to.
         farthest: [F32; 4],
-        /// The middle once more: x, y, z, anything.
+        /// The middle again: x, y, z, anything.
         apex: [F32; 4],
-        /// The vector once more: x, y, z, anything.
+        /// The axis again: x, y, z, anything.
         axis: [F32; 4],
         /// Sine, radius, anything, anything.
         limits: [F32; 4],
@@ -240,7 +240,7 @@ record! {
 }
 
 record! {
-    /// Local store: a node or an object, and a packet that is to be tested with it.
+    /// Local store: a node or an object, and a packet to test with it.
     Candidate as "CANDIDATE" {
         /// Address of the node's or the object's record.
         object: U32,
@@ -278,7 +278,7 @@ record! {
 }
 
 record! {
-    /// Local store: where sixteen rays have hit, and what the surface is there. Of a ray that hits nothing it is the background.
+    /// Local store: the points that sixteen rays have hit, and the surfaces there. For a ray that hits nothing this is the background.
     Surfaces as "SURFACES" {
         /// Points on the surfaces, x.
         point_x: [F32; 16],
@@ -286,19 +286,19 @@ record! {
         point_y: [F32; 16],
         /// Points, z.
         point_z: [F32; 16],
-        /// Unit normals that shade, on the ray's side, x.
+        /// Shading normals, unit vectors on the ray's side, x.
         normal_x: [F32; 16],
         /// The same, y.
         normal_y: [F32; 16],
         /// The same, z.
         normal_z: [F32; 16],
-        /// Unit normals of the surfaces themselves, on the ray's side, x.
+        /// Normals of the surfaces themselves, unit vectors on the ray's side, x.
         plane_x: [F32; 16],
         /// The same, y.
         plane_y: [F32; 16],
         /// The same, z.
         plane_z: [F32; 16],
-        /// How far off the surface a ray has to start, so that it does not meet it again.
+        /// Distance from the surface at which a ray must start, so that it does not meet it again.
         leave: [F32; 16],
         /// Colour, red.
         red: [F32; 16],
@@ -314,7 +314,7 @@ record! {
         exponent: [F32; 16],
         /// Share that is reflected.
         mirror: [F32; 16],
-        /// Share that is let through.
+        /// Share that is transmitted.
         transmittance: [F32; 16],
         /// Index of refraction on the ray's side over that beyond.
         ratio: [F32; 16],
@@ -322,7 +322,7 @@ record! {
         schlick: [F32; 16],
         /// 1 - F0, or 0.
         grazing: [F32; 16],
-        /// What is sent back along the ray so far, red.
+        /// Light sent back along the ray so far, red.
         lit_red: [F32; 16],
         /// The same, green.
         lit_green: [F32; 16],
@@ -330,13 +330,13 @@ record! {
         lit_blue: [F32; 16],
         /// Address of the material.
         material: [U32; 16],
-        /// All bits that a ray's material and object have: `MATERIAL_` and `SIDES_` bits of any lane, in the first word.
+        /// The `MATERIAL_` and `SIDES_` bits that the material or object of any lane has, in the first word.
         flags: [U32; 4],
     }
 }
 
 record! {
-    /// Local store: a packet of hits that is to be lit.
+    /// Local store: a packet of hits to light.
     Site as "SITE" {
         /// Address of the `SURFACES`.
         surfaces: U32,
@@ -350,7 +350,7 @@ record! {
 }
 
 record! {
-    /// Local store: what shaders are told of the frame.
+    /// Local store: the data of the frame that shaders get.
     ShaderContext as "SHADING" {
         /// The eye in the scene's coordinates: x, y, z, 0. Points are relative to it.
         eye: [F32; 4],

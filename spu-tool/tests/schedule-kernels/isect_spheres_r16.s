@@ -1,4 +1,4 @@
-# isect_spheres_r16   nearest entry of sixteen eye rays into the spheres of an array
+# isect_spheres_r16   nearest entry of sixteen primary rays into the spheres of an array
 #   C       void isect_spheres_r16(struct packet *, const struct eye_sphere *, int count,
 #                                  int object);
 #   In      $3 packet, $4 spheres, $5 count (0 is none), $6 object number of the first;
@@ -11,8 +11,8 @@
 #   l = c - b d         from there to the centre
 #   disc = r^2 - l.l    below 0: the ray passes by
 #   t = b - sqrt(disc)  the entry; behind the eye: no hit (an opaque sphere has no inside)
-# The perpendicular l keeps the digits that the b^2 - c of a distant sphere loses (Hearn and Baker).
-# There is no NaN that a compare could fail on, so disc < 0 is looked for.
+# The perpendicular l keeps the digits that the b^2 - c of a distant sphere loses (Hearn and
+# Baker). There is no NaN that a compare could fail on, so disc < 0 is looked for.
 
         .include "kernel.inc"
 

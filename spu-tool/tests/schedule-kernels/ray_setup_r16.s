@@ -1,4 +1,4 @@
-# ray_setup_r16   sixteen unit eye rays through the centres of 4x4 pixels, nothing hit yet
+# ray_setup_r16   sixteen unit primary rays through the centres of 4x4 pixels, nothing hit yet
 #   C       void ray_setup_r16(const struct basis *, int x, int y, struct packet *);
 #   In      $3 basis, $4 x and $5 y of the top left pixel, $6 packet; pointers 16-aligned
 #   Out     packet: direction, t, object

@@ -1,4 +1,4 @@
-# A batch of rays: what they hit, how it looks there, what they send on.
+# A batch of rays: their hits, the shading there, and their secondary rays.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -8,7 +8,7 @@
         .section .bss
         .align  4
         .global batch_flags
-batch_flags:                            # all flags of all surfaces
+batch_flags:                            # the flags of all surfaces, combined
         .skip   16
 
         .set    amount,10
@@ -31,7 +31,7 @@ function batch_trace
         ila     $3,arena+BATCH_RAYS
         ori     $4,$w_count,0
         ceqi    $5,$w_depth,1
-        sfi     $5,$5,-1                                # rays of depth 1 come from the eye
+        sfi     $5,$5,-1                                # rays of depth 1 start at the eye
 trace_call:
         brsl    $lr,packets_trace
 
@@ -44,7 +44,7 @@ trace_call:
         and     $wanted,$wanted,$flags
         brz     $wanted,shaded
         brsl    $lr,batch_shade
-        # A shader may have made more of a surface than its material is.
+        # A shader may have added flags to a surface that its material doesn't have.
         brsl    $lr,flags_gather
         stqa    $flags,batch_flags
 shaded:
@@ -73,7 +73,7 @@ sum_call:
         leave
 endfunction batch_trace
 
-# flags_gather   all flags of the batch's surfaces
+# flags_gather   combines the flags of all surfaces of the batch
 #   Out     $14
 #   Uses    $14-$25
 function flags_gather
@@ -104,8 +104,8 @@ whole_batch:
         bi      $lr
 endfunction flags_gather
 
-# surfaces_make   what the batch has hit; packets that have hit one object each have a shorter
-# kernel
+# surfaces_make   makes the surfaces that the batch has hit; packets that have hit only one object
+# have a shorter kernel
 #   Out     BATCH_SURFACES
 #   Uses    $3-$79, w_left, w_sites, w_first, w_here
         .set    run,10
@@ -120,7 +120,7 @@ function surfaces_make
         ori     $4,$w_count,0
 same_call:
         brsl    $lr,same_objects_r16
-        # The bits of the packets that are left, the first in the sign; how many are in its run.
+        # The bits of the remaining packets, with the first in the sign, and the length of its run.
         sfi     $run,$w_count,32
         shl     $w_sites,$3,$run
         il      $w_first,0
@@ -158,7 +158,7 @@ sent:   sum_lanes $3,$amount
         leave
 endfunction surfaces_make
 
-# batch_shade   smooth normals and shaders, packet by packet where there are any
+# batch_shade   applies smooth normals and shaders, to the packets that have any
 #   Uses    $3-$79, w_left
 
 .macro  packet_and_surfaces

@@ -1,5 +1,5 @@
-# What a batch of rays sends on: rays of the next depth, refracted ones first, then reflected ones,
-# so that each kind stays together.
+# The secondary rays of a batch: refracted rays first, then reflected ones, so that each kind stays
+# together.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -18,7 +18,7 @@ bounce_from:                            # where the rays of the next depth begin
         .set    depth,14
         .set    c_end,15
 
-# The flag's packets are sent on by a kernel, and counted.
+# Calls a kernel for the packets with a flag, and counts the secondary rays.
 .macro  send_on kernel:req, flag:req, counter:req
         lqa     $amount,batch_flags
         andi    $amount,$amount,\flag
@@ -50,7 +50,7 @@ bounce_from:                            # where the rays of the next depth begin
 none_\@:
 .endm
 
-# batch_bounce   sends on what the surfaces of the batch reflect and let through
+# batch_bounce   sends the reflected and refracted rays of the batch's surfaces
 #   Uses    $3-$79, w_sites
 function batch_bounce
         enter

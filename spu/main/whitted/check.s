@@ -1,4 +1,4 @@
-# What a frame by Whitted's model says of its scene: everything that could lead astray.
+# Checks the fields of a frame that describe the scene of Whitted's model.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -9,7 +9,7 @@
         .set    NEXT,15
         registers a_frame,value,limit,bad,a_tree,left,quad,scene_bytes,batch
 
-# Leaves unless a word of the tree, less `least`, is below `most`, unsigned.
+# Refuses the frame unless a word of the tree, minus `least`, is below `most`, unsigned.
 .macro  require_of_tree word:req, least:req, most:req
         rotqbyi $value,$quad,\word
         ai      $value,$value,-(\least)
@@ -18,7 +18,7 @@
         refuse_if $bad,Trees
 .endm
 
-# whitted_check   whether the frame can be traced by Whitted's model
+# whitted_check   checks whether the frame can be traced by Whitted's model
 #   In      $15 address of the frame
 #   Out     $3 STATUS_ value
 #   Uses    $3, $16-$23
@@ -43,7 +43,7 @@ function whitted_check
         a       $limit,$limit,$value
         clgt    $bad,$limit,$scene_bytes                # where they end
         refuse_if $bad,LightCount
-        # Three batches wait at most at each depth from the second on.
+        # At most three batches are queued at each depth from the second on.
         load_word $batch,FRAME_batch,$a_frame
         load_word $value,FRAME_ray_depth,$a_frame
         ai      $value,$value,-1
@@ -59,11 +59,11 @@ function whitted_check
         il      $left,TREES
 next_tree:
         lqd     $quad,0($a_tree)
-        rotqbyi $value,$quad,TREE_objects
+        rotqbyi $value,$quad,BVH_objects
         brz     $value,none
-        require_of_tree TREE_objects,1,MAX_OBJECTS
-        require_of_tree TREE_root_count,1,MAX_ROOTS
-        require_of_tree TREE_levels,0,MAX_LEVELS+1
+        require_of_tree BVH_objects,1,MAX_OBJECTS
+        require_of_tree BVH_root_count,1,MAX_ROOTS
+        require_of_tree BVH_levels,0,MAX_LEVELS+1
         ila     $value,SCENE_ADDRESS
         sf      $value,$value,$quad                     # of the roots
         clgt    $bad,$scene_bytes,$value
@@ -71,7 +71,7 @@ next_tree:
         refuse_if $bad,Trees
         andi    $bad,$value,15
         refuse_if $bad,Trees
-none:   ai      $a_tree,$a_tree,TREE_SIZE
+none:   ai      $a_tree,$a_tree,BVH_SIZE
         ai      $left,$left,-1
         brnz    $left,next_tree
         il      $status,STATUS_Done

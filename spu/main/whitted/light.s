@@ -1,4 +1,4 @@
-# The light of lights on the surfaces of a batch.
+# The light of all lights on the surfaces of a batch.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -17,9 +17,8 @@
 pair:   .int    0x00010203,0x10111213,0x80808080,0x80808080
 third:  .int    0x00010203,0x04050607,0x10111213,0x80808080
 
-# sites_list   lists those surfaces of the batch whose flags have some of a mask's bits and some
-# value
-#   In      $3 where the sites go, $4 mask, $5 what the flags are to be with it, $6 packet of
+# sites_list   lists the surfaces of the batch whose flags, masked, have a given value
+#   In      $3 where the sites go, $4 mask, $5 the masked flags' value, $6 packet of
 #           shadow rays of the first site
 #   Out     $3 behind the last site
 #   Uses    $3, $6, $14-$22
@@ -52,14 +51,14 @@ last_surfaces:
         bi      $lr
 endfunction sites_list
 
-# batch_light   adds every light's light
+# batch_light   adds the light of every light
 #   Uses    $3-$79, w_sites, w_shining, w_light
         .set    lights,10
         .set    end,11
 
 function batch_light
         enter
-        # Those with highlights first: the others have a shorter kernel.
+        # Surfaces with highlights come first; the others have a shorter kernel.
         il      $w_shining,0
         ila     $a_site,arena+BATCH_SITES
         il      $mask,MATERIAL_LIT|MATERIAL_SHINES
@@ -112,7 +111,7 @@ rays_call:
         ori     $4,$w_sites,0
         load_word $5,LIGHT_directional,$w_light
         andc    $lights,$w_light,$5
-        or      $5,$lights,$5                           # -1 if it is infinitely far
+        or      $5,$lights,$5                           # -1 if the light is infinitely far away
 trace_call:
         brsl    $lr,packets_trace
 unshadowed:

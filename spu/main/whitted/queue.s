@@ -1,8 +1,8 @@
-# Rays that wait to be traced, a queue for each depth from the second on.
+# The queues of rays that wait to be traced, one for each depth from the second on.
 #
-# Its room is proved: rays come to a depth only while the depth before it is traced, and that is
-# done only when no depth behind it has a whole batch. So there are less than a batch then, and a
-# batch sends on at most two rays each of its own: a queue never has three batches.
+# A queue can't overflow: rays are added to it only while the previous depth is traced, and that is
+# done only when no greater depth has a whole batch. So the queue has less than a batch then, and
+# each ray of a batch sends at most two rays. So a queue always has less than three batches.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -12,10 +12,10 @@
         .section .bss
         .align  4
         .global queue_counts
-queue_counts:                           # by depth, a quadword each: rays that wait
+queue_counts:                           # a quadword for each depth: the number of queued rays
         .skip   (MAX_DEPTH+2)*16
-queues: .skip   16                      # address of the second depth's queue
-queue_bytes:                            # of each
+queues: .skip   16                      # the address of the second depth's queue
+queue_bytes:                            # the bytes of each queue
         .skip   16
 deepest:
         .skip   16
@@ -25,7 +25,7 @@ deepest:
         .set    zero,12
         .set    a_frame,13
 
-# queues_prepare   sets up empty queues behind the scene
+# queues_prepare   sets up empty queues after the scene
 #   Out     w_most
 #   Uses    $10-$13
 function queues_prepare
@@ -50,7 +50,7 @@ function queues_prepare
         bi      $lr
 endfunction queues_prepare
 
-# queue_full   the greatest depth with a whole batch of rays
+# queue_full   finds the greatest depth with a whole batch of rays
 #   Out     $3 depth; 0 if there is none
 #   Uses    $3, $10-$13
         .set    a_count,10
@@ -74,7 +74,7 @@ none_full:
         bi      $lr
 endfunction queue_full
 
-# queue_rest   the least depth at which rays wait
+# queue_rest   finds the least depth with queued rays
 #   Out     $3 depth; 0 if there is none
 #   Uses    $3, $10-$13
         .set    t_deepest,13
@@ -96,7 +96,7 @@ none_rest:
         bi      $lr
 endfunction queue_rest
 
-# queue_end   where the next ray of a depth goes
+# queue_end   finds the address for the next ray of a depth
 #   In      $3 depth, from 2 on
 #   Out     $3 address, $4 address of its count
 #   Uses    $3-$4, $10-$12
@@ -119,7 +119,7 @@ function queue_end
         bi      $lr
 endfunction queue_end
 
-# queue_take   takes the last batch of rays of a depth
+# queue_take   takes the last batch of rays of a depth out of its queue
 #   In      $3 depth
 #   Out     BATCH_RAYS, w_count
 #   Uses    $3-$79

@@ -1,4 +1,4 @@
-# What shaders are told of the frame.
+# The shaders' context: the frame's data for shaders.
 
         .include "work_unit.inc"
         .include "macros.inc"

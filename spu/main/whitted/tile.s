@@ -1,5 +1,5 @@
-# A tile by Whitted's model: its eye rays are traced batch by batch, and what they send on as soon
-# as there is a whole batch of it.
+# A tile by Whitted's model. Its primary rays are traced batch by batch, and their secondary rays
+# as soon as there is a whole batch of them.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -9,7 +9,7 @@
         .set    NEXT,10
         registers a_sum,zero,left,amount
 
-# whitted_tile   makes the pixels of the tile at hand
+# whitted_tile   makes the current tile's pixels
 #   Uses    $3-$79, the tile's and Whitted's driver registers
 function whitted_tile
         enter
@@ -63,12 +63,12 @@ late:   brsl    $lr,times_add
         br      in_time
 endfunction whitted_tile
 
-# eye_places   lists the packets of the tile at hand
+# eye_places   lists the packets of the current tile
 #   Out     EYE_PLACES, w_eye_next, w_eye_left
 #   Uses    $10-$25
 #
-# Column by column, so that what a batch sends on comes from pixels that are near one another. The
-# rays' packets take turns with the places.
+# They are listed column by column, so that a batch's secondary rays come from pixels that are near
+# each other. The rays' packets alternate with the places.
         .set    a_place,14
         .set    place,15
         .set    step,16
@@ -106,7 +106,7 @@ function eye_places
         shufb   $place,$g_tile_y,$place,$m_word
         lqa     $step,next_row_step
         lqa     $column_step,next_column_step
-        # A batch's packets, and where they end: in the first word alone.
+        # A batch's packets and their end, only in the first word.
         fsmbi   $m_word,0xf000
         rotmi   $batch_back,$w_most,-4
         mpyi    $batch_back,$batch_back,RAYS16_SIZE/16
@@ -128,7 +128,7 @@ next_row:
         sf      $place,$c_end,$place
 last_row:
         brnz    $row,next_row
-        # The next column begins at the top; the packets go on.
+        # The next column begins at the top, with the next packet.
         a       $column,$column,$column_step
         selb    $place,$column,$place,$m_word
         ai      $columns,$columns,-1
@@ -136,7 +136,7 @@ last_row:
         bi      $lr
 endfunction eye_places
 
-# eye_take   makes the next batch of eye rays
+# eye_take   makes the next batch of primary rays
 #   Out     BATCH_RAYS, w_count
 #   Uses    $3-$79, w_eye_next, w_eye_left
         .set    t_c,10
@@ -155,6 +155,6 @@ function eye_take
         ila     $6,SCENE_ADDRESS
         ori     $7,$g_width,0
         ori     $8,$g_height,0
-        brsl    $lr,eye_rays_r16
+        brsl    $lr,primary_rays_r16
         leave
 endfunction eye_take

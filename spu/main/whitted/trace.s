@@ -1,5 +1,5 @@
-# What packets of rays hit: for each shape its tree is gone down level by level with all packets
-# together, then the objects are tested.
+# Finds the hits of packets of rays. For each kind of primitive, the tree is traversed level by
+# level with all packets together, and then the primitives are tested.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -8,33 +8,33 @@
 
         .set    NODE_LIST_BYTES,(MAX_NODES+LIST_MARGIN)*CANDIDATE_SIZE
 
-# How a tree is gone through: worked out once a frame, for trees that hold anything.
-        .set    PLAN_candidates,0                       # what is at the top, with every packet of BATCH_RAYS
-        .set    PLAN_at_once,4                          # packets whose candidates have room
+# The plan for traversing a tree, made once a frame for every tree that isn't empty.
+        .set    PLAN_candidates,0                       # the tree's top with BATCH_RAYS' packets
+        .set    PLAN_at_once,4                          # packets whose candidates fit the lists
         .set    PLAN_levels,8
-        .set    PLAN_test,12                            # address of the kernel
-        .set    PLAN_roots,16                           # how many are at the top
+        .set    PLAN_test,12                            # the address of the kernel
+        .set    PLAN_roots,16                           # how many nodes or objects are at the top
         .set    PLAN_objects,20
-        .set    PLAN_flat,24                            # whether its objects are
-        .set    PLAN_eye_test,28                        # the kernel for the eye's rays
+        .set    PLAN_flat,24                            # whether its objects are flat
+        .set    PLAN_eye_test,28                        # the kernel for primary rays
         .set    PLAN_SIZE,32
-# The same with the packets of SHADOW_RAYS follow.
+# After these come the candidates with the packets of SHADOW_RAYS.
         .set    SHADOW_CANDIDATES,MAX_BATCH*MAX_ROOTS*CANDIDATE_SIZE
 
         .section .bss
         .align  4
 plans:  .skip   TREES*PLAN_SIZE
-plans_end:                              # address behind the last
+plans_end:                              # the address after the last plan
         .skip   16
-sheared:                                # objects that want their packets' shears
+sheared:                                # objects that need their packets' shears
         .skip   16
 next_list:
         .skip   16
-fan:                                    # whether the rays go through one point
+fan:                                    # whether all rays go through one point
         .skip   16
-of_eye:                                 # whether the rays are the eye's
+of_eye:                                 # whether the rays are primary rays
         .skip   16
-along:                                  # what cull_faces takes
+along:                                  # the input of cull_faces
         .skip   16
 
         .section .rodata
@@ -46,19 +46,19 @@ first_candidate:
 first_shadow:
         .int    0,arena+SHADOW_RAYS,arena+BATCH_BOUNDS,arena+BATCH_SHEARS
 eye:    .skip   LIGHT_SIZE                              # a LIGHT there
-# By tree: the test, the size of an object, whether it is flat, the test for the eye's rays.
+# For each tree: the test, the size of an object, whether it is flat, the test for primary rays.
 kernels:
         .int    isect_bounced_spheres,OBJECT_SIZE,0,isect_seen_spheres
         .int    isect_rectangle_pairs_r16,RECT_SIZE,1,isect_rectangle_pairs_r16
         .int    isect_triangles,TRI_SIZE,1,isect_triangles
         .int    isect_cone_pairs_r16,CONE_SIZE,0,isect_cone_pairs_r16
 
-# trees_plan   makes the plans of the frame's trees
+# bvhs_plan   makes the plans for the frame's trees
 #   Uses    $10-$38
         .set    a_tree,10
         .set    a_plan,11
         .set    a_kernel,12
-        .set    trees_left,13
+        .set    bvhs_left,13
         .set    tree,14
         .set    objects,15
         .set    at_once,16
@@ -80,7 +80,7 @@ kernels:
         .set    step,32
         .set    m_first,33
 
-# What is at the top of the tree at hand with MAX_BATCH packets, from one of the templates on.
+# Lists the top of the current tree with MAX_BATCH packets, from one of the templates on.
 .macro  list_candidates template:req
         lqa     $packet,\template
         shufb   $packet,$tree,$packet,$m_first
@@ -99,24 +99,24 @@ root_\@:
         brnz    $packets_left,packet_\@
 .endm
 
-function trees_plan
+function bvhs_plan
         ila     $a_tree,frame
         ai      $a_tree,$a_tree,FRAME_trees
-        lqd     $tree,TREE_SIZE*TREE_TRIANGLES($a_tree)
-        rotqbyi $tree,$tree,TREE_objects
+        lqd     $tree,BVH_SIZE*BVH_TRIANGLES($a_tree)
+        rotqbyi $tree,$tree,BVH_objects
         stqa    $tree,sheared
         ila     $a_plan,plans
         ila     $a_kernel,kernels
         ila     $a_list,arena+ROOT_LISTS
-        il      $trees_left,TREES
+        il      $bvhs_left,TREES
         rotmi   $most,$w_most,-4
         cwd     $m_first,0($sp)
         lqa     $step,packet_step
 next_plan:
         lqd     $tree,0($a_tree)
-        rotqbyi $objects,$tree,TREE_objects
+        rotqbyi $objects,$tree,BVH_objects
         brz     $objects,not_there
-        # So many packets at once that their candidates have room whatever is seen: one has.
+        # As many packets at once as always have room for their candidates; one packet always has.
         il      $at_once,1
         ori     $room,$objects,0
 another:
@@ -130,14 +130,14 @@ another:
         br      another
 as_many:
         lqd     $test,0($a_kernel)
-        rotqbyi $levels,$tree,TREE_levels
+        rotqbyi $levels,$tree,BVH_levels
         rotqbyi $root_step,$test,4
         ceqi    $c_room,$levels,0
         il      $room,NODE_SIZE
         selb    $root_step,$room,$root_step,$c_room
         fsmbi   $room,0xf000
         and     $root_step,$root_step,$room
-        rotqbyi $roots,$tree,TREE_root_count
+        rotqbyi $roots,$tree,BVH_root_count
         store_word $a_list,PLAN_candidates,$a_plan,$t_quad,$t_mask
         store_word $at_once,PLAN_at_once,$a_plan,$t_quad,$t_mask
         store_word $levels,PLAN_levels,$a_plan,$t_quad,$t_mask
@@ -157,13 +157,13 @@ as_many:
         a       $a_list,$a_list,$room
         ai      $a_plan,$a_plan,PLAN_SIZE
 not_there:
-        ai      $a_tree,$a_tree,TREE_SIZE
+        ai      $a_tree,$a_tree,BVH_SIZE
         ai      $a_kernel,$a_kernel,16
-        ai      $trees_left,$trees_left,-1
-        brnz    $trees_left,next_plan
+        ai      $bvhs_left,$bvhs_left,-1
+        brnz    $bvhs_left,next_plan
         stqa    $a_plan,plans_end
         bi      $lr
-endfunction trees_plan
+endfunction bvhs_plan
 
         .set    amount,10
         .set    t_sum,11
@@ -180,7 +180,7 @@ endfunction trees_plan
 #           they go
 #   Uses    $3-$79, w_packets, w_traced, w_plan, w_first, w_here, w_left
 #
-# Calls are hinted: with so few packets a call the misses would count.
+# Calls are hinted, because with so few packets for each call, mispredictions would matter.
 function packets_trace
         hbrr    bound_call,bound_fan_r16
         enter
@@ -200,7 +200,7 @@ function packets_trace
         ceqi    $counts,$5,0
         stqa    $counts,of_eye
         ila     $5,arena+BATCH_BOUNDS
-        # What the lists for these packets are off those for BATCH_RAYS.
+        # The distance of these packets' lists from those for BATCH_RAYS.
         ila     $w_packets,arena+BATCH_RAYS
         ceq     $w_packets,$w_packets,$3
         il      $w_left,SHADOW_CANDIDATES
@@ -210,7 +210,7 @@ bound_call:
         brsl    $lr,bound_fan_r16
         lqa     $counts,fan
         brz     $counts,from_all_over
-balls:  brz     $g_skip,open
+spheres: brz     $g_skip,open
 bounded:
         lqa     $c_more,sheared
         brnz    $c_more,shear
@@ -244,7 +244,7 @@ cull_call:
         ori     $3,$5,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
 found:
-        # Candidates are objects now.
+        # From here on the candidates are objects.
         lqd     $sizes,PLAN_roots($w_plan)
         rotqbyi $plan,$sizes,PLAN_flat-PLAN_roots
         brnz    $plan,flat
@@ -270,7 +270,7 @@ test_call:
         br      next_tree
 
 high_level:
-        # Nodes above nodes go from one list to the other.
+        # Candidates of nodes above other nodes go from one list to the other.
         ila     $5,arena+NODE_LISTS
         ila     $t_sum,arena+NODE_LISTS+NODE_LIST_BYTES
         ceq     $t_add,$5,$3
@@ -310,7 +310,7 @@ from_all_over:
         ori     $4,$w_traced,0
         ila     $5,arena+BATCH_BOUNDS
         brsl    $lr,bound_origins_r16
-        br      balls
+        br      spheres
 open:   brsl    $lr,bounds_open
         br      bounded
 shear:  ila     $3,arena+BATCH_RAYS
@@ -325,7 +325,7 @@ traced:
         leave
 endfunction packets_trace
 
-# bounds_open   bounds that hold everything, so that every ray is tested with every object
+# bounds_open   makes bounds that contain everything, so that every ray is tested with every object
 #   Uses    $10-$13
         .set    a_bound,10
         .set    zero,11

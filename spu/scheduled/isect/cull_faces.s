@@ -22,7 +22,7 @@
 # is seen from the front alone if all go with n, or all start behind. One with SIDES_BOTH is left
 # out if all go with n and start before it, or go against it and start behind.
 #
-# Rays that go against their bound's axis end in its ball: their ends' sides are the other ones,
+# Rays that go against their bound's axis end in its sphere: their ends' sides are the other ones,
 # and their directions too.
 # Scheduled by spu schedule from cull_faces.s
 

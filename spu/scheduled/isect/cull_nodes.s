@@ -6,7 +6,7 @@
 #           rest the node's; one more quadword may be written
 #           $3 behind the list
 #   Uses    $2-$50, $79   Saves  -   Stack  0   Calls  -
-#   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's ball
+#   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's sphere
 #           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
 #           less the largest single; distances from 2^-60 to 2^60
 #   Error   0: no child is left out that a ray of the packet meets, from inside or within its t
@@ -15,17 +15,17 @@
 # The four children stand in the four lanes. Seen from the bound's apex, with v = c - apex:
 #   a = v.axis                  along the cone
 #   perp = |v - a axis|         beside its axis
-#   S = R + radius              the rays, shrunk to the apex, meet a ball that has grown by as much
+#   S = R + radius              the rays, shrunk to the apex, meet a sphere that has grown by as much
 # and a child is left out if one of these is below 0:
 #   S - perp cosine + a sine    S less the distance from the cone's side
-#   S + a                       all of the ball is behind the apex
+#   S + a                       all of the sphere is behind the apex
 #   S + farthest - a            all of it is too far
-# The perpendicular keeps the digits of a distant ball. Of its length 12 bits are enough: the
+# The perpendicular keeps the digits of a distant sphere. Of its length 12 bits are enough: the
 # bound's cosine is less by as much.
 #
-# The slack is 32 ulp; the roundings add up to 24. Most truncate to the safe side: of the balls in
-# kernels/tests/rays/conservative.rs none was lost with a slack of 2 ulp of R alone, the first ones
-# when 2 ulp of |c| + R were taken away.
+# The slack is 32 ulp; the roundings add up to 24. Most truncate to the safe side: of the spheres
+# in kernels/tests/rays/conservative.rs none was lost with a slack of 2 ulp of R alone, the first
+# ones when 2 ulp of |c| + R were taken away.
 # Scheduled by spu schedule from cull_nodes.s
 
         .include "work_unit.inc"
@@ -44,7 +44,7 @@
         registers candidate,a_bound,child
         # the bound
         registers apex_x,apex_y,apex_z,axis_x,axis_y,axis_z,cosine,sine
-        registers ball                                  # the rays' radius
+        registers rays_radius                             # the rays' radius
         registers farthest
         # the children
         registers vx,vy,vz
@@ -67,11 +67,11 @@ function cull_nodes
         .set count_2,79; .set a_candidate_2,2; .set a_candidate_3,5; .set candidate_2,2
         .set candidate_3,5; .set a_bound_2,6; .set axis_y_2,7; .set axis_z_2,36; .set vx_2,9
         .set a_bound_3,8; .set vy_2,23; .set vz_2,24; .set along_2,17; .set axis_x_2,18
-        .set axis_y_3,26; .set axis_z_3,27; .set vx_3,19; .set ball_2,25; .set vy_3,20
-        .set ball_3,16; .set vz_3,29; .set reach_2,2; .set along_3,21; .set sine_2,30
+        .set axis_y_3,26; .set axis_z_3,27; .set vx_3,19; .set rays_radius_2,25; .set vy_3,20
+        .set rays_radius_3,16; .set vz_3,29; .set reach_2,2; .set along_3,21; .set sine_2,30
         .set reach_3,49; .set farthest_2,25; .set vx_4,31; .set apex_x_2,16; .set cosine_2,6
         .set sine_3,32; .set vz_4,34; .set vy_4,35; .set vy_5,7; .set apex_y_2,23; .set apex_z_2,37
-        .set beside_2,30; .set along_4,39; .set ball_4,40; .set near_2,41; .set reach_4,5
+        .set beside_2,30; .set along_4,39; .set rays_radius_4,40; .set near_2,41; .set reach_4,5
         .set perp_2,42; .set cosine_3,50; .set child_2,6; .set near_3,16; .set ahead_2,31
         .set vx_5,18; .set vy_6,26; .set axis_y_4,21; .set perp_3,7; .set vz_5,8; .set entry_2,19
         .set entry_3,46; .set perp_4,18; .set entry_4,48; .set ahead_3,20; .set perp_5,27
@@ -132,22 +132,22 @@ function cull_nodes
         nop     $127                                    # 33e pairing
         lqd     $axis_z_3,80($a_bound_3)                # 33o
         fs      $vx_3,$vx,$apex_x                       # 34e
-        lqd     $ball_2,128($a_bound_2)                 # 34o
+        lqd     $rays_radius_2,128($a_bound_2)          # 34o
         fs      $vy_3,$vy,$apex_y                       # 35e
         lqd     $reach,48($candidate)                   # 35o
         fma     $along,$vy_2,$axis_y_2,$along_2         # 36e
-        lqd     $ball_3,128($a_bound_3)                 # 36o
+        lqd     $rays_radius_3,128($a_bound_3)          # 36o
         fs      $vz_3,$vz,$apex_z                       # 37e
         lqd     $reach_2,48($candidate_2)               # 37o
         rotqbyi $a_bound,$candidate_3,8                 # 38o
         lqd     $farthest,144($a_bound_2)               # 39o
         fm      $along_3,$vx_3,$axis_x_2                # 40e
         lqd     $sine_2,112($a_bound_2)                 # 40o
-        fa      $reach_3,$reach,$ball_2                 # 41e
+        fa      $reach_3,$reach,$rays_radius_2          # 41e
         lqd     $farthest_2,144($a_bound_3)             # 41o
         fma     $along,$vz_2,$axis_z_2,$along           # 42e
         lqd     $vx_4,0($candidate_3)                   # 42o
-        fa      $reach_2,$reach_2,$ball_3               # 43e
+        fa      $reach_2,$reach_2,$rays_radius_3        # 43e
         lqd     $apex_x_2,0($a_bound)                   # 43o
         lqd     $cosine_2,96($a_bound_2)                # 44o
         lqd     $sine_3,112($a_bound_3)                 # 45o
@@ -164,7 +164,7 @@ function cull_nodes
         fma     $beside_2,$along,$sine_2,$reach_3       # 51e
         lqd     $axis_x,48($a_bound)                    # 51o
         fma     $along_4,$vz_3,$axis_z_3,$along_3       # 52e
-        lqd     $ball_4,128($a_bound)                   # 52o
+        lqd     $rays_radius_4,128($a_bound)            # 52o
         fa      $near_2,$reach_2,$farthest_2            # 53e
         lqd     $reach_4,48($candidate_3)               # 53o
         fm      $perp_2,$vx_2,$vx_2                     # 54e
@@ -195,7 +195,7 @@ function cull_nodes
         fm      $along_5,$vx_2,$axis_x                  # 68e
         fma     $beside_3,$along_4,$sine_3,$reach_2     # 69e
         fma     $perp_6,$vy_6,$vy_6,$perp_4             # 70e
-        fa      $reach_3,$reach_4,$ball_4               # 71e
+        fa      $reach_3,$reach_4,$rays_radius_4        # 71e
         lnop                                            # 71o pairing
         or      $ahead,$ahead_2,$near_3                 # 72e
         frsqest $t_y,$perp_5                            # 72o
@@ -243,7 +243,7 @@ next_node:
         fs      $vx_2,$vx,$apex_x                       # 18e
             shufb   $entry_2,$child,$again,$m_child     # 18o
             fm      $perp_6,$vx_6,$vx_6                 # 19e
-        lqd     $ball,128($a_bound)                     # 19o
+        lqd     $rays_radius,128($a_bound)              # 19o
         fs      $vy_2,$vy,$apex_y                       # 20e
             rotqbyi $step+1,$step,4                     # 20o
             fa      $ahead_3,$reach_3,$along            # 21e
@@ -266,7 +266,7 @@ next_node:
             stqx    $entry_4,$a_first,$found_3          # 29o
             fma     $beside_3,$along,$sine,$reach_3     # 30e
             shufb   $entry_4,$child,$again,$m_child+3   # 30o
-        fa      $reach_3,$reach,$ball                   # 31e
+        fa      $reach_3,$reach,$rays_radius            # 31e
 next_node_back:
         brnz    $count,next_node                        # 31o
 next_node_drain:
@@ -385,7 +385,7 @@ next_node_short:
         fs      $vx,$vx,$apex_x                         # 16e
         lqd     $reach,48($candidate)                   # 16o
         nop     $127                                    # 17e pairing
-        lqd     $ball,128($a_bound)                     # 17o
+        lqd     $rays_radius,128($a_bound)              # 17o
         fs      $vy,$vy,$apex_y                         # 18e
         lqd     $farthest,144($a_bound)                 # 18o
         nop     $127                                    # 19e pairing
@@ -394,7 +394,7 @@ next_node_short:
         lqd     $cosine,96($a_bound)                    # 20o
         lqd     $child,64($again)                       # 21o
         fm      $along,$vx,$axis_x                      # 22e
-        fa      $reach,$reach,$ball                     # 23e
+        fa      $reach,$reach,$rays_radius              # 23e
         shufb   $entry,$child,$again,$m_child           # 27o
         fma     $along,$vy,$axis_y,$along               # 28e
         shufb   $entry_7,$child,$again,$m_child+1       # 28o

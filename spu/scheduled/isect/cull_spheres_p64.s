@@ -1,4 +1,4 @@
-# cull_spheres_p64   which packets of a tile have eye rays that may enter a sphere, for each sphere
+# cull_spheres_p64   for each sphere, a tile's packets whose primary rays may enter it
 #   C       void cull_spheres_p64(const struct packet middles[4], const struct pair *, int count,
 #                                 unsigned (*masks)[4]);
 #   In      $3 the middle directions of each sixteen packets, as a packet; $4 list whose entries'

@@ -1,4 +1,4 @@
-# ray_setup_r16   unit eye rays through the centres of the pixels of packets, nothing hit yet
+# ray_setup_r16   unit primary rays through the centres of the pixels of packets, nothing hit yet
 #   C       void ray_setup_r16(const struct basis *, const struct place *, int count,
 #                              unsigned background);
 #   In      $3 basis, $4 places, $5 count (at least 1), $6 address of the background's record;
@@ -13,7 +13,7 @@
         .include "work_unit.inc"
         .include "macros.inc"
         .include "math.inc"
-        .include "eye_ray_tmpl.inc"
+        .include "primary_ray_tmpl.inc"
 
         .set    NEXT,3
         registers a_basis,a_place,count,background

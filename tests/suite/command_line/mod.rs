@@ -2,6 +2,7 @@
 
 mod beside;
 mod formulations;
+mod newcomer;
 mod sequence;
 mod silence;
 mod support;

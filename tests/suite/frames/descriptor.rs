@@ -3,7 +3,7 @@
 use cellray::Scene;
 use cellray::Settings;
 use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
-use cellray::work::{self, Addresses, EyeSpheres, Lens, Order, Skip, Split, Units};
+use cellray::work::{self, Addresses, EyeSpheres, Order, Projection, Skip, Split, Units};
 use protocol::layout::Frame;
 
 /// Pixels across and down: two tiles.
@@ -29,11 +29,16 @@ impl Descriptor {
         let target = framebuffer.target();
         let camera = scene.camera(width, height).unwrap();
         let mut records = EyeSpheres::default();
-        let lens = Lens::new(&camera, target.geometry);
+        let projection = Projection::new(&camera, target.geometry);
         let program = Settings::default().program.formulations().unwrap();
-        records.look(scene.spheres(), &lens, Skip::Misses, program.eye.record);
+        records.cull(
+            scene.spheres(),
+            &projection,
+            Skip::Misses,
+            program.eye.record,
+        );
         let mut units = Units::default();
-        units.cut(&[0, 1], spus, Split::Slices, None);
+        units.split(&[0, 1], spus, Split::Slices, None);
         let frame = work::describe(&Order {
             scene: &scene,
             camera: &camera,

@@ -53,7 +53,7 @@ fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
 fn every_packet_is_accounted_for_with_every_sphere() {
     let nff = nff_scene("paper13.nff");
     let mut view_of_some = nff.clone();
-    // Seen through a keyhole, most of the spheres are out of the picture.
+    // VisiblePrimitive through a keyhole, most of the spheres are out of the picture.
     view_of_some.view.angle = 5.0;
     for (nff, skip) in [
         (&nff, Skip::Misses),
@@ -72,7 +72,7 @@ fn every_packet_is_accounted_for_with_every_sphere() {
         let mut first = None;
         for _ in 0..3 {
             let statistics = engine.render(&scene, &mut |_| ()).unwrap();
-            assert_eq!(statistics.eye_rays(), 20_000);
+            assert_eq!(statistics.primary_rays(), 20_000);
             let packets: u64 = statistics.spus.iter().map(|spu| spu.packets).sum();
             assert_eq!(packets, 50 * 25);
             let tiles: u64 = statistics.spus.iter().map(|spu| spu.tiles).sum();

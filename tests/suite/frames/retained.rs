@@ -10,9 +10,9 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use crate::frames::random::{random_scene, sphere, vector};
-use crate::recorder::{Recorder, Shown, nff_scene, render};
+use crate::recorder::{Recorder, Snapshot, nff_scene, render};
 use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Target};
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::statistics::FrameStatistics;
 use cellray::work::{Skip, Split};
@@ -24,11 +24,14 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     let (framebuffer, shown) = Recorder::pair(200, 100);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
     let first = engine.render(&scene, &mut |_| ()).unwrap();
-    assert_eq!((first.eye_rays(), first.tiles_retained), (20_000, 0));
+    assert_eq!((first.primary_rays(), first.tiles_retained), (20_000, 0));
     let picture = shown.lock().unwrap().take().unwrap();
     for _ in 0..3 {
         let statistics = engine.render(&scene, &mut |_| ()).unwrap();
-        assert_eq!((statistics.eye_rays(), statistics.tiles_retained), (0, 28));
+        assert_eq!(
+            (statistics.primary_rays(), statistics.tiles_retained),
+            (0, 28)
+        );
         assert_eq!(statistics.tests(), Default::default());
         assert_eq!(statistics.ticks(), 0);
         assert!(!statistics.is_traced());
@@ -94,26 +97,26 @@ fn whitteds_model_is_traced_again_where_anything_has_changed() {
     }
     let scene = Scene::from_nff(&whitted).unwrap();
     engine.render(&scene, &mut |_| ()).unwrap();
-    for look in [
-        Look {
+    for render_options in [
+        RenderOptions {
             shadows: false,
-            ..Look::default()
+            ..RenderOptions::default()
         },
-        Look {
+        RenderOptions {
             ray_depth: 2,
-            ..Look::default()
+            ..RenderOptions::default()
         },
-        Look {
+        RenderOptions {
             fresnel: true,
-            ..Look::default()
+            ..RenderOptions::default()
         },
     ] {
-        let scene = Scene::new(&whitted, look, &Program::tracer()).unwrap();
+        let scene = Scene::new(&whitted, render_options, &Program::tracer()).unwrap();
         let traced = [(); 2].map(|()| {
             let statistics = engine.render(&scene, &mut |_| ()).unwrap();
             statistics.tiles_retained
         });
-        assert_eq!(traced, [0, tiles], "{look:?}");
+        assert_eq!(traced, [0, tiles], "{render_options:?}");
     }
 }
 
@@ -147,7 +150,7 @@ fn what_is_asked_to_be_traced_is_traced() {
         for _ in 0..2 {
             let statistics = engine.render(&scene, &mut |_| ()).unwrap();
             assert_eq!(
-                (statistics.eye_rays(), statistics.tiles_retained),
+                (statistics.primary_rays(), statistics.tiles_retained),
                 (20_000, 0)
             );
         }
@@ -250,13 +253,13 @@ fn frame_of_depth(scene: &mut nff::Scene) {
 struct TwoPages {
     pages: [Memory; 2],
     next: usize,
-    shown: Shown,
+    shown: Snapshot,
 }
 
 impl TwoPages {
-    fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Shown) {
+    fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Snapshot) {
         let page = || Memory::new(Geometry { width, height }).unwrap();
-        let shown: Shown = Arc::new(Mutex::new(None));
+        let shown: Snapshot = Arc::new(Mutex::new(None));
         let pages = Self {
             pages: [page(), page()],
             next: 0,
@@ -295,7 +298,7 @@ fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
     let mut retained = 0;
     for (seed, (pair, split)) in (41..).zip([
         (
-            Recorder::pair as fn(u32, u32) -> (Box<dyn Framebuffer>, Shown),
+            Recorder::pair as fn(u32, u32) -> (Box<dyn Framebuffer>, Snapshot),
             Split::Units,
         ),
         (TwoPages::pair, Split::Units),
@@ -343,7 +346,7 @@ fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
 struct Shared {
     memory: Memory,
     disturbed: Arc<AtomicBool>,
-    shown: Shown,
+    shown: Snapshot,
 }
 
 impl Framebuffer for Shared {
@@ -378,7 +381,7 @@ impl Framebuffer for Shared {
 fn nothing_is_retained_while_others_draw_and_just_after() {
     let nff = nff_scene("paper16.nff");
     let expected = render(&nff, 100, 50, Settings::default());
-    let (shown, disturbed) = (Shown::default(), Arc::new(AtomicBool::new(false)));
+    let (shown, disturbed) = (Snapshot::default(), Arc::new(AtomicBool::new(false)));
     let framebuffer = Box::new(Shared {
         memory: Memory::new(Geometry {
             width: 100,
@@ -409,7 +412,7 @@ fn nothing_is_retained_while_others_draw_and_just_after() {
 struct Unsteady {
     memory: Memory,
     presents: u32,
-    shown: Shown,
+    shown: Snapshot,
 }
 
 impl Framebuffer for Unsteady {
@@ -445,7 +448,7 @@ impl Framebuffer for Unsteady {
 #[test]
 fn nothing_is_retained_over_an_error() {
     let nff = nff_scene("paper16.nff");
-    let shown = Shown::default();
+    let shown = Snapshot::default();
     let framebuffer = Box::new(Unsteady {
         memory: Memory::new(Geometry {
             width: 100,

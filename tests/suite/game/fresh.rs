@@ -1,6 +1,6 @@
 //! A world that has changed is traced as a new scene of the same content, byte for byte.
 
-use cellray::game::{DVec3, Light, LightId, Look, MaterialId, Model, ObjectId, World};
+use cellray::game::{DVec3, Light, LightId, MaterialId, Model, ObjectId, RenderOptions, World};
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 use rand::seq::IndexedRandom as _;
@@ -8,7 +8,7 @@ use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
 use crate::game::content;
-use crate::recorder::{Recorder, Shown};
+use crate::recorder::{Recorder, Snapshot};
 
 const SIZE: (u32, u32) = (192, 80);
 const TILES: u64 = 3 * 5;
@@ -23,9 +23,14 @@ struct Played {
 }
 
 impl Played {
-    fn new(random: &mut ChaCha8Rng, look: Look, lights: usize, goes_on: bool) -> Self {
+    fn new(
+        random: &mut ChaCha8Rng,
+        render_options: RenderOptions,
+        lights: usize,
+        goes_on: bool,
+    ) -> Self {
         let mut world = World::new();
-        world.set_look(look);
+        world.set_render_options(render_options);
         let mut played = Self {
             world,
             goes_on,
@@ -111,7 +116,7 @@ impl Played {
 
 struct Screen {
     engine: Engine,
-    shown: Shown,
+    shown: Snapshot,
 }
 
 impl Screen {
@@ -142,17 +147,17 @@ impl Screen {
 
 /// Plays with worlds; which part of the tiles was retained in frames in which something may have
 /// changed.
-fn play(seed: u64, look: Look, lights: usize, goes_on: bool) -> f64 {
+fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) -> f64 {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
     let program = Program::tracer();
     let (mut retained, mut frames) = (0, 0);
     for number in 0..4 {
-        let mut played = Played::new(&mut random, look, lights, goes_on);
+        let mut played = Played::new(&mut random, render_options, lights, goes_on);
         for frame in 0..20 {
             let world = &mut played.world;
             let (picture, left) = changed.picture(world.scene(&program).unwrap());
-            let scene = Scene::new(&world.to_nff(), look, &program).unwrap();
+            let scene = Scene::new(&world.to_nff(), render_options, &program).unwrap();
             let (expected, _) = fresh.picture(&scene);
             assert!(
                 picture == expected,
@@ -170,37 +175,37 @@ fn play(seed: u64, look: Look, lights: usize, goes_on: bool) -> f64 {
     retained as f64 / (frames * TILES) as f64
 }
 
-fn look(model: Model) -> Look {
-    Look {
+fn render_options(model: Model) -> RenderOptions {
+    RenderOptions {
         model,
-        ..Look::default()
+        ..RenderOptions::default()
     }
 }
 
 #[test]
 fn by_depth_shading() {
-    play(1, look(Model::Depth), 0, false);
+    play(1, render_options(Model::Depth), 0, false);
 }
 
 #[test]
 fn by_whitteds_model_without_mirrors() {
-    let retained = play(2, look(Model::Whitted), 2, false);
+    let retained = play(2, render_options(Model::Whitted), 2, false);
     assert!(retained > 0.3, "{retained}");
 }
 
 #[test]
 fn by_whitteds_model_with_mirrors_and_glass() {
-    let retained = play(3, look(Model::Whitted), 2, true);
+    let retained = play(3, render_options(Model::Whitted), 2, true);
     assert!(retained > 0.1, "{retained}");
 }
 
 #[test]
 fn without_shadows() {
-    let look = Look {
+    let render_options = RenderOptions {
         shadows: false,
-        ..look(Model::Whitted)
+        ..render_options(Model::Whitted)
     };
-    let retained = play(4, look, 1, false);
+    let retained = play(4, render_options, 1, false);
     assert!(retained > 0.3, "{retained}");
 }
 
@@ -208,7 +213,7 @@ fn without_shadows() {
 #[test]
 fn the_model_follows_the_lights() {
     let mut random = ChaCha8Rng::seed_from_u64(5);
-    let mut played = Played::new(&mut random, Look::default(), 0, false);
+    let mut played = Played::new(&mut random, RenderOptions::default(), 0, false);
     let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
     let program = Program::tracer();
     let mut light = None;
@@ -228,7 +233,7 @@ fn the_model_follows_the_lights() {
 #[test]
 fn worlds_grow_and_shrink() {
     let mut random = ChaCha8Rng::seed_from_u64(6);
-    let mut played = Played::new(&mut random, look(Model::Whitted), 1, false);
+    let mut played = Played::new(&mut random, render_options(Model::Whitted), 1, false);
     let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
     let program = Program::tracer();
     for round in 0..12 {
@@ -241,7 +246,7 @@ fn worlds_grow_and_shrink() {
         }
         let world = &mut played.world;
         let (picture, _) = changed.picture(world.scene(&program).unwrap());
-        let scene = Scene::new(&world.to_nff(), world.look(), &program).unwrap();
+        let scene = Scene::new(&world.to_nff(), world.render_options(), &program).unwrap();
         assert!(picture == fresh.picture(&scene).0, "round {round}");
     }
 }

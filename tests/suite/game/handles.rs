@@ -2,8 +2,8 @@
 
 use cellray::Settings;
 use cellray::game::{
-    DVec3, Light, LightId, LightKind, Look, Material, MaterialId, Model, ObjectId, Shader, Shape,
-    View, World, WorldError,
+    DVec3, Light, LightId, LightKind, Material, MaterialId, Model, ObjectId, RenderOptions, Shader,
+    Shape, View, World, WorldError,
 };
 use cellray::spe::Program;
 use protocol::layout::MAX_SPHERES;
@@ -222,9 +222,9 @@ fn too_much_is_refused_until_it_is_gone() {
     let program = Program::tracer();
     for model in [Model::Depth, Model::Whitted] {
         let mut world = World::new();
-        world.set_look(Look {
+        world.set_render_options(RenderOptions {
             model,
-            ..Look::default()
+            ..RenderOptions::default()
         });
         let red = red(&mut world);
         let objects: Vec<_> = (0..=MAX_SPHERES)
@@ -273,7 +273,7 @@ fn a_shader_that_there_is_not_is_named() {
 fn a_scene_comes_back_as_it_was() {
     for name in ["whitted16.nff", "shapes.nff", "paper16.nff"] {
         let scene = nff_scene(name);
-        let world = World::from_nff(&scene, Look::default()).unwrap();
+        let world = World::from_nff(&scene, RenderOptions::default()).unwrap();
         assert!(world.to_nff() == scene, "{name}");
         assert_eq!(world.name(), scene.name);
         let [before, after] =
@@ -288,7 +288,7 @@ fn what_a_file_has_is_called_by_its_line() {
         let text = format!("{VIEW}{text}");
         nff::parse(text.as_bytes(), "dir/s.nff", &nff::Limits::default()).unwrap()
     };
-    let world = |text: &str| World::from_nff(&parse(text), Look::default());
+    let world = |text: &str| World::from_nff(&parse(text), RenderOptions::default());
     let refused = |text: &str| world(text).err().expect("an error").to_string();
     let text = refused("\nf 1 1 1 1 0 0 0 0\ns 0 0 0 1\n\n\ns 0 0 0 1e30\n");
     assert!(

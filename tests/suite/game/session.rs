@@ -9,7 +9,7 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{
-    Axis, Clock, DVec3, FixedSteps, Game, InputEvent, InputSource, Key, Light, Material, Moment,
+    Axis, Clock, DVec3, FixedSteps, Frame, Game, InputEvent, InputSource, Key, Light, Material,
     NoInput, ObjectId, PadId, RealTime, Recording, RecordingError, Session, SessionError, Start,
     World, WorldError,
 };
@@ -17,7 +17,7 @@ use image::RgbImage;
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use crate::recorder::{Recorder, Shown};
+use crate::recorder::{Recorder, Snapshot};
 
 const FRAMES: u64 = 40;
 
@@ -58,23 +58,23 @@ impl Game for Driven {
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        let input = moment.input;
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        let input = frame.input;
         let push = f64::from(input.key_axis(Key::Left, Key::Right));
         let lift = input
             .pad()
             .map_or(0.0, |pad| f64::from(pad.axis(Axis::LeftY)));
         let chance = self.random.random_range(-0.1..0.1);
-        self.place += DVec3::new(push, lift, chance) * moment.step;
-        if moment.frame >= self.odd_from {
+        self.place += DVec3::new(push, lift, chance) * frame.delta;
+        if frame.number >= self.odd_from {
             self.place.x += 1e-9;
         }
         self.over_at = self.over_at.min(if input.key_pressed(Key::Escape) {
-            moment.frame
+            frame.number
         } else {
             u64::MAX
         });
-        world.move_to(self.ball, self.place * (1.0 + 0.01 * moment.time))
+        world.move_to(self.ball, self.place * (1.0 + 0.01 * frame.time))
     }
 
     fn is_over(&self) -> bool {
@@ -138,7 +138,7 @@ impl Write for Shared {
     }
 }
 
-fn start(game: Driven, size: (u32, u32)) -> (Session<Driven>, Shown) {
+fn start(game: Driven, size: (u32, u32)) -> (Session<Driven>, Snapshot) {
     let (framebuffer, shown) = Recorder::pair(size.0, size.1);
     let settings = Settings {
         spus: 2,
@@ -152,7 +152,7 @@ const NO_TIME: FixedSteps = FixedSteps(Duration::ZERO);
 
 fn pictures(
     session: &mut Session<Driven>,
-    shown: &Shown,
+    shown: &Snapshot,
     clock: &mut dyn Clock,
     input: &mut dyn InputSource,
 ) -> Vec<RgbImage> {
@@ -164,7 +164,7 @@ fn pictures(
 }
 
 /// Those of a session that a recording tells of all.
-fn replayed(session: &mut Session<Driven>, shown: &Shown) -> Vec<RgbImage> {
+fn replayed(session: &mut Session<Driven>, shown: &Snapshot) -> Vec<RgbImage> {
     pictures(session, shown, &mut { NO_TIME }, &mut NoInput)
 }
 
@@ -185,7 +185,7 @@ fn open(bytes: &[u8]) -> Result<Recording, RecordingError> {
     Recording::read(io::Cursor::new(bytes.to_vec()))
 }
 
-fn replay(game: Driven, bytes: &[u8]) -> (Session<Driven>, Shown) {
+fn replay(game: Driven, bytes: &[u8]) -> (Session<Driven>, Snapshot) {
     let (session, shown) = start(game, (64, 32));
     (session.replaying(open(bytes).unwrap()).unwrap(), shown)
 }
@@ -342,9 +342,9 @@ fn a_session_moves_to_another_framebuffer() {
     assert_eq!(before.geometry(), Geometry::new(64, 32).unwrap());
     // All of the first one is traced there.
     run(&mut session, 1);
-    assert_eq!(session.engine().statistics().eye_rays(), 320 * 200);
+    assert_eq!(session.engine().statistics().primary_rays(), 320 * 200);
     run(&mut session, 1);
-    assert!(session.engine().statistics().eye_rays() < 320 * 200);
+    assert!(session.engine().statistics().primary_rays() < 320 * 200);
     drop(session);
     let text = String::from_utf8(bytes.0.take()).unwrap();
     let sizes = text.lines().skip(1).map(|line| line.contains("[320,200]"));

@@ -5,13 +5,13 @@ use std::time::Duration;
 use cellray::Settings;
 use cellray::framebuffer::{Geometry, Memory};
 use cellray::game::{
-    DVec3, FixedSteps, Game, Light, LightId, Look, Material, MaterialId, Model, Moment, NoInput,
-    ObjectId, Session, Shader, Shape, Start, World, WorldError,
+    DVec3, FixedSteps, Frame, Game, Light, LightId, Material, MaterialId, Model, NoInput, ObjectId,
+    RenderOptions, Session, Shader, Shape, Start, World, WorldError,
 };
 
 /// Everything moves and changes its colour; some things come and go.
 struct Swarm {
-    look: Look,
+    render_options: RenderOptions,
     objects: Vec<(ObjectId, DVec3)>,
     materials: Vec<MaterialId>,
     light: LightId,
@@ -20,9 +20,9 @@ struct Swarm {
 impl Swarm {
     fn new(model: Model) -> Self {
         Self {
-            look: Look {
+            render_options: RenderOptions {
                 model,
-                ..Look::default()
+                ..RenderOptions::default()
             },
             objects: Vec::new(),
             materials: Vec::new(),
@@ -43,7 +43,7 @@ fn way(time: f64, number: usize) -> DVec3 {
 
 impl Game for Swarm {
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
-        world.set_look(self.look);
+        world.set_render_options(self.render_options);
         self.light = world.add_light(Light::at(DVec3::new(0.0, 20.0, 5.0)))?;
         for shader in [
             Shader::Phong,
@@ -92,25 +92,25 @@ impl Game for Swarm {
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
         for (number, (object, place)) in self.objects.iter().enumerate() {
-            world.move_to(*object, *place + way(moment.time, number))?;
+            world.move_to(*object, *place + way(frame.time, number))?;
             world.make_of(
                 *object,
-                self.materials[(number + moment.frame as usize) % 3],
+                self.materials[(number + frame.number as usize) % 3],
             )?;
             world.show(
                 *object,
-                !(moment.frame as usize + number).is_multiple_of(11),
+                !(frame.number as usize + number).is_multiple_of(11),
             )?;
         }
         for (number, material) in self.materials.iter().enumerate() {
-            world.recolour(*material, way(moment.time, number) * 0.5)?;
+            world.recolour(*material, way(frame.time, number) * 0.5)?;
         }
-        let place = DVec3::new(0.0, 20.0, 5.0) + way(moment.time, 7);
+        let place = DVec3::new(0.0, 20.0, 5.0) + way(frame.time, 7);
         world.set_light(self.light, Light::at(place))?;
-        if moment.frame.is_multiple_of(5) {
-            world.look_from(DVec3::Z * 12.0 + way(moment.time, 3), DVec3::ZERO)?;
+        if frame.number.is_multiple_of(5) {
+            world.look_from(DVec3::Z * 12.0 + way(frame.time, 3), DVec3::ZERO)?;
         }
         Ok(())
     }

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use cellray::Settings;
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use oracle::whitted::trace;
 
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
@@ -14,13 +14,13 @@ const SIZE: (u32, u32) = (40, 40);
 #[test]
 fn nested_glass_sends_fewer_rays_for_the_same_picture() {
     let scene = nff::load(Path::new("scenes/nested-glass.nff")).unwrap();
-    let [least, all] = [false, true].map(|spd_rays| Look {
+    let [least, all] = [false, true].map(|spd_rays| RenderOptions {
         ray_depth: 11,
         spd_rays,
         ..WHITTED
     });
-    let [found, every] =
-        [least, all].map(|look| Frame::of(&scene, look, SIZE, Settings::default()));
+    let [found, every] = [least, all]
+        .map(|render_options| Frame::of(&scene, render_options, SIZE, Settings::default()));
     let (sent, sendable) = (found.rays(), every.rays());
     println!("{sent:?} of {sendable:?}");
     assert_eq!(sent.eye_hit, sendable.eye_hit);
@@ -50,11 +50,11 @@ fn a_depth_that_no_ray_reaches_changes_nothing() {
         (material.specular, material.transmittance) = (0.0, 0.0);
     }
     let frames = [1, 16].map(|ray_depth| {
-        let look = Look {
+        let render_options = RenderOptions {
             ray_depth,
             ..WHITTED
         };
-        Frame::of(&scene, look, (160, 90), Settings::default())
+        Frame::of(&scene, render_options, (160, 90), Settings::default())
     });
     assert!(frames[0].picture == frames[1].picture);
     assert_eq!(frames[0].rays(), frames[1].rays());

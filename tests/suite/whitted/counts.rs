@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use cellray::Settings;
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use image::{Rgb, RgbImage};
 use oracle::whitted::{Counts, trace};
 
@@ -35,19 +35,24 @@ fn averaged(corners: &RgbImage) -> RgbImage {
 
 fn corner_rays_are_counted_as_by_the_reference(
     scene: &nff::Scene,
-    look: Look,
+    render_options: RenderOptions,
     side: u32,
 ) -> (Frame, Counts) {
     let name = &scene.name;
-    let look = Look {
+    let render_options = RenderOptions {
         corners: true,
-        ..look
+        ..render_options
     };
-    let frame = Frame::of(scene, look, (side + 1, side + 1), Settings::default());
-    let (reference, counts) = trace(scene, side, side, &options(look)).unwrap();
+    let frame = Frame::of(
+        scene,
+        render_options,
+        (side + 1, side + 1),
+        Settings::default(),
+    );
+    let (reference, counts) = trace(scene, side, side, &options(render_options)).unwrap();
 
     let found = frame.rays();
-    println!("{name}, {look:?}: {found:?}, {counts:?}");
+    println!("{name}, {render_options:?}: {found:?}, {counts:?}");
     assert_eq!(found.eye, counts.eye);
     let Counts {
         eye_hit,
@@ -136,11 +141,11 @@ fn gears() -> nff::Scene {
 fn gears_by_both_rules() {
     let scene = gears();
     let [(seen, by_weight), (all, by_spd)] = [false, true].map(|spd_rays| {
-        let look = Look {
+        let render_options = RenderOptions {
             spd_rays,
             ..WHITTED
         };
-        corner_rays_are_counted_as_by_the_reference(&scene, look, DEEP_SIDE)
+        corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE)
     });
     assert!(seen.picture == all.picture);
     assert_eq!(by_weight.eye_hit, by_spd.eye_hit);
@@ -152,13 +157,13 @@ fn gears_by_both_rules() {
 fn gears_by_both_rules_with_fresnel() {
     let scene = gears();
     let [seen, all] = [false, true].map(|spd_rays| {
-        let look = Look {
+        let render_options = RenderOptions {
             spd_rays,
             fresnel: true,
             ray_depth: 3,
             ..WHITTED
         };
-        corner_rays_are_counted_as_by_the_reference(&scene, look, DEEP_SIDE)
+        corner_rays_are_counted_as_by_the_reference(&scene, render_options, DEEP_SIDE)
     });
     assert!(seen.0.picture == all.0.picture);
     assert!(all.1.shadow > seen.1.shadow);

@@ -1,6 +1,6 @@
 //! Frames by Whitted's model, and how far they are from the reference.
 
-use cellray::scene::{Look, Model};
+use cellray::scene::{Model, RenderOptions};
 use cellray::spe::Program;
 use cellray::statistics::{FrameStatistics, Rays};
 use cellray::{Engine, Scene, Settings};
@@ -11,7 +11,7 @@ use oracle::{Comparison, Picture};
 use crate::recorder::Recorder;
 
 /// Whitted's model, whatever lights there are.
-pub const WHITTED: Look = Look {
+pub const WHITTED: RenderOptions = RenderOptions {
     model: Model::Whitted,
     ray_depth: 5,
     fresnel: false,
@@ -28,10 +28,15 @@ pub struct Frame {
 
 impl Frame {
     /// Traces a scene.
-    pub fn of(scene: &nff::Scene, look: Look, size: (u32, u32), settings: Settings) -> Self {
+    pub fn of(
+        scene: &nff::Scene,
+        render_options: RenderOptions,
+        size: (u32, u32),
+        settings: Settings,
+    ) -> Self {
         let (framebuffer, shown) = Recorder::pair(size.0, size.1);
         let mut engine = Engine::start(settings, framebuffer).unwrap();
-        let scene = Scene::new(scene, look, &Program::tracer()).unwrap();
+        let scene = Scene::new(scene, render_options, &Program::tracer()).unwrap();
         let statistics = engine.render(&scene, &mut |_| ()).unwrap().clone();
         let picture = shown.lock().unwrap().take();
         Self {
@@ -51,12 +56,12 @@ impl Frame {
 }
 
 /// The reference's way to trace what looks like this.
-pub fn options(look: Look) -> Options {
+pub fn options(render_options: RenderOptions) -> Options {
     Options {
-        depth: look.ray_depth,
-        fresnel: look.fresnel,
-        spd_rays: look.spd_rays,
-        corners: look.corners,
+        depth: render_options.ray_depth,
+        fresnel: render_options.fresnel,
+        spd_rays: render_options.spd_rays,
+        corners: render_options.corners,
     }
 }
 
@@ -70,8 +75,8 @@ pub fn picture(image: &RgbImage) -> Picture {
 }
 
 /// Traces a scene on SPUs and by the reference.
-pub fn compared(scene: &nff::Scene, look: Look, size: (u32, u32)) -> Comparison {
-    let frame = Frame::of(scene, look, size, Settings::default());
-    let (reference, _) = trace(scene, size.0, size.1, &options(look)).unwrap();
+pub fn compared(scene: &nff::Scene, render_options: RenderOptions, size: (u32, u32)) -> Comparison {
+    let frame = Frame::of(scene, render_options, size, Settings::default());
+    let (reference, _) = trace(scene, size.0, size.1, &options(render_options)).unwrap();
     oracle::compare(&picture(&frame.picture), &reference).unwrap()
 }

@@ -1,6 +1,6 @@
 //! Pictures of the scenes that come with the program.
 
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 
 use crate::recorder::nff_scene;
 use crate::whitted::frame::{WHITTED, compared};
@@ -14,10 +14,14 @@ const ALL: [&str; 4] = ["whitted16.nff", "mirrors.nff", "glass.nff", "shapes.nff
 /// Greatest share of pixels that are off, those on silhouettes among them.
 const WRONG: f64 = 0.0015;
 
-fn scenes_are_as_the_reference_has_them(names: &[&str], look: Look, size: (u32, u32)) {
+fn scenes_are_as_the_reference_has_them(
+    names: &[&str],
+    render_options: RenderOptions,
+    size: (u32, u32),
+) {
     let mut failures = Vec::new();
     for name in names {
-        let result = compared(&nff_scene(name), look, size);
+        let result = compared(&nff_scene(name), render_options, size);
         println!("{name}: {result:?}");
         if result.max_error_off_silhouette > 2 || result.wrong_fraction > WRONG {
             failures.push((name, result));
@@ -33,20 +37,20 @@ fn scenes_as_they_are_meant() {
 
 #[test]
 fn scenes_with_fresnel() {
-    let look = Look {
+    let render_options = RenderOptions {
         fresnel: true,
         ..WHITTED
     };
-    scenes_are_as_the_reference_has_them(&ALL, look, SIZE);
+    scenes_are_as_the_reference_has_them(&ALL, render_options, SIZE);
 }
 
 #[test]
 fn scenes_without_bounces() {
-    let look = Look {
+    let render_options = RenderOptions {
         ray_depth: 1,
         ..WHITTED
     };
-    scenes_are_as_the_reference_has_them(&ALL, look, SIZE);
+    scenes_are_as_the_reference_has_them(&ALL, render_options, SIZE);
 }
 
 /// Where glass is behind glass, a pixel would take 2^15 rays: such scenes have a depth of 7.
@@ -56,10 +60,10 @@ fn scenes_of_a_great_depth() {
         (16, ["whitted16.nff", "mirrors.nff"], SIZE),
         (7, ["glass.nff", "shapes.nff"], DEEP_SIZE),
     ] {
-        let look = Look {
+        let render_options = RenderOptions {
             ray_depth,
             ..WHITTED
         };
-        scenes_are_as_the_reference_has_them(&names, look, size);
+        scenes_are_as_the_reference_has_them(&names, render_options, size);
     }
 }

@@ -7,7 +7,7 @@
 use std::env;
 use std::thread;
 
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::statistics::Rays;
 use cellray::{Engine, Scene, Settings};
@@ -52,8 +52,12 @@ fn around(probe: &Probe<'_>, (x, y): (u32, u32), lines: u32) -> impl Iterator<It
 }
 
 /// Pixels that no ray near their centre explains.
-fn unexplained(scene: &nff::Scene, look: Look, picture: &RgbImage) -> Vec<(u32, u32)> {
-    let probe = Probe::new(scene, SIDE, SIDE, &options(look)).unwrap();
+fn unexplained(
+    scene: &nff::Scene,
+    render_options: RenderOptions,
+    picture: &RgbImage,
+) -> Vec<(u32, u32)> {
+    let probe = Probe::new(scene, SIDE, SIDE, &options(render_options)).unwrap();
     let is_explained = |at: (u32, u32), pixel: [u8; 3]| {
         let centre = probe.colour(f64::from(at.0), f64::from(at.1));
         is_near(pixel, centre)
@@ -95,19 +99,19 @@ fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
     for seed in seeds {
         let mut random = ChaCha8Rng::seed_from_u64(seed);
         let Drawn { scene, vast } = random::scene(&mut random);
-        let look = Look {
+        let render_options = RenderOptions {
             ray_depth: random.random_range(1..=8),
             fresnel: random.random_bool(0.5),
             ..WHITTED
         };
-        let made = Scene::new(&scene, look, &Program::tracer());
+        let made = Scene::new(&scene, render_options, &Program::tracer());
         let made = made.unwrap_or_else(|error| panic!("scene {seed}: {error}"));
         let statistics = engine
             .render(&made, &mut |_| ())
             .unwrap_or_else(|error| panic!("scene {seed}: {error}"));
         outcome.rays += statistics.spus[0].rays;
         let picture = shown.lock().unwrap().take().unwrap();
-        let pixels = unexplained(&scene, look, &picture);
+        let pixels = unexplained(&scene, render_options, &picture);
         if !pixels.is_empty() {
             outcome.wrong.push(Wrong { seed, vast, pixels });
         }

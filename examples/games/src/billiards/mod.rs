@@ -22,8 +22,8 @@ mod scene;
 pub mod table;
 
 use cellray::game::{
-    Button, DVec3, Entry, Game, Input, Key, Look, Model, Moment, MouseButton, Start, View, World,
-    WorldError,
+    Button, DVec3, Entry, Frame, Game, Input, Key, Model, MouseButton, RenderOptions, Start, View,
+    World, WorldError,
 };
 use rand::SeedableRng as _;
 use rand_xoshiro::Xoshiro256PlusPlus;
@@ -276,10 +276,10 @@ impl Game for Billiards {
         self.chance = Xoshiro256PlusPlus::seed_from_u64(start.seed);
         self.begin();
         world.set_name(NAME);
-        world.set_look(Look {
+        world.set_render_options(RenderOptions {
             model: Model::Whitted,
             ray_depth: 3,
-            ..Look::default()
+            ..RenderOptions::default()
         });
         world.set_view(View {
             angle: 45.0,
@@ -290,12 +290,12 @@ impl Game for Billiards {
         self.show(world, 0.0)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        self.since += moment.step;
-        self.steer(moment.input, moment.step);
-        for _ in 0..self.steps.of(moment.step) {
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        self.since += frame.delta;
+        self.steer(frame.input, frame.delta);
+        for _ in 0..self.steps.of(frame.delta) {
             self.step();
         }
-        self.show(world, moment.step)
+        self.show(world, frame.delta)
     }
 }

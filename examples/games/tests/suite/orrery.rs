@@ -1,6 +1,6 @@
 //! What is seen of the orrery.
 
-use cellray::game::{DVec3, Game, Input, InputEvent, Key, Moment, ObjectId, Shape, Start, World};
+use cellray::game::{DVec3, Frame, Game, Input, InputEvent, Key, ObjectId, Shape, Start, World};
 use games::orrery::Orrery;
 use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
@@ -39,15 +39,15 @@ impl Played {
         for &(key, down) in keys {
             self.input.apply(&InputEvent::Key { key, down });
         }
-        let moment = Moment {
-            frame: self.frame,
+        let frame = Frame {
+            number: self.frame,
             time: self.frame as f64 * step,
-            step,
+            delta: step,
             input: &self.input,
             size: SIZE,
             last: None,
         };
-        self.game.frame(&mut self.world, &moment).unwrap();
+        self.game.update(&mut self.world, &frame).unwrap();
         self.frame += 1;
     }
 

@@ -1,6 +1,6 @@
 //! What moves, moves as it should.
 
-use cellray::game::{DVec3, Game, Input, InputEvent, Key, Moment, Start, World};
+use cellray::game::{DVec3, Frame, Game, Input, InputEvent, Key, Start, World};
 use games::billiards::balls::{Balls, Place};
 use games::billiards::rules::Shot;
 use games::billiards::table::{CUSHION, HALF, HEAD, POCKETS, RADIUS};
@@ -144,15 +144,15 @@ fn play<G: Game>(
         for (key, down) in keys(frame) {
             input.apply(&InputEvent::Key { key, down });
         }
-        let moment = Moment {
-            frame,
+        let frame = Frame {
+            number: frame,
             time: frame as f64 / 30.0,
-            step: 1.0 / 30.0,
+            delta: 1.0 / 30.0,
             input: &input,
             size,
             last: None,
         };
-        game.frame(&mut world, &moment).unwrap();
+        game.update(&mut world, &frame).unwrap();
         each(game);
     }
 }

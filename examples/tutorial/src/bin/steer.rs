@@ -1,7 +1,8 @@
-//! A ball on a mirror, steered by keys or a pad, that takes the colours of the pearls that it meets.
+//! A ball on a mirror, steered by keys or a pad, that takes the colours of the pearls that it
+//! meets.
 
 use cellray::game::{
-    Axis, Button, DVec3, Game, Input, Key, Light, Material, MaterialId, Moment, ObjectId, Shader,
+    Axis, Button, DVec3, Frame, Game, Input, Key, Light, Material, MaterialId, ObjectId, Shader,
     Start, World, WorldError,
 };
 
@@ -41,9 +42,9 @@ impl Game for Steer {
         self.add_pearls(world)
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
         let from = world.position(self.ball)?;
-        let to = self.roll(from, moment.input, moment.step.min(0.1));
+        let to = self.roll(from, frame.input, frame.delta.min(0.1));
         world.move_to(self.ball, to)?;
         self.take_pearl(world, to)
     }

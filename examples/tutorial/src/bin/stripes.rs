@@ -1,7 +1,8 @@
-//! A planet with clouds in stripes, by a shader of this crate's own, and a moon that falls around it.
+//! A planet with clouds in stripes, by a shader of this crate's own, and a moon that falls around
+//! it.
 
 use cellray::game::{
-    DVec3, Game, Key, Light, Material, MaterialId, Moment, ObjectId, Shader, Start, View, World,
+    DVec3, Frame, Game, Key, Light, Material, MaterialId, ObjectId, Shader, Start, View, World,
     WorldError,
 };
 use cellray::spe::{Program, ProgramError};
@@ -77,13 +78,13 @@ impl Game for Stripes {
         Ok(())
     }
 
-    fn frame(&mut self, world: &mut World, moment: &Moment<'_>) -> Result<(), WorldError> {
-        let step = moment.step.min(0.1);
+    fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
+        let step = frame.delta.min(0.1);
         let distance = self.place.length();
         self.velocity -= self.place * (ATTRACTION / (distance * distance * distance) * step);
         self.place += self.velocity * step;
         world.move_to(self.moon, self.place)?;
-        let more = f64::from(moment.input.key_axis(Key::Down, Key::Up));
+        let more = f64::from(frame.input.key_axis(Key::Down, Key::Up));
         if more != 0.0 {
             self.scale = (self.scale + more * step).clamp(0.0, 8.0);
             world.set_material(self.clouds, self.clouds())?;

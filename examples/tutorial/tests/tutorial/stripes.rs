@@ -1,7 +1,7 @@
 //! The stripes, against their formula: on a wall, with the shader checked, and on the planet.
 
 use cellray::framebuffer::{Geometry, Png};
-use cellray::game::{DVec3, Look, Material, Model, Shader, View, World};
+use cellray::game::{DVec3, Material, Model, RenderOptions, Shader, View, World};
 use cellray::spe::Program;
 use cellray::{Engine, Settings};
 use image::RgbImage;
@@ -58,9 +58,9 @@ fn the_shader_keeps_its_rules() -> Result<(), Box<dyn std::error::Error>> {
     };
     let mut world = World::new();
     let model = Model::Whitted;
-    world.set_look(Look {
+    world.set_render_options(RenderOptions {
         model,
-        ..Look::default()
+        ..RenderOptions::default()
     });
     // Light from everywhere alone: what is seen is the colour itself.
     world.set_ambient(DVec3::ONE)?;

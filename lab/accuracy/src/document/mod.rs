@@ -53,8 +53,9 @@ pub fn text(document: &Document) -> String {
 fn head(document: &Document) -> String {
     let mut text = "# Run time against error\n\n".to_owned();
     text.push_str(
-        "Ways to intersect rays with spheres and triangles, each a kernel of its own: what they cost, and how\n\
-         far off they are. The tracer is linked with one of each (`protocol/src/formulation.rs`).\n\n",
+        "The cost and the error of every way to intersect rays with spheres and triangles, for readers who choose\n\
+         between them or doubt them. Each way is a kernel of its own. The tracer is linked with one for each\n\
+         purpose (`protocol/src/formulation.rs`).\n\n",
     );
     let results = &document.results;
     if let Some(origin) = &document.origin {
@@ -75,17 +76,19 @@ fn head(document: &Document) -> String {
 const READING: &str = "
 ## How to read it
 
-- *Truth* is exact for the very singles that a kernel is given: double precision that carries a bound of its
-  own rounding, and numbers of any length where that leaves a verdict or 1/64 ulp open. A distance is counted
-  along the direction at length 1.
-- *ulps*: spacings of singles at the true distance; of a point, at its largest coordinate from the ray's
-  origin; of a normal, at 1. The SPU truncates: half of an ulp is what rounding to nearest would give at best.
-- *cycles*: of the timing model (`timing.md`), for one ray and one sphere in a long list. *host*: nanoseconds
-  of this machine's interpreter for the same.
-- *wrong hits, wrong misses*: the kernel says the other thing than exact arithmetic.
-- *condition*: ulps that the true distance moves when each number given moves by half an ulp, all at their
-  worst. A family is well-conditioned if that is small in the mean: an error there is the formulation's own.
-- *not beaten*: no other is at least as good in run time and in error, and better in one.
+- *Truth* is exact for the very singles that a kernel gets. It is computed in double precision with a bound of
+  its own rounding. Where that bound leaves a verdict or 1/64 ulp open, it is computed with numbers of any
+  length. A distance counts along the direction at length 1.
+- *ulps*: spacings of singles. For a distance, at the true distance; for a point, at its largest coordinate from
+  the ray's origin; for a normal, at 1. The SPU truncates. Half an ulp is the best that rounding to nearest
+  could give.
+- *cycles*: by the timing model ([timing.md](timing.md)), for one ray and one sphere in a long list. *host*:
+  nanoseconds of this machine's interpreter for the same.
+- *wrong hits, wrong misses*: the kernel decides otherwise than exact arithmetic.
+- *condition*: the number of ulps by which the true distance moves if each given number moves by half an ulp, in
+  the worst combination. A family is well-conditioned if the mean of that is small. An error there is the
+  formulation's own.
+- *not beaten*: no other kernel is at least as good in both run time and error, and better in one of them.
 ";
 
 fn formulations(results: &Results) -> String {
@@ -164,12 +167,12 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
         ],
     );
     let mut text = format!(
-        "\n## {title}\n\nOf each number the largest of all well-conditioned families.\n\n{table}"
+        "\n## {title}\n\nEach number is the largest of all well-conditioned families.\n\n{table}"
     );
     for plot in ["distance", "verdicts", "ratio"] {
         text.push_str(&shown(plots, &format!("{plot}-{}", form.name())));
     }
-    text.push_str("\nLargest error of the distance, in ulps, and behind it wrong hits and wrong misses, if any:\n\n");
+    text.push_str("\nLargest error of the distance, in ulps; in brackets wrong hits and wrong misses, if any:\n\n");
     text.push_str(&by_family(form, &kernels).to_string());
     text
 }
@@ -284,7 +287,7 @@ fn roots(results: &Results, plots: &[Plot]) -> String {
         ],
     );
     format!(
-        "\n## Reciprocals and roots\n\nOver every fraction that an operand can have: an octave, or two for roots.\n\n{table}{}",
+        "\n## Reciprocals and roots\n\nMeasured over every fraction that an operand can have: one octave, or two for roots.\n\n{table}{}",
         shown(plots, "roots")
     )
 }
@@ -293,8 +296,8 @@ fn pictures(results: &Results, plots: &[Plot]) -> String {
     if results.pictures.is_empty() {
         return String::new();
     }
-    let mut text = "\n## Whole pictures\n\nOn six SPUs, in simulated time, against the reference in double \
-                    precision (`oracle/`). A pixel is wrong if a channel\nis off by more than 1/255.\n"
+    let mut text = "\n## Whole pictures\n\nTraced by six SPUs in simulated time, and compared with the reference in \
+                    double precision (`oracle/`).\nA pixel is wrong if a channel is off by more than 1/255.\n"
         .to_owned();
     for scene in SCENES {
         let of = |row: &&PictureRow| row.scene == scene.name;

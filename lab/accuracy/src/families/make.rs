@@ -3,11 +3,11 @@
 use crate::generator::Generator;
 use rand::Rng as _;
 use spu_emulator::float::single::to_f64;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 
 use super::{Form, PACKETS, Shot};
 use crate::space::{
-    across, along, direction, fresh, in_ball, in_cube, less, nearest, on_disc, point, unit,
+    across, along, direction, fresh, in_cube, in_sphere, less, nearest, on_disc, point, unit,
 };
 use crate::truth::Vector;
 
@@ -102,7 +102,7 @@ pub(super) fn inside(random: &mut Generator, _: Form, scale: f64) -> Shot {
     let radius = scale * radius(random);
     let centre = in_cube(radius, random);
     shot(centre, radius, random, |random| {
-        let from = along(centre, 1.0, in_ball(0.5 * radius, random));
+        let from = along(centre, 1.0, in_sphere(0.5 * radius, random));
         ray(from, direction(random))
     })
 }

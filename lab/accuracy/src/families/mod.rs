@@ -11,7 +11,7 @@ use protocol::formulation::SphereFormulation;
 use serde::{Deserialize, Serialize};
 use spu_emulator::float::single::to_f64;
 use twins::Single;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 
 use crate::truth::sphere::Crossing;
 use crate::truth::{Line, Vector};

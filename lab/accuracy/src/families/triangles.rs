@@ -3,7 +3,7 @@
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use twins::triangle::Triangle;
 
 use super::PACKETS;
@@ -40,7 +40,7 @@ pub struct Shot {
 /// The family that the others differ from.
 const WELL_SHAPED: Family = Family {
     name: "well-shaped",
-    doc: "as high as their longest edge is half, 2 to 8 edges away, over the triangle and around it",
+    doc: "half as high as their longest edge is long, 2 to 8 edges away, rays to the triangle and around it",
     height: 0.5,
     reach: [2.0, 8.0],
     shared_edge: false,
@@ -51,7 +51,7 @@ pub const FAMILIES: &[Family] = &[
     WELL_SHAPED,
     Family {
         name: "needle",
-        doc: "a thousandth of their longest edge high, 2 to 8 edges away",
+        doc: "a thousandth as high as their longest edge is long, 2 to 8 edges away",
         height: 1e-3,
         ..WELL_SHAPED
     },
@@ -63,7 +63,7 @@ pub const FAMILIES: &[Family] = &[
     },
     Family {
         name: "shared edge",
-        doc: "two well-shaped with a common edge, 2 to 8 edges away, rays to that edge",
+        doc: "two well-shaped triangles with a common edge, 2 to 8 edges away, rays to that edge",
         shared_edge: true,
         ..WELL_SHAPED
     },

@@ -45,7 +45,7 @@ impl Kind {
     /// The kernel that finds hits with it.
     pub const fn kernel(self) -> &'static str {
         match self {
-            Self::Sphere => "isect_ball_pairs_r16",
+            Self::Sphere => "isect_sphere_pairs_r16",
             Self::Rectangle => "isect_rectangle_pairs_r16",
             Self::Triangle => "isect_triangle_pairs_r16",
             Self::Cone => "isect_cone_pairs_r16",
@@ -128,7 +128,7 @@ impl Product {
         };
         let block = SceneBlock::new(&scene, BlockOptions::default(), &|_| None).ok()?;
         let (tree, size) = kind.record();
-        let tree = &block.trees()[tree];
+        let tree = &block.bvhs()[tree];
         if tree.objects.get() != 1 {
             return None;
         }

@@ -11,7 +11,7 @@ use protocol::layout::{
     Candidate, Light, Material, Object, QueuedRay, RayPacket, Shear, Site, Surfaces,
 };
 use twins::Single;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 

@@ -232,15 +232,15 @@ mod tests {
 
     #[test]
     fn a_line_that_touches_hits_and_the_next_single_beside_it_misses() {
-        let ball = sphere([0.0; 3], 1.0);
+        let sphere = sphere([0.0; 3], 1.0);
         let at = |height| line([height, 0.0, 8.0], [0.0, 0.0, -1.0]);
-        let touches = ball.passing(&at(1.0));
+        let touches = sphere.passing(&at(1.0));
         let crossing = touches.crossing.unwrap();
         assert_eq!((crossing.entry, crossing.exit), (8.0, 8.0));
         assert_eq!(touches.beyond, 0.0);
         let ulp = 2_f64.powi(-23);
-        assert!(ball.crossing(&at(1.0 + ulp)).is_none());
-        assert!(ball.crossing(&at(1.0 - ulp / 2.0)).is_some());
+        assert!(sphere.crossing(&at(1.0 + ulp)).is_none());
+        assert!(sphere.crossing(&at(1.0 - ulp / 2.0)).is_some());
     }
 
     #[test]
@@ -248,12 +248,12 @@ mod tests {
         // The edge of a sphere a single ulp of 2^24 off: its square needs 50 digits more than a
         // double.
         let far = 2_f64.powi(60);
-        let ball = sphere([0.0, 0.0, far], 1.0);
+        let sphere = sphere([0.0, 0.0, far], 1.0);
         let through = |slope: f64| line([0.0; 3], [slope, 0.0, 1.0]);
         let edge = 2_f64.powi(-60);
-        let inside = ball.passing(&through(edge));
+        let inside = sphere.passing(&through(edge));
         assert!(inside.crossing.is_some() && inside.beyond < 0.0);
-        let outside = ball.passing(&through(edge * (1.0 + 2_f64.powi(-23))));
+        let outside = sphere.passing(&through(edge * (1.0 + 2_f64.powi(-23))));
         assert!(outside.crossing.is_none() && outside.beyond > 0.0);
     }
 
@@ -286,14 +286,14 @@ mod tests {
             let radius = 10_f64.powi(random.random_range(-3..7));
             let distance = radius * 10_f64.powi(random.random_range(-2..6));
             let origin = [0; 3].map(|_| random.random_range(-distance..distance));
-            let ball = sphere([0.0; 3], radius);
+            let sphere = sphere([0.0; 3], radius);
             let direction =
                 std::array::from_fn(|axis| radius * random.random_range(-1.0..1.0) - origin[axis]);
             let line = line(origin, direction);
-            let Some(double) = ball.in_double(&line) else {
+            let Some(double) = sphere.in_double(&line) else {
                 continue;
             };
-            let exact = ball.in_exact(&line);
+            let exact = sphere.in_exact(&line);
             assert_eq!(double.crossing.is_some(), exact.crossing.is_some());
             let (Some(double), Some(exact)) = (double.crossing, exact.crossing) else {
                 continue;

@@ -5,14 +5,14 @@ pub mod error;
 pub mod formulation;
 
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ball::Ball;
 use twins::isect_pairs::Hit;
 use twins::sphere::Perpendicular;
+use twins::sphere_ray::BareSphere;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 
 use crate::bench::{self, Bench};
-use crate::cases::ball::{ball, unit};
+use crate::cases::sphere_ray::{bare_sphere, unit};
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::eye_records::{self, Hits, Vectors};
 use crate::single::single;
@@ -146,31 +146,31 @@ fn rays() -> Vectors {
     })
 }
 
-fn beside() -> Ball {
-    ball([9.0, 0.0, -5.0], 1.0)
+fn beside() -> BareSphere {
+    bare_sphere([9.0, 0.0, -5.0], 1.0)
 }
 
-fn ahead() -> Ball {
-    ball([0.0, 0.0, -5.0], 1.0)
+fn ahead() -> BareSphere {
+    bare_sphere([0.0, 0.0, -5.0], 1.0)
 }
 
 /// The record of a sphere with the limits of its tests, as they are without rounding.
-fn limited(ball: &Ball) -> Sphere {
-    let mut sphere = eye_records::sphere(ball);
-    let square: f64 = ball
+fn limited(bare: &BareSphere) -> Sphere {
+    let mut sphere = eye_records::sphere(bare);
+    let square: f64 = bare
         .centre
         .map(|component| to_f64(component).powi(2))
         .iter()
         .sum();
-    let radius_squared = to_f64(ball.radius_squared);
+    let radius_squared = to_f64(bare.radius_squared);
     let limit = single(from_f64((square - radius_squared).sqrt()));
     (sphere.ray_limit, sphere.packet_limit) = (limit, limit);
     sphere.reach = single(from_f64(radius_squared.sqrt()));
     sphere
 }
 
-fn put_spheres(bench: &mut Bench, ball: &Ball, count: u32) -> bench::Place {
-    put(bench, &vec![limited(ball); count as usize])
+fn put_spheres(bench: &mut Bench, bare: &BareSphere, count: u32) -> bench::Place {
+    put(bench, &vec![limited(bare); count as usize])
 }
 
 fn packets(bench: &mut Bench, hits: &Hits, count: u32) -> Vec<bench::Place> {
@@ -178,7 +178,7 @@ fn packets(bench: &mut Bench, hits: &Hits, count: u32) -> Vec<bench::Place> {
     put_packets(bench, &vec![packet; count as usize])
 }
 
-fn frustum_spheres(bench: &mut Bench, ball: &Ball, count: u32) -> Vec<u32> {
+fn frustum_spheres(bench: &mut Bench, bare: &BareSphere, count: u32) -> Vec<u32> {
     // The sides of a pyramid about -z, half as wide as it is long.
     let (along, across) = (
         libm::sin(libm::atan(0.5_f64)),
@@ -190,7 +190,7 @@ fn frustum_spheres(bench: &mut Bench, ball: &Ball, count: u32) -> Vec<u32> {
         normal_z: [single(from_f64(-along)); 4],
     };
     let frustum = put(bench, &[frustum]);
-    let spheres = put_spheres(bench, ball, count);
+    let spheres = put_spheres(bench, bare, count);
     let list = list_room(bench, count as usize);
     vec![frustum.address, spheres.address, count, list.address]
 }

@@ -11,7 +11,7 @@ use zerocopy::IntoBytes as _;
 use zerocopy::big_endian::F32;
 
 use crate::bench::{Bench, Place, SEED};
-use crate::cases::ball::case_rays;
+use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::{OneRay, Ray, Rays, Shears, point, quad};
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};

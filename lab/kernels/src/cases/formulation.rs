@@ -110,6 +110,6 @@ impl Formulation for Unnormalised {
 pub trait ForAnyRay: Formulation + General {}
 impl<F: Formulation + General> ForAnyRay for F {}
 
-/// A formulation that has a kernel for the eye's rays.
+/// A formulation that has a kernel for primary rays.
 pub trait ForTheEye: Formulation + Eye {}
 impl<F: Formulation + Eye> ForTheEye for F {}

@@ -1,13 +1,13 @@
 //! Kernels that intersect rays with spheres, called by name: those of all formulations of a form
 //! take the same, and each is given one sphere.
 
-use twins::ball::{Ball, Ray};
 use twins::sphere::Perpendicular;
+use twins::sphere_ray::{BareSphere, Ray};
 use twins::{FARTHEST, Single};
 
 use super::eye;
-use super::whitted::isect::ball::{By, SphereObject};
 use super::whitted::isect::call::{self, packet};
+use super::whitted::isect::sphere::{By, SphereObject};
 use crate::bench::{Bench, Version};
 use crate::catalogue;
 use crate::eye_records::{self, Vectors};
@@ -15,7 +15,7 @@ use crate::measure::cost;
 use crate::single::single;
 use protocol::layout::{RayPacket, Sphere};
 
-/// What a sphere's record holds for the eye's rays.
+/// What a sphere's record holds for the primary rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EyeSphere {
     /// The centre as the eye sees it and the radius squared, for kernels that take
@@ -45,13 +45,13 @@ impl EyeSphere {
             Self::Centre {
                 centre,
                 radius_squared,
-            } => eye_records::sphere(&Ball {
+            } => eye_records::sphere(&BareSphere {
                 centre,
                 radius_squared,
             }),
             Self::Axis { axis, k, distance } => Sphere {
                 distance: single(distance),
-                ..eye_records::sphere(&Ball {
+                ..eye_records::sphere(&BareSphere {
                     centre: axis,
                     radius_squared: k,
                 })
@@ -63,7 +63,7 @@ impl EyeSphere {
 /// A hit's distance for each of sixteen rays, if the kernel says that there is one.
 pub type Distances = [Option<Single>; 16];
 
-/// Calls a kernel for rays from anywhere (`isect_ball_pairs…_r16`) on packets of rays and a
+/// Calls a kernel for rays from anywhere (`isect_sphere_pairs…_r16`) on packets of rays and a
 /// sphere. No ray has a farthest distance; what `t` and `object` hold does not count.
 ///
 /// # Panics
@@ -103,7 +103,7 @@ pub fn general(
         .collect()
 }
 
-/// Calls a kernel for the eye's rays (`isect_pairs…_r16`) on packets of directions and a sphere.
+/// Calls a kernel for the primary rays (`isect_pairs…_r16`) on packets of directions and a sphere.
 ///
 /// # Panics
 ///

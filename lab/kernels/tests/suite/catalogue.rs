@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use kernels::bench::{Bench, random};
 use kernels::catalogue;
 use kernels::flat_records;
-use kernels::records::{Ball, Ray, Rays};
+use kernels::records::{BareSphere, Ray, Rays};
 use kernels::set::Kernels;
 use kernels::source::Source;
 use std::mem::offset_of;
@@ -122,9 +122,12 @@ fn the_records_of_rays_are_the_assemblers() {
         ("RAY_t", offset_of!(Ray, t)),
         ("RAY_object", offset_of!(Ray, object)),
         ("RAY_SIZE", size_of::<Ray>()),
-        ("BALL_centre", offset_of!(Ball, centre)),
-        ("BALL_radius_squared", offset_of!(Ball, radius_squared)),
-        ("BALL_SIZE", size_of::<Ball>()),
+        ("BARE_SPHERE_centre", offset_of!(BareSphere, centre)),
+        (
+            "BARE_SPHERE_radius_squared",
+            offset_of!(BareSphere, radius_squared),
+        ),
+        ("BARE_SPHERE_SIZE", size_of::<BareSphere>()),
     ]);
     assert_eq!(
         offsets(include_str!("../../../spu/include/rays.inc")),

@@ -1,6 +1,5 @@
 //! All tests of the kernels: one program, as linking many takes longer than running them.
 
-mod ball;
 mod bounce;
 mod catalogue;
 mod command_line;
@@ -8,12 +7,14 @@ mod document;
 mod eye;
 mod flat;
 mod harness;
+mod images;
 mod math;
 mod measured;
 mod pairs;
 mod rays;
 mod schedule;
 mod shaders;
+mod sphere_ray;
 mod spheres;
 mod surfaces;
 mod tracer;

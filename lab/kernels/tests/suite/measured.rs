@@ -86,7 +86,7 @@ fn the_model_finds_the_same_intervals() {
 }
 
 #[test]
-fn eye_ray_kernels_keep_their_bounds() {
+fn primary_ray_kernels_keep_their_bounds() {
     let filter = in_stream("filter_spheres_r16", "all miss");
     assert!(filter <= 24.0, "{filter} cycles a packet and sphere");
     let pairs = in_stream("isect_pairs_r16", "all hit, each nearer");

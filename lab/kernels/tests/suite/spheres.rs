@@ -3,15 +3,15 @@
 use std::collections::BTreeSet;
 
 use kernels::bench::Bench;
-use kernels::cases::ball::case_rays;
 use kernels::cases::eye::formulation::Seen;
+use kernels::cases::sphere_ray::case_rays;
 use kernels::cases::spheres::{Distances, EyeSphere, cycles_a_ray, eye, general};
-use kernels::cases::whitted::isect::ball::{FRONT, sphere};
+use kernels::cases::whitted::isect::sphere::{FRONT, sphere};
 use kernels::catalogue;
 use protocol::formulation::{EyeRecord, SPHERES};
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ball::Ball;
 use twins::sphere::Axis;
+use twins::sphere_ray::BareSphere;
 
 /// A sphere whose nearest point is 4 ahead of the rays of the cases.
 const CENTRE: [f64; 3] = [0.0, 0.0, -5.0];
@@ -46,7 +46,7 @@ fn every_formulation_has_kernels_that_hit() {
         if let Some(kernel) = formulation.eye {
             let at = |centre| -> EyeSphere {
                 match formulation.record {
-                    EyeRecord::Centre => Ball::at(centre, 1.0).words(),
+                    EyeRecord::Centre => BareSphere::at(centre, 1.0).words(),
                     EyeRecord::Axis => Axis::at(centre, 1.0).words(),
                 }
             };
@@ -71,7 +71,7 @@ fn directions_of_any_length_scale_the_distance() {
             .map(|component| from_f64(to_f64(component) * 8.0));
         ray
     });
-    let kernel = "isect_ball_pairs_unnormalised_r16";
+    let kernel = "isect_sphere_pairs_unnormalised_r16";
     let found = general(&mut bench, kernel, &[rays; 3], &ahead);
     all_about(0.5, &found, kernel);
 }
@@ -91,7 +91,7 @@ fn every_kernel_of_a_formulation_is_timed() {
     }
     assert_eq!(cycles_a_ray(&mut bench, "isect_pairs_by_guess_r16"), None);
     let of_spheres =
-        |name: &str| name.starts_with("isect_pairs") || name.starts_with("isect_ball_pairs");
+        |name: &str| name.starts_with("isect_pairs") || name.starts_with("isect_sphere_pairs");
     let known = catalogue::kernels().map(|kernel| kernel.name);
     let known: BTreeSet<&str> = known.filter(|name| of_spheres(name)).collect();
     assert_eq!(named, known);

@@ -4,7 +4,7 @@
 use std::path::Path;
 
 use cellray::framebuffer::{Geometry, Png};
-use cellray::scene::Look;
+use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
@@ -19,7 +19,7 @@ fn picture(scene: &str, formulations: Formulations) -> RgbImage {
     assert_eq!(program.formulations().unwrap(), formulations);
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../scenes");
     let scene = nff::load(&root.join(scene)).unwrap();
-    let scene = Scene::new(&scene, Look::default(), &program).unwrap();
+    let scene = Scene::new(&scene, RenderOptions::default(), &program).unwrap();
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("p.png");
     let framebuffer = Png::new(&file, Geometry::new(SIZE.0, SIZE.1).unwrap()).unwrap();

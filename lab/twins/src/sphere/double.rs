@@ -6,7 +6,9 @@ use spu_emulator::float::fpscr::Rounding::NearestEven;
 use spu_emulator::float::single::fa;
 
 use super::super::math::rsqrt;
-use super::{Ball, Crossing, Eye, General, Ray, Single, SphereObject, Vector, leaves, reciprocal};
+use super::{
+    BareSphere, Crossing, Eye, General, Ray, Single, SphereObject, Vector, leaves, reciprocal,
+};
 
 /// Perpendicular and c/q, two rays at a time.
 #[derive(Clone, Copy, Debug)]
@@ -96,7 +98,7 @@ fn meet(f: [Double; 3], d: Vector, radius_squared: Double) -> Meeting {
 }
 
 impl General for InDouble {
-    const GENERAL: &'static str = "isect_ball_pairs_double_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_double_r16";
 
     fn crossing(ray: &Ray, sphere: &SphereObject) -> Crossing {
         let f = std::array::from_fn(|axis| dfs(fesd(sphere.centre[axis]), fesd(ray.origin[axis])));
@@ -112,9 +114,9 @@ impl General for InDouble {
 
 impl Eye for InDouble {
     const EYE: &'static str = "isect_pairs_double_r16";
-    type Sphere = Ball;
+    type Sphere = BareSphere;
 
-    fn entry(direction: [Single; 3], sphere: &Ball) -> Crossing {
+    fn entry(direction: [Single; 3], sphere: &BareSphere) -> Crossing {
         let f = sphere.centre.map(fesd);
         let meeting = meet(f, direction, fesd(sphere.radius_squared));
         Crossing {

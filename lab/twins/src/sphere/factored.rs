@@ -10,7 +10,7 @@ use super::{Meeting, Rooted, Size, Vector, across, along, root_by_newton};
 pub struct Factored;
 
 impl Rooted for Factored {
-    const GENERAL: &'static str = "isect_ball_pairs_factored_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_factored_r16";
     const EYE: &'static str = "isect_pairs_factored_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {

@@ -19,9 +19,9 @@ use std::fmt::Debug;
 use spu_emulator::float::estimate::{fi, frest, frsqest};
 use spu_emulator::float::single::{fm, fma, fms, fnms, fs};
 
-use super::ball::{Ball, Ray, SIGN};
-use super::ball_pairs::SphereObject;
 use super::pairs::Sides;
+use super::sphere_pairs::SphereObject;
+use super::sphere_ray::{BareSphere, Ray, SIGN};
 use super::{HALF, ONE, Single, below_zero};
 
 pub use constants::{Axis, Constants};
@@ -52,7 +52,7 @@ pub trait General {
     fn crossing(ray: &Ray, sphere: &SphereObject) -> Crossing;
 }
 
-/// A formulation for the eye's rays, which start at 0.
+/// A formulation for primary rays, which start at 0.
 pub trait Eye {
     /// The kernel.
     const EYE: &'static str;
@@ -123,9 +123,9 @@ impl<F: Rooted> General for F {
 
 impl<F: Rooted> Eye for F {
     const EYE: &'static str = F::EYE;
-    type Sphere = Ball;
+    type Sphere = BareSphere;
 
-    fn entry(direction: [Single; 3], sphere: &Ball) -> Crossing {
+    fn entry(direction: [Single; 3], sphere: &BareSphere) -> Crossing {
         let size = Size::Squared(sphere.radius_squared);
         F::meet(sphere.centre, direction, size).crossing(false)
     }

@@ -10,7 +10,7 @@ use super::{HALF, Meeting, ONE, Rooted, Size, Vector, interpolated};
 pub struct Newton2;
 
 impl Rooted for Newton2 {
-    const GENERAL: &'static str = "isect_ball_pairs_newton2_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_newton2_r16";
     const EYE: &'static str = "isect_pairs_newton2_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {

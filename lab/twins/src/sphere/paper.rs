@@ -9,7 +9,7 @@ use super::{Meeting, Rooted, Size, Vector, along, beyond_surface, root_by_newton
 pub struct Paper;
 
 impl Rooted for Paper {
-    const GENERAL: &'static str = "isect_ball_pairs_paper_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_paper_r16";
     const EYE: &'static str = "isect_pairs_paper_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {

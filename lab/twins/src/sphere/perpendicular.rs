@@ -38,7 +38,7 @@ pub(super) fn meet(
 }
 
 impl Rooted for Perpendicular {
-    const GENERAL: &'static str = "isect_ball_pairs_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_r16";
     const EYE: &'static str = "isect_pairs_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {
@@ -47,7 +47,7 @@ impl Rooted for Perpendicular {
 }
 
 impl Rooted for Estimate {
-    const GENERAL: &'static str = "isect_ball_pairs_estimate_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_estimate_r16";
     const EYE: &'static str = "isect_pairs_estimate_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {
@@ -56,7 +56,7 @@ impl Rooted for Estimate {
 }
 
 impl Rooted for Interpolated {
-    const GENERAL: &'static str = "isect_ball_pairs_interpolated_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_interpolated_r16";
     const EYE: &'static str = "isect_pairs_interpolated_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {

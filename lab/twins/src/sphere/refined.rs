@@ -4,8 +4,8 @@
 use spu_emulator::float::single::{fm, fma, fms, fnms};
 
 use super::{
-    Ball, Crossing, Eye, General, HALF, ONE, Ray, Single, SphereObject, Vector, across, along,
-    interpolated, leaves, sign, within,
+    BareSphere, Crossing, Eye, General, HALF, ONE, Ray, Single, SphereObject, Vector, across,
+    along, interpolated, leaves, sign, within,
 };
 
 /// Perpendicular, with half of l.d added to b.
@@ -57,7 +57,7 @@ impl Meeting {
 }
 
 impl General for Refined {
-    const GENERAL: &'static str = "isect_ball_pairs_refined_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_refined_r16";
 
     fn crossing(ray: &Ray, sphere: &SphereObject) -> Crossing {
         let half_centre = sphere.centre.map(|component| fm(component, HALF));
@@ -70,9 +70,9 @@ impl General for Refined {
 
 impl Eye for Refined {
     const EYE: &'static str = "isect_pairs_refined_r16";
-    type Sphere = Ball;
+    type Sphere = BareSphere;
 
-    fn entry(direction: [Single; 3], sphere: &Ball) -> Crossing {
+    fn entry(direction: [Single; 3], sphere: &BareSphere) -> Crossing {
         let f = sphere.centre.map(|component| fm(component, HALF));
         meet(f, direction, fm(sphere.radius_squared, QUARTER)).crossing(false)
     }

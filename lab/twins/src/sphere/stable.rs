@@ -3,8 +3,8 @@
 use spu_emulator::float::single::{fm, fma};
 
 use super::{
-    Ball, Crossing, Eye, General, Ray, SIGN, Single, Size, SphereObject, Vector, across, along,
-    below_zero, beyond_surface, from_origin, leaves, reciprocal, root_by_newton, within,
+    BareSphere, Crossing, Eye, General, Ray, SIGN, Single, Size, SphereObject, Vector, across,
+    along, below_zero, beyond_surface, from_origin, leaves, reciprocal, root_by_newton, within,
 };
 
 /// Perpendicular, and crossings at q and cc/q.
@@ -42,7 +42,7 @@ impl Meeting {
 }
 
 impl General for Stable {
-    const GENERAL: &'static str = "isect_ball_pairs_stable_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_stable_r16";
 
     fn crossing(ray: &Ray, sphere: &SphereObject) -> Crossing {
         let f = from_origin(sphere.centre, ray.origin);
@@ -58,9 +58,9 @@ impl General for Stable {
 
 impl Eye for Stable {
     const EYE: &'static str = "isect_pairs_stable_r16";
-    type Sphere = Ball;
+    type Sphere = BareSphere;
 
-    fn entry(direction: [Single; 3], sphere: &Ball) -> Crossing {
+    fn entry(direction: [Single; 3], sphere: &BareSphere) -> Crossing {
         let size = Size::Squared(sphere.radius_squared);
         let meeting = meet(sphere.centre, direction, size);
         let [_, t] = meeting.crossings();

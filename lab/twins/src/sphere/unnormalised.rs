@@ -9,7 +9,7 @@ use super::{Meeting, Rooted, Size, Vector, across, along, reciprocal, root_by_ne
 pub struct Unnormalised;
 
 impl Rooted for Unnormalised {
-    const GENERAL: &'static str = "isect_ball_pairs_unnormalised_r16";
+    const GENERAL: &'static str = "isect_sphere_pairs_unnormalised_r16";
     const EYE: &'static str = "isect_pairs_unnormalised_r16";
 
     fn meet(f: Vector, d: Vector, size: Size) -> Meeting {

@@ -47,7 +47,7 @@ fn the_published_counts_of_tetra() {
 }
 
 #[test]
-fn eye_rays_go_through_centres_or_corners() {
+fn primary_rays_go_through_centres_or_corners() {
     let scene = nff::sphereflake::generate(1).expect("a scene");
     let centres = Options {
         corners: false,
@@ -107,7 +107,7 @@ fn by_spds_rule_glass_of_no_share_sends_rays_that_are_not_seen() {
         (seen.eye, seen.eye_hit, seen.refracted),
         (all.eye, all.eye_hit, all.refracted)
     );
-    // Every eye ray that meets glass is refracted, and now reflected as well.
+    // Every primary ray that meets glass is refracted, and now reflected as well.
     assert_eq!((seen.reflected, all.reflected), (0, seen.refracted));
     assert!(seen.eye_hit > all.reflected && all.shadow > seen.shadow);
     assert_eq!(

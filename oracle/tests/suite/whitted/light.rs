@@ -90,7 +90,7 @@ fn nothing_is_lost_or_won_in_white_surroundings() {
     assert_eq!(look(&ball("0 0.25 1 0.75 1.5"), &deep).0, [255; 3]);
     assert_eq!(look(&ball("0 0 1 1 1.5"), &by_schlick).0, [255; 3]);
     assert_eq!(look(&ball("0 0.2 1 0.8 2.4"), &by_schlick).0, [255; 3]);
-    // The same without depth: of the eye ray's mirror alone a quarter comes.
+    // The same without depth: of the primary ray's mirror alone a quarter comes.
     let shallow = Options {
         depth: 2,
         ..Options::default()

@@ -1,28 +1,30 @@
-//! Pictures as characters: the upper half block, its own colour above, the background's below.
+//! Draws pictures with characters: an upper half block, with its colour for the upper pixel and
+//! the background's colour for the lower one.
 //!
-//! Invariant: only what differs from what the terminal shows already is written, so that a picture
-//! that hardly changes takes little of a line.
+//! Invariant: only the differences from the terminal's contents are written, so a picture that
+//! hardly changes needs little bandwidth.
 
 use std::io::Write as _;
 
 use image::RgbImage;
+use image::imageops::{self, FilterType};
 
 use super::super::Fit;
 
 const HALF: &str = "\u{2580}";
 const WHITE: [u8; 3] = [255; 3];
 
-/// How colours are told.
+/// How colours are encoded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Colours {
-    /// By red, green and blue.
+    /// As red, green and blue.
     True,
-    /// By the number of one of 256: a cube of six steps each way.
+    /// As one of 256 numbered colours, in a cube with six steps in each direction.
     Cube,
 }
 
 impl Colours {
-    /// What the terminal says it has.
+    /// The colours that the terminal's environment variables announce.
     pub fn of_environment() -> Self {
         match std::env::var("COLORTERM").as_deref() {
             Ok("truecolor" | "24bit") => Self::True,
@@ -30,7 +32,7 @@ impl Colours {
         }
     }
 
-    /// The colour nearest to one, as numbers of the terminal's own: equal ones look equal.
+    /// The nearest colour that the terminal has. Equal results look equal.
     fn shown(self, [red, green, blue]: [u8; 3]) -> Colour {
         match self {
             Self::True => Colour::True([red, green, blue]),
@@ -57,7 +59,7 @@ enum Colour {
 }
 
 impl Colour {
-    /// Writes it as the colour of letters (3) or of what is behind them (4).
+    /// Writes the colour as that of the foreground (3) or of the background (4).
     fn write(self, layer: u8, out: &mut Vec<u8>) {
         // Writing to memory can't fail.
         let _ = match self {
@@ -74,12 +76,12 @@ struct Cell {
     below: Colour,
 }
 
-/// What the terminal shows.
+/// The contents of the terminal.
 #[derive(Debug)]
 pub struct Grid {
     colours: Colours,
     size: (u16, u16),
-    /// Nothing where it is not known.
+    /// `None` for cells with unknown contents.
     shown: Vec<Option<Cell>>,
     text: Vec<u8>,
 }
@@ -94,12 +96,13 @@ impl Grid {
         }
     }
 
-    /// Nothing is known any more of what the terminal shows.
+    /// Forgets the terminal's contents, so that everything is drawn again.
     pub fn forget(&mut self) {
         self.size = (0, 0);
     }
 
-    /// What to write so that the terminal shows the picture, and a line of text at its foot.
+    /// The bytes to write so that the terminal shows the picture, with a line of text at the
+    /// bottom.
     pub fn draw(
         &mut self,
         picture: &RgbImage,
@@ -122,7 +125,7 @@ impl Grid {
             self.colours.shown(pixel)
         };
         let mut letters = line.unwrap_or_default().chars();
-        // Where the terminal's own cursor is, and what it writes in.
+        // The position of the terminal's cursor.
         let mut cursor = None;
         let mut ink = None;
         for y in 0..rows {
@@ -163,12 +166,31 @@ impl Grid {
                     .letter
                     .map_or(HALF, |letter| letter.encode_utf8(&mut bytes));
                 self.text.extend_from_slice(text.as_bytes());
-                // What follows the last column is not the same on all terminals.
+                // Terminals differ in the cursor's position after the last column.
                 cursor = (x + 1 < columns).then_some((x + 1, y));
             }
         }
         &self.text
     }
+}
+
+/// A picture as lines of text, so many columns wide, for a terminal that scrolls.
+pub fn lines(picture: &RgbImage, columns: u16, colours: Colours) -> Vec<u8> {
+    let (width, height) = picture.dimensions();
+    let columns = u32::from(columns).clamp(1, width.max(1));
+    let rows = (columns * height / width.max(1)).div_ceil(2).max(1);
+    let small = imageops::resize(picture, columns, 2 * rows, FilterType::Triangle);
+    let mut text = Vec::new();
+    for row in 0..rows {
+        for column in 0..columns {
+            let colour = |y| colours.shown(small.get_pixel(column, y).0);
+            colour(2 * row).write(3, &mut text);
+            colour(2 * row + 1).write(4, &mut text);
+            text.extend_from_slice(HALF.as_bytes());
+        }
+        text.extend_from_slice(b"\x1b[0m\n");
+    }
+    text
 }
 
 #[cfg(test)]
@@ -188,6 +210,23 @@ mod tests {
 
     const RED: [u8; 3] = [200, 0, 0];
     const BLUE: [u8; 3] = [0, 0, 99];
+
+    #[test]
+    fn a_picture_is_lines_that_keep_its_shape() {
+        let picture = RgbImage::from_pixel(40, 20, image::Rgb(RED));
+        let text = String::from_utf8(lines(&picture, 10, Colours::True)).expect("text");
+        let cell = "\x1b[38;2;200;0;0m\x1b[48;2;200;0;0m\u{2580}";
+        let line = format!("{}\x1b[0m\n", cell.repeat(10));
+        assert_eq!(text, line.repeat(3));
+        let narrow = RgbImage::from_pixel(1, 1, image::Rgb(RED));
+        assert_eq!(
+            lines(&narrow, 80, Colours::Cube)
+                .iter()
+                .filter(|&&byte| byte == b'\n')
+                .count(),
+            1
+        );
+    }
 
     #[test]
     fn two_pixels_are_one_character_and_only_changes_are_written() {

@@ -1,11 +1,11 @@
-//! The terminal's events, read by a thread of their own.
+//! Reads the terminal's events in a separate thread.
 //!
-//! A read waits where bytes have come that are no whole event, such as Alt and a bracket, and one
-//! of a terminal that has hung up comes back empty for ever. Invariant: the frame loop waits for
-//! neither, and the thread holds nothing that the program needs to end.
+//! A read waits if the bytes so far are not a complete event, for example after Alt and a bracket.
+//! Reads of a terminal that has hung up return nothing, forever. Invariant: the frame loop waits
+//! for neither, and the thread holds nothing that the program needs to end.
 //!
-//! Known weakness: a terminal that hangs up in the midst of an event, under a program that goes on
-//! without it, keeps the thread busy.
+//! Known weakness: if a terminal hangs up in the middle of an event, and the program continues
+//! without it, the thread stays busy.
 
 use std::io;
 use std::sync::mpsc::{self, Receiver, Sender, TryRecvError};
@@ -14,24 +14,26 @@ use std::time::Duration;
 
 use crossterm::event::{self, Event};
 
-/// What is read.
+/// The events that the thread has read.
 pub struct Events(Receiver<Event>);
 
 impl Events {
-    /// Begins to read.
+    /// Starts the thread.
     pub fn read() -> io::Result<Self> {
         let (sender, events) = mpsc::channel();
         thread::Builder::new()
             .name("terminal".to_owned())
             .spawn(move || {
-                // An error ends the thread, and so the channel, of which the frame loop hears.
+                // An error ends the thread and closes the channel, which the frame loop notices.
                 while is_there() && pass_on(&sender).is_ok() {}
             })?;
         Ok(Self(events))
     }
 
-    /// The next, if one has come. An error where the terminal has hung up, so that there will be
-    /// none.
+    /// The next event, if there is one.
+    ///
+    /// # Errors
+    /// The terminal has hung up, so there will be no more events.
     pub fn next(&self) -> io::Result<Option<Event>> {
         match self.0.try_recv() {
             Ok(event) => Ok(Some(event)),
@@ -41,7 +43,7 @@ impl Events {
     }
 }
 
-/// Passes on what has come.
+/// Passes the next event on.
 fn pass_on(events: &Sender<Event>) -> io::Result<()> {
     while event::poll(Duration::ZERO)? {
         let sent = events.send(event::read()?);
@@ -50,7 +52,7 @@ fn pass_on(events: &Sender<Event>) -> io::Result<()> {
     Ok(())
 }
 
-/// Waits until something has come, or a signal, and says whether the terminal has not hung up.
+/// Waits for input or a signal; `false` if the terminal has hung up.
 fn is_there() -> bool {
     let mut terminal = libc::pollfd {
         fd: libc::STDIN_FILENO,

@@ -1,38 +1,37 @@
-//! Keys of a terminal.
+//! The keys of a terminal.
 //!
-//! Terminals that know the kitty protocol tell of releases. Others tell of a key again and again
-//! while it is held: there it counts as released when nothing has been heard of it for a while.
-//! The pause before the first repetition is longer than that, so a key that is held is let go of
-//! for a moment once.
+//! Terminals with the kitty protocol report releases. Others only repeat a key while it is held,
+//! so a key counts as released when it was not repeated for a while. The pause before the first
+//! repetition is longer than that, so a held key is released once for a moment.
 
 use std::time::{Duration, Instant};
 
 use cellray::game::{InputEvent, Key};
 use crossterm::event::{KeyCode, KeyEvent, KeyEventKind, KeyModifiers, ModifierKeyCode};
 
-/// How long a key counts as held that is not heard of again.
+/// How long a key counts as held if it is not repeated.
 const HELD: Duration = Duration::from_millis(150);
 
 /// The keys that are held.
 #[derive(Debug, Default)]
 pub struct Keys {
     held: Vec<(Key, Instant)>,
-    /// The terminal has told of a release, so it tells of all.
-    tells_releases: bool,
+    /// Whether the terminal has reported a release, which means that it reports all of them.
+    reports_releases: bool,
 }
 
 impl Keys {
-    /// Takes an event of the terminal.
+    /// Converts an event of the terminal, and calls `input` with the results.
     pub fn take(&mut self, event: KeyEvent, now: Instant, input: &mut impl FnMut(InputEvent)) {
         let is_release = event.kind == KeyEventKind::Release;
-        self.tells_releases |= is_release;
+        self.reports_releases |= is_release;
         let modifiers = [
             (KeyModifiers::SHIFT, Key::Shift),
             (KeyModifiers::CONTROL, Key::Control),
             (KeyModifiers::ALT, Key::Alt),
         ];
-        // Where releases are told, so are these keys.
-        if !self.tells_releases {
+        // Terminals that report releases report these keys themselves.
+        if !self.reports_releases {
             for (modifier, key) in modifiers {
                 if event.modifiers.contains(modifier) {
                     self.press(key, now, input);
@@ -50,9 +49,9 @@ impl Keys {
         }
     }
 
-    /// Releases what has not been heard of.
-    pub fn let_go(&mut self, now: Instant, input: &mut impl FnMut(InputEvent)) {
-        if self.tells_releases {
+    /// Releases the keys that were not repeated in time.
+    pub fn release_silent(&mut self, now: Instant, input: &mut impl FnMut(InputEvent)) {
+        if self.reports_releases {
             return;
         }
         self.held.retain(|&(key, heard)| {
@@ -64,7 +63,7 @@ impl Keys {
         });
     }
 
-    /// Forgets what is held: the terminal has told that it hears no more of it.
+    /// Forgets the held keys, because the terminal has lost the focus.
     pub fn forget(&mut self) {
         self.held.clear();
     }
@@ -80,7 +79,7 @@ impl Keys {
     }
 }
 
-/// The key, if a game knows it. Of letters that are printed on the same key both are it.
+/// The key, if games have a name for it. Both letters that are printed on a key give that key.
 fn key(code: KeyCode) -> Option<Key> {
     Some(match code {
         KeyCode::Char(letter) => return of_letter(letter),
@@ -123,7 +122,7 @@ const FUNCTION: [Key; 12] = [
     Key::F12,
 ];
 
-/// Letters of each key on a keyboard of the United States.
+/// The letters of each key on a US keyboard.
 const LETTERS: [(&str, Key); 48] = [
     ("aA", Key::A),
     ("bB", Key::B),
@@ -191,9 +190,9 @@ mod tests {
         downs(told)
     }
 
-    fn let_go(keys: &mut Keys, now: Instant) -> Vec<(Key, bool)> {
+    fn release_silent(keys: &mut Keys, now: Instant) -> Vec<(Key, bool)> {
         let mut told = Vec::new();
-        keys.let_go(now, &mut |event| told.push(event));
+        keys.release_silent(now, &mut |event| told.push(event));
         downs(told)
     }
 
@@ -215,9 +214,9 @@ mod tests {
             [(Key::A, true)]
         );
         assert_eq!(told(&mut keys, KeyCode::Char('A'), press, at(100)), []);
-        assert_eq!(let_go(&mut keys, at(200)), []);
-        assert_eq!(let_go(&mut keys, at(250)), [(Key::A, false)]);
-        assert_eq!(let_go(&mut keys, at(900)), []);
+        assert_eq!(release_silent(&mut keys, at(200)), []);
+        assert_eq!(release_silent(&mut keys, at(250)), [(Key::A, false)]);
+        assert_eq!(release_silent(&mut keys, at(900)), []);
         assert_eq!(
             told(&mut keys, KeyCode::Up, press, at(950)),
             [(Key::Up, true)]
@@ -225,7 +224,7 @@ mod tests {
     }
 
     #[test]
-    fn told_releases_are_believed() {
+    fn reported_releases_are_used() {
         let (mut keys, start) = (Keys::default(), Instant::now());
         let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
         told(&mut keys, KeyCode::Left, press, start);
@@ -234,7 +233,10 @@ mod tests {
             [(Key::Left, false)]
         );
         told(&mut keys, KeyCode::Left, press, start);
-        assert_eq!(let_go(&mut keys, start + Duration::from_secs(9)), []);
+        assert_eq!(
+            release_silent(&mut keys, start + Duration::from_secs(9)),
+            []
+        );
         assert_eq!(
             told(&mut keys, KeyCode::Left, release, start),
             [(Key::Left, false)]
@@ -242,7 +244,7 @@ mod tests {
     }
 
     #[test]
-    fn a_key_held_as_the_focus_went_is_pressed_again() {
+    fn a_key_held_when_the_focus_was_lost_is_pressed_again() {
         let (mut keys, now) = (Keys::default(), Instant::now());
         let (press, release) = (KeyEventKind::Press, KeyEventKind::Release);
         told(&mut keys, KeyCode::Up, press, now);

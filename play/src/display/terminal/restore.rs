@@ -1,9 +1,9 @@
-//! The terminal's state, taken over and put back.
+//! Takes over the terminal's state and restores it.
 //!
-//! Invariant: it is put back when a [`Taken`] is dropped, before a panic is told, by whatever else
-//! ends the program or stops it, as far as the library's [`LastResort`] hears of it, and taken
-//! again when the program goes on. Those run in signal handlers: by system calls alone. SIGKILL
-//! and SIGSTOP can't be heard of.
+//! Invariant: the state is restored when a [`TerminalGuard`] is dropped, before a panic is
+//! reported, and when the program ends or stops in any other way that the library's [`LastResort`]
+//! catches. It is taken again when the program continues. Signal handlers do this with system
+//! calls only. SIGKILL and SIGSTOP can't be caught.
 
 use std::io;
 use std::mem::MaybeUninit;
@@ -13,88 +13,91 @@ use std::sync::atomic::{AtomicBool, Ordering};
 
 use cellray::framebuffer::LastResort;
 
-/// Other screen, no cursor, no line wrap; focus and mouse are told, where that is known also
-/// without a button held; keys with their releases, where that is.
+/// Switches to the alternate screen, hides the cursor, disables line wrapping, and requests
+/// reports of the focus and the mouse. If the terminal supports it, the mouse is also reported
+/// without a button held, and keys are reported with their releases.
 const BEGIN: &str =
     "\x1b[?1049h\x1b[?25l\x1b[?7l\x1b[2J\x1b[?1004h\x1b[?1002h\x1b[?1003h\x1b[?1006h\x1b[>11u";
 const END: &str =
     "\x1b[<u\x1b[?1006l\x1b[?1003l\x1b[?1002l\x1b[?1004l\x1b[0m\x1b[?7h\x1b[?25h\x1b[?1049l";
 
-/// The terminal as it was found and as it is ours; of the program, so it is set once.
+/// The terminal's original and new settings. They are the program's, so they are set once.
 static STATES: OnceLock<States> = OnceLock::new();
 static IS_TAKEN: AtomicBool = AtomicBool::new(false);
-/// A stop has put it back.
-static IS_TO_TAKE: AtomicBool = AtomicBool::new(false);
-/// Taken again, and nobody has been told.
-static IS_BACK: AtomicBool = AtomicBool::new(false);
+/// Whether a stop has restored the terminal, so that it must be taken again.
+static RETAKE_PENDING: AtomicBool = AtomicBool::new(false);
+/// Whether the terminal was taken again since the last [`TerminalGuard::was_retaken`].
+static WAS_RETAKEN: AtomicBool = AtomicBool::new(false);
 
 static LAST_RESORT: LastResort = LastResort {
-    put_back: || {
-        if put_back() {
-            IS_TO_TAKE.store(true, Ordering::SeqCst);
+    restore: || {
+        if restore() {
+            RETAKE_PENDING.store(true, Ordering::SeqCst);
         }
     },
-    take_again: || {
-        if IS_TO_TAKE.swap(false, Ordering::SeqCst) {
-            // Nobody is there to be told of an error.
+    retake: || {
+        if RETAKE_PENDING.swap(false, Ordering::SeqCst) {
+            // An error can't be reported here.
             let _ = take();
-            IS_BACK.store(true, Ordering::SeqCst);
+            WAS_RETAKEN.store(true, Ordering::SeqCst);
         }
     },
 };
 
 struct States {
     found: libc::termios,
-    ours: libc::termios,
+    raw: libc::termios,
     has_pictures: bool,
 }
 
-/// The terminal, while it is ours.
-pub struct Taken(());
+/// Holds the terminal. Dropping it restores the terminal.
+pub struct TerminalGuard(());
 
-impl Taken {
-    /// Takes the terminal over: keys come one by one, and no one else's text is shown if pictures
-    /// are.
+impl TerminalGuard {
+    /// Takes over the terminal: keys arrive one by one, and with pictures it shows no other text.
+    ///
+    /// # Errors
+    /// Standard input isn't a terminal, or its settings can't be changed.
     pub fn take(has_pictures: bool) -> io::Result<Self> {
         let found = modes()?;
         STATES.get_or_init(|| {
-            let mut ours = found;
-            // SAFETY: `ours` is a termios of its own.
-            unsafe { libc::cfmakeraw(&raw mut ours) };
+            let mut raw = found;
+            // SAFETY: `raw` is a termios of its own.
+            unsafe { libc::cfmakeraw(&raw mut raw) };
             if !has_pictures {
-                // Messages go on, and Ctrl-C is the system's.
-                ours.c_oflag = found.c_oflag;
-                ours.c_lflag |= libc::ISIG;
+                // Messages are still printed, and the system handles Ctrl-C.
+                raw.c_oflag = found.c_oflag;
+                raw.c_lflag |= libc::ISIG;
             }
             let tell = panic::take_hook();
             panic::set_hook(Box::new(move |what| {
-                put_back();
+                restore();
                 tell(what);
             }));
             States {
                 found,
-                ours,
+                raw,
                 has_pictures,
             }
         });
-        // SAFETY: both functions use atomics, a cell that is set by now, and calls that handlers
-        // may make.
+        // SAFETY: both functions only use atomics, a cell that is already set, and calls that
+        // handlers may make.
         unsafe { LAST_RESORT.arm()? };
         let taken = Self(());
         take()?;
         Ok(taken)
     }
 
-    /// Whether it was put back and taken again since the last call: nothing that was shown is
-    /// there any more.
-    pub fn is_back(&self) -> bool {
-        IS_BACK.swap(false, Ordering::SeqCst)
+    /// Whether the terminal was restored and taken again since the last call, which loses its
+    /// contents.
+    pub fn was_retaken(&self) -> bool {
+        WAS_RETAKEN.swap(false, Ordering::SeqCst)
     }
 }
 
-impl Drop for Taken {
+impl Drop for TerminalGuard {
     fn drop(&mut self) {
-        put_back();
+        restore();
     }
 }
 
@@ -104,18 +107,18 @@ fn modes() -> io::Result<libc::termios> {
     if unsafe { libc::tcgetattr(libc::STDIN_FILENO, found.as_mut_ptr()) } != 0 {
         return Err(io::Error::last_os_error());
     }
-    // SAFETY: the call succeeded, so it wrote it.
+    // SAFETY: the call succeeded, so it wrote the termios.
     Ok(unsafe { found.assume_init() })
 }
 
-/// Takes the terminal. May be called from a signal handler.
+/// Takes the terminal. Signal handlers may call it.
 fn take() -> io::Result<()> {
     let Some(states) = STATES.get() else {
         return Ok(());
     };
     IS_TAKEN.store(true, Ordering::SeqCst);
     // SAFETY: a valid termios, which is not changed any more.
-    if unsafe { libc::tcsetattr(libc::STDIN_FILENO, libc::TCSANOW, &raw const states.ours) } != 0 {
+    if unsafe { libc::tcsetattr(libc::STDIN_FILENO, libc::TCSANOW, &raw const states.raw) } != 0 {
         return Err(io::Error::last_os_error());
     }
     if states.has_pictures {
@@ -124,16 +127,15 @@ fn take() -> io::Result<()> {
     Ok(())
 }
 
-/// Puts the terminal back, once, and says whether it was taken. May be called from a signal
-/// handler.
-fn put_back() -> bool {
+/// Restores the terminal if it is taken, and returns whether it was. Signal handlers may call it.
+fn restore() -> bool {
     let was_taken = IS_TAKEN.swap(false, Ordering::SeqCst);
     if let Some(states) = STATES.get().filter(|_| was_taken) {
         if states.has_pictures {
             write(END);
         }
-        // What was typed and not read was for us, not for the shell. SAFETY: both calls take a
-        // descriptor, and the second a valid termios, which is not changed any more.
+        // Unread input was meant for this program, not for the shell. SAFETY: both calls take a
+        // descriptor, and the second one a valid termios, which is not changed any more.
         unsafe {
             libc::tcflush(libc::STDIN_FILENO, libc::TCIFLUSH);
             libc::tcsetattr(libc::STDIN_FILENO, libc::TCSANOW, &raw const states.found);
@@ -142,7 +144,7 @@ fn put_back() -> bool {
     was_taken
 }
 
-/// Writes to the terminal, past all buffers. If it can't be, there is nobody to see it.
+/// Writes to the terminal without any buffer. Errors are ignored, because nobody could see them.
 fn write(text: &str) {
     let mut rest = text.as_bytes();
     while !rest.is_empty() {
@@ -169,9 +171,9 @@ mod tests {
     const PANICS: &str = "CELLRAY_TEST_PANICS";
 
     #[test]
-    fn a_panic_is_told_on_the_terminal_as_it_was() {
+    fn a_panic_is_reported_on_the_restored_terminal() {
         if std::env::var_os(PANICS).is_some() && io::stdin().is_terminal() {
-            let _taken = Taken::take(true).expect("a terminal");
+            let _taken = TerminalGuard::take(true).expect("a terminal");
             panic!("as a game does");
         }
         let (mut ours, mut theirs) = (-1, -1);
@@ -187,7 +189,7 @@ mod tests {
             )
         };
         assert_eq!(opened, 0);
-        // SAFETY: both were just opened, and are nobody else's.
+        // SAFETY: both were just opened, and have no other owner.
         let (mut ours, theirs) = unsafe { (File::from_raw_fd(ours), OwnedFd::from_raw_fd(theirs)) };
         let stdio = || Stdio::from(theirs.try_clone().expect("a descriptor"));
         let mut command = Command::new(std::env::current_exe().expect("this program"));
@@ -196,7 +198,7 @@ mod tests {
             .env(PANICS, "1");
         command.stdin(stdio()).stdout(stdio()).stderr(stdio());
         let mut child = command.spawn().expect("this program");
-        // Its end, however early, ends the reading.
+        // If the child ends early, reading ends too.
         drop((command, theirs));
         let mut seen = String::new();
         let mut bytes = [0; 4096];
@@ -207,7 +209,7 @@ mod tests {
         let told = seen.find("as a game does");
         let (begin, end) = (seen.find(BEGIN), seen.find(END));
         assert!(begin.is_some() && begin < end && end < told, "{seen:?}");
-        // Lines begin at the left: the terminal's own modes are back.
+        // Lines begin at the left, so the terminal's modes are restored.
         let line = seen[told.unwrap_or_default()..].trim_start_matches("as a game does");
         assert!(line.is_empty() || line.starts_with("\r\n"), "{seen:?}");
         child.kill().expect("a child");

@@ -1,28 +1,28 @@
-//! What is said over the picture, in pixels.
+//! Draws the overlay in pixels.
 //!
-//! Invariant: it is drawn over the display, never into the picture that the SPUs keep.
+//! Invariant: the overlay is drawn on the display, never into the picture that the SPUs write.
 
 use font8x8::legacy::BASIC_LEGACY;
 
 use crate::overlay::Overlay;
 
-/// Pixels of a letter, each way.
+/// The width and height of a letter in pixels.
 const LETTER: usize = 8;
-/// From one line to the next.
+/// The distance between lines in pixels.
 const LINE: usize = 10;
 const MARGIN: usize = 6;
-/// Bars of the SPUs' loads.
+/// The size of the bars for the SPUs' loads in pixels.
 const BAR_WIDTH: usize = 14;
 const BAR_HEIGHT: usize = 32;
 
-/// Colour of letters.
+/// The colour of letters.
 pub const INK: u32 = 0x00FF_FFFF;
-/// Colour of a bar's part that stands for load.
+/// The colour of the loaded part of a bar.
 pub const LOAD: u32 = 0x0040_E060;
-/// Colour of the rest of a bar.
+/// The colour of the rest of a bar.
 pub const ROOM: u32 = 0x0030_3030;
 
-/// Draws over pixels, of which a row has so many. What does not fit is left out.
+/// Draws the overlay over pixels with rows of `width`. Parts that don't fit are left out.
 pub fn draw(overlay: &Overlay, pixels: &mut [u32], width: usize) {
     let bars = overlay.loads.len() * (BAR_WIDTH + 4);
     let lines: Vec<_> = overlay.lines.iter().chain(&overlay.message).collect();
@@ -66,7 +66,7 @@ impl Canvas<'_> {
 
     fn darken(&mut self, x: usize, y: usize) {
         if let Some(pixel) = self.at(x, y) {
-            // A quarter of each channel.
+            // Reduces each channel to a quarter.
             *pixel = *pixel >> 2 & 0x003F_3F3F;
         }
     }

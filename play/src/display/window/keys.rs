@@ -1,9 +1,9 @@
-//! The keys of a window under the names that a game knows, and which of them were pressed in it.
+//! Converts a window's keys to the names that games use, and finds those pressed in the window.
 
 use cellray::game::Key;
 use winit::keyboard::KeyCode;
 
-/// The key, if a game knows it.
+/// The key, if games have a name for it.
 pub fn key(code: KeyCode) -> Option<Key> {
     Some(match code {
         KeyCode::KeyA => Key::A,
@@ -87,14 +87,15 @@ pub fn key(code: KeyCode) -> Option<Key> {
     })
 }
 
-/// Keys that were down as the window came to the front: pressed elsewhere, so not pressed here
-/// until they are let go of. The first of their repetitions is not marked as one.
+/// Keys that were down when the window came to the front. They were pressed elsewhere, so they
+/// don't count as pressed here until they are released. Their first repetition isn't marked as
+/// one.
 #[derive(Debug, Default)]
 pub struct HeldElsewhere(Vec<Key>);
 
 impl HeldElsewhere {
-    /// Whether an event is a press in the window, or a release. `is_synthetic` are those that tell
-    /// what is down as the window comes to the front, and let go of all as it goes to the back.
+    /// Whether an event is a press in the window, or a release. Synthetic events report the held
+    /// keys when the window comes to the front, and release them when it goes to the back.
     pub fn is_news(&mut self, key: Key, down: bool, is_repeat: bool, is_synthetic: bool) -> bool {
         if !down {
             self.0.retain(|held| *held != key);
@@ -122,12 +123,12 @@ mod tests {
         };
         assert_eq!(press(false, false), (true, true));
         assert_eq!(press(true, false), (false, false));
-        // The second stands for a repetition that is not marked.
+        // The second event is a repetition that isn't marked.
         assert_eq!(press(false, true), (true, false));
         assert_eq!(press(false, false), (true, false));
         assert!(keys.is_news(Key::Escape, false, false, false));
         assert!(keys.is_news(Key::Escape, true, false, false));
-        // The window lets go of what is held as it goes to the back.
+        // The held keys are released when the window goes to the back.
         assert!(keys.is_news(Key::Escape, false, false, true));
     }
 }

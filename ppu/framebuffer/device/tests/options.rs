@@ -1,5 +1,4 @@
-//! What is asked of a device beyond showing frames: video modes, fewer frames, a screen for
-//! others.
+//! Tests of a device's options: video modes, fewer frames, and releasing the screen.
 
 use super::super::super::Raster;
 use super::script::Call::{Fsel, Getmode, Off, On, Screeninfo, Setmode, Vsync};
@@ -14,7 +13,7 @@ const BORDERED: Options = Options {
 };
 
 #[test]
-fn the_video_mode_is_changed_before_anything_and_put_back_last() {
+fn the_video_mode_is_changed_first_and_restored_last() {
     let bordered = Script::new("ps3fb", 1124, 644, 4544, 9 * MIB - 0x1_0000);
     let mut script = Script::ps3fb();
     script.mode = 131;
@@ -39,7 +38,7 @@ fn the_video_mode_is_changed_before_anything_and_put_back_last() {
             Setmode(131)
         ]
     );
-    // The mode that is set already is left alone.
+    // A mode that is already set is not set again.
     let (device, witness) = bordered.open_with(BORDERED);
     drop(device.unwrap());
     assert_eq!(witness.calls(), [Getmode, Screeninfo, On, Fsel(1), Off]);
@@ -118,7 +117,7 @@ fn one_frame_and_no_vsync_can_be_asked_for() {
 }
 
 #[test]
-fn a_screen_left_is_put_back_once_and_taken_over_again() {
+fn a_released_screen_is_restored_once_and_taken_over_again() {
     let (device, witness) = Script::ps3fb().open(None, None);
     let mut device = device.unwrap();
     show(&mut device, 0);

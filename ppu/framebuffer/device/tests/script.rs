@@ -1,8 +1,8 @@
-//! A driver that answers by a script, notes the calls made, and keeps its memory for a witness.
+//! A driver that answers by a script and records the calls. A witness can read its memory.
 
 use super::super::super::driver::{Driver, Mapping};
 use super::super::super::ioctl::{FbBitfield, FbFixScreeninfo, FbVarScreeninfo, Ps3fbIoctlRes};
-use super::super::super::last_resort::{Argument, Place, PutBack};
+use super::super::super::last_resort::{Argument, Place, RestorePromise};
 use super::super::super::{FramebufferError, Geometry, Options, pattern};
 use super::super::{Device, Mode};
 use memmap2::MmapRaw;
@@ -24,22 +24,22 @@ pub(super) enum Call {
     Pan(u32, u32),
 }
 
-/// A driver of whose calls those listed in `failing` give that errno.
+/// A scripted driver. The calls in `failing` return their errno.
 pub(super) struct Script {
     pub(super) var: FbVarScreeninfo,
     pub(super) fix: FbFixScreeninfo,
     pub(super) num_frames: u32,
-    /// Video mode, and what FBIOGET answers after another was set.
+    /// The video mode, and the answers to FBIOGET after another mode was set.
     pub(super) mode: u32,
     pub(super) other_mode: Option<(FbVarScreeninfo, FbFixScreeninfo)>,
-    /// Bytes of the mapping before the framebuffer.
+    /// The number of bytes in the mapping before the framebuffer.
     pub(super) start: usize,
     failing: Vec<(Call, i32)>,
     memory: fs::File,
     calls: Arc<Mutex<Vec<Call>>>,
 }
 
-/// What a test keeps when the driver has gone into the device.
+/// A test's view of a driver that the device owns.
 pub(super) struct Witness {
     memory: fs::File,
     start: usize,
@@ -94,12 +94,12 @@ impl Script {
         }
     }
 
-    /// The mainline driver at 720p without borders and with its default memory.
+    /// The mainline driver at 720p, without borders and with its default memory.
     pub(super) fn ps3fb() -> Script {
         Script::new("ps3fb", 1280, 720, 5120, 9 * MIB - 0x1_0000)
     }
 
-    /// A driver whose screen moves over a picture of twice its height.
+    /// A driver whose screen can be moved over a picture of twice its height.
     pub(super) fn panning() -> Script {
         let mut script = Script::new("simple", 101, 57, 404, 404 * 57 * 2);
         script.var.yres_virtual = 57 * 2;
@@ -112,7 +112,7 @@ impl Script {
         self
     }
 
-    /// Opens a device of this size by this driver.
+    /// Opens a device of this size with this driver.
     pub(super) fn open(
         self,
         size: Option<Geometry>,
@@ -125,7 +125,7 @@ impl Script {
         })
     }
 
-    /// Opens a device by this driver.
+    /// Opens a device with this driver.
     pub(super) fn open_with(self, options: Options) -> (Result<Device, FramebufferError>, Witness) {
         let length = self.start as u64 + u64::from(self.fix.smem_len);
         self.memory.set_len(length).unwrap();
@@ -144,7 +144,7 @@ impl Script {
         (device, witness)
     }
 
-    /// What is said of this driver when nothing is changed, and the calls made for it.
+    /// The description of this driver without changing anything, and the calls made for it.
     pub(super) fn inspect(self) -> (String, Vec<Call>) {
         self.memory.set_len(self.fix.smem_len.into()).unwrap();
         let (path, calls) = (Path::new(PATH), self.calls.clone());
@@ -205,7 +205,7 @@ impl Driver for Script {
     fn ps3fb_fsel(&mut self, frame: u32) -> io::Result<()> {
         self.call(Call::Fsel(frame))
     }
-    fn promise(&self, _: Place, _: u32, _: Argument) -> Option<PutBack> {
+    fn promise(&self, _: Place, _: u32, _: Argument) -> Option<RestorePromise> {
         None
     }
 }
@@ -216,7 +216,8 @@ impl Witness {
         std::mem::take(&mut *self.calls.lock().unwrap())
     }
 
-    /// Asserts that the frame at `offset` shows the picture of `seed` in the host's native pixels.
+    /// Asserts that the frame at `offset` has the test picture of `seed`, in the host's native
+    /// pixels.
     pub(super) fn assert_shows(
         &self,
         geometry: Geometry,

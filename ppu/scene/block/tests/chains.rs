@@ -1,4 +1,4 @@
-//! How deep rays can go in a scene, and in one that changes.
+//! The bounds of chains in scenes, and in scenes that change.
 
 use nff::{Material as NffMaterial, Shader};
 
@@ -7,10 +7,10 @@ use crate::scene::block::ShaderEntries;
 
 const MATT: &str = "l 0 9 0\nf 1 1 1 1 0 0 0 1\n";
 
-/// Its number: the view comes with a material of its own.
+/// Its number is 1, because the view comes with a material of its own.
 const MATERIAL: usize = 1;
 
-/// A block with room for more, and the material that its spheres are made of.
+/// A block with spare room, and the material of its spheres.
 fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
     let scene = scene(&(MATT.to_owned() + &"s 0 0 -5 1\n".repeat(spheres)));
     let shaders = ShaderEntries::new(vec!["rings".to_owned()]);
@@ -19,7 +19,7 @@ fn changing(spheres: usize) -> (SceneBlock, NffMaterial, ShaderEntries) {
 }
 
 #[test]
-fn a_scene_that_reflects_nothing_has_eye_rays_alone() {
+fn a_scene_that_reflects_nothing_has_primary_rays_alone() {
     let (block, ..) = changing(1);
     assert_eq!(block.ray_depth(), 1);
     assert_eq!(block.batch(), MAX_BATCH);
@@ -51,7 +51,7 @@ fn chains_get_longer_when_a_material_becomes_a_mirror() {
 
 #[test]
 fn a_scene_that_leaves_longer_chains_no_room_says_so() {
-    // More than fit with the rays of depth 5 that wait, fewer than fit without.
+    // More than fit with queues for rays of depth 5, and fewer than fit without.
     let (mut block, matt, shaders) = changing(880);
     let mirror = NffMaterial {
         specular: 1.0,

@@ -1,4 +1,4 @@
-//! Each record against the scene that it was made from.
+//! Compares each record with the scene that it was made of.
 
 use super::*;
 use protocol::layout::{
@@ -7,7 +7,7 @@ use protocol::layout::{
 };
 
 /// The only object of a kind.
-fn only(block: &SceneBlock, kind: Kind) -> U32 {
+fn only(block: &SceneBlock, kind: PrimitiveKind) -> U32 {
     let leaves = block.leaves(kind);
     assert_eq!(leaves.len(), 1, "{kind:?}");
     leaves[0]
@@ -52,7 +52,7 @@ fn the_background_comes_first() {
 #[test]
 fn spheres() {
     let rest = "s 1 2 3 4\n";
-    let head = |rest: &str| *block(rest).at::<Head>(only(&block(rest), Kind::Sphere));
+    let head = |rest: &str| *block(rest).at::<Head>(only(&block(rest), PrimitiveKind::Sphere));
     let outside = head(rest);
     assert_eq!(wide(outside.centre), DVec3::new(1.0, 2.0, 3.0));
     assert_eq!(wide(outside.axis), DVec3::ZERO);
@@ -71,8 +71,8 @@ fn spheres() {
 #[test]
 fn parallelograms() {
     let block = block("p 4\n1 0 -5\n3 0 -5\n4 3 -5\n2 3 -5\n");
-    let record: &Rectangle = block.at(only(&block, Kind::Rectangle));
-    let head: &Head = block.at(only(&block, Kind::Rectangle));
+    let record: &Rectangle = block.at(only(&block, PrimitiveKind::Rectangle));
+    let head: &Head = block.at(only(&block, PrimitiveKind::Rectangle));
     assert_eq!(wide(head.centre), DVec3::new(1.0, 0.0, -5.0));
     assert_eq!(wide(head.axis), DVec3::Z);
     assert_eq!(surface(head), ([0.0, 1.0, 0.0], 0));
@@ -88,18 +88,19 @@ fn parallelograms() {
         let off = (found.0 - expected.0).abs() + (found.1 - expected.1).abs();
         assert!(off < 1e-6, "{found:?}");
     }
-    // Corner 6, edges up to 3 + 3 off.
+    // The corner's sum of magnitudes is 6; the edges extend up to 3 + 3 from it.
     assert_eq!(head.leave.get(), 12.0 / (1 << 20) as f32);
 }
 
 #[test]
 fn polygons_are_triangles() {
-    // A corner that is off makes two of them; a concave one has its reflex corner in both.
+    // With a corner off, there are two triangles; in a concave polygon both have the reflex
+    // corner.
     let off = block("p 4\n0 0 -5\n2 0 -5\n2 2.001 -5\n0 2 -5\n");
-    assert_eq!(off.leaves(Kind::Rectangle).len(), 0);
-    assert_eq!(off.leaves(Kind::Triangle).len(), 2);
+    assert_eq!(off.leaves(PrimitiveKind::Rectangle).len(), 0);
+    assert_eq!(off.leaves(PrimitiveKind::Triangle).len(), 2);
     let arrow = block("p 4\n0 0 -5\n4 0 -5\n1 1 -5\n0 4 -5\n");
-    for leaf in arrow.leaves(Kind::Triangle) {
+    for leaf in arrow.leaves(PrimitiveKind::Triangle) {
         let record: &Triangle = arrow.at(leaf);
         let head: &Head = arrow.at(leaf);
         let [a, b, c] = [record.a, record.b, record.c].map(point);
@@ -108,9 +109,9 @@ fn polygons_are_triangles() {
         assert!((b - a).cross(c - a).z > 0.0);
         assert!([a, b, c].contains(&DVec3::new(1.0, 1.0, -5.0)));
     }
-    // What has no area is not there, alone or as a part.
+    // Parts without area are left out, alone or in a larger polygon.
     let flat = block("p 3\n0 0 0\n1 1 1\n2 2 2\np 4\n0 0 -5\n2 0 -5\n0 2 -5\n0 2 -5\n");
-    assert_eq!(flat.leaves(Kind::Triangle).len(), 1);
+    assert_eq!(flat.leaves(PrimitiveKind::Triangle).len(), 1);
 }
 
 #[test]
@@ -119,13 +120,13 @@ fn where_edges_cross_what_is_inside_is_cut() {
     let corners = star.replace(" 9 9 1\n", "\n");
     for shape in [format!("p 5\n{corners}"), format!("pp 5\n{star}")] {
         let block = block(&shape);
-        let leaves = block.leaves(Kind::Triangle);
+        let leaves = block.leaves(PrimitiveKind::Triangle);
         assert_eq!(leaves.len(), 5, "its tips");
         for leaf in leaves {
             let record: &Triangle = block.at(leaf);
             let [a, b, c] = [record.a, record.b, record.c].map(point);
             assert!((b - a).cross(c - a).z > 0.0);
-            // A patch, too, has the polygon's own normal there.
+            // A patch has the polygon's own normal there too.
             assert_eq!(surface(block.at(leaf)).1, 0);
         }
     }
@@ -134,15 +135,15 @@ fn where_edges_cross_what_is_inside_is_cut() {
 #[test]
 fn vertices_that_are_in_no_plane_are_put_onto_that_through_their_mean() {
     let bent = block("p 4\n0 0 -5\n2 0 -6\n2 2 -5\n0 2 -6\n");
-    for leaf in bent.leaves(Kind::Triangle) {
+    for leaf in bent.leaves(PrimitiveKind::Triangle) {
         let record: &Triangle = bent.at(leaf);
         for vertex in [record.a, record.b, record.c].map(point) {
             assert_eq!(vertex.z, -5.5);
         }
     }
-    // What comes of rounded numbers stays where it is, as in the polygons around.
+    // Vertices that are only off by rounding stay in place, as in adjacent polygons.
     let rounded = block("p 4\n0 0 -5\n2 0 -5.000001\n2 2 -5\n0 3 -5.000001\n");
-    for leaf in rounded.leaves(Kind::Triangle) {
+    for leaf in rounded.leaves(PrimitiveKind::Triangle) {
         let record: &Triangle = rounded.at(leaf);
         for vertex in [record.a, record.b, record.c].map(point) {
             let z = if vertex.x == vertex.y {
@@ -159,7 +160,7 @@ fn vertices_that_are_in_no_plane_are_put_onto_that_through_their_mean() {
 fn patches_keep_their_vertices_normals() {
     let corners = "0 0 -5 0 0 2\n2 0 -5 3 0 4\n2 2 -5 0 0 0\n0 2 -5 0 1 0\n";
     let block = block(&format!("pp 4\n{corners}"));
-    let leaves = block.leaves(Kind::Triangle);
+    let leaves = block.leaves(PrimitiveKind::Triangle);
     assert_eq!(leaves.len(), 2, "also if it is a parallelogram");
     let expected = [
         (DVec3::new(0.0, 0.0, -5.0), DVec3::Z),
@@ -189,7 +190,7 @@ fn cones() {
     let cone = |radii: [f64; 2]| {
         let [low, high] = radii;
         let block = block(&format!("c\n1 1 -9 {low}\n1 5 -9 {high}\n"));
-        let leaf = only(&block, Kind::Cone);
+        let leaf = only(&block, PrimitiveKind::Cone);
         (*block.at::<Head>(leaf), *block.at::<Cone>(leaf))
     };
     let (head, record) = cone([3.0, 1.0]);
@@ -203,7 +204,7 @@ fn cones() {
     for (found, expected) in numbers.into_iter().zip([gain, 0.5 * gain, 3.0 * gain]) {
         assert!((found - expected).abs() < 1e-6, "{numbers:?}");
     }
-    // On the surface at half the height, and one off it.
+    // A point on the surface at half the height, and one at distance 1 from it.
     let on = DVec3::new(1.0, 3.0, -7.0);
     let out = DVec3::new(0.0, 1.0, 2.0) / 5f64.sqrt();
     assert!(height(&head, on).abs() < 1e-6);
@@ -230,7 +231,7 @@ fn materials() {
                 ..Default::default()
             },
         );
-        let head: &Head = block.at(only(&block, Kind::Sphere));
+        let head: &Head = block.at(only(&block, PrimitiveKind::Sphere));
         *block.at::<Material>(head.material)
     };
     let shares = |it: &Material| {
@@ -271,7 +272,7 @@ fn shaders() {
         let rest =
             format!("f 0.5 0.25 1 0.5 0.25 2 0.75 1.5\n#cellray shader {shader}\ns 0 0 0 1\n");
         let block = block(&rest);
-        let head: &Head = block.at(only(&block, Kind::Sphere));
+        let head: &Head = block.at(only(&block, PrimitiveKind::Sphere));
         assert_eq!(head.sides.get(), SIDES_BOTH);
         *block.at::<Material>(head.material)
     };
@@ -329,11 +330,15 @@ fn objects_share_their_material() {
             wide(block.at::<Material>(head.material).colour),
         )
     };
-    let found: Vec<_> = block.leaves(Kind::Sphere).iter().map(colour).collect();
+    let found: Vec<_> = block
+        .leaves(PrimitiveKind::Sphere)
+        .iter()
+        .map(colour)
+        .collect();
     assert_eq!(found[0], found[1]);
     assert_eq!(found[0].1, DVec3::Y);
     assert_eq!(found[2].1, DVec3::Z);
-    // The one that nothing has is not sent: background, 2 materials, 3 objects, a node.
+    // The unused material is not sent. There are the background, 2 materials, 3 objects, a node.
     let used = 144 + 2 * 96 + 3 * 48 + 80;
     assert_eq!(block.bytes().len(), usize::next_multiple_of(used, 128));
 }
@@ -387,12 +392,12 @@ fn far_from_the_origin_nothing_near_the_eye_is_lost() {
     );
     let mut block = block(&rest);
     block.write_for(far).expect("an eye");
-    // What the scene's own f64 coordinates still have there.
+    // The precision of the scene's f64 coordinates there.
     let exact = 1e-9;
-    let sphere: &Head = block.at(only(&block, Kind::Sphere));
+    let sphere: &Head = block.at(only(&block, PrimitiveKind::Sphere));
     assert!(wide(sphere.centre).distance(DVec3::new(0.001, 0.002, 0.003)) < exact);
     assert!(sphere.leave.get() < 1e-7);
-    let triangle: &Triangle = block.at(only(&block, Kind::Triangle));
+    let triangle: &Triangle = block.at(only(&block, PrimitiveKind::Triangle));
     assert!(point(triangle.b).distance(DVec3::new(0.001, 0.0, -0.5)) < exact);
     let light: &layout::Light = block.at(U32::new(block.light_address()));
     assert!(wide(light.position).distance(DVec3::new(0.125, 0.25, 0.5)) < exact);

@@ -1,8 +1,8 @@
-//! What does not fit, and how it is said.
+//! Scenes that are refused, and the messages.
 
 use super::*;
 
-/// A light, and a material that reflects all: with it chains are as long as they may be.
+/// A light, and a material that reflects everything, so that chains have the full length.
 const MIRROR: &str = "l 0 9 0\nf 1 1 1 1 1 0 0 1\n";
 
 fn refusal(rest: &str) -> String {
@@ -47,11 +47,11 @@ fn numbers_out_of_range() {
         ("#cellray ambient 0 0 1e30", ": ambient light 1e30 is out"),
         (
             "#cellray shader depth 1e30 0\ns 0 0 0 1",
-            "8: number of the shader 1e30 is out",
+            "8: parameter of the shader 1e30 is out",
         ),
         (
             "#cellray shader checker 1 1 1 1e-30\ns 0 0 0 1",
-            "8: number of the shader ",
+            "8: parameter of the shader ",
         ),
         (
             "#cellray shader wood\ns 0 0 0 1",
@@ -85,9 +85,9 @@ fn numbers_out_of_range() {
         assert!(error.starts_with("t.nff: eye "), "{error}");
     }
     assert_eq!(block.bytes(), before);
-    // A parallelogram so small that its own numbers would be out of range is two triangles.
+    // A parallelogram that is too small for its duals to be in range becomes two triangles.
     let small = self::block("p 4\n0 0 0\n1e-19 0 0\n1e-19 1e-19 0\n0 1e-19 0\n");
-    assert_eq!(small.leaves(Kind::Rectangle).len(), 0);
+    assert_eq!(small.leaves(PrimitiveKind::Rectangle).len(), 0);
 }
 
 #[test]
@@ -111,7 +111,7 @@ fn more_than_there_is_room_for() {
     for (text, line, count) in [
         (fan(1027), 9, 1025),
         (fan(100_000), 9, 99_998),
-        // The last is a parallelogram.
+        // The last polygon is a parallelogram.
         (format!("{}{}{}", fan(802), fan(502), fan(4)), 812, 1300),
     ] {
         let found = refusal(&text);
@@ -155,15 +155,19 @@ fn a_scene_that_is_too_large_says_how_much_would_fit() {
     let [needed, room, fit] = numbers_of(&message);
     assert!(needed > room);
     assert!(
-        message.contains(
-            "that wait); of them take 1000 triangles 122640, 1 material 96, 1 light 32; "
-        ),
+        message
+            .contains("for rays of depth 5): 1000 triangles 122640, 1 material 96, 1 light 32; "),
         "{message}"
     );
     assert_eq!(room, SCENE_ROOM as usize - 3 * 16 * 32 * 4);
-    // About: within some per cent.
+    // "About" means within some per cent.
     let fewer = fit - fit / 50;
-    assert_eq!(block(&triangles(fewer)).leaves(Kind::Triangle).len(), fewer);
+    assert_eq!(
+        block(&triangles(fewer))
+            .leaves(PrimitiveKind::Triangle)
+            .len(),
+        fewer
+    );
     let more = refusal(&triangles(fit + fit / 50));
     assert!(more.contains(" triangles fit"), "{more}");
 }
@@ -174,7 +178,7 @@ fn what_takes_the_room_is_named() {
         let material = |index: usize| format!("f 0 0 {index} 1 0 0 0 1\n{object}");
         (0..count).map(material).collect::<String>()
     };
-    // The spheres alone would fit: it is their materials that do not.
+    // The spheres alone would fit, but not their materials.
     let message = refusal(&each_its_own(700, "s 0 0 0 1\n"));
     let (before, fit) = message.rsplit_once("; about ").expect("an estimate");
     assert!(
@@ -191,7 +195,7 @@ fn what_takes_the_room_is_named() {
     };
     block(&with_materials(fit - fit / 50 - 1));
     assert!(refusal(&with_materials(fit + fit / 50 + 2)).contains("spheres fit"));
-    // Neither would fit without the other.
+    // Neither sort alone would fit.
     let cone = "c\n0 0 0 1\n0 1 0 1\n";
     let message = refusal(&each_its_own(900, cone));
     let (before, part) = message.rsplit_once("; about ").expect("an estimate");
@@ -199,13 +203,14 @@ fn what_takes_the_room_is_named() {
         before.contains("take 900 materials 86400, 900 cones "),
         "{message}"
     );
-    let part = part.strip_suffix(" % of all that fits").expect("of what");
+    let part = part.strip_suffix(" % of the scene fits").expect("of what");
     let part: usize = part.parse().expect("a number");
     block(&each_its_own(9 * (part - 1), cone));
     refusal(&each_its_own(9 * (part + 2), cone));
 }
 
-/// Bytes needed, bytes there and objects that fit, of a message about 1000 of them.
+/// The needed bytes, the free bytes and the number of objects that fit, from a message about 1000
+/// objects.
 fn numbers_of(message: &str) -> [usize; 3] {
     let words = message.split(|c: char| !c.is_ascii_digit());
     let numbers: Vec<usize> = words.filter_map(|digits| digits.parse().ok()).collect();

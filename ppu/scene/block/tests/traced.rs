@@ -1,5 +1,5 @@
-//! Eye rays through the records alone, in `f64`, against the reference: what a block says is what
-//! the scene is, and no sphere of a tree hides an object that is hit.
+//! Traces primary rays in `f64` with nothing but the records, and compares them with the
+//! reference: a block describes its scene, and no bounding sphere hides an object that is hit.
 
 use std::path::Path;
 
@@ -8,22 +8,22 @@ use oracle::whitted::{Options, trace};
 use rand::{Rng as _, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
 
-use super::trees::any_object;
+use super::bvh::any_object;
 use super::*;
 use crate::scene::random::unit;
 use protocol::layout::{
     Cone, Material, Object as Head, Rectangle, SIDES_BOTH, SIDES_EXIT, Triangle,
 };
 
-/// A place where a ray from the eye crosses a surface, and whether it enters there: comes from the
-/// outside, or from where a plane's normal points.
+/// A point where a ray from the eye crosses a surface, and whether the ray enters there: it comes
+/// from the outside, or from the side that a plane's normal points to.
 type Crossing = (f64, bool);
 
 impl SceneBlock {
-    /// The emission of what a ray from the eye sees.
+    /// The emission of the object that a ray from the eye hits.
     fn seen(&self, direction: DVec3) -> DVec3 {
         let mut nearest = (f64::INFINITY, U32::new(SCENE_ADDRESS));
-        for kind in Kind::ALL {
+        for kind in PrimitiveKind::ALL {
             self.walk(kind, &mut |address, above| {
                 let missed = |&(centre, radius): &(DVec3, f64)| {
                     let along = centre.dot(direction).max(0.0);
@@ -47,7 +47,7 @@ impl SceneBlock {
         wide(self.at::<Material>(material).emission)
     }
 
-    fn crossings(&self, kind: Kind, address: U32, direction: DVec3) -> Vec<Crossing> {
+    fn crossings(&self, kind: PrimitiveKind, address: U32, direction: DVec3) -> Vec<Crossing> {
         let head: &Head = self.at(address);
         let (centre, axis) = (wide(head.centre), wide(head.axis));
         let of_plane = |inside: &dyn Fn(DVec3) -> bool| {
@@ -58,13 +58,13 @@ impl SceneBlock {
         };
         let vector = |[x, y, z, _]: [F32; 4]| wide([x, y, z]);
         match kind {
-            Kind::Sphere => {
+            PrimitiveKind::Sphere => {
                 let along = centre.dot(direction);
                 let beside = (centre - along * direction).length();
                 let half = f64::from(head.offset.get()).powi(2) - beside * beside;
                 roots(along, half)
             }
-            Kind::Rectangle => {
+            PrimitiveKind::Rectangle => {
                 let record: &Rectangle = self.at(address);
                 let duals = [record.dual_u, record.dual_v].map(vector);
                 of_plane(&|point| {
@@ -72,7 +72,7 @@ impl SceneBlock {
                     duals.iter().all(within)
                 })
             }
-            Kind::Triangle => {
+            PrimitiveKind::Triangle => {
                 let record: &Triangle = self.at(address);
                 let [a, b, c] = [record.a, record.b, record.c].map(vector);
                 of_plane(&|point| {
@@ -82,7 +82,7 @@ impl SceneBlock {
                     [(a, b), (b, c), (c, a)].iter().all(left)
                 })
             }
-            Kind::Cone => {
+            PrimitiveKind::Cone => {
                 let record: &Cone = self.at(address);
                 let [radius, growth, height] =
                     [record.radius, record.growth, record.height].map(|it| f64::from(it.get()));
@@ -107,7 +107,7 @@ impl SceneBlock {
     }
 }
 
-/// Where a ray enters and leaves, around a middle.
+/// The points where a ray enters and leaves, at equal distances from a middle.
 fn roots(middle: f64, half_squared: f64) -> Vec<Crossing> {
     if half_squared < 0.0 {
         return Vec::new();
@@ -116,7 +116,7 @@ fn roots(middle: f64, half_squared: f64) -> Vec<Crossing> {
     vec![(middle - half, true), (middle + half, false)]
 }
 
-/// Gives every object a colour of its own and no light.
+/// Gives every object a colour of its own, without light.
 fn coloured(mut scene: Scene) -> Scene {
     let mut materials = Vec::new();
     for (index, object) in (0..).zip(&mut scene.objects) {
@@ -134,7 +134,7 @@ fn coloured(mut scene: Scene) -> Scene {
     scene
 }
 
-/// How many pixels show an object, after all off silhouettes were found equal.
+/// The number of pixels that show an object. All pixels off the silhouettes are compared.
 fn compare(scene: &Scene, side: u32) -> usize {
     let (reference, _) = trace(scene, side, side, &Options::default()).expect("a picture");
     let block = of(scene, BlockOptions::default());

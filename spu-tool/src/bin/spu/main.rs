@@ -8,10 +8,10 @@ mod run;
 mod schedule;
 mod time;
 
-use clap::{Parser, Subcommand};
+use clap::{CommandFactory as _, Parser, Subcommand};
 use std::process::ExitCode;
 
-use failure::{USAGE, fail};
+use failure::{Failure, USAGE, fail};
 
 /// Runs, traces and takes apart programs of the Cell Broadband Engine's SPU.
 #[derive(Parser)]
@@ -28,6 +28,9 @@ enum Verb {
     Time(Box<time::Arguments>),
     Profile(profile::Arguments),
     Schedule(Box<schedule::Arguments>),
+    /// Write man pages and shell completions
+    #[command(hide = true)]
+    Pages(pages::Arguments),
 }
 
 fn main() -> ExitCode {
@@ -49,6 +52,9 @@ fn main() -> ExitCode {
         Verb::Time(arguments) => time::run(&arguments).map_err(Into::into),
         Verb::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
         Verb::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
+        Verb::Pages(arguments) => pages::write(CommandLine::command(), &arguments)
+            .map(|()| ExitCode::SUCCESS)
+            .map_err(Failure::verb),
     };
     done.unwrap_or_else(|failure| fail(&failure))
 }

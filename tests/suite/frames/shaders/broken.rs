@@ -4,12 +4,12 @@
 use std::fs;
 use std::process::{Command, Output};
 
-use cellray::scene::{Look, Model};
+use cellray::scene::{Model, RenderOptions};
 use cellray::work::Refusal;
 use cellray::{Engine, EngineError, Scene, Settings};
 
 use super::program::{build, file, image, program};
-use crate::recorder::{Recorder, Shown};
+use crate::recorder::{Recorder, Snapshot};
 
 const SIZE: (u32, u32) = (96, 64);
 
@@ -25,14 +25,14 @@ fn scene(shader: &str) -> String {
 fn parsed(shader: &str) -> Scene {
     let scene = scene(shader);
     let scene = nff::parse(scene.as_bytes(), "sphere", &nff::Limits::default()).unwrap();
-    let look = Look {
+    let render_options = RenderOptions {
         model: Model::Whitted,
-        ..Look::default()
+        ..RenderOptions::default()
     };
-    Scene::new(&scene, look, &program()).unwrap()
+    Scene::new(&scene, render_options, &program()).unwrap()
 }
 
-fn engine(check_shaders: bool) -> (Engine, Shown) {
+fn engine(check_shaders: bool) -> (Engine, Snapshot) {
     let (framebuffer, shown) = Recorder::pair(SIZE.0, SIZE.1);
     let settings = Settings {
         spus: 2,
@@ -61,14 +61,11 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
 
     let (mut engine, shown) = engine(true);
     for (shader, broken) in [
-        ("changes_90", "changed $90, which it has to keep"),
-        (
-            "overruns_stack",
-            "wrote below the 1024 bytes of stack that it has",
-        ),
+        ("changes_90", "changed $90, which it must preserve"),
+        ("overruns_stack", "wrote below its 1024 bytes of stack"),
         (
             "paints_all_lanes",
-            "changed surfaces that it was not to shade",
+            "changed surfaces that it must not shade",
         ),
     ] {
         let bad = parsed(&format!("#cellray shader {shader}"));
@@ -124,7 +121,7 @@ fn a_number_that_the_program_does_not_have_is_refused() {
     let number = program().shader("rings").unwrap();
     assert_eq!(
         refused(&mut engine, &other).to_string(),
-        format!("has no shader {number}, which a material asks for")
+        format!("has no shader {number}, which a material names")
     );
     let plain = parsed("");
     engine.render(&plain, &mut |_| ()).unwrap();
@@ -215,8 +212,8 @@ fn what_is_no_program_is_not_run() {
     };
     for (program, part) in [
         ("no/such.elf", "no/such.elf: "),
-        ("scenes/paper1.nff", "no SPU program: "),
-        (env!("CARGO_BIN_EXE_cellray"), "no SPU program: "),
+        ("scenes/paper1.nff", "not an SPU program: "),
+        (env!("CARGO_BIN_EXE_cellray"), "not an SPU program: "),
     ] {
         let output = run(program);
         let error = String::from_utf8_lossy(&output.stderr);

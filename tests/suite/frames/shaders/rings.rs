@@ -1,6 +1,6 @@
 //! The example's rings, against their formula, and its picture with and without the check.
 
-use cellray::scene::{Look, Model};
+use cellray::scene::{Model, RenderOptions};
 use cellray::{Engine, Scene, Settings};
 use glam::DVec3;
 use image::RgbImage;
@@ -43,11 +43,11 @@ p 4
 #[test]
 fn rings_are_where_the_formula_has_them() {
     let nff = nff::parse(GROUND.as_bytes(), "ground", &nff::Limits::default()).unwrap();
-    let look = Look {
+    let render_options = RenderOptions {
         model: Model::Whitted,
-        ..Look::default()
+        ..RenderOptions::default()
     };
-    let scene = Scene::new(&nff, look, &program()).unwrap();
+    let scene = Scene::new(&nff, render_options, &program()).unwrap();
     let size = nff.view.resolution;
     let picture = render(&scene, size, true);
     let camera = scene.camera(size.0, size.1).unwrap();
@@ -71,7 +71,7 @@ fn rings_are_where_the_formula_has_them() {
 #[test]
 fn the_check_changes_no_byte_of_the_still_life() {
     let scene = nff::load(&file("examples/shader/still_life.nff")).unwrap();
-    let scene = Scene::new(&scene, Look::default(), &program()).unwrap();
+    let scene = Scene::new(&scene, RenderOptions::default(), &program()).unwrap();
     let size = (160, 120);
     assert!(render(&scene, size, false) == render(&scene, size, true));
 }

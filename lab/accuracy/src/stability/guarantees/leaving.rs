@@ -16,7 +16,7 @@ use nff::Shape;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::Single;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 
 use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, unit};
 use crate::stability::family::{Cases, Family, Replayed, Tally, need, points_of};

@@ -26,7 +26,7 @@ pub struct Mesh {
 /// How a mesh is made.
 pub type Maker = fn(&mut Generator) -> Mesh;
 
-/// A lumpy ball of any size, somewhere near.
+/// A lumpy sphere of any size, somewhere near.
 pub fn lumpy(random: &mut Generator) -> Mesh {
     let size = magnitude(-10, 10, random);
     let place = in_cube(10.0 * size, random);

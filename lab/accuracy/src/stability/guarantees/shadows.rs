@@ -5,18 +5,18 @@ use std::marker::PhantomData;
 
 use crate::generator::Generator;
 use kernels::Bench;
-use kernels::cases::whitted::isect::ball::{By, FRONT, SphereObject, sphere};
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::shape::Shape;
+use kernels::cases::whitted::isect::sphere::{By, FRONT, SphereObject, sphere};
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::shade::call::{Site, shadow_rays};
 use kernels::flat_records::Point;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::ONE;
-use twins::ball::Ray;
 use twins::shadow_rays::Place;
 use twins::sphere::Perpendicular;
+use twins::sphere_ray::Ray;
 use twins::surfaces::Surface;
 
 use crate::space::{along, direction, dot, in_cube, length, less, two_sided, unit};

@@ -126,7 +126,7 @@ impl Room {
         let components = 3_f64.sqrt();
         let height = stated("surfaces_r16", "")? * leave;
         // A distance of up to 2 has ulps of 2.
-        let distance = 2.0 * ULP * stated("isect_ball_pairs_r16", "")?;
+        let distance = 2.0 * ULP * stated("isect_sphere_pairs_r16", "")?;
         let normal = components * (ULP + leave / 4.0);
         let direction = components * ULP * stated("reflect_r16", "")?;
         Ok(Noise {

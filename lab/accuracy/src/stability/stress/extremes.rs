@@ -10,16 +10,15 @@ use crate::generator::Generator;
 use kernels::Bench;
 use kernels::cases::formulation::ForAnyRay;
 use kernels::cases::whitted::bounce::Sites;
-use kernels::cases::whitted::isect::ball::{By, SphereObject};
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::cone::ConeObject;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
+use kernels::cases::whitted::isect::sphere::{By, SphereObject};
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::single::bits;
 use rand::{Rng as _, SeedableRng as _};
 use twins::Single;
-use twins::ball::Ray;
 use twins::bounce::{Bounce, Queued};
 use twins::pairs::Sides;
 use twins::rectangle::Rectangle;
@@ -29,6 +28,7 @@ use twins::sphere::{
     Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
     Unnormalised,
 };
+use twins::sphere_ray::Ray;
 
 use crate::stability::family::{Cases, Family, Replayed, Tally, need};
 use crate::stability::statement::Bound;

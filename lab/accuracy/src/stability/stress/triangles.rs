@@ -11,7 +11,7 @@ use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::flat_records::Point;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 
 use crate::space::{along, cross, direction, dot, fresh, in_cube, length, less, two_sided, unit};
 use crate::stability::family::{Cases, Families, Family, Judgement, Replayed, Tally, points_of};

@@ -1,8 +1,8 @@
 //! Calls of the eye-ray kernels with what their twins take.
 
 use twins::Single;
-use twins::ball::Ball;
 use twins::isect_pairs::Hit;
+use twins::sphere_ray::BareSphere;
 use twins::{ray_setup, shade_depth};
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, Immutable, IntoBytes};
@@ -127,7 +127,7 @@ pub fn shade_depth(
     depth: shade_depth::Depth,
 ) -> (Vec<Vectors>, [u32; 4]) {
     bench.reset();
-    let nothing = eye_records::sphere(&Ball {
+    let nothing = eye_records::sphere(&BareSphere {
         centre: [0; 3],
         radius_squared: 0,
     });

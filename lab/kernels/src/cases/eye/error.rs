@@ -10,7 +10,7 @@ use twins::{FARTHEST, Single};
 
 use super::call;
 use crate::bench::Bench;
-use crate::cases::ball::unit;
+use crate::cases::sphere_ray::unit;
 use crate::eye_records::{self, Hits, Vectors};
 
 /// The distance of singles from 1/2 to 1.

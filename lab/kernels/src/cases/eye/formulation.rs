@@ -6,17 +6,17 @@ use std::fmt::Debug;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::ball::Ball;
 use twins::sphere::{
     Axis, Constants, Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Refined, Stable,
     Unnormalised,
 };
+use twins::sphere_ray::BareSphere;
 
 use super::error::NO_HITS;
 use super::{PACKETS, call, isect_pairs};
 use crate::bench::Bench;
-use crate::cases::ball::{any_direction, ball, ulp};
 use crate::cases::formulation::ForTheEye;
+use crate::cases::sphere_ray::{any_direction, bare_sphere, ulp};
 use crate::cases::spheres::EyeSphere;
 use crate::catalogue::{Case, Kernel};
 use crate::eye_records::{self, Vectors};
@@ -44,9 +44,9 @@ pub trait Seen: Copy + Debug {
     }
 }
 
-impl Seen for Ball {
+impl Seen for BareSphere {
     fn at(centre: Vector, radius: f64) -> Self {
-        ball(centre, radius)
+        bare_sphere(centre, radius)
     }
 
     fn exact(&self) -> (Vector, f64) {
@@ -103,7 +103,7 @@ impl Seen for Axis {
     }
 }
 
-/// The kernels of the formulations beside the one that the eye's rays go through.
+/// The kernels of the formulations beside the one that the primary rays go through.
 pub const KERNELS: &[Kernel] = &[
     row::<Paper>(),
     row::<Estimate>(),

@@ -1,30 +1,30 @@
 //! The intersectors that run through candidates: what they all are called with.
 
-pub mod ball;
 pub mod call;
 pub mod cone;
 pub mod error;
 pub mod rectangle;
 pub mod shape;
+pub mod sphere;
 pub mod triangle;
 pub mod triangle_mt;
 
 use twins::FARTHEST;
-use twins::ball::Ray;
 use twins::sphere::{
     Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
     Unnormalised,
 };
+use twins::sphere_ray::Ray;
 
 use crate::bench::Bench;
-use crate::cases::ball::case_rays;
 use crate::cases::eye::call::put;
+use crate::cases::sphere_ray::case_rays;
 use crate::catalogue::{Case, Kernel, Objects};
 use crate::flat_records::Shears;
-use ball::By;
 use cone::ConeObject;
 use rectangle::RectangleObject;
 use shape::Shape;
+use sphere::By;
 use triangle::TriangleObject;
 use triangle_mt::MoellerTrumbore;
 

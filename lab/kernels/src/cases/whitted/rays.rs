@@ -9,16 +9,16 @@ use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
 use twins::bound::{Bound, bound};
 use twins::cull_faces::Face;
-use twins::eye_rays::{Ray, View};
 use twins::load_rays::Queued;
+use twins::primary_rays::{Ray, View};
 use twins::ray_setup::Basis;
 use twins::{FARTHEST, ONE, ZERO};
 
 use crate::bench::Bench;
-use crate::cases::ball::unit;
 use crate::cases::eye::error::{camera, error_of_directions};
+use crate::cases::sphere_ray::unit;
 use crate::catalogue::{Case, Kernel, Objects};
-use call::{Ball, Child, Point};
+use call::{BareSphere, Child, Point};
 
 /// A packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
@@ -28,17 +28,17 @@ const NODES: Objects = Objects::List(16, 64);
 /// The kernels of this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
-        name: "eye_rays_r16",
+        name: "primary_rays_r16",
         rays: 16,
         cases: &[Case {
             name: "packets",
             objects: PACKETS,
             place: |bench, count| {
                 let corners: Vec<[u32; 2]> = (0..count).map(|packet| [4 * packet, 0]).collect();
-                call::put_eye_rays(bench, &view(), &corners, 0).1
+                call::put_primary_rays(bench, &view(), &corners, 0).1
             },
         }],
-        error: Some(eye_rays_error),
+        error: Some(primary_rays_error),
     },
     Kernel {
         name: "load_rays_r16",
@@ -159,7 +159,7 @@ fn rays() -> [Ray; 16] {
 /// Candidates of nodes with four equal children and one packet.
 fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
     let child = Child {
-        ball: Ball {
+        sphere: BareSphere {
             centre: centre.map(from_f64),
             radius: ONE,
         },
@@ -184,11 +184,11 @@ fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
 }
 
 /// Largest error of a direction's component, in ulps of 1.
-fn eye_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
+fn primary_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let errors = (0..1000).map(|_| {
         let basis = camera(random);
         let corner = [0; 2].map(|_: u32| random.random_range(0..2048) * 4);
-        let packets = call::eye_rays(bench, &View { basis, ..view() }, &[corner], 0);
+        let packets = call::primary_rays(bench, &View { basis, ..view() }, &[corner], 0);
         let directions = packets[0].map(|ray| ray.direction);
         error_of_directions(&basis, corner, &directions)
     });

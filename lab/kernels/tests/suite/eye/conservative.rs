@@ -3,7 +3,7 @@
 
 use cellray::framebuffer::Geometry;
 use cellray::scene;
-use cellray::work::{EyeSpheres, Lens, Skip};
+use cellray::work::{EyeSpheres, Projection, Skip};
 use glam::DVec3;
 use kernels::bench::{Bench, random};
 use kernels::cases::eye::call::{self, address, list, list_room, put, put_packets, put_places};
@@ -34,7 +34,7 @@ const GROUP_SIDE: u32 = 16;
 
 /// A vector of length 1, any as likely as another.
 fn unit(random: &mut ChaCha8Rng) -> DVec3 {
-    DVec3::from_array(kernels::cases::ball::any_direction(random))
+    DVec3::from_array(kernels::cases::sphere_ray::any_direction(random))
 }
 
 /// A vector of length 1 at right angles to one.
@@ -131,7 +131,7 @@ struct Group {
 impl Group {
     fn any(bench: &mut Bench, random: &mut ChaCha8Rng) -> Self {
         let camera = camera(random);
-        let lens = Lens::new(&camera, SIZE);
+        let projection = Projection::new(&camera, SIZE);
         let (basis, middles) = bases(&camera);
         let left = random.random_range(0..SIZE.width / GROUP_SIDE) * GROUP_SIDE;
         let top = random.random_range(0..SIZE.height / GROUP_SIDE) * GROUP_SIDE;
@@ -152,17 +152,17 @@ impl Group {
             } else {
                 EyeRecord::Axis
             };
-            eye_spheres.look(&[sphere], &lens, Skip::Nothing, form);
+            eye_spheres.cull(&[sphere], &projection, Skip::Nothing, form);
             let record = Sphere::read_from_bytes(eye_spheres.bytes()).expect("one record");
-            let ball = eye_records::ball(&record);
+            let bare = eye_records::bare_sphere(&record);
             let axis = Axis {
-                axis: ball.centre,
-                k: ball.radius_squared,
+                axis: bare.centre,
+                k: bare.radius_squared,
                 distance: bits(record.distance),
             };
             let needs_test = |ray: &[Single; 3]| {
                 let hit = match form {
-                    EyeRecord::Centre => isect_pair::<Perpendicular>(*ray, &ball, 1, NO_HITS[0]),
+                    EyeRecord::Centre => isect_pair::<Perpendicular>(*ray, &bare, 1, NO_HITS[0]),
                     EyeRecord::Axis => isect_pair::<Constants>(*ray, &axis, 1, NO_HITS[0]),
                 };
                 hit.object == 1 || enters(&sphere, camera.eye, wide(*ray))

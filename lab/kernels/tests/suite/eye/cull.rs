@@ -1,9 +1,9 @@
 //! `filter_spheres_r16`, `cull_spheres_p64`, `frustum_spheres` and `hidden_pairs_r16`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::ball::unit;
 use kernels::cases::eye::call::{address, list, list_room, put, put_packets, put_places};
 use kernels::cases::eye::error;
+use kernels::cases::sphere_ray::unit;
 use kernels::eye_records::{self, Vectors};
 use kernels::single::{bits, single};
 use protocol::layout::{Frustum, Packet, Pair, Sphere};

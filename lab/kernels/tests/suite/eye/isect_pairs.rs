@@ -3,10 +3,10 @@
 use std::collections::BTreeSet;
 
 use kernels::bench::{Bench, random};
-use kernels::cases::ball::unit;
 use kernels::cases::eye::formulation::{Seen, around_a_sphere};
 use kernels::cases::eye::{call, error};
 use kernels::cases::formulation::ForTheEye;
+use kernels::cases::sphere_ray::unit;
 use kernels::eye_records::{self, Hits, Vectors};
 use protocol::layout::{Packet, Sphere};
 use rand::Rng as _;

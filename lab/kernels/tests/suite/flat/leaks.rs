@@ -9,7 +9,7 @@ use protocol::layout::RayPacket;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use twins::FARTHEST;
-use twins::ball;
+use twins::sphere_ray;
 
 use super::watertight::Mesh;
 
@@ -58,7 +58,7 @@ fn count(random: &mut ChaCha8Rng, mesh: fn(&mut ChaCha8Rng) -> Mesh) -> Leaks {
             .map(|_| {
                 let rays = std::array::from_fn(|_| {
                     let aimed = mesh.aimed(random);
-                    ball::Ray {
+                    sphere_ray::Ray {
                         origin: aimed.origin,
                         direction: aimed.direction,
                         t: FARTHEST,

@@ -1,7 +1,7 @@
 //! `isect_cone_pairs_r16`.
 
 use kernels::bench::Bench;
-use kernels::cases::ball::ray;
+use kernels::cases::sphere_ray::ray;
 use kernels::cases::whitted::isect::cone::{Exact, cone};
 use kernels::vector::unit;
 use spu_emulator::float::single::to_f64;

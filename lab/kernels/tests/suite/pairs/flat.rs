@@ -2,8 +2,8 @@
 //! `isect_triangle_mt_pairs_r16`.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::ball::ray;
 use kernels::cases::flat::rectangle;
+use kernels::cases::sphere_ray::ray;
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
@@ -13,7 +13,7 @@ use kernels::flat_records::{self, Shears, point};
 use kernels::vector::{cross, dot, in_cube, less, unit};
 use rand::Rng as _;
 use twins::FARTHEST;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use twins::triangle::shear;
 
 use super::{COUNTS, check, straight};

@@ -1,32 +1,32 @@
 //! The intersectors that run through candidates: what is asked of all of them, bit for bit against
 //! their twins, and a file for what each shape has of its own.
 
-mod ball;
 mod cone;
 mod flat;
 mod smooth;
+mod sphere;
 
 use std::collections::BTreeSet;
 
 use kernels::bench::{Bench, random};
-use kernels::cases::ball::case_rays;
-use kernels::cases::whitted::isect::ball::By;
+use kernels::cases::sphere_ray::case_rays;
 use kernels::cases::whitted::isect::call;
 use kernels::cases::whitted::isect::cone::ConeObject;
 use kernels::cases::whitted::isect::error::SCALES;
 use kernels::cases::whitted::isect::rectangle::RectangleObject;
 use kernels::cases::whitted::isect::shape::Shape;
+use kernels::cases::whitted::isect::sphere::By;
 use kernels::cases::whitted::isect::triangle::TriangleObject;
 use kernels::cases::whitted::isect::triangle_mt::MoellerTrumbore;
 use protocol::layout::RayPacket;
 use rand::Rng as _;
 use spu_emulator::float::single::from_f64;
 use twins::FARTHEST;
-use twins::ball::Ray;
 use twins::sphere::{
     Estimate, Factored, InDouble, Interpolated, Newton2, Paper, Perpendicular, Refined, Stable,
     Unnormalised,
 };
+use twins::sphere_ray::Ray;
 use zerocopy::IntoBytes as _;
 
 /// Lengths of lists: a scheduled loop takes other paths for the short ones.
@@ -253,16 +253,16 @@ macro_rules! asked_of_all {
 }
 
 asked_of_all! {
-    all_of_balls: By<Perpendicular>;
-    all_of_balls_by_paper: By<Paper>;
-    all_of_balls_by_estimate: By<Estimate>;
-    all_of_balls_by_interpolated: By<Interpolated>;
-    all_of_balls_by_newton2: By<Newton2>;
-    all_of_balls_by_stable: By<Stable>;
-    all_of_balls_by_factored: By<Factored>;
-    all_of_balls_by_refined: By<Refined>;
-    all_of_balls_by_unnormalised: By<Unnormalised>;
-    all_of_balls_in_double: By<InDouble>;
+    all_of_spheres: By<Perpendicular>;
+    all_of_spheres_by_paper: By<Paper>;
+    all_of_spheres_by_estimate: By<Estimate>;
+    all_of_spheres_by_interpolated: By<Interpolated>;
+    all_of_spheres_by_newton2: By<Newton2>;
+    all_of_spheres_by_stable: By<Stable>;
+    all_of_spheres_by_factored: By<Factored>;
+    all_of_spheres_by_refined: By<Refined>;
+    all_of_spheres_by_unnormalised: By<Unnormalised>;
+    all_of_spheres_in_double: By<InDouble>;
     all_of_rectangles: RectangleObject;
     all_of_triangles: TriangleObject;
     all_of_triangles_mt: MoellerTrumbore;

@@ -8,7 +8,7 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::{Bound, NOTHING, bound, bound_fan};
-use twins::eye_rays::{ABSENT, Ray};
+use twins::primary_rays::{ABSENT, Ray};
 
 /// Packets of a batch: one for each, and more.
 const COUNTS: [usize; 6] = [1, 2, 3, 7, 8, 40];

@@ -2,18 +2,18 @@
 //! meets, by f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::ball::any_direction;
-use kernels::cases::whitted::rays::call::{self, Ball, Child, Point};
+use kernels::cases::sphere_ray::any_direction;
+use kernels::cases::whitted::rays::call::{self, BareSphere, Child, Point};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::Bound;
-use twins::eye_rays::Ray;
+use twins::primary_rays::Ray;
 use twins::{ONE, ZERO};
 
-/// What a child's radius has to be more than its ball's, as a share of |c| + R.
+/// What a child's radius has to be more than its sphere's, as a share of |c| + R.
 const SLACK: f64 = 1.0 / (1 << 18) as f64;
 /// More than the rounding of a radius to a single takes away.
 const ROUNDING: f64 = 1.0 + 1.0 / (1 << 22) as f64;
@@ -34,9 +34,9 @@ fn at(from: Vector, direction: Vector, distance: f64) -> Vector {
     std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
 }
 
-/// A ball that may be about a ray of the packet: its edge a hair off the ray, off its origin or
+/// A sphere that may be about a ray of the packet: its edge a hair off the ray, off its origin or
 /// its end, or anywhere.
-fn ball(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
+fn sphere(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
     let ray = rays[random.random_range(0..rays.len())];
     let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));
     let radius = scale * magnitude(1e-4..30.0, random);
@@ -62,7 +62,7 @@ fn ball(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
     (centre, radius)
 }
 
-/// Whether a ray has a point in a ball, up to its t.
+/// Whether a ray has a point in a sphere, up to its t.
 fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
     let to_centre = less(centre, ray.origin.map(to_f64));
     let direction = unit(ray.direction.map(to_f64));
@@ -113,13 +113,13 @@ fn outcome(bench: &mut Bench, source: Source<'_>, slack: f64, random: &mut ChaCh
     let mut met = Vec::new();
     let nodes: [[Child; 4]; NODES] = std::array::from_fn(|_| {
         std::array::from_fn(|_| {
-            let (centre, radius) = ball(&rays, scale, random);
+            let (centre, radius) = sphere(&rays, scale, random);
             let centre = centre.map(from_f64);
             let stored = centre.map(to_f64);
             met.push(rays.iter().any(|ray| meets(ray, stored, radius)));
             let slack = slack * (dot(stored, stored).sqrt() + radius);
             Child {
-                ball: Ball {
+                sphere: BareSphere {
                     centre,
                     radius: from_f64((radius + slack) * ROUNDING),
                 },
@@ -171,7 +171,7 @@ fn no_child_that_a_ray_meets_is_left_out() {
     check("to a light", &to_light);
 }
 
-/// The balls are near enough to the rays, and the bounds to both, that little less would not do.
+/// The spheres are near enough to the rays, and the bounds to both, that little less would not do.
 #[test]
 fn with_radii_a_hair_too_small_some_are_left_out() {
     let check = |name: &str, source: Source<'_>| {
@@ -184,8 +184,8 @@ fn with_radii_a_hair_too_small_some_are_left_out() {
     check("from the eye", &from_eye);
 }
 
-/// Where rays go about one way, much of what they miss is left out, though most of these balls all
-/// but touch a ray.
+/// Where rays go about one way, much of what they miss is left out, though most of these spheres
+/// all but touch a ray.
 #[test]
 fn much_of_what_coherent_rays_miss_is_left_out() {
     let check = |name: &str, source: Source<'_>| {

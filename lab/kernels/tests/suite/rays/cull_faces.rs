@@ -1,7 +1,7 @@
 //! `cull_faces` against its twin, and by f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::ball::any_direction;
+use kernels::cases::sphere_ray::any_direction;
 use kernels::cases::whitted::rays::call::{self, Point};
 use kernels::cases::whitted::rays::faces::cull_faces;
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
@@ -11,7 +11,7 @@ use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::{Bound, bound};
 use twins::cull_faces::{Face, may_meet};
-use twins::eye_rays::{ABSENT, Ray};
+use twins::primary_rays::{ABSENT, Ray};
 use twins::{ONE, ZERO};
 
 use super::COUNTS;

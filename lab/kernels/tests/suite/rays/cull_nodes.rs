@@ -1,7 +1,7 @@
 //! `cull_nodes` against its twin.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::rays::call::{self, Ball, Child};
+use kernels::cases::whitted::rays::call::{self, BareSphere, Child};
 use kernels::cases::whitted::rays::fans::{self, FANS};
 use kernels::vector::{in_cube, magnitude};
 use rand::Rng as _;
@@ -22,8 +22,8 @@ fn check(bench: &mut Bench, nodes: &[[Child; 4]], bounds: &[Bound], pairs: &[[us
     for (candidate, &[node, bound]) in given.iter().zip(pairs) {
         let [_, packet, a_bound, shear] = call::words(candidate);
         let children = nodes[node].iter();
-        let kept =
-            children.filter(|child| may_meet(&bounds[bound], child.ball.centre, child.ball.radius));
+        let kept = children
+            .filter(|child| may_meet(&bounds[bound], child.sphere.centre, child.sphere.radius));
         expected.extend(kept.map(|child| [child.address, packet, a_bound, shear]));
     }
     assert_eq!(found, expected, "{nodes:x?} {bounds:x?} {pairs:?}");
@@ -47,7 +47,7 @@ fn child(random: &mut ChaCha8Rng) -> Child {
         _ => from_f64(magnitude(0.01..20.0, random)),
     };
     Child {
-        ball: Ball {
+        sphere: BareSphere {
             centre: in_cube(20.0, random).map(from_f64),
             radius,
         },
@@ -87,7 +87,7 @@ fn any_bits_at_all_equal_the_twin() {
     for _ in 0..500 {
         let nodes: [[Child; 4]; NODES] = std::array::from_fn(|_| {
             std::array::from_fn(|_| Child {
-                ball: Ball {
+                sphere: BareSphere {
                     centre: random.random(),
                     radius: random.random(),
                 },
@@ -124,13 +124,13 @@ fn nothing_meets_nothing() {
     for _ in 0..2000 {
         let fan = FANS[random.random_range(0..FANS.len())];
         let rays = fans::packet(fan, 1.0, &mut random);
-        let absent = rays.map(|ray| twins::eye_rays::Ray {
-            t: twins::eye_rays::ABSENT,
+        let absent = rays.map(|ray| twins::primary_rays::Ray {
+            t: twins::primary_rays::ABSENT,
             ..ray
         });
         let nobody: [Child; 4] = std::array::from_fn(|_| {
             let mut child = child(&mut random);
-            child.ball.radius = NOTHING;
+            child.sphere.radius = NOTHING;
             child
         });
         let anybody = std::array::from_fn(|_| child(&mut random));

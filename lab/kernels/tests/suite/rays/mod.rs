@@ -7,8 +7,8 @@ mod bound;
 mod conservative;
 mod cull_faces;
 mod cull_nodes;
-mod eye_rays;
 mod load_rays;
+mod primary_rays;
 
 /// Lengths of lists: a scheduled loop takes other paths for the short ones.
 const COUNTS: [usize; 6] = [1, 2, 3, 7, 16, 40];

@@ -2,16 +2,16 @@
 //! steps of the kernels that look for hits.
 
 use kernels::bench::random;
-use kernels::cases::ball::any_direction;
+use kernels::cases::sphere_ray::any_direction;
 use kernels::cases::whitted::shade::error::{any_hits, any_material};
 use kernels::cases::whitted::shade::shapes::Shape;
 use kernels::vector::{Vector, cross, dot, magnitude, unit};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{fm, fma, fnms, from_f64, to_f64};
-use twins::ball::{self, Ball};
 use twins::flat::FlatHit;
 use twins::rectangle::{Rectangle, isect_plane};
+use twins::sphere_ray::{self, BareSphere};
 use twins::surfaces::{Surface, surface};
 use twins::{FARTHEST, Single};
 
@@ -118,17 +118,17 @@ fn spheres_are_left_and_entered() {
     };
     let meets = |shape: &Shape, origin, direction: Vector| {
         let radius = from_f64(shape.offset);
-        let sphere = Ball {
+        let sphere = BareSphere {
             centre: shape.centre.map(from_f64),
             radius_squared: fm(radius, radius),
         };
-        let ray = ball::Ray {
+        let ray = sphere_ray::Ray {
             origin,
             direction: direction.map(from_f64),
             t: FARTHEST,
             object: 0,
         };
-        ball::nearest(ray, &sphere, OBJECT).object == OBJECT
+        sphere_ray::nearest(ray, &sphere, OBJECT).object == OBJECT
     };
     check(shape, meets, [true, true]);
 }

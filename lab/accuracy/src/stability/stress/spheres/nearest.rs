@@ -3,14 +3,14 @@
 
 use crate::generator::Generator;
 use kernels::Bench;
-use kernels::cases::whitted::isect::ball::By;
 use kernels::cases::whitted::isect::call;
+use kernels::cases::whitted::isect::sphere::By;
 use kernels::source::Source;
 use rand::Rng as _;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::Single;
-use twins::ball::Ray;
 use twins::sphere::Perpendicular;
+use twins::sphere_ray::Ray;
 
 use super::look::{Look, Stated};
 use super::make::ANYWHERE;
@@ -19,7 +19,7 @@ use crate::space::{along, direction, fresh};
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
 use crate::stability::random::{across, magnitude, rounded, towards};
 use crate::stability::statement::Bound;
-use crate::subject::{self, Subject, ball};
+use crate::subject::{self, Subject, sphere};
 use crate::truth::sphere::Sphere;
 use crate::truth::{Line, spacing};
 
@@ -95,7 +95,8 @@ fn aimed(pair: &Pair, random: &mut Generator) -> Ray {
 impl Nearest {
     fn shoot(&self, bench: &mut Bench, pair: &Pair, rays: &[Ray; 16], tally: &mut Tally) {
         // The record is that of all formulations.
-        let objects = pair.map(|(centre, radius)| By::<Perpendicular>::from(ball(centre, radius)));
+        let objects =
+            pair.map(|(centre, radius)| By::<Perpendicular>::from(sphere(centre, radius)));
         bench.reset();
         let packets = [call::packet(rays, 0)];
         let placed = call::place(bench, &packets, &objects, &[[0, 0], [1, 0]], 0);

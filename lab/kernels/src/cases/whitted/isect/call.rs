@@ -1,6 +1,6 @@
 //! Calls of the kernels that run through candidates, with what their twins take.
 
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::U32;
 

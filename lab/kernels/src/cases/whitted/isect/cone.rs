@@ -7,14 +7,14 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::FARTHEST;
-use twins::ball::Ray;
 pub use twins::cone::ConeObject;
 use twins::cone::isect_cone;
 use twins::pairs::Sides;
+use twins::sphere_ray::Ray;
 use zerocopy::big_endian::F32;
 
 use super::shape::{Shape, Truth, any_sides, head_words};
-use crate::cases::ball::{any_direction, ray};
+use crate::cases::sphere_ray::{any_direction, ray};
 use crate::single::single;
 use crate::vector::{Vector, cross, dot, less, magnitude, unit};
 use protocol::layout;

@@ -4,10 +4,10 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::FARTHEST;
-use twins::ball::Ray;
 use twins::rectangle::Rectangle;
 pub use twins::rectangle_pairs::RectangleObject;
 use twins::rectangle_pairs::isect_rectangle;
+use twins::sphere_ray::Ray;
 
 use super::shape::{Shape, Truth, head_words, one_sided};
 use crate::cases::flat::{around_rectangle, on_plane, rectangle};

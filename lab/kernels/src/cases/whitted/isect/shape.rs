@@ -5,8 +5,8 @@ use std::fmt::Debug;
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use twins::Single;
-use twins::ball::Ray;
 use twins::pairs::Sides;
+use twins::sphere_ray::Ray;
 use zerocopy::big_endian::U32;
 use zerocopy::{Immutable, IntoBytes};
 

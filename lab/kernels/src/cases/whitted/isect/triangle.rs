@@ -4,7 +4,7 @@ use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::FARTHEST;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 pub use twins::triangle_pairs::TriangleObject;
 use twins::triangle_pairs::isect_triangle;
 

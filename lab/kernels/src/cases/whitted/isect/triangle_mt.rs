@@ -1,7 +1,7 @@
 //! Triangles as objects of a scene, for the kernel that meets them Möller and Trumbore's way.
 
 use rand_chacha::ChaCha8Rng;
-use twins::ball::Ray;
+use twins::sphere_ray::Ray;
 use twins::triangle_mt_pairs::isect_triangle;
 
 use super::shape::{Shape, Truth};

@@ -1,8 +1,8 @@
 //! Calls of these kernels with what their twins take.
 
 use twins::bound::Bound;
-use twins::eye_rays::{Ray, View};
 use twins::load_rays::Queued;
+use twins::primary_rays::{Ray, View};
 use twins::{ONE, Single};
 use zerocopy::FromZeros as _;
 use zerocopy::big_endian::F32;
@@ -18,7 +18,7 @@ const ANYTHING: u32 = 0x7fff_ffff;
 
 /// A bounding sphere.
 #[derive(Clone, Copy, Debug)]
-pub struct Ball {
+pub struct BareSphere {
     /// Its centre.
     pub centre: [Single; 3],
     /// Its radius, with the rounding of the test.
@@ -29,7 +29,7 @@ pub struct Ball {
 #[derive(Clone, Copy, Debug)]
 pub struct Child {
     /// What it is within.
-    pub ball: Ball,
+    pub sphere: BareSphere,
     /// Address of its record.
     pub address: u32,
 }
@@ -135,19 +135,19 @@ pub fn bound(record: &layout::Bound) -> Bound {
 /// The record of a node.
 #[must_use]
 pub fn node(children: &[Child; 4]) -> Node {
-    let [x, y, z] = [0, 1, 2].map(|axis| children.map(|child| single(child.ball.centre[axis])));
+    let [x, y, z] = [0, 1, 2].map(|axis| children.map(|child| single(child.sphere.centre[axis])));
     Node {
         x,
         y,
         z,
-        radius: children.map(|child| single(child.ball.radius)),
+        radius: children.map(|child| single(child.sphere.radius)),
         child: children.map(|child| child.address.into()),
     }
 }
 
-/// Places what `eye_rays_r16` takes: packets whose top left pixels are at `corners`, each with its
-/// sum a tile's row from the one before; gives the packets and the arguments.
-pub fn put_eye_rays(
+/// Places what `primary_rays_r16` takes: packets whose top left pixels are at `corners`, each with
+/// its sum a tile's row from the one before; gives the packets and the arguments.
+pub fn put_primary_rays(
     bench: &mut Bench,
     view: &View,
     corners: &[[u32; 2]],
@@ -170,22 +170,22 @@ pub fn put_eye_rays(
     (packets, arguments)
 }
 
-/// The address of the sum of a packet's top left pixel, as [`put_eye_rays`] has it.
+/// The address of the sum of a packet's top left pixel, as [`put_primary_rays`] has it.
 #[must_use]
 pub fn sum_of(pixels: u32, packet: usize) -> u32 {
     pixels.wrapping_add(packet as u32 * 1024)
 }
 
-/// `eye_rays_r16`.
-pub fn eye_rays(
+/// `primary_rays_r16`.
+pub fn primary_rays(
     bench: &mut Bench,
     view: &View,
     corners: &[[u32; 2]],
     pixels: u32,
 ) -> Vec<[Ray; 16]> {
     bench.reset();
-    let (packets, arguments) = put_eye_rays(bench, view, corners, pixels);
-    bench.call("eye_rays_r16", &arguments);
+    let (packets, arguments) = put_primary_rays(bench, view, corners, pixels);
+    bench.call("primary_rays_r16", &arguments);
     let packets = packets.iter().map(|packet| rays(&bench.read(*packet)));
     packets.collect()
 }

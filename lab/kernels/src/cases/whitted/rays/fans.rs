@@ -3,11 +3,11 @@
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
-use twins::eye_rays::{ABSENT, Ray};
+use twins::primary_rays::{ABSENT, Ray};
 use twins::{FARTHEST, ONE, Single, ZERO};
 
 use super::call::Point;
-use crate::cases::ball::any_direction;
+use crate::cases::sphere_ray::any_direction;
 use crate::vector::{Vector, dot, in_cube, less, magnitude, unit};
 
 /// How the rays of a packet are related.

@@ -12,7 +12,7 @@ use super::call::{self, Hit, Site};
 use super::records;
 use super::shapes::Shape;
 use crate::bench::Bench;
-use crate::cases::ball::any_direction;
+use crate::cases::sphere_ray::any_direction;
 use crate::single::bits;
 use crate::vector::{dot, less, magnitude, ulps, unit};
 use protocol::layout::Surfaces;

@@ -7,7 +7,7 @@ use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::{from_f64, to_f64};
 use twins::surfaces::{Object, Ray};
 
-use crate::cases::ball::any_direction;
+use crate::cases::sphere_ray::any_direction;
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 
 /// What the numbers of an object, and the coordinates of a point, add to how far off the surface a

@@ -1,0 +1,349 @@
+//! The general sphere kernels: rays from anywhere, the truth in f64, cases, errors.
+
+use rand::Rng as _;
+use rand_chacha::ChaCha8Rng;
+use spu_emulator::float::single::{from_f64, to_f64};
+use twins::sphere_ray::{BareSphere, Ray};
+use twins::{FARTHEST, Single};
+use zerocopy::IntoBytes as _;
+
+use crate::bench::Bench;
+use crate::catalogue::{Case, Kernel, Objects};
+use crate::records;
+use crate::vector::dot;
+pub use crate::vector::{Vector, unit};
+
+/// Packets that an error is measured over.
+const PACKETS: u32 = 4000;
+/// How near to its outline a sphere may be passed, as disc / r^2, for a root that counts.
+const OUTLINE: f64 = 0.01;
+/// The same for a hit or a miss that counts.
+const TANGENT: f64 = 1e-4;
+/// How near to the surface, in radii, an origin may be for a side that counts.
+const SURFACE: f64 = 1e-5;
+
+/// The kernels of this file.
+pub const KERNELS: &[Kernel] = &[
+    Kernel {
+        name: "isect_sphere_r1",
+        rays: 1,
+        cases: &[
+            Case {
+                name: "miss",
+                objects: Objects::Fixed(1),
+                place: |bench, _| one_ray(bench, &beside()),
+            },
+            Case {
+                name: "hit",
+                objects: Objects::Fixed(1),
+                place: |bench, _| one_ray(bench, &ahead(1)),
+            },
+        ],
+        error: Some(|bench, random| nearest_error(bench, random, one_by_one)),
+    },
+    Kernel {
+        name: "isect_sphere_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all miss",
+                objects: Objects::Fixed(1),
+                place: |bench, _| packet(bench, &[beside()], &[7]),
+            },
+            Case {
+                name: "all hit",
+                objects: Objects::Fixed(1),
+                place: |bench, _| packet(bench, &[ahead(1)], &[7]),
+            },
+        ],
+        error: Some(|bench, random| nearest_error(bench, random, together)),
+    },
+    Kernel {
+        name: "isect_spheres16_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all miss",
+                objects: Objects::Fixed(16),
+                place: |bench, _| packet(bench, &[beside(); 16], &[7]),
+            },
+            Case {
+                name: "all hit, each nearer",
+                objects: Objects::Fixed(16),
+                place: |bench, _| packet(bench, &nearer_and_nearer(), &[7]),
+            },
+        ],
+        error: Some(|bench, random| nearest_error(bench, random, among_sixteen)),
+    },
+    Kernel {
+        name: "any_sphere_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "nothing blocks",
+                objects: Objects::Fixed(1),
+                place: |bench, _| packet(bench, &[beside()], &[]),
+            },
+            Case {
+                name: "all blocked",
+                objects: Objects::Fixed(1),
+                place: |bench, _| packet(bench, &[ahead(1)], &[]),
+            },
+        ],
+        error: Some(|bench, random| any_error(bench, random, "any_sphere_r16", &[])),
+    },
+    Kernel {
+        name: "any_spheres_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "nothing blocks",
+                objects: Objects::List(16, 48),
+                place: |bench, count| packet(bench, &vec![beside(); count as usize], &[count]),
+            },
+            Case {
+                name: "all blocked by the first",
+                objects: Objects::List(16, 48),
+                place: |bench, count| packet(bench, &vec![ahead(1); count as usize], &[count]),
+            },
+        ],
+        error: Some(|bench, random| any_error(bench, random, "any_spheres_r16", &[1])),
+    },
+];
+
+/// The rays of the cases: from about the origin, to -z.
+#[must_use]
+pub fn case_rays() -> [Ray; 16] {
+    std::array::from_fn(|lane| {
+        let (x, y) = ((lane % 4) as f64, (lane / 4) as f64);
+        let step = |at: f64| (at - 1.5) * 0.01;
+        ray(
+            [step(x), step(y), 0.0],
+            unit([step(y), step(x), -1.0]),
+            FARTHEST,
+        )
+    })
+}
+
+/// A ray that has hit nothing.
+#[must_use]
+pub fn ray(origin: Vector, direction: Vector, t: Single) -> Ray {
+    Ray {
+        origin: origin.map(from_f64),
+        direction: direction.map(from_f64),
+        t,
+        object: 0,
+    }
+}
+
+/// A sphere.
+#[must_use]
+pub fn bare_sphere(centre: Vector, radius: f64) -> BareSphere {
+    BareSphere {
+        centre: centre.map(from_f64),
+        radius_squared: from_f64(radius * radius),
+    }
+}
+
+fn beside() -> BareSphere {
+    bare_sphere([9.0, 0.0, -5.0], 1.0)
+}
+
+fn ahead(place: u32) -> BareSphere {
+    bare_sphere([0.0, 0.0, -5.0 * f64::from(place)], 1.0)
+}
+
+fn nearer_and_nearer() -> [BareSphere; 16] {
+    std::array::from_fn(|number| ahead(16 - number as u32))
+}
+
+fn one_ray(bench: &mut Bench, sphere: &BareSphere) -> Vec<u32> {
+    let ray = bench.place(records::Ray::new(&case_rays()[0], 0).as_bytes());
+    let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
+    vec![ray.address, sphere.address, 7]
+}
+
+fn packet(bench: &mut Bench, spheres: &[BareSphere], further: &[u32]) -> Vec<u32> {
+    let rays = bench.place(records::Rays::new(&case_rays()).as_bytes());
+    let spheres: Vec<records::BareSphere> = spheres.iter().map(records::BareSphere::new).collect();
+    let spheres = bench.place(spheres.as_bytes());
+    [&[rays.address, spheres.address], further].concat()
+}
+
+/// A direction, all equally likely.
+#[must_use]
+pub fn any_direction(random: &mut ChaCha8Rng) -> Vector {
+    loop {
+        let vector: Vector = std::array::from_fn(|_| random.random_range(-1.0..1.0));
+        if (0.01..1.0).contains(&dot(vector, vector)) {
+            return unit(vector);
+        }
+    }
+}
+
+/// How a ray meets a sphere, in f64 and with the direction at length 1, for the very singles that
+/// a kernel is given.
+#[derive(Clone, Copy, Debug)]
+pub struct Truth {
+    /// Where it hits first, if it does: the entry, or the exit from inside.
+    pub t: Option<f64>,
+    /// disc / r^2: 0 is a tangent.
+    pub depth: f64,
+    /// Distance of the origin from the surface, in radii; below 0 inside.
+    pub height: f64,
+    /// The radius.
+    pub radius: f64,
+}
+
+/// The truth about a ray and a sphere.
+#[must_use]
+pub fn truth(ray: &Ray, sphere: &BareSphere) -> Truth {
+    let direction = unit(ray.direction.map(to_f64));
+    let centre: Vector =
+        std::array::from_fn(|axis| to_f64(sphere.centre[axis]) - to_f64(ray.origin[axis]));
+    let radius_squared = to_f64(sphere.radius_squared);
+    let b = dot(centre, direction);
+    let l: Vector = std::array::from_fn(|axis| centre[axis] - b * direction[axis]);
+    let disc = radius_squared - dot(l, l);
+    let root = disc.max(0.0).sqrt();
+    let inside = dot(centre, centre) < radius_squared;
+    let t = if inside { b + root } else { b - root };
+    let radius = radius_squared.sqrt();
+    Truth {
+        t: (disc >= 0.0 && t > 0.0).then_some(t),
+        depth: disc / radius_squared,
+        height: dot(centre, centre).sqrt() / radius - 1.0,
+        radius,
+    }
+}
+
+/// A sphere, and rays towards points within 2 radii of its centre: from as far as 30 radii, from
+/// near its surface, and from inside.
+#[must_use]
+pub fn around_a_sphere(random: &mut ChaCha8Rng) -> ([Ray; 16], BareSphere) {
+    let radius = random.random_range(0.1..10.0);
+    let around: Vector = std::array::from_fn(|_| random.random_range(-3.0..3.0));
+    let sphere = bare_sphere(around, radius);
+    let rays = std::array::from_fn(|lane| {
+        let distance = radius
+            * match lane % 4 {
+                0 => random.random_range(0.0..0.999),
+                1 => random.random_range(1.001..1.5),
+                _ => random.random_range(1.5..30.0),
+            };
+        let (from, to) = (any_direction(random), any_direction(random));
+        let reach = radius * random.random_range(0.0..2.0);
+        let origin: Vector = std::array::from_fn(|axis| around[axis] + distance * from[axis]);
+        let towards = std::array::from_fn(|axis| around[axis] + reach * to[axis] - origin[axis]);
+        ray(origin, unit(towards), FARTHEST)
+    });
+    (rays, sphere)
+}
+
+/// The distance of a single to the next, at the larger of t and r.
+#[must_use]
+pub fn ulp(t: f64, radius: f64) -> f64 {
+    libm::exp2(libm::log2(t.max(radius)).floor() - 23.0)
+}
+
+/// Object number that the measured calls give.
+const OBJECT: u32 = 77;
+
+type Call = fn(&mut Bench, &[Ray; 16], &BareSphere) -> [Ray; 16];
+
+/// `isect_sphere_r1` on each ray.
+pub fn one_by_one(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
+    rays.map(|ray| {
+        bench.reset();
+        let record = bench.place(records::Ray::new(&ray, ray.t).as_bytes());
+        let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
+        bench.call("isect_sphere_r1", &[record.address, sphere.address, OBJECT]);
+        bench.read::<records::Ray>(record).ray()
+    })
+}
+
+/// `isect_sphere_r16`.
+pub fn together(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
+    bench.reset();
+    let record = bench.place(records::Rays::new(rays).as_bytes());
+    let sphere = bench.place(records::BareSphere::new(sphere).as_bytes());
+    bench.call(
+        "isect_sphere_r16",
+        &[record.address, sphere.address, OBJECT],
+    );
+    bench.read::<records::Rays>(record).rays()
+}
+
+/// `isect_spheres16_r16` with fifteen spheres that no ray comes near.
+pub fn among_sixteen(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
+    const PLACE: usize = 5;
+    bench.reset();
+    let record = bench.place(records::Rays::new(rays).as_bytes());
+    let away = self::bare_sphere([1e6, 1e6, 1e6], 1e-3);
+    let mut spheres = [records::BareSphere::new(&away); 16];
+    spheres[PLACE] = records::BareSphere::new(sphere);
+    let spheres = bench.place(spheres.as_bytes());
+    let first = OBJECT - PLACE as u32;
+    bench.call(
+        "isect_spheres16_r16",
+        &[record.address, spheres.address, first],
+    );
+    bench.read::<records::Rays>(record).rays()
+}
+
+/// Worst error of t; infinite if a hit is missed or made up.
+fn nearest_error(bench: &mut Bench, random: &mut ChaCha8Rng, call: Call) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let (rays, sphere) = around_a_sphere(random);
+        for (ray, after) in rays.iter().zip(call(bench, &rays, &sphere)) {
+            let truth = truth(ray, &sphere);
+            let found = (after.object == OBJECT).then(|| to_f64(after.t));
+            match (found, truth.t) {
+                (Some(found), Some(t)) if truth.depth > OUTLINE && truth.height.abs() > SURFACE => {
+                    worst = worst.max((found - t).abs() / ulp(t, truth.radius));
+                }
+                (None, Some(_)) | (Some(_), None)
+                    if truth.depth.abs() > TANGENT && truth.height.abs() > SURFACE =>
+                {
+                    worst = f64::INFINITY;
+                }
+                _ => {}
+            }
+        }
+    }
+    worst
+}
+
+/// Worst distance between t and the hit at which the answer was wrong.
+fn any_error(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, further: &[u32]) -> f64 {
+    let mut worst = 0.0_f64;
+    for _ in 0..PACKETS {
+        let (mut rays, sphere) = around_a_sphere(random);
+        let mut expected = [None; 16];
+        for (ray, expected) in rays.iter_mut().zip(&mut expected) {
+            let truth = truth(ray, &sphere);
+            if let Some(t) = truth.t.filter(|_| truth.depth > OUTLINE) {
+                let ulp = ulp(t, truth.radius);
+                ray.t = from_f64(t + random.random_range(-40.0..40.0) * ulp);
+                let beyond = (to_f64(ray.t) - t) / ulp;
+                *expected = Some((beyond > 0.0, beyond.abs()));
+            } else if truth.t.is_none() && truth.depth.abs() > TANGENT {
+                *expected = Some((false, f64::INFINITY));
+            }
+        }
+        bench.reset();
+        let record = bench.place(records::Rays::new(&rays).as_bytes());
+        let sphere = bench.place(records::BareSphere::new(&sphere).as_bytes());
+        let arguments = [&[record.address, sphere.address], further].concat();
+        let blocked = bench.call(kernel, &arguments).value;
+        for (lane, expected) in expected.iter().enumerate() {
+            if let Some((block, error)) = expected
+                && (blocked & 0x8000 >> lane != 0) != *block
+            {
+                worst = worst.max(*error);
+            }
+        }
+    }
+    worst
+}

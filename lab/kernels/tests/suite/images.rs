@@ -1,0 +1,6 @@
+//! The images that come with the sources are what the sources make.
+
+#[test]
+fn committed_images_are_what_the_sources_make() {
+    kernels::images::check().unwrap();
+}

@@ -1,0 +1,25 @@
+# isect_sphere_pairs_unnormalised_r16   nearest hit of packets' rays with spheres, rays of any
+# length
+#   C       void isect_sphere_pairs_unnormalised_r16(const struct candidate *, int count);
+#   In      $3 candidates of objects that are spheres, $4 count (0 is none); pointers 16-aligned
+#   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
+#   Uses    $3-$4, $10-$49   Saves  -   Stack  0   Calls  -
+#   Domain  direction of a length from 2^-20 to 2^20; coordinates and radius below 2^40, radius
+#           above 2^-20; t in parts of the direction's length
+#   Error   25 ulp of the larger of t and r, origin up to 30 radii from the centre, ray within
+#           0.995 r of it
+#   Twin    lab/twins/src/sphere/unnormalised.rs
+#
+# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT
+# the exit, and with SIDES_BOTH the exit of a ray from inside.
+
+        .include "sphere_general.inc"
+        .include "sphere_unnormalised.inc"
+
+        general_registers "k_one", "radius2", "out,y,s,e,over_a"
+        sign_controls_table
+        sides_tables 0x3f000000, 0x3f800000
+
+function isect_sphere_pairs_unnormalised_r16
+        general_form
+endfunction isect_sphere_pairs_unnormalised_r16

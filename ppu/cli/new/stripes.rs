@@ -1,0 +1,1 @@
+../../../examples/tutorial/src/bin/stripes.rs

@@ -1,0 +1,151 @@
+//! Bounding spheres.
+//!
+//! Invariant: the sphere that [`enclose`] returns contains all spheres that it was given, in spite
+//! of `f64`'s rounding.
+
+use glam::DVec3;
+
+/// Number of steps towards the farthest sphere. A test checks that the radius is at most 2 % above
+/// the smallest possible one.
+const STEPS: u32 = 100;
+
+/// By how much a radius is rounded up, relative to the centre's coordinates and the radius.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// A sphere, or a point if the radius is 0.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct BoundingSphere {
+    pub centre: DVec3,
+    pub radius: f64,
+}
+
+impl BoundingSphere {
+    pub fn point(centre: DVec3) -> Self {
+        Self {
+            centre,
+            radius: 0.0,
+        }
+    }
+
+    /// The largest distance of its points from `from`.
+    fn farthest(&self, from: DVec3) -> f64 {
+        from.distance(self.centre) + self.radius
+    }
+}
+
+/// Up to four spheres that stand for a primitive; see
+/// [`Primitive::hull`](super::primitive::Primitive::hull).
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Hull {
+    spheres: [BoundingSphere; 4],
+    count: usize,
+}
+
+impl Hull {
+    pub fn of<const COUNT: usize>(found: [BoundingSphere; COUNT]) -> Self {
+        let mut spheres = [BoundingSphere::point(DVec3::ZERO); 4];
+        spheres[..COUNT].copy_from_slice(&found);
+        Self {
+            spheres,
+            count: COUNT,
+        }
+    }
+
+    pub fn spheres(&self) -> &[BoundingSphere] {
+        &self.spheres[..self.count]
+    }
+}
+
+/// A nearly smallest sphere around all of `spheres`; `None` if there are none.
+///
+/// Uses the algorithm of Bădoiu and Clarkson: from the middle of the bounding box, steps of
+/// decreasing length towards the farthest point. The best centre on the way is used.
+pub(super) fn enclose(spheres: &[BoundingSphere]) -> Option<BoundingSphere> {
+    let (&first, others) = spheres.split_first()?;
+    if others.is_empty() {
+        return Some(first);
+    }
+    let low = |sphere: &BoundingSphere| sphere.centre - sphere.radius;
+    let high = |sphere: &BoundingSphere| sphere.centre + sphere.radius;
+    let low = others.iter().map(low).fold(low(&first), DVec3::min);
+    let high = others.iter().map(high).fold(high(&first), DVec3::max);
+    let mut centre = low.midpoint(high);
+    let mut best = (f64::INFINITY, centre);
+    for step in 1..=STEPS {
+        let start = (first.farthest(centre), &first);
+        let (radius, sphere) = others.iter().fold(start, |found, sphere| {
+            let radius = sphere.farthest(centre);
+            if radius > found.0 {
+                (radius, sphere)
+            } else {
+                found
+            }
+        });
+        if radius < best.0 {
+            best = (radius, centre);
+        }
+        let way = sphere.centre - centre;
+        let beyond = way.try_normalize().unwrap_or(DVec3::X) * sphere.radius;
+        centre += (way + beyond) / f64::from(step + 1);
+    }
+    let (radius, centre) = best;
+    let rounding = ROUNDING * (centre.abs().max_element() + radius);
+    Some(BoundingSphere {
+        centre,
+        radius: radius + rounding,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use rand::{Rng as _, SeedableRng as _};
+    use rand_chacha::ChaCha8Rng;
+
+    use super::*;
+    use crate::scene::random::{magnitude, unit};
+
+    #[test]
+    fn every_sphere_is_inside() {
+        let mut random = ChaCha8Rng::seed_from_u64(1);
+        for _ in 0..2000 {
+            let place = unit(&mut random) * magnitude(&mut random, -4.0, 30.0);
+            let spread = magnitude(&mut random, -10.0, 10.0);
+            let spheres: Vec<BoundingSphere> = (0..random.random_range(1..12))
+                .map(|_| BoundingSphere {
+                    centre: place + unit(&mut random) * spread,
+                    radius: spread * random.random_range(0.0..2.0),
+                })
+                .collect();
+            let around = enclose(&spheres).expect("a sphere");
+            for sphere in &spheres {
+                assert!(
+                    sphere.farthest(around.centre) <= around.radius,
+                    "{spheres:?}"
+                );
+            }
+        }
+        assert_eq!(enclose(&[]), None);
+    }
+
+    #[test]
+    fn a_sphere_is_nearly_the_smallest() {
+        let mut random = ChaCha8Rng::seed_from_u64(2);
+        for _ in 0..200 {
+            // The smallest sphere around the ends of a diameter and points inside is known.
+            let (centre, axis) = (unit(&mut random) * 5.0, unit(&mut random));
+            let mut spheres = vec![
+                BoundingSphere::point(centre + axis),
+                BoundingSphere::point(centre - axis),
+            ];
+            for _ in 0..random.random_range(0..10) {
+                let share = random.random_range(0.0..1.0);
+                spheres.push(BoundingSphere {
+                    centre: centre + unit(&mut random) * share,
+                    radius: (1.0 - share) * random.random_range(0.0..1.0),
+                });
+            }
+            let around = enclose(&spheres).expect("a sphere");
+            assert!(around.radius < 1.02, "{}", around.radius);
+        }
+    }
+}

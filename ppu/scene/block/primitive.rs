@@ -1,0 +1,171 @@
+//! Primitives: the forms that the SPUs intersect, in the scene's coordinates.
+
+use glam::DVec3;
+
+use super::bounding_sphere::{BoundingSphere, Hull};
+use protocol::layout;
+
+/// How far vertices may be off their polygon's plane, relative to its size, without being moved
+/// onto it. The bound allows for the rounding of a scene file's numbers. Vertices that stay in
+/// place leave no gap to polygons that share them.
+pub(super) const FLAT: f64 = 1.0 / (1 << 18) as f64;
+
+/// The kinds of primitives, in the order of the frame's trees.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum PrimitiveKind {
+    Sphere,
+    Rectangle,
+    Triangle,
+    Cone,
+}
+
+impl PrimitiveKind {
+    pub const ALL: [Self; 4] = [Self::Sphere, Self::Rectangle, Self::Triangle, Self::Cone];
+
+    /// The size in bytes of this kind's smallest record.
+    pub fn least_size(self) -> usize {
+        match self {
+            Self::Sphere => size_of::<layout::Object>(),
+            Self::Rectangle => size_of::<layout::Rectangle>(),
+            Self::Triangle => size_of::<layout::Triangle>(),
+            Self::Cone => size_of::<layout::Cone>(),
+        }
+    }
+
+    /// The kind's name in messages, in plural.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Sphere => "spheres",
+            Self::Rectangle => "parallelograms",
+            Self::Triangle => "triangles",
+            Self::Cone => "cones",
+        }
+    }
+}
+
+/// The size in bytes of a patch's triangle.
+pub(super) const PATCH_SIZE: usize = size_of::<layout::Patch>();
+
+#[derive(Clone, Debug)]
+pub(super) enum Primitive {
+    /// If the radius is negative, the normal points inwards.
+    Sphere { centre: DVec3, radius: f64 },
+    Rectangle {
+        corner: DVec3,
+        edges: [DVec3; 2],
+        normal: DVec3,
+        /// The dual basis: the first one's products with the edges are 1 and 0, the second's 0 and
+        /// 1.
+        duals: [DVec3; 2],
+    },
+    Triangle {
+        vertices: [DVec3; 3],
+        /// The normal of the whole polygon.
+        normal: DVec3,
+        /// The vertices' normals that a patch interpolates, of length 1 or 0.
+        smooth: Option<[DVec3; 3]>,
+    },
+    Cone {
+        base: DVec3,
+        axis: DVec3,
+        height: f64,
+        /// The radii at base and apex, not negative.
+        radii: [f64; 2],
+        /// Whether the normal points inwards.
+        hollow: bool,
+    },
+}
+
+impl Primitive {
+    pub fn kind(&self) -> PrimitiveKind {
+        match self {
+            Self::Sphere { .. } => PrimitiveKind::Sphere,
+            Self::Rectangle { .. } => PrimitiveKind::Rectangle,
+            Self::Triangle { .. } => PrimitiveKind::Triangle,
+            Self::Cone { .. } => PrimitiveKind::Cone,
+        }
+    }
+
+    /// The size of its record in bytes.
+    pub fn size(&self) -> usize {
+        match self {
+            Self::Triangle {
+                smooth: Some(_), ..
+            } => PATCH_SIZE,
+            _ => self.kind().least_size(),
+        }
+    }
+
+    /// A cone's growth of the radius with the height; 0 for other primitives.
+    pub fn growth(&self) -> f64 {
+        match self {
+            Self::Cone { radii, height, .. } => (radii[1] - radii[0]) / height,
+            _ => 0.0,
+        }
+    }
+
+    /// Up to four spheres with the property that a sphere around all of them contains the
+    /// primitive.
+    pub fn hull(&self) -> Hull {
+        match *self {
+            Self::Sphere { centre, radius } => Hull::of([BoundingSphere {
+                centre,
+                radius: radius.abs(),
+            }]),
+            Self::Rectangle {
+                corner,
+                edges: [u, v],
+                ..
+            } => Hull::of(
+                [corner, corner + u, corner + v, corner + u + v].map(BoundingSphere::point),
+            ),
+            Self::Triangle { vertices, .. } => Hull::of(vertices.map(BoundingSphere::point)),
+            Self::Cone {
+                base,
+                axis,
+                height,
+                radii: [low, high],
+                ..
+            } => {
+                // The centre is equally far from both discs' rims, unless that point is outside of
+                // the cone.
+                let equal = (height * height + (high - low) * (high + low)) / (2.0 * height);
+                let middle = equal.clamp(0.0, height);
+                Hull::of([BoundingSphere {
+                    centre: base + middle * axis,
+                    radius: libm::hypot(middle, low).max(libm::hypot(height - middle, high)),
+                }])
+            }
+        }
+    }
+
+    /// A point in the primitive's plane, and the plane's normal; `None` for round primitives.
+    pub fn plane(&self) -> Option<(DVec3, DVec3)> {
+        match *self {
+            Self::Rectangle { corner, normal, .. } => Some((corner, normal)),
+            Self::Triangle {
+                vertices: [corner, ..],
+                normal,
+                ..
+            } => Some((corner, normal)),
+            Self::Sphere { .. } | Self::Cone { .. } => None,
+        }
+    }
+
+    /// Whether the primitive is shaded at points noticeably off the points where it is hit. A hit
+    /// is moved to the plane through the triangle's first vertex with the whole polygon's normal.
+    /// A small triangle may be off that plane by more than its own size allows.
+    pub fn is_bent(&self) -> bool {
+        let Self::Triangle {
+            vertices: [a, b, c],
+            normal,
+            ..
+        } = *self
+        else {
+            return false;
+        };
+        let (ab, ac) = (b - a, c - a);
+        let off = ab.dot(normal).abs().max(ac.dot(normal).abs());
+        off > FLAT * ab.length().max(ac.length())
+    }
+}

@@ -1,0 +1,73 @@
+//! A block's objects as they appear in a picture, used to find where two pictures differ.
+
+use glam::DVec3;
+
+use super::SceneBlock;
+use super::bounding_sphere::{BoundingSphere, Hull};
+use super::bvh::widened;
+use super::chains::Chains;
+use super::materials::Light;
+use super::options::BlockOptions;
+
+/// A primitive that may be visible in a picture.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct VisiblePrimitive {
+    /// Its bounding sphere, widened for the SPU's rounding.
+    pub sphere: BoundingSphere,
+    /// A closer bound: the primitive is within the convex hull of these spheres.
+    pub hull: Hull,
+    /// A point in its plane, and the plane's normal; `None` for round primitives.
+    pub plane: Option<(DVec3, DVec3)>,
+    /// The address and the size of its record. `material` is the address of its material.
+    pub record: (u32, usize),
+    pub material: u32,
+    /// Whether other objects may be visible in it.
+    pub sees_others: bool,
+    /// Whether it is shaded at points off the points where it is hit.
+    pub is_bent: bool,
+}
+
+impl SceneBlock {
+    /// The settings of the block.
+    pub(crate) fn options(&self) -> BlockOptions {
+        self.options
+    }
+
+    /// The bounds of its chains of rays.
+    pub(crate) fn chains(&self) -> Chains {
+        self.chains
+    }
+
+    /// The scene's lights.
+    pub(crate) fn lights(&self) -> &[Light] {
+        &self.lights
+    }
+
+    /// The addresses of all slots, kind after kind, each with its object as it appears from `eye`.
+    pub(crate) fn slots(
+        &self,
+        eye: DVec3,
+    ) -> impl Iterator<Item = (u32, Option<VisiblePrimitive>)> {
+        let primitives = self.primitives.iter();
+        let slots = primitives.flat_map(|primitives| {
+            (0..primitives.slot_count()).map(move |number| primitives.slot(number))
+        });
+        slots.map(move |(address, object)| {
+            let seen = object.map(|(object, material, sphere)| {
+                let surface = self.materials.get(object.material as usize);
+                VisiblePrimitive {
+                    sphere: widened(eye, sphere),
+                    hull: object.primitive.hull(),
+                    plane: object.primitive.plane(),
+                    is_bent: object.primitive.is_bent(),
+                    record: (address, object.primitive.size()),
+                    material: material.get(),
+                    sees_others: surface
+                        .and_then(|surface| *surface)
+                        .is_none_or(|surface| surface.sends.goes_on()),
+                }
+            });
+            (address, seen)
+        })
+    }
+}

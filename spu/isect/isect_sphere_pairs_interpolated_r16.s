@@ -1,0 +1,24 @@
+# isect_sphere_pairs_interpolated_r16   nearest hit of packets' rays with spheres, by 12 bits of
+# root
+#   C       void isect_sphere_pairs_interpolated_r16(const struct candidate *, int count);
+#   In      $3 candidates of objects that are spheres, $4 count (0 is none); pointers 16-aligned
+#   Out     the candidates' packets: t, object, where a hit has 0 < t < what was there
+#   Uses    $3-$4, $10-$47   Saves  -   Stack  0   Calls  -
+#   Domain  |d| = 1 within 4 ulp; coordinates and radius below 2^62, radius above 2^-40
+#   Error   3000 ulp of the larger of t and r, origin up to 30 radii from the centre but not within
+#           1/1000 of one from the surface, ray within 0.995 r of it
+#   Twin    lab/twins/src/sphere/perpendicular.rs
+#
+# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT
+# the exit, and with SIDES_BOTH the exit of a ray from inside.
+
+        .include "sphere_general.inc"
+        .include "sphere_interpolated.inc"
+
+        general_registers "m_sign", "radius2", "out,y,s"
+        sign_controls_table
+        sides_tables 0x3f000000, 0x3f800000
+
+function isect_sphere_pairs_interpolated_r16
+        general_form
+endfunction isect_sphere_pairs_interpolated_r16
