@@ -11,7 +11,7 @@ use std::sync::{Arc, OnceLock};
 
 use spu_emulator::machine;
 use spu_emulator::mfc::Policy;
-use spu_emulator::simulated::Timing;
+use spu_emulator::simulated::{Keep, Method, Timing};
 
 use crate::error::Errno;
 use crate::process_memory::ProcessMemory;
@@ -20,6 +20,7 @@ use crate::report::ReportFile;
 const TIMING: &str = "LIBSPE2_TIMING";
 const REPORT: &str = "LIBSPE2_REPORT";
 const PROFILE: &str = "LIBSPE2_PROFILE";
+const CHECK: &str = "LIBSPE2_CHECK";
 const MFC: &str = "LIBSPE2_MFC";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
@@ -77,12 +78,27 @@ fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
     Errno(libc::EINVAL)
 }
 
-fn timing() -> Result<bool, Errno> {
-    match env::var_os(TIMING) {
+/// Whether the environment switches this on.
+fn switch(name: &str) -> Result<bool, Errno> {
+    match env::var_os(name) {
         None => Ok(false),
         Some(value) if value == "0" => Ok(false),
         Some(value) if value == "1" => Ok(true),
-        Some(value) => Err(refused(TIMING, "is 0 or 1", &value)),
+        Some(value) => Err(refused(name, "is 0 or 1", &value)),
+    }
+}
+
+fn needs_timing(name: &str) -> Errno {
+    eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
+    Errno(libc::EINVAL)
+}
+
+/// How cycles are counted.
+fn method(timing: bool) -> Result<Method, Errno> {
+    match (switch(CHECK)?, timing) {
+        (false, _) => Ok(Method::Memoised),
+        (true, true) => Ok(Method::Checked),
+        (true, false) => Err(needs_timing(CHECK)),
     }
 }
 
@@ -110,8 +126,7 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
         return Err(refused(name, "is a path", &path));
     }
     if !timing {
-        eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
-        return Err(Errno(libc::EINVAL));
+        return Err(needs_timing(name));
     }
     let path = PathBuf::from(path);
     let told = |error: &io::Error| eprintln!("libspe2: {name}: {}: {error}", path.display());
@@ -121,14 +136,18 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
 impl Machine {
     fn from_environment() -> Result<Self, Errno> {
         let memory = Arc::new(ProcessMemory);
-        let timing = timing()?;
+        let timing = switch(TIMING)?;
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
+        let keep = Keep {
+            profile: profile.is_some(),
+            method: method(timing)?,
+        };
         Ok(Self {
-            emulated: match (timing, &profile) {
-                (false, _) => machine::Machine::new(memory),
-                (true, None) => machine::Machine::simulated(memory, Timing::default()),
-                (true, Some(_)) => machine::Machine::profiled(memory, Timing::default()),
+            emulated: if timing {
+                machine::Machine::keeping(memory, Timing::default(), keep)
+            } else {
+                machine::Machine::new(memory)
             },
             report,
             profile,

@@ -127,6 +127,11 @@ fn after_signal(context: &Context, flags: c_uint, code: u16, npc: u32) -> Next {
 
 fn after(context: &Context, flags: c_uint, stopped: &Stopped) -> Next {
     let npc = stopped.npc;
+    let simulation = context.spe.simulation();
+    if let Some(difference) = simulation.and_then(|simulation| simulation.difference()) {
+        eprintln!("libspe2: {difference}");
+        return Next::Return(Outcome::fatal(-1));
+    }
     let dma = |event, signal| {
         if context.events_enabled {
             Next::Return(Outcome::exception(event))

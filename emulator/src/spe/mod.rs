@@ -149,7 +149,8 @@ impl Spe {
             match &self.simulated {
                 None => spu.run_observed(&self.local_store, &mut channels, limit, observer),
                 Some(side) => {
-                    let mut timed = Timed::new(clock, &side.actor);
+                    let method = side.simulation.keep().method;
+                    let mut timed = Timed::new(clock, &side.actor, method);
                     timed.run(spu, &self.local_store, &mut channels, limit, observer)
                 }
             }

@@ -11,7 +11,7 @@ use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::machine;
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
 use spu_emulator::ppe_call::{Arena, CALL_WORD, CallError, Class, Library, Process};
-use spu_emulator::simulated::Timing;
+use spu_emulator::simulated::{Difference, Keep, Method, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::LIMIT_MASK;
@@ -43,6 +43,8 @@ pub enum End {
     Limit(u32),
     /// It sleeps here and nobody will wake it.
     Asleep(u32, &'static str),
+    /// The two ways of counting its cycles differ.
+    Differs(Difference),
 }
 
 pub struct Machine {
@@ -70,7 +72,18 @@ impl Machine {
         )?;
         let machine = match options.timing {
             None => machine::Machine::new(memory.clone()),
-            Some(_) => machine::Machine::simulated(memory.clone(), Timing::default()),
+            Some(_) => {
+                let method = if options.check {
+                    Method::Checked
+                } else {
+                    Method::Memoised
+                };
+                let keep = Keep {
+                    profile: false,
+                    method,
+                };
+                machine::Machine::keeping(memory.clone(), Timing::default(), keep)
+            }
         };
         let spe = Spe::new(&machine, Config::default());
         memory
@@ -160,6 +173,9 @@ impl Machine {
             first = false;
             self.spe.with_spu(|spu| bench.stopped(spu));
             left -= self.spe.with_spu(Spu::executed) - before;
+            if let Some(difference) = self.difference() {
+                break End::Differs(difference);
+            }
             let Some(stopped) = stopped else {
                 break End::Limit(self.spe.with_spu(Spu::pc));
             };
@@ -183,6 +199,10 @@ impl Machine {
         }
         bench.finish()?;
         Ok(end)
+    }
+
+    fn difference(&self) -> Option<Difference> {
+        self.spe.simulation()?.difference()
     }
 
     fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {
@@ -252,6 +272,10 @@ impl End {
             ),
             Self::Call(error, at) => (error.to_string(), *at, Status::UnknownStop),
             Self::Limit(at) => ("instruction limit reached".into(), *at, Status::Limit),
+            Self::Differs(difference) => {
+                let at = difference.address;
+                (difference.to_string(), at, Status::Differs)
+            }
             Self::Asleep(at, why) => (format!("sleeps for ever: {why}"), *at, Status::Limit),
         };
         let instruction = instruction_text(store.load_word(at), at);

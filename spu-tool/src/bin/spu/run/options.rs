@@ -100,6 +100,9 @@ pub struct Options {
     /// For programs that do without mailboxes
     #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub timing: Option<Option<PathBuf>>,
+    /// Count the cycles a second time, instruction by instruction, and fail at the first difference
+    #[arg(long, requires = "timing", help_heading = "Output")]
+    pub check: bool,
     /// Statistics and timing as JSON
     #[arg(long, requires = "report", help_heading = "Output")]
     pub json: bool,
