@@ -46,6 +46,29 @@ step() {
     say "$what: $((SECONDS - start)) s"
 }
 
+# Begins a step that runs beside those that follow. What it says goes to a file, so that it is not mixed with theirs;
+# `join` waits for it, and prints that. If another step fails before, the script's end ends it.
+beside() {
+    local what=$1
+    shift
+    mkdir -p "$out"
+    beside_what=$what beside_log=$out/beside.txt
+    say "$what, beside what follows: $beside_log"
+    # In a process group of its own, with all that it starts.
+    set -m
+    step "$what" "$@" </dev/null >"$beside_log" 2>&1 &
+    beside_step=$!
+    set +m
+    trap 'kill -- -$beside_step 2>/dev/null || true; wait $beside_step || true' EXIT
+}
+join() {
+    local failed=
+    wait "$beside_step" || failed=yes
+    trap - EXIT
+    cat "$beside_log" >&2
+    [ -z "$failed" ] || die "failed: $beside_what"
+}
+
 # The host's programs from the tests' build. They are optimised, too, and so nothing is built twice.
 host=${CARGO_TARGET_DIR:-$top/target}/debug
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }

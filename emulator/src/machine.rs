@@ -8,7 +8,7 @@ use crate::engine::Engine;
 use crate::memory::MainMemory;
 use crate::mfc::interconnect::Interconnect;
 use crate::mfc::timing::UnderWay;
-use crate::simulated::{Simulation, Timing};
+use crate::simulated::{Keep, Simulation, Timing};
 
 /// What every [`Spe`](crate::spe::Spe) is made on.
 pub struct Machine {
@@ -63,7 +63,7 @@ impl Machine {
     /// line under way.
     #[must_use]
     pub fn simulated(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
-        Self::with_simulation(memory, Simulation::new(timing, false))
+        Self::keeping(memory, timing, Keep::default())
     }
 
     /// The same that keeps the [profile](Simulation::profile).
@@ -73,10 +73,21 @@ impl Machine {
     /// As [`simulated`](Self::simulated) does.
     #[must_use]
     pub fn profiled(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
-        Self::with_simulation(memory, Simulation::new(timing, true))
+        let keep = Keep {
+            profile: true,
+            ..Keep::default()
+        };
+        Self::keeping(memory, timing, keep)
     }
 
-    fn with_simulation(memory: Arc<dyn MainMemory>, simulation: Arc<Simulation>) -> Arc<Self> {
+    /// The same that keeps and counts as `keep` says.
+    ///
+    /// # Panics
+    ///
+    /// As [`simulated`](Self::simulated) does.
+    #[must_use]
+    pub fn keeping(memory: Arc<dyn MainMemory>, timing: Timing, keep: Keep) -> Arc<Self> {
+        let simulation = Simulation::new(timing, keep);
         let under_way: Arc<dyn UnderWay> = simulation.clone();
         Arc::new(Self {
             interconnect: Interconnect::new(memory, Some(under_way)),

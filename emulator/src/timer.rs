@@ -1,7 +1,7 @@
 //! Feeds a [`Pipeline`] from the interpreter.
 
 use crate::interp::{Observer, Spu};
-use spu_isa::timing::{Issue, Pipeline};
+use spu_isa::timing::{Issue, Passage, Pipeline, State};
 use spu_isa::{Class, Instruction, LIMIT_MASK, Op};
 
 /// Times what an [`Spu`] runs.
@@ -12,7 +12,8 @@ use spu_isa::{Class, Instruction, LIMIT_MASK, Op};
 pub struct Timer {
     /// What it drives.
     pub pipeline: Pipeline,
-    previous: Option<(u32, Class)>,
+    /// The instruction that issued last, and its address.
+    previous: Option<(u32, Instruction)>,
 }
 
 impl Timer {
@@ -24,6 +25,13 @@ impl Timer {
             previous: None,
         }
     }
+}
+
+/// Everything in a timer that bears on the future, wherever its clock stands.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct TimerState {
+    pipeline: State,
+    pub previous: (u32, Instruction),
 }
 
 /// Learns of each instruction as it is timed. The unit type records nothing, and costs nothing.
@@ -54,11 +62,35 @@ impl Timer {
         recorder: &mut R,
     ) {
         let pc = spu.pc();
-        if let Some((previous, class)) = self.previous {
-            // A channel instruction that had to wait is run again: it has issued already.
-            if previous == pc && class == Class::Spr {
-                return;
-            }
+        if self.waits_at(pc) {
+            return;
+        }
+        self.issue(pc, instruction, recorder);
+        if instruction.op == Op::Hbr {
+            self.hint_target(spu, instruction);
+        }
+    }
+
+    /// Whether the instruction at `pc` is a channel instruction that had to wait and is run again:
+    /// it has issued already.
+    #[inline]
+    pub(crate) fn waits_at(&self, pc: u32) -> bool {
+        let channel = |i: Instruction| i.op.row().class == Class::Spr;
+        self.previous
+            .is_some_and(|(previous, instruction)| previous == pc && channel(instruction))
+    }
+
+    /// Issues the next instruction of the executed stream, which stands at `pc`. What a hint by a
+    /// register says is told by [`hint_target`](Self::hint_target).
+    #[inline(always)]
+    pub(crate) fn issue<R: Recorder>(
+        &mut self,
+        pc: u32,
+        instruction: Instruction,
+        recorder: &mut R,
+    ) {
+        if let Some((previous, last)) = self.previous {
+            let class = last.op.row().class;
             let straight_on = pc == previous.wrapping_add(4) & LIMIT_MASK;
             if class == Class::Br || !straight_on {
                 self.pipeline
@@ -68,14 +100,32 @@ impl Timer {
                 recorder.branched(&self.pipeline);
             }
         }
-        let class = instruction.op.row().class;
-        self.previous = Some((pc, class));
+        self.previous = Some((pc, instruction));
         let issue = self.pipeline.issue(pc, instruction);
         recorder.issued(pc, instruction, &issue, &self.pipeline);
-        if instruction.op == Op::Hbr {
-            let target = spu.register(instruction.ra).preferred();
-            self.pipeline.hint_target(target);
-        }
+    }
+
+    /// Tells what the hint says that issued last; the SPU's registers are those of its issue.
+    #[inline]
+    pub(crate) fn hint_target(&mut self, spu: &Spu, hint: Instruction) {
+        let target = spu.register(hint.ra).preferred();
+        self.pipeline.hint_target(target);
+    }
+
+    /// The state as it is; `None` before the first instruction.
+    pub(crate) fn state(&self) -> Option<TimerState> {
+        let previous = self.previous?;
+        Some(TimerState {
+            pipeline: self.pipeline.state(),
+            previous,
+        })
+    }
+
+    /// Goes on from `state`, which a timer of the same rules had, as though `passage` had issued
+    /// in between.
+    pub(crate) fn resume(&mut self, state: &TimerState, passage: &Passage) {
+        self.previous = Some(state.previous);
+        self.pipeline.resume(&state.pipeline, passage);
     }
 }
 

@@ -19,8 +19,10 @@
 //! counts cycles: SPEs run in simulated time (see [`spu_emulator::simulated`]), decrementers count
 //! it, and so do the time-outs of events; `LIBSPE2_REPORT` is the path of the JSON report that is
 //! then written when a context is destroyed and when the process ends, `LIBSPE2_PROFILE` that of
-//! the profile, which `spu profile` shows: which instructions the cycles were spent on. All are
-//! read with the first context. Creating and loading contexts takes no simulated time.
+//! the profile, which `spu profile` shows: which instructions the cycles were spent on.
+//! `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction; where the two
+//! differ first, a run says so and fails. All are read with the first context. Creating and loading
+//! contexts takes no simulated time.
 
 #[cfg(not(target_pointer_width = "64"))]
 compile_error!("the C layouts here are those of 64-bit programs");

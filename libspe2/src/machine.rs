@@ -12,7 +12,7 @@ use std::sync::{Arc, OnceLock};
 use spu_emulator::engine::Engine;
 use spu_emulator::machine;
 use spu_emulator::mfc::Policy;
-use spu_emulator::simulated::Timing;
+use spu_emulator::simulated::{Keep, Method, Timing};
 
 use crate::error::Errno;
 use crate::process_memory::ProcessMemory;
@@ -32,8 +32,6 @@ pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
-    /// Compiled code is compared with the interpreter.
-    checked: bool,
 }
 
 /// The machine, made now if there is none.
@@ -43,7 +41,7 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     }
     let made = Machine::from_environment()?;
     let machine = MACHINE.get_or_init(|| made);
-    if machine.checked || machine.report.is_some() || machine.profile.is_some() {
+    if machine.report.is_some() || machine.profile.is_some() {
         // SAFETY: the function takes nothing and is there as long as the process is.
         unsafe { libc::atexit(report_at_exit) };
     }
@@ -60,11 +58,6 @@ pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;
     };
-    if machine.checked
-        && let Some(difference) = machine.emulated.difference()
-    {
-        eprintln!("libspe2: {CHECK}: {difference}");
-    }
     let Some(simulation) = machine.emulated.simulation() else {
         return;
     };
@@ -87,6 +80,7 @@ fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
     Errno(libc::EINVAL)
 }
 
+/// Whether the environment switches this on.
 fn switch(name: &str) -> Result<bool, Errno> {
     match env::var_os(name) {
         None => Ok(false),
@@ -96,22 +90,30 @@ fn switch(name: &str) -> Result<bool, Errno> {
     }
 }
 
-/// What runs the SPUs' instructions.
-fn engine() -> Result<Engine, Errno> {
+/// What runs the SPUs' instructions outside simulated time.
+fn engine(timing: bool) -> Result<Engine, Errno> {
     let engine = match env::var_os(ENGINE) {
         None => Engine::default(),
         Some(name) if name == "compiler" => Engine::Compiler,
         Some(name) if name == "interpreter" => Engine::Interpreter,
         Some(name) => return Err(refused(ENGINE, "is interpreter or compiler", &name)),
     };
-    match switch(CHECK)? {
-        false => Ok(engine),
-        true if engine == Engine::Interpreter => {
+    match (timing, switch(CHECK)?) {
+        (false, true) if engine == Engine::Interpreter => {
             eprintln!("libspe2: {CHECK}=1 does not go with {ENGINE}=interpreter: it compares both");
             Err(Errno(libc::EINVAL))
         }
-        true => Ok(Engine::Check),
+        (false, true) => Ok(Engine::Check),
+        (true, _) | (false, false) => Ok(engine),
     }
+}
+
+/// How cycles are counted in simulated time.
+fn method() -> Result<Method, Errno> {
+    Ok(match switch(CHECK)? {
+        false => Method::Memoised,
+        true => Method::Checked,
+    })
 }
 
 /// When contexts carry MFC commands out.
@@ -150,18 +152,21 @@ impl Machine {
     fn from_environment() -> Result<Self, Errno> {
         let memory = Arc::new(ProcessMemory);
         let timing = switch(TIMING)?;
-        let engine = engine()?;
+        let engine = engine(timing)?;
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
+        let keep = Keep {
+            profile: profile.is_some(),
+            method: method()?,
+        };
         Ok(Self {
-            emulated: match (timing, &profile) {
-                (false, _) => machine::Machine::with_engine(memory, engine),
-                (true, None) => machine::Machine::simulated(memory, Timing::default()),
-                (true, Some(_)) => machine::Machine::profiled(memory, Timing::default()),
+            emulated: if timing {
+                machine::Machine::keeping(memory, Timing::default(), keep)
+            } else {
+                machine::Machine::with_engine(memory, engine)
             },
             report,
             profile,
-            checked: !timing && engine == Engine::Check,
         })
     }
 }

@@ -127,6 +127,10 @@ fn after_signal(context: &Context, flags: c_uint, code: u16, npc: u32) -> Next {
 
 fn after(context: &Context, flags: c_uint, stopped: &Stopped) -> Next {
     let npc = stopped.npc;
+    if let Some((_, difference)) = context.spe.difference() {
+        eprintln!("libspe2: {difference}");
+        return Next::Return(Outcome::fatal(-1));
+    }
     let dma = |event, signal| {
         if context.events_enabled {
             Next::Return(Outcome::exception(event))

@@ -1,6 +1,6 @@
-//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT` and `LIBSPE2_PROFILE`. A program of its own and without the
-//! test harness: it runs itself again, as a program on libspe2 whose environment is its own
-//! affair.
+//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT`, `LIBSPE2_PROFILE` and `LIBSPE2_CHECK`. A program of its own
+//! and without the test harness: it runs itself again, as a program on libspe2 whose environment is
+//! its own affair.
 
 use std::ffi::{CString, OsStr};
 use std::fs;
@@ -186,6 +186,7 @@ fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
     command
         .env_remove("LIBSPE2_REPORT")
         .env_remove("LIBSPE2_PROFILE")
+        .env_remove("LIBSPE2_CHECK")
         .env_remove("LIBSPE2_MFC");
     command.envs(environment.iter().copied()).output().unwrap()
 }
@@ -374,6 +375,13 @@ fn main() {
     let [with_profile, profiled] = profile(&image, folder.path(), "0");
     assert_eq!(with_profile, first, "a profile changes nothing");
     check_profile(&image, &first, &profiled);
+    let path = folder.path().join("report.json");
+    let files = [
+        ("LIBSPE2_REPORT", path.as_path()),
+        ("LIBSPE2_CHECK", Path::new("1")),
+    ];
+    run_program(&image, "0", &files);
+    assert_eq!(take(&path), first, "the check finds nothing");
     let again = profile(&image, folder.path(), "3");
     assert_eq!(again, [with_profile, profiled]);
     // Nothing is left beside the report's place but what was there before.
@@ -393,6 +401,7 @@ fn main() {
         "LIBSPE2_PROFILE is about simulated time: set LIBSPE2_TIMING=1",
     );
     let on = ("LIBSPE2_TIMING", "1");
+    refused(&[on, ("LIBSPE2_CHECK", "2")], libc::EINVAL, "LIBSPE2_CHECK");
     refused(
         &[on, ("LIBSPE2_PROFILE", "/nowhere/at/all")],
         libc::ENOENT,

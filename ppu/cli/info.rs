@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use cellray::framebuffer::Device;
 use cellray::spe::{self, Program};
 use clap::Args;
-use protocol::formulation::{SPHERES, TRIANGLES};
+use protocol::formulation::Formulations;
 use protocol::layout;
 
 use super::Outcome;
@@ -30,21 +30,27 @@ pub fn run(arguments: &Arguments) -> Outcome {
     writeln!(out, "SPEs         {}", spe::usable_spes()?)?;
     let bytes = program.image().len();
     writeln!(out, "SPU program  {bytes} bytes of ELF")?;
+    let [_, others @ ..] = Formulations::shipped();
+    let others = others.map(|formulations| formulations.named_sphere().name);
     writeln!(
         out,
-        "intersects   by {} of: {}; {}",
+        "intersects   by {}; with --sphere also by {}",
         program.formulations()?.name(),
-        names(SPHERES.iter().map(|sphere| sphere.name)),
-        names(TRIANGLES.iter().map(|triangle| triangle.name)),
+        others.join(", "),
     )?;
+    writeln!(
+        out,
+        "             Programs for other formulations are built in cellray's repository, by"
+    )?;
+    writeln!(
+        out,
+        "             cargo run --release --bin kernels -- image --sphere NAME --out NAME.elf,"
+    )?;
+    writeln!(out, "             and used with --program NAME.elf.")?;
     writeln!(out, "work unit    version {}", layout::VERSION)?;
     match Device::inspect(&arguments.device) {
         Ok(line) => writeln!(out, "framebuffer  {line}")?,
         Err(error) => writeln!(out, "framebuffer  none: {error}")?,
     }
     Ok(())
-}
-
-fn names<'a>(names: impl Iterator<Item = &'a str>) -> String {
-    names.collect::<Vec<_>>().join(", ")
 }

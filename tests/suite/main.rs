@@ -3,6 +3,7 @@
 mod command_line;
 mod frames;
 mod game;
+mod links;
 mod measured_numbers;
 mod recorder;
 mod speed;

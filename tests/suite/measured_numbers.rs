@@ -9,7 +9,6 @@ const END: &str = "<!-- end of what is written -->";
 
 /// Numbers before "frames/s" that are not of those tables, and why.
 const OTHERS: &[(&str, &str, &str)] = &[
-    ("README.md", "59", "a window on the host's clock"),
     ("docs/frame.md", "52", "the paper's, on a console"),
     ("docs/frame.md", "1615", "a step of this project's history"),
 ];

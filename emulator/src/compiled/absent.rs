@@ -42,6 +42,12 @@ impl Translations {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Difference {}
 
+impl Difference {
+    pub(crate) fn described(&self) -> (u32, String) {
+        match *self {}
+    }
+}
+
 impl fmt::Display for Difference {
     fn fmt(&self, _: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {}

@@ -46,6 +46,12 @@ pub struct Difference {
     local_store: Option<(u32, [u32; 4], [u32; 4])>,
 }
 
+impl Difference {
+    pub(crate) fn described(&self) -> (u32, String) {
+        (self.before.pc, self.to_string())
+    }
+}
+
 fn words(words: [u32; 4]) -> String {
     words.map(|word| format!("{word:08x}")).join(" ")
 }
@@ -125,13 +131,7 @@ pub(super) fn check<C: Channels>(
     compiled.fpscr = Fpscr::from_words(compiled.fpscr).words();
     compiled.pc = pc;
 
-    let stopped = spu.run_bounded(
-        &for_interpreted,
-        channels,
-        u64::from(instructions),
-        false,
-        &mut (),
-    );
+    let stopped = spu.run_limited(&for_interpreted, channels, u64::from(instructions));
     let requested = |stopped: &Stopped| stopped.reason == Stop::Requested;
     let interrupted = stopped.as_ref().is_some_and(requested);
     let interpreted = State::of(spu);

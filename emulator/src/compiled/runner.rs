@@ -10,7 +10,7 @@ use super::check::check;
 use super::record::record;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
-use crate::interp::{Observer, Spu};
+use crate::interp::{Ended, Observer, Spu};
 use crate::local_store::LocalStore;
 use crate::stop::{Stop, Stopped};
 
@@ -48,6 +48,33 @@ enum Turn {
     /// The interpreter, up to a taken branch.
     Block,
     Stop(Stopped),
+}
+
+fn requested(pc: u32) -> Stopped {
+    Stopped {
+        reason: Stop::Requested,
+        pc,
+        npc: pc,
+    }
+}
+
+/// Interprets at most `limit` instructions, up to a taken branch.
+fn interpret<C: Channels, O: Observer>(
+    spu: &mut Spu,
+    local_store: &LocalStore,
+    channels: &mut C,
+    limit: u64,
+    observer: &mut O,
+) -> Option<Stopped> {
+    let end = spu.executed().saturating_add(limit);
+    loop {
+        let left = end - spu.executed();
+        match spu.run_spell(local_store, channels, left, true, observer) {
+            Ended::AtLimit | Ended::Branched => return None,
+            Ended::Stopped(stopped) => return Some(stopped),
+            Ended::Decoded => {}
+        }
+    }
 }
 
 impl Runner {
@@ -113,7 +140,7 @@ impl Runner {
                     } else {
                         left
                     };
-                    let stopped = spu.run_bounded(local_store, channels, limit, true, observer);
+                    let stopped = interpret(spu, local_store, channels, limit, observer);
                     let left = end - spu.executed();
                     match stopped {
                         Some(stopped) => Turn::Stop(stopped),
@@ -174,8 +201,7 @@ impl Runner {
                 Ok(exit) => exit,
                 Err(difference) => {
                     self.translations.report(*difference);
-                    self.give_up(spu.pc());
-                    return Turn::Block;
+                    return Turn::Stop(requested(spu.pc()));
                 }
             }
         } else {
@@ -183,12 +209,7 @@ impl Runner {
         };
         self.compiled += spu.executed() - before;
         if channels.stop_requested() {
-            let pc = spu.pc();
-            return Turn::Stop(Stopped {
-                reason: Stop::Requested,
-                pc,
-                npc: pc,
-            });
+            return Turn::Stop(requested(spu.pc()));
         }
         match exit {
             // Either the budget is used up, or it does not suffice for the next unit.

@@ -17,6 +17,15 @@ struct Entry {
 pub(super) struct DecodeCache {
     entries: Box<[Entry; ENTRIES]>,
     double_extension: bool,
+    /// Which entries are in blocks that somebody remembers, a bit each.
+    in_blocks: Box<[u64]>,
+    /// How often such an entry has changed.
+    rewritings: u64,
+}
+
+#[inline]
+fn index(pc: u32) -> usize {
+    pc as usize / 4 % ENTRIES
 }
 
 impl DecodeCache {
@@ -29,23 +38,65 @@ impl DecodeCache {
         Self {
             entries,
             double_extension,
+            in_blocks: vec![0; ENTRIES / 64].into(),
+            rewritings: 0,
         }
     }
 
-    /// The instruction in `word`, which was just fetched from `pc`; `None` if this machine has
-    /// none.
+    /// Whether `word` is what was decoded at `pc` last.
     #[inline]
-    pub fn get(&mut self, pc: u32, word: u32) -> Option<Instruction> {
-        let entry = &mut self.entries[pc as usize / 4 % ENTRIES];
-        if entry.word != word {
-            *entry = Entry::of(word, self.double_extension);
+    pub fn is_current(&self, pc: u32, word: u32) -> bool {
+        self.entries[index(pc)].word == word
+    }
+
+    /// What was decoded at `pc` last; `None` if this machine has no such instruction.
+    #[inline]
+    pub fn latest(&self, pc: u32) -> Option<Instruction> {
+        self.entries[index(pc)].instruction
+    }
+
+    /// Decodes `word`, which was fetched from `pc`.
+    #[cold]
+    pub fn decode(&mut self, pc: u32, word: u32) {
+        let at = index(pc);
+        self.entries[at] = Entry::of(word, self.double_extension);
+        let (group, bit) = (&mut self.in_blocks[at / 64], 1 << (at % 64));
+        if *group & bit != 0 {
+            *group &= !bit;
+            self.rewritings += 1;
         }
-        entry.instruction
+    }
+
+    /// The instruction in `word` at `pc`, which somebody remembers from now on.
+    pub fn get_for_block(&mut self, pc: u32, word: u32) -> Option<Instruction> {
+        if !self.is_current(pc, word) {
+            self.decode(pc, word);
+        }
+        let instruction = self.latest(pc)?;
+        self.remember(pc);
+        Some(instruction)
+    }
+
+    /// Whether `instruction` is what was decoded at `pc` last. Then it is remembered again.
+    pub fn has_for_block(&mut self, pc: u32, instruction: Instruction) -> bool {
+        let same = self.latest(pc) == Some(instruction);
+        if same {
+            self.remember(pc);
+        }
+        same
+    }
+
+    fn remember(&mut self, pc: u32) {
+        let at = index(pc);
+        self.in_blocks[at / 64] |= 1 << (at % 64);
+    }
+
+    pub fn rewritings(&self) -> u64 {
+        self.rewritings
     }
 }
 
 impl Entry {
-    #[cold]
     fn of(word: u32, double_extension: bool) -> Self {
         let instruction = Instruction::decode(word)
             .filter(|i| double_extension || i.op.row().machine == Machine::Every);

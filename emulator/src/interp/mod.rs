@@ -5,6 +5,7 @@
 //! nothing of what answers behind the channels. It counts instructions, not cycles. No guest
 //! program can make it panic or loop without asking [`Channels::stop_requested`].
 
+mod block;
 mod branch;
 mod cache;
 mod channel;
@@ -22,7 +23,9 @@ mod run;
 mod shift_rotate;
 mod spu;
 
+pub(crate) use block::{Block, ends_block, hints_by_register};
 pub use quad::Quad;
+pub(crate) use run::Ended;
 pub use run::Observer;
 pub use spu::Spu;
 

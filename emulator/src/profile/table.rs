@@ -114,6 +114,23 @@ impl Recording {
         self.charged = pipeline.clock();
     }
 
+    /// What was charged since it was last handed over.
+    pub fn profile(&self) -> &Profile {
+        &self.profile
+    }
+
+    /// The tally of the instruction at `pc`, for charges that were worked out elsewhere.
+    pub fn tally(&mut self, pc: u32, instruction: Instruction) -> &mut Tally {
+        self.profile.tally(pc, instruction)
+    }
+
+    /// All is charged up to the pipelines' clock, and `last` issued last.
+    pub fn catch_up(&mut self, last: (u32, Instruction), pipeline: &Pipeline) {
+        self.last = Some(last);
+        self.charged = pipeline.clock();
+        self.stalls = pipeline.account().stalls().clone();
+    }
+
     /// Hands over what was charged so far.
     pub fn hand_over(&mut self, to: &mut Profile) {
         to.take(&mut self.profile);

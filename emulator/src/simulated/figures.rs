@@ -35,6 +35,29 @@ impl Timing {
     }
 }
 
+/// How a clock comes to the cycles of its SPU's instructions. Every method comes to the same.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Method {
+    /// What a block does to the pipelines is worked out once a state and remembered.
+    #[default]
+    Memoised,
+    /// Each instruction issues in the pipeline model: the definition.
+    ByInstruction,
+    /// Memoised, with the definition beside it. At the first
+    /// [difference](super::Simulation::difference) the SPE ends its run as though it had been
+    /// asked to stop.
+    Checked,
+}
+
+/// What a machine in simulated time keeps, and how it counts.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Keep {
+    /// Whether the SPUs keep a [profile](super::Simulation::profile).
+    pub profile: bool,
+    /// How their cycles are counted.
+    pub method: Method,
+}
+
 /// How long DMA takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct MemoryFigures {

@@ -21,7 +21,9 @@
 pub mod absence;
 mod arrivals;
 mod calendar;
+mod check;
 mod figures;
+mod memo;
 mod memory_system;
 mod ppe;
 mod published;
@@ -31,15 +33,18 @@ mod simulation;
 mod spe_side;
 mod spu_clock;
 mod time;
+mod timed;
 mod transfers;
 mod turnstile;
 
-pub use figures::{MemoryFigures, PpeFigures, Timing};
+pub use check::Difference;
+pub use figures::{Keep, MemoryFigures, Method, PpeFigures, Timing};
 pub use race::WaitKey;
 pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
 pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, cycle_of_tick, ticks};
 
 pub(crate) use spe_side::SpeSide;
-pub(crate) use spu_clock::{SpuClock, Timed, Wait};
+pub(crate) use spu_clock::{SpuClock, Wait};
 pub(crate) use time::cycles;
+pub(crate) use timed::Timed;

@@ -60,7 +60,7 @@ impl Published {
         self.report = SpeReport {
             clock: clock.now(),
             stopped: clock.stopped(),
-            account: clock.timer().pipeline.account().clone(),
+            account: clock.account().clone(),
             waits: clock.waits(),
             commands,
         };

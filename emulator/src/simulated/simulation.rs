@@ -2,7 +2,8 @@
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
-use super::figures::Timing;
+use super::check::Difference;
+use super::figures::{Keep, Timing};
 use super::memory_system::MemorySystem;
 use super::published::Published;
 use super::race::WaitKey;
@@ -22,12 +23,12 @@ pub struct Simulation {
     timing: Timing,
     memory: Mutex<MemorySystem>,
     spes: Mutex<Vec<Arc<Mutex<Published>>>>,
-    /// Whether the SPUs keep a profile.
-    profiled: bool,
+    keep: Keep,
+    difference: Mutex<Option<Difference>>,
 }
 
 impl Simulation {
-    pub(crate) fn new(timing: Timing, profiled: bool) -> Arc<Self> {
+    pub(crate) fn new(timing: Timing, keep: Keep) -> Arc<Self> {
         let delay = timing.memory.local_store_delay();
         Arc::new(Self {
             turnstile: Arc::new(Turnstile::new(delay)),
@@ -35,7 +36,8 @@ impl Simulation {
             timing,
             memory: Mutex::new(MemorySystem::new(timing.memory)),
             spes: Mutex::default(),
-            profiled,
+            keep,
+            difference: Mutex::default(),
         })
     }
 
@@ -45,8 +47,21 @@ impl Simulation {
         &self.timing
     }
 
-    pub(super) fn is_profiled(&self) -> bool {
-        self.profiled
+    /// What it keeps, and how it counts.
+    #[must_use]
+    pub fn keep(&self) -> Keep {
+        self.keep
+    }
+
+    /// The first difference between the two ways of counting, if an SPE that
+    /// [checks](super::Method::Checked) has found one.
+    #[must_use]
+    pub fn difference(&self) -> Option<Difference> {
+        lock(&self.difference).clone()
+    }
+
+    pub(super) fn tell_difference(&self, difference: &Difference) {
+        lock(&self.difference).get_or_insert_with(|| difference.clone());
     }
 
     pub(super) fn turnstile(&self) -> &Arc<Turnstile> {
@@ -66,7 +81,7 @@ impl Simulation {
     /// A new SPE: its number, and where it publishes its figures.
     pub(super) fn add_spe(&self) -> (u64, Arc<Mutex<Published>>) {
         let mut spes = lock(&self.spes);
-        let published = Arc::new(Mutex::new(Published::new(self.profiled)));
+        let published = Arc::new(Mutex::new(Published::new(self.keep.profile)));
         spes.push(Arc::clone(&published));
         (spes.len() as u64 - 1, published)
     }
@@ -111,7 +126,7 @@ impl Simulation {
     /// unless the machine was made to keep one.
     #[must_use]
     pub fn profile(&self) -> Option<Vec<SpeProfile>> {
-        self.profiled.then(|| {
+        self.keep.profile.then(|| {
             let spes = lock(&self.spes);
             spes.iter().map(|spe| lock(spe).profile()).collect()
         })

@@ -46,10 +46,7 @@ impl SpeSide {
 
     /// The SPU's clock at its start.
     pub fn new_clock(&self) -> SpuClock {
-        SpuClock::new(
-            self.simulation.timing().rules,
-            self.simulation.is_profiled(),
-        )
+        SpuClock::new(self.simulation.timing().rules, self.simulation.keep())
     }
 
     /// Who times the SPU's MFC commands.
@@ -89,6 +86,9 @@ impl SpeSide {
         self.turn(clock);
         self.publish(clock, mfc);
         clock.borrow_mut().stop();
+        if let Some(difference) = clock.borrow().difference() {
+            self.simulation.tell_difference(difference);
+        }
         announce();
         let back = self.actor.clock() + self.simulation.timing().ppe.wake_cycles;
         self.ready.store(back, SeqCst);

@@ -1,17 +1,17 @@
 //! An SPU's clock: what the pipelines count, and the time in which it does not run.
 
-use std::cell::RefCell;
+use std::sync::Arc;
 
+use super::check::{Check, Difference};
+use super::figures::{Keep, Method};
+use super::memo::{Memo, StateId, TransitionId};
 use super::report::Waits;
-use super::turnstile::Actor;
-use crate::channel::Channels;
-use crate::interp::{Observer, Spu};
+use crate::interp::Spu;
 use crate::local_store::LocalStore;
 use crate::profile::{Profile, Recording};
-use crate::stop::Stopped;
 use crate::timer::Timer;
 use spu_isa::Instruction;
-use spu_isa::timing::{Cause, Pipeline, Rules};
+use spu_isa::timing::{Account, Cause, Pipeline, Rules};
 
 /// What an SPU sleeps for in a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -46,31 +46,54 @@ impl Wait {
     }
 }
 
-/// Invariant: the clock is the pipelines' clock and `stopped`.
+/// Invariant: the clock is the timer's, `ahead`, and `stopped`.
 #[derive(Debug, Default)]
 pub(crate) struct SpuClock {
     timer: Timer,
+    memo: Memo,
+    /// Where the pipelines are, if blocks have passed that the timer has not seen.
+    state: Option<StateId>,
+    /// The cycles of these blocks.
+    ahead: u64,
     stopped: u64,
     waits: Waits,
     /// If the SPU is profiled.
     recording: Option<Recording>,
+    /// If the clock is checked.
+    check: Option<Box<Check>>,
+}
+
+/// A block whose time has passed, and which is to be run.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Begun {
+    from: StateId,
+    transition: TransitionId,
+    /// Its instructions.
+    pub length: u64,
+    /// The hint by a register that ends it.
+    pub hint: Option<Instruction>,
 }
 
 impl SpuClock {
-    pub fn new(rules: Rules, profiled: bool) -> Self {
+    pub fn new(rules: Rules, keep: Keep) -> Self {
         Self {
             timer: Timer::new(Pipeline::new(rules)),
-            recording: profiled.then(Recording::default),
+            memo: Memo::new(rules),
+            recording: keep.profile.then(Recording::default),
+            check: (keep.method == Method::Checked).then(|| Box::new(Check::new(rules, keep))),
             ..Self::default()
         }
     }
 
+    #[inline]
     pub fn now(&self) -> u64 {
-        self.stopped + self.timer.pipeline.clock()
+        self.stopped + self.timer.pipeline.clock() + self.ahead
     }
 
-    pub fn timer(&self) -> &Timer {
-        &self.timer
+    /// Where the cycles went.
+    pub fn account(&mut self) -> &Account {
+        self.settle();
+        self.timer.pipeline.account()
     }
 
     pub fn stopped(&self) -> u64 {
@@ -81,6 +104,11 @@ impl SpuClock {
         self.waits
     }
 
+    /// What the check has found, if the clock is checked.
+    pub fn difference(&self) -> Option<&Difference> {
+        self.check.as_ref()?.difference()
+    }
+
     /// The SPU starts at `cycle`, having stood still until then.
     pub fn start(&mut self, cycle: u64) {
         self.stopped += cycle.saturating_sub(self.now());
@@ -89,99 +117,158 @@ impl SpuClock {
     /// The SPU sleeps until `cycle` in the channel instruction that issued last.
     pub fn sleep(&mut self, cycle: u64, wait: Wait) {
         let slept = cycle.saturating_sub(self.now());
+        if slept == 0 {
+            return;
+        }
         *wait.of(&mut self.waits) += slept;
+        self.settle();
         let until = self.timer.pipeline.clock() + slept;
         self.timer.pipeline.stall_until(until, wait.cause());
         if let Some(recording) = &mut self.recording {
             recording.charge_last(&self.timer.pipeline);
         }
+        if let Some(check) = &mut self.check {
+            check.sleep(slept, wait.cause());
+        }
     }
 
     /// Hands over all charges so far, if the SPU is profiled.
     pub fn hand_over(&mut self, to: &mut Profile) {
+        self.settle();
         if let Some(recording) = &mut self.recording {
+            if let Some(check) = &mut self.check {
+                check.compare_profile(recording);
+            }
             recording.hand_over(to);
         }
     }
 
     /// The SPU has stopped.
     pub fn stop(&mut self) {
+        self.settle();
         if let Some(recording) = &mut self.recording {
             recording.stopped();
         }
-    }
-}
-
-/// Feeds the clock while the SPU runs.
-pub(crate) struct Timed<'a> {
-    clock: &'a RefCell<SpuClock>,
-    actor: &'a Actor,
-}
-
-impl<'a> Timed<'a> {
-    pub fn new(clock: &'a RefCell<SpuClock>, actor: &'a Actor) -> Self {
-        Self { clock, actor }
-    }
-}
-
-impl Timed<'_> {
-    /// Runs at most `limit` instructions, each after the clock and `observer` have seen it; `None`
-    /// if the SPU would go on. An interrupt shows one instruction that does not run.
-    ///
-    /// Instruction by instruction, so that the interpreter's loop exists once in the program:
-    /// beside a second one, for this observer, the compiler no longer inlines the arithmetic into
-    /// either, and without simulated time the tracer takes 1.4 times as long.
-    pub fn run<C: Channels, O: Observer>(
-        &mut self,
-        spu: &mut Spu,
-        local_store: &LocalStore,
-        channels: &mut C,
-        limit: u64,
-        observer: &mut O,
-    ) -> Option<Stopped> {
-        if self.clock.borrow().recording.is_some() {
-            self.run_as::<true, _, _>(spu, local_store, channels, limit, observer)
-        } else {
-            self.run_as::<false, _, _>(spu, local_store, channels, limit, observer)
+        if let Some(check) = &mut self.check {
+            check.stop();
         }
     }
 
-    /// [`run`](Self::run), whose loop exists twice so that a profile costs nothing where there is
-    /// none.
-    #[inline(never)]
-    fn run_as<const RECORDED: bool, C: Channels, O: Observer>(
-        &mut self,
-        spu: &mut Spu,
-        local_store: &LocalStore,
-        channels: &mut C,
-        limit: u64,
-        observer: &mut O,
-    ) -> Option<Stopped> {
-        for _ in 0..limit {
-            let word = local_store.load_word(spu.pc());
-            if let Some(instruction) = Instruction::decode(word) {
-                self.count::<RECORDED>(spu, instruction);
-                observer.before_instruction(spu, instruction);
-            }
-            let stopped = spu.step(local_store, channels);
-            if stopped.is_some() {
-                return stopped;
+    /// Brings the timer to where the pipelines are.
+    fn settle(&mut self) {
+        if let Some(state) = self.state.take() {
+            self.settle_at(state);
+            if let Some(check) = &mut self.check {
+                check.compare_account(&self.timer);
             }
         }
-        None
     }
 
+    fn settle_at(&mut self, state: StateId) {
+        self.memo
+            .settle(state, &mut self.timer, self.recording.as_mut());
+        self.ahead = 0;
+    }
+
+    /// The instruction at the program counter issues, timed by itself.
+    pub(super) fn issue(&mut self, spu: &Spu, instruction: Instruction) {
+        self.settle();
+        match &mut self.recording {
+            Some(recording) => self.timer.record(spu, instruction, recording),
+            None => self.timer.record(spu, instruction, &mut ()),
+        }
+        self.issue_beside(spu, instruction);
+    }
+
+    /// The instruction at the program counter issues in the model of the check alone.
+    pub(super) fn issue_beside(&mut self, spu: &Spu, instruction: Instruction) {
+        if let Some(check) = &mut self.check {
+            check.issue(spu, instruction);
+        }
+    }
+
+    /// The time of the block at the program counter passes. `None`, and nothing has passed, if it
+    /// is to be timed by itself: a block of more than `most` instructions, one whose last
+    /// instruction issues in a cycle that `may_pass` refuses, and what has no block.
     #[inline]
-    fn count<const RECORDED: bool>(&mut self, spu: &Spu, instruction: Instruction) {
-        let mut clock = self.clock.borrow_mut();
-        let SpuClock {
-            timer, recording, ..
-        } = &mut *clock;
-        match recording {
-            Some(recording) if RECORDED => timer.record(spu, instruction, recording),
-            _ => timer.before_instruction(spu, instruction),
+    pub(super) fn begin(
+        &mut self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        most: u64,
+        may_pass: impl FnOnce(u64) -> bool,
+    ) -> Option<Begun> {
+        let from = match self.state {
+            Some(state) if !self.memo.is_full() => state,
+            _ => self.remember(spu.pc())?,
+        };
+        let at = self.memo.find(from, spu, local_store)?;
+        let transition = self.memo.transition(at);
+        let cycles = transition.cycles;
+        let begun = Begun {
+            from,
+            transition: at,
+            length: transition.length.into(),
+            hint: transition.hint,
+        };
+        if begun.length > most || !may_pass(self.now() + cycles) {
+            return None;
         }
-        // It has issued and takes effect next: a load finds what has arrived by now.
-        self.actor.run_up_to(clock.now());
+        self.state = Some(self.memo.happen(at));
+        self.ahead += cycles;
+        Some(begun)
+    }
+
+    /// The number of the state that the timer is in; `None` if the instruction at `pc` is one that
+    /// has issued already.
+    #[cold]
+    fn remember(&mut self, pc: u32) -> Option<StateId> {
+        self.settle();
+        if self.memo.is_full() {
+            self.memo.forget();
+        }
+        if self.timer.waits_at(pc) {
+            return None;
+        }
+        let state = self.memo.number(self.timer.state()?);
+        self.state = Some(state);
+        Some(state)
+    }
+
+    /// Only `ran` instructions of the block that began last have run: the next one was rewritten.
+    #[cold]
+    pub(super) fn cut_short(&mut self, begun: Begun, ran: u64) {
+        let transition = self.memo.transition(begun.transition);
+        let block = Arc::clone(transition.block());
+        self.memo.undo(begun.transition);
+        self.state = None;
+        self.settle_at(begun.from);
+        for (pc, instruction) in block.instructions().take(ran as usize) {
+            match &mut self.recording {
+                Some(recording) => self.timer.issue(pc, instruction, recording),
+                None => self.timer.issue(pc, instruction, &mut ()),
+            }
+        }
+    }
+
+    /// The block that began last has run, and ended with a hint by a register.
+    #[inline]
+    pub(super) fn hint_target(&mut self, spu: &Spu, hint: Instruction) {
+        if let Some(state) = self.state {
+            let target = spu.register(hint.ra).preferred();
+            self.state = Some(self.memo.hinted(state, target));
+        }
+    }
+
+    /// Compares the pipelines with the model of the check, behind the block at `address`.
+    pub(super) fn compare(&mut self, address: u32) {
+        if let Some(check) = &mut self.check {
+            let clock = self.timer.pipeline.clock() + self.ahead;
+            let state = match self.state {
+                Some(state) => Some(self.memo.state(state).clone()),
+                None => self.timer.state(),
+            };
+            check.compare_state(address, clock, state);
+        }
     }
 }

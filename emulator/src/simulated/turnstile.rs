@@ -288,14 +288,26 @@ impl Actor {
     /// Has run up to `clock`: lets others go first who are behind, once it is at its limit.
     #[inline]
     pub fn run_up_to(&self, clock: u64) {
-        if clock >= self.runner.limit.load(Relaxed) {
+        if self.is_due(clock) {
             self.look(clock);
         }
     }
 
+    /// Whether [`run_up_to`](Self::run_up_to) `clock` would let others go first.
+    #[inline]
+    pub fn is_due(&self, clock: u64) -> bool {
+        clock >= self.runner.limit.load(Relaxed)
+    }
+
+    /// Whether runners run one at a time.
+    #[inline]
+    pub fn is_serial(&self) -> bool {
+        self.turnstile.serial.load(SeqCst)
+    }
+
     #[cold]
     fn look(&self, clock: u64) {
-        if self.turnstile.serial.load(SeqCst) {
+        if self.is_serial() {
             self.turn(clock);
         } else {
             self.progress(clock);

@@ -161,7 +161,8 @@ impl Spe {
                 }
                 (None, _) => spu.run_observed(&self.local_store, &mut channels, limit, observer),
                 (Some(side), _) => {
-                    let mut timed = Timed::new(clock, &side.actor);
+                    let method = side.simulation.keep().method;
+                    let mut timed = Timed::new(clock, &side.actor, method);
                     timed.run(spu, &self.local_store, &mut channels, limit, observer)
                 }
             }
@@ -202,6 +203,18 @@ impl Spe {
     #[must_use]
     pub fn simulation(&self) -> Option<&Arc<Simulation>> {
         self.machine.simulation()
+    }
+
+    /// What a check of the machine has found first: where, and how two ways of running code or of
+    /// counting its cycles differ.
+    #[must_use]
+    pub fn difference(&self) -> Option<(u32, String)> {
+        let counted = self
+            .simulation()
+            .and_then(|simulation| simulation.difference());
+        let counted = counted.map(|difference| (difference.address, difference.to_string()));
+        let run = || Some(self.machine.difference()?.described());
+        counted.or_else(run)
     }
 
     /// In simulated time: `body` as one call of a PPE thread, in its turn. Else just `body`.

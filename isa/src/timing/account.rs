@@ -105,11 +105,14 @@ pub struct Stalls([u64; Cause::COUNT]);
 
 impl Default for Stalls {
     fn default() -> Self {
-        Self([0; Cause::COUNT])
+        Self::NONE
     }
 }
 
 impl Stalls {
+    /// No cycles of any cause.
+    pub const NONE: Self = Self([0; Cause::COUNT]);
+
     /// Those of one cause.
     #[must_use]
     pub const fn of(&self, cause: Cause) -> u64 {
@@ -233,6 +236,13 @@ impl Account {
         }
     }
 
+    pub(super) fn pass(&mut self, passage: &Passage) {
+        // An instruction that joins makes a dual cycle of one that was counted as single.
+        self.single = self.single + passage.instructions - 2 * passage.joined;
+        self.dual += passage.joined;
+        self.stalls.extend(&passage.stalls);
+    }
+
     #[inline]
     pub(super) fn add_wait(&mut self, cause: Cause, cycles: u64) {
         self.stalls.add(cause, cycles);
@@ -248,5 +258,24 @@ impl Account {
     pub(super) fn join(&mut self) {
         self.single -= 1;
         self.dual += 1;
+    }
+}
+
+/// What stretches of the executed stream add to an account.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Passage {
+    /// Instructions issued.
+    pub instructions: u64,
+    /// Those of them that joined the instruction before them in its cycle.
+    pub joined: u64,
+    /// Cycles in which none issued.
+    pub stalls: Stalls,
+}
+
+impl Passage {
+    /// All cycles.
+    #[must_use]
+    pub fn cycles(&self) -> u64 {
+        self.instructions - self.joined + self.stalls.total()
     }
 }

@@ -11,7 +11,7 @@ const LINE_INSTRUCTIONS: u32 = LINE_BYTES / 4;
 const CAPACITY: u32 = INLINE_LINES * LINE_INSTRUCTIONS;
 
 /// The buffer ahead of issue.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct InlineBuffer {
     /// Instructions that wait in it.
     buffered: u32,
@@ -90,11 +90,20 @@ impl InlineBuffer {
         self.buffered += LINE_INSTRUCTIONS;
     }
 
-    /// The state as seen from `clock`, for comparing states.
+    /// The state as seen from `clock`: equal ones go on alike.
     pub fn relative(&self, clock: u64) -> Self {
+        self.moved(clock.wrapping_neg())
+    }
+
+    /// What [`relative`](Self::relative) gave, at another `clock`.
+    pub fn at(&self, clock: u64) -> Self {
+        self.moved(clock)
+    }
+
+    fn moved(&self, by: u64) -> Self {
         Self {
-            arrival: self.arrival.map(|arrival| arrival.saturating_sub(clock)),
-            cycle: clock.saturating_sub(self.cycle),
+            arrival: self.arrival.map(|arrival| arrival.wrapping_add(by)),
+            cycle: self.cycle.wrapping_add(by),
             ..*self
         }
     }

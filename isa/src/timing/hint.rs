@@ -5,7 +5,7 @@ use crate::address::LIMIT_MASK;
 use crate::instructions::{Class, Instruction, Op, feature};
 
 /// Where the SPU goes on fetching behind a branch before it knows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Prediction {
     /// Straight on.
     NotTaken,
@@ -16,7 +16,7 @@ pub(super) enum Prediction {
 }
 
 /// What one hint loaded.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Hint {
     branch: u32,
     prediction: Prediction,
@@ -76,7 +76,7 @@ impl Hint {
         (self.branch == pc && seen).then_some((self.prediction, self.ready))
     }
 
-    /// The entry as seen from `clock` and instruction `number`, for comparing states.
+    /// The entry as seen from `clock` and instruction `number`: equal entries work alike.
     pub fn relative(&self, clock: u64, number: u64) -> Self {
         // An older hint works no better than one that is just old enough.
         let age = number
@@ -85,6 +85,15 @@ impl Hint {
         Self {
             ready: self.ready.saturating_sub(clock),
             number: age,
+            ..*self
+        }
+    }
+
+    /// What [`relative`](Self::relative) gave, at another `clock` and instruction `number`.
+    pub fn at(&self, clock: u64, number: u64) -> Self {
+        Self {
+            ready: clock + self.ready,
+            number: number - self.number,
             ..*self
         }
     }

@@ -19,11 +19,11 @@ mod recurrence;
 pub mod rules;
 mod schedule;
 
-pub use account::{Account, Cause, Stalls};
+pub use account::{Account, Cause, Passage, Stalls};
 pub use hint::hinted_branch;
 pub use hint_distance::{HintDistance, Verdict, hint_distances};
 pub use loops::{Loop, Steady, find_loops};
-pub use pipeline::{Issue, Pipeline};
+pub use pipeline::{Issue, Pipeline, State};
 pub use recurrence::Recurrence;
 pub use rules::Rules;
 pub use schedule::{Line, Schedule, straight_line};

@@ -2,12 +2,16 @@
 //!
 //! Invariant: the account's cycles are the clock, after every call.
 
+mod state;
+
 use super::account::{Account, Cause};
 use super::fetch::InlineBuffer;
 use super::hint::{Hint, Prediction, reserves_prefetch};
 use super::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE, REFETCH_CYCLES, Rules};
 use crate::address::LIMIT_MASK;
 use crate::instructions::{Class, Instruction, Op, Pipe, Target};
+
+pub use state::State;
 
 /// How an instruction issued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -54,19 +58,6 @@ pub struct Pipeline {
     prediction: Prediction,
     inline_buffer: InlineBuffer,
     account: Account,
-}
-
-/// Everything in a pipeline that bears on the future, counted from its clock: two equal phases go
-/// on alike.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Phase {
-    ready: [u64; 128],
-    partner: Option<u32>,
-    float_unit_taken: bool,
-    memory_done: u64,
-    channel_free: u64,
-    hint: Option<Hint>,
-    inline_buffer: Option<InlineBuffer>,
 }
 
 /// An instruction's way to its issue cycle.
@@ -234,23 +225,6 @@ impl Pipeline {
             self.memory_done = self.memory_done.max(done);
         }
         self.stall(cycle, cause);
-    }
-
-    /// The state without its absolute times.
-    pub(super) fn phase(&self) -> Phase {
-        let clock = self.clock;
-        Phase {
-            ready: self.ready.map(|ready| ready.saturating_sub(clock)),
-            partner: self.partner,
-            float_unit_taken: self.float_unit_taken == Some(clock),
-            memory_done: self.memory_done.saturating_sub(clock),
-            channel_free: self.channel_free.saturating_sub(clock),
-            hint: self.hint.map(|hint| hint.relative(clock, self.issued)),
-            inline_buffer: self
-                .rules
-                .inline_prefetch
-                .then(|| self.inline_buffer.relative(clock)),
-        }
     }
 
     /// The source register that is ready last, and when.

@@ -7,4 +7,5 @@ mod loops;
 mod objdump;
 mod rules;
 mod sequences;
+mod state;
 mod table;

@@ -2,10 +2,11 @@
 //!
 //! Schedules of kernels that `cellray` ships are files of the repository, which are compared with
 //! what the scheduler makes; the others are made when they are needed. What was made is kept in
-//! the build folder, under a hash of all that it is made of: the source, what sources include, and
-//! the scheduler's own code. So nothing here depends on when it was compiled, and after an edit
-//! only what was edited is made anew.
+//! the build folder, under a hash of all that it is made of: the source, what it includes, and the
+//! scheduler's own code. So nothing here depends on when it was compiled, and after an edit only
+//! what was edited is made anew, or includes what was.
 
+use std::collections::BTreeSet;
 use std::fs;
 use std::hash::{DefaultHasher, Hash as _, Hasher as _};
 use std::path::{Path, PathBuf};
@@ -87,8 +88,6 @@ pub struct Workshop {
     made: PathBuf,
     tools: Tools,
     includes: Vec<PathBuf>,
-    /// Of all that sources include.
-    included: u64,
     /// Of the scheduler's code.
     scheduler: u64,
 }
@@ -110,7 +109,6 @@ impl Workshop {
             root: root.to_path_buf(),
             made: made.to_path_buf(),
             tools: Tools::find()?,
-            included: hash_of_files(&includes)?,
             scheduler: hash_of_files(&folders)?,
             includes,
         })
@@ -136,7 +134,7 @@ impl Workshop {
         let key = hash([
             text.as_bytes(),
             path.as_os_str().as_encoded_bytes(),
-            &self.included.to_be_bytes(),
+            &self.included(&text)?.to_be_bytes(),
             &self.scheduler.to_be_bytes(),
         ]);
         let kept = self.made.join(format!("{key:016x}/{}.json", kernel.name));
@@ -294,13 +292,32 @@ impl Workshop {
         fs::read(&file).map_err(|source| WorkshopError::File { path: file, source })
     }
 
+    /// A hash of all files that a source includes, or one of these does.
+    fn included(&self, text: &str) -> Result<u64, WorkshopError> {
+        let mut hasher = DefaultHasher::new();
+        let mut seen = BTreeSet::new();
+        let mut open = included_names(text);
+        while let Some(name) = open.pop() {
+            let found = |folder: &PathBuf| Some(folder.join(&name)).filter(|path| path.is_file());
+            // One that is not there, the assembler complains of.
+            if let Some(path) = self.includes.iter().find_map(found)
+                && seen.insert(path.clone())
+            {
+                let text = read(&path)?;
+                (&name, &text).hash(&mut hasher);
+                open.extend(included_names(&text));
+            }
+        }
+        Ok(hasher.finish())
+    }
+
     /// The object of a source, with the names of registers, which the scheduler needs.
     fn object(&self, source: &Path) -> Result<PathBuf, WorkshopError> {
         let text = read(source)?;
         let key = hash([
             text.as_bytes(),
             source.as_os_str().as_encoded_bytes(),
-            &self.included.to_be_bytes(),
+            &self.included(&text)?.to_be_bytes(),
         ]);
         let stem = source.file_stem().unwrap_or_default().to_string_lossy();
         let folder = self.made.join(format!("{key:016x}"));
@@ -348,6 +365,13 @@ impl Workshop {
 
 /// The repository's root.
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
+
+/// The files that a text's `.include` directives name.
+fn included_names(text: &str) -> Vec<String> {
+    let behind = text.split(".include").skip(1);
+    let names = behind.filter_map(|rest| rest.lines().next()?.split('"').nth(1));
+    names.map(ToOwned::to_owned).collect()
+}
 
 /// A hash that is the same in each run.
 fn hash<const N: usize>(parts: [&[u8]; N]) -> u64 {

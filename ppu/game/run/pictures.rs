@@ -29,7 +29,7 @@ use crate::game::Game;
 ///         Ok(())
 ///     }
 ///     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
-///         world.set_background([0.9, 0.4, 0.2].map(|part| part / (1.0 + frame.time)).into())
+///         world.set_background([0.9, 0.4, 0.2].map(|part| part / (1.0 + frame.time)))
 ///     }
 /// }
 ///

@@ -108,6 +108,10 @@ fn timed_runs_repeat_and_count_simulated_time() {
     let first = timing(&bench, &program, &["--dump-ls=first"], 0);
     let second = timing(&bench, &program, &["--dump-ls=second"], 0);
     assert_eq!(first, second);
+    let checked = timing(&bench, &program, &["--check"], 0);
+    assert_eq!(first, checked);
+    let outcome = bench.run(&["--check"], &program, 127);
+    assert!(outcome.error.contains("--timing"), "{}", outcome.error);
     let bytes = |name| std::fs::read(bench.path(name)).unwrap();
     assert!(bytes("first") == bytes("second"));
     let misses = first["stalls"]["branch miss"].as_u64().unwrap();

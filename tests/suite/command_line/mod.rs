@@ -152,7 +152,7 @@ fn late_transfers_change_nothing() {
                 "render",
                 "sphereflake:3",
                 "--size",
-                "200x120",
+                "132x100",
                 "--frames",
                 "3",
                 "--out",
@@ -423,6 +423,9 @@ fn info_names_the_library_and_its_spes() {
         .unwrap();
     assert!(out.contains(program.to_str().unwrap()), "{out}");
     assert!(out.contains("SPEs         6"), "{out}");
+    let formulations = "with --sphere also by interpolated, double, paper\n";
+    assert!(out.contains(formulations), "{out}");
+    assert!(out.contains("kernels -- image --sphere NAME"), "{out}");
     assert!(out.contains("/nonexistent"), "{out}");
 }
 

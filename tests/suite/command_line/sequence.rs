@@ -40,7 +40,7 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     let [whole, parts, still] = [(); 3].map(|()| tempfile::tempdir().unwrap());
     let talk = render(whole.path(), "0..9");
     assert!(
-        talk.contains("9 picture(s) written, 0 there already"),
+        talk.contains("9 picture(s) written, 0 existed already"),
         "{talk}"
     );
     let pictures = files(whole.path());
@@ -56,7 +56,7 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     fs::write(parts.path().join("f-003.png"), "kept").unwrap();
     let talk = render(parts.path(), "0..9");
     assert!(
-        talk.contains("3 picture(s) written, 6 there already"),
+        talk.contains("3 picture(s) written, 6 existed already"),
         "{talk}"
     );
     fs::remove_file(parts.path().join("f-003.png")).unwrap();

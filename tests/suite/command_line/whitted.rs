@@ -146,7 +146,7 @@ fn a_scene_that_is_too_large_says_how_much_of_it_fits() {
     let parts = [
         "bytes of local store",
         // No ray that is worth sending gets as deep as 16.
-        "with rays of depth 13",
+        "for rays of depth 13",
         "spheres fit",
     ];
     bad(

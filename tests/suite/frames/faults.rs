@@ -153,7 +153,7 @@ fn a_dma_to_memory_that_is_not_there() {
          il $14,1\n        wrch $MFC_WrTagMask,$14\n        il $14,2\n        \
          wrch $MFC_WrTagUpdate,$14\n        rdch $15,$MFC_RdTagStat"
     );
-    check(&body, &["memory that is not there", "0x0040"]);
+    check(&body, &["unmapped memory", "0x0040"]);
 }
 
 /// What is said of SPUs that do not answer for a second.

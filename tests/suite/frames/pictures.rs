@@ -165,7 +165,7 @@ fn skipping_changes_no_random_scene() {
         view.at = vector(&mut random, 2.0);
         let widest = libm::exp2(random.random_range(2.0..7.4f64));
         view.angle = random.random_range(1.0..widest);
-        let picture = skipping_changes_nothing(&scene, 90, 60);
+        let picture = skipping_changes_nothing(&scene, 70, 40);
         let first = *picture.get_pixel(0, 0);
         shown += u32::from(picture.pixels().any(|pixel| *pixel != first));
     }

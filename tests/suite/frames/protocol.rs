@@ -411,7 +411,7 @@ fn a_frame_whose_memory_is_not_there_is_a_dma_error() {
         );
         let text = error.to_string();
         assert!(
-            text.contains("DMA") && text.contains("memory that is not there"),
+            text.contains("DMA") && text.contains("unmapped memory"),
             "{name}: {text}"
         );
         assert!(

@@ -10,7 +10,8 @@ use rand_chacha::ChaCha8Rng;
 use crate::game::content;
 use crate::recorder::{Recorder, Snapshot};
 
-const SIZE: (u32, u32) = (192, 80);
+/// The tiles of the last column and row are cut short.
+const SIZE: (u32, u32) = (132, 66);
 const TILES: u64 = 3 * 5;
 
 /// A world, and what is in it.

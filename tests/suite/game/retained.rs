@@ -9,6 +9,7 @@ use crate::recorder::Recorder;
 /// A ball over one end of a ground and a still one over the other, seen from above.
 fn balls(ground: Material, lights: &[Light]) -> Result<(World, ObjectId), WorldError> {
     let mut world = World::new();
+    world.set_default_light(false);
     world.look_from(DVec3::new(0.0, 20.0, 0.1), DVec3::ZERO)?;
     for light in lights {
         world.add_light(*light)?;

@@ -269,7 +269,7 @@ fn what_is_no_recording_is_refused() {
     ));
     let endless = "x".repeat(3 << 20);
     for (line, expected) in [
-        ("{\"step\":1}", "line 2: it has no end"),
+        ("{\"step\":1}", "line 2: it does not end within"),
         ("{\"step\":-1}\n", "line 2"),
         ("{\"step\":1,\"what\":2}\n", "what"),
         (
@@ -277,7 +277,7 @@ fn what_is_no_recording_is_refused() {
             "no-such",
         ),
         ("{\"step\":1,\"world\":\"xyz\"}\n", "line 2"),
-        (&endless, "no end"),
+        (&endless, "does not end"),
     ] {
         let (mut session, _) = replay(Driven::new(), (header("1") + line).as_bytes());
         let error = session.run(None, &mut { NO_TIME }, &mut NoInput);

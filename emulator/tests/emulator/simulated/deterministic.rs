@@ -1,11 +1,12 @@
-//! The same cycle counts in every run, whatever the host does meanwhile.
+//! The same cycle counts in every run, whatever the host does meanwhile, and by both ways of
+//! counting.
 
 use std::sync::Arc;
 use std::time::Duration;
 
 use spu_emulator::memory::MainMemory;
 use spu_emulator::signal::SignalRegister;
-use spu_emulator::simulated::{MemoryFigures, SpeReport};
+use spu_emulator::simulated::{MemoryFigures, Method, SpeReport};
 use spu_emulator::spe::Spe;
 
 use super::support::{BASE, Disturbance, Load, Machine, assemble, register, start};
@@ -58,8 +59,12 @@ over:   stop    0x2000
 ";
 
 /// Three frames on six SPEs; the figures, and what each SPE answered.
-fn trace(image: &[u8], disturbance: &Disturbance) -> (Vec<SpeReport>, Vec<Vec<u32>>) {
-    let machine = Machine::new();
+fn trace(
+    image: &[u8],
+    disturbance: &Disturbance,
+    method: Method,
+) -> (Vec<SpeReport>, Vec<Vec<u32>>) {
+    let machine = Machine::counting(method);
     let mut spes: Vec<(Arc<Spe>, u32)> = Vec::new();
     let mut running = Vec::new();
     for number in 0..SPES {
@@ -96,7 +101,7 @@ fn trace(image: &[u8], disturbance: &Disturbance) -> (Vec<SpeReport>, Vec<Vec<u3
 #[test]
 fn a_tracer_gives_the_same_counts_under_load_and_delays() {
     let image = assemble(TRACER);
-    let calm = trace(&image, &Disturbance::new(1));
+    let calm = trace(&image, &Disturbance::new(1), Method::ByInstruction);
     for spe in &calm.0 {
         assert!(spe.account.instructions() > 1000);
         assert!(spe.waits.mailbox > 0 && spe.waits.tag > 0 && spe.waits.atomic > 0);
@@ -104,11 +109,13 @@ fn a_tracer_gives_the_same_counts_under_load_and_delays() {
     let tiles: u32 = calm.1.last().unwrap().iter().sum();
     assert_eq!(tiles, 3 * 41);
     for seed in 2..6 {
-        assert_eq!(trace(&image, &Disturbance::new(seed)), calm, "seed {seed}");
+        let disturbed = trace(&image, &Disturbance::new(seed), Method::Memoised);
+        assert_eq!(disturbed, calm, "seed {seed}");
     }
     let _load = Load::new(6);
     for seed in 6..8 {
-        assert_eq!(trace(&image, &Disturbance::new(seed)), calm, "seed {seed}");
+        let disturbed = trace(&image, &Disturbance::new(seed), Method::Memoised);
+        assert_eq!(disturbed, calm, "seed {seed}");
     }
 }
 
@@ -133,13 +140,13 @@ again:  command GETLLAR, 0x10000, $3, 128, 0
 
 #[test]
 fn who_wins_a_line_is_the_same_in_every_run() {
-    let contend = || {
-        let machine = Machine::new();
+    let contend = |method| {
+        let machine = Machine::counting(method);
         let spes = machine.run_all(SPES as u32, CONTEND);
         assert_eq!(machine.word(0), 600);
         spes
     };
-    let first = contend();
+    let first = contend(Method::ByInstruction);
     let alone = Machine::new().run_all(1, CONTEND);
     // Lost races cost the losers commands.
     assert!(first.iter().all(|spe| spe.commands.atomic >= 200));
@@ -147,7 +154,7 @@ fn who_wins_a_line_is_the_same_in_every_run() {
     assert_eq!(alone[0].commands.atomic, 200);
     assert!(first[0].clock > 2 * alone[0].clock);
     for _ in 0..5 {
-        assert_eq!(contend(), first);
+        assert_eq!(contend(Method::Memoised), first);
     }
 }
 
@@ -174,8 +181,8 @@ delay:  ai      $6,$6,-1
 /// Where the local store of SPE 0 appears: 0x10000 above is at 0x50010000.
 const STORE_EA: u64 = 0x3_5000_0000;
 
-fn watch(image: &[u8], disturbance: &Disturbance) -> (u32, Vec<SpeReport>) {
-    let machine = Machine::new();
+fn watch(image: &[u8], disturbance: &Disturbance, method: Method) -> (u32, Vec<SpeReport>) {
+    let machine = Machine::counting(method);
     let (watcher, entry) = machine.loaded(image);
     let (sender, _) = machine.loaded(image);
     let store = Arc::clone(watcher.local_store());
@@ -196,11 +203,12 @@ fn watch(image: &[u8], disturbance: &Disturbance) -> (u32, Vec<SpeReport>) {
 #[test]
 fn a_local_store_that_others_write_is_seen_at_the_same_time_in_every_run() {
     let image = assemble(WATCH);
-    let first = watch(&image, &Disturbance::new(1));
+    let first = watch(&image, &Disturbance::new(1), Method::ByInstruction);
     assert!(first.0 > 1000);
     let _load = Load::new(2);
     for seed in 2..6 {
-        assert_eq!(watch(&image, &Disturbance::new(seed)), first);
+        let disturbed = watch(&image, &Disturbance::new(seed), Method::Memoised);
+        assert_eq!(disturbed, first);
     }
 }
 
@@ -221,8 +229,8 @@ next:   rdch    $6,$ch3
 #[test]
 fn signals_go_round_and_take_their_time() {
     let image = assemble(RING);
-    let ring = || {
-        let machine = Machine::new();
+    let ring = |method| {
+        let machine = Machine::counting(method);
         let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();
         for (number, (spe, _)) in (0_u64..).zip(&spes) {
             // SPE n sends to the address where the register of SPE n + 1 appears.
@@ -240,10 +248,10 @@ fn signals_go_round_and_take_their_time() {
         }
         machine.report()
     };
-    let first = ring();
+    let first = ring(Method::Memoised);
     let hops = SPES as u64 * 50;
     let clock = first.clock();
     assert!(clock > hops * LOCAL_STORE_LATENCY, "{clock}");
     assert!(clock < hops * LOCAL_STORE_LATENCY * 3 + 100_000, "{clock}");
-    assert_eq!(ring().spes, first.spes);
+    assert_eq!(ring(Method::ByInstruction).spes, first.spes);
 }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 use std::time::Duration;
 
 use spu_emulator::signal::SignalRegister;
-use spu_emulator::simulated::{MemoryFigures, SpeReport};
+use spu_emulator::simulated::{MemoryFigures, Method, SpeReport};
 use spu_emulator::spe::Spe;
 
 use super::support::{BASE, Load, Machine, assemble, register, start};
@@ -15,9 +15,16 @@ const LOCAL_STORE_DELAY: u64 = MemoryFigures::CONSOLE.local_store_delay();
 const STORES: u64 = 0x3_5000_0000;
 const APART: u64 = 1 << 20;
 
-/// Runs a program on two SPEs whose local stores are mapped.
+/// Runs a program on two SPEs whose local stores are mapped; by both ways of counting alike.
 fn run(source: &str) -> ([Arc<Spe>; 2], Vec<SpeReport>) {
-    let machine = Machine::new();
+    let (_, by_instruction) = run_counting(source, Method::ByInstruction);
+    let (spes, memoised) = run_counting(source, Method::Memoised);
+    assert_eq!(memoised, by_instruction);
+    (spes, memoised)
+}
+
+fn run_counting(source: &str, method: Method) -> ([Arc<Spe>; 2], Vec<SpeReport>) {
+    let machine = Machine::counting(method);
     let image = assemble(source);
     machine.simulation().serialise();
     let spes = [0, 1].map(|number| {

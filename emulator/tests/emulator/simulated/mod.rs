@@ -5,6 +5,7 @@ mod accounts;
 mod deterministic;
 mod figures;
 mod hops;
+mod memoised;
 mod ppe;
 mod support;
 mod throughput;

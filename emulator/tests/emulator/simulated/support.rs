@@ -10,7 +10,7 @@ use spu_emulator::elf::Image;
 use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::machine;
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
-use spu_emulator::simulated::{Report, Simulation, SpeReport, Timing};
+use spu_emulator::simulated::{Keep, Method, Report, Simulation, SpeReport, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 
@@ -31,11 +31,24 @@ impl Machine {
 
     /// One whose time is made of other figures than the console's.
     pub fn with(timing: Timing) -> Self {
+        Self::keeping(timing, Keep::default())
+    }
+
+    /// One that counts its cycles like this.
+    pub fn counting(method: Method) -> Self {
+        let keep = Keep {
+            profile: false,
+            method,
+        };
+        Self::keeping(Timing::default(), keep)
+    }
+
+    fn keeping(timing: Timing, keep: Keep) -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory
             .register(BASE, vec![0; MEMORY], Access::ReadWrite)
             .unwrap();
-        let machine = machine::Machine::simulated(memory.clone(), timing);
+        let machine = machine::Machine::keeping(memory.clone(), timing, keep);
         Self { memory, machine }
     }
 

@@ -100,11 +100,8 @@ fn used(source: &str) -> BTreeSet<u8> {
 
 #[test]
 fn missing_and_changed_versions_are_stale() {
-    let folder = tempfile::tempdir().expect("a folder");
+    let folder = with_includes();
     let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
-    for includes in ["spu/include", "lab/spu/include"] {
-        copy(&here.join(includes), &folder.path().join(includes));
-    }
     let names = ["list_pairs_p64", "mask_pairs_p64", "pack_r16"];
     let kernels = names.map(|name| *Source::find(name).expect("a kernel"));
     let scheduled_file = |kernel: &Source| kernel.scheduled_file().expect("it is shipped");
@@ -161,6 +158,50 @@ fn a_plain_source_with_a_fault_is_named() {
         matches!(refused, WorkshopError::Scheduler { .. }),
         "{refused}"
     );
+}
+
+#[test]
+fn a_changed_include_costs_those_that_include_it() {
+    let folder = with_includes();
+    let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let includes = folder.path().join("spu/include");
+    let kernels = ["list_pairs_p64", "pack_r16"].map(|name| *Source::find(name).expect("a kernel"));
+    for kernel in &kernels {
+        let to = folder.path().join(kernel.file);
+        fs::create_dir_all(to.parent().expect("a folder")).expect("made");
+        fs::copy(here.join(kernel.file), to).expect("copied");
+    }
+    let lists = fs::read_to_string(includes.join("lists.inc")).expect("an include");
+    fs::write(
+        includes.join("lists.inc"),
+        lists + "        .include \"further.inc\"\n",
+    )
+    .expect("written");
+
+    let made = folder.path().join("made");
+    let kept = |name: &str| {
+        let folders = fs::read_dir(&made)
+            .expect("a folder")
+            .map(|entry| entry.expect("a folder").path());
+        folders.filter(|folder| folder.join(name).is_file()).count()
+    };
+    for (text, times) in [("# one\n", 1), ("# another\n", 2), ("# one\n", 2)] {
+        fs::write(includes.join("further.inc"), text).expect("written");
+        let workshop = Workshop::new(folder.path(), &made).expect("a workshop");
+        workshop.schedules(&kernels).expect("schedules");
+        let found = ["list_pairs_p64.json", "pack_r16.json"].map(kept);
+        assert_eq!(found, [times, 1], "{text}");
+    }
+}
+
+/// A repository's folder of nothing but what sources include.
+fn with_includes() -> tempfile::TempDir {
+    let folder = tempfile::tempdir().expect("a folder");
+    let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    for includes in ["spu/include", "lab/spu/include"] {
+        copy(&here.join(includes), &folder.path().join(includes));
+    }
+    folder
 }
 
 fn copy(from: &Path, to: &Path) {

@@ -182,7 +182,7 @@ fn what_takes_the_room_is_named() {
     let message = refusal(&each_its_own(700, "s 0 0 0 1\n"));
     let (before, fit) = message.rsplit_once("; about ").expect("an estimate");
     assert!(
-        before.contains("take 700 materials 67200, 700 spheres "),
+        before.contains("): 700 materials 67200, 700 spheres "),
         "{message}"
     );
     let fit = fit
@@ -200,7 +200,7 @@ fn what_takes_the_room_is_named() {
     let message = refusal(&each_its_own(900, cone));
     let (before, part) = message.rsplit_once("; about ").expect("an estimate");
     assert!(
-        before.contains("take 900 materials 86400, 900 cones "),
+        before.contains("): 900 materials 86400, 900 cones "),
         "{message}"
     );
     let part = part.strip_suffix(" % of the scene fits").expect("of what");

@@ -72,7 +72,7 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
         let refusal = refused(&mut engine, &bad);
         assert_eq!(
             refusal.to_string(),
-            format!("found the shader {shader} to break its contract: it {broken}")
+            format!("found that the shader {shader} breaks its contract: it {broken}")
         );
         assert!(shown.lock().unwrap().is_none(), "{shader}: a picture");
         engine.render(&good, &mut |_| ()).unwrap();
@@ -189,7 +189,7 @@ fn the_command_line_checks_a_games_shaders() {
     assert_eq!(output.status.code(), Some(1), "{error}");
     assert!(picture.is_none());
     assert!(
-        error.contains("the shader changes_90 to break its contract: it changed $90"),
+        error.contains("the shader changes_90 breaks its contract: it changed $90"),
         "{error}"
     );
     let (output, _) = cellray("#cellray shader ringz", &[]);

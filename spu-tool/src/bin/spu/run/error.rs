@@ -3,7 +3,6 @@
 use std::io;
 use std::path::PathBuf;
 
-use spu_emulator::compiled::Difference;
 use spu_emulator::memory::{MemoryFault, RegionError};
 use thiserror::Error;
 
@@ -23,8 +22,6 @@ pub enum RunError {
     },
     #[error("the arguments take {0} bytes, for which local store has no room")]
     Arguments(usize),
-    #[error("--check: {0}")]
-    Difference(Box<Difference>),
     #[error("no thread to watch the program: {0}")]
     Thread(io::Error),
 }

@@ -11,7 +11,7 @@ use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::machine;
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
 use spu_emulator::ppe_call::{Arena, CALL_WORD, CallError, Class, Library, Process};
-use spu_emulator::simulated::Timing;
+use spu_emulator::simulated::{Keep, Method, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::LIMIT_MASK;
@@ -43,10 +43,11 @@ pub enum End {
     Limit(u32),
     /// It sleeps here and nobody will wake it.
     Asleep(u32, &'static str),
+    /// The two ways of running it, or of counting its cycles, differ, and where.
+    Differs(String, u32),
 }
 
 pub struct Machine {
-    emulated: Arc<machine::Machine>,
     spe: Arc<Spe>,
     memory: Arc<RegisteredMemory>,
     library: Library,
@@ -71,7 +72,18 @@ impl Machine {
         )?;
         let machine = match options.timing {
             None => machine::Machine::with_engine(memory.clone(), options.engine()),
-            Some(_) => machine::Machine::simulated(memory.clone(), Timing::default()),
+            Some(_) => {
+                let method = if options.check {
+                    Method::Checked
+                } else {
+                    Method::Memoised
+                };
+                let keep = Keep {
+                    profile: false,
+                    method,
+                };
+                machine::Machine::keeping(memory.clone(), Timing::default(), keep)
+            }
         };
         let spe = Spe::new(&machine, Config::default());
         memory
@@ -94,7 +106,6 @@ impl Machine {
         }
         let arguments = arguments::prepare(options, &memory)?;
         let machine = Self {
-            emulated: machine,
             spe,
             memory,
             library: Library::new(Box::new(Process), Box::new(heap)),
@@ -162,6 +173,9 @@ impl Machine {
             first = false;
             self.spe.with_spu(|spu| bench.stopped(spu));
             left -= self.spe.with_spu(Spu::executed) - before;
+            if let Some((at, difference)) = self.spe.difference() {
+                break End::Differs(difference, at);
+            }
             let Some(stopped) = stopped else {
                 break End::Limit(self.spe.with_spu(Spu::pc));
             };
@@ -184,10 +198,7 @@ impl Machine {
             return Err(Failure::Output(io::Error::from_raw_os_error(errno.0)));
         }
         bench.finish()?;
-        match self.emulated.difference() {
-            Some(difference) => Err(RunError::Difference(Box::new(difference)).into()),
-            None => Ok(end),
-        }
+        Ok(end)
     }
 
     fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {
@@ -257,6 +268,7 @@ impl End {
             ),
             Self::Call(error, at) => (error.to_string(), *at, Status::UnknownStop),
             Self::Limit(at) => ("instruction limit reached".into(), *at, Status::Limit),
+            Self::Differs(difference, at) => (difference.clone(), *at, Status::Differs),
             Self::Asleep(at, why) => (format!("sleeps for ever: {why}"), *at, Status::Limit),
         };
         let instruction = instruction_text(store.load_word(at), at);

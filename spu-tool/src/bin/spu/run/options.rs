@@ -83,8 +83,9 @@ pub struct Options {
     /// instruction is watched, it is the interpreter
     #[arg(long, value_enum, default_value_t = EngineName::Compiler, help_heading = "Engine")]
     pub engine: EngineName,
-    /// Run the program compiled and interpreted, block by block; the first difference fails it
-    #[arg(long, conflicts_with_all = ["engine", "timing", "trace", "stats"], help_heading = "Engine")]
+    /// Run the program compiled and interpreted, block by block, and fail at the first difference;
+    /// in simulated time, count the cycles a second time, instruction by instruction
+    #[arg(long, conflicts_with_all = ["engine", "trace", "stats"], help_heading = "Engine")]
     pub check: bool,
 
     /// Stop after so many instructions

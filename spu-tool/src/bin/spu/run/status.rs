@@ -10,6 +10,7 @@ use crate::failure::{BAD_ELF, USAGE};
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Status {
+    Differs = 119,
     Halt = 120,
     InvalidInstruction = 121,
     InvalidChannel = 122,
@@ -40,6 +41,10 @@ impl From<&Stop> for Status {
 /// The table for `--help`.
 pub fn help() -> String {
     let meanings = [
+        (
+            Status::Differs as u8,
+            "--check has found the two ways of counting cycles to differ",
+        ),
         (Status::Halt as u8, "halt"),
         (Status::InvalidInstruction as u8, "invalid instruction"),
         (Status::InvalidChannel as u8, "invalid channel"),
@@ -61,7 +66,7 @@ pub fn help() -> String {
     let lines = meanings.map(|(status, meaning)| format!("  {status}    {meaning}\n"));
     format!(
         "Exit status:\n  0-255  of the program: the low byte of its stop 0x20xx\n{}\
-         Those from 120 on that are not the program's own are named on standard error.",
+         Those from 119 on that are not the program's own are named on standard error.",
         lines.concat()
     )
 }

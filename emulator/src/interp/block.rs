@@ -1,0 +1,107 @@
+//! Basic blocks: straight-line code as the interpreter has decoded it.
+//!
+//! A block begins wherever the SPU goes and ends with the first instruction behind which the
+//! stream depends on more than the code: a branch, a stop or a halt, a channel instruction, a hint
+//! whose target is a register's value. It also ends at the end of local store and at [`LONGEST`].
+
+use super::flow::next;
+use super::spu::Spu;
+use crate::local_store::LocalStore;
+use spu_isa::timing::hinted_branch;
+use spu_isa::{Class, Instruction, Op};
+
+/// Most instructions of a block.
+pub(crate) const LONGEST: usize = 64;
+
+/// A basic block.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Block {
+    /// Address of its first instruction.
+    pub start: u32,
+    /// At least one.
+    pub instructions: Box<[Instruction]>,
+}
+
+/// Whether the instruction hints a branch to where a register says.
+pub(crate) fn hints_by_register(i: Instruction) -> bool {
+    i.op == Op::Hbr && hinted_branch(0, i).is_some()
+}
+
+/// Whether the instruction stops the SPU if a condition holds.
+fn halts(i: Instruction) -> bool {
+    use Op::{Heq, Heqi, Hgt, Hgti, Hlgt, Hlgti};
+    matches!(i.op, Heq | Heqi | Hgt | Hgti | Hlgt | Hlgti)
+}
+
+/// Whether a block ends with the instruction.
+pub(crate) fn ends_block(i: Instruction) -> bool {
+    matches!(i.op.row().class, Class::Br | Class::Spr) || halts(i) || hints_by_register(i)
+}
+
+impl Block {
+    /// The instructions with their addresses.
+    pub fn instructions(&self) -> impl Iterator<Item = (u32, Instruction)> {
+        let addresses = (self.start..).step_by(4);
+        addresses.zip(self.instructions.iter().copied())
+    }
+
+    /// One of them with its address.
+    pub fn instruction(&self, at: usize) -> (u32, Instruction) {
+        (self.start + 4 * at as u32, self.instructions[at])
+    }
+
+    /// The one that ends it.
+    pub fn last(&self) -> Instruction {
+        self.instructions[self.instructions.len() - 1]
+    }
+}
+
+impl Spu {
+    /// The block at the program counter, as it stands in local store now; `None` if what stands
+    /// there is no instruction of this machine.
+    ///
+    /// From now on [`rewritings`](Self::rewritings) counts if it is found changed.
+    pub(crate) fn block(&mut self, local_store: &LocalStore) -> Option<Block> {
+        let start = self.pc;
+        let mut instructions = Vec::new();
+        let mut pc = start;
+        while instructions.len() < LONGEST {
+            let word = local_store.load_word(pc);
+            let Some(instruction) = self.decoded.get_for_block(pc, word) else {
+                break;
+            };
+            instructions.push(instruction);
+            pc = next(pc);
+            if ends_block(instruction) || pc == 0 {
+                break;
+            }
+        }
+        (!instructions.is_empty()).then(|| Block {
+            start,
+            instructions: instructions.into(),
+        })
+    }
+
+    /// How often an instruction of a [`block`](Self::block) was found changed. While the number
+    /// stays, no block has to be compared.
+    #[inline]
+    pub(crate) fn rewritings(&self) -> u64 {
+        self.decoded.rewritings()
+    }
+
+    /// Whether the block's instructions are those that the interpreter has decoded. Local store
+    /// may hold others already: [`run_spell`](Self::run_spell) ends before it would run one.
+    pub(crate) fn has_decoded(&mut self, block: &Block) -> bool {
+        let decoded = &mut self.decoded;
+        block
+            .instructions()
+            .all(|(pc, instruction)| decoded.has_for_block(pc, instruction))
+    }
+
+    /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter:
+    /// the word there is the one that was decoded last.
+    pub(crate) fn is_decoded(&self, local_store: &LocalStore) -> bool {
+        self.decoded
+            .is_current(self.pc, local_store.load_word(self.pc))
+    }
+}

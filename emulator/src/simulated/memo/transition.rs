@@ -1,0 +1,194 @@
+//! What a block does to a state of the pipelines.
+
+use std::sync::Arc;
+
+use super::StateId;
+use crate::interp::{Block, hints_by_register};
+use crate::profile::Recording;
+use crate::timer::{Recorder, Timer, TimerState};
+use spu_isa::Instruction;
+use spu_isa::timing::{Cause, Issue, Passage, Pipeline, Rules, Stalls};
+
+/// What has issued before, when a transition is worked out: so much that everything in a state has
+/// happened in some cycle.
+const BEFORE: Passage = Passage {
+    instructions: 1 << 60,
+    joined: 0,
+    stalls: Stalls::NONE,
+};
+
+/// Cycles in which nothing issues.
+#[derive(Clone, Copy, Debug)]
+struct Charge {
+    /// Whose they are: 0 is the last instruction before the block, 1 the block's first.
+    to: u8,
+    cause: Cause,
+    cycles: u64,
+}
+
+/// A block from a state on. What each passage of the block asks for lies in one cache line.
+#[derive(Debug)]
+pub(in super::super) struct Transition {
+    /// [`Spu::rewritings`](crate::interp::Spu::rewritings) when the block was last compared.
+    pub(super) rewritings: u64,
+    /// How often it has happened since it was last settled.
+    pub(super) count: u64,
+    /// What it adds to the clock.
+    pub cycles: u64,
+    /// The state behind it.
+    pub(super) to: StateId,
+    /// Instructions of the block.
+    pub length: u32,
+    /// The hint by a register that ends the block.
+    pub hint: Option<Instruction>,
+    details: Box<Details>,
+}
+
+/// What makes up a transition's cycles.
+#[derive(Debug)]
+struct Details {
+    block: Arc<Block>,
+    /// The last instruction before it, and its address.
+    previous: (u32, Instruction),
+    /// Which instructions joined the ones before them, from the lowest bit on.
+    joined: u64,
+    charges: Box<[Charge]>,
+}
+
+impl Transition {
+    /// What `block` does from `start` on, and the state behind it. Its number is left to be told.
+    pub(super) fn new(start: &TimerState, block: Arc<Block>, rules: Rules) -> (Self, TimerState) {
+        let mut timer = timer(start, rules);
+        let before = timer.pipeline.clock();
+        let mut charging = Charging::new(&timer.pipeline);
+        for (pc, instruction) in block.instructions() {
+            timer.issue(pc, instruction, &mut charging);
+        }
+        let transition = Self {
+            rewritings: 0,
+            count: 0,
+            cycles: timer.pipeline.clock() - before,
+            to: StateId(0),
+            length: block.instructions.len() as u32,
+            hint: Some(block.last()).filter(|last| hints_by_register(*last)),
+            details: Box::new(Details {
+                block,
+                previous: start.previous,
+                joined: charging.joined,
+                charges: charging.charges.into(),
+            }),
+        };
+        (transition, state(&timer))
+    }
+
+    /// The block.
+    pub fn block(&self) -> &Arc<Block> {
+        &self.details.block
+    }
+
+    /// Adds what it does in `count` times.
+    pub(super) fn pass(&self, count: u64, passage: &mut Passage) {
+        passage.instructions += count * u64::from(self.length);
+        passage.joined += count * u64::from(self.details.joined.count_ones());
+        for charge in &self.details.charges {
+            passage.stalls.add(charge.cause, count * charge.cycles);
+        }
+    }
+
+    /// Charges what it does in `count` times.
+    pub(super) fn charge(&self, count: u64, recording: &mut Recording) {
+        if count == 0 {
+            return;
+        }
+        let Details {
+            block,
+            previous,
+            joined,
+            charges,
+        } = &*self.details;
+        for (at, (pc, instruction)) in block.instructions().enumerate() {
+            let tally = recording.tally(pc, instruction);
+            tally.issued += count;
+            tally.joined += count * (joined >> at & 1);
+        }
+        for charge in charges {
+            let (pc, instruction) = match charge.to {
+                0 => *previous,
+                at => block.instruction(usize::from(at) - 1),
+            };
+            let stalls = &mut recording.tally(pc, instruction).stalls;
+            stalls.add(charge.cause, count * charge.cycles);
+        }
+    }
+}
+
+/// `state` behind its hint, told the target.
+pub(super) fn hinted(before: &TimerState, target: u32, rules: Rules) -> TimerState {
+    let mut timer = timer(before, rules);
+    timer.pipeline.hint_target(target);
+    state(&timer)
+}
+
+fn timer(start: &TimerState, rules: Rules) -> Timer {
+    let mut timer = Timer::new(Pipeline::new(rules));
+    timer.resume(start, &BEFORE);
+    timer
+}
+
+fn state(timer: &Timer) -> TimerState {
+    match timer.state() {
+        Some(state) => state,
+        None => unreachable!("it has gone on from a state"),
+    }
+}
+
+/// Charges as [`Recording`] does, wherever the block's instructions stand in a profile.
+struct Charging {
+    issued: u8,
+    joined: u64,
+    charges: Vec<Charge>,
+    /// The cycles that are charged, and those of them in which nothing issued.
+    clock: u64,
+    stalls: Stalls,
+}
+
+impl Charging {
+    fn new(pipeline: &Pipeline) -> Self {
+        Self {
+            issued: 0,
+            joined: 0,
+            charges: Vec::new(),
+            clock: pipeline.clock(),
+            stalls: pipeline.account().stalls().clone(),
+        }
+    }
+
+    fn charge(&mut self, pipeline: &Pipeline) {
+        if pipeline.clock() == self.clock {
+            return;
+        }
+        let stalls = pipeline.account().stalls();
+        let charge = |(cause, cycles)| Charge {
+            to: self.issued,
+            cause,
+            cycles,
+        };
+        let passed = stalls.since(&self.stalls).by_cost();
+        self.charges.extend(passed.into_iter().map(charge));
+        self.stalls = stalls.clone();
+        self.clock = pipeline.clock();
+    }
+}
+
+impl Recorder for Charging {
+    fn issued(&mut self, _: u32, _: Instruction, issue: &Issue, pipeline: &Pipeline) {
+        self.joined |= u64::from(issue.dual) << self.issued;
+        self.issued += 1;
+        self.clock += u64::from(!issue.dual);
+        self.charge(pipeline);
+    }
+
+    fn branched(&mut self, pipeline: &Pipeline) {
+        self.charge(pipeline);
+    }
+}
