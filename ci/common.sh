@@ -71,7 +71,6 @@ join() {
     [ -z "$failed" ] || die "failed: $beside_what"
 }
 
-# The host's programs from the tests' build. They are optimised, too, and so nothing is built
-# twice.
+# The host's programs from the tests' build, so that nothing is built twice.
 host=${CARGO_TARGET_DIR:-$top/target}/debug
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }
