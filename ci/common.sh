@@ -1,5 +1,5 @@
-# The common part of the scripts in ci/: the places of the tools, and messages. Scripts source this file.
-# shellcheck shell=bash
+# The common part of the scripts in ci/: the places of the tools, and messages. Scripts source this
+# file. shellcheck shell=bash
 
 set -euo pipefail
 
@@ -17,7 +17,8 @@ say() { printf '== %s\n' "$*" >&2; }
 die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 have() { command -v "$1" >/dev/null 2>&1; }
 
-# Prints the path of the SPU tool NAME (as, ld, objdump, ...): from its variable, from PATH, or from the cache.
+# Prints the path of the SPU tool NAME (as, ld, objdump, ...): from its variable, from PATH, or
+# from the cache.
 spu_tool() {
     local name=$1 variable candidate
     variable=SPU_$(printf '%s' "$name" | tr '[:lower:]' '[:upper:]')
@@ -46,8 +47,9 @@ step() {
     say "$what: $((SECONDS - start)) s"
 }
 
-# Begins a step that runs beside those that follow. What it says goes to a file, so that it is not mixed with theirs;
-# `join` waits for it, and prints that. If another step fails before, the script's end ends it.
+# Begins a step that runs beside those that follow. What it says goes to a file, so that it is not
+# mixed with theirs; `join` waits for it, and prints that. If another step fails before, the
+# script's end ends it.
 beside() {
     local what=$1
     shift
@@ -69,6 +71,6 @@ join() {
     [ -z "$failed" ] || die "failed: $beside_what"
 }
 
-# The host's programs from the tests' build. They are optimised, too, and so nothing is built twice.
+# The host's programs from the tests' build, so that nothing is built twice.
 host=${CARGO_TARGET_DIR:-$top/target}/debug
 build_for_host() { step "build for the host" cargo test --quiet --workspace --no-run; }

@@ -5,9 +5,9 @@
 //! hardly changes needs little bandwidth.
 
 use std::io::Write as _;
+use std::ops::Range;
 
 use image::RgbImage;
-use image::imageops::{self, FilterType};
 
 use super::super::Fit;
 
@@ -179,11 +179,14 @@ pub fn lines(picture: &RgbImage, columns: u16, colours: Colours) -> Vec<u8> {
     let (width, height) = picture.dimensions();
     let columns = u32::from(columns).clamp(1, width.max(1));
     let rows = (columns * height / width.max(1)).div_ceil(2).max(1);
-    let small = imageops::resize(picture, columns, 2 * rows, FilterType::Triangle);
     let mut text = Vec::new();
     for row in 0..rows {
         for column in 0..columns {
-            let colour = |y| colours.shown(small.get_pixel(column, y).0);
+            let colour = |y| {
+                let across = part(width, columns, column);
+                let down = part(height, 2 * rows, y);
+                colours.shown(mean(picture, across, down))
+            };
             colour(2 * row).write(3, &mut text);
             colour(2 * row + 1).write(4, &mut text);
             text.extend_from_slice(HALF.as_bytes());
@@ -191,6 +194,28 @@ pub fn lines(picture: &RgbImage, columns: u16, colours: Colours) -> Vec<u8> {
         text.extend_from_slice(b"\x1b[0m\n");
     }
     text
+}
+
+/// The pixels, out of so many, that make the part with this number. It is never empty.
+fn part(pixels: u32, parts: u32, number: u32) -> Range<u32> {
+    let start = number * pixels / parts;
+    start..((number + 1) * pixels / parts).max(start + 1)
+}
+
+/// The mean colour of a rectangle.
+// The resizing functions of the crate image would bring in the C library's `expf` and `sinf`, which
+// the console's program may not use: their results differ between systems.
+fn mean(picture: &RgbImage, across: Range<u32>, down: Range<u32>) -> [u8; 3] {
+    let count = (across.end - across.start) * (down.end - down.start);
+    let mut sum = [0; 3];
+    for y in down {
+        for x in across.clone() {
+            for (sum, channel) in sum.iter_mut().zip(picture.get_pixel(x, y).0) {
+                *sum += u32::from(channel);
+            }
+        }
+    }
+    sum.map(|sum| ((sum + count / 2) / count) as u8)
 }
 
 #[cfg(test)]

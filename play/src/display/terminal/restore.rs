@@ -166,7 +166,7 @@ mod tests {
     use std::process::{Command, Stdio};
 
     const NAME: &str =
-        "display::terminal::restore::tests::a_panic_is_told_on_the_terminal_as_it_was";
+        "display::terminal::restore::tests::a_panic_is_reported_on_the_restored_terminal";
     /// Set in the process that panics.
     const PANICS: &str = "CELLRAY_TEST_PANICS";
 
