@@ -147,6 +147,8 @@ impl Unit {
 pub struct Compiler {
     code: Arc<Code>,
     estimates: Estimates,
+    /// Whether units write down each passage through them.
+    logs: bool,
     units: u32,
     /// There was no room for a unit: there won't be for others.
     full: bool,
@@ -155,16 +157,17 @@ pub struct Compiler {
 }
 
 impl Compiler {
-    /// A compiler for this host; `None` if it lacks AVX2 or FMA, or gives no memory for code.
+    /// A compiler for this host; `None` if it lacks AVX2 or FMA, or gives no memory for code. With
+    /// `logs`, [`Cpu::passages`] tells which instructions have run.
     #[must_use]
-    pub fn new(estimates: Estimates) -> Option<Self> {
+    pub fn new(estimates: Estimates, logs: bool) -> Option<Self> {
         if !host::supported() {
             return None;
         }
-        Self::build(estimates).ok()
+        Self::build(estimates, logs).ok()
     }
 
-    fn build(estimates: Estimates) -> Made<Self> {
+    fn build(estimates: Estimates, logs: bool) -> Made<Self> {
         // The order of float operations and of looks at their flags is that of the code given: the
         // optimiser might move one behind the other.
         let flags = [
@@ -192,6 +195,7 @@ impl Compiler {
         Ok(Self {
             code: Arc::new(code),
             estimates,
+            logs,
             units: 0,
             full: false,
             context,
@@ -202,7 +206,7 @@ impl Compiler {
     /// An SPU that can run units of this compiler.
     #[must_use]
     pub fn new_cpu(&self) -> Cpu {
-        Cpu::new(Arc::clone(&self.code), UNITS)
+        Cpu::new(Arc::clone(&self.code), UNITS, self.logs)
     }
 
     /// Makes a unit; `None` if there is no room for it.
@@ -218,7 +222,7 @@ impl Compiler {
         let module = module.as_mut()?;
         self.context.func.signature = emit::unit_signature();
         let function = FunctionBuilder::new(&mut self.context.func, &mut self.builder);
-        let floats = Emitter::new(function, &trace, way, self.estimates, self.units)
+        let floats = Emitter::new(function, &trace, way, self.estimates, self.units, self.logs)
             .emit(&trace, module.target_config());
         let entry = define(module, &mut self.context);
         self.full = entry.is_err();

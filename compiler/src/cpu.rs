@@ -1,5 +1,6 @@
 //! One SPU that runs units.
 
+use std::ptr;
 use std::sync::Arc;
 
 use crate::compiler::{Code, Unit};
@@ -28,6 +29,38 @@ impl Exit {
     pub(crate) const STALE: u32 = 3;
 }
 
+/// A passage through a unit: its first instructions, up to where it was left or went round.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Passage {
+    /// The unit's number.
+    pub unit: u32,
+    /// Instructions that have run, at least 1.
+    pub count: u32,
+}
+
+/// Bits of a passage's word for the count, which is at most [`MOST_STEPS`](crate::MOST_STEPS).
+const COUNT_BITS: u32 = 8;
+
+impl Passage {
+    pub(crate) const fn new(unit: u32, count: u32) -> Self {
+        Self { unit, count }
+    }
+
+    /// As it stands in the log.
+    pub(crate) const fn to_word(self) -> u32 {
+        self.unit << COUNT_BITS | self.count
+    }
+
+    /// From a word of [`Cpu::log`].
+    #[must_use]
+    pub const fn from_word(word: u32) -> Self {
+        Self {
+            unit: word >> COUNT_BITS,
+            count: word & ((1 << COUNT_BITS) - 1),
+        }
+    }
+}
+
 /// What compiled code works on, each as it lies in memory.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
@@ -42,6 +75,8 @@ pub struct Cpu {
     context: Box<Context>,
     table: Box<[*const u8]>,
     entries: Box<[u32]>,
+    log: Vec<u32>,
+    logs: bool,
     // What the table points into.
     code: Arc<Code>,
 }
@@ -51,7 +86,7 @@ pub struct Cpu {
 unsafe impl Send for Cpu {}
 
 impl Cpu {
-    pub(crate) fn new(code: Arc<Code>, units: usize) -> Self {
+    pub(crate) fn new(code: Arc<Code>, units: usize, logs: bool) -> Self {
         let mut table = vec![code.leave(); PLACES].into_boxed_slice();
         let mut entries = vec![0; units].into_boxed_slice();
         let context = Box::new(Context {
@@ -59,6 +94,7 @@ impl Cpu {
             unread: [0; 4],
             table: table.as_mut_ptr().cast_const(),
             entries: entries.as_mut_ptr(),
+            log: ptr::null_mut(),
             budget: 0,
             pc: 0,
             unit: 0,
@@ -69,8 +105,18 @@ impl Cpu {
             context,
             table,
             entries,
+            log: Vec::new(),
+            logs,
             code,
         }
+    }
+
+    /// What the last [`enter`](Self::enter) ran, if the compiler's units write it down: for each
+    /// [`Passage`] a word, followed by the targets of the hints by a register among its
+    /// instructions.
+    #[must_use]
+    pub fn log(&self) -> &[u32] {
+        &self.log
     }
 
     /// Whether some unit is to run at `pc`.
@@ -123,8 +169,15 @@ impl Cpu {
         context.fpscr = *fpscr;
         context.pc = pc;
         context.budget = i64::from(budget);
+        if self.logs {
+            // A passage takes a word, and one more for each hint, and has run as many instructions.
+            self.log.clear();
+            self.log.reserve(2 * budget as usize);
+            context.log = self.log.as_mut_ptr();
+        }
         // SAFETY: the trampoline is this compiler's, as is the target: the table has nothing else.
-        // The context points to this value's own boxes, and the caller vouches for the storage.
+        // The context points to this value's own boxes, and to a log with room for all that the
+        // budget lets run. The caller vouches for the storage.
         let status = unsafe {
             host::call(
                 self.code.trampoline(),
@@ -135,6 +188,13 @@ impl Cpu {
             )
         };
         *fpscr = context.fpscr;
+        if self.logs {
+            // SAFETY: the units have written the words up to this place, within the capacity.
+            unsafe {
+                let written = context.log.offset_from_unsigned(self.log.as_ptr());
+                self.log.set_len(written);
+            }
+        }
         let exit = match status {
             Exit::LEFT => Exit::Left,
             Exit::INTERPRET => Exit::Interpret,

@@ -22,6 +22,8 @@ pub(crate) struct Context {
     pub table: *const *const u8,
     /// How often each unit was entered, by its number.
     pub entries: *mut u32,
+    /// Where the next passage through a unit is written down, if passages are.
+    pub log: *mut u32,
     /// Instructions that may still run.
     pub budget: i64,
     /// Where the SPU is.

@@ -24,6 +24,6 @@ mod tables;
 mod trace;
 
 pub use compiler::{Compiler, Unit, Way};
-pub use cpu::{Cpu, Exit, Storage};
+pub use cpu::{Cpu, Exit, Passage, Storage};
 pub use tables::Estimates;
 pub use trace::{MOST_STEPS, Step, Trace, can_compile};

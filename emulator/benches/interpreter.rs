@@ -80,7 +80,7 @@ fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
     };
     let interpreted = rate(name, &mut fresh(), |spu| spu.run(&local_store, &mut Unused));
     print!("{name:<16} {interpreted:>7.1} million/s interpreted");
-    if let Some(translations) = Translations::new(false) {
+    if let Some(translations) = Translations::new(false, false) {
         let mut runner = Runner::new(&translations);
         let compiled = rate(name, &mut fresh(), |spu| {
             let stopped = runner.run(spu, &local_store, &mut Unused, u64::MAX);

@@ -1,6 +1,6 @@
 //! Which engine runs the instructions of a machine's SPEs.
 
-/// How a machine's SPEs run their instructions outside simulated time. Results are the same.
+/// How a machine's SPEs run their instructions. Results and cycles are the same.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Engine {
     /// One instruction after the other.

@@ -18,6 +18,14 @@ pub struct Machine {
     translations: Option<Arc<Translations>>,
 }
 
+fn translations(engine: Engine, timed: bool) -> Option<Arc<Translations>> {
+    match engine {
+        Engine::Interpreter => None,
+        Engine::Compiler => Translations::new(false, timed),
+        Engine::Check => Translations::new(true, timed),
+    }
+}
+
 impl Machine {
     /// A machine with this memory, whose time base is the host's time.
     #[must_use]
@@ -47,11 +55,7 @@ impl Machine {
             interconnect: Interconnect::new(memory, None),
             clock,
             simulation: None,
-            translations: match engine {
-                Engine::Interpreter => None,
-                Engine::Compiler => Translations::new(false),
-                Engine::Check => Translations::new(true),
-            },
+            translations: translations(engine, false),
         })
     }
 
@@ -93,7 +97,7 @@ impl Machine {
             interconnect: Interconnect::new(memory, Some(under_way)),
             clock: Arc::new(HostClock),
             simulation: Some(simulation),
-            translations: None,
+            translations: translations(keep.engine, true),
         })
     }
 
@@ -101,6 +105,14 @@ impl Machine {
     #[must_use]
     pub fn simulation(&self) -> Option<&Arc<Simulation>> {
         self.simulation.as_ref()
+    }
+
+    /// From now on a place in code is compiled when an SPU has come to it so many times, by default
+    /// 100. Compiling takes some hundred times as long as interpreting.
+    pub fn compile_after(&self, times: u8) {
+        if let Some(translations) = &self.translations {
+            translations.compile_after(times);
+        }
     }
 
     /// The first difference that [`Engine::Check`] has found.

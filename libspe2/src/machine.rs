@@ -90,7 +90,7 @@ fn switch(name: &str) -> Result<bool, Errno> {
     }
 }
 
-/// What runs the SPUs' instructions outside simulated time.
+/// What runs the SPUs' instructions.
 fn engine(timing: bool) -> Result<Engine, Errno> {
     let engine = match env::var_os(ENGINE) {
         None => Engine::default(),
@@ -103,8 +103,8 @@ fn engine(timing: bool) -> Result<Engine, Errno> {
             eprintln!("libspe2: {CHECK}=1 does not go with {ENGINE}=interpreter: it compares both");
             Err(Errno(libc::EINVAL))
         }
-        (false, true) => Ok(Engine::Check),
-        (true, _) | (false, false) => Ok(engine),
+        (_, true) if engine == Engine::Compiler => Ok(Engine::Check),
+        _ => Ok(engine),
     }
 }
 
@@ -158,6 +158,7 @@ impl Machine {
         let keep = Keep {
             profile: profile.is_some(),
             method: method()?,
+            engine,
         };
         Ok(Self {
             emulated: if timing {

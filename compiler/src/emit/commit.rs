@@ -7,7 +7,7 @@ use super::memory::{Address, Key};
 use super::registers::Id;
 use super::{Emitter, field};
 use crate::compiler::Way;
-use crate::cpu::Exit;
+use crate::cpu::{Exit, Passage};
 use crate::host;
 
 /// From where the interpreter goes on if the next commit fails.
@@ -130,11 +130,34 @@ impl Emitter<'_> {
     }
 
     fn leave(&mut self, status: u32, pc: Value, count: u32) {
+        self.log(count);
         self.store_field(pc, field::PC);
         let left = self.budget_left(count);
         self.store_field(left, field::BUDGET);
         let status = self.b.ins().iconst(types::I64, i64::from(status));
         self.b.ins().return_(&[status]);
+    }
+
+    /// Writes down that this many instructions of the unit have run, if any, and the targets of the
+    /// hints among them.
+    pub(super) fn log(&mut self, count: u32) {
+        if !self.logs || count == 0 {
+            return;
+        }
+        let flags = MemFlagsData::trusted();
+        let at = self.load_field(types::I64, field::LOG);
+        let passage = self.word(Passage::new(self.number, count).to_word());
+        self.b.ins().store(flags, passage, at, 0);
+        let mut end = 4;
+        for n in 0..self.hints.len() {
+            let (after, target) = self.hints[n];
+            if after <= count {
+                self.b.ins().store(flags, target, at, end);
+                end += 4;
+            }
+        }
+        let next = self.b.ins().iadd_imm_s(at, i64::from(end));
+        self.store_field(next, field::LOG);
     }
 
     /// The budget that is left after this many instructions.
@@ -146,6 +169,7 @@ impl Emitter<'_> {
     pub(super) fn leave_for(&mut self, pc: Value) {
         self.commit();
         self.write_back();
+        self.log(self.count);
         let left = self.budget_left(self.count);
         let table = self.load_field(types::I64, field::TABLE);
         let wide = self.b.ins().uextend(types::I64, pc);

@@ -41,6 +41,7 @@ use crate::tables::Estimates;
 use crate::trace::{Range, Step, Trace, code_address};
 use commit::{Committed, Pending, Unverified};
 use registers::Registers;
+use spu_isa::timing::hints_by_register;
 
 /// Offsets of [`Context`](crate::host::Context)'s fields.
 pub(crate) mod field {
@@ -51,6 +52,7 @@ pub(crate) mod field {
     pub const UNREAD: i32 = offset_of!(Context, unread) as i32;
     pub const TABLE: i32 = offset_of!(Context, table) as i32;
     pub const ENTRIES: i32 = offset_of!(Context, entries) as i32;
+    pub const LOG: i32 = offset_of!(Context, log) as i32;
     pub const BUDGET: i32 = offset_of!(Context, budget) as i32;
     pub const PC: i32 = offset_of!(Context, pc) as i32;
     pub const UNIT: i32 = offset_of!(Context, unit) as i32;
@@ -74,6 +76,10 @@ pub(crate) struct Emitter<'a> {
     estimates: Estimates,
     /// The unit's number.
     number: u32,
+    /// Whether each passage through the unit is written down.
+    logs: bool,
+    /// The targets of hints by a register, each after so many instructions.
+    hints: Vec<(u32, Value)>,
     /// Code of the trace, by whole quadwords.
     code: Vec<Range>,
     registers: Value,
@@ -105,6 +111,7 @@ impl<'a> Emitter<'a> {
         way: Way,
         estimates: Estimates,
         number: u32,
+        logs: bool,
     ) -> Self {
         let first = b.create_block();
         b.append_block_params_for_function_params(first);
@@ -126,6 +133,8 @@ impl<'a> Emitter<'a> {
             way,
             estimates,
             number,
+            logs,
+            hints: Vec::new(),
             code: trace.ranges().to_vec(),
             registers,
             local_store,
@@ -163,6 +172,10 @@ impl<'a> Emitter<'a> {
             self.operation(step.instruction);
         }
         self.count += 1;
+        if self.logs && hints_by_register(step.instruction) {
+            let target = self.scalar(step.instruction.ra);
+            self.hints.push((self.count, target));
+        }
     }
 
     fn end(&mut self, trace: &Trace) {
@@ -173,6 +186,7 @@ impl<'a> Emitter<'a> {
         if self.pc == trace.start() {
             self.commit();
             self.write_back();
+            self.log(self.count);
             let left = self.budget_left(self.count);
             self.b.ins().jump(self.entry, &[left.into()]);
         } else {

@@ -1,13 +1,20 @@
 //! Where nothing is compiled: the crate was built without its feature `compiler`, or the host has
 //! no compiler. The types are there, and none of their values.
 
+use std::cell::RefCell;
 use std::fmt;
 use std::sync::Arc;
 
 use crate::channel::Channels;
 use crate::interp::{Observer, Spu};
 use crate::local_store::LocalStore;
+use crate::simulated::SpuClock;
 use crate::stop::Stopped;
+use spu_isa::Instruction;
+
+#[path = "turn.rs"]
+mod turn;
+pub(crate) use turn::Turn;
 
 /// The translations of a machine.
 pub enum Translations {}
@@ -15,14 +22,13 @@ pub enum Translations {}
 impl Translations {
     /// `None`: there is no compiler for this host.
     #[must_use]
-    pub fn new(_: bool) -> Option<Arc<Self>> {
+    pub fn new(_: bool, _: bool) -> Option<Arc<Self>> {
         None
     }
 
-    /// `None`, as above.
-    #[must_use]
-    pub fn with_heat(_: u8, _: bool) -> Option<Arc<Self>> {
-        None
+    /// Nothing is compiled at all.
+    pub fn compile_after(&self, _: u8) {
+        match *self {}
     }
 
     /// How many pieces of code were compiled.
@@ -78,6 +84,42 @@ impl Runner {
         _: &mut C,
         _: u64,
     ) -> Option<Stopped> {
+        match *self {}
+    }
+
+    pub(crate) fn has(&self, _: u32) -> bool {
+        match *self {}
+    }
+
+    pub(crate) fn run_timed<C: Channels>(
+        &mut self,
+        _: &mut Spu,
+        _: &LocalStore,
+        _: &mut C,
+        _: u64,
+        _: &RefCell<SpuClock>,
+    ) -> Turn {
+        match *self {}
+    }
+
+    pub(crate) fn come_to(&mut self, _: u32, _: &LocalStore) {
+        match *self {}
+    }
+
+    pub(crate) fn records(&self) -> bool {
+        match *self {}
+    }
+
+    pub(crate) fn interpreted(
+        &mut self,
+        _: impl Iterator<Item = (u32, Instruction)>,
+        _: u32,
+        _: &LocalStore,
+    ) {
+        match *self {}
+    }
+
+    pub(crate) fn end_recording(&mut self) {
         match *self {}
     }
 

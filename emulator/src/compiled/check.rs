@@ -173,11 +173,12 @@ mod tests {
     /// A compiler whose tables are wrong differs, and it is said where.
     #[test]
     fn a_difference_is_found_and_told() {
-        let mut compiler = Compiler::new(Estimates {
+        let estimates = Estimates {
             reciprocal: &[0; 32],
             reciprocal_root: reciprocal_root_words(),
-        })
-        .expect("the hosts of the tests have AVX2 and FMA");
+        };
+        let mut compiler =
+            Compiler::new(estimates, false).expect("the hosts of the tests have AVX2 and FMA");
         let instruction = Instruction {
             op: Op::Frest,
             rt: 5,

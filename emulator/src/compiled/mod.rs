@@ -10,7 +10,9 @@ mod check;
 mod record;
 mod runner;
 mod translations;
+mod turn;
 
 pub use check::Difference;
 pub use runner::Runner;
 pub use translations::Translations;
+pub(crate) use turn::Turn;

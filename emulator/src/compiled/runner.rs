@@ -1,17 +1,20 @@
 //! The run of one SPU by units and interpreter.
 
+use std::cell::RefCell;
 use std::sync::Arc;
 
-use spu_compiler::{Cpu, Exit, MOST_STEPS, Storage, Way};
-use spu_isa::LOCAL_STORE_SIZE;
+use spu_compiler::{Cpu, Exit, MOST_STEPS, Passage, Storage, Trace, Way};
+use spu_isa::{Instruction, LOCAL_STORE_SIZE};
 
 use super::Translations;
 use super::check::check;
-use super::record::record;
+use super::record::{Recorder, record};
+use super::turn::Turn;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Ended, Observer, Spu};
 use crate::local_store::LocalStore;
+use crate::simulated::{Path, SpuClock};
 use crate::stop::{Stop, Stopped};
 
 /// So often before it is looked whether another SPE has had it compiled.
@@ -20,6 +23,8 @@ const WARM: u8 = 8;
 const HOPELESS: u8 = u8::MAX;
 /// Instructions that run between two looks whether a stop was requested: some microseconds.
 const SLICE: u64 = 20_000;
+/// The same in simulated time, in which others may wait for this SPU's clock.
+const TIMED_SLICE: u64 = 4_000;
 /// Failures before a unit's share of them counts.
 const SOME_FAILURES: u32 = 16;
 /// One in so many runs may fail.
@@ -37,17 +42,11 @@ pub struct Runner {
     failures: Vec<u32>,
     /// Instructions that ran compiled.
     compiled: u64,
-}
-
-/// What comes next.
-enum Turn {
-    /// Units, if there is one, else the interpreter.
-    Any,
-    /// The interpreter, for one instruction.
-    Instruction,
-    /// The interpreter, up to a taken branch.
-    Block,
-    Stop(Stopped),
+    /// In simulated time: what is being recorded.
+    recorder: Option<Recorder>,
+    /// In simulated time: the paths through units by their numbers, each with
+    /// [`Spu::rewritings`] when it was last compared.
+    paths: Vec<Option<(Arc<Path>, u64)>>,
 }
 
 fn requested(pc: u32) -> Stopped {
@@ -87,6 +86,8 @@ impl Runner {
             heat: vec![0; PLACES].into_boxed_slice(),
             failures: Vec::new(),
             compiled: 0,
+            recorder: None,
+            paths: Vec::new(),
         }
     }
 
@@ -130,7 +131,14 @@ impl Runner {
             let compiled = !spu.interrupts_enabled() && self.cpu.has(spu.pc());
             turn = match turn {
                 Turn::Any if compiled => {
-                    let turn = self.run_compiled(spu, local_store, channels, left);
+                    let (turn, exit) = self.run_units(spu, local_store, channels, left.min(SLICE));
+                    let left = end - spu.executed();
+                    let turn = match exit {
+                        Some(Exit::Left) if !self.cpu.has(spu.pc()) => {
+                            self.arrived(spu, local_store, channels, left)
+                        }
+                        _ => turn,
+                    };
                     observer.after_compiled();
                     turn
                 }
@@ -151,6 +159,31 @@ impl Runner {
         }
     }
 
+    /// The SPU has come to a place where a unit may start. Whether its way from here is to be
+    /// recorded.
+    fn is_hot(&mut self, pc: u32, local_store: &LocalStore) -> bool {
+        if self.cpu.has(pc) {
+            return false;
+        }
+        let hot = self.translations.hot();
+        let heat = &mut self.heat[pc as usize / 4];
+        if *heat == HOPELESS {
+            return false;
+        }
+        *heat = (*heat + 1).min(hot);
+        if *heat == WARM
+            && let Some(unit) = self.translations.find(pc, local_store)
+        {
+            self.cpu.install(&unit);
+            return false;
+        }
+        let is_hot = *heat == hot;
+        if is_hot {
+            *heat = 0;
+        }
+        is_hot
+    }
+
     /// The interpreter has come to a place where a unit may start.
     fn arrived<C: Channels>(
         &mut self,
@@ -159,28 +192,9 @@ impl Runner {
         channels: &mut C,
         left: u64,
     ) -> Turn {
-        let pc = spu.pc();
-        if self.cpu.has(pc) {
-            return Turn::Any;
-        }
-        let hot = self.translations.hot();
-        let heat = &mut self.heat[pc as usize / 4];
-        if *heat == HOPELESS {
-            return Turn::Any;
-        }
-        *heat = (*heat + 1).min(hot);
-        if *heat == WARM {
-            if let Some(unit) = self.translations.find(pc, local_store) {
-                self.cpu.install(&unit);
-            }
-        } else if *heat == hot && left >= MOST_STEPS as u64 {
-            *heat = 0;
+        if left >= MOST_STEPS as u64 && self.is_hot(spu.pc(), local_store) {
             let (stopped, trace) = record(&self.cpu, spu, local_store, channels);
-            match trace.map(|trace| self.translations.add(trace, Way::Singles)) {
-                Some(Some(unit)) => self.cpu.install(&unit),
-                Some(None) => self.heat[pc as usize / 4] = HOPELESS,
-                None => {}
-            }
+            self.compile(trace);
             if let Some(stopped) = stopped {
                 return Turn::Stop(stopped);
             }
@@ -188,37 +202,128 @@ impl Runner {
         Turn::Any
     }
 
-    fn run_compiled<C: Channels>(
+    fn compile(&mut self, trace: Option<Trace>) {
+        let Some(trace) = trace else { return };
+        let start = trace.start();
+        match self.translations.add(trace, Way::Singles) {
+            Some(unit) => self.cpu.install(&unit),
+            None => self.heat[start as usize / 4] = HOPELESS,
+        }
+    }
+
+    /// Whether a unit starts at `pc`, and no recording goes on.
+    #[inline]
+    pub(crate) fn has(&self, pc: u32) -> bool {
+        self.recorder.is_none() && self.cpu.has(pc)
+    }
+
+    /// In simulated time: runs units from where the SPU is, at most `limit` instructions, and lets
+    /// their time pass.
+    pub(crate) fn run_timed<C: Channels>(
+        &mut self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        channels: &mut C,
+        limit: u64,
+        clock: &RefCell<SpuClock>,
+    ) -> Turn {
+        let limit = limit.min(TIMED_SLICE);
+        let (turn, exit) = self.run_units(spu, local_store, channels, limit);
+        let mut words = self.cpu.log().iter().copied();
+        let clock = &mut *clock.borrow_mut();
+        while let Some(word) = words.next() {
+            let Passage { unit, count } = Passage::from_word(word);
+            let at = unit as usize;
+            if self.paths.len() <= at {
+                self.paths.resize(at + 1, None);
+            }
+            let translations = &self.translations;
+            let (path, proven) =
+                self.paths[at].get_or_insert_with(|| (translations.path(unit), u64::MAX));
+            clock.pass(spu, local_store, (&**path, proven), count, &mut words);
+        }
+        if let Some(Exit::Left) = exit {
+            self.come_to(spu.pc(), local_store);
+        }
+        turn
+    }
+
+    /// In simulated time: the SPU has come to `pc` by a branch.
+    pub(crate) fn come_to(&mut self, pc: u32, local_store: &LocalStore) {
+        if self.recorder.is_none() && self.is_hot(pc, local_store) {
+            self.recorder = Some(Recorder::default());
+        }
+    }
+
+    /// Whether a recording goes on.
+    #[inline]
+    pub(crate) fn records(&self) -> bool {
+        self.recorder.is_some()
+    }
+
+    /// In simulated time: the interpreter has run these instructions, each at its address, and the
+    /// SPU is now at `next`.
+    #[cold]
+    pub(crate) fn interpreted(
+        &mut self,
+        instructions: impl Iterator<Item = (u32, Instruction)>,
+        next: u32,
+        local_store: &LocalStore,
+    ) {
+        let Some(recorder) = &mut self.recorder else {
+            return;
+        };
+        let mut instructions = instructions.peekable();
+        while let Some((pc, instruction)) = instructions.next() {
+            let next = instructions.peek().map_or(next, |&(next, _)| next);
+            let word = local_store.load_word(pc);
+            let same = Instruction::decode(word) == Some(instruction);
+            if !same || !recorder.add(&self.cpu, pc, word, next) {
+                return self.end_recording();
+            }
+        }
+        if !recorder.goes_on(&self.cpu, next) {
+            self.end_recording();
+        }
+    }
+
+    /// In simulated time: what the SPU does next is no part of a recording.
+    #[inline]
+    pub(crate) fn end_recording(&mut self) {
+        if let Some(recorder) = self.recorder.take() {
+            self.compile(recorder.trace());
+        }
+    }
+
+    /// Runs units. Gives what comes next, and why they were left, unless the SPU has stopped.
+    fn run_units<C: Channels>(
         &mut self,
         spu: &mut Spu,
         local_store: &LocalStore,
         channels: &mut C,
         left: u64,
-    ) -> Turn {
+    ) -> (Turn, Option<Exit>) {
         let before = spu.executed();
         let exit = if self.translations.checks() {
             match check(&mut self.cpu, spu, local_store, channels, left) {
                 Ok(exit) => exit,
                 Err(difference) => {
                     self.translations.report(*difference);
-                    return Turn::Stop(requested(spu.pc()));
+                    return (Turn::Stop(requested(spu.pc())), None);
                 }
             }
         } else {
-            self.enter(spu, local_store, left.min(SLICE))
+            self.enter(spu, local_store, left)
         };
-        self.compiled += spu.executed() - before;
+        let ran = spu.executed() - before;
+        self.compiled += ran;
         if channels.stop_requested() {
-            return Turn::Stop(requested(spu.pc()));
+            return (Turn::Stop(requested(spu.pc())), None);
         }
-        match exit {
-            // Either the budget is used up, or it does not suffice for the next unit.
-            Exit::Left if self.cpu.has(spu.pc()) && left >= SLICE => Turn::Any,
-            Exit::Left if self.cpu.has(spu.pc()) => Turn::Block,
-            Exit::Left => {
-                let left = left - (spu.executed() - before);
-                self.arrived(spu, local_store, channels, left)
-            }
+        let turn = match exit {
+            // The budget is too small for the next unit.
+            Exit::Left if ran == 0 => Turn::Block,
+            Exit::Left => Turn::Any,
             Exit::Interpret => Turn::Instruction,
             Exit::Failed(number) => {
                 self.failed(number, local_store);
@@ -228,7 +333,8 @@ impl Runner {
                 self.stale(number, local_store);
                 Turn::Any
             }
-        }
+        };
+        (turn, Some(exit))
     }
 
     fn enter(&mut self, spu: &mut Spu, local_store: &LocalStore, budget: u64) -> Exit {

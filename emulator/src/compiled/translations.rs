@@ -1,6 +1,7 @@
 //! The units that the SPEs of a machine share.
 
 use std::collections::HashMap;
+use std::sync::atomic::{AtomicU8, Ordering::Relaxed};
 use std::sync::{Arc, Mutex};
 
 use spu_compiler::{Compiler, Cpu, Estimates, Trace, Unit, Way};
@@ -9,6 +10,7 @@ use super::check::Difference;
 use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
 use crate::local_store::LocalStore;
 use crate::lock::lock;
+use crate::simulated::Path;
 
 /// Units that may start at one address: code that is rewritten again and again is not worth more.
 const MOST_AT_ONE_PLACE: usize = 16;
@@ -19,7 +21,7 @@ const HOT: u8 = 100;
 /// The translations of a machine.
 pub struct Translations {
     state: Mutex<State>,
-    hot: u8,
+    hot: AtomicU8,
     check: bool,
     difference: Mutex<Option<Difference>>,
 }
@@ -29,30 +31,29 @@ struct State {
     /// By where they start; what should be tried first stands last.
     units: HashMap<u32, Vec<Arc<Unit>>>,
     by_number: Vec<Arc<Unit>>,
+    /// By the units' numbers.
+    paths: Vec<Option<Arc<Path>>>,
 }
 
 impl Translations {
     /// No translations yet; `None` if there is no compiler for this host. With `check`, what is
-    /// compiled is compared with the interpreter as it runs.
+    /// compiled is compared with the interpreter as it runs. With `timed`, the machine is one in
+    /// simulated time.
     #[must_use]
-    pub fn new(check: bool) -> Option<Arc<Self>> {
-        Self::with_heat(HOT, check)
-    }
-
-    /// The same that compiles what an SPU has come to `hot` times.
-    #[must_use]
-    pub fn with_heat(hot: u8, check: bool) -> Option<Arc<Self>> {
-        let compiler = Compiler::new(Estimates {
+    pub fn new(check: bool, timed: bool) -> Option<Arc<Self>> {
+        let estimates = Estimates {
             reciprocal: reciprocal_words(),
             reciprocal_root: reciprocal_root_words(),
-        })?;
+        };
+        let compiler = Compiler::new(estimates, timed)?;
         Some(Arc::new(Self {
             state: Mutex::new(State {
                 compiler,
                 units: HashMap::new(),
                 by_number: Vec::new(),
+                paths: Vec::new(),
             }),
-            hot,
+            hot: AtomicU8::new(HOT),
             check,
             difference: Mutex::default(),
         }))
@@ -76,7 +77,12 @@ impl Translations {
 
     /// So often an SPU comes to a place before it is compiled.
     pub(super) fn hot(&self) -> u8 {
-        self.hot
+        self.hot.load(Relaxed)
+    }
+
+    /// From now on a place is compiled when an SPU has come to it so many times.
+    pub fn compile_after(&self, times: u8) {
+        self.hot.store(times, Relaxed);
     }
 
     pub(super) fn checks(&self) -> bool {
@@ -89,6 +95,18 @@ impl Translations {
 
     pub(super) fn unit(&self, number: u32) -> Arc<Unit> {
         Arc::clone(&lock(&self.state).by_number[number as usize])
+    }
+
+    /// The path through the unit of this number.
+    pub(super) fn path(&self, number: u32) -> Arc<Path> {
+        let state = &mut *lock(&self.state);
+        let at = number as usize;
+        if state.paths.len() <= at {
+            state.paths.resize(at + 1, None);
+        }
+        let steps = state.by_number[at].trace().steps().iter();
+        let path = || Path::new(steps.map(|s| (s.pc, s.word, s.instruction, s.next)));
+        Arc::clone(state.paths[at].get_or_insert_with(|| Arc::new(path())))
     }
 
     /// A unit that starts at `pc` and whose code stands in local store.

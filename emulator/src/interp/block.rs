@@ -7,7 +7,7 @@
 use super::flow::next;
 use super::spu::Spu;
 use crate::local_store::LocalStore;
-use spu_isa::timing::hinted_branch;
+use spu_isa::timing::hints_by_register;
 use spu_isa::{Class, Instruction, Op};
 
 /// Most instructions of a block.
@@ -20,11 +20,6 @@ pub(crate) struct Block {
     pub start: u32,
     /// At least one.
     pub instructions: Box<[Instruction]>,
-}
-
-/// Whether the instruction hints a branch to where a register says.
-pub(crate) fn hints_by_register(i: Instruction) -> bool {
-    i.op == Op::Hbr && hinted_branch(0, i).is_some()
 }
 
 /// Whether the instruction stops the SPU if a condition holds.
@@ -57,17 +52,26 @@ impl Block {
 }
 
 impl Spu {
-    /// The block at the program counter, as it stands in local store now; `None` if what stands
-    /// there is no instruction of this machine.
+    /// The block at `start`, of which `ran` instructions have run: these as they were decoded, the
+    /// others as they stand in local store now. `None` if what stands there is no instruction of
+    /// this machine.
     ///
     /// From now on [`rewritings`](Self::rewritings) counts if it is found changed.
-    pub(crate) fn block(&mut self, local_store: &LocalStore) -> Option<Block> {
-        let start = self.pc;
+    pub(crate) fn block(
+        &mut self,
+        start: u32,
+        ran: u32,
+        local_store: &LocalStore,
+    ) -> Option<Block> {
         let mut instructions = Vec::new();
         let mut pc = start;
         while instructions.len() < LONGEST {
-            let word = local_store.load_word(pc);
-            let Some(instruction) = self.decoded.get_for_block(pc, word) else {
+            let found = if instructions.len() < ran as usize {
+                self.decoded.latest_for_block(pc)
+            } else {
+                self.decoded.get_for_block(pc, local_store.load_word(pc))
+            };
+            let Some(instruction) = found else {
                 break;
             };
             instructions.push(instruction);
@@ -96,6 +100,18 @@ impl Spu {
         block
             .instructions()
             .all(|(pc, instruction)| decoded.has_for_block(pc, instruction))
+    }
+
+    /// The instruction at `pc` as it was decoded last.
+    pub(crate) fn latest(&self, pc: u32) -> Option<Instruction> {
+        self.decoded.latest(pc)
+    }
+
+    /// Decodes these words, each at its address, as though the interpreter had come to them.
+    pub(crate) fn decode(&mut self, words: &[(u32, u32)]) {
+        for &(pc, word) in words {
+            self.decoded.get_for_block(pc, word);
+        }
     }
 
     /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter:

@@ -72,6 +72,11 @@ impl DecodeCache {
         if !self.is_current(pc, word) {
             self.decode(pc, word);
         }
+        self.latest_for_block(pc)
+    }
+
+    /// What was decoded at `pc` last, which somebody remembers from now on.
+    pub fn latest_for_block(&mut self, pc: u32) -> Option<Instruction> {
         let instruction = self.latest(pc)?;
         self.remember(pc);
         Some(instruction)

@@ -29,7 +29,7 @@ impl From<()> for Flow {
 
 /// The address of the instruction after the one at `pc`.
 #[inline]
-pub(super) const fn next(pc: u32) -> u32 {
+pub(crate) const fn next(pc: u32) -> u32 {
     code_address(pc + 4)
 }
 

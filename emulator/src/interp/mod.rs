@@ -23,7 +23,8 @@ mod run;
 mod shift_rotate;
 mod spu;
 
-pub(crate) use block::{Block, ends_block, hints_by_register};
+pub(crate) use block::{Block, LONGEST, ends_block};
+pub(crate) use flow::next;
 pub use quad::Quad;
 pub(crate) use run::Ended;
 pub use run::Observer;

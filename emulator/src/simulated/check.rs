@@ -77,6 +77,19 @@ impl Check {
         }
     }
 
+    /// The instruction at `pc` issues, which is no hint by a register.
+    pub fn issue_at(&mut self, pc: u32, instruction: Instruction) {
+        match &mut self.recording {
+            Some(recording) => self.timer.issue(pc, instruction, recording),
+            None => self.timer.issue(pc, instruction, &mut ()),
+        }
+    }
+
+    /// The hint that issued last says this.
+    pub fn hint_target(&mut self, target: u32) {
+        self.timer.pipeline.hint_target(target);
+    }
+
     /// The SPU sleeps for so many cycles in the channel instruction that issued last.
     pub fn sleep(&mut self, slept: u64, cause: Cause) {
         let until = self.timer.pipeline.clock() + slept;
@@ -148,6 +161,7 @@ mod tests {
         let keep = Keep {
             profile: true,
             method: Method::Checked,
+            ..Keep::default()
         };
         let Some(nop) = Instruction::decode(0x4020_0000) else {
             panic!("a nop is an instruction");

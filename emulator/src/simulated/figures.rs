@@ -1,5 +1,6 @@
 //! The figures that simulated time is made of, each with its source and certainty.
 
+use crate::engine::Engine;
 use spu_isa::timing::Rules;
 
 /// What is taken for true of a machine's time. The default is the console.
@@ -56,6 +57,9 @@ pub struct Keep {
     pub profile: bool,
     /// How their cycles are counted.
     pub method: Method,
+    /// What runs their instructions. Where cycles are counted by instruction, that is the
+    /// interpreter.
+    pub engine: Engine,
 }
 
 /// How long DMA takes.

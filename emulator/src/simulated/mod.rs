@@ -25,6 +25,7 @@ mod check;
 mod figures;
 mod memo;
 mod memory_system;
+mod path;
 mod ppe;
 mod published;
 mod race;
@@ -44,6 +45,7 @@ pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
 pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, cycle_of_tick, ticks};
 
+pub(crate) use path::Path;
 pub(crate) use spe_side::SpeSide;
 pub(crate) use spu_clock::{SpuClock, Wait};
 pub(crate) use time::cycles;

@@ -5,13 +5,14 @@ use std::sync::Arc;
 use super::check::{Check, Difference};
 use super::figures::{Keep, Method};
 use super::memo::{Memo, StateId, TransitionId};
+use super::path::Path;
 use super::report::Waits;
-use crate::interp::Spu;
+use crate::interp::{Block, LONGEST, Spu, next};
 use crate::local_store::LocalStore;
 use crate::profile::{Profile, Recording};
 use crate::timer::Timer;
-use spu_isa::Instruction;
 use spu_isa::timing::{Account, Cause, Pipeline, Rules};
+use spu_isa::{Instruction, LIMIT_MASK};
 
 /// What an SPU sleeps for in a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -55,6 +56,8 @@ pub(crate) struct SpuClock {
     state: Option<StateId>,
     /// The cycles of these blocks.
     ahead: u64,
+    /// What has run of the block that comes next.
+    open: Open,
     stopped: u64,
     waits: Waits,
     /// If the SPU is profiled.
@@ -63,13 +66,25 @@ pub(crate) struct SpuClock {
     check: Option<Box<Check>>,
 }
 
-/// A block whose time has passed, and which is to be run.
+/// The first instructions of a block, which compiled code has run, and whose time has not passed
+/// yet.
+#[derive(Clone, Copy, Debug, Default)]
+struct Open {
+    start: u32,
+    length: u32,
+}
+
+/// A block whose time has passed, and the rest of which is to be run.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Begun {
     from: StateId,
     transition: TransitionId,
-    /// Its instructions.
+    /// Instructions of it that have run already.
+    pub ran: u32,
+    /// Instructions that are to be run.
     pub length: u64,
+    /// The address behind it.
+    pub end: u32,
     /// The hint by a register that ends it.
     pub hint: Option<Instruction>,
 }
@@ -172,6 +187,7 @@ impl SpuClock {
 
     /// The instruction at the program counter issues, timed by itself.
     pub(super) fn issue(&mut self, spu: &Spu, instruction: Instruction) {
+        self.close_by_instruction(spu);
         self.settle();
         match &mut self.recording {
             Some(recording) => self.timer.record(spu, instruction, recording),
@@ -198,25 +214,172 @@ impl SpuClock {
         most: u64,
         may_pass: impl FnOnce(u64) -> bool,
     ) -> Option<Begun> {
-        let from = match self.state {
-            Some(state) if !self.memo.is_full() => state,
-            _ => self.remember(spu.pc())?,
-        };
-        let at = self.memo.find(from, spu, local_store)?;
+        let Open { start, length: ran } = self.open;
+        let start = if ran == 0 { spu.pc() } else { start };
+        let (from, at) = self.find((start, ran), spu, local_store)?;
         let transition = self.memo.transition(at);
         let cycles = transition.cycles;
         let begun = Begun {
             from,
             transition: at,
-            length: transition.length.into(),
+            ran,
+            length: u64::from(transition.length.checked_sub(ran)?),
+            end: start.wrapping_add(4 * transition.length) & LIMIT_MASK,
             hint: transition.hint,
         };
         if begun.length > most || !may_pass(self.now() + cycles) {
             return None;
         }
-        self.state = Some(self.memo.happen(at));
-        self.ahead += cycles;
+        self.happen(at);
+        self.open.length = 0;
         Some(begun)
+    }
+
+    /// The state that the pipelines are in, and the transition by the block at an address, of which
+    /// so many instructions have run.
+    #[inline]
+    fn find(
+        &mut self,
+        block: (u32, u32),
+        spu: &mut Spu,
+        local_store: &LocalStore,
+    ) -> Option<(StateId, TransitionId)> {
+        let from = match self.state {
+            Some(state) if !self.memo.is_full() => state,
+            _ => self.remember(block.0)?,
+        };
+        let at = self.memo.find(from, block, spu, local_store)?;
+        Some((from, at))
+    }
+
+    #[inline]
+    fn happen(&mut self, at: TransitionId) {
+        self.ahead += self.memo.transition(at).cycles;
+        self.state = Some(self.memo.happen(at));
+    }
+
+    /// Whether compiled code may run: something has issued from which memoised timing goes on.
+    #[inline]
+    pub(crate) fn may_pass(&mut self, pc: u32) -> bool {
+        self.open.length > 0 || self.state.is_some() || self.remember(pc).is_some()
+    }
+
+    /// The time passes of the first `count` instructions of a path, which compiled code has run,
+    /// and in which its hints by a register said these targets. The last of them may be left open.
+    ///
+    /// `proven` is [`Spu::rewritings`] when the path was last compared with what the interpreter
+    /// has decoded; local store had its words when it ran.
+    pub(crate) fn pass(
+        &mut self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        (path, proven): (&Path, &mut u64),
+        count: u32,
+        hints: &mut impl Iterator<Item = u32>,
+    ) {
+        if *proven != spu.rewritings() {
+            self.close_by_instruction(spu);
+            spu.decode(&path.words);
+            *proven = spu.rewritings();
+        }
+        if self.open.length == 0 {
+            self.open.start = path.words[0].0;
+        }
+        let mut passed = 0;
+        for end in path.ends.iter().take_while(|end| end.after <= count) {
+            self.open.length += end.after - passed;
+            passed = end.after;
+            while self.open.length > 0 {
+                self.close_one(spu, local_store);
+            }
+            if end.hint.is_some()
+                && let Some(target) = hints.next()
+            {
+                self.hint_target(target);
+                if let Some(check) = &mut self.check {
+                    check.hint_target(target);
+                }
+            }
+            self.open.start = end.next;
+        }
+        self.open.length += count - passed;
+        while self.open.length >= LONGEST as u32 {
+            self.close_one(spu, local_store);
+        }
+    }
+
+    /// The time of the first block passes that compiled code has run. Its end was reached.
+    #[inline]
+    fn close_one(&mut self, spu: &mut Spu, local_store: &LocalStore) {
+        let Open { start, length } = self.open;
+        let Some((_, at)) = self.find((start, length), spu, local_store) else {
+            return self.close_by_instruction(spu);
+        };
+        let transition = self.memo.transition(at);
+        let Some(left) = length.checked_sub(transition.length) else {
+            return self.close_by_instruction(spu);
+        };
+        self.open = Open {
+            start: start.wrapping_add(4 * transition.length) & LIMIT_MASK,
+            length: left,
+        };
+        if self.check.is_some() {
+            let block = Arc::clone(transition.block());
+            self.issue_block_beside(&block, usize::MAX);
+        }
+        self.happen(at);
+    }
+
+    /// The time of what compiled code has run passes instruction by instruction.
+    #[inline]
+    pub(super) fn close_by_instruction(&mut self, spu: &Spu) {
+        if self.open.length > 0 {
+            self.issue_open(spu);
+        }
+    }
+
+    #[cold]
+    fn issue_open(&mut self, spu: &Spu) {
+        let Open { start, length } = std::mem::take(&mut self.open);
+        self.settle();
+        let mut pc = start;
+        for _ in 0..length {
+            let Some(instruction) = spu.latest(pc) else {
+                unreachable!("what compiled code runs is decoded before its time passes");
+            };
+            self.issue_at(pc, instruction);
+            if let Some(check) = &mut self.check {
+                check.issue_at(pc, instruction);
+            }
+            pc = next(pc);
+        }
+    }
+
+    fn issue_at(&mut self, pc: u32, instruction: Instruction) {
+        match &mut self.recording {
+            Some(recording) => self.timer.issue(pc, instruction, recording),
+            None => self.timer.issue(pc, instruction, &mut ()),
+        }
+    }
+
+    /// The first `count` instructions of a block issue in the model of the check alone.
+    fn issue_block_beside(&mut self, block: &Block, count: usize) {
+        if let Some(check) = &mut self.check {
+            for (pc, instruction) in block.instructions().take(count) {
+                check.issue_at(pc, instruction);
+            }
+        }
+    }
+
+    /// Those instructions of a block issue in the model of the check that have run already.
+    pub(super) fn issue_ran_beside(&mut self, begun: Begun) {
+        let block = self.block(begun);
+        self.issue_block_beside(&block, begun.ran as usize);
+    }
+
+    /// The block that began last.
+    pub(super) fn block(&self, begun: Begun) -> Arc<Block> {
+        Arc::clone(self.memo.transition(begun.transition).block())
     }
 
     /// The number of the state that the timer is in; `None` if the instruction at `pc` is one that
@@ -238,25 +401,21 @@ impl SpuClock {
     /// Only `ran` instructions of the block that began last have run: the next one was rewritten.
     #[cold]
     pub(super) fn cut_short(&mut self, begun: Begun, ran: u64) {
-        let transition = self.memo.transition(begun.transition);
-        let block = Arc::clone(transition.block());
+        let block = self.block(begun);
         self.memo.undo(begun.transition);
         self.state = None;
         self.settle_at(begun.from);
-        for (pc, instruction) in block.instructions().take(ran as usize) {
-            match &mut self.recording {
-                Some(recording) => self.timer.issue(pc, instruction, recording),
-                None => self.timer.issue(pc, instruction, &mut ()),
-            }
+        for (pc, instruction) in block.instructions().take(begun.ran as usize + ran as usize) {
+            self.issue_at(pc, instruction);
         }
     }
 
-    /// The block that began last has run, and ended with a hint by a register.
+    /// The last instruction was a hint by a register, which says this.
     #[inline]
-    pub(super) fn hint_target(&mut self, spu: &Spu, hint: Instruction) {
-        if let Some(state) = self.state {
-            let target = spu.register(hint.ra).preferred();
-            self.state = Some(self.memo.hinted(state, target));
+    pub(super) fn hint_target(&mut self, target: u32) {
+        match self.state {
+            Some(state) => self.state = Some(self.memo.hinted(state, target)),
+            None => self.timer.pipeline.hint_target(target),
         }
     }
 

@@ -6,10 +6,19 @@ use super::figures::Method;
 use super::spu_clock::{Begun, SpuClock};
 use super::turnstile::Actor;
 use crate::channel::Channels;
+use crate::compiled::{Runner, Turn};
 use crate::interp::{Ended, Observer, Spu, ends_block};
 use crate::local_store::LocalStore;
 use crate::stop::{Stop, Stopped};
 use spu_isa::Instruction;
+
+fn requested(pc: u32) -> Stopped {
+    Stopped {
+        reason: Stop::Requested,
+        pc,
+        npc: pc,
+    }
+}
 
 /// Runs an SPU and its clock.
 ///
@@ -18,18 +27,29 @@ use spu_isa::Instruction;
 /// them, which shows in nothing: where something could reach the local store from outside before
 /// the block's end, the SPU goes instruction by instruction. It also does so while interrupts are
 /// enabled, since one may come before any instruction, and at the start of a run.
+///
+/// Compiled code runs first, and writes down which way it went; then the clock passes that. It has
+/// no channel instructions, and only runs where nothing reaches the local store from outside.
 pub(crate) struct Timed<'a> {
     clock: &'a RefCell<SpuClock>,
     actor: &'a Actor,
     method: Method,
+    /// Runs compiled code, if there may be any.
+    runner: Option<&'a mut Runner>,
 }
 
 impl<'a> Timed<'a> {
-    pub fn new(clock: &'a RefCell<SpuClock>, actor: &'a Actor, method: Method) -> Self {
+    pub fn new(
+        clock: &'a RefCell<SpuClock>,
+        actor: &'a Actor,
+        method: Method,
+        runner: Option<&'a mut Runner>,
+    ) -> Self {
         Self {
             clock,
             actor,
             method,
+            runner: runner.filter(|_| method != Method::ByInstruction),
         }
     }
 
@@ -43,16 +63,56 @@ impl<'a> Timed<'a> {
         limit: u64,
         observer: &mut O,
     ) -> Option<Stopped> {
+        let stopped = self.run_open(spu, local_store, channels, limit, observer);
+        self.clock.borrow_mut().close_by_instruction(spu);
+        stopped
+    }
+
+    /// The same, which may leave instructions whose time has not passed yet.
+    fn run_open<C: Channels, O: Observer>(
+        &mut self,
+        spu: &mut Spu,
+        local_store: &LocalStore,
+        channels: &mut C,
+        limit: u64,
+        observer: &mut O,
+    ) -> Option<Stopped> {
         let mut left = limit;
         // Whether the restart costs the first instruction something is the timer's to say.
         let mut by_instruction = true;
+        let mut turn = Turn::Any;
         while left > 0 {
-            let block = if by_instruction || spu.interrupts_enabled() {
-                None
-            } else {
+            let may_compile = !by_instruction && !spu.interrupts_enabled();
+            if may_compile
+                && matches!(turn, Turn::Any)
+                && let Some(runner) = &mut self.runner
+                && runner.has(spu.pc())
+                && !self.actor.is_serial()
+                && self.clock.borrow_mut().may_pass(spu.pc())
+            {
+                let (start, before) = (spu.pc(), spu.executed());
+                turn = runner.run_timed(spu, local_store, channels, left, self.clock);
+                left -= spu.executed() - before;
+                observer.after_compiled();
+                if let Turn::Stop(stopped) = turn {
+                    return Some(stopped);
+                }
+                if self.method == Method::Checked && self.compare(start) {
+                    return Some(requested(spu.pc()));
+                }
+                self.actor.run_up_to(self.clock.borrow().now());
+                continue;
+            }
+            turn = Turn::Any;
+            let block = if may_compile {
                 self.begin(spu, local_store, left)
+            } else {
+                None
             };
             let Some(block) = block else {
+                if let Some(runner) = &mut self.runner {
+                    runner.end_recording();
+                }
                 left -= 1;
                 let (instruction, stopped) = self.step(spu, local_store, channels, observer);
                 if stopped.is_some() {
@@ -64,9 +124,7 @@ impl<'a> Timed<'a> {
             };
             let (start, before) = (spu.pc(), spu.executed());
             let ended = match self.method {
-                Method::Checked => {
-                    self.run_beside(spu, local_store, channels, block.length, observer)
-                }
+                Method::Checked => self.run_beside(spu, local_store, channels, block, observer),
                 _ => spu.run_spell(local_store, channels, block.length, false, observer),
             };
             let ran = spu.executed() - before;
@@ -74,8 +132,10 @@ impl<'a> Timed<'a> {
             match ended {
                 Ended::AtLimit | Ended::Branched => {
                     if let Some(hint) = block.hint {
-                        self.clock.borrow_mut().hint_target(spu, hint);
+                        let target = spu.register(hint.ra).preferred();
+                        self.clock.borrow_mut().hint_target(target);
                     }
+                    self.learn(spu, local_store, block);
                 }
                 Ended::Stopped(stopped) => {
                     self.compare(start);
@@ -84,13 +144,7 @@ impl<'a> Timed<'a> {
                 Ended::Decoded => self.clock.borrow_mut().cut_short(block, ran),
             }
             if self.method == Method::Checked && self.compare(start) {
-                let pc = spu.pc();
-                let reason = Stop::Requested;
-                return Some(Stopped {
-                    reason,
-                    pc,
-                    npc: pc,
-                });
+                return Some(requested(spu.pc()));
             }
             // Where runners take turns, `begin` has seen to it that this one may go on.
             if !self.actor.is_serial() {
@@ -98,6 +152,22 @@ impl<'a> Timed<'a> {
             }
         }
         None
+    }
+
+    /// A block was interpreted to its end: what may be compiled learns of it.
+    #[inline]
+    fn learn(&mut self, spu: &Spu, local_store: &LocalStore, begun: Begun) {
+        let Some(runner) = &mut self.runner else {
+            return;
+        };
+        if runner.records() {
+            let block = self.clock.borrow().block(begun);
+            let instructions = block.instructions().skip(begun.ran as usize);
+            runner.interpreted(instructions, spu.pc(), local_store);
+        }
+        if begun.end != spu.pc() {
+            runner.come_to(spu.pc(), local_store);
+        }
     }
 
     #[inline]
@@ -134,10 +204,11 @@ impl<'a> Timed<'a> {
         spu: &mut Spu,
         local_store: &LocalStore,
         channels: &mut C,
-        length: u64,
+        begun: Begun,
         observer: &mut O,
     ) -> Ended {
-        for _ in 0..length {
+        self.clock.borrow_mut().issue_ran_beside(begun);
+        for _ in 0..begun.length {
             if spu.is_decoded(local_store)
                 && let Some(instruction) = Instruction::decode(local_store.load_word(spu.pc()))
             {

@@ -155,14 +155,15 @@ impl Spe {
         let mut stopped = if self.problem_state.stop_requested() {
             Some(stop_at(spu.pc(), Stop::Requested))
         } else {
+            let runner = runner.as_mut().filter(|_| !observer.wants_all());
             match (&self.simulated, runner) {
-                (None, Some(runner)) if !observer.wants_all() => {
+                (None, Some(runner)) => {
                     runner.run_observed(spu, &self.local_store, &mut channels, limit, observer)
                 }
-                (None, _) => spu.run_observed(&self.local_store, &mut channels, limit, observer),
-                (Some(side), _) => {
+                (None, None) => spu.run_observed(&self.local_store, &mut channels, limit, observer),
+                (Some(side), runner) => {
                     let method = side.simulation.keep().method;
-                    let mut timed = Timed::new(clock, &side.actor, method);
+                    let mut timed = Timed::new(clock, &side.actor, method, runner);
                     timed.run(spu, &self.local_store, &mut channels, limit, observer)
                 }
             }

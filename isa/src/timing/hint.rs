@@ -39,6 +39,12 @@ pub fn hinted_branch(pc: u32, i: Instruction) -> Option<u32> {
     hints.then(|| pc.wrapping_add_signed(i.branch_distance.into()) & LIMIT_MASK)
 }
 
+/// Whether the instruction hints a branch to where a register says.
+#[must_use]
+pub fn hints_by_register(i: Instruction) -> bool {
+    i.op == Op::Hbr && hinted_branch(0, i).is_some()
+}
+
 impl Hint {
     /// The entry that the hint `i` loads, which is instruction `number` of the stream and issues
     /// in `cycle`; `None` if it hints no branch.

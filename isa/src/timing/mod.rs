@@ -20,7 +20,7 @@ pub mod rules;
 mod schedule;
 
 pub use account::{Account, Cause, Passage, Stalls};
-pub use hint::hinted_branch;
+pub use hint::{hinted_branch, hints_by_register};
 pub use hint_distance::{HintDistance, Verdict, hint_distances};
 pub use loops::{Loop, Steady, find_loops};
 pub use pipeline::{Issue, Pipeline, State};

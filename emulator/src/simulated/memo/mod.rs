@@ -111,30 +111,30 @@ impl Memo {
         &self.transitions[at.0 as usize]
     }
 
-    /// The transition from `from` by the block at the program counter; `None` if there is none,
-    /// because no instruction of this machine stands there.
+    /// The transition from `from` by the block at `pc`, of which `ran` instructions have run;
+    /// `None` if there is none, because no instruction of this machine stands there.
     #[inline]
     pub fn find(
         &mut self,
         from: StateId,
+        (pc, ran): (u32, u32),
         spu: &mut Spu,
         local_store: &LocalStore,
     ) -> Option<TransitionId> {
-        let (pc, rewritings) = (spu.pc(), spu.rewritings());
+        let rewritings = spu.rewritings();
         let ways = self.states[from.0 as usize].ways.iter();
         for &(address, at) in ways {
             if address == pc && self.transitions[at.0 as usize].rewritings == rewritings {
                 return Some(at);
             }
         }
-        self.find_unproven(from, spu)
-            .or_else(|| self.make(from, spu, local_store))
+        self.find_unproven(from, pc, spu)
+            .or_else(|| self.make(from, (pc, ran), spu, local_store))
     }
 
     /// One whose block has to be compared, because some block was rewritten since it was last.
     #[cold]
-    fn find_unproven(&mut self, from: StateId, spu: &mut Spu) -> Option<TransitionId> {
-        let pc = spu.pc();
+    fn find_unproven(&mut self, from: StateId, pc: u32, spu: &mut Spu) -> Option<TransitionId> {
         for &(address, at) in &self.states[from.0 as usize].ways {
             let transition = &mut self.transitions[at.0 as usize];
             if address == pc && spu.has_decoded(transition.block()) {
@@ -149,11 +149,11 @@ impl Memo {
     fn make(
         &mut self,
         from: StateId,
+        (pc, ran): (u32, u32),
         spu: &mut Spu,
         local_store: &LocalStore,
     ) -> Option<TransitionId> {
-        let block = spu.block(local_store)?;
-        let pc = block.start;
+        let block = spu.block(pc, ran, local_store)?;
         let block = self.shared(block);
         let start = Arc::clone(&self.states[from.0 as usize].state);
         let (mut transition, end) = Transition::new(&start, block, self.rules);

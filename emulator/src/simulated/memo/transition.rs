@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use super::StateId;
-use crate::interp::{Block, hints_by_register};
+use crate::interp::Block;
 use crate::profile::Recording;
 use crate::timer::{Recorder, Timer, TimerState};
 use spu_isa::Instruction;
-use spu_isa::timing::{Cause, Issue, Passage, Pipeline, Rules, Stalls};
+use spu_isa::timing::{Cause, Issue, Passage, Pipeline, Rules, Stalls, hints_by_register};
 
 /// What has issued before, when a transition is worked out: so much that everything in a state has
 /// happened in some cycle.

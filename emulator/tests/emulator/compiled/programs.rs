@@ -42,7 +42,7 @@ fn load(local_store: &LocalStore, address: u32, code: &[u32]) {
 }
 
 fn runner() -> Runner {
-    Runner::new(&Translations::new(false).expect("the hosts of the tests have a compiler"))
+    Runner::new(&Translations::new(false, false).expect("the hosts of the tests have a compiler"))
 }
 
 /// Runs the code on both engines; they have to agree on all that can be seen. Gives the stop, and
@@ -305,7 +305,8 @@ fn a_stop_request_ends_an_endless_loop() {
 fn spes_share_translations() {
     let mut code = counted(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
     code.push(word(Op::Stop, [0; 3], 7));
-    let translations = Translations::new(false).expect("the hosts of the tests have a compiler");
+    let translations =
+        Translations::new(false, false).expect("the hosts of the tests have a compiler");
     for _ in 0..3 {
         let local_store = LocalStore::new();
         load(&local_store, 0, &code);

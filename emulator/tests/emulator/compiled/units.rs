@@ -48,11 +48,11 @@ fn bytes(local_store: &LocalStore) -> &[u8] {
 }
 
 pub fn compiler() -> Compiler {
-    Compiler::new(Estimates {
+    let estimates = Estimates {
         reciprocal: estimate::reciprocal_words(),
         reciprocal_root: estimate::reciprocal_root_words(),
-    })
-    .expect("the hosts of the tests have AVX2 and FMA")
+    };
+    Compiler::new(estimates, false).expect("the hosts of the tests have AVX2 and FMA")
 }
 
 /// A trace of what the interpreter runs of `code`, which begins at [`START`], in `state`.

@@ -39,6 +39,7 @@ impl Machine {
         let keep = Keep {
             profile: false,
             method,
+            ..Keep::default()
         };
         Self::keeping(Timing::default(), keep)
     }

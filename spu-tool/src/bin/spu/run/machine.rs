@@ -81,6 +81,7 @@ impl Machine {
                 let keep = Keep {
                     profile: false,
                     method,
+                    engine: options.engine(),
                 };
                 machine::Machine::keeping(memory.clone(), Timing::default(), keep)
             }
