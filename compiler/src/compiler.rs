@@ -14,6 +14,7 @@ use crate::emit::{self, Emitter, field};
 use crate::host;
 use crate::tables::Estimates;
 use crate::trace::Trace;
+use crate::way::Way;
 
 /// The error is large, and rare.
 type Made<T> = Result<T, Box<ModuleError>>;
@@ -23,31 +24,6 @@ type Made<T> = Result<T, Box<ModuleError>>;
 const CODE_BYTES: usize = 14 << 20;
 /// Units at most; beside its code each takes some 6 KiB.
 const UNITS: usize = 2048;
-
-/// How a unit does floating-point arithmetic. All are exact.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Way {
-    /// In singles of the host, which tells of what it can't do as an SPU does; the unit fails then.
-    Singles,
-    /// In doubles of the host, in which all of an SPU's numbers are ordinary: slower, and fails
-    /// only where a sum may be the largest number exactly, or be above it by less than a double
-    /// shows.
-    Doubles,
-    /// The same that tells these two apart: slower still, and never fails.
-    ExactDoubles,
-}
-
-impl Way {
-    /// What to do instead where this fails.
-    #[must_use]
-    pub fn other(self) -> Option<Self> {
-        match self {
-            Self::Singles => Some(Self::Doubles),
-            Self::Doubles => Some(Self::ExactDoubles),
-            Self::ExactDoubles => None,
-        }
-    }
-}
 
 /// The code of all units, and what stands around it.
 pub(crate) struct Code {

@@ -22,8 +22,10 @@ mod emit;
 mod host;
 mod tables;
 mod trace;
+mod way;
 
-pub use compiler::{Compiler, Unit, Way};
+pub use compiler::{Compiler, Unit};
 pub use cpu::{Cpu, Exit, Passage, Storage};
 pub use tables::Estimates;
 pub use trace::{MOST_STEPS, Step, Trace, can_compile};
+pub use way::{Steps, Way};

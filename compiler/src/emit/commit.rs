@@ -6,7 +6,6 @@ use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use super::memory::{Address, Key};
 use super::registers::Id;
 use super::{Emitter, field};
-use crate::compiler::Way;
 use crate::cpu::{Exit, Passage};
 use crate::host;
 
@@ -260,9 +259,6 @@ impl Emitter<'_> {
 
     /// In singles: what the host did that an SPU does not.
     fn find_specials(&mut self, failures: &mut Vec<Value>) {
-        if self.way != Way::Singles {
-            return;
-        }
         let mut special = self.unverified.special;
         if let Some(magnitudes) = self.unverified.magnitudes {
             // Exponents of 255.
@@ -314,7 +310,7 @@ impl Emitter<'_> {
                 let raised = self.b.ins().band(mask, bits);
                 flags = Some(self.or(flags, raised));
             }
-            if self.way == Way::Doubles {
+            if !self.way.exact_sums {
                 undecided = Some(self.doubtful(largest, old));
             }
         }

@@ -11,7 +11,6 @@ use spu_isa::{Instruction, Op};
 use super::Emitter;
 use super::float::{EXPONENT, MAGNITUDE, SIGN};
 use super::registers::{Facts, Id, Node};
-use crate::compiler::Way;
 
 /// Difference of the exponent biases, where a double's upper word has its exponent.
 const REBIAS: u32 = (1023 - 127) << 20;
@@ -87,7 +86,7 @@ impl Emitter<'_> {
 
     fn sum(&mut self, n: usize, a: Value, b: Value) -> Value {
         let sum = self.b.ins().fadd(a, b);
-        if self.way == Way::ExactDoubles {
+        if self.way.exact_sums {
             // What is left when the larger term goes first is exact.
             let rests = [[a, b], [b, a]].map(|[first, second]| {
                 let rest = self.b.ins().fsub(sum, first);
@@ -100,7 +99,7 @@ impl Emitter<'_> {
 
     fn fused(&mut self, n: usize, a: Value, b: Value, c: Value) -> Value {
         let sum = self.b.ins().fma(a, b, c);
-        if self.way == Way::ExactDoubles {
+        if self.way.exact_sums {
             let rest = self.b.ins().fsub(c, sum);
             let one = self.b.ins().fma(a, b, rest);
             let negated = self.b.ins().fneg(sum);

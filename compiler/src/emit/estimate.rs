@@ -8,7 +8,6 @@ use spu_isa::Instruction;
 use super::Emitter;
 use super::float::{EXPONENT, SIGN};
 use super::registers::Facts;
-use crate::compiler::Way;
 
 const FRACTION: u32 = 0x007f_ffff;
 /// FPSCR: the result was below the smallest number.
@@ -41,15 +40,10 @@ impl Emitter<'_> {
     fn exponent_of_estimate(&mut self, operand: Value, exponent: Value) -> Value {
         self.floats = true;
         let zero = self.is_zero(operand);
-        let noted = match self.way {
-            Way::Singles => &mut self.unverified.special,
-            Way::Doubles | Way::ExactDoubles => &mut self.unverified.zeros,
-        };
-        let gathered = *noted;
-        let gathered = Some(self.or(gathered, zero));
-        match self.way {
-            Way::Singles => self.unverified.special = gathered,
-            Way::Doubles | Way::ExactDoubles => self.unverified.zeros = gathered,
+        if self.in_doubles {
+            self.unverified.zeros = Some(self.or(self.unverified.zeros, zero));
+        } else {
+            self.unverified.special = Some(self.or(self.unverified.special, zero));
         }
         let largest = self.splat(EXPONENT);
         self.b.ins().bitselect(zero, largest, exponent)
@@ -102,7 +96,7 @@ impl Emitter<'_> {
         let kept = self.and(estimate, SIGN | EXPONENT);
         let fraction = self.right(significand, 9);
         let result = self.b.ins().bor(kept, fraction);
-        if self.way == Way::Singles {
+        if !self.in_doubles {
             let special = self.b.ins().bor(no_exponent, largest);
             let special = self.b.ins().bor(special, below_one);
             self.unverified.special = Some(self.or(self.unverified.special, special));

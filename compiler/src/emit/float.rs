@@ -7,7 +7,6 @@ use spu_isa::Instruction;
 
 use super::Emitter;
 use super::registers::{Facts, Id};
-use crate::compiler::Way;
 
 pub(super) const SIGN: u32 = 0x8000_0000;
 pub(super) const MAGNITUDE: u32 = 0x7fff_ffff;
@@ -23,9 +22,10 @@ impl Emitter<'_> {
     /// `fa`, `fs`, `fm`, `fma`, `fms`, `fnms`.
     pub(super) fn arithmetic(&mut self, i: Instruction) {
         self.floats = true;
-        match self.way {
-            Way::Singles => self.arithmetic_in_singles(i),
-            Way::Doubles | Way::ExactDoubles => self.arithmetic_in_doubles(i),
+        if self.in_doubles {
+            self.arithmetic_in_doubles(i);
+        } else {
+            self.arithmetic_in_singles(i);
         }
     }
 
@@ -76,7 +76,7 @@ impl Emitter<'_> {
             ..Facts::default()
         };
         let in_doubles = |e: &mut Self, id: Id| {
-            e.node(id).doubles.is_some() || e.way != Way::Singles && e.constant(id).is_some()
+            e.node(id).doubles.is_some() || e.in_doubles && e.constant(id).is_some()
         };
         let result = if in_doubles(self, a) && in_doubles(self, b) {
             let (a, b) = (self.doubles(a), self.doubles(b));
@@ -85,7 +85,7 @@ impl Emitter<'_> {
                 self.b.ins().fcmp(compare.of_floats(), a, b)
             });
             self.narrow_mask(compared)
-        } else if self.way == Way::Singles && self.facts(a).plain && self.facts(b).plain {
+        } else if !self.in_doubles && self.facts(a).plain && self.facts(b).plain {
             let [a, b] = [a, b].map(|id| {
                 let mut words = self.words(id);
                 if magnitude {

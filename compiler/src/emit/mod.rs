@@ -35,10 +35,10 @@ use cranelift_codegen::ir::{
 use cranelift_codegen::isa::{CallConv, TargetFrontendConfig};
 use cranelift_frontend::FunctionBuilder;
 
-use crate::compiler::Way;
 use crate::cpu::Exit;
 use crate::tables::Estimates;
 use crate::trace::{Range, Step, Trace, code_address};
+use crate::way::Way;
 use commit::{Committed, Pending, Unverified};
 use registers::Registers;
 use spu_isa::timing::hints_by_register;
@@ -73,6 +73,8 @@ pub(crate) fn unit_signature() -> Signature {
 pub(crate) struct Emitter<'a> {
     b: FunctionBuilder<'a>,
     way: Way,
+    /// Whether the instruction at hand is carried out in doubles.
+    in_doubles: bool,
     estimates: Estimates,
     /// The unit's number.
     number: u32,
@@ -131,6 +133,7 @@ impl<'a> Emitter<'a> {
         Self {
             b,
             way,
+            in_doubles: false,
             estimates,
             number,
             logs,
@@ -168,6 +171,7 @@ impl<'a> Emitter<'a> {
 
     fn step(&mut self, step: &Step) {
         self.pc = step.pc;
+        self.in_doubles = self.way.in_doubles.has(self.count as usize);
         if !self.branch(step.instruction, step.next) {
             self.operation(step.instruction);
         }

@@ -197,7 +197,7 @@ mod tests {
         };
         let trace = Trace::new(vec![step]).expect("it can be compiled");
         let unit = compiler
-            .compile(trace, Way::Singles)
+            .compile(trace, Way::SINGLES)
             .expect("there is room");
         let mut cpu = compiler.new_cpu();
         cpu.install(&unit);

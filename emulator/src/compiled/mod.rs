@@ -9,6 +9,7 @@
 mod check;
 mod record;
 mod runner;
+mod specials;
 mod translations;
 mod turn;
 

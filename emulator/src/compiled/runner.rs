@@ -3,12 +3,13 @@
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use spu_compiler::{Cpu, Exit, MOST_STEPS, Passage, Storage, Trace, Way};
+use spu_compiler::{Cpu, Exit, MOST_STEPS, Passage, Steps, Storage, Trace, Way};
 use spu_isa::{Instruction, LOCAL_STORE_SIZE};
 
 use super::Translations;
 use super::check::check;
 use super::record::{Recorder, record};
+use super::specials::Specials;
 use super::turn::Turn;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
@@ -32,6 +33,14 @@ const TOLERATED: u32 = 10;
 
 const PLACES: usize = LOCAL_STORE_SIZE as usize / 4;
 
+/// What is known of the failures of a unit.
+#[derive(Clone, Default)]
+struct Failures {
+    count: u32,
+    /// The instructions that singles could not carry out.
+    special: Steps,
+}
+
 /// Runs one SPU.
 pub struct Runner {
     translations: Arc<Translations>,
@@ -39,7 +48,9 @@ pub struct Runner {
     /// How often the SPU came to each word of local store by a branch that was interpreted.
     heat: Box<[u8]>,
     /// Failures by unit.
-    failures: Vec<u32>,
+    failures: Vec<Failures>,
+    /// Looks for what made a unit fail.
+    specials: Option<Box<Specials>>,
     /// Instructions that ran compiled.
     compiled: u64,
     /// In simulated time: what is being recorded.
@@ -85,6 +96,7 @@ impl Runner {
             translations: Arc::clone(translations),
             heat: vec![0; PLACES].into_boxed_slice(),
             failures: Vec::new(),
+            specials: None,
             compiled: 0,
             recorder: None,
             paths: Vec::new(),
@@ -205,7 +217,7 @@ impl Runner {
     fn compile(&mut self, trace: Option<Trace>) {
         let Some(trace) = trace else { return };
         let start = trace.start();
-        match self.translations.add(trace, Way::Singles) {
+        match self.translations.add(trace, Way::SINGLES) {
             Some(unit) => self.cpu.install(&unit),
             None => self.heat[start as usize / 4] = HOPELESS,
         }
@@ -326,7 +338,7 @@ impl Runner {
             Exit::Left => Turn::Any,
             Exit::Interpret => Turn::Instruction,
             Exit::Failed(number) => {
-                self.failed(number, local_store);
+                self.failed(number, spu, local_store);
                 Turn::Block
             }
             Exit::Stale(number) => {
@@ -353,23 +365,34 @@ impl Runner {
         exit
     }
 
-    /// A unit that fails often is to do its arithmetic the other way.
-    fn failed(&mut self, number: u32, local_store: &LocalStore) {
+    /// A unit that fails often is to do its arithmetic another way.
+    fn failed(&mut self, number: u32, spu: &Spu, local_store: &LocalStore) {
         let at = number as usize;
         if self.failures.len() <= at {
-            self.failures.resize(at + 1, 0);
+            self.failures.resize(at + 1, Failures::default());
         }
-        self.failures[at] += 1;
-        let failures = self.failures[at];
-        let often = failures.saturating_mul(TOLERATED) > self.cpu.entries(number);
-        if failures < SOME_FAILURES || !often {
+        let failures = &mut self.failures[at];
+        failures.count += 1;
+        let count = failures.count;
+        let often = count.saturating_mul(TOLERATED) > self.cpu.entries(number);
+        if count > SOME_FAILURES && !often {
             return;
         }
         let unit = self.translations.unit(number);
         if !unit.trace().stands_in(|pc| local_store.load_word(pc)) {
             return;
         }
-        let other = unit.way().other().filter(|_| unit.floats());
+        let seen = self
+            .specials
+            .get_or_insert_with(|| Box::new(Specials::new()));
+        failures.special = failures
+            .special
+            .with(seen.on(unit.trace(), spu, local_store));
+        if count < SOME_FAILURES || !often {
+            return;
+        }
+        let other = unit.way().or_with(failures.special);
+        let other = other.filter(|_| unit.floats());
         let other = other.and_then(|way| self.translations.add(unit.trace().clone(), way));
         match other {
             Some(unit) => self.cpu.install(&unit),

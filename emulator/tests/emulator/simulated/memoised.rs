@@ -340,7 +340,7 @@ fn quad() -> impl Strategy<Value = [Piece; 4]> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(400))]
+    #![proptest_config(ProptestConfig::with_cases(150))]
 
     #[test]
     fn any_program_takes_the_same_cycles_by_any_method(

@@ -1,0 +1,76 @@
+//! Looks for the instructions that singles of the host can't carry out.
+
+use spu_compiler::{Steps, Trace};
+use spu_isa::{Instruction, Op};
+
+use crate::channel::NoChannels;
+use crate::float::fpscr::Fpscr;
+use crate::interp::{Quad, Spu};
+use crate::local_store::{LocalStore, SIZE};
+
+const EXPONENT: u32 = 0x7f80_0000;
+const FRACTION: u32 = 0x007f_ffff;
+
+/// An SPU to look at, without anything around it.
+pub(super) struct Specials {
+    spu: Spu,
+    local_store: LocalStore,
+    bytes: Vec<u8>,
+}
+
+/// Whether a lane holds something that IEEE reads as another number, or as none.
+fn is_special(quad: Quad) -> bool {
+    quad.0.iter().any(|word| match word & EXPONENT {
+        0 => word & FRACTION != 0,
+        exponent => exponent == EXPONENT,
+    })
+}
+
+impl Specials {
+    pub fn new() -> Self {
+        Self {
+            spu: Spu::new(),
+            local_store: LocalStore::new(),
+            bytes: vec![0; SIZE as usize],
+        }
+    }
+
+    /// The instructions of a trace that do what singles can't, if the SPU goes on from where it is
+    /// as long as that is on the trace. Nothing happens to the SPU itself.
+    pub fn on(&mut self, trace: &Trace, spu: &Spu, local_store: &LocalStore) -> Steps {
+        local_store.read(0, &mut self.bytes);
+        self.local_store.write(0, &self.bytes);
+        self.spu.registers = spu.registers;
+        self.spu.set_pc(spu.pc());
+        let mut specials = Steps::NONE;
+        let steps = trace.steps();
+        let start = steps.iter().position(|step| step.pc == spu.pc());
+        for (number, step) in steps.iter().enumerate().skip(start.unwrap_or(steps.len())) {
+            let special = self.is_special(step.instruction);
+            self.spu.fpscr = Fpscr::default();
+            let stopped = self.spu.step(&self.local_store, &mut NoChannels);
+            let raised = self.spu.fpscr.words() != [0; 4];
+            if special || raised {
+                specials.add(number);
+            }
+            if stopped.is_some() || self.spu.pc() != step.next {
+                break;
+            }
+        }
+        specials
+    }
+
+    /// Whether the instruction has an operand that singles can't have. The estimates count as
+    /// though they had one: apart from singles they are hardly slower.
+    fn is_special(&self, instruction: Instruction) -> bool {
+        use Op::{Fa, Fi, Fm, Fma, Fms, Fnms, Frest, Frsqest, Fs};
+        let mut read = instruction.op.row().reads.iter();
+        match instruction.op {
+            Frest | Frsqest | Fi => true,
+            Fa | Fs | Fm | Fma | Fms | Fnms => {
+                read.any(|&field| is_special(self.spu.register(instruction.register(field))))
+            }
+            _ => false,
+        }
+    }
+}
