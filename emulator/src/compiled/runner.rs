@@ -375,7 +375,7 @@ impl Runner {
         failures.count += 1;
         let count = failures.count;
         let often = count.saturating_mul(TOLERATED) > self.cpu.entries(number);
-        if count > SOME_FAILURES && !often {
+        if count > SOME_FAILURES && !(often && count.is_power_of_two()) {
             return;
         }
         let unit = self.translations.unit(number);
