@@ -11,7 +11,7 @@
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    lab/twins/src/shadow_rays.rs
 #
-#   to = position - point, L = to / |to|, t = |to|; L = position, t the largest if directional
+#   to = position - point, L = to / |to|, t = |to|; L = position, t FARTHEST if directional
 #   ray where N.L > 0, plane.L > 0 and diffuse or highlight > 0; else t = -1
 #   origin = point + leave plane
 # A light exactly at the point has L = 0, so N.L = 0: no ray.
@@ -48,7 +48,7 @@
 function shadow_rays_r16
         ilhu    $k_half,0x3f00
         ilhu    $k_one,0x3f80
-        load_constant $k_farthest,0x7fffffff
+        ilhu    $k_farthest,FARTHEST>>16
         ilhu    $k_minus_one,0xbf80
         lqd     $light,LIGHT_position($a_light)
         splat_word $light_x,0x00010203

@@ -45,7 +45,7 @@ function load_rays_r16
         splat   $dummy,$dummy,$m_splat
         lqa     $m_first,transpose_first
         lqa     $m_last,transpose_last
-        load_constant $k_far,0x7fffffff
+        ilhu    $k_far,FARTHEST>>16
         ilhu    $k_absent,0xbf80
         lqa     $k_lanes,lanes
         il      $k_further,RAYS16_SIZE-64

@@ -50,7 +50,7 @@ function primary_rays_r16
         load_constant $m_pixels,PLACE_pixels*0x01010101+0x00010203
         load_constant $m_x,PLACE_x*0x01010101+0x00010203
         load_constant $m_y,PLACE_y*0x01010101+0x00010203
-        load_constant $k_far,0x7fffffff
+        ilhu    $k_far,FARTHEST>>16
         ilhu    $k_absent,0xbf80
         il      $k_zero,0
         lqa     $k_lanes,lanes

@@ -33,7 +33,7 @@ function ray_setup_r16
         load_constant $m_x,0x08090a0b
         load_constant $m_y,0x0c0d0e0f
         lqa     $k_lanes,lanes
-        load_constant $k_far,0x7fffffff
+        ilhu    $k_far,FARTHEST>>16
         load_camera $a_basis
 next_packet:
         lqd     $place,0($a_place)

@@ -47,8 +47,8 @@ pub const ZERO: Single = 0;
 pub const HALF: Single = 0x3f00_0000;
 /// The single 1.
 pub const ONE: Single = 0x3f80_0000;
-/// The largest single: the distance of no hit.
-pub const FARTHEST: Single = 0x7fff_ffff;
+/// The single 2^62: the distance of no hit.
+pub const FARTHEST: Single = 0x5e80_0000;
 
 /// What the select after a compare does: `chosen` where the compare was true.
 fn select(otherwise: u32, chosen: u32, condition: bool) -> u32 {

@@ -15,7 +15,7 @@ use zerocopy::big_endian::{F32, U32};
 
 use super::bounding_sphere::{BoundingSphere, Hull, enclose};
 use crate::scene::single::{single, up};
-use protocol::layout::{self, MAX_ROOTS, Node, SCENE_ADDRESS};
+use protocol::layout::{self, FARTHEST, MAX_ROOTS, Node, SCENE_ADDRESS};
 
 /// A bound of the rounding error in the SPU's test of a bounding sphere, relative to the distance
 /// and the radius.
@@ -211,7 +211,7 @@ fn node(eye: DVec3, spheres: &[BoundingSphere], child: impl Fn(usize) -> U32) ->
         x: [F32::ZERO; LANES],
         y: [F32::ZERO; LANES],
         z: [F32::ZERO; LANES],
-        radius: [F32::new(-f32::MAX); LANES],
+        radius: [F32::new(-f32::from_bits(FARTHEST)); LANES],
         child: [SCENE_ADDRESS.into(); LANES],
     };
     for (lane, sphere) in spheres.iter().enumerate() {

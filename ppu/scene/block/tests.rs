@@ -9,7 +9,7 @@ mod traced;
 use zerocopy::{FromBytes, Immutable, KnownLayout, Unaligned};
 
 use super::*;
-use protocol::layout::Node;
+use protocol::layout::{FARTHEST, Node};
 
 const VIEW: &str =
     "v\nfrom 0 0 0\nat 0 0 -1\nup 0 1 0\nangle 40\nhither 0\nresolution 8 8\nf 1 1 1 1 0 0 0 1\n";
@@ -75,7 +75,7 @@ impl SceneBlock {
         for lane in 0..4 {
             let radius = f64::from(node.radius[lane].get());
             if radius < 0.0 {
-                assert_eq!(node.radius[lane].get(), -f32::MAX);
+                assert_eq!(node.radius[lane].get(), -f32::from_bits(FARTHEST));
                 assert_eq!(node.child[lane].get(), SCENE_ADDRESS);
                 continue;
             }

@@ -14,7 +14,7 @@ record! {
         direction_y: [F32; 16],
         /// Unit directions, z.
         direction_z: [F32; 16],
-        /// Distance of the nearest hit so far; the largest single if none.
+        /// Distance of the nearest hit so far; `FARTHEST` if none.
         t: [F32; 16],
         /// Address of the record of the object that was hit; of the background's if none was.
         object: [U32; 16],

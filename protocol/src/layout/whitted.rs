@@ -138,7 +138,7 @@ record! {
 }
 
 record! {
-    /// Four bounding spheres, each around everything below it in the tree. An empty lane has minus the largest single as its radius.
+    /// Four bounding spheres, each around everything below it in the tree. An empty lane has -`FARTHEST` as its radius.
     Node as "NODE" {
         /// Centres, x.
         x: [F32; 4],

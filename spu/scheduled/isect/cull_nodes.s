@@ -8,7 +8,7 @@
 #   Uses    $2-$50, $79   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's sphere
 #           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
-#           less the largest single; distances from 2^-60 to 2^60
+#           -FARTHEST; distances from 2^-60 to 2^60
 #   Error   0: no child is left out that a ray of the packet meets, from inside or within its t
 #   Twin    lab/twins/src/cull_nodes.rs
 #

@@ -48,16 +48,14 @@ function load_rays_r16
         lqa     $m_first,transpose_first                # 1o
         andi    $rows_2,$rows_2,-16                     # 2e
         lqa     $m_last,transpose_last                  # 2o
-        ilhu    $k_far,0x7fff                           # 3e
+        ilhu    $k_far,0x5e80                           # 3e
         lqa     $k_lanes,lanes                          # 3o
         ilhu    $k_absent,0xbf80                        # 4e
         shufb   $left,$rows,$rows,$m_splat              # 4o
         rotmi   $rows,$rows_2,-2                        # 5e
         shufb   $background,$background,$background,$m_splat # 5o
-        iohl    $k_far,0xffff                           # 6e
+        il      $k_further,576                          # 6e
         shufb   $dummy,$dummy,$dummy,$m_splat           # 6o
-        il      $k_further,576                          # 7e
-        lnop                                            # 7o pairing
 next_row:
         andi    $c_last,$rows,3                         # 0e
         lqd     $origin,0($a_queue)                     # 0o

@@ -56,154 +56,154 @@ function ray_setup_r16
         lqd     $corner_x,0($a_basis)                   # 1o
         ilhu    $m_y,0xc0d                              # 2e
         lqd     $right_x,48($a_basis)                   # 2o
-        ilhu    $k_far,0x7fff                           # 3e
+        clgti   $count_2,$count,2                       # 3e at least as many passes as overlap
         lqd     $down_x,96($a_basis)                    # 3o
-        clgti   $count_2,$count,2                       # 4e at least as many passes as overlap
+        iohl    $m_x,0xa0b                              # 4e
         lqd     $corner_y,16($a_basis)                  # 4o
-        iohl    $m_x,0xa0b                              # 5e
+        iohl    $m_y,0xe0f                              # 5e
         lqd     $right_y,64($a_basis)                   # 5o
-        iohl    $m_y,0xe0f                              # 6e
+        ilhu    $k_far,0x5e80                           # 6e
         lqd     $down_y,112($a_basis)                   # 6o
-        iohl    $k_far,0xffff                           # 7e
+        ilhu    $k_half,0x3f00                          # 7e
         lqd     $corner_z,32($a_basis)                  # 7o
-        ilhu    $k_half,0x3f00                          # 8e
+        ilhu    $k_one,0x3f80                           # 8e
         lqd     $right_z,80($a_basis)                   # 8o
-        ilhu    $k_one,0x3f80                           # 9e
+        il      $k_row,0                                # 9e
         lqd     $down_z,128($a_basis)                   # 9o
-        il      $k_row,0                                # 10e
+        ilhu    $k_row+1,0x3f80                         # 10e
         shufb   $background,$background,$background,$m_packet # 10o
-        ilhu    $k_row+1,0x3f80                         # 11e
-        ilhu    $k_row+2,0x4000                         # 12e
-        ilhu    $k_row+3,0x4040                         # 13e
-        brz     $count_2,next_packet_short              # 13o too few passes
-        ai      $a_place_2,$a_place,16                  # 14e
-        lqd     $place,0($a_place)                      # 14o
-        ai      $count,$count,-1                        # 15e
-        ai      $a_place,$a_place_2,16                  # 16e
-        ai      $count,$count,-1                        # 17e
-        lnop                                            # 17o pairing
-        csflt   $a_packet+1,$place,0                    # 20e its words x and y
-        rotqbyi $a_packet_2,$place,0                    # 20o
-        stqd    $k_far,192($a_packet_2)                 # 24o
-        stqd    $background,256($a_packet_2)            # 25o
-        stqd    $k_far,208($a_packet_2)                 # 26o
-        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 27o
-        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 28o
-        stqd    $background,288($a_packet_2)            # 29o
-        nop     $127                                    # 30e pairing
-        stqd    $background,304($a_packet_2)            # 30o
-        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 31e
-        stqd    $background,272($a_packet_2)            # 31o
-        fa      $t_y_2,$fy_2,$k_row+1                   # 32e
-        stqd    $k_far,240($a_packet_2)                 # 32o
-        fa      $t_y,$fy_2,$k_row                       # 33e
-        stqd    $k_far,224($a_packet_2)                 # 33o
-        fa      $t_y_3,$fy_2,$k_row+2                   # 34e
-        lqd     $place,0($a_place_2)                    # 34o
-        fa      $t_y_4,$fy_2,$k_row+3                   # 35e
-        shlqbyi $a_packet_3,$a_packet_2,0               # 35o copy
-        fma     $base_x_2,$a_packet1_3,$right_x,$corner_x # 37e
-        fma     $base_y_2,$a_packet1_3,$right_y,$corner_y # 38e
-        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 39e
-        lnop                                            # 39o pairing
-        csflt   $a_packet+1,$place,0                    # 40e its words x and y
-        rotqbyi $a_packet_2,$place,0                    # 40o
-        fma     $dx_2,$t_y_2,$down_x,$base_x_2          # 43e
-        lnop                                            # 43o pairing
-        fma     $dx_3,$t_y,$down_x,$base_x_2            # 44e
-        stqd    $k_far,192($a_packet_2)                 # 44o
-        fma     $dy_2,$t_y_2,$down_y,$base_y_2          # 45e
-        stqd    $background,256($a_packet_2)            # 45o
-        fma     $dy_3,$t_y,$down_y,$base_y_2            # 46e
-        stqd    $k_far,208($a_packet_2)                 # 46o
-        fma     $dz_2,$t_y_2,$down_z,$base_z_2          # 47e
-        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 47o
-        fma     $dz,$t_y,$down_z,$base_z_2              # 48e
-        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 48o
-        fm      $length,$dx_2,$dx_2                     # 49e
-        shlqbyi $dx_4,$dx_2,0                           # 49o copy
-        fm      $length_2,$dx_3,$dx_3                   # 50e
-        shlqbyi $dx_5,$dx_3,0                           # 50o copy
-        fma     $dx_6,$t_y_4,$down_x,$base_x_2          # 51e
-        shlqbyi $dy_4,$dy_2,0                           # 51o copy
-        fma     $dx_7,$t_y_3,$down_x,$base_x_2          # 52e
-        shlqbyi $dy_5,$dy_3,0                           # 52o copy
-        fma     $dy_6,$t_y_3,$down_y,$base_y_2          # 53e
-        stqd    $background,288($a_packet_2)            # 53o
-        fma     $dy_7,$t_y_4,$down_y,$base_y_2          # 54e
-        stqd    $background,304($a_packet_2)            # 54o
-        fma     $length,$dy_2,$dy_2,$length             # 55e
-        stqd    $background,272($a_packet_2)            # 55o
-        fma     $length_3,$dy_3,$dy_3,$length_2         # 56e
-        stqd    $k_far,240($a_packet_2)                 # 56o
-        fm      $length_4,$dx_6,$dx_6                   # 57e
-        shlqbyi $dx_8,$dx_6,0                           # 57o copy
-        fm      $length_5,$dx_7,$dx_7                   # 58e
-        shlqbyi $dx_9,$dx_7,0                           # 58o copy
-        fma     $dz_3,$t_y_4,$down_z,$base_z_2          # 59e
-        shlqbyi $dy_8,$dy_6,0                           # 59o copy
-        fma     $dz_4,$t_y_3,$down_z,$base_z_2          # 60e
-        shlqbyi $dy_9,$dy_7,0                           # 60o copy
-        fma     $length,$dz_2,$dz_2,$length             # 61e
-        stqd    $k_far,224($a_packet_2)                 # 61o
-        fma     $length_3,$dz,$dz,$length_3             # 62e
-        fma     $length_6,$dy_7,$dy_7,$length_4         # 63e
-        fma     $length_5,$dy_6,$dy_6,$length_5         # 64e
-        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 65e
-        fa      $t_y_4,$fy_2,$k_row+3                   # 66e
-        lnop                                            # 66o pairing
-        fa      $t_y,$fy_2,$k_row                       # 67e
-        frsqest $t_y_5,$length                          # 67o
-        fa      $t_y_6,$fy_2,$k_row+1                   # 68e
-        frsqest $t_y_7,$length_3                        # 68o
-        fma     $length_6,$dz_3,$dz_3,$length_6         # 69e
-        fma     $length_5,$dz_4,$dz_4,$length_5         # 70e
-        fi      $t_y_5,$length,$t_y_5                   # 71e
-        fi      $t_y_8,$length_3,$t_y_7                 # 72e
-        fma     $base_x_3,$a_packet1_3,$right_x,$corner_x # 74e
-        lnop                                            # 74o pairing
-        fma     $base_y_3,$a_packet1_3,$right_y,$corner_y # 75e
-        frsqest $t_y_7,$length_6                        # 75o
-        fa      $t_y_3,$fy_2,$k_row+2                   # 76e
-        frsqest $t_y_9,$length_5                        # 76o
-        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 77e
-        fm      $t_e_2,$length,$t_y_5                   # 78e
-        fm      $t_e_3,$length_3,$t_y_8                 # 79e
-        fm      $inverse_2,$t_y_5,$k_half               # 80e
-        fm      $inverse_3,$t_y_8,$k_half               # 81e
-        hbrr    next_packet_back,next_packet            # 81o hint
-        fi      $t_y_10,$length_6,$t_y_7                # 82e
-        fi      $t_y_9,$length_5,$t_y_9                 # 83e
-        fnms    $t_e_2,$t_e_2,$t_y_5,$k_one             # 85e
-        fnms    $t_e_3,$t_e_3,$t_y_8,$k_one             # 86e
-        fma     $dx_10,$t_y,$down_x,$base_x_3           # 87e
-        fma     $dx_6,$t_y_4,$down_x,$base_x_3          # 88e
-        fma     $dy_6,$t_y_3,$down_y,$base_y_3          # 89e
-        fm      $inverse_4,$t_y_10,$k_half              # 90e
-        fma     $inverse_5,$t_e_2,$inverse_2,$t_y_5     # 91e
-        fma     $inverse_6,$t_e_3,$inverse_3,$t_y_8     # 92e
-        fm      $t_e_4,$length_5,$t_y_9                 # 93e
-        shlqbyi $dx_11,$dx_10,0                         # 93o copy
-        fm      $inverse_7,$t_y_9,$k_half               # 94e
-        fma     $dz_5,$t_y_6,$down_z,$base_z_2          # 95e
-        fma     $dy_3,$t_y,$down_y,$base_y_3            # 96e
-        fm      $dy_10,$dy_4,$inverse_5                 # 97e
-        fm      $dz_2,$dz_2,$inverse_5                  # 98e
-        fm      $dx_12,$dx_5,$inverse_6                 # 99e
-        fm      $dz,$dz,$inverse_6                      # 100e
-        fm      $dy_11,$dy_5,$inverse_6                 # 101e
-        fma     $dx_13,$t_y_6,$down_x,$base_x_3         # 102e
-        lnop                                            # 102o pairing
-        fma     $dx_7,$t_y_3,$down_x,$base_x_3          # 103e
-        stqd    $dy_10,80($a_packet_3)                  # 103o
-        fma     $dy_12,$t_y_6,$down_y,$base_y_3         # 104e
-        stqd    $dz_2,144($a_packet_3)                  # 104o
-        fm      $length_7,$dx_10,$dx_10                 # 105e
-        stqd    $dx_12,0($a_packet_3)                   # 105o
-        fm      $length_4,$dx_6,$dx_6                   # 106e
-        stqd    $dz,128($a_packet_3)                    # 106o
-        fma     $dy_7,$t_y_4,$down_y,$base_y_3          # 107e
-        stqd    $dy_11,64($a_packet_3)                  # 107o
+        ilhu    $k_row+2,0x4000                         # 11e
+        lnop                                            # 11o pairing
+        ilhu    $k_row+3,0x4040                         # 12e
+        brz     $count_2,next_packet_short              # 12o too few passes
+        ai      $a_place_2,$a_place,16                  # 13e
+        lqd     $place,0($a_place)                      # 13o
+        ai      $count,$count,-1                        # 14e
+        ai      $a_place,$a_place_2,16                  # 15e
+        ai      $count,$count,-1                        # 16e
+        lnop                                            # 16o pairing
+        csflt   $a_packet+1,$place,0                    # 19e its words x and y
+        rotqbyi $a_packet_2,$place,0                    # 19o
+        stqd    $k_far,192($a_packet_2)                 # 23o
+        stqd    $background,256($a_packet_2)            # 24o
+        stqd    $k_far,208($a_packet_2)                 # 25o
+        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 26o
+        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 27o
+        stqd    $background,288($a_packet_2)            # 28o
+        nop     $127                                    # 29e pairing
+        stqd    $background,304($a_packet_2)            # 29o
+        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 30e
+        stqd    $background,272($a_packet_2)            # 30o
+        fa      $t_y_2,$fy_2,$k_row+1                   # 31e
+        stqd    $k_far,240($a_packet_2)                 # 31o
+        fa      $t_y,$fy_2,$k_row                       # 32e
+        stqd    $k_far,224($a_packet_2)                 # 32o
+        fa      $t_y_3,$fy_2,$k_row+2                   # 33e
+        lqd     $place,0($a_place_2)                    # 33o
+        fa      $t_y_4,$fy_2,$k_row+3                   # 34e
+        shlqbyi $a_packet_3,$a_packet_2,0               # 34o copy
+        fma     $base_x_2,$a_packet1_3,$right_x,$corner_x # 36e
+        fma     $base_y_2,$a_packet1_3,$right_y,$corner_y # 37e
+        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 38e
+        lnop                                            # 38o pairing
+        csflt   $a_packet+1,$place,0                    # 39e its words x and y
+        rotqbyi $a_packet_2,$place,0                    # 39o
+        fma     $dx_2,$t_y_2,$down_x,$base_x_2          # 42e
+        lnop                                            # 42o pairing
+        fma     $dx_3,$t_y,$down_x,$base_x_2            # 43e
+        stqd    $k_far,192($a_packet_2)                 # 43o
+        fma     $dy_2,$t_y_2,$down_y,$base_y_2          # 44e
+        stqd    $background,256($a_packet_2)            # 44o
+        fma     $dy_3,$t_y,$down_y,$base_y_2            # 45e
+        stqd    $k_far,208($a_packet_2)                 # 45o
+        fma     $dz_2,$t_y_2,$down_z,$base_z_2          # 46e
+        shufb   $a_packet1_2,$a_packet+1,$a_packet+1,$m_x # 46o
+        fma     $dz,$t_y,$down_z,$base_z_2              # 47e
+        shufb   $fy_2,$a_packet+1,$a_packet+1,$m_y      # 47o
+        fm      $length,$dx_2,$dx_2                     # 48e
+        shlqbyi $dx_4,$dx_2,0                           # 48o copy
+        fm      $length_2,$dx_3,$dx_3                   # 49e
+        shlqbyi $dx_5,$dx_3,0                           # 49o copy
+        fma     $dx_6,$t_y_4,$down_x,$base_x_2          # 50e
+        shlqbyi $dy_4,$dy_2,0                           # 50o copy
+        fma     $dx_7,$t_y_3,$down_x,$base_x_2          # 51e
+        shlqbyi $dy_5,$dy_3,0                           # 51o copy
+        fma     $dy_6,$t_y_3,$down_y,$base_y_2          # 52e
+        stqd    $background,288($a_packet_2)            # 52o
+        fma     $dy_7,$t_y_4,$down_y,$base_y_2          # 53e
+        stqd    $background,304($a_packet_2)            # 53o
+        fma     $length,$dy_2,$dy_2,$length             # 54e
+        stqd    $background,272($a_packet_2)            # 54o
+        fma     $length_3,$dy_3,$dy_3,$length_2         # 55e
+        stqd    $k_far,240($a_packet_2)                 # 55o
+        fm      $length_4,$dx_6,$dx_6                   # 56e
+        shlqbyi $dx_8,$dx_6,0                           # 56o copy
+        fm      $length_5,$dx_7,$dx_7                   # 57e
+        shlqbyi $dx_9,$dx_7,0                           # 57o copy
+        fma     $dz_3,$t_y_4,$down_z,$base_z_2          # 58e
+        shlqbyi $dy_8,$dy_6,0                           # 58o copy
+        fma     $dz_4,$t_y_3,$down_z,$base_z_2          # 59e
+        shlqbyi $dy_9,$dy_7,0                           # 59o copy
+        fma     $length,$dz_2,$dz_2,$length             # 60e
+        stqd    $k_far,224($a_packet_2)                 # 60o
+        fma     $length_3,$dz,$dz,$length_3             # 61e
+        fma     $length_6,$dy_7,$dy_7,$length_4         # 62e
+        fma     $length_5,$dy_6,$dy_6,$length_5         # 63e
+        fa      $a_packet1_3,$a_packet1_2,$k_lanes      # 64e
+        fa      $t_y_4,$fy_2,$k_row+3                   # 65e
+        lnop                                            # 65o pairing
+        fa      $t_y,$fy_2,$k_row                       # 66e
+        frsqest $t_y_5,$length                          # 66o
+        fa      $t_y_6,$fy_2,$k_row+1                   # 67e
+        frsqest $t_y_7,$length_3                        # 67o
+        fma     $length_6,$dz_3,$dz_3,$length_6         # 68e
+        fma     $length_5,$dz_4,$dz_4,$length_5         # 69e
+        fi      $t_y_5,$length,$t_y_5                   # 70e
+        fi      $t_y_8,$length_3,$t_y_7                 # 71e
+        fma     $base_x_3,$a_packet1_3,$right_x,$corner_x # 73e
+        lnop                                            # 73o pairing
+        fma     $base_y_3,$a_packet1_3,$right_y,$corner_y # 74e
+        frsqest $t_y_7,$length_6                        # 74o
+        fa      $t_y_3,$fy_2,$k_row+2                   # 75e
+        frsqest $t_y_9,$length_5                        # 75o
+        fma     $base_z_2,$a_packet1_3,$right_z,$corner_z # 76e
+        fm      $t_e_2,$length,$t_y_5                   # 77e
+        fm      $t_e_3,$length_3,$t_y_8                 # 78e
+        fm      $inverse_2,$t_y_5,$k_half               # 79e
+        fm      $inverse_3,$t_y_8,$k_half               # 80e
+        hbrr    next_packet_back,next_packet            # 80o hint
+        fi      $t_y_10,$length_6,$t_y_7                # 81e
+        fi      $t_y_9,$length_5,$t_y_9                 # 82e
+        fnms    $t_e_2,$t_e_2,$t_y_5,$k_one             # 84e
+        fnms    $t_e_3,$t_e_3,$t_y_8,$k_one             # 85e
+        fma     $dx_10,$t_y,$down_x,$base_x_3           # 86e
+        fma     $dx_6,$t_y_4,$down_x,$base_x_3          # 87e
+        fma     $dy_6,$t_y_3,$down_y,$base_y_3          # 88e
+        fm      $inverse_4,$t_y_10,$k_half              # 89e
+        fma     $inverse_5,$t_e_2,$inverse_2,$t_y_5     # 90e
+        fma     $inverse_6,$t_e_3,$inverse_3,$t_y_8     # 91e
+        fm      $t_e_4,$length_5,$t_y_9                 # 92e
+        shlqbyi $dx_11,$dx_10,0                         # 92o copy
+        fm      $inverse_7,$t_y_9,$k_half               # 93e
+        fma     $dz_5,$t_y_6,$down_z,$base_z_2          # 94e
+        fma     $dy_3,$t_y,$down_y,$base_y_3            # 95e
+        fm      $dy_10,$dy_4,$inverse_5                 # 96e
+        fm      $dz_2,$dz_2,$inverse_5                  # 97e
+        fm      $dx_12,$dx_5,$inverse_6                 # 98e
+        fm      $dz,$dz,$inverse_6                      # 99e
+        fm      $dy_11,$dy_5,$inverse_6                 # 100e
+        fma     $dx_13,$t_y_6,$down_x,$base_x_3         # 101e
+        lnop                                            # 101o pairing
+        fma     $dx_7,$t_y_3,$down_x,$base_x_3          # 102e
+        stqd    $dy_10,80($a_packet_3)                  # 102o
+        fma     $dy_12,$t_y_6,$down_y,$base_y_3         # 103e
+        stqd    $dz_2,144($a_packet_3)                  # 103o
+        fm      $length_7,$dx_10,$dx_10                 # 104e
+        stqd    $dx_12,0($a_packet_3)                   # 104o
+        fm      $length_4,$dx_6,$dx_6                   # 105e
+        stqd    $dz,128($a_packet_3)                    # 105o
+        fma     $dy_7,$t_y_4,$down_y,$base_y_3          # 106e
+        stqd    $dy_11,64($a_packet_3)                  # 106o
 next_packet:
             fm      $length,$dx_13,$dx_13               # 0e
             shlqbyi $dy_11,$dy_3,0                      # 0o copy

@@ -7,13 +7,17 @@ use kernels::vector::{in_cube, magnitude};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
-use twins::bound::{Bound, NOTHING, bound};
+use twins::bound::{Bound, bound};
 use twins::cull_nodes::may_meet;
+use twins::{FARTHEST, Single};
 
 use super::COUNTS;
 
 const NODES: usize = 8;
 const BOUNDS: usize = 4;
+
+/// The radius of a lane without a child.
+const NO_CHILD: Single = FARTHEST | 1 << 31;
 
 /// Checks the kernel; gives how many children it kept.
 fn check(bench: &mut Bench, nodes: &[[Child; 4]], bounds: &[Bound], pairs: &[[usize; 2]]) -> usize {
@@ -43,7 +47,7 @@ fn pairs(count: usize, random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
 /// A child about the eye, or none.
 fn child(random: &mut ChaCha8Rng) -> Child {
     let radius = match random.random_range(0..5) {
-        0 => NOTHING,
+        0 => NO_CHILD,
         _ => from_f64(magnitude(0.01..20.0, random)),
     };
     Child {
@@ -130,7 +134,7 @@ fn nothing_meets_nothing() {
         });
         let nobody: [Child; 4] = std::array::from_fn(|_| {
             let mut child = child(&mut random);
-            child.sphere.radius = NOTHING;
+            child.sphere.radius = NO_CHILD;
             child
         });
         let anybody = std::array::from_fn(|_| child(&mut random));
