@@ -1,7 +1,7 @@
-//! The machine that every context of the process is on, as the environment asks for it.
+//! The machine that all contexts of the process share, as the environment configures it.
 //!
-//! Invariant: the environment is read when the first context is created; what it says then holds
-//! for the whole process.
+//! Invariant: the environment is read when the first context is created, and its settings hold for
+//! the whole process.
 
 use std::env;
 use std::ffi::OsString;
@@ -25,14 +25,14 @@ const MFC: &str = "LIBSPE2_MFC";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
-/// The one machine.
+/// The process's machine.
 pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
 }
 
-/// The machine, made now if there is none.
+/// Returns the machine, creating it on the first call.
 pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     if let Some(machine) = MACHINE.get() {
         return Ok(machine);
@@ -40,7 +40,7 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     let made = Machine::from_environment()?;
     let machine = MACHINE.get_or_init(|| made);
     if machine.report.is_some() || machine.profile.is_some() {
-        // SAFETY: the function takes nothing and is there as long as the process is.
+        // SAFETY: the function takes no arguments and exists as long as the process.
         unsafe { libc::atexit(report_at_exit) };
     }
     Ok(machine)
@@ -50,8 +50,8 @@ extern "C" fn report_at_exit() {
     write_reports();
 }
 
-/// Writes the report and the profile, where they are asked for. A failure is told, and no reason
-/// to fail.
+/// Writes the report and the profile if the environment asks for them. An error goes to standard
+/// error and does not fail the call.
 pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;
@@ -78,18 +78,18 @@ fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
     Errno(libc::EINVAL)
 }
 
-/// Whether the environment switches this on.
+/// Whether the environment variable switches the feature on.
 fn switch(name: &str) -> Result<bool, Errno> {
     match env::var_os(name) {
         None => Ok(false),
         Some(value) if value == "0" => Ok(false),
         Some(value) if value == "1" => Ok(true),
-        Some(value) => Err(refused(name, "is 0 or 1", &value)),
+        Some(value) => Err(refused(name, "must be 0 or 1", &value)),
     }
 }
 
 fn needs_timing(name: &str) -> Errno {
-    eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
+    eprintln!("libspe2: {name} needs simulated time: set {TIMING}=1");
     Errno(libc::EINVAL)
 }
 
@@ -102,28 +102,30 @@ fn method(timing: bool) -> Result<Method, Errno> {
     }
 }
 
-/// When contexts carry MFC commands out.
+/// When contexts carry out MFC commands.
 pub(crate) fn policy() -> Result<Policy, Errno> {
     let policy = match env::var_os(MFC) {
         None => Policy::AtOnce,
         Some(name) if name == "at-once" => Policy::AtOnce,
         Some(name) if name == "at-last" => Policy::AtLast,
-        Some(name) => return Err(refused(MFC, "is at-once or at-last", &name)),
+        Some(name) => return Err(refused(MFC, "must be at-once or at-last", &name)),
     };
     if policy == Policy::AtLast && machine()?.emulated.simulation().is_some() {
-        eprintln!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
+        eprintln!(
+            "libspe2: {MFC}=at-last can't be combined with {TIMING}=1, which times each command"
+        );
         return Err(Errno(libc::ENOTSUP));
     }
     Ok(policy)
 }
 
-/// Where the file goes that this variable asks for.
+/// The file that this variable asks for.
 fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
     let Some(path) = env::var_os(name) else {
         return Ok(None);
     };
     if path.is_empty() {
-        return Err(refused(name, "is a path", &path));
+        return Err(refused(name, "must be a path", &path));
     }
     if !timing {
         return Err(needs_timing(name));

@@ -69,7 +69,7 @@ fn assemble(source: &str) -> Vec<u8> {
             .build(&tools, &folder.path().join("objects"), &image)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::read(image).unwrap()
 }

@@ -44,7 +44,7 @@ fn profiled() -> tempfile::TempDir {
         image.build(&tools, &folder.path().join("objects"), &program)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     let bytes = fs::read(program).unwrap();
     let machine = Machine::profiled(Arc::new(RegisteredMemory::new()), Timing::default());

@@ -27,7 +27,7 @@ pub fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
         image.build(&tools, work.path(), &work.path().join("program"))
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::read(of(work.path())).unwrap()
 }

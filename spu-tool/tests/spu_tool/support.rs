@@ -69,7 +69,7 @@ impl Bench {
                 .build(&tools, &self.path("objects"), &image)
         });
         if let Err(error) = built {
-            panic!("{error}\n(the SPU binutils come by ci/setup)");
+            panic!("{error}\n(ci/setup installs the SPU binutils)");
         }
         image
     }

@@ -26,7 +26,7 @@ fn build(source: &str) -> tempfile::TempDir {
         image.build(&tools, &objects, &folder.path().join("program"))
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     folder
 }

@@ -99,7 +99,7 @@ impl Workshop {
                 .build(&tools, &self.path(&format!("{source}.objects")), &image)
         });
         if let Err(error) = built {
-            panic!("{error}\n(the SPU binutils come by ci/setup)");
+            panic!("{error}\n(ci/setup installs the SPU binutils)");
         }
         Program(fs::read(image).unwrap())
     }
@@ -127,7 +127,7 @@ fn assembler() -> PathBuf {
         .chain(set_up)
         .flat_map(|folder| ["spu-elf-as", "spu-as"].map(|name| folder.join(name)))
         .find(|path| path.is_file())
-        .expect("the SPU binutils come by ci/setup")
+        .expect("ci/setup installs the SPU binutils")
 }
 
 /// Channels that take every value and remember it.
