@@ -13,7 +13,7 @@ fn kept(file: &str) -> String {
     fs::read_to_string(path).unwrap()
 }
 
-/// Builds `source` as `saxpy.s` in a new folder; the program is `program` in it.
+/// Builds `source` as `saxpy.s` in a new folder, which contains the result as `program`.
 fn build(source: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let sources = folder.path().join("sources");
@@ -67,7 +67,7 @@ fn the_listing_and_the_json_go_to_standard_output() {
 
 #[test]
 fn switches_reach_the_model() {
-    // Unhinted, a pass of nine cycles misses: 18 more, or 19.
+    // Without its hint, a pass of nine cycles has a miss: 18 more cycles, or 19.
     let unhinted = saxpy().replace("hbrr back,loop", "lnop");
     let built = build(&unhinted);
     let plain = out(&time(built.path(), &["program"]));
@@ -100,7 +100,7 @@ fn errors_name_file_and_fault() {
     let bare = build("        .globl _start\n_start: stop\n");
     for (within, arguments, expected) in [
         (&built, &["nothing"][..], "nothing: "),
-        (&built, &["text"], "text: no ELF file"),
+        (&built, &["text"], "text: not an ELF file"),
         (
             &built,
             &["program", "--function", "x"],
@@ -112,7 +112,11 @@ fn errors_name_file_and_fault() {
             "other.s: the line table",
         ),
         (&built, &["--check", "program", "none.s"], "none.s: "),
-        (&bare, &["--check", "program"], "saxpy.s: no schedule note"),
+        (
+            &bare,
+            &["--check", "program"],
+            "saxpy.s: the file has no schedule note",
+        ),
         (&built, &["program", "sources/saxpy.s"], "--check"),
         (&built, &["program", "--miss-cycles", "17"], "17"),
     ] {

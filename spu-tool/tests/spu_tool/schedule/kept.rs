@@ -1,5 +1,5 @@
-//! Nothing of the plain code is lost: every instruction with every operand comes out again, or is
-//! refused, and a schedule whose text says something else is an error.
+//! Nothing of the plain code is lost: every instruction with every operand is in the schedule or
+//! is refused, and a schedule whose text means something else is an error.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,8 +12,8 @@ use super::support::{Workshop, talk};
 
 const START: &str = "        .include \"kernel.inc\"\n";
 
-/// The instructions of the function `f` in an object of the folder, without what fills pairs, how
-/// often each; of registers only channels' and special-purpose ones'.
+/// How often each instruction of the function `f` occurs in an object of the folder, without
+/// padding. Only channels and special-purpose registers are included among the registers.
 fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
     let code = Code::parse(&fs::read(shop.path(object)).unwrap()).unwrap();
     let mut functions = code.functions().iter();
@@ -34,7 +34,7 @@ fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
     found
 }
 
-/// A line for an instruction with a constant.
+/// An assembly line for an instruction with a constant.
 fn line(op: Op, constant: i32) -> String {
     let row = op.row();
     let i = Instruction {
@@ -61,8 +61,8 @@ fn line(op: Op, constant: i32) -> String {
     format!("        {} {}\n", i.mnemonic(), operands.join(","))
 }
 
-/// Constants of an instruction that the assembler takes without a warning: the ends, and some
-/// between.
+/// Constants of an instruction that the assembler accepts without a warning: the smallest, the
+/// largest and some between.
 fn constants(op: Op) -> &'static [i32] {
     const DISABLE: i32 = feature::DISABLE;
     const ENABLE: i32 = feature::ENABLE;
@@ -145,12 +145,12 @@ endfunction f
     assert!(stages > 1, "{told}");
     let mut expected = instructions(&shop, "plain.o");
     for (key, count) in &mut expected {
-        // The branch closes the kernel and the short form, and a return is behind the drain and
-        // behind the short form.
+        // The branch ends the kernel and the short form. A return follows the drain and the short
+        // form.
         *count *= if key.starts_with('b') { 2 } else { stages + 1 };
     }
     let mut found = instructions(&shop, "scheduled.o");
-    // The test of the trip count, and no more.
+    // Only the test of the trip count is left.
     assert_eq!(found.remove(&format!("clgti None {}", stages - 1)), Some(1));
     let branches = |counts: &mut BTreeMap<String, usize>| {
         counts
@@ -219,7 +219,7 @@ endfunction f
     }
 }
 
-/// A program with one of each: constants, a symbol, a stop, a branch, a loop.
+/// A program with one example of each: constants, a symbol, a stop, a branch, a loop.
 const BODY: &str = "function f
         il      $3,table
         lqa     $4,table+16
@@ -236,7 +236,7 @@ endfunction f
 table:  .space  32
 ";
 
-/// What the library says if the assembler is given another text than the scheduler's.
+/// The library's error if the assembler receives another text than the scheduler's.
 fn said(change: impl Fn(&str) -> String) -> Result<(), ScheduleError> {
     let shop = Workshop::new(&format!("{START}{BODY}"));
     shop.assemble("plain.s", "plain.o", &["-g"]);
@@ -298,7 +298,7 @@ fn what_the_assembler_says_of_the_text_is_told() {
     let refused = spu_scheduler::schedule(&object, "plain.s", BODY, |_| Err("not today"));
     let told = refused.map(|_| ()).unwrap_err().to_string();
     assert_eq!(told, "the schedule does not assemble: not today");
-    // Without the folder of what the source includes.
+    // Without the folder of the included files.
     let output = shop.spu(&["schedule", "plain.o", "plain.s"]);
     assert_eq!(output.status.code(), Some(127));
     assert!(

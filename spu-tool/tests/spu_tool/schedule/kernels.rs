@@ -1,7 +1,7 @@
-//! Three kernels of a ray tracer: what they compute, and how close their loops come to the bound.
+//! Three kernels of a ray tracer: their results, and how close their loops come to the bound.
 //!
-//! Provenance: `model`; the sources in `tests/schedule-kernels` are the tracer's own, as they
-//! stood before they were scheduled.
+//! Provenance: `model`. The sources in `tests/schedule-kernels` are the tracer's own from before
+//! they were scheduled.
 
 use std::fs;
 use std::path::Path;
@@ -14,7 +14,7 @@ fn source(kernel: &str) -> String {
     fs::read_to_string(folder.join(format!("{kernel}.s"))).unwrap()
 }
 
-/// The kernel's two forms, and what was told of its loops.
+/// The plain and the scheduled form of the kernel, and the messages about its loops.
 fn forms(kernel: &str) -> (Program, Program, String) {
     let shop = Workshop::new(&source(kernel));
     let told = shop.schedule();
@@ -39,7 +39,7 @@ fn singles(random: &mut Random, input: &mut Input, address: u32, count: u32) {
     }
 }
 
-/// The number after a word in what was told.
+/// The number after a word in the messages.
 fn figure(told: &str, name: &str) -> u64 {
     let behind = told.split(name).nth(1).unwrap_or_else(|| panic!("{told}"));
     let digits: String = behind
