@@ -1,4 +1,4 @@
-//! A game and a shader of one's own, as a newcomer starts them.
+//! New games and new shaders, as a newcomer creates them.
 
 use std::fs;
 use std::process::Command;

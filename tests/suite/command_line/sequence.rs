@@ -1,4 +1,4 @@
-//! Numbered pictures, in parts, as batch engines ask for them.
+//! Numbered pictures in parts, as batch renderers request them.
 
 use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
@@ -14,7 +14,7 @@ fn pattern(folder: &Path) -> String {
     folder.join("f-%03d.png").to_str().unwrap().to_owned()
 }
 
-/// Pictures of the scene's frames, once around in eight.
+/// Renders pictures of the scene's frames: one turn in eight frames.
 fn render(folder: &Path, frames: &str) -> String {
     let out = pattern(folder);
     let (_, talk) = good(&[
@@ -45,7 +45,7 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     );
     let pictures = files(whole.path());
     assert_eq!(pictures.len(), 9);
-    // The eye turns, and is back after eight.
+    // The eye turns, and is back at the start after eight frames.
     for pair in pictures.windows(2) {
         assert!(pair[0].1 != pair[1].1, "{:?}", pair[0].0);
     }
@@ -63,7 +63,7 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     render(parts.path(), "3..4");
     assert!(files(parts.path()) == pictures, "parts are others");
 
-    // The first is the scene as it is.
+    // The first picture shows the scene unchanged.
     let picture = still.path().join("f-000.png");
     let picture = picture.to_str().unwrap();
     good(&["render", SCENE, "--size", "64x36", "--out", picture]);
@@ -73,8 +73,8 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
 #[test]
 fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
     let folder = tempfile::tempdir().unwrap();
-    // In blocks of 512 bytes: room for an emulated SPU's local store, and for no picture of this
-    // size.
+    // In blocks of 512 bytes: this is enough for an emulated SPU's local store, but not for a
+    // picture of this size.
     let output = Command::new("sh")
         .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_cellray"))
@@ -104,7 +104,7 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
 fn signals_end_it_between_two_pictures() {
     for signal in [libc::SIGINT, libc::SIGTERM] {
         let folder = tempfile::tempdir().unwrap();
-        // What starts the tests may have signals ignored; then they would be here, too.
+        // The process that starts the tests may ignore signals, and children inherit that.
         let mut child = Command::new("env")
             .arg("--default-signal")
             .arg(env!("CARGO_BIN_EXE_cellray"))
@@ -127,7 +127,7 @@ fn signals_end_it_between_two_pictures() {
             assert!(begun.elapsed() < Duration::from_secs(60), "no pictures");
             std::thread::sleep(Duration::from_millis(20));
         }
-        // SAFETY: the child is this test's own and has not been waited for.
+        // SAFETY: the child was started by this test and has not been waited for.
         unsafe { libc::kill(child.id() as libc::pid_t, signal) };
         let status = child.wait().unwrap();
         assert_eq!(status.signal(), Some(signal), "{status}");
