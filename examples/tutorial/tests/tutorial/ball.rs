@@ -1,4 +1,4 @@
-//! The ball: its pictures against the reference, and how short it is.
+//! The ball: its pictures compared with the reference, and the length of its program.
 
 use oracle::Picture;
 
