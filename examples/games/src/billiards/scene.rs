@@ -21,7 +21,7 @@ const MARKER: f64 = 0.026;
 const LAMPS: [f64; 2] = [-0.62, 0.62];
 const LAMP_HEIGHT: f64 = 1.35;
 /// By how much caps protrude, in radii.
-const PROUD: f64 = 0.006;
+const PROTRUSION: f64 = 0.006;
 
 /// The distances from the tip at which the parts of the cue meet, and its radius there.
 const CUE: [(f64, f64); 5] = [
@@ -235,10 +235,10 @@ fn shapes(ball: &Ball) -> [Shape; 3] {
         Some(Group::Striped) => 0.5,
         _ => 0.93,
     };
-    let off = (PROUD + PROUD * PROUD / 2.0) / (1.0 + PROUD - end);
+    let off = (PROTRUSION + PROTRUSION * PROTRUSION / 2.0) / (1.0 + PROTRUSION - end);
     let cap = |side: f64| Shape::Sphere {
         centre: centre + ball.axis * (side * off * RADIUS),
-        radius: (1.0 + PROUD - off) * RADIUS,
+        radius: (1.0 + PROTRUSION - off) * RADIUS,
     };
     let radius = RADIUS;
     [Shape::Sphere { centre, radius }, cap(1.0), cap(-1.0)]
