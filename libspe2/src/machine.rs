@@ -84,12 +84,12 @@ fn switch(name: &str) -> Result<bool, Errno> {
         None => Ok(false),
         Some(value) if value == "0" => Ok(false),
         Some(value) if value == "1" => Ok(true),
-        Some(value) => Err(refused(name, "must be 0 or 1", &value)),
+        Some(value) => Err(refused(name, "is 0 or 1", &value)),
     }
 }
 
 fn needs_timing(name: &str) -> Errno {
-    eprintln!("libspe2: {name} needs simulated time: set {TIMING}=1");
+    eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
     Errno(libc::EINVAL)
 }
 
@@ -108,12 +108,10 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
         None => Policy::AtOnce,
         Some(name) if name == "at-once" => Policy::AtOnce,
         Some(name) if name == "at-last" => Policy::AtLast,
-        Some(name) => return Err(refused(MFC, "must be at-once or at-last", &name)),
+        Some(name) => return Err(refused(MFC, "is at-once or at-last", &name)),
     };
     if policy == Policy::AtLast && machine()?.emulated.simulation().is_some() {
-        eprintln!(
-            "libspe2: {MFC}=at-last can't be combined with {TIMING}=1, which times each command"
-        );
+        eprintln!("libspe2: {MFC}=at-last does not go with {TIMING}=1, which times each command");
         return Err(Errno(libc::ENOTSUP));
     }
     Ok(policy)
@@ -125,7 +123,7 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
         return Ok(None);
     };
     if path.is_empty() {
-        return Err(refused(name, "must be a path", &path));
+        return Err(refused(name, "is a path", &path));
     }
     if !timing {
         return Err(needs_timing(name));

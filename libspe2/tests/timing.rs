@@ -398,12 +398,12 @@ fn main() {
     refused(
         &[("LIBSPE2_PROFILE", "/tmp/x"), ("LIBSPE2_TIMING", "0")],
         libc::EINVAL,
-        "LIBSPE2_PROFILE needs simulated time: set LIBSPE2_TIMING=1",
+        "LIBSPE2_PROFILE is about simulated time: set LIBSPE2_TIMING=1",
     );
     refused(
         &[("LIBSPE2_CHECK", "1")],
         libc::EINVAL,
-        "LIBSPE2_CHECK needs simulated time: set LIBSPE2_TIMING=1",
+        "LIBSPE2_CHECK is about simulated time: set LIBSPE2_TIMING=1",
     );
     let on = ("LIBSPE2_TIMING", "1");
     refused(&[on, ("LIBSPE2_CHECK", "2")], libc::EINVAL, "LIBSPE2_CHECK");

@@ -3,7 +3,6 @@
 //!
 //! Invariant: an image is used only if the checksum of all its source code equals the one that is
 //! stored next to it.
-//! was written beside it.
 
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -239,12 +239,12 @@ mod tests {
             "{lost}"
         );
         let doubled = fault(|words| words.extend(scheduled().pop()));
-        assert!(doubled.contains("has 2, not 1"), "{doubled}");
+        assert!(doubled.contains("2 times, not 1"), "{doubled}");
         let mut function = function();
         function.copies.insert(16, 3);
         let (line, what) = instructions(&plain(), &function, &scheduled()).unwrap_err();
         assert_eq!(line, 4);
-        assert!(what.to_string().contains("has 1, not 3"), "{what}");
+        assert!(what.to_string().contains("1 times, not 3"), "{what}");
     }
 
     #[test]

@@ -98,8 +98,8 @@ fn an_error_without_the_check_names_the_check() {
     }
 }
 
-/// Pixels outside the sphere get the background's colour whatever the shader writes for their lanes,
-/// so nobody would notice the fault without the check.
+/// Pixels outside the sphere get the background's colour whatever the shader writes for their
+/// lanes, so nobody would notice the fault without the check.
 #[test]
 fn what_is_not_checked_is_not_found() {
     let (mut engine, shown) = engine(false);
