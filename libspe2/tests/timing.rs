@@ -310,7 +310,7 @@ fn check_report(text: &str) {
 }
 
 /// Checks that creating a context in this environment fails with this errno and this message.
-fn refused(environment: &[(&str, &str)], errno: i32, told: &str) {
+fn refused(environment: &[(&str, &str)], errno: i32, message: &str) {
     let environment: Vec<_> = environment
         .iter()
         .map(|&(name, value)| (name, OsStr::new(value)))
@@ -323,7 +323,7 @@ fn refused(environment: &[(&str, &str)], errno: i32, told: &str) {
     );
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert!(
-        stderr.starts_with("libspe2: ") && stderr.contains(told),
+        stderr.starts_with("libspe2: ") && stderr.contains(message),
         "{stderr}"
     );
 }

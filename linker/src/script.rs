@@ -46,10 +46,10 @@ impl Script {
 
 /// The `main` of a build script. An error goes to standard error as readable text.
 pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> ExitCode {
-    let mut told = Script::default();
-    match work(&mut told) {
+    let mut directives = Script::default();
+    match work(&mut directives) {
         Ok(()) => {
-            print!("{}", told.0);
+            print!("{}", directives.0);
             ExitCode::SUCCESS
         }
         Err(error) => {

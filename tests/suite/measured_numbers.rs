@@ -66,7 +66,7 @@ fn is_among(number: &str, cells: &[f64]) -> bool {
 #[test]
 fn every_speed_is_a_measured_one() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (mut cells, mut said) = (Vec::new(), Vec::new());
+    let (mut cells, mut quoted) = (Vec::new(), Vec::new());
     let mut blocks = 0;
     for path in documents() {
         let name = path.strip_prefix(root).unwrap().display().to_string();
@@ -76,7 +76,7 @@ fn every_speed_is_a_measured_one() {
             .split('|')
             .filter_map(|cell| cell.trim().parse::<f64>().ok());
         cells.extend(numbers);
-        said.extend(
+        quoted.extend(
             speeds(&rest)
                 .into_iter()
                 .map(|number| (name.clone(), number)),
@@ -84,15 +84,15 @@ fn every_speed_is_a_measured_one() {
     }
     assert_eq!(blocks, 5, "the tables of ci/measure");
     for (name, number, why) in OTHERS {
-        let is_said = said
+        let is_in_document = quoted
             .iter()
-            .any(|(file, said)| file == name && said == number);
+            .any(|(file, quoted)| file == name && quoted == number);
         assert!(
-            is_said,
+            is_in_document,
             "{name} no longer says {number} frames/s ({why}): take it off the list"
         );
     }
-    let strange: Vec<_> = said
+    let strange: Vec<_> = quoted
         .iter()
         .filter(|(name, number)| {
             let other = |(file, known, _): &(&str, &str, &str)| file == name && known == number;

@@ -135,8 +135,8 @@ fn home(name: &str) -> &'static str {
 
 /// The path of one of the compiler's own files, if it has the file.
 fn installed(compiler: &Path, file: &str) -> Result<Option<PathBuf>, Error> {
-    let said = output(Command::new(compiler).arg(format!("-print-file-name={file}")))?;
-    let path = PathBuf::from(said.trim());
+    let printed = output(Command::new(compiler).arg(format!("-print-file-name={file}")))?;
+    let path = PathBuf::from(printed.trim());
     // For a file that it does not have, the compiler prints the name unchanged.
     Ok((path.components().count() > 1).then_some(path))
 }
@@ -237,8 +237,8 @@ fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<
 
 /// Compiles the copies into an archive.
 fn archive(compiler: &Path, start: &str, archive: &Path) -> Result<(), Error> {
-    let said = output(Command::new(compiler).arg("-print-prog-name=ar"))?;
-    let mut archiver = Command::new(said.trim());
+    let printed = output(Command::new(compiler).arg("-print-prog-name=ar"))?;
+    let mut archiver = Command::new(printed.trim());
     archiver.arg("rcs").arg(archive);
     for (name, text) in COPIES {
         let source = archive.with_file_name(format!("{name}.c"));

@@ -1,8 +1,8 @@
 //! List scheduling of code that runs once, cycle by cycle.
 //!
 //! In each cycle and for each pipe, the most urgent instruction that can issue does so. The most
-//! urgent one heads the longest chain. Ties are broken in several ways, and the best result is
-//! kept.
+//! urgent one heads the longest chain. Several variations of these priorities are tried, and the
+//! best result is kept.
 
 use super::allocate::allocate;
 use super::dependence::{Edge, straight};

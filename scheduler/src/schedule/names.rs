@@ -56,8 +56,7 @@ impl<'a> Names<'a> {
         format!("${name}")
     }
 
-    /// An unused label: `wanted` if the source has it and it is not used yet, or else one with a
-    /// number.
+    /// An unused label: `wanted` if possible, or else `wanted` with a number.
     pub fn label(&mut self, wanted: &str) -> String {
         if self.unclaimed.remove(wanted) {
             return wanted.to_owned();
@@ -97,7 +96,7 @@ impl<'a> Names<'a> {
             .iter()
             .filter(known)
             .filter(|name| name.number <= number);
-        // The most recent of the names whose line is nearest.
+        // The latest of the names for the nearest register.
         match names.max_by_key(|name| (name.number, name.line)) {
             Some(name) if name.number == number => name.name.to_owned(),
             Some(name) if name.number > 1 => format!("{}+{}", name.name, number - name.number),

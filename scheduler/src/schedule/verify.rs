@@ -59,7 +59,7 @@ pub(super) fn instructions(
     Ok(())
 }
 
-/// An instruction for a message. The word is included because two words may have the same text.
+/// An instruction for a message. The word shows what the disassembler's text leaves out.
 fn shown(i: Instruction) -> String {
     let word = i.encode();
     let text = disassemble(word, 0).to_string().replace('\t', " ");

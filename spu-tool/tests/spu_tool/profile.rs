@@ -112,8 +112,8 @@ fn the_listing_shows_every_instruction_with_its_line() {
         &["program", "run.json", "--function", "never"],
     );
     assert_eq!(refused.status.code(), Some(127));
-    let told = String::from_utf8(refused.stderr).unwrap();
-    assert!(told.contains("no function never"), "{told}");
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert!(message.contains("no function never"), "{message}");
 }
 
 #[test]
@@ -129,11 +129,11 @@ fn lines_and_json_have_the_same_cycles() {
         assert!(parts.is_sorted_by_key(|part| std::cmp::Reverse(cycles(part))));
     }
     let text = shown(folder.path(), &["--lines"]);
-    let told = text.lines().skip(1).map(|line| {
+    let shown = text.lines().skip(1).map(|line| {
         let cycles = line.split_whitespace().next().unwrap();
         cycles.parse::<u64>().unwrap()
     });
-    assert_eq!(told.sum::<u64>(), all);
+    assert_eq!(shown.sum::<u64>(), all);
 }
 
 #[test]
@@ -168,10 +168,10 @@ fn damaged_profiles_and_other_programs_are_refused() {
         fs::write(folder.path().join("damaged.json"), &text).unwrap();
         let output = profile(folder.path(), &["program", "damaged.json"]);
         assert_eq!(output.status.code(), Some(127), "{text}");
-        let told = String::from_utf8(output.stderr).unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
         assert!(
-            told.starts_with("spu: damaged.json: ") && told.contains(expected),
-            "{expected}: {told}"
+            message.starts_with("spu: damaged.json: ") && message.contains(expected),
+            "{expected}: {message}"
         );
     }
     for (arguments, expected) in [
@@ -181,7 +181,7 @@ fn damaged_profiles_and_other_programs_are_refused() {
     ] {
         let output = profile(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(127));
-        let told = String::from_utf8(output.stderr).unwrap();
-        assert!(told.contains(expected), "{told}");
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(message.contains(expected), "{message}");
     }
 }

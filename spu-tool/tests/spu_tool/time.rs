@@ -48,7 +48,7 @@ fn out(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-fn talk(output: &Output) -> String {
+fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
@@ -59,7 +59,7 @@ fn the_listing_and_the_json_go_to_standard_output() {
     assert!(listing.status.success());
     let expected = kept("saxpy.txt");
     assert_eq!(out(&listing), expected);
-    assert_eq!(talk(&listing), "");
+    assert_eq!(stderr(&listing), "");
     let json = time(built.path(), &["--json", "--function", "saxpy", "program"]);
     let expected = kept("saxpy.json");
     assert_eq!(out(&json), expected);
@@ -81,15 +81,15 @@ fn right_notes_are_status_0_and_wrong_ones_1() {
     let built = build(&saxpy());
     for sources in [&[][..], &["sources/saxpy.s"]] {
         let right = time(built.path(), &[&["--check", "program"], sources].concat());
-        assert_eq!(right.status.code(), Some(0), "{}", talk(&right));
+        assert_eq!(right.status.code(), Some(0), "{}", stderr(&right));
         assert_eq!(out(&right), "");
-        assert_eq!(talk(&right), "25 notes, 0 differ from the model\n");
+        assert_eq!(stderr(&right), "25 notes, 0 differ from the model\n");
     }
     let built = build(&saxpy().replace("# 6o", "# 5e"));
     let wrong = time(built.path(), &["--check", "program", "sources/saxpy.s"]);
     assert_eq!(wrong.status.code(), Some(1));
     assert_eq!(out(&wrong), "sources/saxpy.s:45: note 5e, model 6o\n");
-    assert_eq!(talk(&wrong), "25 notes, 1 differ from the model\n");
+    assert_eq!(stderr(&wrong), "25 notes, 1 differ from the model\n");
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn errors_name_file_and_fault() {
             status.is_some_and(|code| code > 1),
             "{arguments:?}: {status:?}"
         );
-        assert!(talk(&output).contains(expected), "{}", talk(&output));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
         assert_eq!(out(&output), "");
     }
 }

@@ -17,10 +17,10 @@ fn pattern(folder: &Path) -> String {
 /// Renders pictures of the scene's frames: one turn in eight frames.
 fn render(folder: &Path, frames: &str) -> String {
     let out = pattern(folder);
-    let (_, talk) = good(&[
+    let (_, stderr) = good(&[
         "render", SCENE, "--size", "64x36", "--turn", "8", "--frames", frames, "--out", &out,
     ]);
-    talk
+    stderr
 }
 
 fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
@@ -38,10 +38,10 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 #[test]
 fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     let [whole, parts, still] = [(); 3].map(|()| tempfile::tempdir().unwrap());
-    let talk = render(whole.path(), "0..9");
+    let stderr = render(whole.path(), "0..9");
     assert!(
-        talk.contains("9 picture(s) written, 0 existed already"),
-        "{talk}"
+        stderr.contains("9 picture(s) written, 0 existed already"),
+        "{stderr}"
     );
     let pictures = files(whole.path());
     assert_eq!(pictures.len(), 9);
@@ -54,10 +54,10 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     render(parts.path(), "6..9");
     render(parts.path(), "0..2");
     fs::write(parts.path().join("f-003.png"), "kept").unwrap();
-    let talk = render(parts.path(), "0..9");
+    let stderr = render(parts.path(), "0..9");
     assert!(
-        talk.contains("3 picture(s) written, 6 existed already"),
-        "{talk}"
+        stderr.contains("3 picture(s) written, 6 existed already"),
+        "{stderr}"
     );
     fs::remove_file(parts.path().join("f-003.png")).unwrap();
     render(parts.path(), "3..4");
@@ -91,11 +91,11 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .unwrap();
-    let talk = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{talk}");
+    let stderr = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
     assert!(
-        talk.contains("f-000.png") && talk.contains("too large"),
-        "{talk}"
+        stderr.contains("f-000.png") && stderr.contains("too large"),
+        "{stderr}"
     );
     assert_eq!(files(folder.path()), []);
 }

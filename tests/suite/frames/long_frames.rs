@@ -130,9 +130,9 @@ fn holds(scene: &nff::Scene) {
     let [busy, dma_wait, idled] = [line.busy, line.dma_wait, line.idle].map(|ticks| ticks.get());
     assert!(busy > PERIOD, "the frame is too short to tell: {busy}");
     // The start of the program and the time after the last count are not included.
-    let told = busy + dma_wait + idled;
-    assert!(told <= total, "{told} of {total} ticks");
-    assert!(total - told < 24 * LEAP, "{told} of {total} ticks");
+    let counted = busy + dma_wait + idled;
+    assert!(counted <= total, "{counted} of {total} ticks");
+    assert!(total - counted < 24 * LEAP, "{counted} of {total} ticks");
     let phases = phases(&line);
     assert!(
         phases <= busy + dma_wait,

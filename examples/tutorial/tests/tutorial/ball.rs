@@ -35,8 +35,8 @@ fn it_is_where_the_formula_has_it() {
 #[test]
 fn it_runs_without_a_display() {
     let folder = tempfile::tempdir().unwrap();
-    let talk = good(BALL, folder.path(), &["--display", "none", "--frames", "3"]);
-    assert_eq!(frames(&talk), 3);
+    let stderr = good(BALL, folder.path(), &["--display", "none", "--frames", "3"]);
+    assert_eq!(frames(&stderr), 3);
 }
 
 #[test]

@@ -23,9 +23,9 @@ pub fn run(program: &str, folder: &Path, arguments: &[&str]) -> Output {
 /// The output of a run that must succeed.
 pub fn good(program: &str, folder: &Path, arguments: &[&str]) -> String {
     let output = run(program, folder, arguments);
-    let talk = String::from_utf8_lossy(&output.stderr).into_owned();
-    assert!(output.status.success(), "{program} {arguments:?}: {talk}");
-    talk
+    let stderr = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.success(), "{program} {arguments:?}: {stderr}");
+    stderr
 }
 
 /// Renders pictures of the frames A..B, of [`SIZE`].
@@ -40,12 +40,12 @@ pub fn path(folder: &Path, frame: u32) -> PathBuf {
 }
 
 /// The number of frames in the report of a run.
-pub fn frames(talk: &str) -> u32 {
-    let mut counts = talk.lines().filter_map(|line| {
+pub fn frames(stderr: &str) -> u32 {
+    let mut counts = stderr.lines().filter_map(|line| {
         let before = line.split_once(" frame(s)")?.0;
         before.rsplit(' ').next()?.parse().ok()
     });
     counts
         .next_back()
-        .unwrap_or_else(|| panic!("no frames: {talk}"))
+        .unwrap_or_else(|| panic!("no frames: {stderr}"))
 }

@@ -147,13 +147,13 @@ fn space_makes_it_jump() {
 #[test]
 fn what_stands_still_is_traced_once() {
     let folder = tempfile::tempdir().unwrap();
-    let talk = good(
+    let stderr = good(
         STEER,
         folder.path(),
         &["--display", "none", "--frames", "30", "--size", "160x90"],
     );
-    assert_eq!(frames(&talk), 30);
-    assert!(talk.contains("30 frame(s), 1 traced"), "{talk}");
+    assert_eq!(frames(&stderr), 30);
+    assert!(stderr.contains("30 frame(s), 1 traced"), "{stderr}");
 }
 
 #[test]
@@ -163,8 +163,8 @@ fn a_session_is_played_back() {
     let before = fs::read(path(folder.path(), 2)).unwrap();
     fs::remove_file(path(folder.path(), 2)).unwrap();
     // The run ends when the recording does.
-    let talk = pictures(STEER, folder.path(), "2..100", &REPLAY);
-    assert!(talk.contains("1 picture(s) written"), "{talk}");
+    let stderr = pictures(STEER, folder.path(), "2..100", &REPLAY);
+    assert!(stderr.contains("1 picture(s) written"), "{stderr}");
     assert!(fs::read(path(folder.path(), 2)).unwrap() == before);
     // A recording is never overwritten.
     let arguments = ["--display", "none", "--frames", "1", "--record", "session"];
@@ -177,8 +177,8 @@ fn the_game_that_was_played_is_won_again() {
     let folder = tempfile::tempdir().unwrap();
     let recorded = concat!(env!("CARGO_MANIFEST_DIR"), "/played.session");
     let arguments = ["--display", "none", "--size", "64x36", "--replay", recorded];
-    let talk = good(STEER, folder.path(), &arguments);
+    let stderr = good(STEER, folder.path(), &arguments);
     let lines = fs::read_to_string(recorded).unwrap().lines().count();
     // One line is the session's. The session ended by itself with the last pearl.
-    assert_eq!(frames(&talk) as usize + 1, lines);
+    assert_eq!(frames(&stderr) as usize + 1, lines);
 }

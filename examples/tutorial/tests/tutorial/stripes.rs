@@ -191,8 +191,8 @@ fn keys_change_the_stripes() {
         "",
     ];
     std::fs::write(folder.path().join("session"), lines.join("\n")).unwrap();
-    let talk = pictures(STRIPES, folder.path(), "0..3", &["--replay", "session"]);
-    assert_eq!(frames(&talk), 3);
+    let stderr = pictures(STRIPES, folder.path(), "0..3", &["--replay", "session"]);
+    assert_eq!(frames(&stderr), 3);
     let pole = |frame| {
         let picture = image::open(path(folder.path(), frame)).unwrap().into_rgb8();
         *picture.get_pixel(SIZE.0 / 2, 20)
@@ -204,10 +204,10 @@ fn keys_change_the_stripes() {
 #[test]
 fn it_runs_without_a_display() {
     let folder = tempfile::tempdir().unwrap();
-    let talk = good(
+    let stderr = good(
         STRIPES,
         folder.path(),
         &["--display", "none", "--frames", "3"],
     );
-    assert_eq!(frames(&talk), 3);
+    assert_eq!(frames(&stderr), 3);
 }

@@ -227,8 +227,8 @@ mod tests {
         assert!(!report.held());
         let text = report.to_string();
         assert_eq!(text.matches(" ok").count(), 1, "{text}");
-        let said = "FAILED a family, a kernel: 3f800000 00000001";
-        assert_eq!(text.matches(said).count(), 2, "{text}");
+        let expected = "FAILED a family, a kernel: 3f800000 00000001";
+        assert_eq!(text.matches(expected).count(), 2, "{text}");
     }
 
     #[test]

@@ -93,7 +93,7 @@ fn the_command_prints_a_table_and_writes_json() {
 #[test]
 fn what_can_not_be_is_said_by_its_value() {
     let nowhere = "/no/such/folder/report.json";
-    for (arguments, said) in [
+    for (arguments, expected) in [
         (&["--only", "spherical-cows"][..], "spherical-cows"),
         (&["--seed", "seven"], "seven"),
         (&["--quick", "--full"], "--full"),
@@ -105,6 +105,6 @@ fn what_can_not_be_is_said_by_its_value() {
         let output = bench(arguments);
         let error = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success(), "{arguments:?}");
-        assert!(error.contains(said), "{arguments:?}: {error}");
+        assert!(error.contains(expected), "{arguments:?}: {error}");
     }
 }

@@ -97,7 +97,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         },
     })?;
     for found in &scheduled.loops {
-        let told = match &found.outcome {
+        let result = match &found.outcome {
             Outcome::Plain(why) => format!("not pipelined: {why}"),
             Outcome::Pipelined(figures) if arguments.verbose => describe(figures),
             Outcome::Pipelined(_) => continue,
@@ -105,7 +105,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         // If standard error is closed, the schedule is still written.
         let _ = writeln!(
             io::stderr(),
-            "{path}:{}: loop {}: {told}",
+            "{path}:{}: loop {}: {result}",
             found.line,
             found.name
         );

@@ -2,19 +2,19 @@
 
 use std::fs;
 
-use super::support::{Workshop, talk};
+use super::support::{Workshop, stderr};
 
 const START: &str = "        .include \"kernel.inc\"\nfunction f\n        il $3,1\n";
 const END: &str = "        bi $lr\nendfunction f\n";
 
 /// The messages for a function with this body.
-fn said(body: &str, status: i32) -> String {
+fn messages(body: &str, status: i32) -> String {
     let shop = Workshop::new(&format!("{START}{body}{END}"));
     shop.assemble("plain.s", "plain.o", &["-g"]);
     let output = shop.spu_schedule(&["plain.o", "plain.s"]);
-    assert_eq!(output.status.code(), Some(status), "{}", talk(&output));
+    assert_eq!(output.status.code(), Some(status), "{}", stderr(&output));
     assert_eq!(output.stdout.is_empty(), status != 0);
-    talk(&output)
+    stderr(&output)
 }
 
 #[test]
@@ -36,8 +36,8 @@ fn faults_of_the_code_name_file_and_line() {
         ("        lqr $3,f\n", "plain.s:4: it refers to 0x0"),
         ("        brz $3,f+12\n        il $3,1\n", ""),
     ] {
-        let said = said(body, if expected.is_empty() { 0 } else { 127 });
-        assert!(said.contains(expected), "{body}: {said}");
+        let messages = messages(body, if expected.is_empty() { 0 } else { 127 });
+        assert!(messages.contains(expected), "{body}: {messages}");
     }
 }
 
@@ -61,9 +61,9 @@ fn loops_that_stay_plain_are_named_with_the_reason() {
             "not pipelined: it is not counted down",
         ),
     ] {
-        let said = said(body, 0);
-        assert!(said.contains(reason), "{said}");
-        assert!(said.starts_with("plain.s:"), "{said}");
+        let messages = messages(body, 0);
+        assert!(messages.contains(reason), "{messages}");
+        assert!(messages.starts_with("plain.s:"), "{messages}");
     }
 }
 
@@ -100,7 +100,7 @@ fn files_that_do_not_fit_are_refused() {
     ] {
         let output = shop.spu_schedule(&arguments);
         assert_eq!(output.status.code(), Some(127), "{arguments:?}");
-        assert!(talk(&output).contains(expected), "{}", talk(&output));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
         assert!(output.stdout.is_empty());
     }
 }

@@ -17,12 +17,12 @@ fn source(kernel: &str) -> String {
 /// The plain and the scheduled form of the kernel, and the messages about its loops.
 fn forms(kernel: &str) -> (Program, Program, String) {
     let shop = Workshop::new(&source(kernel));
-    let told = shop.schedule();
+    let messages = shop.schedule();
     let names = [kernel.to_owned()];
     (
         shop.link("plain.s", &names),
         shop.link("scheduled.s", &names),
-        told,
+        messages,
     )
 }
 
@@ -40,8 +40,11 @@ fn singles(random: &mut Random, input: &mut Input, address: u32, count: u32) {
 }
 
 /// The number after a word in the messages.
-fn figure(told: &str, name: &str) -> u64 {
-    let behind = told.split(name).nth(1).unwrap_or_else(|| panic!("{told}"));
+fn figure(messages: &str, name: &str) -> u64 {
+    let behind = messages
+        .split(name)
+        .nth(1)
+        .unwrap_or_else(|| panic!("{messages}"));
     let digits: String = behind
         .trim()
         .chars()
@@ -52,9 +55,9 @@ fn figure(told: &str, name: &str) -> u64 {
 
 #[test]
 fn spheres_are_met_every_95_cycles() {
-    let (plain, scheduled, told) = forms("isect_spheres_r16");
-    assert_eq!(figure(&told, "even "), 95, "{told}");
-    assert!(figure(&told, "interval ") <= 99, "{told}");
+    let (plain, scheduled, messages) = forms("isect_spheres_r16");
+    assert_eq!(figure(&messages, "even "), 95, "{messages}");
+    assert!(figure(&messages, "interval ") <= 99, "{messages}");
     let mut random = Random::new("spheres");
     for count in 0..24 {
         let mut input = Input::default();
@@ -77,10 +80,10 @@ fn spheres_are_met_every_95_cycles() {
 #[test]
 fn the_model_runs_the_kernel_at_its_interval() {
     let shop = Workshop::new(&source("isect_spheres_r16"));
-    let told = shop.schedule();
+    let messages = shop.schedule();
     let timed = shop.spu(&["time", "scheduled.o"]);
     let listing = String::from_utf8(timed.stdout).unwrap();
-    let interval = figure(&told, "interval ");
+    let interval = figure(&messages, "interval ");
     let expected = format!("{interval} cycles a pass");
     assert!(listing.contains(&expected), "{listing}");
 }

@@ -309,14 +309,14 @@ fn random_loops_do_the_same_for_every_trip_count() {
             })
             .collect();
         let shop = Workshop::new(&source);
-        let told = shop.schedule();
-        pipelined += told.matches("interval").count();
+        let messages = shop.schedule();
+        pipelined += messages.matches("interval").count();
         let overlapping = |line: &&str| {
             !["stages 1,", "stages 2,"]
                 .iter()
                 .any(|few| line.contains(few))
         };
-        deep += told
+        deep += messages
             .lines()
             .filter(|line| line.contains("stages"))
             .filter(overlapping)

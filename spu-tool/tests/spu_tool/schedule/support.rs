@@ -66,8 +66,8 @@ impl Workshop {
     pub fn schedule(&self) -> String {
         self.assemble("plain.s", "plain.o", &["-g"]);
         let output = self.spu_schedule(&["-v", "plain.o", "plain.s", "-o", "scheduled.s"]);
-        let told = talk(&output);
-        assert_eq!(output.status.code(), Some(0), "{told}");
+        let messages = stderr(&output);
+        assert_eq!(output.status.code(), Some(0), "{messages}");
         self.assemble("scheduled.s", "scheduled.o", &["-g"]);
         let check = self.spu(&["time", "--check", "scheduled.o", "scheduled.s"]);
         assert_eq!(
@@ -75,9 +75,9 @@ impl Workshop {
             Some(0),
             "{}{}",
             String::from_utf8_lossy(&check.stdout),
-            talk(&check)
+            stderr(&check)
         );
-        told
+        messages
     }
 
     /// Links a program from one source and a caller of `functions`.
@@ -105,7 +105,7 @@ impl Workshop {
     }
 }
 
-pub fn talk(output: &Output) -> String {
+pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 

@@ -173,10 +173,10 @@ fn nothing_is_called_where_no_lane_has_a_shader() {
 
 #[test]
 fn a_shader_that_is_not_there_is_refused() {
-    for (shader, told) in [(6, 6), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
+    for (shader, expected) in [(6, 6), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
         let mut machine = Machine::new();
         machine.material(0, MATERIAL_SHADED, shader, 1);
-        assert_eq!(machine.run(0), refused(RULE_KNOWN, 0, told));
+        assert_eq!(machine.run(0), refused(RULE_KNOWN, 0, expected));
     }
 }
 
