@@ -1,8 +1,8 @@
-//! A ball that bounces over a row of others, as numbered pictures.
+//! A ball that bounces over a row of others, rendered as numbered pictures.
 //!
 //!     cargo run --release --example bounce -- FOLDER [FRAMES | A..B]
 //!
-//! How a game is made: the world is set up once, then changed once a frame.
+//! It shows how a game is made: the world is set up once, and then changed once a frame.
 
 use std::error::Error;
 use std::path::PathBuf;
@@ -32,7 +32,7 @@ impl Game for Bounce {
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
         world.look_from(DVec3::new(0.0, 2.0, 12.0), DVec3::new(0.0, 0.8, 0.0))?;
         world.set_background(DVec3::new(0.05, 0.07, 0.14))?;
-        // Of its own, so that where nothing moves nothing changes.
+        // The ball has a material of its own, so that tiles without it do not change.
         world.set_fade(Some(DepthShading {
             near: 10.0,
             far: 17.0,
@@ -49,7 +49,7 @@ impl Game for Bounce {
     }
 
     fn update(&mut self, world: &mut World, frame: &Frame<'_>) -> Result<(), WorldError> {
-        // Four jumps from left to right, each a parabola.
+        // Four jumps from left to right, each of them a parabola.
         let across = frame.time / (4.0 * JUMP) % 1.0;
         let jump = frame.time / JUMP % 1.0;
         let height = RADIUS + 6.0 * jump * (1.0 - jump);
@@ -70,7 +70,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     std::fs::create_dir_all(&folder)?;
     let pattern = folder.join("bounce-%03d.png");
-    let paths = NumberedPath::new(pattern.to_str().ok_or("FOLDER: not in UTF-8")?)?;
+    let paths = NumberedPath::new(pattern.to_str().ok_or("FOLDER is not valid UTF-8")?)?;
     let pictures = Pictures::new(paths);
     let picture = Box::new(Memory::new(Geometry::new(640, 360)?)?);
     let mut session = Session::start(Bounce::default(), Settings::default(), picture)?;

@@ -1,6 +1,6 @@
-//! Gives the shared library the console's soname, so that a program linked against it, or against
-//! the import stub, runs with either library; and links it against an old C library's names, so
-//! that an old system runs it.
+//! Sets the shared library's soname to the console's, so that a program linked against it, or
+//! against the import stub, runs with either library. It also links the library against symbol
+//! versions of an old C library, so that it runs on old systems.
 
 use std::env;
 use std::error::Error;

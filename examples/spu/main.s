@@ -1,4 +1,4 @@
-# Calls dot on two arrays of 64 floats, and stops with its result, truncated, as the exit code.
+# Calls dot on two arrays of 64 floats, and exits with the truncated result as its status.
         .text
         .align  3
         .global _start

@@ -1,4 +1,4 @@
-//! Builds the tracer's SPU program with the shaders of this crate in it.
+//! Builds the tracer's SPU program with this crate's shaders.
 
 use std::process::ExitCode;
 

@@ -1,4 +1,4 @@
-//! Library calls of the SPU that the program serves: the process-wide table of handlers.
+//! PPE-assisted library calls that the program handles: the process-wide table of handlers.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
@@ -7,14 +7,14 @@ use libc::{c_int, c_uint, c_void};
 use crate::error::{self, Errno, set_errno};
 use crate::types::{SPE_CALLBACK_NEW, SPE_CALLBACK_UPDATE};
 
-/// A handler: local store's base, and the address of the word after the stop. 0 lets the SPU go
-/// on.
+/// A handler. It receives the base of local store and the local-store address of the word after
+/// the stop. If it returns 0, the SPU continues.
 pub type Handler = unsafe extern "C" fn(*mut c_void, c_uint) -> c_int;
 
 const SLOTS: usize = 256;
-/// Slots below are the library's own.
+/// The library keeps the slots below this one for itself.
 const FIRST_FREE: c_uint = 4;
-/// What a run reports if nobody serves the call.
+/// What a run reports if the call has no handler.
 const NO_HANDLER: c_int = -1;
 
 static HANDLERS: Mutex<[Option<Handler>; SLOTS]> = Mutex::new([None; SLOTS]);
@@ -23,11 +23,11 @@ fn handlers() -> MutexGuard<'static, [Option<Handler>; SLOTS]> {
     HANDLERS.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Serves a call on the calling thread.
+/// Runs a call's handler on the calling thread.
 pub(crate) fn call(number: c_uint, ls_base: *mut c_void, ls_address: c_uint) -> c_int {
     let handler = handlers().get(number as usize).copied().flatten();
     match handler {
-        // SAFETY: whoever registered the handler vouched for its type; local store is mapped.
+        // SAFETY: whoever registered the handler vouched for its type, and local store is mapped.
         Some(handler) => unsafe { handler(ls_base, ls_address) },
         None => NO_HANDLER,
     }
@@ -43,7 +43,7 @@ fn with_slot<T>(
     body(slot.ok_or(Errno(libc::EINVAL))?)
 }
 
-/// Registers a handler for a class of calls, or replaces one.
+/// Registers a handler for a class of calls, or replaces the existing one.
 ///
 /// # Safety
 /// `handler` is NULL or a function of type [`Handler`].

@@ -1,4 +1,4 @@
-//! Contexts and gangs: creating, destroying, and what a context keeps.
+//! Contexts and gangs: how they are created and destroyed, and what state they hold.
 
 use std::ffi::c_uint;
 use std::ptr;
@@ -29,21 +29,21 @@ const KNOWN_FLAGS: c_uint = SPE_CFG_SIGNOTIFY1_OR
     | SPE_AFFINITY_MEMORY
     | SPE_NOSCHED;
 
-/// What is behind a context pointer. Whoever uses it holds it alive, so destroying a context while
-/// another thread runs it takes nothing away from that thread.
+/// The object behind a context pointer. Every user holds a reference to it, so a program may
+/// destroy a context while another thread still runs it.
 pub(crate) struct Context {
     pub(crate) spe: Arc<Spe>,
     pub(crate) events_enabled: bool,
-    /// Entry of the program loaded last.
+    /// Entry point of the program that was loaded last.
     pub(crate) entry: AtomicU32,
-    /// Proxy tags that were used and not yet reported complete.
+    /// Proxy tags that were used and have not been reported complete.
     pub(crate) issued_tags: Mutex<u32>,
     pub(crate) stops: StopRecords,
     /// The program's data for each kind of event.
     pub(crate) event_data: Mutex<[u64; 4]>,
 }
 
-/// The context behind a pointer from the program.
+/// Returns the context behind a pointer from the program.
 ///
 /// # Safety
 /// `pointer` is NULL or came from `spe_context_create` and was not destroyed.
@@ -51,8 +51,8 @@ pub(crate) unsafe fn context(pointer: *mut SpeContext) -> Result<Arc<Context>, E
     if pointer.is_null() {
         return Err(Errno(libc::ESRCH));
     }
-    // SAFETY: the caller vouches for the pointer; its private part came from `Arc::into_raw`, and
-    // the count that it holds stays until the context is destroyed.
+    // SAFETY: the caller vouches for the pointer. Its private part came from `Arc::into_raw`,
+    // which holds a reference until the context is destroyed.
     unsafe {
         let shared: *const Context = (*pointer).base_private.cast();
         Arc::increment_strong_count(shared);
@@ -69,14 +69,14 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
         return Err(Errno(libc::ENODEV));
     }
     if has(SPE_MAP_PS) {
-        eprintln!("libspe2: SPE_MAP_PS: direct access to the registers is not offered here");
+        eprintln!("libspe2: SPE_MAP_PS: the emulator can't map SPE registers into memory");
         return Err(Errno(libc::ENOTSUP));
     }
-    // No PlayStation 3 kernel knows where its SPEs lie.
+    // A PlayStation 3 kernel does not know where its SPEs are, so affinity is not supported.
     if has(SPE_AFFINITY_MEMORY) {
         return Err(Errno(libc::EINVAL));
     }
-    // SAFETY: geteuid can't fail and touches nothing.
+    // SAFETY: geteuid can't fail and takes no pointers.
     if has(SPE_NOSCHED) && unsafe { libc::geteuid() } != 0 {
         return Err(Errno(libc::EPERM));
     }
@@ -114,7 +114,7 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
     })))
 }
 
-/// Creates a context. `gang` may be NULL; a gang changes nothing that a program could see.
+/// Creates a context. `gang` may be NULL. A gang has no effect that a program could see.
 ///
 /// # Safety
 /// `gang` is NULL or a live gang.
@@ -126,8 +126,8 @@ pub unsafe extern "C" fn spe_context_create(
     error::pointer(|| create(flags))
 }
 
-/// Creates a context in a gang. A real affinity request is EINVAL, as on a PlayStation 3, whose
-/// kernel has no affinity tables.
+/// Creates a context in a gang. A request for affinity fails with EINVAL, as on a PlayStation 3,
+/// whose kernel has no affinity tables.
 ///
 /// # Safety
 /// `neighbor` is NULL or a live context, `gang` NULL or a live gang.
@@ -148,7 +148,7 @@ pub unsafe extern "C" fn spe_context_create_affinity(
     })
 }
 
-/// Destroys a context. A thread that runs it goes on.
+/// Destroys a context. A thread that is running it continues.
 ///
 /// # Safety
 /// `spe` is NULL or a live context, which must not be used again.
@@ -157,8 +157,8 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
     error::int(|| {
         // SAFETY: the caller vouches for the pointer.
         let context = unsafe { context(spe)? };
-        // SAFETY: it came from `Box::into_raw`, and the caller gives it up; its private part is
-        // the count that `Arc::into_raw` left.
+        // SAFETY: the box came from `Box::into_raw`, and the caller gives it up. Its private part
+        // is the reference that `Arc::into_raw` left.
         unsafe {
             let owned = Box::from_raw(spe);
             drop(Arc::from_raw(owned.base_private.cast::<Context>()));
@@ -169,7 +169,7 @@ pub unsafe extern "C" fn spe_context_destroy(spe: *mut SpeContext) -> c_int {
     })
 }
 
-/// Creates a gang. The flags are kept for nobody: the library defines none.
+/// Creates a gang. The flags are ignored, because libspe2 defines none.
 ///
 /// # Safety
 /// None beyond the C calling convention.
@@ -183,7 +183,7 @@ pub unsafe extern "C" fn spe_gang_context_create(_flags: c_uint) -> *mut SpeGang
     })
 }
 
-/// Destroys a gang; its contexts live on.
+/// Destroys a gang. Its contexts stay alive.
 ///
 /// # Safety
 /// `gang` is NULL or a live gang, which must not be used again.
@@ -199,7 +199,7 @@ pub unsafe extern "C" fn spe_gang_context_destroy(gang: *mut SpeGangContext) -> 
     })
 }
 
-/// The local store's mapping: 256 KB, valid until the context is destroyed.
+/// Returns the mapping of local store: 256 KB, valid until the context is destroyed.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -217,7 +217,7 @@ pub unsafe extern "C" fn spe_ls_area_get(spe: *mut SpeContext) -> *mut c_void {
     })
 }
 
-/// Bytes of local store.
+/// Returns the size of local store in bytes.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -230,7 +230,8 @@ pub unsafe extern "C" fn spe_ls_size_get(spe: *mut SpeContext) -> c_int {
     })
 }
 
-/// A problem-state area: no context can have one here, see [`SPE_MAP_PS`].
+/// Returns a problem-state area. This always fails, because no context can have one here; see
+/// [`SPE_MAP_PS`].
 ///
 /// # Safety
 /// `spe` is NULL or a live context.

@@ -1,4 +1,4 @@
-//! What machine the program is told it runs on: a PlayStation 3.
+//! The machine that the program sees: a PlayStation 3.
 
 use libc::c_int;
 
@@ -9,7 +9,7 @@ use crate::types::{
 };
 
 const NODES: c_int = 1;
-/// SPEs that Linux has on a PlayStation 3.
+/// The number of SPEs that Linux can use on a PlayStation 3.
 const DEFAULT_SPES: c_int = 6;
 const MAX_SPES: c_int = 16;
 const VARIABLE: &str = "LIBSPE2_SPES";
@@ -22,12 +22,12 @@ fn spes() -> Result<c_int, Errno> {
     number
         .filter(|number| (1..=MAX_SPES).contains(number))
         .ok_or_else(|| {
-            eprintln!("libspe2: {VARIABLE} is a number from 1 to {MAX_SPES}, not {text:?}");
+            eprintln!("libspe2: {VARIABLE} must be a number from 1 to {MAX_SPES}, not {text:?}");
             Errno(libc::EINVAL)
         })
 }
 
-/// Counts of nodes and SPEs, and the kind of Cell.
+/// Returns the number of nodes or SPEs, or the kind of Cell.
 ///
 /// # Safety
 /// None beyond the C calling convention.

@@ -1,4 +1,5 @@
-//! From Rust results to the C convention: -1 or NULL, with errno set. No panic leaves the library.
+//! Turns Rust results into the C convention: -1 or NULL, with errno set. No panic leaves the
+//! library.
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::ptr;
@@ -16,7 +17,7 @@ impl From<std::io::Error> for Errno {
 }
 
 pub(crate) fn set_errno(value: c_int) {
-    // SAFETY: the C library's errno of this thread is always valid to write.
+    // SAFETY: the calling thread's errno can always be written.
     unsafe { *libc::__errno_location() = value };
 }
 
@@ -28,12 +29,12 @@ fn guarded<T>(failure: T, body: impl FnOnce() -> Result<T, Errno>) -> T {
     })
 }
 
-/// The body of a function that returns int.
+/// Runs the body of a function that returns int.
 pub(crate) fn int(body: impl FnOnce() -> Result<c_int, Errno>) -> c_int {
     guarded(-1, body)
 }
 
-/// The body of a function that returns a pointer.
+/// Runs the body of a function that returns a pointer.
 pub(crate) fn pointer<T>(body: impl FnOnce() -> Result<*mut T, Errno>) -> *mut T {
     guarded(ptr::null_mut(), body)
 }

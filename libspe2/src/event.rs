@@ -1,8 +1,8 @@
-//! Event handlers: one thread sleeps on many contexts at once.
+//! Event handlers, with which one thread waits for many contexts at once.
 //!
-//! Events are levels, not edges: waiting looks at each registered context, and sleeps on the
-//! handler's bell until some context rings it. Invariant: the bell is read before the look, so a
-//! change during the look makes the sleep end at once.
+//! Events are level-triggered, not edge-triggered: a waiting thread checks each registered context
+//! and then sleeps on the handler's bell until some context rings it. Invariant: the bell is read
+//! before the check, so a change during the check ends the sleep at once.
 
 use std::ptr;
 use std::sync::{Arc, Condvar, Mutex, MutexGuard, OnceLock, PoisonError};
@@ -20,7 +20,7 @@ use crate::types::{
     SPE_EVENT_TAG_GROUP, SpeContext, SpeEventData, SpeEventUnit,
 };
 
-/// The events, each an independent registration, in the order in which they are registered.
+/// The events in the order in which they are registered. Each can be registered separately.
 const EVENTS: [c_uint; 4] = [
     SPE_EVENT_OUT_INTR_MBOX,
     SPE_EVENT_IN_MBOX,
@@ -32,7 +32,7 @@ const EVENTS: [c_uint; 4] = [
 struct Bell {
     rings: Mutex<u64>,
     rung: Condvar,
-    /// In simulated time: what waiters sleep on. Known from the first registration on.
+    /// In simulated time, the key that waiters sleep on. It is set by the first registration.
     simulated: OnceLock<(Arc<Simulation>, WaitKey)>,
 }
 
@@ -41,8 +41,8 @@ impl Bell {
         self.rings.lock().unwrap_or_else(PoisonError::into_inner)
     }
 
-    /// Sleeps until the bell has rung more than `heard` times; `false` if the deadline passed
-    /// first.
+    /// Sleeps until the bell has rung more than `heard` times. Returns `false` if the deadline
+    /// passes first.
     fn wait(&self, heard: u64, deadline: Option<Instant>) -> bool {
         let mut rings = self.rings();
         while *rings == heard {
@@ -75,14 +75,14 @@ impl Watcher for Bell {
 }
 
 struct Registration {
-    /// What the program called the context.
+    /// The pointer by which the program knows the context.
     pointer: *mut SpeContext,
     context: Arc<Context>,
     /// Index in [`EVENTS`].
     event: usize,
 }
 
-// SAFETY: the pointer is only handed back to the program, never followed.
+// SAFETY: the pointer is only returned to the program and never dereferenced.
 unsafe impl Send for Registration {}
 
 impl Registration {
@@ -108,7 +108,7 @@ impl Registration {
     }
 }
 
-/// What is behind an event handler pointer.
+/// The object behind an event handler pointer.
 #[derive(Default)]
 struct Handler {
     bell: Arc<Bell>,
@@ -144,7 +144,7 @@ impl Handler {
         registration.context.spe.watch(self.watcher());
         registrations.push(registration);
         drop(registrations);
-        // A sleeping waiter has to look at the newcomer.
+        // A sleeping waiter has to check the new registration.
         self.bell.changed();
         Ok(())
     }
@@ -167,7 +167,7 @@ impl Handler {
         }
     }
 
-    /// Units of the events that are up.
+    /// Returns the events that are up, at most `most` of them.
     fn up(&self, most: usize) -> Vec<SpeEventUnit> {
         self.registrations()
             .iter()
@@ -202,7 +202,7 @@ impl Drop for Handler {
     }
 }
 
-/// The handler behind a pointer from the program.
+/// Returns the handler behind a pointer from the program.
 ///
 /// # Safety
 /// `pointer` is NULL or came from `spe_event_handler_create` and was not destroyed.
@@ -236,10 +236,12 @@ pub unsafe extern "C" fn spe_event_handler_destroy(evhandler: *mut c_void) -> c_
     })
 }
 
-/// Checks what registering and deregistering are given; yields the events one by one to `each`.
+/// Checks the arguments of registering and deregistering, and passes the events one by one to
+/// `each`.
 ///
-/// # Safety `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is
-/// NULL or live.
+/// # Safety
+/// `evhandler` is NULL or a live handler. `event` is NULL or a valid unit whose context is NULL or
+/// live.
 unsafe fn each_event(
     evhandler: *mut c_void,
     event: *mut SpeEventUnit,
@@ -269,8 +271,9 @@ unsafe fn each_event(
 
 /// Registers events of a context.
 ///
-/// # Safety `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is
-/// NULL or live.
+/// # Safety
+/// `evhandler` is NULL or a live handler. `event` is NULL or a valid unit whose context is NULL or
+/// live.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_event_handler_register(
     evhandler: *mut c_void,
@@ -294,10 +297,11 @@ pub unsafe extern "C" fn spe_event_handler_register(
     }
 }
 
-/// Ends registrations of a context.
+/// Deregisters events of a context.
 ///
-/// # Safety `evhandler` is NULL or a live handler, `event` NULL or a valid unit whose context is
-/// NULL or live.
+/// # Safety
+/// `evhandler` is NULL or a live handler. `event` is NULL or a valid unit whose context is NULL or
+/// live.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_event_handler_deregister(
     evhandler: *mut c_void,
@@ -311,8 +315,8 @@ pub unsafe extern "C" fn spe_event_handler_deregister(
     }
 }
 
-/// Sleeps until a registered event is up; fills in at most `max_events` units and says how many.
-/// `timeout` is in milliseconds: 0 only looks, below 0 is for ever.
+/// Waits until a registered event is up. Fills in at most `max_events` units and returns their
+/// number. `timeout` is in milliseconds: 0 only checks, and a negative one waits for ever.
 ///
 /// # Safety
 /// `evhandler` is NULL or a live handler, `events` NULL or room for `max_events` units.
@@ -332,7 +336,7 @@ pub unsafe extern "C" fn spe_event_wait(
         };
         let limit = u64::try_from(timeout).ok().map(Duration::from_millis);
         let units = handler.wait(most, limit);
-        // SAFETY: the caller vouches for the room, and there are no more units than it has.
+        // SAFETY: the caller vouches for the room, and there are at most as many units.
         unsafe { ptr::copy_nonoverlapping(units.as_ptr(), events, units.len()) };
         Ok(units.len() as c_int)
     })

@@ -1,7 +1,7 @@
-//! Signals that the kernel would send to the thread that runs a context.
+//! The signals that the kernel would send to the thread that runs a context.
 //!
-//! On ppc64 a handler gets the signal without its code and address: QEMU's user emulation takes a
-//! queued SIGSEGV or SIGBUS with a fault's code for a fault of its own, and dies of it.
+//! On ppc64, a handler gets the signal without its code and address. QEMU's user emulation
+//! mistakes a queued SIGSEGV or SIGBUS with a fault's code for a fault of its own and crashes.
 
 use std::mem::MaybeUninit;
 use std::ptr;
@@ -13,10 +13,10 @@ const BUS_OBJERR: c_int = 3;
 const SEGV_ACCERR: c_int = 2;
 const ILL_OPC: c_int = 1;
 
-/// Whether a signal can be sent with the code and address of a fault.
+/// Whether a signal can carry the code and address of a fault.
 const CARRIES_FAULT: bool = cfg!(not(target_arch = "powerpc64"));
 
-/// A fault as a signal tells it.
+/// A fault in the form that a signal reports it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct FaultSignal {
     signal: c_int,
@@ -24,7 +24,7 @@ pub(crate) struct FaultSignal {
     address: u64,
 }
 
-/// Whether the run goes on after the program's handler has returned.
+/// Whether the run continues after the program's handler has returned.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum After {
     Resume,
@@ -60,10 +60,12 @@ impl FaultSignal {
         }
     }
 
-    /// Sends the signal to the calling thread. A handler has run when this returns; without one
-    /// the process has ended, also if the signal was ignored or blocked: a fault can't be.
+    /// Sends the signal to the calling thread. If the program has a handler, it has run when this
+    /// function returns. Without one, the process ends, even if the signal was ignored or blocked,
+    /// because a fault can be neither.
     pub(crate) fn raise(self) -> After {
-        // SAFETY: every pointer is to a value of this function; the signal number is valid.
+        // SAFETY: every pointer is to a local variable of this function, and the signal number is
+        // valid.
         unsafe {
             let mut action = MaybeUninit::<libc::sigaction>::zeroed().assume_init();
             libc::sigaction(self.signal, ptr::null(), &raw mut action);
@@ -74,7 +76,7 @@ impl FaultSignal {
             libc::pthread_sigmask(libc::SIG_BLOCK, ptr::null(), &raw mut blocked);
             let is_blocked = libc::sigismember(&raw const blocked, self.signal) == 1;
             if is_blocked || [libc::SIG_IGN, libc::SIG_DFL].contains(&action.sa_sigaction) {
-                // Nobody will see more of the signal than its number.
+                // Nobody will see more than the signal's number.
                 libc::signal(self.signal, libc::SIG_DFL);
                 libc::pthread_sigmask(libc::SIG_UNBLOCK, &raw const set, ptr::null_mut());
                 libc::raise(self.signal);
@@ -94,10 +96,10 @@ impl FaultSignal {
     /// # Safety
     /// The program must be ready for the signal.
     unsafe fn send(self) {
-        /// Where `si_addr` lies in a 64-bit `siginfo_t`.
+        /// Offset of `si_addr` in a 64-bit `siginfo_t`.
         const ADDRESS_OFFSET: usize = 16;
-        // SAFETY: zeros are a valid siginfo_t, which has room for an address at its offset; the
-        // kernel lets a thread choose every field of a signal to itself.
+        // SAFETY: all zeros are a valid siginfo_t, which has room for an address at this offset.
+        // The kernel lets a thread choose every field of a signal to itself.
         let sent = unsafe {
             let mut info = MaybeUninit::<libc::siginfo_t>::zeroed().assume_init();
             info.si_signo = self.signal;

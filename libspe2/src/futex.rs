@@ -1,23 +1,23 @@
-//! Asking the kernel whether a word may be written, without changing it.
+//! Asks the kernel whether a word can be written, without changing the word.
 
 use std::ptr;
 
-/// What the kernel said of a word.
+/// The kernel's answer about a word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Writable {
     Yes,
     No,
-    /// This kernel does not answer.
+    /// This kernel can't answer.
     Unknown,
 }
 
-/// ORs 0 to the 32-bit word at `ea` (a multiple of 4), atomically and with the kernel's checks:
-/// the operation of `FUTEX_WAKE_OP` on its second word.
+/// ORs 0 into the 32-bit word at `ea` (a multiple of 4), atomically and with the kernel's checks.
+/// This is the operation that `FUTEX_WAKE_OP` does on its second word.
 pub(crate) fn probe_write(ea: u64) -> Writable {
     const OR_ZERO_AND_WAKE_IF_LESS: u32 = 2 << 28 | 2 << 24;
     let own_word = 0_u32;
     let address: *const u32 = ptr::with_exposed_provenance(ea as usize);
-    // SAFETY: the kernel checks both words; the second keeps its value, and nobody sleeps on
+    // SAFETY: the kernel checks both words. The second keeps its value, and no thread sleeps on
     // `own_word`.
     let result = unsafe {
         libc::syscall(

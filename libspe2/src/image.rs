@@ -20,11 +20,11 @@ use crate::types::{SpeContext, SpeProgramHandle};
 
 const PAGE: usize = 4096;
 
-/// A page of an image: SPU programs get at their image by DMA, so it is aligned as a mapping is.
+/// A page of an image. SPU programs read their image by DMA, so it is aligned as a mapping is.
 #[repr(C, align(4096))]
 struct Page([u8; PAGE]);
 
-/// What `spe_image_open` made; the program sees its first member.
+/// What `spe_image_open` creates. The program sees only the first member.
 #[repr(C)]
 struct OpenImage {
     handle: SpeProgramHandle,
@@ -38,7 +38,7 @@ fn refuse(error: &ElfError) -> Errno {
 }
 
 fn contents(path: &Path) -> Result<Vec<u8>, Errno> {
-    // Opening a pipe without a writer must not hang; to files the flag means nothing.
+    // Opening a pipe that has no writer must not hang. The flag has no effect on files.
     let mut file: File = OpenOptions::new()
         .read(true)
         .custom_flags(libc::O_NONBLOCK)
@@ -101,7 +101,7 @@ pub unsafe extern "C" fn spe_image_open(filename: *const c_char) -> *mut SpeProg
     })
 }
 
-/// Closes what [`spe_image_open`] opened.
+/// Frees an image that [`spe_image_open`] opened.
 ///
 /// # Safety
 /// `program` is NULL or came from `spe_image_open` and is not used again.
@@ -111,7 +111,8 @@ pub unsafe extern "C" fn spe_image_close(program: *mut SpeProgramHandle) -> c_in
         if program.is_null() {
             return Err(Errno(libc::EINVAL));
         }
-        // SAFETY: the handle is the first member of a box that `open` made, given up here.
+        // SAFETY: the handle is the first member of a box that `open` made, and the caller gives
+        // it up.
         let OpenImage {
             pages, toe_shadow, ..
         } = *unsafe { Box::from_raw(program.cast::<OpenImage>()) };
@@ -120,7 +121,7 @@ pub unsafe extern "C" fn spe_image_close(program: *mut SpeProgramHandle) -> c_in
     })
 }
 
-/// The bytes of an image of which only the address is known.
+/// Returns the bytes of an image of which only the address is known.
 fn image_at(ea: u64) -> Result<Vec<u8>, Errno> {
     let fetch = |offset: u64, into: &mut [u8]| {
         ea.checked_add(offset)

@@ -1,31 +1,37 @@
 //! The libspe2 C API (level 2.3, 38 functions) on the SPU emulator.
 //!
-//! Built as `libspe2.so.2` it takes the place of the console's library; as an rlib it is linked
-//! into host programs. Effective addresses are addresses of the process, as on the console.
+//! Built as `libspe2.so.2`, it replaces the console's library. As an rlib, it is linked into host
+//! programs. Effective addresses are addresses of the process, as on the console.
 //!
-//! Where it differs from the library on a PlayStation 3, and why:
-//! - `SPE_MAP_PS` answers ENOTSUP: plain loads and stores can't reach emulated registers.
+//! It differs from the library on a PlayStation 3 in these ways:
+//! - `SPE_MAP_PS` fails with ENOTSUP, because plain loads and stores can't reach emulated
+//!   registers.
 //! - A proxy DMA command is carried out whether or not the context runs; the console's waits until
-//!   it does. `spe_mfcio_tag_status_read` with nothing outstanding stores 0 where the console's
+//!   it runs. If no tag is outstanding, `spe_mfcio_tag_status_read` stores 0, where the console's
 //!   waits for ever.
-//! - A caught signal interrupts no wait, and ends a run only if the run raised it.
+//! - A caught signal interrupts no wait, and it ends a run only if the run raised it.
 //! - Any number of stop records may stay unread.
-//! - Stop 0x2104 (a system call by the kernel) and the C99, POSIX.1 and LIBEA callbacks are not
-//!   served: such a stop is a callback error unless the program registers a handler.
+//! - Stop 0x2104 (a system call by the kernel) and the C99, POSIX.1 and LIBEA callbacks have no
+//!   handlers. Such a stop is a callback error unless the program registers a handler.
 //!
-//! Environment: `LIBSPE2_SPES`, 1 to 16, is the number of SPEs that `spe_cpu_info_get` tells (6);
-//! `LIBSPE2_MFC` is `at-once` (the default) or `at-last`, which carries DMA commands out as late
-//! and in as odd an order as the architecture allows, to show missing waits. `LIBSPE2_TIMING=1`
-//! counts cycles: SPEs run in simulated time (see [`spu_emulator::simulated`]), decrementers count
-//! it, and so do the time-outs of events; `LIBSPE2_REPORT` is the path of the JSON report that is
-//! then written when a context is destroyed and when the process ends, `LIBSPE2_PROFILE` that of
-//! the profile, which `spu profile` shows: which instructions the cycles were spent on.
-//! `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction; where the two
-//! differ first, a run says so and fails. All are read with the first context. Creating and loading
-//! contexts takes no simulated time.
+//! These environment variables are read when the first context is created:
+//! - `LIBSPE2_SPES`, 1 to 16, is the number of SPEs that `spe_cpu_info_get` returns. The default
+//!   is 6.
+//! - `LIBSPE2_MFC` is `at-once` (the default) or `at-last`. `at-last` carries out DMA commands as
+//!   late and in as unexpected an order as the architecture allows, which exposes missing waits.
+//! - `LIBSPE2_TIMING=1` counts cycles. SPEs then run in simulated time (see
+//!   [`spu_emulator::simulated`]), which decrementers and the time-outs of events count too.
+//!   Creating contexts and loading programs takes no simulated time.
+//! - `LIBSPE2_REPORT` is the path of the JSON report, which is written when a context is destroyed
+//!   and when the process ends. It needs `LIBSPE2_TIMING=1`.
+//! - `LIBSPE2_PROFILE` is the path of the profile, which records the instructions that the cycles
+//!   were spent on. It is written at the same times and needs `LIBSPE2_TIMING=1`; `spu profile`
+//!   shows it.
+//! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
+//!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 
 #[cfg(not(target_pointer_width = "64"))]
-compile_error!("the C layouts here are those of 64-bit programs");
+compile_error!("the C layouts here are for 64-bit programs");
 
 pub mod callback;
 pub mod context;

@@ -1,7 +1,7 @@
-//! The machine that every context of the process is on, as the environment asks for it.
+//! The machine that all contexts of the process share, as the environment configures it.
 //!
-//! Invariant: the environment is read when the first context is created; what it says then holds
-//! for the whole process.
+//! Invariant: the environment is read when the first context is created, and its settings hold for
+//! the whole process.
 
 use std::env;
 use std::ffi::OsString;
@@ -27,14 +27,14 @@ const CHECK: &str = "LIBSPE2_CHECK";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
-/// The one machine.
+/// The process's machine.
 pub(crate) struct Machine {
     pub(crate) emulated: Arc<machine::Machine>,
     report: Option<ReportFile>,
     profile: Option<ReportFile>,
 }
 
-/// The machine, made now if there is none.
+/// Returns the machine, creating it on the first call.
 pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     if let Some(machine) = MACHINE.get() {
         return Ok(machine);
@@ -42,7 +42,7 @@ pub(crate) fn machine() -> Result<&'static Machine, Errno> {
     let made = Machine::from_environment()?;
     let machine = MACHINE.get_or_init(|| made);
     if machine.report.is_some() || machine.profile.is_some() {
-        // SAFETY: the function takes nothing and is there as long as the process is.
+        // SAFETY: the function takes no arguments and exists as long as the process.
         unsafe { libc::atexit(report_at_exit) };
     }
     Ok(machine)
@@ -52,8 +52,8 @@ extern "C" fn report_at_exit() {
     write_reports();
 }
 
-/// Writes the report and the profile, where they are asked for. A failure is told, and no reason
-/// to fail.
+/// Writes the report and the profile if the environment asks for them. An error goes to standard
+/// error and does not fail the call.
 pub(crate) fn write_reports() {
     let Some(machine) = MACHINE.get() else {
         return;
@@ -80,7 +80,7 @@ fn refused(name: &str, expected: &str, value: &OsString) -> Errno {
     Errno(libc::EINVAL)
 }
 
-/// Whether the environment switches this on.
+/// Whether the environment variable switches the feature on.
 fn switch(name: &str) -> Result<bool, Errno> {
     match env::var_os(name) {
         None => Ok(false),
@@ -116,7 +116,7 @@ fn method() -> Result<Method, Errno> {
     })
 }
 
-/// When contexts carry MFC commands out.
+/// When contexts carry out MFC commands.
 pub(crate) fn policy() -> Result<Policy, Errno> {
     let policy = match env::var_os(MFC) {
         None => Policy::AtOnce,
@@ -131,7 +131,7 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
     Ok(policy)
 }
 
-/// Where the file goes that this variable asks for.
+/// The file that this variable asks for.
 fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
     let Some(path) = env::var_os(name) else {
         return Ok(None);

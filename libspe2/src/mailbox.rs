@@ -1,4 +1,4 @@
-//! Mailboxes, signals and multisource synchronisation.
+//! Mailboxes, signal notification and multisource synchronisation.
 
 use std::time::Instant;
 
@@ -13,7 +13,7 @@ use crate::types::{
     SPE_SIG_NOTIFY_REG_2, SpeContext,
 };
 
-/// Which of `count` words a behaviour sleeps for: the words before this index.
+/// How many of `count` words a behaviour waits for: all words before this index.
 fn words_to_wait_for(count: usize, behavior: c_uint) -> Result<usize, Errno> {
     match behavior {
         SPE_MBOX_ALL_BLOCKING => Ok(count),
@@ -30,7 +30,7 @@ fn checked_count(data: *mut c_uint, count: c_int) -> Result<usize, Errno> {
     }
 }
 
-/// Moves words one by one, sleeping for the first `wait_for` of them; says how many were moved.
+/// Moves words one by one, waiting for each of the first `wait_for`. Returns how many were moved.
 fn move_words(
     count: usize,
     wait_for: usize,
@@ -62,7 +62,7 @@ unsafe fn read_words(
 ) -> c_int {
     move_words(count, wait_for, |at, deadline| match take(deadline) {
         Some(word) => {
-            // SAFETY: `at` is below `count`, for which the caller vouches.
+            // SAFETY: `at` is less than `count`, for which the caller vouches.
             unsafe { data.add(at).write(word) };
             true
         }
@@ -70,7 +70,7 @@ unsafe fn read_words(
     })
 }
 
-/// Reads what is in the outbound mailbox; never sleeps.
+/// Reads the words in the outbound mailbox without waiting.
 ///
 /// # Safety
 /// `spe` is NULL or a live context; `data` is NULL or has room for `count` words.
@@ -103,7 +103,7 @@ unsafe fn status(spe: *mut SpeContext, words: impl FnOnce(&Spe) -> usize) -> c_i
     })
 }
 
-/// Words in the outbound mailbox.
+/// Returns the number of words in the outbound mailbox.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -113,7 +113,7 @@ pub unsafe extern "C" fn spe_out_mbox_status(spe: *mut SpeContext) -> c_int {
     unsafe { status(spe, Spe::outbound_waiting) }
 }
 
-/// Writes words to the inbound mailbox; says how many it took.
+/// Writes words to the inbound mailbox and returns how many it took.
 ///
 /// # Safety
 /// `spe` is NULL or a live context; `data` is NULL or has `count` words.
@@ -130,14 +130,14 @@ pub unsafe extern "C" fn spe_in_mbox_write(
         let count = checked_count(data, count)?;
         let wait_for = words_to_wait_for(count, behavior)?;
         Ok(move_words(count, wait_for, |at, deadline| {
-            // SAFETY: `at` is below `count`, for which the caller vouches.
+            // SAFETY: `at` is less than `count`, for which the caller vouches.
             let word = unsafe { data.add(at).read() };
             context.spe.write_inbound(word, deadline)
         }))
     })
 }
 
-/// Words that the inbound mailbox can take.
+/// Returns how many words the inbound mailbox can take.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -147,7 +147,7 @@ pub unsafe extern "C" fn spe_in_mbox_status(spe: *mut SpeContext) -> c_int {
     unsafe { status(spe, Spe::inbound_room) }
 }
 
-/// Reads words from the outbound interrupt mailbox; says how many.
+/// Reads words from the outbound interrupt mailbox and returns how many.
 ///
 /// # Safety
 /// `spe` is NULL or a live context; `data` is NULL or has room for `count` words.
@@ -172,7 +172,7 @@ pub unsafe extern "C" fn spe_out_intr_mbox_read(
     })
 }
 
-/// Words in the outbound interrupt mailbox.
+/// Returns the number of words in the outbound interrupt mailbox.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -182,7 +182,7 @@ pub unsafe extern "C" fn spe_out_intr_mbox_status(spe: *mut SpeContext) -> c_int
     unsafe { status(spe, Spe::outbound_interrupt_waiting) }
 }
 
-/// Writes a signal-notification register; never sleeps.
+/// Writes a signal-notification register without waiting.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -205,8 +205,8 @@ pub unsafe extern "C" fn spe_signal_write(
     })
 }
 
-/// Multisource synchronisation goes through the problem state, which no context here has mapped:
-/// EINVAL, as on the console.
+/// Multisource synchronisation needs the problem state, which no context here has mapped. It
+/// therefore fails with EINVAL, as on the console.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -218,7 +218,7 @@ unsafe fn no_mssync(spe: *mut SpeContext) -> c_int {
     })
 }
 
-/// Starts a multisource synchronisation: EINVAL without a mapped problem state.
+/// Starts a multisource synchronisation. Without a mapped problem state, it fails with EINVAL.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -228,7 +228,8 @@ pub unsafe extern "C" fn spe_mssync_start(spe: *mut SpeContext) -> c_int {
     unsafe { no_mssync(spe) }
 }
 
-/// The state of a multisource synchronisation: EINVAL without a mapped problem state.
+/// Returns the state of a multisource synchronisation. Without a mapped problem state, it fails
+/// with EINVAL.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.

@@ -17,11 +17,11 @@ const GET: u32 = 0x40;
 const GETB: u32 = 0x41;
 const GETF: u32 = 0x42;
 
-/// Tags from here on are the kernel's.
+/// Tags from here on are reserved for the kernel.
 const TAGS: c_uint = 16;
 const MAX_CLASS: c_uint = 255;
 
-/// What the kernel checks before it gives a command to the hardware.
+/// Makes the kernel's checks of a command before it reaches the hardware.
 fn kernel_accepts(command: &ProxyCommand, tid: c_uint, rid: c_uint) -> bool {
     let ls_low = command.lsa & 15;
     let aligned = match command.size & 15 {
@@ -66,7 +66,8 @@ unsafe fn transfer(spe: *mut SpeContext, transfer: &Transfer) -> c_int {
         if !kernel_accepts(&command, tid, rid) {
             return Err(Errno(libc::EIO));
         }
-        // Issued before it is queued, so that whoever is told of its end finds it in the set.
+        // Marked as issued before it is queued, so that whoever learns of its completion finds it
+        // in the set.
         *issued(&context) |= 1 << tag;
         context
             .spe
@@ -88,8 +89,8 @@ macro_rules! transfers {
         $(#[$doc])*
         ///
         /// # Safety
-        /// `spe` is NULL or a live context. The memory at `ea` may be anything: what is not mapped
-        /// becomes an error of the context's run.
+        /// `spe` is NULL or a live context. The memory at `ea` may be anything: an unmapped
+        /// address becomes an error of the context's run.
         #[unsafe(no_mangle)]
         pub unsafe extern "C" fn $name(
             spe: *mut SpeContext,
@@ -122,14 +123,14 @@ transfers! {
     spe_mfcio_getf, GETF;
 }
 
-/// Whether a tag is complete that was not reported yet.
+/// Whether a tag is complete and has not been reported yet.
 pub(crate) fn tag_waiting(context: &Context) -> bool {
     let tags = *issued(context);
     tags != 0 && context.spe.proxy_tags(tags, TagWait::Immediate) != 0
 }
 
-/// Stores which of the tags that were issued and not yet reported are complete, and reports them.
-/// As in the library without a mapped problem state, `mask` is ignored.
+/// Stores which of the issued and not yet reported tags are complete, and marks those as reported.
+/// `mask` is ignored, as in the library without a mapped problem state.
 ///
 /// # Safety
 /// `spe` is NULL or a live context, `tag_status` NULL or valid.

@@ -1,8 +1,8 @@
-//! The process's own memory as main memory: an effective address is an address.
+//! The process's own memory as main memory: an effective address is an address in the process.
 //!
-//! Invariant: no access of the emulated MFC raises a signal in this process; the kernel checks
-//! every address first. (A program that unmaps memory while its SPEs exchange lines in it can
-//! still break that, as it breaks itself.)
+//! Invariant: no access by the emulated MFC raises a signal in this process, because the kernel
+//! checks every address first. There is one exception: a program that unmaps memory while its SPEs
+//! exchange lines in it. Such a program would fail anyway.
 
 use std::ptr;
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
@@ -19,7 +19,7 @@ static EXCHANGE: Mutex<()> = Mutex::new(());
 pub(crate) struct ProcessMemory;
 
 impl ProcessMemory {
-    /// Gets what accesses need, so that none fails for want of it.
+    /// Allocates in advance what accesses need, so that no access fails for lack of it.
     pub(crate) fn prepare() -> std::io::Result<()> {
         POOL.prepare()
     }
@@ -36,8 +36,8 @@ impl MainMemory for ProcessMemory {
             .map_err(|ea| MemoryFault { ea })
     }
 
-    /// The PPE's own atomic instructions on the line are respected where it can be: a change
-    /// within one aligned doubleword, which is what locks and counters are, is one
+    /// Atomic with respect to the PPE's own atomic instructions if the change is within one
+    /// aligned doubleword, as it is for locks and counters. The change is then one
     /// compare-and-exchange.
     fn compare_exchange_line(
         &self,
@@ -53,7 +53,8 @@ impl MainMemory for ProcessMemory {
         }
         let changed = |at: &usize| expected[*at] != new[*at];
         let Some(first) = (0..LINE).find(changed) else {
-            // The hardware writes the line even so, and a line that can't be written is a fault.
+            // The hardware writes the line even if nothing changed, so a line that can't be
+            // written is a fault.
             return self.write(ea, new).map(|()| true);
         };
         let last = (0..LINE).rfind(changed).unwrap_or(first);
@@ -74,8 +75,8 @@ impl MainMemory for ProcessMemory {
                 };
                 let address = ptr::with_exposed_provenance_mut(at as usize);
                 // SAFETY: the address is a multiple of 8, and the kernel has just found it mapped
-                // and writable; whoever else uses the line does so as one shares a lock with an
-                // SPE.
+                // and writable. Other threads that use the line use it atomically, as they must
+                // for a lock shared with an SPE.
                 let word = unsafe { AtomicU64::from_ptr(address) };
                 Ok(word
                     .compare_exchange(value(expected), value(new), SeqCst, SeqCst)
@@ -123,7 +124,7 @@ mod tests {
 
     #[test]
     fn read_only_memory_can_be_read_but_neither_written_nor_exchanged() {
-        // SAFETY: a new private mapping touches nothing else.
+        // SAFETY: a new private mapping overlaps nothing.
         let page = unsafe {
             libc::mmap(
                 ptr::null_mut(),

@@ -1,7 +1,8 @@
-//! The report of simulated time and the profile: JSON files.
+//! The report of simulated time and the profile, which are JSON files.
 //!
-//! Invariant: the file at the path is whole at every moment, since each version is written beside
-//! it and then takes its place. It holds nothing of the host, so that equal runs give equal files.
+//! Invariant: the file at the path is complete at every moment, because each version is written to
+//! a file next to it, which is then renamed. It contains nothing about the host, so equal runs
+//! produce equal files.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -15,7 +16,7 @@ use spu_emulator::profile::SpeProfile;
 use spu_emulator::simulated::{CYCLES_PER_SECOND, Simulation, SpeReport};
 use spu_reports::{Figures, ProfileFile};
 
-/// Where a report or a profile goes.
+/// The path to which a report or a profile is written.
 pub(crate) struct ReportFile {
     path: PathBuf,
     /// Held while a version is written.
@@ -23,7 +24,7 @@ pub(crate) struct ReportFile {
 }
 
 impl ReportFile {
-    /// Fails if nothing could be written there.
+    /// Fails if nothing can be written there.
     pub(crate) fn new(path: PathBuf) -> io::Result<Self> {
         let mut name = match path.file_name() {
             Some(name) if !path.is_dir() => name.to_owned(),
@@ -65,10 +66,10 @@ impl ReportFile {
 struct Report {
     cycles_per_second: u64,
     timebase_per_second: u64,
-    /// The furthest clock.
+    /// The greatest of the SPEs' clocks.
     cycles: u64,
     seconds: f64,
-    /// Times that the SPEs did not wait for the PPE any longer.
+    /// How often the SPEs stopped waiting for the PPE.
     absences: u64,
     constants: BTreeMap<&'static str, u64>,
     totals: Figures,
@@ -77,7 +78,7 @@ struct Report {
 
 #[derive(Serialize)]
 struct Spe {
-    /// Its clock: `stopped` and the cycles of its figures.
+    /// The SPE's clock: the sum of `stopped` and of the cycles in its figures.
     clock: u64,
     stopped: u64,
     #[serde(flatten)]

@@ -1,5 +1,5 @@
-//! `spe_context_run`: the calling thread is the SPU until it stops for a reason that the program
-//! sees.
+//! `spe_context_run`: the calling thread acts as the SPU until it stops for a reason that the
+//! program must handle.
 
 use std::sync::atomic::Ordering::SeqCst;
 
@@ -24,18 +24,18 @@ use crate::types::{
     SPE_SPU_INVALID_INSTR, SPE_SPU_STOPPED_BY_STOP, SPE_STOP_AND_SIGNAL, SpeContext, SpeStopInfo,
 };
 
-/// Where the library leaves the zero back chain, and so the first stack pointer.
+/// Where the library puts the zero back chain: the initial stack pointer.
 const STACK_TOP: u32 = SIZE - 16;
-/// The library's start block, which a program's data at the top of local store does not survive.
+/// The library's start block. It overwrites any program data at the top of local store.
 const START_BLOCK: usize = 128;
 /// The word after a library call's stop is data.
 const CALL_WORD: u32 = 4;
-/// Three registers, for `SPE_RUN_USER_REGS`.
+/// Size in bytes of the three registers of `SPE_RUN_USER_REGS`.
 const USER_REGISTERS: usize = 48;
 
-/// How a run ended, as the program gets it.
+/// How a run ended, as reported to the program.
 struct Outcome {
-    /// The return value, or the errno behind a -1.
+    /// The return value, or the errno if the call returns -1.
     returned: Result<c_int, Errno>,
     record: StopRecord,
 }
@@ -80,9 +80,9 @@ fn stop_status(code: u16) -> c_int {
     c_int::from(code) << 16 | SPE_SPU_STOPPED_BY_STOP
 }
 
-/// What comes after a stop.
+/// What happens after a stop.
 enum Next {
-    /// The SPU goes on at this address.
+    /// The SPU continues at this address.
     Resume(u32),
     Return(Outcome),
 }
@@ -112,7 +112,7 @@ fn after_signal(context: &Context, flags: c_uint, code: u16, npc: u32) -> Next {
     match code {
         0x2100..=0x21ff if flags & SPE_NO_CALLBACKS == 0 => call_back(context, code, npc),
         0x2000..=0x20ff => Next::Return(Outcome::stopped(0, SPE_EXIT, value & 0xff, code)),
-        // The isolation loader's "load complete" is not the program's affair.
+        // The isolation loader's "load complete" is not reported to the program.
         0x2206 => Next::Resume(npc),
         0x2200..=0x220f => Next::Return(Outcome::failed(
             libc::EFAULT,
@@ -163,7 +163,7 @@ fn pointer_quad(address: usize) -> Quad {
     Quad::from_doublewords([address as u64, 0])
 }
 
-/// The registers that a program finds at its entry.
+/// The initial values of a program's registers.
 struct StartRegisters {
     arguments: [Quad; 3],
     local_store: Quad,
@@ -212,12 +212,12 @@ impl StartRegisters {
     }
 }
 
-/// Runs a context on the calling thread until the program is to know of a stop. `*entry` is where
-/// to start, and afterwards where to go on.
+/// Runs a context on the calling thread until a stop must be reported to the program. `*entry` is
+/// the address to start at, and afterwards the address to continue at.
 ///
 /// # Safety
-/// `spe` is NULL or a live context; `entry` and `stopinfo` are NULL or valid; the SPU program and
-/// registered callbacks keep to the memory that they were given.
+/// `spe` is NULL or a live context; `entry` and `stopinfo` are NULL or valid. The SPU program and
+/// registered callbacks access only memory that they were given.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_context_run(
     spe: *mut SpeContext,
@@ -276,7 +276,7 @@ pub unsafe extern "C" fn spe_context_run(
     })
 }
 
-/// Takes the oldest unread stop record; EAGAIN if there is none.
+/// Takes the oldest unread stop record. Fails with EAGAIN if there is none.
 ///
 /// # Safety
 /// `spe` is NULL or a live context, `stopinfo` valid.

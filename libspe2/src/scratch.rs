@@ -1,15 +1,15 @@
-//! Memory through which the kernel copies to and from addresses that may be bad.
+//! Buffers through which the kernel copies to and from addresses that may be invalid.
 //!
-//! A file in memory is mapped; `pwrite` from an address to the file and `pread` from the file to
-//! an address make the kernel check the address, and a bad one is an error instead of a signal. It
-//! works alike under QEMU's user emulation.
+//! A scratch buffer is a mapped in-memory file. `pwrite` from an address to the file and `pread`
+//! from the file to an address make the kernel check the address, so an invalid address is an
+//! error instead of a signal. This also works under QEMU's user emulation.
 
 use std::io;
 use std::os::fd::{AsRawFd, FromRawFd, OwnedFd};
 use std::ptr::{self, NonNull};
 use std::sync::{Condvar, Mutex, PoisonError};
 
-/// Bytes of a scratch: the largest transfer of an MFC.
+/// Size of a scratch buffer in bytes: the largest transfer of an MFC.
 pub(crate) const SCRATCH: usize = 16 * 1024;
 
 pub(crate) struct Scratch {
@@ -17,13 +17,13 @@ pub(crate) struct Scratch {
     mapping: NonNull<u8>,
 }
 
-// SAFETY: the mapping belongs to this value alone and is reached through `&mut self` only.
+// SAFETY: the mapping belongs to this value alone and is accessed only through `&mut self`.
 unsafe impl Send for Scratch {}
 
 impl Scratch {
     fn new() -> io::Result<Self> {
-        // The kernel is called itself: glibc has a function for it from 2.27 on.
-        // SAFETY: the name is a C string, the flag a known one.
+        // A direct system call, because glibc has a function for it only from 2.27 on.
+        // SAFETY: the name is a C string, and the flag is valid.
         let raw = unsafe {
             libc::syscall(
                 libc::SYS_memfd_create,
@@ -35,13 +35,13 @@ impl Scratch {
             return Err(io::Error::last_os_error());
         }
         let raw = raw as std::os::fd::RawFd;
-        // SAFETY: the descriptor was just made and nobody else has it.
+        // SAFETY: the descriptor was just created, and nothing else owns it.
         let file = unsafe { OwnedFd::from_raw_fd(raw) };
         // SAFETY: the descriptor is open.
         if unsafe { libc::ftruncate(raw, SCRATCH as libc::off_t) } != 0 {
             return Err(io::Error::last_os_error());
         }
-        // SAFETY: a new mapping at an address that the kernel chooses touches nothing else.
+        // SAFETY: a new mapping at an address that the kernel chooses overlaps nothing.
         let mapping = unsafe {
             libc::mmap(
                 ptr::null_mut(),
@@ -60,7 +60,7 @@ impl Scratch {
         }
     }
 
-    /// Copies from `ea`; the error is the first address that can't be read, as far as known.
+    /// Copies from `ea`. The error is the first address that can't be read, as far as it is known.
     pub(crate) fn fetch(&mut self, ea: u64, into: &mut [u8]) -> Result<(), u64> {
         for (at, piece) in pieces(ea, into.len()) {
             let part = &mut into[piece];
@@ -68,7 +68,8 @@ impl Scratch {
                 // SAFETY: the kernel checks the range at `address` and fails if it can't be read.
                 unsafe { libc::pwrite(file, address, n, offset) }
             })?;
-            // SAFETY: the mapping has SCRATCH bytes, a piece no more, and `part` is other memory.
+            // SAFETY: the mapping has SCRATCH bytes, a piece has no more, and `part` does not
+            // overlap it.
             unsafe {
                 ptr::copy_nonoverlapping(self.mapping.as_ptr(), part.as_mut_ptr(), part.len());
             }
@@ -76,17 +77,19 @@ impl Scratch {
         Ok(())
     }
 
-    /// Copies to `ea`; the error is the first address that can't be written, as far as known.
+    /// Copies to `ea`. The error is the first address that can't be written, as far as it is
+    /// known.
     pub(crate) fn store(&mut self, ea: u64, from: &[u8]) -> Result<(), u64> {
         for (at, piece) in pieces(ea, from.len()) {
             let part = &from[piece];
-            // SAFETY: the mapping has SCRATCH bytes, a piece no more, and `part` is other memory.
+            // SAFETY: the mapping has SCRATCH bytes, a piece has no more, and `part` does not
+            // overlap it.
             unsafe {
                 ptr::copy_nonoverlapping(part.as_ptr(), self.mapping.as_ptr(), part.len());
             }
             self.move_all(at, part.len(), |file, address, n, offset| {
                 // SAFETY: the kernel checks the range at `address` and fails if it can't be
-                // written; that it is written is what the program asked its MFC for.
+                // written. The program asked its MFC to write there.
                 unsafe { libc::pread(file, address.cast_mut(), n, offset) }
             })?;
         }
@@ -117,13 +120,14 @@ impl Scratch {
 
 impl Drop for Scratch {
     fn drop(&mut self) {
-        // SAFETY: the mapping is this value's own and has SCRATCH bytes.
+        // SAFETY: the mapping belongs to this value and has SCRATCH bytes.
         unsafe { libc::munmap(self.mapping.as_ptr().cast(), SCRATCH) };
     }
 }
 
-/// Cuts `length` bytes at `ea` into pieces of a scratch, each with its range in the caller's
-/// slice; what would run past the address space is left in one last piece that the kernel refuses.
+/// Splits `length` bytes at `ea` into pieces that fit a scratch buffer, each with its range in the
+/// caller's slice. The part that would pass the end of the address space is one last piece, which
+/// the kernel refuses.
 fn pieces(ea: u64, length: usize) -> impl Iterator<Item = (u64, std::ops::Range<usize>)> {
     (0..length).step_by(SCRATCH).map(move |start| {
         let end = length.min(start + SCRATCH);
@@ -131,7 +135,7 @@ fn pieces(ea: u64, length: usize) -> impl Iterator<Item = (u64, std::ops::Range<
     })
 }
 
-/// The scratches that nobody uses at the moment.
+/// The scratch buffers that are free.
 pub(crate) struct Pool {
     free: Mutex<Vec<Scratch>>,
     returned: Condvar,
@@ -145,7 +149,8 @@ impl Pool {
         }
     }
 
-    /// Makes sure that there is a scratch at all: from then on [`with`](Self::with) succeeds.
+    /// Ensures that at least one scratch buffer exists. From then on, [`with`](Self::with)
+    /// succeeds.
     pub(crate) fn prepare(&self) -> io::Result<()> {
         let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
         if free.is_empty() {
@@ -154,7 +159,7 @@ impl Pool {
         Ok(())
     }
 
-    /// Lends a scratch: a free one, else a new one, else the first that comes back.
+    /// Lends a scratch buffer: a free one, or else a new one, or else the first that is returned.
     pub(crate) fn with<T>(&self, body: impl FnOnce(&mut Scratch) -> T) -> T {
         let mut free = self.free.lock().unwrap_or_else(PoisonError::into_inner);
         let mut scratch = loop {

@@ -5,7 +5,7 @@ use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use crate::types::{SpeStopInfo, SpeStopResult};
 
-/// One end of a run, as plain numbers.
+/// How one run ended, as plain numbers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct StopRecord {
     pub stop_reason: u32,
@@ -29,12 +29,12 @@ impl StopRecord {
 struct Records {
     registrations: usize,
     queue: VecDeque<StopRecord>,
-    /// The last record from when nobody was registered.
+    /// The last record, from a time when no handler had registered the event.
     last: Option<StopRecord>,
 }
 
-/// A context's unread records: all while the stop event is registered somewhere, else the last
-/// one.
+/// A context's unread records. If some handler has registered the stop event, these are all of
+/// them, and otherwise only the last one.
 #[derive(Default)]
 pub(crate) struct StopRecords(Mutex<Records>);
 
@@ -66,7 +66,7 @@ impl StopRecords {
         records.queue.pop_front().or_else(|| records.last.take())
     }
 
-    /// Whether the stop event is on.
+    /// Whether the stop event is up.
     pub(crate) fn waiting(&self) -> bool {
         !self.records().queue.is_empty()
     }

@@ -1,5 +1,4 @@
-//! The C types and constants of `libspe2.h` and `libspe2-types.h`, with the 64-bit layouts
-//! checked.
+//! The C types and constants of `libspe2.h` and `libspe2-types.h`. Tests check the 64-bit layouts.
 
 use std::mem::{align_of, offset_of};
 
@@ -9,11 +8,11 @@ use libc::{c_int, c_uint, c_void};
 #[repr(C)]
 #[derive(Clone, Copy, Debug)]
 pub struct SpeProgramHandle {
-    /// Bytes of this handle.
+    /// Size of this handle in bytes.
     pub handle_size: c_uint,
     /// The complete SPU ELF file.
     pub elf_image: *mut c_void,
-    /// What `.toe` is filled with, or NULL.
+    /// The initial content of `.toe`, or NULL.
     pub toe_shadow: *mut c_void,
 }
 
@@ -34,7 +33,7 @@ pub struct SpeGangContext {
     pub(crate) event_private: *mut c_void,
 }
 
-/// The `result` of `spe_stop_info_t`: every int member lies at its start.
+/// The `result` of `spe_stop_info_t`: every int member is at its start.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub union SpeStopResult {
@@ -53,13 +52,13 @@ pub union SpeStopResult {
 pub struct SpeStopInfo {
     /// One of the stop reasons.
     pub stop_reason: c_uint,
-    /// What belongs to the reason.
+    /// The value that goes with the reason.
     pub result: SpeStopResult,
     /// The SPU status register, or -1.
     pub spu_status: c_int,
 }
 
-/// `spe_event_data_t`: the program's own.
+/// `spe_event_data_t`: data of the program's own.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub union SpeEventData {
@@ -79,7 +78,7 @@ pub struct SpeEventUnit {
     pub events: c_uint,
     /// The context.
     pub spe: *mut SpeContext,
-    /// The program's own.
+    /// Data of the program's own.
     pub data: SpeEventData,
 }
 
@@ -101,37 +100,37 @@ const _: () = {
     assert!(offset_of!(SpeEventUnit, data) == 16);
 };
 
-/// Creation flag: signal register 1 accumulates bits.
+/// Creation flag: signal register 1 is in OR mode.
 pub const SPE_CFG_SIGNOTIFY1_OR: c_uint = 0x10;
-/// Creation flag: signal register 2 accumulates bits.
+/// Creation flag: signal register 2 is in OR mode.
 pub const SPE_CFG_SIGNOTIFY2_OR: c_uint = 0x20;
-/// Creation flag: map the problem state. Answered with ENOTSUP.
+/// Creation flag: map the problem state. Fails with ENOTSUP.
 pub const SPE_MAP_PS: c_uint = 0x40;
-/// Creation flag: isolation mode. Not on a PlayStation 3.
+/// Creation flag: isolation mode. Not available on a PlayStation 3.
 pub const SPE_ISOLATE: c_uint = 0x80;
 /// Creation flag: emulated isolation mode.
 pub const SPE_ISOLATE_EMULATE: c_uint = 0x100;
-/// Creation flag: events and stop records.
+/// Creation flag: enable events and stop records.
 pub const SPE_EVENTS_ENABLE: c_uint = 0x1000;
-/// Creation flag: near to memory.
+/// Creation flag: an SPE near to memory.
 pub const SPE_AFFINITY_MEMORY: c_uint = 0x2000;
-/// Creation flag: never scheduled away. For privileged users.
+/// Creation flag: never preempted. For privileged users.
 pub const SPE_NOSCHED: c_uint = 0x4000;
 
 /// Run flag: `argp` points at registers 3 to 5.
 pub const SPE_RUN_USER_REGS: c_uint = 1;
-/// Run flag: library calls of the SPU are reported as stops.
+/// Run flag: report the SPU's library calls as stops.
 pub const SPE_NO_CALLBACKS: c_uint = 2;
-/// Entry: where the loaded program starts.
+/// Entry point: the one that the loaded program names.
 pub const SPE_DEFAULT_ENTRY: c_uint = 0xffff_ffff;
 
 /// Stop reason: the program has ended.
 pub const SPE_EXIT: c_uint = 1;
 /// Stop reason: a stop instruction.
 pub const SPE_STOP_AND_SIGNAL: c_uint = 2;
-/// Stop reason: the SPU halted or met what it can't run.
+/// Stop reason: the SPU halted or met something that it can't run.
 pub const SPE_RUNTIME_ERROR: c_uint = 3;
-/// Stop reason: DMA went wrong.
+/// Stop reason: a DMA error.
 pub const SPE_RUNTIME_EXCEPTION: c_uint = 4;
 /// Stop reason: the run itself failed.
 pub const SPE_RUNTIME_FATAL: c_uint = 5;
@@ -151,7 +150,7 @@ pub const SPE_SPU_INVALID_CHANNEL: c_int = 0x40;
 
 /// Runtime exception: DMA alignment.
 pub const SPE_DMA_ALIGNMENT: c_int = 0x0008;
-/// Runtime exception: main memory that is not there.
+/// Runtime exception: main memory that is not mapped.
 pub const SPE_DMA_STORAGE: c_int = 0x0040;
 /// Runtime exception: invalid DMA command.
 pub const SPE_INVALID_DMA: c_int = 0x0800;
@@ -167,30 +166,30 @@ pub const SPE_EVENT_SPE_STOPPED: c_uint = 8;
 /// Every event.
 pub const SPE_EVENT_ALL_EVENTS: c_uint = 0xf;
 
-/// Mailbox behaviour: until all words are moved.
+/// Mailbox behaviour: wait until all words are moved.
 pub const SPE_MBOX_ALL_BLOCKING: c_uint = 1;
-/// Mailbox behaviour: until one word is moved.
+/// Mailbox behaviour: wait until one word is moved.
 pub const SPE_MBOX_ANY_BLOCKING: c_uint = 2;
-/// Mailbox behaviour: what can be moved at once.
+/// Mailbox behaviour: move as many words as possible without waiting.
 pub const SPE_MBOX_ANY_NONBLOCKING: c_uint = 3;
 
-/// Tag behaviour: all tags.
+/// Tag behaviour: wait for all tags.
 pub const SPE_TAG_ALL: c_uint = 1;
-/// Tag behaviour: any tag.
+/// Tag behaviour: wait for any tag.
 pub const SPE_TAG_ANY: c_uint = 2;
 /// Tag behaviour: do not wait.
 pub const SPE_TAG_IMMEDIATE: c_uint = 3;
 
-/// Callback mode: a free slot.
+/// Callback mode: register in a free slot.
 pub const SPE_CALLBACK_NEW: c_uint = 1;
-/// Callback mode: a used slot.
+/// Callback mode: replace the handler in a used slot.
 pub const SPE_CALLBACK_UPDATE: c_uint = 2;
 
-/// CPU information: Cell processors.
+/// CPU information: number of Cell processors.
 pub const SPE_COUNT_PHYSICAL_CPU_NODES: c_int = 1;
-/// CPU information: SPEs.
+/// CPU information: number of SPEs.
 pub const SPE_COUNT_PHYSICAL_SPES: c_int = 2;
-/// CPU information: SPEs for programs.
+/// CPU information: number of SPEs that programs can use.
 pub const SPE_COUNT_USABLE_SPES: c_int = 3;
 /// CPU information: kind of Cell.
 pub const SPE_CPU_TYPE: c_int = 4;

@@ -1,5 +1,5 @@
-//! What the environment changes. A program of its own and without the test harness: the
-//! environment is the whole process's, and only a process without other threads may change it.
+//! The effects of environment variables. This is a separate program without the test harness,
+//! because only a process without other threads may change its environment.
 
 use std::env;
 use std::ptr;
@@ -22,17 +22,17 @@ fn errno() -> Option<i32> {
 }
 
 fn spes() -> i32 {
-    // SAFETY: the call takes no pointer.
+    // SAFETY: the call takes no pointers.
     unsafe { spe_cpu_info_get(3, -1) }
 }
 
-/// Puts by proxy: what is in memory after the put, after a look at the tag, and after a second
-/// one.
+/// Puts by proxy DMA. Returns the content of memory after the put, after reading the tag status,
+/// and after reading it again.
 fn put_and_look_twice() -> [u8; 3] {
     let mut there = Quadword([0; 16]);
     let pointer = there.0.as_mut_ptr();
     let mut status = 0;
-    // SAFETY: the context lives to the end of the block, `there` and `status` longer.
+    // SAFETY: the context lives to the end of the block, and `there` and `status` live longer.
     unsafe {
         let context = spe_context_create(0, ptr::null_mut());
         assert!(!context.is_null());
@@ -61,7 +61,7 @@ fn main() {
         assert_eq!((spes(), errno()), (-1, Some(libc::EINVAL)), "{value}");
     }
 
-    // What can't be had is refused before there is a machine.
+    // Values that don't exist are refused before there is a machine.
     for (engine, check) in [("fast", "0"), ("compiler", "yes"), ("interpreter", "1")] {
         set("LIBSPE2_ENGINE", engine);
         set("LIBSPE2_CHECK", check);
@@ -73,7 +73,8 @@ fn main() {
     set("LIBSPE2_ENGINE", "compiler");
     set("LIBSPE2_CHECK", "1");
 
-    // In memory at once, reported once; or later, and reported at the second look.
+    // With `at-once`, the data is in memory and reported at once. With `at-last`, it arrives later
+    // and is reported by the second read.
     assert_eq!(put_and_look_twice(), [1, 1, 0]);
     set("LIBSPE2_MFC", "at-once");
     assert_eq!(put_and_look_twice(), [1, 1, 0]);

@@ -1,6 +1,6 @@
-//! Faults of contexts without events are signals to the thread that runs them. A program of its
-//! own and without the test harness: signal handlers are the whole process's, and it forks, which
-//! wants a process without other threads.
+//! Faults of contexts without events are signals to the thread that runs them. This is a separate
+//! program without the test harness, because signal handlers belong to the whole process, and
+//! because it forks, which needs a process without other threads.
 
 #![expect(
     clippy::undocumented_unsafe_blocks,
@@ -40,7 +40,7 @@ fn handle(signal: i32, flags: i32) {
     }
 }
 
-/// Runs words from address 0 without events: return value, stop reason, result.
+/// Runs words from address 0 without events. Returns the return value, stop reason and result.
 fn run(words: &[u32]) -> (i32, u32, i32) {
     unsafe {
         let context = spe_context_create(0, ptr::null_mut());
@@ -81,7 +81,8 @@ fn get(opcode: u32, ea: u32, size: u32) -> Vec<u32> {
     writes.chain([STOP]).collect()
 }
 
-/// How a child that runs the words ended: the signal that killed it, or minus its exit status.
+/// Returns how a child that runs the words ended: the signal that killed it, or its exit status
+/// negated.
 fn end_of_child(prepare: impl FnOnce(), words: &[u32]) -> i32 {
     unsafe {
         let child = libc::fork();
@@ -136,13 +137,13 @@ fn main() {
         handle(*signal, 0);
         assert_eq!(run(words), (-1, SPE_RUNTIME_FATAL, libc::EINTR));
         assert_eq!(SIGNAL.swap(0, SeqCst), *signal);
-        // There QEMU allows no code and address: see the head of the library's fault_signal.rs.
+        // QEMU allows no code and address there: see the head of the library's fault_signal.rs.
         if cfg!(not(target_arch = "powerpc64")) {
             assert_eq!(CODE.load(SeqCst), *code);
             assert_eq!(ADDRESS.load(SeqCst), *address);
         }
     }
-    // A handler with SA_RESTART lets the run go on behind the fault.
+    // With a handler that has SA_RESTART, the run continues after the fault.
     handle(libc::SIGSEGV, libc::SA_RESTART);
     assert_eq!(run(&get(0x40, 0x400, 16)), (0, 1, 0));
     assert_eq!(SIGNAL.load(SeqCst), libc::SIGSEGV);

@@ -1,6 +1,6 @@
-//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT`, `LIBSPE2_PROFILE` and `LIBSPE2_CHECK`. A program of its own
-//! and without the test harness: it runs itself again, as a program on libspe2 whose environment is
-//! its own affair.
+//! `LIBSPE2_TIMING`, `LIBSPE2_REPORT`, `LIBSPE2_PROFILE` and `LIBSPE2_CHECK`. This is a separate
+//! program without the test harness, because it runs itself again as a program on libspe2 with an
+//! environment of its own.
 
 use std::ffi::{CString, OsStr};
 use std::fs;
@@ -29,8 +29,8 @@ use spu_tool::profile::View;
 const SPES: usize = 6;
 const FRAMES: u32 = 3;
 
-/// Adds to a shared counter until it is at 100 times the frame; answers with its own share. $4 is
-/// the counter's address, as libspe2 hands argp over.
+/// Adds to a shared counter until it is 100 times the frame, and answers with its own share. $4
+/// holds the counter's address, which libspe2 passes as argp.
 const PROGRAM: &str = "
         lr      $2,$4
         rotqbyi $3,$4,4
@@ -70,7 +70,7 @@ struct Line([u8; 128]);
 #[derive(Clone, Copy)]
 struct Shared(*mut SpeContext);
 
-// SAFETY: libspe2 lets any thread use a context.
+// SAFETY: any thread may use a libspe2 context.
 unsafe impl Send for Shared {}
 
 fn last_error() -> std::io::Error {
@@ -78,7 +78,7 @@ fn last_error() -> std::io::Error {
 }
 
 fn mail(context: Shared, mut word: u32) {
-    // SAFETY: the context lives, and one word can be read.
+    // SAFETY: the context is alive, and one word can be read.
     let written = unsafe { spe_in_mbox_write(context.0, &raw mut word, 1, SPE_MBOX_ALL_BLOCKING) };
     assert_eq!(written, 1);
 }
@@ -104,13 +104,13 @@ fn run(context: Shared, argument: usize, delay: Duration) -> u32 {
     entry
 }
 
-/// The program on libspe2: frames on six SPEs, whose answers it sleeps for. Of its contexts all
-/// but the last are destroyed.
+/// The program on libspe2: frames on six SPEs, for whose answers it sleeps. It destroys all of its
+/// contexts except the last.
 fn program(image: &OsStr, delay: Duration) {
     let mut counter = Line([0; 128]);
     let address = counter.0.as_mut_ptr().expose_provenance();
     let name = CString::new(image.as_bytes()).unwrap();
-    // SAFETY: the name is a C string; everything below is given what was just created.
+    // SAFETY: the name is a C string; everything below receives what was just created.
     unsafe {
         let image = spe_image_open(name.as_ptr());
         assert!(!image.is_null(), "{}", last_error());
@@ -171,7 +171,7 @@ fn program(image: &OsStr, delay: Duration) {
         }
         let mut last = 0;
         assert_eq!(spe_out_mbox_read(contexts[0].0, &raw mut last, 1), 1);
-        // An event that does not come: 100 ms of the machine, in which nobody runs.
+        // An event that does not come: 100 ms of simulated time in which no SPE runs.
         let mut none = unit(contexts[0], 0);
         assert_eq!(spe_event_wait(handler, &raw mut none, 1, 100), 0);
         for context in &contexts[1..] {
@@ -191,7 +191,7 @@ fn child(arguments: &[&OsStr], environment: &[(&str, &OsStr)]) -> Output {
     command.envs(environment.iter().copied()).output().unwrap()
 }
 
-/// Runs the program with its files at these places.
+/// Runs the program with its files at these paths.
 fn run_program(image: &Path, delay: &str, files: &[(&str, &Path)]) {
     let arguments = [OsStr::new("run"), image.as_os_str(), OsStr::new(delay)];
     let mut environment = vec![("LIBSPE2_TIMING", OsStr::new("1"))];
@@ -207,14 +207,14 @@ fn take(path: &Path) -> String {
     text
 }
 
-/// Runs the program; its report.
+/// Runs the program and returns its report.
 fn report(image: &Path, folder: &Path, delay: &str) -> String {
     let path = folder.join("report.json");
     run_program(image, delay, &[("LIBSPE2_REPORT", &path)]);
     take(&path)
 }
 
-/// Runs the program; its report and its profile.
+/// Runs the program and returns its report and its profile.
 fn profile(image: &Path, folder: &Path, delay: &str) -> [String; 2] {
     let paths = ["report.json", "profile.json"].map(|name| folder.join(name));
     let files = [
@@ -225,7 +225,7 @@ fn profile(image: &Path, folder: &Path, delay: &str) -> [String; 2] {
     paths.map(|path| take(&path))
 }
 
-/// Holds each SPE's profile to its figures in the report, cause by cause.
+/// Compares each SPE's profile with its figures in the report, cause by cause.
 fn check_profile(image: &Path, report: &str, text: &str) {
     let report: Value = serde_json::from_str(report).unwrap();
     let profile = ProfileFile::parse(text.as_bytes()).unwrap();
@@ -241,7 +241,7 @@ fn check_profile(image: &Path, report: &str, text: &str) {
             assert_eq!(cycles, number(&figures["stalls"], &cause.to_string()));
         }
     }
-    // All of it is of the program that was loaded.
+    // All entries belong to the program that was loaded.
     let image = fs::read(image).unwrap();
     let code = Code::parse(&image).unwrap();
     let view = View::new(&code, &image, &profile).unwrap();
@@ -309,8 +309,8 @@ fn check_report(text: &str) {
     assert!(sum(&report["constants"]) > 0);
 }
 
-/// Creating a context with this environment fails so, and says why.
-fn refused(environment: &[(&str, &str)], errno: i32, told: &str) {
+/// Checks that creating a context in this environment fails with this errno and this message.
+fn refused(environment: &[(&str, &str)], errno: i32, message: &str) {
     let environment: Vec<_> = environment
         .iter()
         .map(|&(name, value)| (name, OsStr::new(value)))
@@ -323,7 +323,7 @@ fn refused(environment: &[(&str, &str)], errno: i32, told: &str) {
     );
     let stderr = String::from_utf8(output.stderr).unwrap();
     assert!(
-        stderr.starts_with("libspe2: ") && stderr.contains(told),
+        stderr.starts_with("libspe2: ") && stderr.contains(message),
         "{stderr}"
     );
 }
@@ -342,7 +342,7 @@ fn assemble(folder: &Path) -> std::path::PathBuf {
             .build(&tools, &folder.join("objects"), &image)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     let executable = std::os::unix::fs::PermissionsExt::from_mode(0o755);
     fs::set_permissions(&image, executable).unwrap();
@@ -373,7 +373,7 @@ fn main() {
         assert_eq!(report(&image, folder.path(), delay), first, "delay {delay}");
     }
     let [with_profile, profiled] = profile(&image, folder.path(), "0");
-    assert_eq!(with_profile, first, "a profile changes nothing");
+    assert_eq!(with_profile, first, "a profile must change nothing");
     check_profile(&image, &first, &profiled);
     let path = folder.path().join("report.json");
     let files = [
@@ -381,10 +381,10 @@ fn main() {
         ("LIBSPE2_CHECK", Path::new("1")),
     ];
     run_program(&image, "0", &files);
-    assert_eq!(take(&path), first, "the check finds nothing");
+    assert_eq!(take(&path), first, "the check must find nothing");
     let again = profile(&image, folder.path(), "3");
     assert_eq!(again, [with_profile, profiled]);
-    // Nothing is left beside the report's place but what was there before.
+    // Nothing new is left in the folder of the report.
     let beside = fs::read_dir(folder.path()).unwrap().count();
     assert_eq!(beside, 3);
 

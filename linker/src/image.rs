@@ -1,4 +1,4 @@
-//! From `.s` files to one SPU ELF image.
+//! Builds one SPU ELF image from `.s` files.
 
 use std::ffi::OsString;
 use std::fs;
@@ -22,12 +22,12 @@ pub struct Image {
 }
 
 impl Image {
-    /// A program of all `.s` files in `folder` and its sub-folders.
+    /// A program from all `.s` files in `folder` and its sub-folders.
     pub fn from_folder(folder: &Path, script: &Path) -> Result<Self, Error> {
         Self::new(script).folder(folder)
     }
 
-    /// A program without sources yet, laid out by the linker script.
+    /// A program without sources, for which the linker script defines the layout.
     #[must_use]
     pub fn new(script: &Path) -> Self {
         Self {
@@ -59,8 +59,8 @@ impl Image {
         Ok(self)
     }
 
-    /// Adds the kernels of `folder`, each in its scheduled version where `scheduled` has a file of
-    /// the same path.
+    /// Adds the kernels of `folder`. If `scheduled` has a file with the same path, it replaces the
+    /// plain version.
     pub fn kernels(self, folder: &Path, scheduled: &Path) -> Result<Self, Error> {
         let before = self.sources.len();
         let mut image = self.folder(folder)?;
@@ -76,29 +76,29 @@ impl Image {
         Ok(image)
     }
 
-    /// Leaves out the line tables, so that the image depends on its sources alone, and not on where
-    /// they are.
+    /// Leaves out the line tables, so that the image depends only on its sources and not on their
+    /// paths.
     #[must_use]
     pub fn without_line_tables(mut self) -> Self {
         self.link.push("--strip-debug".into());
         self
     }
 
-    /// Leaves out sections that nothing refers to.
+    /// Leaves out sections that are not referenced.
     #[must_use]
     pub fn only_used(mut self) -> Self {
         self.link.push("--gc-sections".into());
         self
     }
 
-    /// Makes an image that is not started from its beginning: one of functions to be called.
+    /// Makes an image without an entry point, which contains functions to be called.
     #[must_use]
     pub fn without_entry(mut self) -> Self {
         self.link.push("--entry=0".into());
         self
     }
 
-    /// Adds a folder in which `.include` finds files.
+    /// Adds a folder to search for `.include` files.
     #[must_use]
     pub fn include(mut self, folder: &Path) -> Self {
         self.includes.push(folder.to_path_buf());
@@ -112,7 +112,7 @@ impl Image {
         self
     }
 
-    /// Gives the roles of the tracer's driver to the kernels of these formulations, and notes
+    /// Makes the kernels of these formulations the ones that the tracer's driver calls, and stores
     /// their names in the section `.formulation`.
     #[must_use]
     pub fn formulations(mut self, formulations: Formulations) -> Self {
@@ -120,8 +120,8 @@ impl Image {
         self
     }
 
-    /// Every file that the image is made of, and every folder, which another file may come to: a
-    /// build script reruns when one changes.
+    /// Every input file of the image, and every folder, in which another file may appear. A build
+    /// script runs again when one of these changes.
     pub fn inputs(&self) -> Result<Vec<PathBuf>, Error> {
         let mut inputs = [&self.sources[..], &self.folders[..]].concat();
         inputs.push(self.script.clone());
@@ -131,13 +131,14 @@ impl Image {
         Ok(inputs)
     }
 
-    /// Assembles and links into `image`; object files go into `work`. Warnings count as errors.
+    /// Assembles the sources and links them into `image`. Object files go into `work`. Warnings
+    /// count as errors.
     pub fn build(&self, tools: &Tools, work: &Path, image: &Path) -> Result<(), Error> {
         let objects = self.assemble(tools, work)?;
         self.link(tools, work, &objects, image)
     }
 
-    /// Assembles all sources; the object files go into `work`.
+    /// Assembles all sources. The object files go into `work`.
     pub fn assemble(&self, tools: &Tools, work: &Path) -> Result<Vec<PathBuf>, Error> {
         fs::create_dir_all(work).map_err(|source| file_error(work, source))?;
         let mut includes = self.includes.clone();
@@ -155,8 +156,8 @@ impl Image {
         Ok(objects)
     }
 
-    /// Links what [`Image::assemble`] has made of the same sources. Images that differ in their
-    /// formulations alone share the objects.
+    /// Links the objects that [`Image::assemble`] made of the same sources. Images that differ
+    /// only in their formulations share the objects.
     pub fn link(
         &self,
         tools: &Tools,
@@ -184,8 +185,8 @@ impl Image {
             absolute(&self.script)?.into(),
         ]);
         let objects: Vec<PathBuf> = objects.iter().map(absolute).collect::<Result<_, _>>()?;
-        // The linker notes the image's path in the image. Linked in its folder, the same sources
-        // make the same bytes anywhere.
+        // The linker stores the image's path in the image. Linking in the image's folder makes the
+        // same bytes from the same sources anywhere.
         let name = image.file_name().unwrap_or(image.as_os_str());
         let mut command = tools.link(&link, Path::new(name), &objects);
         if let Some(folder) = image
@@ -198,7 +199,7 @@ impl Image {
     }
 }
 
-/// A source of the section that names formulations.
+/// A source of the section that holds the names of the formulations.
 fn note(formulations: &Formulations) -> String {
     let lines = formulations
         .names()
@@ -209,7 +210,7 @@ fn note(formulations: &Formulations) -> String {
     )
 }
 
-/// All files below `folder` that end in `extension`, sorted, so that an image never depends on the
+/// All files below `folder` with this extension, sorted, so that an image does not depend on the
 /// order in which the system lists them.
 fn collect(folder: &Path, extension: &str, files: &mut Vec<PathBuf>) -> Result<(), Error> {
     let error = |source| file_error(folder, source);

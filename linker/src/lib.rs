@@ -1,10 +1,11 @@
-//! Builds SPU programs from assembly, for use in a build script.
+//! Builds SPU programs from assembly, for use in build scripts.
 //!
-//! [`embed`] is a whole build script, and [`prebuilt`] has the tracer's images for machines without
-//! an SPU assembler. [`Tools::find`] names the SPU assembler and linker,
-//! [`Image`] turns `.s` files into one SPU ELF image, [`stub`] makes a shared library of nothing
-//! but names, to link against where the real one is not installed. [`tracer`] is the tracer's own
-//! program, to which another crate's build script may add shaders. Apart from that, nothing here
+//! [`embed`] is a complete build script, and [`prebuilt`] has the tracer's images for machines
+//! without an SPU assembler. [`Tools::find`] finds the SPU assembler and linker. [`Image`] turns
+//! `.s` files into one SPU ELF image. [`stub`] makes a shared library that contains only names, so
+//! that programs can be linked where the real library is not installed. [`tracer`] is the tracer's
+//! own program, to which another crate's build script may add shaders. The other modules do not
+//! depend on what the programs do.
 //! knows what the programs do.
 
 mod image;
@@ -23,24 +24,24 @@ pub use script::{Script, embed, script};
 pub use tools::Tools;
 pub use tracer::{assemble_shader, tracer, tracer_with};
 
-/// Why a program was not built. Its `Display` is meant for the person who runs the build.
+/// Why a program was not built. Its `Display` text is written for the person who runs the build.
 #[derive(Debug, thiserror::Error)]
 pub enum Error {
-    /// No assembler or no linker.
+    /// The assembler or the linker was not found.
     #[error(
         "no SPU {what}: looked for {looked}.\n\
          It is part of the GNU binutils, built for the Cell's SPUs: configure their source with \
          --target=spu-elf --disable-werror (on Debian and Ubuntu it comes in the package binutils-source; its \
          build needs gcc, make, flex, bison and texinfo), and have spu-elf-as and spu-elf-ld on PATH, or name \
-         them by the variables SPU_AS and SPU_LD; {variable} names this one.\n\
-         In a clone of cellray's repository ci/setup does all of that once, for every crate of the user."
+         them in the variables SPU_AS and SPU_LD; {variable} names this one.\n\
+         In a clone of cellray's repository ci/setup does all of this once for all crates of a user."
     )]
     NoTool {
-        /// Assembler or linker.
+        /// "assembler" or "linker".
         what: &'static str,
-        /// The variable that may name it.
+        /// The variable that can name the tool.
         variable: &'static str,
-        /// Where it was looked for.
+        /// The places where it was looked for.
         looked: String,
     },
     /// A command could not be started.
@@ -56,39 +57,39 @@ pub enum Error {
     Failed {
         /// The whole command line.
         command: String,
-        /// How it ended.
+        /// The exit status.
         status: std::process::ExitStatus,
-        /// What it printed.
+        /// The command's output.
         output: String,
     },
     /// A file or folder could not be read or written.
     #[error("{path}: {source}")]
     File {
-        /// The file.
+        /// The path.
         path: PathBuf,
         /// The system's error.
         source: std::io::Error,
     },
     /// No source files.
-    #[error("{0}: no .s files in it")]
+    #[error("{0}: the folder has no .s files")]
     NoSources(PathBuf),
-    /// Prebuilt images of other sources.
+    /// Prebuilt images that were built from other sources.
     #[error(
-        "{}: these images were built from other sources than those beside them; write them again with \
+        "{}: these images were not built from the present sources; build them again with \
          `cargo run --bin kernels -- images`", .0.display()
     )]
     StaleImages(PathBuf),
-    /// The C library to link against can't be read.
+    /// The C library to be linked against can't be read.
     #[error("{0}")]
     Library(String),
 }
 
-/// Runs a command to its end; its output is part of the error.
+/// Runs a command to its end. If it fails, its output is part of the error.
 fn run(command: &mut Command) -> Result<(), Error> {
     output(command).map(|_| ())
 }
 
-/// The same, for what it writes to its standard output.
+/// Runs a command like [`run`], and returns its standard output.
 fn output(command: &mut Command) -> Result<String, Error> {
     let line = || {
         let words = std::iter::once(command.get_program()).chain(command.get_args());

@@ -1,8 +1,8 @@
-//! The tracer's images that come with the sources, so that only those who change the SPU program
-//! need an SPU assembler.
+//! The tracer's images, which are stored with the sources, so that an SPU assembler is only needed
+//! to change the SPU program.
 //!
-//! Invariant: an image is only taken while a checksum of all code that it is made of is the one that
-//! was written beside it.
+//! Invariant: an image is used only if the checksum of all its source code equals the one that is
+//! stored next to it.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -27,12 +27,12 @@ pub fn file(formulations: &Formulations) -> String {
     format!("cellray-spu-{}.elf", formulations.name())
 }
 
-/// Builds the shipped images into `folder`, without line tables, which hold paths of the machine
-/// that they were built on. Object files go into `work`.
+/// Builds the stored images into `folder`, without line tables, which would contain paths of this
+/// machine. Object files go into `work`.
 ///
 /// # Errors
 ///
-/// A source that can't be assembled, and files that can't be read or written.
+/// Fails if a source can't be assembled, or if a file can't be read or written.
 pub fn build(tools: &Tools, work: &Path, folder: &Path) -> Result<(), Error> {
     fs::create_dir_all(folder).map_err(|source| file_error(folder, source))?;
     let program = tracer()?.without_line_tables();
@@ -45,11 +45,11 @@ pub fn build(tools: &Tools, work: &Path, folder: &Path) -> Result<(), Error> {
     write(&folder.join(CHECKSUM), &checksum(&program)?)
 }
 
-/// The folder of the images, if they were built from the sources as they are now.
+/// Returns the folder of the images if they were built from the present sources.
 ///
 /// # Errors
 ///
-/// [`Error::StaleImages`] if the sources have changed since, and files that can't be read.
+/// Fails with [`Error::StaleImages`] if the sources have changed, and if a file can't be read.
 pub fn find() -> Result<PathBuf, Error> {
     let folder = folder();
     let path = folder.join(CHECKSUM);
@@ -61,7 +61,7 @@ pub fn find() -> Result<PathBuf, Error> {
     }
 }
 
-/// Adds a source without its comments and blank lines, on which no byte of an image depends.
+/// Adds a source without its comments and blank lines, which have no effect on an image.
 fn add_code(text: &str, sum: &mut crc32fast::Hasher) {
     let code = text
         .lines()
@@ -72,7 +72,7 @@ fn add_code(text: &str, sum: &mut crc32fast::Hasher) {
     }
 }
 
-/// The checksum of everything that a program is made of, as the text of its file.
+/// The checksum of everything that a program is made of, in the format of the checksum file.
 fn checksum(program: &Image) -> Result<String, Error> {
     let mut inputs = program.inputs()?;
     inputs.retain(|path| path.is_file());

@@ -1,4 +1,5 @@
-//! A build script's `main`: what cargo is told, and what a person is told when something fails.
+//! The `main` of build scripts: it passes directives to cargo, and errors to the person who
+//! builds.
 
 use std::env;
 use std::error::Error;
@@ -8,25 +9,25 @@ use std::process::ExitCode;
 
 use crate::{Image, Tools};
 
-/// What a build script tells cargo. It is said when all went well: of a script that fails cargo
-/// shows whatever it has said, so that the error would stand behind a list of files; and it runs
-/// such a script again anyway.
+/// The directives of a build script to cargo. They are printed only if the script succeeds. If it
+/// fails, cargo prints the script's whole output, so the error would come after a long list of
+/// files. Cargo runs a failed script again in any case.
 #[derive(Debug, Default)]
 pub struct Script(String);
 
 impl Script {
-    /// Tells a line, such as `rustc-link-lib=m`.
+    /// Adds a directive, such as `rustc-link-lib=m`.
     pub fn tell(&mut self, line: impl Display) {
         // Writing to a string can't fail.
         let _ = writeln!(self.0, "cargo:{line}");
     }
 
-    /// The script is to run again when this file changes, or anything in this folder.
+    /// Runs the script again when this file changes, or any file in this folder.
     pub fn watch(&mut self, path: &Path) {
         self.tell(format_args!("rerun-if-changed={}", path.display()));
     }
 
-    /// The same, for all that an image is made of.
+    /// Runs the script again when any input of an image changes.
     pub fn watch_image(&mut self, image: &Image) -> Result<(), crate::Error> {
         for input in image.inputs()? {
             self.watch(&input);
@@ -37,18 +38,18 @@ impl Script {
         Ok(())
     }
 
-    /// The same, for a variable.
+    /// Runs the script again when an environment variable changes.
     pub fn watch_variable(&mut self, variable: &str) {
         self.tell(format_args!("rerun-if-env-changed={variable}"));
     }
 }
 
-/// The `main` of a build script: an error goes to standard error, as text to be read.
+/// The `main` of a build script. An error goes to standard error as readable text.
 pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> ExitCode {
-    let mut told = Script::default();
-    match work(&mut told) {
+    let mut directives = Script::default();
+    match work(&mut directives) {
         Ok(()) => {
-            print!("{}", told.0);
+            print!("{}", directives.0);
             ExitCode::SUCCESS
         }
         Err(error) => {
@@ -58,8 +59,7 @@ pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> E
     }
 }
 
-/// The `main` of a build script that makes one SPU program, the file `name` in its folder of
-/// output, `OUT_DIR`.
+/// The `main` of a build script that builds one SPU program into the file `name` in `OUT_DIR`.
 ///
 /// ```no_run
 /// fn main() -> std::process::ExitCode {
@@ -68,7 +68,8 @@ pub fn script(work: impl FnOnce(&mut Script) -> Result<(), Box<dyn Error>>) -> E
 /// ```
 pub fn embed(name: &str, image: impl FnOnce() -> Result<Image, crate::Error>) -> ExitCode {
     script(|script| {
-        let out = env::var_os("OUT_DIR").ok_or("OUT_DIR is not set: this is for a build script")?;
+        let out = env::var_os("OUT_DIR")
+            .ok_or("OUT_DIR is not set: this function is only for build scripts")?;
         let out = PathBuf::from(out);
         let image = image()?;
         script.watch(Path::new("build.rs"));

@@ -1,8 +1,9 @@
-//! A shared library of nothing but names.
+//! Makes a shared library that contains only names.
 //!
 //! It has the soname and the functions of a library that is not installed where a program is
-//! built, so that the program can be linked against it; at run time the loader takes the real one.
-//! [`glibc`] has the names of one that is installed, as they were earlier.
+//! built, so that the program can be linked against it. At run time the loader uses the real
+//! library. [`glibc`] makes stubs of an installed library with the names that an older version
+//! had.
 
 pub mod glibc;
 
@@ -17,14 +18,14 @@ use crate::{Error, Script, run, write};
 /// The functions of libspe2, one a line, for [`names`].
 pub const LIBSPE2: &str = include_str!("../libspe2.symbols");
 
-/// The compiler of a build script's target: what cargo links with.
+/// The compiler for a build script's target, which is the one that cargo links with.
 #[must_use]
 pub fn compiler(script: &mut Script) -> PathBuf {
     script.watch_variable("RUSTC_LINKER");
     env::var_os("RUSTC_LINKER").map_or_else(|| "cc".into(), PathBuf::from)
 }
 
-/// Writes `library` with the given soname and functions, compiled by the target's `compiler`.
+/// Writes `library` with the given soname and functions, using the target's `compiler`.
 pub fn build(
     compiler: &Path,
     soname: &str,
@@ -38,7 +39,7 @@ pub fn build(
     share(compiler, soname, &text, &[], library)
 }
 
-/// Compiles `text` to a shared library that is linked to none.
+/// Compiles `text` to a shared library that is not linked to any other.
 fn share(
     compiler: &Path,
     soname: &str,
@@ -49,14 +50,14 @@ fn share(
     let source = library.with_extension("c");
     write(&source, text)?;
     let mut command = Command::new(compiler);
-    // Names that the compiler knows are not declared as it knows them.
+    // The stubs declare functions that the compiler knows with other types.
     command.args(["-shared", "-nostdlib", "-fPIC", "-fno-builtin", "-w"]);
     command.arg(format!("-Wl,-soname,{soname}")).args(options);
     command.args([OsString::from("-o"), library.into(), source.into()]);
     run(&mut command)
 }
 
-/// Names of a list with one name a line; `#` starts a comment.
+/// The names in a list with one name a line. `#` starts a comment.
 pub fn names(list: &str) -> Vec<&str> {
     list.lines()
         .map(|line| line.split('#').next().unwrap_or_default().trim())

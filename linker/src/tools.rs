@@ -1,4 +1,4 @@
-//! Where the SPU assembler and linker are.
+//! Finds the SPU assembler and linker.
 
 use std::env;
 use std::ffi::OsString;
@@ -7,7 +7,7 @@ use std::process::Command;
 
 use crate::{Error, run};
 
-/// The SPU assembler and linker of this machine.
+/// The SPU assembler and linker on this machine.
 #[derive(Clone, Debug)]
 pub struct Tools {
     assembler: Tool,
@@ -21,12 +21,13 @@ struct Tool {
 }
 
 impl Tools {
-    /// Variables that [`Tools::find`] looks at: a build script reruns when they change.
+    /// The variables that [`Tools::find`] reads. A build script runs again when they change.
     pub const VARIABLES: [&str; 3] = ["SPU_AS", "SPU_LD", "XDG_CACHE_HOME"];
 
-    /// Looks for the tools in this order: the variables `SPU_AS` and `SPU_LD`, which may also name
-    /// an `spu-gcc`; `spu-elf-as` or `spu-as` and their linkers on `PATH`, else what `ci/setup`
-    /// built in the user's cache folder; `spu-gcc` on `PATH` for whatever is still missing.
+    /// Looks for the tools in this order: first the variables `SPU_AS` and `SPU_LD`, which may
+    /// also name an `spu-gcc`; then `spu-elf-as` or `spu-as` and their linkers on `PATH`; then the
+    /// tools that `ci/setup` built in the user's cache folder; and for whatever is still missing,
+    /// `spu-gcc` on `PATH`.
     pub fn find() -> Result<Self, Error> {
         Ok(Self {
             assembler: Tool::find("assembler", "SPU_AS", "as")?,
@@ -34,7 +35,7 @@ impl Tools {
         })
     }
 
-    /// Whether a variable names a tool: then no other is taken in its place.
+    /// Whether a variable names a tool. Then no other tool is used instead.
     #[must_use]
     pub fn are_named() -> bool {
         ["SPU_AS", "SPU_LD"]
@@ -43,9 +44,9 @@ impl Tools {
             .any(Option::is_some)
     }
 
-    /// Assembles one source, with line tables; `.include` finds files in `includes`, `further` are
-    /// options of the assembler's own. Warnings count as errors: of an operand out of range, the
-    /// assembler only warns.
+    /// Assembles one source with line tables. `.include` searches `includes`, and `further` are
+    /// options of the assembler. Warnings count as errors, because the assembler only warns of an
+    /// operand that is out of range.
     pub fn assemble(
         &self,
         includes: &[PathBuf],
@@ -63,7 +64,7 @@ impl Tools {
         run(&mut command)
     }
 
-    /// Links objects; `options` are the linker's own.
+    /// Links objects. `options` are options of the linker.
     pub(crate) fn link(&self, options: &[OsString], image: &Path, objects: &[PathBuf]) -> Command {
         let mut command = self.linker.command("-nostdlib", "-Wl,", options);
         command.arg("-o").arg(image).args(objects);
@@ -108,7 +109,8 @@ impl Tool {
             })
     }
 
-    /// The tool with options; a compiler driver is told its mode and passes the options on.
+    /// The tool with its options. A compiler driver gets its mode, and passes the options to the
+    /// tool.
     fn command(&self, mode: &str, prefix: &str, options: &[OsString]) -> Command {
         let mut command = Command::new(&self.path);
         let stem = self.path.file_stem().unwrap_or_default();
@@ -133,7 +135,7 @@ fn on_path(name: impl AsRef<Path>) -> Option<PathBuf> {
         .find(|file| file.is_file())
 }
 
-/// Where `ci/setup` puts the tools that it builds.
+/// The path at which `ci/setup` installs a tool that it builds.
 fn cached(name: &str) -> Option<PathBuf> {
     let cache = env::var_os("XDG_CACHE_HOME")
         .map(PathBuf::from)

@@ -1,4 +1,4 @@
-//! The tracer's program, as this repository has it.
+//! The tracer's program, as it is in this repository.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,13 +11,13 @@ use crate::{Error, Image, Tools, file_error, write};
 /// Folders below `spu/` that hold kernels.
 const KERNELS: [&str; 4] = ["isect", "shade", "shaders", "trace"];
 
-/// The tracer's program: its driver, its kernels scheduled, and the shaders that it comes with. It
-/// intersects by the standard formulations, unless [`Image::formulations`] says otherwise.
+/// The tracer's program: its driver, its scheduled kernels, and its own shaders. It uses the
+/// standard formulations, unless [`Image::formulations`] chooses others.
 ///
-/// A build script adds a folder of shaders and builds it, as [`embed`](crate::embed) shows.
+/// A build script adds a folder of shaders and builds the image, as [`embed`](crate::embed) shows.
 pub fn tracer() -> Result<Image, Error> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    // A link to the repository's folder, whose files are in this crate's package.
+    // A link to the repository's folder, so that this crate's package contains the files.
     let spu = root.join("spu");
     let mut image = Image::new(&root.join("spu.ld")).folder(&spu.join("main"))?;
     for kernels in KERNELS {
@@ -31,12 +31,12 @@ pub fn tracer() -> Result<Image, Error> {
     Ok(image)
 }
 
-/// Builds the tracer's program with further shaders in it, each in a `.s` file of its own, and
-/// returns the ELF image: for programs that try out shaders as they run.
+/// Builds the tracer's program with additional shaders, each in its own `.s` file, and returns the
+/// ELF image. Programs that try out shaders at run time use it.
 ///
 /// # Errors
 ///
-/// No SPU assembler, a source that it refuses, or a file that can't be read.
+/// Fails if there is no SPU assembler, if it rejects a source, or if a file can't be read.
 pub fn tracer_with(shaders: &[PathBuf]) -> Result<Vec<u8>, Error> {
     let temporary = std::env::temp_dir();
     let work = tempfile::tempdir().map_err(|source| file_error(&temporary, source))?;
@@ -50,11 +50,12 @@ pub fn tracer_with(shaders: &[PathBuf]) -> Result<Vec<u8>, Error> {
     fs::read(&image).map_err(|source| file_error(&image, source))
 }
 
-/// Assembles one shader into an object, with the names of its registers, which the scheduler needs.
+/// Assembles one shader into an object that includes the names of its registers, which the
+/// scheduler needs.
 ///
 /// # Errors
 ///
-/// As for [`tracer_with`].
+/// The same as those of [`tracer_with`].
 pub fn assemble_shader(shader: &Path, object: &Path) -> Result<(), Error> {
     let temporary = std::env::temp_dir();
     let work = tempfile::tempdir().map_err(|source| file_error(&temporary, source))?;

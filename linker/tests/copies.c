@@ -1,5 +1,5 @@
-/* What programs linked against glibc 2.17 have copies of, run against the C library of today: ci/ppc64 links it to
-   the stubs. Its exit code is the line of what failed. */
+/* Tests the functions of which programs linked against glibc 2.17 contain copies, with the installed C library.
+   ci/ppc64 links this program to the stubs. Its exit status is the line of the check that failed. */
 #define _GNU_SOURCE
 #include <fcntl.h>
 #include <stdlib.h>

@@ -1,12 +1,13 @@
-//! A game's build script as cargo runs it: what comes on standard output and standard error.
+//! Tests a game's build script in the way that cargo runs it: its standard output and standard
+//! error.
 //!
-//! This program has a `main` of its own: run by itself, it is the build script.
+//! This program has a `main` of its own, because it runs itself as the build script.
 
 use std::fs;
 use std::path::Path;
 use std::process::{Command, ExitCode, Output};
 
-/// Set to the folder of shaders in the process that is the build script.
+/// In the process that acts as the build script, the folder of shaders.
 const SHADERS: &str = "TESTED_SHADERS";
 
 fn main() -> ExitCode {
@@ -21,7 +22,7 @@ fn main() -> ExitCode {
     ExitCode::SUCCESS
 }
 
-/// The build script, with a shader of this instruction.
+/// The build script, with a shader that contains this instruction.
 fn script(folder: &Path, instruction: &str) -> Command {
     let shader = format!(
         "        .include \"macros.inc\"\n        .include \"shader.inc\"\n\nshader own\n        {instruction}\n        \

@@ -1,4 +1,4 @@
-//! Man pages and shell completions, from the command line that a program understands.
+//! Writes man pages and shell completions from the definition of a program's command line.
 
 use std::fs;
 use std::io;
@@ -10,16 +10,16 @@ use clap_complete::Shell;
 /// The arguments of a program's hidden command `pages`.
 #[derive(Clone, Debug, Args)]
 pub struct Arguments {
-    /// Folder to write to; it gets the folders man and completions
+    /// Folder to write to; the subfolders man and completions are created in it
     folder: PathBuf,
 }
 
-/// Writes a program's man pages, one for each of its commands, to `man` in the folder, and its
-/// completions for every shell that clap knows to `completions`.
+/// Writes a program's man pages, one for each command, to `man` in the folder, and its completions
+/// for every shell that clap supports to `completions`.
 ///
 /// # Errors
 ///
-/// A folder or file that can't be written; the message names the folder.
+/// Fails if a folder or file can't be written. The message names the folder.
 pub fn write(mut command: Command, arguments: &Arguments) -> io::Result<()> {
     let folder = &arguments.folder;
     into(&mut command, folder)

@@ -1,4 +1,4 @@
-//! The figures of simulated time that are shown: the same in every report.
+//! The figures of simulated time that are shown. Every report uses the same.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -7,39 +7,39 @@ use serde::Serialize;
 
 use spu_emulator::simulated::SpeReport;
 
-/// What an SPE did with its cycles, or several SPEs together.
+/// What one SPE or several SPEs together did with their cycles.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Figures {
-    /// Cycles in which it ran: the sum of `single_issue`, `dual_issue` and `stalls`.
+    /// Cycles in which the SPE ran: the sum of `single_issue`, `dual_issue` and `stalls`.
     pub cycles: u64,
     /// Instructions issued.
     pub instructions: u64,
     /// Cycles in which one instruction issued.
     pub single_issue: u64,
-    /// Cycles in which two did.
+    /// Cycles in which two instructions issued.
     pub dual_issue: u64,
     /// Share of the issuing cycles in which two instructions issued.
     pub dual_issue_rate: f64,
-    /// Cycles in which none did, by cause.
+    /// Cycles in which no instruction issued, by cause.
     pub stalls: BTreeMap<String, u64>,
-    /// Cycles that it did not sleep in a channel.
+    /// Cycles in which it did not sleep in a channel.
     pub busy: u64,
-    /// Cycles asleep in a channel.
+    /// Cycles in which it slept in a channel.
     pub blocked: u64,
-    /// The same by what was slept for.
+    /// The same cycles by the event that it waited for.
     pub blocked_by: BTreeMap<&'static str, u64>,
-    /// MFC commands through the queue.
+    /// MFC commands that went through the queue.
     pub dma_commands: u64,
     /// Atomic MFC commands.
     pub atomic_commands: u64,
-    /// Bytes into local store by queued commands.
+    /// Bytes that queued commands moved into local store.
     pub bytes_in: u64,
-    /// Bytes out of local store by queued commands.
+    /// Bytes that queued commands moved out of local store.
     pub bytes_out: u64,
 }
 
 impl Figures {
-    /// Adds an SPE's.
+    /// Adds the figures of an SPE.
     pub fn add(&mut self, spe: &SpeReport) {
         let account = &spe.account;
         self.cycles += account.cycles();
@@ -71,7 +71,7 @@ impl Figures {
         self.bytes_out += spe.commands.bytes_out;
     }
 
-    /// A table for people: a line a figure, the stalls with their share of all cycles.
+    /// A table for people with one figure a line. Stalls include their share of all cycles.
     #[must_use]
     pub fn table(&self) -> String {
         let mut text = String::new();

@@ -1,8 +1,8 @@
-//! What is told of a run in simulated time: [`Figures`] of SPEs and the profile as a
+//! The reports about a run in simulated time: the [`Figures`] of SPEs, and the profile as a
 //! [`ProfileFile`].
 //!
-//! The emulator counts; the formats are here, so that it needs no serialiser, and so that a file
-//! means the same whoever wrote it: libspe2 for a program on it, or the tool `spu`.
+//! The emulator counts, and this crate defines the formats. So the emulator needs no serialiser,
+//! and a file has the same format whether libspe2 or the tool `spu` wrote it.
 
 mod figures;
 mod profile;

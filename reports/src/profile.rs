@@ -1,7 +1,7 @@
-//! The profile as a file: JSON, the same for equal runs.
+//! The profile as a JSON file. Equal runs produce equal files.
 //!
-//! Invariant of a [`ProfileFile`] that was read: addresses are those of words of local store,
-//! words are instructions, and each SPE's cycles are the sum of its instructions'.
+//! Invariant of a [`ProfileFile`] that was read: addresses are those of words in local store,
+//! words are instructions, and each SPE's cycles are the sum of its instructions' cycles.
 
 use std::collections::BTreeMap;
 
@@ -12,37 +12,37 @@ use spu_isa::Instruction;
 use spu_isa::timing::{Cause, Stalls};
 use thiserror::Error;
 
-/// More than a machine runs in centuries: sums of what is smaller do not overflow.
+/// More cycles than a machine runs in centuries. Sums of smaller numbers do not overflow.
 const MAX_CYCLES: u128 = 1 << 60;
 
-/// Why a file is no profile.
+/// Why a file is not a valid profile.
 #[derive(Debug, Error)]
 pub enum ProfileError {
-    /// Not JSON, or not this kind of it.
-    #[error("no profile: {0}")]
+    /// Not JSON, or JSON of another format.
+    #[error("not a profile: {0}")]
     Json(#[from] serde_json::Error),
-    /// An address outside local store or of no word.
+    /// An address that is outside local store or not a multiple of 4.
     #[error("damaged profile: address {0:#x}")]
     Address(u32),
-    /// A word that can't have issued.
-    #[error("damaged profile: {word:#010x} at {address:#07x} is no instruction")]
+    /// A word that is not an instruction.
+    #[error("damaged profile: {word:#010x} at {address:#07x} is not an instruction")]
     Word {
-        /// Its address.
+        /// The word's address.
         address: u32,
         /// The word.
         word: u32,
     },
-    /// Cycles that don't add up, or too many.
+    /// Cycles that are not the sum of the parts, or too many.
     #[error("damaged profile: the cycles of SPE {0} are not the sum of its instructions'")]
     Sum(usize),
 }
 
-/// An instruction's part.
+/// The entry of one instruction.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct InstructionEntry {
-    /// Where it stood.
+    /// The instruction's address.
     pub address: u32,
-    /// Its word.
+    /// The instruction's word.
     pub word: u32,
     issued: u64,
     joined: u64,
@@ -62,7 +62,7 @@ impl InstructionEntry {
         }
     }
 
-    /// What it cost.
+    /// The cost of the instruction.
     #[must_use]
     pub fn tally(&self) -> Tally {
         Tally {
@@ -73,13 +73,14 @@ impl InstructionEntry {
     }
 }
 
-/// What an SPE ran of one program; without a name what ran before any was loaded by libspe2.
+/// What an SPE ran of one program. Without `program`, it is code that ran before libspe2 loaded a
+/// program.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct ProgramEntry {
-    /// Which.
+    /// The program.
     #[serde(default, with = "by_text")]
     pub program: Option<ProgramId>,
-    /// By address and word.
+    /// The instructions by address and word.
     pub instructions: Vec<InstructionEntry>,
 }
 
@@ -114,7 +115,7 @@ pub struct ProfileFile {
 }
 
 impl ProfileFile {
-    /// Of what each SPE ran.
+    /// Creates the profile from what each SPE ran.
     #[must_use]
     pub fn new(cycles_per_second: u64, spes: &[SpeProfile]) -> Self {
         Self {
@@ -123,7 +124,7 @@ impl ProfileFile {
         }
     }
 
-    /// Reads one.
+    /// Reads a profile from JSON.
     pub fn parse(text: &[u8]) -> Result<Self, ProfileError> {
         let file: Self = serde_json::from_slice(text)?;
         let mut total = 0;
@@ -153,12 +154,12 @@ impl ProfileFile {
         Ok(file)
     }
 
-    /// Cycles charged, of each SPE.
+    /// The cycles charged on each SPE.
     pub fn cycles(&self) -> impl Iterator<Item = u64> {
         self.spes.iter().map(|spe| spe.cycles)
     }
 
-    /// Everything that one SPE did, together.
+    /// The sum of everything that one SPE did.
     #[must_use]
     pub fn tally(&self, spe: usize) -> Tally {
         let mut tally = Tally::default();
@@ -169,19 +170,19 @@ impl ProfileFile {
         tally
     }
 
-    /// The clock that the cycles are of.
+    /// The frequency of the clock that the cycles count.
     #[must_use]
     pub const fn cycles_per_second(&self) -> u64 {
         self.cycles_per_second
     }
 
-    /// What each SPE ran of each program.
+    /// The programs that each SPE ran.
     pub fn programs(&self) -> impl Iterator<Item = &ProgramEntry> {
         self.spes.iter().flat_map(|spe| &spe.programs)
     }
 }
 
-/// A program by its digits.
+/// Serialises a program's identity as hexadecimal digits.
 mod by_text {
     use super::{Deserialize, Deserializer, ProgramId, Serialize, Serializer, de};
 
@@ -202,7 +203,7 @@ mod by_text {
     }
 }
 
-/// Stalls as an object of the causes that cost cycles.
+/// Serialises stalls as an object with the causes that cost cycles.
 mod by_name {
     use super::{BTreeMap, Cause, Deserialize, Deserializer, Serializer, Stalls, de};
 
@@ -215,7 +216,7 @@ mod by_name {
         let mut stalls = Stalls::default();
         for (name, cycles) in BTreeMap::<String, u64>::deserialize(deserializer)? {
             let cause = Cause::all().find(|cause| cause.to_string() == name);
-            let unknown = || de::Error::custom(format_args!("no cause {name:?}"));
+            let unknown = || de::Error::custom(format_args!("unknown cause {name:?}"));
             stalls.add(cause.ok_or_else(unknown)?, cycles);
         }
         Ok(stalls)

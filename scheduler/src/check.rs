@@ -1,10 +1,11 @@
-//! Schedule notes in assembly sources, and whether the model agrees.
+//! Checks the schedule notes in assembly sources against the model.
 //!
-//! A note stands first in a line's comment: `# 12e value` says cycle 12, even pipe. Cycles count
-//! from the label before: if it heads a loop, in the steady state of that loop, from the first
-//! cycle that the pass could use; else from the issue of the label's own instruction, every
-//! register being ready. A label is a symbol of the file, or `name:` in the source; one that
-//! stands at a branch for its hint to name does not count.
+//! A note is the first word of a line's comment: `# 12e value` means cycle 12, even pipe. Cycles
+//! count from the label before the line. If the label heads a loop, the note refers to the steady
+//! state of the loop, counted from the first cycle that the pass could use. Otherwise cycles count
+//! from the issue of the label's own instruction, with every register ready. A label is a symbol
+//! of the file or `name:` in the source. A label at a branch, which only a hint names, does not
+//! count.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
@@ -16,7 +17,7 @@ use crate::code::Code;
 use spu_isa::timing::{Issue, Line, Loop, Rules, find_loops, hinted_branch, straight_line};
 use spu_isa::{Instruction, Pipe};
 
-/// Cycle and pipe.
+/// A cycle and a pipe.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Slot {
     /// Cycles since the label.
@@ -35,16 +36,16 @@ impl fmt::Display for Slot {
     }
 }
 
-/// What the model has in place of a note.
+/// What the model says instead of a note.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Model {
     /// The instruction issues here.
     Slot(Slot),
-    /// The line has made no instruction.
+    /// The line produced no instruction.
     NoInstruction,
-    /// The line has made this many: a note can't say which it means.
+    /// The line produced this many instructions, so it is not clear which one the note means.
     Several(usize),
-    /// A word from the label on is no instruction.
+    /// A word after the label is not an instruction.
     Unknown,
 }
 
@@ -61,16 +62,16 @@ impl fmt::Display for Model {
     }
 }
 
-/// A note that the model does not agree with.
+/// A note that differs from the model.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// The source file, as named to [`check`].
+    /// The source file, under the name that was passed to [`check`].
     pub file: PathBuf,
-    /// Its line, from 1.
+    /// The line number in it, from 1.
     pub line: u64,
-    /// The note.
+    /// What the note says.
     pub note: Slot,
-    /// The model.
+    /// What the model says.
     pub model: Model,
 }
 
@@ -86,12 +87,12 @@ impl fmt::Display for Difference {
     }
 }
 
-/// How the notes fared.
+/// The result of checking notes.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Outcome {
-    /// Notes that were looked at.
+    /// The number of notes that were checked.
     pub notes: usize,
-    /// Those that the model does not agree with.
+    /// The notes that differ from the model.
     pub differences: Vec<Difference>,
 }
 
@@ -117,7 +118,7 @@ pub fn source_files(code: &Code) -> Vec<PathBuf> {
     files.into_iter().collect()
 }
 
-/// Compares the notes in `sources` (path and text) with the model.
+/// Compares the notes in `sources` (paths and texts) with the model.
 pub fn check(
     code: &Code,
     sources: &[(PathBuf, String)],
@@ -172,8 +173,8 @@ pub fn check(
     Ok(outcome)
 }
 
-/// Where the model issues the instruction at `address`, counted from the label before. `words`
-/// gives the code from one address up to another.
+/// The cycle and pipe in which the model issues the instruction at `address`, counted from the
+/// label before it. `words` returns the code from one address up to another.
 pub(crate) fn slot(
     words: &dyn Fn(u32, u32) -> Vec<(u32, u32)>,
     labels: &BTreeSet<u32>,
@@ -221,8 +222,8 @@ fn note(line: &str) -> Option<Slot> {
     Some(Slot { cycle, pipe })
 }
 
-/// Addresses of symbols, and of the first instructions behind labels that are no symbols; not of
-/// branches that a hint names.
+/// The addresses of symbols, and of the first instructions after labels that are not symbols.
+/// Branches that a hint names are left out.
 fn label_addresses(code: &Code, text: &str, by_line: &BTreeMap<u64, Vec<u32>>) -> BTreeSet<u32> {
     let mut labels: BTreeSet<u32> = code.labels().collect();
     for (line, text) in (1..).zip(text.lines()) {
@@ -253,8 +254,8 @@ fn has_label(line: &str) -> bool {
     })
 }
 
-/// Whether the line table's path names this file: the same file, or the same name as far as the
-/// shorter of the two goes.
+/// Whether the line table's path means this file: both are the same file, or one path ends with
+/// the other.
 fn same_file(in_table: &Path, given: &Path) -> bool {
     if let (Ok(one), Ok(other)) = (in_table.canonicalize(), given.canonicalize()) {
         return one == other;

@@ -1,9 +1,10 @@
-//! SPU code in files: read, held to the model of the pipelines, and scheduled.
+//! Reads SPU code from files, checks it against the model of the pipelines, and schedules it.
 //!
 //! [`schedule()`] takes plain assembly and writes the same code for both pipes: blocks by list
-//! scheduling, counted loops by software pipelining. [`check::check`] holds the notes in a source
-//! to the model; [`code::Code`] is what both know of a file: words, functions, labels, source
-//! lines. It all needs the instruction table and the pipelines ([`spu_isa`]), and no machine.
+//! scheduling, counted loops by software pipelining. [`check::check`] compares the notes in a
+//! source with the model. Both use [`code::Code`], which holds the words, functions, labels and
+//! source lines of a file. They need only the instruction table and the pipelines ([`spu_isa`]),
+//! not an emulated machine.
 
 pub mod check;
 pub mod code;

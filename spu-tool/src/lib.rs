@@ -1,6 +1,6 @@
-//! What the tool `spu` shows: [`report`]s of code, and [`profile`]s of runs against it.
+//! The library of the tool `spu`: [`report`]s about code, and [`profile`]s of runs of that code.
 //!
-//! The program itself is in `bin/spu`; its verbs are thin over this library, the
+//! The program itself is in `bin/spu`. Its subcommands are thin layers over this library, the
 //! [scheduler](spu_scheduler) and the [emulator](spu_emulator).
 
 pub mod profile;

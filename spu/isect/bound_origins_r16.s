@@ -8,9 +8,9 @@
 #   Error   0: no origin is outside; apex and radius allow for the rounding of cull_nodes
 #   Twin    lab/twins/src/bound.rs
 #
-# The apex is the mean of the origins. With the largest r = |origin - apex|
-#   radius = r (1 + 2^-18) + 2^-18 |apex|, in the sum of the components' magnitudes
-# It is less the largest single if no ray is there.
+# The apex is the mean of the origins. With the largest r = |origin - apex|,
+#   radius = r (1 + 2^-18) + 2^-18 |apex|, where |apex| is the sum of its components' magnitudes.
+# Without any ray, the radius is minus the largest single.
 
         .include "bound_tmpl.inc"
         .include "flat.inc"

@@ -10,7 +10,7 @@
 #   Error   0: no packet is left out a ray of which enters
 #   Twin    lab/twins/src/cull.rs
 #
-# As filter_spheres_r16, with the cone of the sphere widened by that of a packet.
+# Like filter_spheres_r16, but with the cone of the sphere widened by that of a packet.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -26,7 +26,7 @@
         registers m_four                                # first two words of two quadwords
         # the sphere
         registers a_sphere,quad,more,cx,cy,cz,limit
-        # the middles: a row
+        # the middles of a row
         registers dx,dy,dz
         # temporaries
         registers s                                     # to 31

@@ -10,8 +10,8 @@
 #   Error   0: no sphere is left out that has a point in the frustum
 #   Twin    lab/twins/src/cull.rs
 #
-# The four planes stand in the four lanes, so one sphere takes three products:
-#   s = reach + n.c, negative in a lane: all of the sphere is outside of that plane
+# The four planes are in the four lanes, so one sphere needs three products:
+#   s = reach + n.c, which is negative in a lane if the whole sphere is outside that plane
 
         .include "work_unit.inc"
         .include "macros.inc"

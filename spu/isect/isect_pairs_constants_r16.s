@@ -7,9 +7,9 @@
 #   Error   3.5 ulp of t, eye 2 to 1e6 radii from the centre, ray within 0.9 r of it
 #   Twin    lab/twins/src/sphere/constants.rs
 #
-# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts,
-# and behind the eye it is none. The centre's place in the record holds its unit direction, the
-# radius squared is in parts of the distance's square.
+# The steps are in sphere_tmpl.inc. An opaque sphere has no inside, so only the entry counts, and
+# only if it is in front of the eye. The record has the unit direction in place of the centre, and
+# the squared radius relative to the square of the distance.
 
         .include "sphere_eye.inc"
         .include "sphere_constants.inc"

@@ -9,12 +9,12 @@
 #   Twin    lab/twins/src/accumulate.rs
 #
 #   pixel += weight lit
-# Four rays' sums are loaded before the first is stored. A ray whose pixel an earlier one of the
-# four has as well adds what that one adds too, and is stored behind it: the last one's sum is
-# whole.
+# Four rays' sums are loaded before the first is stored. If an earlier one of the four has the same
+# pixel, a ray adds that one's share as well and is stored later. The last sum stored for a pixel
+# is therefore complete.
 #
-# Sums are addressed by one base and an index, so that the scheduler keeps these accesses in order,
-# and no others behind them.
+# Sums are addressed through one base and an index, so that the scheduler keeps these accesses in
+# order, but no others.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -62,7 +62,7 @@ second: .int    0x04050607,0x14151617,0x0c0d0e0f,0x04050607 # P1 Q1 P3
 third:  .int    0x08090a0b,0x18191a1b,0x00010203,0x08090a0b # P2 Q2 P0
 fourth: .int    0x0c0d0e0f,0x1c1d1e1f,0x04050607,0x0c0d0e0f # P3 Q3 P1
 
-# out = more + the share of an earlier ray with the same pixel.
+# out = more + the share of an earlier ray, if it has the same pixel.
 .macro  with_earlier out:req, more:req, lane:req, earlier:req
         ceq     $c_same,$pixel\lane,$pixel\earlier
         and     $c_same,$c_same,$share\earlier

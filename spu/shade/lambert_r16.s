@@ -11,7 +11,7 @@
 #   Twin    lab/twins/src/light.rs
 #
 #   lit += brightness diffuse (N.L) colour
-# The same bits as light_r16 of a highlight of 0.
+# The result has the same bits as that of light_r16 with a highlight of 0.
 
         .include "light_tmpl.inc"
 

@@ -12,15 +12,15 @@
 #   Twin    lab/twins/src/light.rs
 #
 #   lit += brightness (diffuse (N.L) colour + highlight (N.H)^exponent)
-# For H = L - d, with neither root nor unit vector:
-#   q = (N.H)^2 / |H|^2                      the cosine's square, N.H at least 0
-#   q = 2^k m, m within sqrt(1/2), sqrt(2)   log2(q) = k + u p(u), u = m - 1
-#   n = -exponent log2(q) / 2                fixed point of 23 bits behind the point, at least 0
+# For H = L - d, without a root or a unit vector:
+#   q = (N.H)^2 / |H|^2                      the square of the cosine, where N.H is at least 0
+#   q = 2^k m, sqrt(1/2) <= m <= sqrt(2)     log2(q) = k + u p(u), u = m - 1
+#   n = -exponent log2(q) / 2                fixed point with 23 bits of fraction, at least 0
 #   2^-n = 2^-f / 2^i                        f and i are bits of n: 1 + f is n's fraction under the
 #                                            exponent of 1, and i is subtracted from the result's
-# p is of degree 4 and right to 5e-5 of log2(q): as x^n falls, so does what it takes on of that
-# error, at most 0.37 of it. Where q is nearly 1, the rounding of q itself, about 8 ulp, is
-# multiplied by the exponent. 2^-f is of degree 3, right to 8e-5. 0^0 is 1.
+# p has degree 4 and is exact to 5e-5 of log2(q). The error of the exponent grows as x^n falls, so
+# x^n takes on at most 0.37 of it. Where q is nearly 1, the rounding of q itself, about 8 ulp, is
+# multiplied by the exponent. 2^-f has degree 3 and is exact to 8e-5. 0^0 is 1.
 
         .include "light_tmpl.inc"
 
@@ -52,7 +52,8 @@
         .set    t_e,56
         .set    mantissa,57
 
-# Remez, weighted for the relative error, then rounded; half of log2, so that k/2 is added.
+# Minimax coefficients by Remez, weighted for the relative error and then rounded. They are for
+# half of log2, so that k/2 is added.
 .macro  log_constants
         load_constant $k_log+0,0x3f38a8a2               # 0.72132313
         load_constant $k_log+1,0xbeb8764a               # -0.36027749
@@ -61,7 +62,7 @@
         load_constant $k_log+4,0x3e026ed6               # 0.12737594
 .endm
 
-# The same of 2^(1 - g), 1 <= g < 2.
+# The same for 2^(1 - g), 1 <= g < 2.
 .macro  exp_constants
         load_constant $k_exp+0,0x3ffae237               # 1.9600285
         load_constant $k_exp+1,0xbfa25452               # -1.2681982

@@ -10,7 +10,7 @@
 #   Error   0.50001 of 255, each channel
 #   Twin    lab/twins/src/pack.rs
 #
-# What pack_r16 does to colours: see there.
+# The conversion is that of pack_r16.
 
         .include "work_unit.inc"
         .include "macros.inc"

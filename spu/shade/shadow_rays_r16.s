@@ -11,10 +11,11 @@
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    lab/twins/src/shadow_rays.rs
 #
-#   to = position - point, L = to / |to|, t = |to|; L = position, t FARTHEST if directional
-#   ray where N.L > 0, plane.L > 0 and diffuse or highlight > 0; else t = -1
+#   to = position - point, L = to / |to|, t = |to|
+#   for a directional light: L = position, t = FARTHEST
+#   a ray exists if N.L > 0, plane.L > 0 and diffuse or highlight > 0; otherwise t = -1
 #   origin = point + leave plane
-# A light exactly at the point has L = 0, so N.L = 0: no ray.
+# A light exactly at the point has L = 0, so N.L = 0 and there is no ray.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -27,7 +28,7 @@
         registers k_half
         .set    NEXT,10
         registers k_one,k_farthest,k_minus_one
-        registers k_near                                # 0 of a directional light, else 1
+        registers k_near                                # 0 for a directional light, else 1
         registers c_directional,light_x,light_y,light_z
         # state
         registers rays

@@ -10,10 +10,11 @@
 #           plane's
 #   Twin    lab/twins/src/smooth.rs
 #
-# For the point p, the vertices a, b, c as p sees them, their normals and the plane's normal g:
+# For the point p, the vertices a, b, c relative to p, their normals and the plane's normal g:
 #   n = (g x b).c normal_a + (g x c).a normal_b + (g x a).b normal_c
-# The shares of the area turn their signs with g, and so n gets to the ray's side, as g is. Where
-# it points away from the ray even so, n.d >= 0, g takes its place: with n at length 1.
+# The shares of the area change their signs with g, so n points to the same side as g, which is the
+# ray's side. If it nevertheless points away from the ray, n.d >= 0, it is replaced by g. Otherwise
+# it is normalised.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -31,20 +32,21 @@
         registers low,high,smooth
         # the row
         registers px,py,pz,gx,gy,gz,dx,dy,dz
-        registers ax                                    # vertices, then their normals
+        registers ax                                    # the vertices, then their normals
         registers ay,az,bx,by,bz,cx,cy,cz,turn_x,turn_y,turn_z,share_a,share_b,share_c,nx,ny,nz
         registers along,square,inverse,t_y,t_e,old_x,old_y,old_z
 
         .section .rodata
         .align  4
-# First and second words of A and B by turns; the third and fourth; first halves; second halves.
+# The first and second words of A and B, alternating; the third and fourth; the first halves; the
+# second halves.
 transpose:
         .int    0x00010203,0x10111213,0x04050607,0x14151617
         .int    0x08090a0b,0x18191a1b,0x0c0d0e0f,0x1c1d1e1f
         .int    0x00010203,0x04050607,0x10111213,0x14151617
         .int    0x08090a0b,0x0c0d0e0f,0x18191a1b,0x1c1d1e1f
 
-# A vector of the four patches, each component in a register.
+# Loads a vector of the four patches, with each component in a register.
 .macro  gather x:req, y:req, z:req, offset:req
     .irp lane, 0,1,2,3
         lqd     $quad+\lane,\offset($patch+\lane)

@@ -11,7 +11,7 @@
 #   Error   0.15 of SURFACES_leave, distance of a point from its surface
 #   Twin    lab/twins/src/surfaces.rs
 #
-# Splats take the place of gathers. same_objects_r16 tells which packets are such.
+# Splats replace the gathers. same_objects_r16 finds the packets for which this is possible.
 
         .include "surface_tmpl.inc"
 

@@ -9,7 +9,7 @@
 #   Error   2 ulp of 1, each channel of a colour up to 1
 #   Twin    lab/twins/src/shader.rs
 #
-#   lit = colour clamp((far - t) scale, 0, 1), far and scale the first two parameters
+#   lit = colour clamp((far - t) scale, 0, 1), where far and scale are the first two parameters
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -1,13 +1,13 @@
-//! Links of the documents lead to files and headings that exist, and paths in backquotes name
-//! files that exist.
+//! Checks that links in the documents lead to existing files and headings, and that paths in
+//! backquotes name existing files.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Paths that documents use as examples, and that need not exist.
+/// Paths that documents use as examples and that need not exist.
 const EXAMPLES: &[&str] = &[
-    // The formulation that CONTRIBUTING.md adds.
+    // The formulation that CONTRIBUTING.md adds as an example.
     "lab/spu/include/sphere_mine.inc",
     "lab/spu/isect/isect_pairs_mine_r16.s",
 ];
@@ -56,7 +56,7 @@ fn prose(text: &str) -> String {
     prose
 }
 
-/// The spans in backquotes, and the text between them.
+/// Splits a text into the spans in backquotes and the rest.
 fn parted(prose: &str) -> (Vec<&str>, String) {
     let (mut spans, mut rest) = (Vec::new(), String::new());
     for paragraph in prose.split("\n\n") {
@@ -93,7 +93,7 @@ fn anchors(text: &str) -> BTreeSet<String> {
     headings.map(anchor).collect()
 }
 
-/// What is wrong with a link from a document in `folder`, with this text.
+/// The error in a link with this target, in a document in `folder` with this text.
 fn broken(link: &str, folder: &Path, text: &str) -> Option<String> {
     if link.starts_with("https://") || link.starts_with("http://") {
         return None;
@@ -113,7 +113,7 @@ fn broken(link: &str, folder: &Path, text: &str) -> Option<String> {
     (!found.contains(anchor)).then(|| format!("no heading for #{anchor}"))
 }
 
-/// What is wrong with the links of a document in `folder`, and how many links it has.
+/// The errors in the links of a document in `folder`, and the number of its links.
 fn check(folder: &Path, text: &str) -> (Vec<String>, usize) {
     let prose = prose(text);
     let (_, rest) = parted(&prose);
@@ -149,7 +149,7 @@ fn every_link_leads_somewhere() {
 fn every_path_in_backquotes_exists() {
     let all = files(Path::new(""));
     let is_below_a_folder = |span: &str| match span.split_once('/') {
-        // An absolute path is one of another system.
+        // An absolute path belongs to another system.
         Some(("", _)) | None => false,
         Some((folder, _)) => all.iter().any(|path| path.starts_with(folder)),
     };

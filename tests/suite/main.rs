@@ -1,4 +1,5 @@
-//! All tests of the tracer from outside: one program, as linking several takes longer.
+//! All tests of the tracer from outside. They are one program, because linking several takes
+//! longer.
 
 mod command_line;
 mod frames;

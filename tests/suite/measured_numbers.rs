@@ -1,5 +1,5 @@
-//! Simulated speeds in the documents are those that `ci/measure --write` has put there: a sentence
-//! may repeat one, but says no other.
+//! Checks that simulated speeds in the documents are those that `ci/measure --write` wrote. A
+//! sentence may repeat such a number but contain no other.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 const WRITTEN: &str = ": written by ci/measure --write -->";
 const END: &str = "<!-- end of what is written -->";
 
-/// Numbers before "frames/s" that are not of those tables, and why.
+/// Numbers before "frames/s" that do not come from those tables, and their origin.
 const OTHERS: &[(&str, &str, &str)] = &[
     ("docs/frame.md", "52", "the paper's, on a console"),
     ("docs/frame.md", "1615", "a step of this project's history"),
@@ -24,7 +24,7 @@ fn documents() -> Vec<PathBuf> {
     documents
 }
 
-/// What `ci/measure` has written in a text, and the rest.
+/// Splits a text into the part that `ci/measure` wrote and the rest.
 fn parted(text: &str) -> (String, String) {
     let (mut written, mut rest, mut inside) = (String::new(), String::new(), false);
     for line in text.lines() {
@@ -36,7 +36,7 @@ fn parted(text: &str) -> (String, String) {
     (written, rest)
 }
 
-/// The numbers in front of "frames/s" or "frames a second", as they are written.
+/// The numbers before "frames/s" or "frames a second" as text.
 fn speeds(text: &str) -> Vec<String> {
     let words: Vec<&str> = text.split_whitespace().collect();
     let number = |word: &&str| word.starts_with(|c: char| c.is_ascii_digit());
@@ -55,7 +55,7 @@ fn speeds(text: &str) -> Vec<String> {
     found
 }
 
-/// Whether `number` is one of these cells, rounded to as many decimals.
+/// Whether `number` equals one of these cells, rounded to the same number of decimals.
 fn is_among(number: &str, cells: &[f64]) -> bool {
     let decimals = number.split_once('.').map_or(0, |(_, behind)| behind.len());
     cells
@@ -66,7 +66,7 @@ fn is_among(number: &str, cells: &[f64]) -> bool {
 #[test]
 fn every_speed_is_a_measured_one() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (mut cells, mut said) = (Vec::new(), Vec::new());
+    let (mut cells, mut quoted) = (Vec::new(), Vec::new());
     let mut blocks = 0;
     for path in documents() {
         let name = path.strip_prefix(root).unwrap().display().to_string();
@@ -76,7 +76,7 @@ fn every_speed_is_a_measured_one() {
             .split('|')
             .filter_map(|cell| cell.trim().parse::<f64>().ok());
         cells.extend(numbers);
-        said.extend(
+        quoted.extend(
             speeds(&rest)
                 .into_iter()
                 .map(|number| (name.clone(), number)),
@@ -84,15 +84,15 @@ fn every_speed_is_a_measured_one() {
     }
     assert_eq!(blocks, 5, "the tables of ci/measure");
     for (name, number, why) in OTHERS {
-        let is_said = said
+        let is_in_document = quoted
             .iter()
-            .any(|(file, said)| file == name && said == number);
+            .any(|(file, quoted)| file == name && quoted == number);
         assert!(
-            is_said,
+            is_in_document,
             "{name} no longer says {number} frames/s ({why}): take it off the list"
         );
     }
-    let strange: Vec<_> = said
+    let strange: Vec<_> = quoted
         .iter()
         .filter(|(name, number)| {
             let other = |(file, known, _): &(&str, &str, &str)| file == name && known == number;

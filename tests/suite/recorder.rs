@@ -1,4 +1,4 @@
-//! A framebuffer that tests can look into, and frames made with it.
+//! A framebuffer whose contents tests can read, and frames rendered to it.
 
 use std::sync::{Arc, Mutex};
 
@@ -6,7 +6,7 @@ use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory, Targ
 use cellray::{Engine, Scene, Settings};
 use image::RgbImage;
 
-/// A memory framebuffer whose presented frames can be looked at from outside.
+/// A memory framebuffer whose presented frames can be read from outside.
 pub struct Recorder {
     memory: Memory,
     shown: Arc<Mutex<Option<RgbImage>>>,
@@ -16,7 +16,7 @@ pub struct Recorder {
 pub type Snapshot = Arc<Mutex<Option<RgbImage>>>;
 
 impl Recorder {
-    /// A framebuffer for an engine, and what it will have presented.
+    /// A framebuffer for an engine, and the frame that it last presented.
     pub fn pair(width: u32, height: u32) -> (Box<dyn Framebuffer>, Snapshot) {
         let memory = Memory::new(Geometry { width, height }).unwrap();
         let shown = Snapshot::default();
@@ -53,7 +53,7 @@ impl Framebuffer for Recorder {
     }
 }
 
-/// One of the scenes that come with the program.
+/// Reads one of the scenes that come with the program.
 pub fn nff_scene(name: &str) -> nff::Scene {
     let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("scenes")
@@ -61,7 +61,7 @@ pub fn nff_scene(name: &str) -> nff::Scene {
     nff::load(&path).unwrap()
 }
 
-/// A frame of a scene.
+/// Renders a frame of a scene.
 pub fn render(scene: &nff::Scene, width: u32, height: u32, settings: Settings) -> RgbImage {
     let (framebuffer, shown) = Recorder::pair(width, height);
     let mut engine = Engine::start(settings, framebuffer).unwrap();

@@ -1,5 +1,5 @@
-//! What frames cost in simulated time: six SPUs at 3.192 GHz, 1280x720. Deterministic, so that a
-//! change that makes a frame slower than promised fails here, whatever machine runs it.
+//! Frame times in simulated time: six SPUs at 3.192 GHz, 1280x720. They are deterministic, so a
+//! change that makes a frame slower than promised fails here on any machine.
 
 use std::collections::BTreeMap;
 use std::process::Command;
@@ -7,8 +7,8 @@ use std::sync::{Arc, Mutex, OnceLock};
 
 use serde_json::Value;
 
-/// The statistics of some frames of a scene in simulated time. Several tests ask for the same ones,
-/// which are traced once: they are the same each time.
+/// The statistics of some frames of a scene in simulated time. Several tests use the same ones,
+/// which are traced only once because they are always equal.
 fn simulated(scene: &str, options: &[&str]) -> Value {
     static TRACED: Mutex<BTreeMap<String, Arc<OnceLock<Value>>>> = Mutex::new(BTreeMap::new());
     let what = format!("{scene} {options:?}");
@@ -36,7 +36,7 @@ fn number(statistics: &Value, name: &str) -> f64 {
         .unwrap_or_else(|| panic!("no {name} in {statistics}"))
 }
 
-/// Every ray with every sphere: ten times the paper's 52 and 64 frames a second.
+/// Every ray is tested against every sphere: ten times the paper's 52 and 64 frames a second.
 #[test]
 fn brute_force() {
     for (scene, frames_per_second) in [
@@ -50,7 +50,7 @@ fn brute_force() {
     }
 }
 
-/// With all that can be skipped, once the tiles' costs are known.
+/// Everything that can be skipped is skipped, with known costs of the tiles.
 #[test]
 fn everything_on() {
     let scenes = BTreeMap::from([
@@ -78,7 +78,7 @@ fn whitteds_model() {
     assert!(busy >= 0.97, "{busy}");
 }
 
-/// No SPU waits for the others or for its transfers.
+/// SPUs hardly wait for each other or for their transfers.
 #[test]
 fn spus_are_busy() {
     let even = simulated("scenes/paper16.nff", &["--retrace", "--frames", "6"]);

@@ -1,4 +1,4 @@
-//! `docs/work-unit.md` has the byte tables of the layout as it is. `MAKE_REF=1` writes them.
+//! Checks that the byte tables in `docs/work-unit.md` match the layout. `MAKE_REF=1` writes them.
 
 use std::fmt::Write as _;
 use std::fs;

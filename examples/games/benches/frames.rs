@@ -1,5 +1,5 @@
-//! Frames a second of each game in simulated time: six SPUs at 1280x720, the moments of the
-//! demonstrations.
+//! The speed of each game in simulated time, in frames a second: six SPUs at 1280x720, at the
+//! moments that the demonstrations show.
 //!
 //!     cargo bench -p games
 
@@ -15,7 +15,7 @@ const TIMING: &str = "LIBSPE2_TIMING";
 
 fn main() -> Result<(), Box<dyn Error>> {
     if std::env::var_os(TIMING).is_none() {
-        // It is read when a program starts.
+        // The library reads the variable when a program starts.
         let status = Command::new(std::env::current_exe()?)
             .env(TIMING, "1")
             .status()?;

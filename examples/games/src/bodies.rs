@@ -1,22 +1,22 @@
 //! Balls that bounce off one another.
 //!
-//! Invariants: what two balls that meet have of momentum together they keep, and of energy they
-//! never get more; they part without overlap, the lighter one by more.
+//! Invariants: when two balls meet, their total momentum stays the same and their energy never
+//! grows. Afterwards they do not overlap; the lighter one is moved by more.
 
 use cellray::game::DVec3;
 
 use crate::steps::STEP;
 
-/// Overlap, of squares of distances and in parts of the whole, that is none: what parting two
-/// balls leaves of it is some 1e-16.
+/// The relative overlap, in squares of distances, that counts as none. Separating two balls leaves
+/// an overlap of about 1e-16.
 const ROUNDING: f64 = 1e-12;
 
 /// A ball that moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
-    /// Where its centre is.
+    /// The position of its centre.
     pub centre: DVec3,
-    /// Its way in a second.
+    /// Its movement in a second.
     pub velocity: DVec3,
     /// Its radius.
     pub radius: f64,
@@ -25,7 +25,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// One at rest, of the mass that its size gives it.
+    /// A ball at rest with the mass that fits its size.
     #[must_use]
     pub fn new(centre: DVec3, radius: f64) -> Self {
         Self {
@@ -36,14 +36,14 @@ impl Body {
         }
     }
 
-    /// What energy it has by its way.
+    /// The energy of its velocity.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.mass * self.velocity.length_squared() / 2.0
     }
 
-    /// Turns it back at a wall that it has run into by `depth` and that faces along `normal`;
-    /// whether it went towards it.
+    /// Reflects it at a wall with this normal, which it overlaps by `depth`. Returns whether it
+    /// was moving towards the wall.
     pub fn rebound(&mut self, normal: DVec3, depth: f64, restitution: f64) -> bool {
         self.centre += normal * depth;
         let towards = -self.velocity.dot(normal);
@@ -53,7 +53,7 @@ impl Body {
         towards > 0.0
     }
 
-    /// Keeps it within a box, by its walls.
+    /// Keeps it within a box by bouncing it off the walls.
     pub fn keep_within(&mut self, low: DVec3, high: DVec3, restitution: f64) {
         for axis in [DVec3::X, DVec3::Y, DVec3::Z] {
             let place = self.centre.dot(axis);
@@ -68,11 +68,11 @@ impl Body {
     }
 }
 
-/// Lets two balls bounce off one another if they touch; whether they did.
+/// Bounces two balls off one another if they touch, and returns whether they do.
 ///
-/// They are found when they overlap already, after a step. Which way they part is decided where
-/// they touched first: a step of a fast ball is so long that the line between their centres has
-/// turned by then.
+/// Contacts are found after a step, when the balls already overlap. The direction of the bounce is
+/// determined at the first contact, because a fast ball moves so far in a step that the line
+/// between the centres has turned since then.
 pub fn meet(a: &mut Body, b: &mut Body, restitution: f64) -> bool {
     let between = b.centre - a.centre;
     let reach = a.radius + b.radius;
@@ -102,11 +102,11 @@ pub fn meet(a: &mut Body, b: &mut Body, restitution: f64) -> bool {
     true
 }
 
-/// Direction from a ball to another, and how far their centres are apart.
+/// The direction from one ball to another, and the distance of their centres.
 fn line_between(a: &Body, b: &Body) -> (DVec3, f64) {
     let between = b.centre - a.centre;
     let distance = between.length();
-    // Of two in one place any direction parts them, if it is the same every time.
+    // Two balls in one place may separate in any direction, as long as it is always the same.
     let normal = if distance > 0.0 {
         between / distance
     } else {
@@ -115,15 +115,16 @@ fn line_between(a: &Body, b: &Body) -> (DVec3, f64) {
     (normal, distance)
 }
 
-/// Seconds since two balls that overlap touched first, by their ways: `between` is from the one to
-/// the other, which comes nearer by `closing` in a second. 0 where that was not within the last
-/// step: they lie on one another then, and no way of theirs brought them there.
+/// The seconds since two overlapping balls first touched. `between` is the vector from one to the
+/// other, which approaches with the velocity `closing`. 0 if the contact was not within the last
+/// step: then the balls already overlapped, and their movement did not cause the contact.
 fn since_contact(between: DVec3, closing: DVec3, reach: f64) -> f64 {
-    // |between + closing t| = reach has one solution later than none, as they are nearer than that now.
+    // |between + closing t| = reach has exactly one solution before now, because they are nearer
+    // than that now.
     let (speed, along) = (closing.length_squared(), between.dot(closing));
     let depth = reach * reach - between.length_squared();
     if along <= 0.0 && depth < ROUNDING * reach * reach {
-        // They go apart, and overlap by what rounding left when they last met.
+        // They are moving apart, and overlap only by the rounding of their last contact.
         return 0.0;
     }
     let root = (along * along + speed * depth).sqrt();
@@ -135,7 +136,7 @@ fn since_contact(between: DVec3, closing: DVec3, reach: f64) -> f64 {
     if since <= STEP { since } else { 0.0 }
 }
 
-/// Calls for each two of a list, in order.
+/// Calls `each` for every pair in a list, in order.
 pub fn pairs<T>(list: &mut [T], mut each: impl FnMut(&mut T, &mut T)) {
     let mut rest = list;
     while let Some((first, others)) = rest.split_first_mut() {
@@ -183,8 +184,8 @@ mod tests {
         assert!(met > 1000, "{met}");
     }
 
-    /// Two of a pool ball's size: the one comes along x at a speed, with the other's middle off
-    /// its way by so much, and has touched it such a part of a step ago.
+    /// Two balls of a pool ball's size. One moves along x at a speed, and the centre of the other
+    /// is off its path by `offset`. They first touched this part of a step ago.
     fn cut(speed: f64, offset: f64, part: f64) -> (Body, Body) {
         let radius = 0.0286;
         let contact = (4.0 * radius * radius - offset * offset).sqrt();
@@ -207,7 +208,7 @@ mod tests {
                     let went = libm::atan2(after_b.velocity.z, after_b.velocity.x).to_degrees();
                     let what = format!("{degrees} degrees, {speed} m/s, {part}: {went}");
                     assert!((went - degrees).abs() < 0.1, "{what}");
-                    // Each has gone its new way for what was left of the step.
+                    // Each has moved in its new direction for the rest of the step.
                     let gone = after_b.centre - b.centre;
                     assert!((gone - after_b.velocity * (part * STEP)).length() < 1e-9);
                 }

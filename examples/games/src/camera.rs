@@ -1,36 +1,36 @@
-//! An eye on a sphere round what it looks at, which the player turns.
+//! A camera on a sphere around the point that it looks at, which the player turns.
 
 use cellray::game::{Axis, Button, DVec3, Input, Key, MouseButton};
 
-/// Radians that a pixel of the mouse's way turns it by.
+/// Radians by which it turns for a pixel of mouse movement.
 const A_PIXEL: f64 = 0.006;
-/// Radians a second by keys and sticks.
+/// Radians a second for keys and sticks.
 const A_SECOND: f64 = 1.4;
-/// Part of the distance's logarithm by a notch of the wheel, and a second by keys.
+/// Change of the distance's logarithm for a notch of the wheel, and for a second of keys.
 const A_NOTCH: f64 = 0.12;
 const ZOOM_A_SECOND: f64 = 1.2;
-/// What a stick that lies still may say.
+/// The largest value of a stick at rest.
 const DEAD: f64 = 0.15;
 
-/// The eye: where it is from what it looks at.
+/// The eye's position relative to the point that it looks at.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Orbit {
-    /// Radians round the upright axis; with 0 it is in the direction of z.
+    /// Radians about the vertical axis. 0 is the direction of z.
     pub turn: f64,
     /// Radians above the horizon.
     pub rise: f64,
-    /// How far away it is.
+    /// The distance from the point.
     pub distance: f64,
-    /// Least and greatest distance.
+    /// The least and the greatest distance.
     pub distances: (f64, f64),
-    /// Least and greatest rise.
+    /// The least and the greatest rise.
     pub rises: (f64, f64),
 }
 
 impl Orbit {
-    /// Moves it as the player does: the mouse dragged, the wheel, A, D, W, S, page keys, the right
-    /// stick, and on a pad R2 for nearer and L2 for farther. Whether the player does anything, be
-    /// it at a bound.
+    /// Applies the player's input: dragging the mouse, the wheel, A, D, W, S, page keys, the right
+    /// stick, and on a pad R2 for nearer and L2 for farther. Returns whether there is any input,
+    /// even if a bound stops the movement.
     pub fn steer(&mut self, input: &Input, seconds: f64) -> bool {
         let mouse = input.mouse();
         let mut turn = f64::from(input.key_axis(Key::A, Key::D)) * A_SECOND * seconds;
@@ -49,13 +49,13 @@ impl Orbit {
         let zoom = zoom * ZOOM_A_SECOND * seconds - f64::from(mouse.wheel[1]) * A_NOTCH;
         self.turn = libm::remainder(self.turn + turn, std::f64::consts::TAU);
         self.rise = (self.rise + rise).clamp(self.rises.0, self.rises.1);
-        // Bounded first: the wheel of a recording may say any number.
+        // The value is limited first, because the wheel of a recording may have any value.
         self.distance = (self.distance * libm::exp(zoom.clamp(-9.0, 9.0)))
             .clamp(self.distances.0, self.distances.1);
         turn != 0.0 || rise != 0.0 || zoom != 0.0
     }
 
-    /// Where it is when it looks at a place.
+    /// The eye's position when it looks at this point.
     #[must_use]
     pub fn from(&self, at: DVec3) -> DVec3 {
         let (turn_sine, turn_cosine) = libm::sincos(self.turn);
@@ -69,18 +69,18 @@ impl Orbit {
     }
 }
 
-/// What a stick says, -1 to 1, without what it says at rest.
+/// The value of a stick, -1 to 1, where values at rest become 0.
 #[must_use]
 pub fn stick(value: f32) -> f64 {
     let value = f64::from(value);
     if value.abs() < DEAD { 0.0 } else { value }
 }
 
-/// Nearer, an eye is where it is to be: it can't be seen that it is not.
+/// Below this distance, the eye counts as arrived, because the difference is invisible.
 const ARRIVED: f64 = 1e-5;
 
-/// Goes this part of the way. Who has arrived stays to the bit, however long the frames are: else
-/// a picture in which nothing moves would be traced again and again.
+/// Moves this part of the way. A position that has arrived stays exactly the same however long the
+/// frames are. Otherwise a picture without movement would be traced again and again.
 #[must_use]
 pub fn follow(from: DVec3, to: DVec3, part: f64) -> DVec3 {
     let way = to - from;
@@ -137,7 +137,7 @@ mod tests {
     #[test]
     fn it_rests_without_a_player() {
         assert!(!ORBIT.clone().steer(&Input::default(), 1.0));
-        // Nor does it count as moved where somebody else has turned it farther than round.
+        // Wrapping an angle to the range of a turn does not count as movement either.
         let mut orbit = Orbit { turn: 4.0, ..ORBIT };
         assert!(!orbit.steer(&Input::default(), 1.0));
         assert!((orbit.turn - (4.0 - std::f64::consts::TAU)).abs() < 1e-12);

@@ -1,8 +1,8 @@
-//! Colours by their hue.
+//! Colours from hues.
 
 use cellray::game::DVec3;
 
-/// The colour of a hue, a turn of the circle being 1, with so much of it grey.
+/// The colour of a hue, where 1 is a full circle, mixed with this share of grey.
 #[must_use]
 pub fn hue(turn: f64, grey: f64) -> DVec3 {
     let sixth = (turn - turn.floor()) * 6.0;

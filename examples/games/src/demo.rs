@@ -1,27 +1,27 @@
-//! What a player does before the pictures of `docs/games.md` are taken, and before frames are
+//! The input of a player before the pictures of `docs/games.md` are taken and before frames are
 //! measured.
 
 use cellray::game::{Entry, Frame, Input, InputEvent, Key, Start, World, WorldError};
 
 use crate::{billiards, marbles, orrery, screensaver};
 
-/// Frames a second of a demonstration.
+/// Frames a second in a demonstration.
 const RATE: u32 = 30;
 
-/// A moment of a game that shows what it is like.
+/// A typical moment of a game.
 #[derive(Clone, Copy)]
 pub struct Demo {
-    /// What it is called.
+    /// The demonstration's name.
     pub name: &'static str,
     /// The game.
     pub game: &'static Entry,
-    /// Keys that are held, from one frame to another.
+    /// The keys that are held, each from one frame to another.
     pub keys: &'static [(Key, u64, u64)],
-    /// The frame of the frame.
+    /// The number of the frame.
     pub frame: u64,
 }
 
-/// All of them.
+/// All demonstrations.
 pub const DEMOS: &[Demo] = &[
     Demo {
         name: "billiards",
@@ -76,7 +76,7 @@ pub const DEMOS: &[Demo] = &[
 ];
 
 impl Demo {
-    /// Plays from the first frame to that of the moment, and calls with its world.
+    /// Plays from the first frame to the moment, and calls `show` with the game's world.
     pub fn play<E: From<WorldError>>(
         &self,
         size: (u32, u32),
@@ -113,7 +113,7 @@ impl Demo {
     }
 }
 
-/// The demonstration of a name.
+/// The demonstration with this name.
 #[must_use]
 pub fn demo(name: &str) -> Option<&'static Demo> {
     DEMOS.iter().find(|demo| demo.name == name)

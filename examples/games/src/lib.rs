@@ -1,10 +1,10 @@
-//! Games for cellray. Each is a [`Game`](cellray::game::Game) of the library and knows no window:
-//! `cellray-play` shows them.
+//! Games for cellray. Each is a [`Game`](cellray::game::Game) of the library that does not depend
+//! on a window. `cellray-play` shows them.
 //!
-//! What they have in common: time in steps of one size ([`steps`]), balls that bounce off one
-//! another ([`bodies`]), an eye that the player moves ([`camera`]). Invariant: a game's world
-//! depends on its seed and what it is told of each frame alone, and is the same on every machine:
-//! nothing but `+ - * /`, square roots and `libm`'s functions is worked out.
+//! They share time in steps of one size ([`steps`]), balls that bounce off one another
+//! ([`bodies`]), and an eye that the player moves ([`camera`]). Invariant: a game's world depends
+//! only on its seed and on the input of each frame, and is the same on every machine, because only
+//! `+ - * /`, square roots and `libm`'s functions are used.
 
 pub mod billiards;
 pub mod bodies;
@@ -26,7 +26,7 @@ pub const GAMES: &[Entry] = &[
     screensaver::ENTRY,
 ];
 
-/// The game of a name.
+/// The game with this name.
 #[must_use]
 pub fn find(name: &str) -> Option<&'static Entry> {
     GAMES.iter().find(|game| game.name == name)

@@ -1,8 +1,8 @@
 //! Marbles on a mirror that the player tilts.
 //!
-//! The golden marble is the player's. Where it touches a gem, the gem is won and lies elsewhere;
-//! each one won lights a bead on the rim, and when all are alight they go out again, and the gems
-//! are worth the next round.
+//! The golden marble is the player's. When it touches a gem, the player wins the gem, which
+//! appears again elsewhere. Each gem lights a bead on the rim. When all beads are lit, they go
+//! out, and the gems are worth the next round.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -22,15 +22,15 @@ use crate::camera::{Orbit, stick};
 use crate::colour::hue;
 use crate::steps::{STEP, Steps};
 
-/// What it is called.
+/// The game's name.
 pub const NAME: &str = "marbles";
-/// What the player can do.
+/// The controls.
 pub const CONTROLS: &[&str] = &[
     "arrows, mouse dragged with the right button, left stick, the pad itself with L1: tilt",
     "A D W S, mouse dragged, right stick: turn the eye",
     "page keys, wheel, R2 and L2: nearer, farther",
 ];
-/// Its line in the table of games.
+/// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "marbles on a mirror that the player tilts",
@@ -46,15 +46,15 @@ const TRAY: (f64, f64) = (3.4, 2.3);
 const RIM: f64 = 0.3;
 const RIM_HEIGHT: f64 = 0.26;
 const GEM: f64 = 0.11;
-/// Acceleration of a ball that rolls down where it is steepest, tilted by 1.
+/// The acceleration of a rolling ball along the steepest direction at a tilt of 1.
 const PULL: f64 = 9.81 * 5.0 / 7.0;
-/// Greatest tilt.
+/// The greatest tilt.
 const TILT: f64 = 0.22;
-/// Part of the way to where the player tilts it that the tray goes in a step.
+/// The share of the way to the player's tilt by which the tray moves in a step.
 const FOLLOWS: f64 = 0.012;
-/// What rolling takes of the speed in a second.
+/// The share of its speed that a rolling marble loses in a second.
 const ROLLING: f64 = 0.16;
-/// Tilt by a pixel of the mouse's way.
+/// Tilt for a pixel of mouse movement.
 const A_PIXEL: f64 = 0.002;
 
 /// The game.
@@ -64,7 +64,8 @@ pub struct Marbles {
     gems: [(DVec3, ObjectId); GEMS],
     beads: [MaterialId; BEADS],
     won: usize,
-    /// How far the tray hangs to the right and towards the player, and where it goes.
+    /// The tilt of the tray to the right and towards the player, and the tilt that it is
+    /// approaching.
     tilt: DVec3,
     goal: DVec3,
     orbit: Orbit,
@@ -96,13 +97,13 @@ impl Default for Marbles {
 }
 
 impl Marbles {
-    /// The marbles; the first is the player's.
+    /// The marbles. The first is the player's.
     #[must_use]
     pub fn bodies(&self) -> &[Body] {
         &self.bodies
     }
 
-    /// Gems won since the game began.
+    /// The number of gems won since the game began.
     #[must_use]
     pub fn won(&self) -> usize {
         self.won
@@ -116,7 +117,7 @@ impl Marbles {
 
     fn place_marbles(&mut self) {
         for (number, body) in self.bodies.iter_mut().enumerate() {
-            // Rows of four, the player's in front.
+            // Rows of four, with the player's marble in front.
             let (across, deep) = (number % 4, number / 4);
             let radius = if number == 0 {
                 0.34
@@ -133,11 +134,11 @@ impl Marbles {
         }
     }
 
-    /// A place for a gem that no marble is at.
+    /// A place for a gem without a marble.
     fn free_place(&mut self) -> DVec3 {
         let (x, z) = (TRAY.0 - 0.4, TRAY.1 - 0.4);
         let mut place = DVec3::ZERO;
-        // All marbles together cover a small part of the tray: a try or two suffice.
+        // All marbles together cover a small part of the tray, so one or two tries are enough.
         for _ in 0..16 {
             place = DVec3::new(
                 self.chance.random_range(-x..x),
@@ -177,7 +178,7 @@ impl Marbles {
                 mirror,
                 [p(-x, 0., z), p(x, 0., z), p(x, 0., -z), p(-x, 0., -z)],
             ),
-            // Tops of the rim, the long ones with the corners.
+            // The tops of the rim. The long ones include the corners.
             (
                 wood,
                 [
@@ -204,7 +205,7 @@ impl Marbles {
                 wood,
                 [p(x, h, z), p(far_x, h, z), p(far_x, h, -z), p(x, h, -z)],
             ),
-            // Its inner sides.
+            // The rim's inner sides.
             (
                 wood,
                 [p(-x, 0., -z), p(x, 0., -z), p(x, h, -z), p(-x, h, -z)],
@@ -215,7 +216,7 @@ impl Marbles {
                 [p(-x, 0., z), p(-x, 0., -z), p(-x, h, -z), p(-x, h, z)],
             ),
             (wood, [p(x, 0., -z), p(x, 0., z), p(x, h, z), p(x, h, -z)]),
-            // Its outer sides.
+            // The rim's outer sides.
             (
                 wood,
                 [
@@ -307,7 +308,7 @@ impl Marbles {
         Ok(())
     }
 
-    /// Where the player tilts the tray.
+    /// Reads the tilt from the player's input.
     fn steer(&mut self, input: &Input) {
         let mut goal = DVec3::new(
             f64::from(input.key_axis(Key::Left, Key::Right)),
@@ -318,7 +319,7 @@ impl Marbles {
             goal.x += stick(pad.axis(Axis::LeftX));
             goal.z += stick(pad.axis(Axis::LeftY));
             if let Some(sensors) = pad.sensors().filter(|_| pad.held(Button::L1)) {
-                // Where its right side hangs, what holds it up points to its left.
+                // When the pad's right side is down, the reaction to gravity points to its left.
                 goal.x -= f64::from(sensors.acceleration[0]) * 2.0;
                 goal.z -= f64::from(sensors.acceleration[2]) * 2.0;
             }
@@ -326,10 +327,10 @@ impl Marbles {
         let mut goal = goal * TILT;
         if input.mouse_held(MouseButton::Right) {
             let [x, y] = input.mouse().motion.map(f64::from);
-            // As far as it was dragged before, and so much on.
+            // This drag continues from where the last one ended.
             goal += self.seen_from_the_eye(self.goal) + DVec3::new(x, 0.0, y) * A_PIXEL;
         }
-        // As seen from the eye, which may be anywhere round the tray.
+        // The direction is relative to the eye, which may be anywhere around the tray.
         let (sine, cosine) = libm::sincos(self.orbit.turn);
         let goal = goal.clamp(DVec3::splat(-TILT), DVec3::splat(TILT));
         self.goal = DVec3::new(
@@ -339,7 +340,7 @@ impl Marbles {
         );
     }
 
-    /// A tilt as seen from the eye: to its right and towards it.
+    /// A tilt relative to the eye: to the right and towards it.
     fn seen_from_the_eye(&self, tilt: DVec3) -> DVec3 {
         let (sine, cosine) = libm::sincos(self.orbit.turn);
         DVec3::new(
@@ -366,8 +367,8 @@ impl Marbles {
             meet(a, b, 0.88);
         });
         for body in &mut self.bodies {
-            // Centres of unequal marbles are not at one height: what parts them would lift the
-            // larger one.
+            // The centres of unequal marbles are at different heights, so separating them would
+            // lift the larger one.
             body.centre.y = body.radius;
             body.velocity.y = 0.0;
             let height = DVec3::Y * 3.0;
@@ -398,7 +399,7 @@ impl Marbles {
         Ok(())
     }
 
-    /// The eye stays with the tray: it hangs, and so does the picture.
+    /// The eye follows the tray, so that the picture tilts with it.
     fn look(&self, world: &mut World) -> Result<(), WorldError> {
         let at = DVec3::new(0.0, -0.15, 0.1);
         let hangs = self.seen_from_the_eye(self.tilt);

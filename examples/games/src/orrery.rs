@@ -1,8 +1,8 @@
 //! The sun, its planets, moons and rings.
 //!
-//! Periods, eccentricities and inclinations are those of the sky, sizes and distances are drawn
-//! together until all is in one picture of 16:9 and nothing goes through anything else: an orrery,
-//! not a chart. A second is six days at first.
+//! Periods, eccentricities and inclinations are the real ones. Sizes and distances are compressed
+//! until everything fits into one picture of 16:9 and nothing passes through anything else: it is
+//! an orrery, not a map. Initially, a second is six days.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -27,9 +27,9 @@ use self::bodies::{MOONS, Moon, PLANETS, Planet, RINGS, Ring, SUN_RADIUS};
 use crate::camera::{Orbit, follow};
 use crate::steps::{STEP, Steps};
 
-/// What it is called.
+/// The game's name.
 pub const NAME: &str = "orrery";
-/// What the player can do.
+/// The controls.
 pub const CONTROLS: &[&str] = &[
     "left and right arrow, 0 to 8, L1 and R1: the body to follow",
     "up and down arrow, up and down on the pad: time faster, slower",
@@ -37,7 +37,7 @@ pub const CONTROLS: &[&str] = &[
     "A D W S, mouse dragged, right stick: turn the eye",
     "page keys, wheel, R2 and L2: nearer, farther",
 ];
-/// Its line in the table of games.
+/// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "the sun, its planets, moons and rings",
@@ -46,24 +46,27 @@ pub const ENTRY: Entry = Entry {
 };
 
 const STARS: usize = 300;
-/// How far the stars are.
+/// The distance of the stars.
 const SKY: f64 = 140.0;
-/// How far the eye is from the sun when it follows that, and how high: Neptune's orbit just fits
-/// in.
+/// The eye's distance from the sun, and its height, when it follows the sun. Neptune's orbit just
+/// fits into the picture.
 const OVERVIEW: f64 = 42.0;
 const OVERVIEW_RISE: f64 = 0.34;
-/// Least and greatest distance of the eye from what it follows, and least from the sun.
+/// The least and the greatest distance of the eye from the body that it follows, and the least
+/// from the sun.
 const DISTANCES: (f64, f64) = (1.2, 60.0);
 const SUN_DISTANCE: f64 = 2.0;
-/// How near to the surface of the sun or a planet it may be.
+/// The least distance from the surface of the sun or a planet.
 const ROOM: f64 = 0.02;
-/// Days a second, at first and at most.
+/// Days a second initially and at most.
 const SPEED: f64 = 6.0;
 const SPEEDS: (f64, f64) = (0.25, 400.0);
-/// How much of the way to what it follows the eye goes in a second, about.
+/// How fast the eye follows a body, as the approximate share of the remaining distance for each
+/// second.
 const FOLLOWS: f64 = 2.5;
 
-/// Radians from the sun's direction to where a planet looks best: a part of it by night.
+/// Radians from the sun's direction to the direction from which a planet looks best, with a part
+/// of it dark.
 const ASIDE: f64 = 0.75;
 
 const DIGITS: [Key; 9] = [
@@ -82,22 +85,22 @@ const DIGITS: [Key; 9] = [
 pub struct Orrery {
     planets: [ObjectId; PLANETS.len()],
     moons: [ObjectId; MOONS.len()],
-    /// Every stone's ring, its number there, and the object.
+    /// For every stone: its ring, its number in the ring, and its object.
     stones: Vec<(&'static Ring, u32, ObjectId)>,
-    /// Where the planets are.
+    /// The positions of the planets.
     places: [DVec3; PLANETS.len()],
     steps: Steps,
     days: f64,
     speed: f64,
     stopped: bool,
-    /// What the eye follows: 0 is the sun.
+    /// The body that the eye follows. 0 is the sun.
     followed: usize,
-    /// What it looks at, on the way to that.
+    /// The point that it looks at, which moves towards that body.
     at: DVec3,
     orbit: Orbit,
-    /// How far it is to be from what it follows.
+    /// The wanted distance from the body.
     distance: f64,
-    /// Radians that it is still to go round, to where what it follows is seen by day.
+    /// Radians that the eye still turns, until it sees the day side of the body.
     swing: f64,
 }
 
@@ -128,19 +131,19 @@ impl Default for Orrery {
 }
 
 impl Orrery {
-    /// Days since the beginning.
+    /// The days since the beginning.
     #[must_use]
     pub fn days(&self) -> f64 {
         self.days
     }
 
-    /// Where the planets are, from the sun outwards.
+    /// The positions of the planets, from the sun outwards.
     #[must_use]
     pub fn places(&self) -> &[DVec3] {
         &self.places
     }
 
-    /// Number of the planet that the eye follows, from 1; 0 is the sun.
+    /// The number of the planet that the eye follows, from 1. 0 is the sun.
     #[must_use]
     pub fn followed(&self) -> usize {
         self.followed
@@ -171,8 +174,8 @@ impl Orrery {
 
     fn add_sun(world: &mut World) -> Result<(), WorldError> {
         let glow = world.add_material(Material::flat(1.0, 0.84, 0.36))?;
-        // With a negative radius it is seen from within alone, as light goes: its own surface
-        // throws no shadow on what is outside. An eye outside sees the far side of it, which has
+        // With a negative radius, only the inside of the sphere is visible to light, so its own
+        // surface casts no shadow on anything outside. An eye outside sees its far side, which has
         // the same outline.
         let sun = world.add_sphere(DVec3::ZERO, -SUN_RADIUS, glow)?;
         world.fix(sun)?;
@@ -277,19 +280,19 @@ impl Orrery {
             0 => SUN_DISTANCE,
             _ => DISTANCES.0,
         };
-        // It comes from nearer where it followed a planet before: it goes out then, and does not
-        // leap.
+        // If the eye followed a planet before, it starts nearer. Then it moves away gradually and
+        // does not jump.
         self.orbit.distances.0 = least.min(before);
         self.orbit.steer(input, seconds);
-        // What the player did to the distance is done to where it goes, too.
+        // The player's changes of the distance also apply to the distance that is approached.
         self.distance = (self.distance * self.orbit.distance / before).clamp(least, DISTANCES.1);
         self.orbit.distance += (self.distance - self.orbit.distance) * part;
         world.look_from(self.clear(self.orbit.from(self.at)), self.at)
     }
 
-    /// The place for the eye nearest to another that is outside the sun and all planets: what it
-    /// follows may be behind or before what it looks at, and it passes others on the way from one
-    /// to the next.
+    /// The position nearest to a given one that is outside the sun and all planets. The followed
+    /// body may be behind or in front of the point that the eye looks at, and the eye passes other
+    /// bodies on its way from one to the next.
     fn clear(&self, eye: DVec3) -> DVec3 {
         let radii = PLANETS.iter().map(|planet| planet.radius);
         let planets = self.places.iter().copied().zip(radii);
@@ -343,10 +346,11 @@ impl Game for Orrery {
 }
 
 impl Planet {
-    /// Where it is on its ellipse, the sun in one focus.
+    /// The position on the ellipse, with the sun in one focus.
     fn place(&self, days: f64) -> DVec3 {
         let mean = TAU * (days / self.period + self.start);
-        // Kepler's equation, by Newton; for these eccentricities three rounds leave nothing.
+        // Kepler's equation by Newton's method. For these eccentricities, three iterations are
+        // exact.
         let mut anomaly = mean;
         for _ in 0..3 {
             let (sine, cosine) = libm::sincos(anomaly);
@@ -362,7 +366,7 @@ impl Planet {
 }
 
 impl Moon {
-    /// Where it is from its planet.
+    /// The position relative to its planet.
     fn place(&self, days: f64) -> DVec3 {
         let (sine, cosine) = libm::sincos(TAU * (days / self.period + self.start));
         DVec3::new(cosine, 0.15 * sine, -sine) * self.distance
@@ -370,12 +374,12 @@ impl Moon {
 }
 
 impl Ring {
-    /// Where a stone of it is from the ring's middle.
+    /// The position of a stone relative to the centre of the ring.
     fn place(&self, stone: u32, days: f64) -> DVec3 {
         let turn = f64::from(stone) / f64::from(self.stones);
         let (sine, cosine) = libm::sincos(TAU * (turn + days / self.period));
-        // No ring is drawn with compasses: every stone keeps a way of its own, none like its
-        // neighbours'.
+        // The ring is not perfectly regular: every stone has a path of its own, different from
+        // those of its neighbours.
         let own = (f64::from(stone) * 0.618_034).fract() * 2.0 - 1.0;
         let radius = self.distance + self.width * own;
         let (tilt_sine, tilt_cosine) = libm::sincos(self.tilt.to_radians());
@@ -424,7 +428,7 @@ mod tests {
         }
     }
 
-    /// From where to where a body is, by its nearest and farthest.
+    /// The range of distances that a body occupies, from its nearest to its farthest points.
     fn shell(places: impl Iterator<Item = DVec3>, radius: f64) -> (f64, f64) {
         let (least, most) = places
             .map(DVec3::length)
@@ -444,8 +448,8 @@ mod tests {
         (ring.distance - stray, ring.distance + stray)
     }
 
-    /// What goes round a planet has shells of its own, the planet's first; how far the last one
-    /// reaches.
+    /// The bodies around a planet have shells of their own, of which the planet's is the first.
+    /// Returns the end of the last one.
     fn reach(number: usize) -> f64 {
         let turns = (0..1000).map(|step| f64::from(step) / 1000.0);
         let moons = MOONS.iter().filter(|moon| moon.planet == number);
@@ -461,7 +465,7 @@ mod tests {
         are_apart(&mut shells)
     }
 
-    /// Sorts shells and finds that none reaches into the next; the farthest one's end.
+    /// Sorts the shells and checks that none overlaps the next. Returns the end of the farthest.
     fn are_apart(shells: &mut [(f64, f64)]) -> f64 {
         shells.sort_by(|a, b| a.0.total_cmp(&b.0));
         for two in shells.windows(2) {

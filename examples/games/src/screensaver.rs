@@ -1,9 +1,9 @@
-//! Sixteen spheres that bounce in a room, for ever.
+//! Sixteen spheres that bounce in a room for ever.
 //!
-//! At first by the paper's depth shading, spheres alone in the dark; at the press of a key by
-//! Whitted's model, in a room with light. Left to itself the eye goes round, and the colours go
-//! round their circle; no two minutes are the same, and nothing wears off: the spheres lose no
-//! energy.
+//! The first model is the paper's depth shading, with only the spheres in the dark. A key switches
+//! to Whitted's model, with a room and light. Without a player, the eye moves around, and the
+//! colours go through their circle. No two minutes are the same, and the movement never ends,
+//! because the spheres lose no energy.
 //!
 //! | | keyboard and mouse | pad |
 //! |---|---|---|
@@ -23,15 +23,15 @@ use crate::camera::Orbit;
 use crate::colour::hue;
 use crate::steps::{STEP, Steps};
 
-/// What it is called.
+/// The game's name.
 pub const NAME: &str = "screensaver";
-/// What the player can do.
+/// The controls.
 pub const CONTROLS: &[&str] = &[
     "Space, Cross: the paper's depth shading, or lights and shadows",
     "A D W S, mouse dragged, right stick: turn the eye",
     "page keys, wheel, R2 and L2: nearer, farther",
 ];
-/// Its line in the table of games.
+/// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "sixteen spheres that bounce in a room, for ever",
@@ -40,13 +40,13 @@ pub const ENTRY: Entry = Entry {
 };
 
 const COUNT: usize = 16;
-/// The room, from its middle.
+/// Half the size of the room.
 const ROOM: DVec3 = DVec3::new(4.4, 2.6, 3.2);
-/// Seconds that the colours take to go round.
+/// Seconds in which the colours go through their circle.
 const ROUND: f64 = 100.0;
-/// Seconds after which the eye goes on by itself once the player has let it go.
+/// Seconds after the player's last input until the eye moves by itself again.
 const PATIENCE: f64 = 5.0;
-/// Rays in a chain.
+/// The ray depth.
 const RAY_DEPTH: u32 = 3;
 
 /// The game.
@@ -88,7 +88,7 @@ impl Screensaver {
         &self.bodies
     }
 
-    /// Half the room's size; its middle is the origin.
+    /// Half the room's size. Its centre is the origin.
     #[must_use]
     pub fn room(&self) -> DVec3 {
         ROOM
@@ -108,7 +108,7 @@ impl Screensaver {
 
     fn place_spheres(&mut self, seed: u64) {
         let mut rng = Xoshiro256PlusPlus::seed_from_u64(seed);
-        // Cells of four by two by two: none overlaps another at the start.
+        // Cells of four by two by two, so that no spheres overlap at the start.
         let cell = DVec3::new(ROOM.x / 2.0, ROOM.y, ROOM.z);
         for (number, body) in self.bodies.iter_mut().enumerate() {
             let place = DVec3::new(
@@ -140,7 +140,7 @@ impl Screensaver {
         })?;
         let DVec3 { x, y, z } = ROOM;
         let corner = |i: f64, j: f64, k: f64| DVec3::new(i * x, j * y, k * z);
-        // They face inwards: from without one sees through them.
+        // The walls face inwards, so that they are invisible from outside.
         for (material, corners) in [
             (
                 floor,
@@ -184,8 +184,8 @@ impl Screensaver {
         Ok(())
     }
 
-    /// Where the eye goes by itself: round, up and down, nearer and farther, by periods without a
-    /// common one.
+    /// Moves the eye by itself: around, up and down, nearer and farther, with periods that have no
+    /// common multiple.
     fn wander(&mut self, time: f64, seconds: f64) {
         let slowly = seconds / (seconds + 3.0);
         let rise = 0.26 + 0.24 * libm::sin(time * 0.113);
@@ -199,7 +199,7 @@ impl Screensaver {
         for (body, &sphere) in self.bodies.iter().zip(&self.spheres) {
             world.move_to(sphere, body.centre)?;
         }
-        // The part of the circle that they share out between them grows and shrinks.
+        // The part of the colour circle that the spheres share grows and shrinks.
         let spread = 0.55 + 0.45 * libm::sin(time * 0.047 + 1.0);
         for (number, &material) in self.materials.iter().enumerate() {
             let turn = time / ROUND + spread * number as f64 / COUNT as f64;

@@ -1,23 +1,23 @@
-//! Time in steps of one size, so that what moves does not depend on how long frames take.
+//! Time in steps of one size, so that movements do not depend on the length of frames.
 
 /// Seconds of a step.
 pub const STEP: f64 = 1.0 / 480.0;
 
-/// Most seconds that a frame is given: where frames take longer, a game goes slower instead of
-/// leaping.
+/// The most seconds that a frame can take. If frames take longer, a game runs more slowly instead
+/// of jumping.
 const LONGEST: f64 = 0.25;
 
-/// Cuts frames' times into steps; what is left of one frame is the next one's.
+/// Splits the time of frames into steps. The rest of one frame goes to the next.
 #[derive(Clone, Debug, Default)]
 pub struct Steps {
     left: f64,
 }
 
 impl Steps {
-    /// Steps of a frame that comes so many seconds after the last one.
+    /// The number of steps in a frame that comes this many seconds after the last one.
     pub fn of(&mut self, seconds: f64) -> u32 {
-        // Not by clamp: a frame of a time that is no number would take away what was left before
-        // it.
+        // `clamp` is not used, because a frame time of NaN would then lose the rest of earlier
+        // frames.
         if seconds > 0.0 {
             self.left += seconds.min(LONGEST);
         }

@@ -1,4 +1,4 @@
-//! Renders a still life with an SPU program that has a shader of this crate's own in it.
+//! Renders a still life with an SPU program that contains this crate's own shader.
 //!
 //!     cargo run --release -p shader-example -- PICTURE.png [WIDTHxHEIGHT]
 
@@ -10,7 +10,7 @@ use cellray::scene::RenderOptions;
 use cellray::spe::Program;
 use cellray::{Engine, Scene, Settings};
 
-/// The tracer's program with `shaders/rings.s`, as `build.rs` has made it.
+/// The tracer's program with `shaders/rings.s`, built by `build.rs`.
 const IMAGE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/tracer.elf"));
 
 const SCENE: &[u8] = include_bytes!("../still_life.nff");

@@ -1,4 +1,4 @@
-//! The example as it is run: its picture, and what it says without a path for one.
+//! Runs the example and checks its picture, and its message without a path for the picture.
 
 use std::process::Command;
 
@@ -13,7 +13,7 @@ fn the_log_has_rings() {
     assert!(status.success());
     let picture = image::open(path).unwrap().into_rgb8();
     assert_eq!((picture.width(), picture.height()), (640, 480));
-    // Across the front of the log's top, from rim to glass.
+    // Across the front of the log, from its edge to the glass.
     let row: Vec<_> = (185..300).map(|x| picture.get_pixel(x, 300).0).collect();
     assert!(
         row.iter()

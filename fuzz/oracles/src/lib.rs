@@ -1,9 +1,9 @@
-//! What the fuzz targets assert, apart from the fuzzer: the tests here replay the kept seeds
-//! through the same functions.
+//! The assertions of the fuzz targets, separate from the fuzzer: the tests here replay the saved
+//! seeds through the same functions.
 //!
-//! [`engines`] compares compiled code with the interpreter. In the others a guest does what it likes, and three things must hold: nothing panics, a stop
-//! request ends the run, and memory that the guest was not given, or was given to read, stays as
-//! it was.
+//! [`engines`] compares compiled code with the interpreter. In the other targets a guest runs
+//! arbitrary code, and three properties must hold: nothing panics, a stop request ends the run, and
+//! the guest changes no memory that it was not given or that is read-only for it.
 
 mod engines;
 #[cfg(test)]
@@ -24,12 +24,13 @@ use spu_isa::{Instruction, disassemble};
 
 pub use engines::engines;
 
-/// How long a guest may run: most stop by themselves within microseconds.
+/// How long a guest may run. Most stop by themselves within microseconds.
 const PATIENCE: Duration = Duration::from_millis(5);
 
-/// Main memory that a guest may write, in the lowest 4 GB so that few bits of an input reach it.
+/// Main memory that a guest may write. It is in the lowest 4 GB, so that few bits of an input
+/// reach it.
 const WRITABLE: u64 = 0x1_0000;
-/// Memory that it may only read, right behind.
+/// Memory that a guest may only read, directly after the writable memory.
 const READ_ONLY: u64 = 0x2_0000;
 const REGION: usize = 0x1_0000;
 const READ_ONLY_BYTE: u8 = 0x5a;
@@ -92,7 +93,8 @@ fn run(policy: Policy, code: &[u8], data: &[u8]) {
     );
 }
 
-/// A random program. The first byte chooses when its MFC commands run.
+/// Runs a random program. The first byte of the input chooses when its MFC commands are carried
+/// out.
 pub fn program(input: &[u8]) {
     let Some((choice, code)) = input.split_first() else {
         return;
@@ -109,8 +111,8 @@ pub fn program(input: &[u8]) {
     run(policy(*choice), code, code);
 }
 
-/// Random MFC commands: each six parameters in 16 bytes, then what waits for them; the rest of the
-/// input is what lists and transfers find in local store.
+/// Runs random MFC commands. Each has six parameters in 16 bytes, and then the instructions that
+/// wait for it. The rest of the input is in local store, where lists and transfers find it.
 pub fn dma(input: &[u8]) {
     let Some((choice, rest)) = input.split_first() else {
         return;
@@ -120,7 +122,7 @@ pub fn dma(input: &[u8]) {
     let (commands, data) = rest.split_at(commands * 16);
     let mut code = Vec::new();
     let mut write = |channel: u32, value: u32| {
-        // ilhu, iohl, wrch by register 10.
+        // ilhu, iohl and wrch through register 10.
         code.push(0x082 << 23 | (value >> 16) << 7 | 10);
         code.push(0x0c1 << 23 | (value & 0xffff) << 7 | 10);
         code.push(0x10d << 21 | channel << 7 | 10);
@@ -150,7 +152,7 @@ pub fn dma(input: &[u8]) {
     run(policy(*choice), &code, data);
 }
 
-/// A random ELF file.
+/// Loads a random ELF file.
 pub fn elf(input: &[u8]) {
     let fetch = |offset: u64, into: &mut [u8]| {
         let start = usize::try_from(offset).ok();

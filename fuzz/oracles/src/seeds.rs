@@ -1,5 +1,5 @@
-//! Replays the seeds of the fuzz targets: what once was found, or led somewhere new, stays
-//! a test on every machine, without a fuzzer.
+//! Replays the seeds of the fuzz targets. An input that once found a fault or reached new code
+//! stays a test on every machine, without a fuzzer.
 
 use std::fs;
 use std::path::Path;

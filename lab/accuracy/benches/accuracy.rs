@@ -1,5 +1,5 @@
-//! Run time against error of every formulation, as `cellray-bench accuracy` has it: files go to
-//! target/accuracy, what is not beaten to standard output.
+//! Run time against error of every formulation, like `cellray-bench accuracy`. Files go to
+//! target/accuracy, and the formulations that no other beats to standard output.
 
 use std::error::Error;
 use std::path::Path;
@@ -9,7 +9,7 @@ use accuracy::plots::{self, Format};
 use accuracy::run::{Extent, Order, run};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    // SAFETY: this is the first statement of a program that has one thread.
+    // SAFETY: this is the first statement of a program that has only one thread.
     unsafe { accuracy::pictures::simulate_time() };
     let folder = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/../target/accuracy"));
     output::folder(folder)?;

@@ -1,4 +1,4 @@
-//! How far what a kernel finds is from what is so, over many rays, whatever the object is.
+//! Compares the results of a kernel with exact results over many rays, for any kind of object.
 
 use serde::{Deserialize, Serialize};
 
@@ -6,62 +6,63 @@ use crate::metrics::Summary;
 use crate::space::{along, dot, largest, length, less};
 use crate::truth::{Line, Vector, spacing};
 
-/// Ulps of a distance that half an ulp in what is given may move in the mean, for a family to be
-/// well-conditioned.
+/// A family is well-conditioned if half an ulp in the inputs moves the distance by at most this
+/// many ulps in the mean.
 pub const WELL_CONDITIONED: f64 = 1.5;
 
-/// What is said of a kernel on a family. Verdicts are of all rays; errors are of the rays that the
-/// kernel and exact arithmetic both let hit, as far as they count.
+/// The figures of a kernel on a family. Verdicts are about all rays. Errors are about the rays
+/// that hit both in the kernel and in exact arithmetic, and that count.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Figures {
-    /// Ulps of the distance that half an ulp in each of the numbers given moves, of what counts.
+    /// By how many ulps half an ulp in each input moves the distance, for the rays that count.
     pub condition: Option<Summary>,
-    /// Whether that is little in the mean.
+    /// Whether the mean of these is small.
     pub well_conditioned: bool,
-    /// Rays.
+    /// The number of rays.
     pub rays: usize,
-    /// Of these, those that hit by exact arithmetic.
+    /// The number of rays that hit in exact arithmetic.
     pub hits: usize,
-    /// Rays that the kernel lets hit, and exact arithmetic does not.
+    /// The number of rays that hit in the kernel but not in exact arithmetic.
     pub wrong_hits: usize,
-    /// Rays that exact arithmetic lets hit, and the kernel does not: where two triangles share an
-    /// edge, that neither stops, which is a leak.
+    /// The number of rays that hit in exact arithmetic but not in the kernel. Where two triangles
+    /// share an edge, these are rays that neither triangle stops: leaks.
     pub wrong_misses: usize,
     /// Error of the distance in ulps.
     pub distance_ulps: Option<Summary>,
-    /// The same in parts of the scene: of its farthest point's distance.
+    /// The same error relative to the scene's size, which is the distance of its farthest point.
     pub distance_relative: Option<Summary>,
-    /// Error of the hit's point, at its worst coordinate, in ulps of the largest from the origin.
+    /// The largest error of a coordinate of the hit's point, in ulps of the largest component of
+    /// the vector from the ray's origin to it.
     pub point_ulps: Option<Summary>,
-    /// The same in parts of the scene.
+    /// The same error relative to the scene's size.
     pub point_relative: Option<Summary>,
 }
 
-/// What is so of a ray.
+/// The exact result for a ray.
 pub struct Truth {
     /// The ray.
     pub line: Line,
-    /// What it hits first.
+    /// The ray's first hit.
     pub hit: Option<Hit>,
-    /// How far the scene's farthest point is.
+    /// The distance of the scene's farthest point.
     pub scene: f64,
 }
 
 /// A hit.
 pub struct Hit {
-    /// How far it is.
+    /// The hit's distance.
     pub distance: f64,
-    /// Where it is.
+    /// The hit's position.
     pub point: Vector,
-    /// Ulps that half an ulp in what is given moves, if errors count.
+    /// By how many ulps half an ulp in the inputs moves the distance, if errors count.
     pub condition: Option<f64>,
-    /// The normal there, of an object that is asked for it.
+    /// The normal at the hit, for objects whose normal is checked.
     pub normal: Option<Normal>,
 }
 
-/// A sphere's normal at a hit, and what a kernel's is computed of.
+/// A sphere's normal at a hit, and the values that a kernel computes it from.
 pub struct Normal {
-    /// The normal.
+    /// The exact normal.
     pub exact: Vector,
     /// The sphere's centre.
     pub centre: Vector,
@@ -70,18 +71,18 @@ pub struct Normal {
 }
 
 impl Figures {
-    /// Whether they are of a family whose errors are the formulation's own; then, one of them.
+    /// Returns one of the figures if the family's errors are due to the formulation.
     pub fn sound<T>(&self, figure: impl Fn(&Self) -> T) -> Option<T> {
         self.well_conditioned.then(|| figure(self))
     }
 
-    /// The part of the rays of which the kernel says the wrong thing, in per cent.
+    /// The share of the rays for which the kernel's verdict is wrong, in per cent.
     pub fn wrong(&self) -> f64 {
         100.0 * (self.wrong_hits + self.wrong_misses) as f64 / self.rays as f64
     }
 }
 
-/// Errors, each list of all rays that count.
+/// Errors. Each list has one for every ray that counts.
 #[derive(Default)]
 struct Errors {
     distance_ulps: Vec<f64>,
@@ -92,12 +93,11 @@ struct Errors {
 }
 
 impl Errors {
-    /// Adds those of a hit that a kernel found at `t`, which is a distance unless directions have
-    /// any length.
+    /// Adds the errors of a hit that a kernel found at `t`. `t` is a distance unless directions
+    /// may have any length.
     fn add(&mut self, any_length: bool, t: f64, truth: &Truth, hit: &Hit) {
         let Truth { line, scene, .. } = truth;
-        // Where directions have length 1 but for their rounding, what a kernel finds is a
-        // distance.
+        // If directions have length 1 except for rounding, the kernel's result is a distance.
         let unit = if any_length {
             length(line.direction)
         } else {
@@ -121,7 +121,7 @@ impl Errors {
     }
 }
 
-/// The figures of what a kernel found of each ray, and the error of the normal, at its worst
+/// Computes the figures from a kernel's results for each ray, and the largest error of a normal's
 /// coordinate, in ulps of 1.
 pub fn compare<'a>(
     any_length: bool,
@@ -161,12 +161,12 @@ pub fn compare<'a>(
     (figures, Summary::of(errors.normal_ulps))
 }
 
-/// Ulps of a hit's distance that half an ulp in each of the numbers given moves, all at their
-/// worst.
+/// By how many ulps half an ulp in each input moves a hit's distance, in the worst case.
 ///
-/// A surface of normal n has n.(do + t dd + d dt - dp) = ds: `places` is how far a coordinate of
-/// the ray's origin and of the surface may move, twice over, `surface` the same of the surface
-/// along its normal, and `unit` the length that the direction's numbers are parts of.
+/// A surface with normal n satisfies n.(do + t dd + d dt - dp) = ds. `places` is twice the amount
+/// by which a coordinate of the ray's origin and of the surface may move. `surface` is the same
+/// for the surface along its normal. `unit` is the length to which the direction's numbers are
+/// relative.
 pub fn sensitivity(
     line: &Line,
     unit: f64,
@@ -176,7 +176,7 @@ pub fn sensitivity(
 ) -> f64 {
     let ahead = crate::space::unit(line.direction);
     let slant = dot(normal, ahead);
-    // A direction's length is of no account: what moves the hit is what is across.
+    // A direction's length does not matter. Only its change across the direction moves the hit.
     let turned = along(normal, -slant, ahead);
     let moved: f64 = (0..3)
         .map(|axis| {
@@ -193,7 +193,8 @@ mod tests {
 
     #[test]
     fn errors_are_those_of_what_was_found() {
-        // From 0 along x to the sphere around 8 with radius 2: at 6, found an ulp too far.
+        // From 0 along x to the sphere around 8 with radius 2: the hit is at 6, and the kernel
+        // finds it an ulp too far.
         let hit = Hit {
             distance: 6.0,
             point: [6.0, 0.0, 0.0],

@@ -1,19 +1,19 @@
-//! What can go wrong where results are written, and with which file.
+//! Errors in writing results, with the file's name.
 
 use std::fmt::Display;
 
-/// Something that can't be written.
+/// An output that can't be written.
 #[derive(Debug, thiserror::Error)]
 #[error("{what}: {reason}")]
 pub struct OutputError {
-    /// Which file or folder, or what of the results.
+    /// The file or folder, or the part of the results.
     what: String,
-    /// What is said of it: by the system, or by what writes its form.
+    /// The reason, from the system or from the serialiser.
     reason: String,
 }
 
 impl OutputError {
-    /// What is said of a file, a folder or a part of the results.
+    /// Makes an error about a file, a folder or a part of the results.
     pub(crate) fn of<E: Display>(what: impl Display) -> impl Fn(E) -> Self {
         let what = what.to_string();
         move |reason| Self {

@@ -3,11 +3,12 @@
 use rand::SeedableRng as _;
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// What makes them. Not rand_chacha, whose numbers are others on a big-endian host (ppv-lite86).
+/// The generator. rand_chacha is not used, because its numbers differ on big-endian hosts
+/// (ppv-lite86).
 pub type Generator = Xoshiro256PlusPlus;
 
-/// A generator of the numbers that are drawn for one purpose, by name, in one round: it does not
-/// hang on what else is drawn.
+/// A generator for one named purpose and one round. Its numbers do not depend on what else is
+/// drawn.
 pub fn generator(seed: u64, purpose: &[&str], round: u32) -> Generator {
     let bytes = purpose.iter().flat_map(|name| name.bytes().chain([0]));
     // FNV-1a.
@@ -39,7 +40,7 @@ mod tests {
         }
     }
 
-    /// Held here, and by the runs of another byte order that compare their figures.
+    /// Checked here, and by the runs on hosts with another byte order that compare figures.
     #[test]
     fn the_numbers_are_these_on_every_host() {
         let mut random = Generator::seed_from_u64(1);

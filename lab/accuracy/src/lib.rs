@@ -1,8 +1,9 @@
 //! Run time against error, and numerical stability, of the ways to intersect rays.
 //!
-//! Owns what is true of a ray and an object for the very singles that a kernel is given (`truth`)
-//! and how far kernels are from it. Knows nothing of how a kernel computes. Invariant: a figure is
-//! measured by the run that prints it, and but for the host's clock it is the same on every host.
+//! This crate computes the exact result for a ray and an object from the same singles that a
+//! kernel gets (`truth`), and the kernels' errors. It does not know how a kernel computes.
+//! Invariant: every printed figure is measured by the run that prints it, and except for the
+//! host's clock it is the same on every host.
 
 pub mod document;
 mod families;

@@ -1,20 +1,20 @@
-//! What is said of many errors.
+//! Statistics of many errors.
 
 use serde::{Deserialize, Serialize};
 
-/// Errors summed up.
+/// A summary of errors.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Summary {
     /// The largest.
     pub max: f64,
     /// The mean.
     pub mean: f64,
-    /// The smallest that 99.9 % do not exceed.
+    /// The smallest value that 99.9 % of the errors do not exceed.
     pub p999: f64,
 }
 
 impl Summary {
-    /// Of these errors, unless there are none.
+    /// The summary of these errors, or `None` if there are none.
     pub fn of(mut errors: Vec<f64>) -> Option<Self> {
         let mean = errors.iter().sum::<f64>() / errors.len() as f64;
         errors.sort_unstable_by(f64::total_cmp);
@@ -32,7 +32,7 @@ mod tests {
 
     #[test]
     fn percentiles_are_nearest_ranks() {
-        // 1 to 2000, in some order: 99.9 % of them are up to 1998.
+        // The numbers 1 to 2000 in some order: 99.9 % of them are at most 1998.
         let errors = (0..2000).map(|n| f64::from(n * 1237 % 2000 + 1));
         let summary = Summary::of(errors.collect()).unwrap();
         let expected = Summary {

@@ -1,4 +1,4 @@
-//! Where results come from: the host, the commit, the command.
+//! The origin of results: the host, the commit and the command.
 
 use std::fs;
 use std::process::Command;
@@ -6,11 +6,11 @@ use std::thread;
 
 use crate::output::Origin;
 
-/// What can't be found out.
+/// For what can't be found out.
 const UNKNOWN: &str = "unknown";
 
 impl Origin {
-    /// Of results that this process measures now.
+    /// The origin of results that this process measures now.
     pub fn here() -> Self {
         Self {
             machine: machine(),
@@ -23,7 +23,7 @@ impl Origin {
     }
 }
 
-/// The host's processor, as Linux names it.
+/// The name of the host's processor in Linux.
 fn machine() -> String {
     let processors = thread::available_parallelism().map_or(1, usize::from);
     let cpuinfo = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
@@ -40,7 +40,7 @@ fn machine() -> String {
     )
 }
 
-/// The commit of the sources that this was built from, if they are still there.
+/// The commit of the sources from which this was built, if they still exist.
 fn commit() -> Option<String> {
     let described = Command::new("git")
         .args(["-C", env!("CARGO_MANIFEST_DIR")])

@@ -1,4 +1,4 @@
-//! Results as files: everything as JSON, and a CSV a table.
+//! Results as files: everything as JSON, and each table as CSV.
 
 use std::fs;
 use std::io::{self, Write};
@@ -11,10 +11,10 @@ use crate::file::OutputError;
 use crate::metrics::Summary;
 use crate::run::Results;
 
-/// The file that has all results.
+/// The file with all results.
 const JSON: &str = "results.json";
 
-/// Where and how results were measured: all that is not the same on every host.
+/// Where and how results were measured. Only this part differs between hosts.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Origin {
     /// The host's processor.
@@ -31,16 +31,16 @@ pub struct Document {
     /// Left out where hosts are compared.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub origin: Option<Origin>,
-    /// What was measured.
+    /// The results.
     #[serde(flatten)]
     pub results: Results,
 }
 
-/// Makes sure that there is such a folder, and that files can be written there.
+/// Ensures that the folder exists and that files can be written there.
 ///
 /// # Errors
 ///
-/// If there is none and it can't be made, or it can't be written to.
+/// Fails if it does not exist and can't be created, or if it can't be written to.
 pub fn folder(path: &Path) -> Result<(), OutputError> {
     fs::create_dir_all(path).map_err(OutputError::of(path.display()))?;
     let probe = path.join(JSON);
@@ -52,11 +52,11 @@ pub fn folder(path: &Path) -> Result<(), OutputError> {
     Ok(())
 }
 
-/// Writes results as JSON: to standard output for `-`.
+/// Writes results as JSON. `-` means standard output.
 ///
 /// # Errors
 ///
-/// A file that can't be written.
+/// Fails if the file can't be written.
 pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
     let text = serde_json::to_string_pretty(document);
     let mut text = text.map_err(OutputError::of("results as JSON"))?;
@@ -69,11 +69,11 @@ pub fn json(document: &Document, path: &Path) -> Result<(), OutputError> {
     written.map_err(OutputError::of(path.display()))
 }
 
-/// Writes results into a folder: as JSON, and as tables.
+/// Writes results to a folder, as JSON and as tables.
 ///
 /// # Errors
 ///
-/// A file that can't be written.
+/// Fails if a file can't be written.
 pub fn write(document: &Document, folder: &Path) -> Result<(), OutputError> {
     json(document, &folder.join(JSON))?;
     tables(&document.results, folder)
@@ -93,7 +93,7 @@ fn tables(results: &Results, folder: &Path) -> Result<(), OutputError> {
     Ok(())
 }
 
-/// Every table with its head.
+/// Every table with its header line.
 fn csv_tables(results: &Results) -> [(&'static str, Vec<Vec<String>>); 5] {
     let kernels = results.kernels.iter().map(|row| {
         Cells::default()
@@ -161,7 +161,7 @@ fn csv_tables(results: &Results) -> [(&'static str, Vec<Vec<String>>); 5] {
     ]
 }
 
-/// Rows under their common head; nothing of no rows.
+/// Rows under their common header line. No rows give no lines.
 fn table(rows: impl Iterator<Item = Cells>) -> Vec<Vec<String>> {
     let mut table = Vec::new();
     for Cells { names, values } in rows {
@@ -173,7 +173,7 @@ fn table(rows: impl Iterator<Item = Cells>) -> Vec<Vec<String>> {
     table
 }
 
-/// A row of a table.
+/// The cells of a row.
 #[derive(Default)]
 struct Cells {
     names: Vec<String>,
@@ -187,7 +187,7 @@ impl Cells {
         self
     }
 
-    /// A number, with all its digits; nothing where there is none.
+    /// A number with all its digits, or an empty cell.
     fn number(self, name: &str, value: Option<f64>) -> Self {
         self.text(
             name,

@@ -1,14 +1,14 @@
-//! Work on all processors, whose results come in the order of its items.
+//! Runs work on all processors and returns the results in the order of the items.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 use std::thread;
 
-/// Does `work` on each item, with something that each thread makes for itself.
+/// Runs `work` on each item, with a state that each thread creates for itself.
 ///
 /// # Panics
 ///
-/// If work does.
+/// Panics if `work` does.
 pub fn map<I: Sync, T: Send, State>(
     items: &[I],
     state: impl Fn() -> State + Sync,

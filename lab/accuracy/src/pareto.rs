@@ -1,7 +1,7 @@
-//! What is not beaten: points of cost and error.
+//! The points of cost and error that no other point beats (the Pareto front).
 
-/// Which points no other is at least as good as in both and better in one, cheapest first. Of
-/// equal points all stay.
+/// The points for which no other point is at least as good in both values and better in one, the
+/// cheapest first. Equal points all stay.
 pub fn front(points: &[(f64, f64)]) -> Vec<usize> {
     let beats = |a: (f64, f64), b: (f64, f64)| a.0 <= b.0 && a.1 <= b.1 && a != b;
     let mut front: Vec<usize> = (0..points.len())

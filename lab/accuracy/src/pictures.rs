@@ -1,8 +1,8 @@
-//! Whole pictures by each formulation of spheres: frames a second, in simulated time, against the
+//! Whole pictures with each formulation of spheres: frames a second in simulated time against the
 //! picture's error.
 //!
-//! Weakness: Whitted's reference takes powers from the host's library, so its last bits are the
-//! host's own.
+//! Weakness: Whitted's reference uses the host library's power function, so its last bits depend
+//! on the host.
 
 use std::error::Error;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -19,37 +19,37 @@ use serde::{Deserialize, Serialize};
 
 use crate::families::Form;
 
-/// A picture of a formulation.
+/// The picture of a formulation.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct PictureRow {
     /// The formulation.
     pub formulation: String,
     /// The scene.
     pub scene: String,
-    /// Pixels across.
+    /// The width in pixels.
     pub width: u32,
-    /// Pixels down.
+    /// The height in pixels.
     pub height: u32,
-    /// Frames a second by the SPUs' clock.
+    /// Frames a second in simulated time.
     pub frames_per_second: f64,
-    /// Root of the mean square error of all channels, in 1/255.
+    /// The root of the mean square error of all channels, in 1/255.
     pub rmse: f64,
-    /// Largest error of a channel, in 1/255.
+    /// The largest error of a channel, in 1/255.
     pub max_error: u8,
-    /// The same of pixels that are not on a silhouette.
+    /// The same for pixels that are not on a silhouette.
     pub max_error_off_silhouette: u8,
-    /// Pixels of which a channel is off by more than 1.
+    /// The number of pixels with an error of more than 1 in some channel.
     pub wrong_pixels: u64,
-    /// Of these, those that are not on a silhouette.
+    /// The number of those that are not on a silhouette.
     pub wrong_off_silhouette: u64,
 }
 
-/// A scene that pictures are traced of.
+/// A scene of which pictures are traced.
 #[derive(Clone, Copy, Debug)]
 pub struct Subject {
-    /// Its name.
+    /// The scene's name.
     pub name: &'static str,
-    /// What it is.
+    /// Its description.
     pub doc: &'static str,
     text: &'static str,
     model: Model,
@@ -83,33 +83,33 @@ pub const SCENES: &[Subject] = &[
     },
 ];
 
-/// How large pictures are.
+/// The sizes of pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Sizes {
-    /// By depth shading.
+    /// With depth shading.
     pub depth: (u32, u32),
-    /// By Whitted's model.
+    /// With Whitted's model.
     pub whitted: (u32, u32),
 }
 
-/// Why there is no picture: the scene, an SPU program, the engine or the reference say it.
+/// Why there is no picture: an error of the scene, an SPU program, the engine or the reference.
 pub type PictureError = Box<dyn Error + Send + Sync>;
 
 /// Makes libspe2 run in simulated time, in which frames a second are counted.
 ///
 /// # Safety
 ///
-/// No other thread may run yet.
+/// No other thread may be running yet.
 pub unsafe fn simulate_time() {
-    // SAFETY: the caller says that nobody else looks at the environment now.
+    // SAFETY: the caller ensures that no other thread reads the environment now.
     unsafe { std::env::set_var("LIBSPE2_TIMING", "1") };
 }
 
-/// Name of the row of the standard formulations, where these are more than one.
+/// The name of the standard formulations' row, if they are more than one formulation.
 pub const STANDARD: &str = "default";
 
 impl Subject {
-    /// Whose rays a formulation is needed for.
+    /// The form of rays for which the scene needs a formulation.
     fn form(&self) -> Form {
         match self.model {
             Model::Depth => Form::Eye,
@@ -117,8 +117,8 @@ impl Subject {
         }
     }
 
-    /// What it is traced by: each formulation that has a kernel for its rays, by name; and the
-    /// standard ones, where mirrors' rays are not intersected as the eye's.
+    /// The formulations with which it is traced: each that has a kernel for its rays, by name, and
+    /// the standard ones if secondary rays use another formulation than primary rays.
     fn formulations(&self) -> Vec<(&'static str, Formulations)> {
         let standard = Formulations::standard();
         let has_kernel =
@@ -156,11 +156,11 @@ impl Subject {
     }
 }
 
-/// Traces every scene by each of the formulations whose names are chosen.
+/// Traces every scene with each of the chosen formulations.
 ///
 /// # Errors
 ///
-/// Scenes or sizes that can't be traced, SPUs that fail.
+/// Fails if a scene or a size can't be traced, or if an SPU fails.
 pub fn measure(
     chosen: impl Fn(&str) -> bool,
     sizes: &Sizes,
@@ -201,7 +201,8 @@ pub fn measure(
     Ok(rows)
 }
 
-/// Traces a scene twice: the first frame has to find out what its parts cost, the second counts.
+/// Traces a scene twice. The first frame determines the costs of its parts, and only the second
+/// one counts.
 fn trace(
     subject: &Subject,
     scene: &nff::Scene,
@@ -231,7 +232,7 @@ fn trace(
     Ok((picture, report.frames_per_second))
 }
 
-/// The SPU program of these formulations: what `cellray` carries, else one that is built.
+/// The SPU program with these formulations: one of `cellray`'s own, or else one that is built now.
 fn program(formulations: Formulations) -> Result<Program, PictureError> {
     match Program::of(&formulations) {
         Ok(program) => Ok(program),
@@ -239,11 +240,11 @@ fn program(formulations: Formulations) -> Result<Program, PictureError> {
     }
 }
 
-/// Root of the mean square error of all channels, in 1/255.
+/// The root of the mean square error of all channels, in 1/255.
 fn rmse(picture: &Picture, reference: &Picture) -> f64 {
     let pairs = picture.pixels().iter().zip(reference.pixels());
     let channels = pairs.flat_map(|(found, expected)| found.iter().zip(expected));
-    // Whole numbers: the sum is exact.
+    // The values are integers, so the sum is exact.
     let sum: u64 = channels
         .map(|(found, expected)| u64::from(found.abs_diff(*expected)).pow(2))
         .sum();
@@ -252,7 +253,7 @@ fn rmse(picture: &Picture, reference: &Picture) -> f64 {
 
 type Shown = Arc<Mutex<RgbImage>>;
 
-/// A framebuffer whose last frame can be looked at from outside of the engine.
+/// A framebuffer whose last frame can be read from outside the engine.
 struct Kept {
     memory: Memory,
     shown: Shown,

@@ -10,35 +10,36 @@ use serde::{Deserialize, Serialize};
 use crate::metrics::Summary;
 use crate::parallel;
 
-/// A kernel of the room math.
+/// A kernel of `math`.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct RootRow {
     /// The kernel.
     pub kernel: String,
-    /// What it computes.
+    /// The function that it computes.
     pub quantity: String,
-    /// Simulated cycles an operand, in a long array.
+    /// Simulated cycles for each operand of a long array.
     pub cycles_an_operand: f64,
-    /// Time of the host's interpreter for the same, in nanoseconds.
+    /// The host interpreter's time for the same, in nanoseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub host_ns_an_operand: Option<f64>,
-    /// Operands that the errors are of: all fractions of an octave, or of two.
+    /// The number of operands over which errors were measured: all fractions of one or two
+    /// octaves.
     pub operands: usize,
-    /// Error in ulps.
+    /// The error in ulps.
     pub ulps: Summary,
     /// The first operand with the largest error, in hex.
     pub worst: String,
 }
 
-/// Measures all of them.
+/// Measures all of these kernels.
 ///
 /// # Panics
 ///
-/// If the catalogue has one of them not.
+/// Panics if the catalogue lacks one of them.
 pub fn measure(with_host_time: bool) -> Vec<RootRow> {
     let mut rows = parallel::map(&math::FUNCTIONS, Bench::new, of_function);
     if with_host_time {
-        // One after the other: side by side they would take each other's time.
+        // One after the other, because parallel runs would slow each other down.
         let mut bench = Bench::new();
         for row in &mut rows {
             row.host_ns_an_operand = host_time(&mut bench, &row.kernel);
@@ -58,7 +59,7 @@ fn of_function(bench: &mut Bench, function: &Function) -> RootRow {
     RootRow {
         kernel: function.kernel.to_owned(),
         quantity: quantity.to_owned(),
-        cycles_an_operand: cycles.expect("the catalogue has it"),
+        cycles_an_operand: cycles.expect("the catalogue contains the kernel"),
         host_ns_an_operand: None,
         operands: function.quantity.all_fractions().count(),
         ulps: Summary {
@@ -70,7 +71,7 @@ fn of_function(bench: &mut Bench, function: &Function) -> RootRow {
     }
 }
 
-/// Nanoseconds of the host's interpreter a ray or operand, of a kernel that the catalogue has.
+/// The host interpreter's nanoseconds for each ray or operand, for a kernel in the catalogue.
 pub(crate) fn host_time(bench: &mut Bench, kernel: &str) -> Option<f64> {
     let kernel = catalogue::kernels().find(|known| known.name == kernel)?;
     host_nanoseconds(bench, kernel)

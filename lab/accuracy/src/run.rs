@@ -1,4 +1,4 @@
-//! The benchmark as a whole: what is measured of what, and the results.
+//! The whole benchmark: its subjects and its results.
 
 use kernels::Bench;
 use kernels::cases::spheres::cycles_a_ray;
@@ -16,39 +16,39 @@ use crate::triangles::{self, TriangleRow};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Extent {
-    /// In some seconds, without pictures and roots: what is the same on every host, and checked to
-    /// be.
+    /// Some seconds, without pictures and roots. The results are the same on every host, which is
+    /// checked.
     Quick,
-    /// In some minutes.
+    /// Some minutes.
     Standard,
     /// As much as is worth waiting for.
     Full,
 }
 
-/// What is to be measured.
+/// What to measure.
 #[derive(Clone, Debug)]
 pub struct Order {
-    /// How much.
+    /// The amount.
     pub extent: Extent,
-    /// Seed of the rays.
+    /// The seed of the rays.
     pub seed: u64,
-    /// Names of formulations; all if there are none.
+    /// The names of the formulations to measure. If it is empty, all are measured.
     pub only: Vec<String>,
-    /// Whether whole pictures are traced.
+    /// Whether to trace whole pictures.
     pub pictures: bool,
-    /// Whether the host's time is measured.
+    /// Whether to measure the host's time.
     pub host_time: bool,
 }
 
 /// Why there are no results.
 #[derive(Debug, thiserror::Error)]
 pub enum RunError {
-    /// A name that no formulation has.
-    #[error("there is no formulation {name}; there are {known}")]
+    /// A name that is not a formulation's.
+    #[error("there is no formulation {name}; the formulations are {known}")]
     Formulation {
         /// The name.
         name: String,
-        /// Those that there are.
+        /// The existing names.
         known: String,
     },
     /// A kernel that the catalogue does not have.
@@ -59,41 +59,41 @@ pub enum RunError {
         /// The kernel that it names.
         kernel: &'static str,
     },
-    /// A picture.
+    /// An error with a picture.
     #[error(transparent)]
     Picture(#[from] PictureError),
 }
 
-/// What a kernel costs.
+/// The cost of a kernel.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct KernelRow {
     /// The formulation.
     pub formulation: String,
-    /// What of: `eye`, `general` or `triangle`.
+    /// Its form: `eye`, `general` or `triangle`.
     pub form: String,
-    /// What it computes.
+    /// A description of what it computes.
     pub doc: String,
     /// The kernel.
     pub kernel: String,
-    /// Simulated cycles in which a ray is tested with an object, in a long list.
+    /// Simulated cycles for each test of a ray with an object, in a long list.
     pub cycles_a_ray: f64,
-    /// Time of the host's interpreter for the same, in nanoseconds.
+    /// The host interpreter's time for the same, in nanoseconds.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub host_ns_a_ray: Option<f64>,
 }
 
-/// What was measured.
+/// The results.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Results {
-    /// How much was to be measured.
+    /// The amount that was measured.
     pub extent: Extent,
     /// Seed of the rays.
     pub seed: u64,
-    /// What kernels cost.
+    /// The costs of kernels.
     pub kernels: Vec<KernelRow>,
-    /// Kernels of spheres on the scene families.
+    /// The errors of the kernels of spheres on the scene families.
     pub spheres: Vec<SphereRow>,
-    /// Kernels of triangles on theirs.
+    /// The errors of the kernels of triangles on their families.
     pub triangles: Vec<TriangleRow>,
     /// Reciprocals and roots.
     pub roots: Vec<RootRow>,
@@ -102,14 +102,14 @@ pub struct Results {
 }
 
 impl Results {
-    /// What kernels of a form cost.
+    /// The costs of a form's kernels.
     pub fn kernels_of(&self, form: &str) -> impl Iterator<Item = &KernelRow> {
         self.kernels
             .iter()
             .filter(move |kernel| kernel.form == form)
     }
 
-    /// A formulation's rows of a form, by family.
+    /// A formulation's rows of a form, one for each family.
     pub fn spheres_of(&self, form: Form, formulation: &str) -> Vec<&SphereRow> {
         let of = |row: &&SphereRow| row.form == form && row.formulation == formulation;
         self.spheres.iter().filter(of).collect()
@@ -117,7 +117,7 @@ impl Results {
 }
 
 impl Extent {
-    /// Spheres, or shots of triangles, of each family: 256 rays each.
+    /// The number of spheres, or of shots at triangles, in each family. Each has 256 rays.
     pub const fn shots(self) -> usize {
         match self {
             Self::Quick => 4,
@@ -126,7 +126,7 @@ impl Extent {
         }
     }
 
-    /// How large pictures are.
+    /// The sizes of pictures.
     pub const fn sizes(self) -> Sizes {
         Sizes {
             depth: (1280, 720),
@@ -139,7 +139,7 @@ impl Extent {
 }
 
 impl Order {
-    /// As little as tests need: a formulation of spheres and one of triangles.
+    /// The least that tests need: one formulation of spheres and one of triangles.
     #[cfg(test)]
     pub fn short(seed: u64) -> Self {
         Self {
@@ -155,7 +155,7 @@ impl Order {
         self.only.is_empty() || self.only.iter().any(|asked| asked == name)
     }
 
-    /// Refuses names that nothing has.
+    /// Rejects unknown names.
     fn check(&self) -> Result<(), RunError> {
         let spheres = SPHERES.iter().map(|formulation| formulation.name);
         let triangles = TRIANGLES.iter().map(|formulation| formulation.name);
@@ -171,11 +171,11 @@ impl Order {
     }
 }
 
-/// Measures; `progress` is told what comes next.
+/// Runs the benchmark. `progress` is called with a description of each step.
 ///
 /// # Errors
 ///
-/// Names of formulations that there are not, pictures that do not come.
+/// Fails for unknown formulations and if a picture can't be traced.
 pub fn run(order: &Order, mut progress: impl FnMut(&str)) -> Result<Results, RunError> {
     order.check()?;
     let subjects: Vec<Subject> = subject::all()

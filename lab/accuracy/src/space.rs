@@ -1,5 +1,5 @@
-//! Vectors, rays, and random ones, by basic arithmetic and roots alone, which give the same on
-//! every host.
+//! Vectors, rays and random vectors, computed only with basic arithmetic and roots, which give the
+//! same results on every host.
 
 pub use kernels::vector::{cross, dot, in_cube, less, unit};
 use rand::Rng;
@@ -10,7 +10,7 @@ use twins::{FARTHEST, Single};
 
 use crate::truth::Vector;
 
-/// A ray that has hit nothing.
+/// A ray that has hit nothing yet.
 pub fn fresh(origin: [Single; 3], direction: [Single; 3]) -> Ray {
     Ray {
         origin,
@@ -20,7 +20,7 @@ pub fn fresh(origin: [Single; 3], direction: [Single; 3]) -> Ray {
     }
 }
 
-/// A triangle that is seen from both sides.
+/// A triangle that is visible from both sides.
 pub fn two_sided(vertices: Triangle) -> TriangleObject {
     TriangleObject {
         vertices,
@@ -43,17 +43,17 @@ pub fn along(a: Vector, scale: f64, b: Vector) -> Vector {
     std::array::from_fn(|axis| a[axis] + scale * b[axis])
 }
 
-/// The single that is nearest; 0 for what is too small for one.
+/// The nearest single, or 0 for a value that is too small.
 pub fn nearest(value: f64) -> Single {
     (value as f32).to_bits()
 }
 
-/// The point of nearest singles.
+/// The point with the nearest singles as coordinates.
 pub fn point(vector: Vector) -> [Single; 3] {
     vector.map(nearest)
 }
 
-/// Within the sphere of that radius.
+/// A random point within the sphere of this radius.
 pub fn in_sphere(radius: f64, random: &mut impl Rng) -> Vector {
     loop {
         let vector = in_cube(1.0, random);
@@ -63,18 +63,18 @@ pub fn in_sphere(radius: f64, random: &mut impl Rng) -> Vector {
     }
 }
 
-/// A direction, all alike.
+/// A random direction, uniformly distributed.
 pub fn direction(random: &mut impl Rng) -> Vector {
     loop {
         let vector = in_sphere(1.0, random);
-        // Too near to 0 the quotient would lose digits.
+        // Near 0, the quotient would lose digits.
         if dot(vector, vector) > 1e-4 {
             return unit(vector);
         }
     }
 }
 
-/// Two directions across a third and each other.
+/// Two directions that are perpendicular to a third and to each other.
 pub fn across(axis: Vector) -> [Vector; 2] {
     let least = (0..3)
         .min_by(|a, b| axis[*a].abs().total_cmp(&axis[*b].abs()))
@@ -85,7 +85,7 @@ pub fn across(axis: Vector) -> [Vector; 2] {
     [first, cross(axis, first)]
 }
 
-/// Within the disc of that radius about a point, across an axis.
+/// A random point within the disc of this radius around a point, perpendicular to an axis.
 pub fn on_disc(centre: Vector, axis: Vector, radius: f64, random: &mut impl Rng) -> Vector {
     let [first, second] = across(axis);
     loop {

@@ -1,4 +1,4 @@
-//! The formulations of spheres on the scene families.
+//! Measures the formulations of spheres on the scene families.
 
 use kernels::Bench;
 use protocol::formulation::EyeRecord;
@@ -13,29 +13,29 @@ use crate::space::{along, length, less};
 use crate::subject::{ANY_LENGTH, Given, Subject};
 use crate::truth::{Line, spacing};
 
-/// A kernel on a family.
+/// The figures of a kernel on a family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct SphereRow {
     /// The formulation.
     pub formulation: String,
-    /// Whose rays.
+    /// The form of its rays.
     pub form: Form,
     /// The family.
     pub family: String,
-    /// Distance over radius, where that is what the family is about.
+    /// The distance over the radius, if the family is about that.
     pub ratio: Option<f64>,
-    /// What is said of them.
+    /// The figures.
     #[serde(flatten)]
     pub figures: Figures,
-    /// Error of the normal, at its worst coordinate, in ulps of 1.
+    /// The largest error of a coordinate of the normal, in ulps of 1.
     pub normal_ulps: Option<Summary>,
 }
 
-/// Measures kernels on all families, so many spheres of each.
+/// Measures kernels on all families, with this many spheres of each.
 ///
 /// # Panics
 ///
-/// If a kernel does not behave as kernels have to, or there is no such kernel.
+/// Panics if a kernel breaks the rules for kernels or does not exist.
 pub fn measure(subjects: &[Subject], seed: u64, spheres: usize) -> Vec<SphereRow> {
     let families: Vec<(Form, &Family)> = Form::ALL
         .into_iter()
@@ -58,7 +58,8 @@ fn of_family<'a>(
     family: &Family,
     shots: &[Shot],
 ) -> Vec<SphereRow> {
-    // Formulations of one record follow one another: what is so is worked out once for them.
+    // Formulations with the same record follow each other, so that exact results are computed once
+    // for them.
     let mut known: Option<(EyeRecord, Vec<Truth>)> = None;
     let row = |subject: &Subject| {
         let record = subject.formulation.record;
@@ -84,9 +85,9 @@ fn of_family<'a>(
     subjects.map(row).collect()
 }
 
-/// What is so of a shot's rays.
+/// The exact results for a shot's rays.
 fn truths(family: &Family, subject: &Subject, shot: &Shot) -> Vec<Truth> {
-    // (l^2 - r^2) / 2 r^2 of a line that comes to `counted` radii.
+    // (l^2 - r^2) / 2 r^2 of a line that passes the centre at `counted` radii.
     let edge = (family.counted * family.counted - 1.0) / 2.0;
     let form = subject.form;
     let sphere = Given::new(form, subject.formulation.record, shot).sphere();
@@ -111,8 +112,8 @@ fn truths(family: &Family, subject: &Subject, shot: &Shot) -> Vec<Truth> {
     shot.lines().map(truth).collect()
 }
 
-/// Ulps of a hit's distance that half an ulp in each of the numbers given moves: those of the
-/// centre, of the radius or its square, and of the origin where that is given.
+/// By how many ulps half an ulp in each input moves a hit's distance. The inputs are those of the
+/// centre, of the radius or its square, and of the origin if it is one.
 fn condition(form: Form, shot: &Shot, line: &Line, hit: (f64, [f64; 3])) -> f64 {
     let radius = shot.radius();
     let (of_radius, from_origin) = match form {
@@ -145,7 +146,7 @@ mod tests {
         found.unwrap()
     }
 
-    /// Of primary rays: what Whitted's model has of another form is the same bits
+    /// Only primary rays are compared, because the other form has the same bits in Whitted's model
     /// (oracle/tests/forms.rs).
     #[test]
     fn the_default_keeps_two_ulps_and_the_verdict_where_the_paper_s_formula_is_lost() {

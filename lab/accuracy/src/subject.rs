@@ -1,4 +1,4 @@
-//! What is measured: a formulation of a form, its kernel, and how that is called.
+//! The subjects of measurements: a formulation in a form, its kernel, and how it is called.
 
 use kernels::Bench;
 use kernels::cases::spheres::{self, EyeSphere};
@@ -13,7 +13,7 @@ use crate::families::{Form, Shot};
 use crate::space::{dot, nearest, point, unit};
 use crate::truth::sphere::Sphere;
 
-/// The one formulation that takes directions of any length; its `t` is a parameter.
+/// The only formulation for directions of any length. Its `t` is a parameter, not a distance.
 pub const ANY_LENGTH: &str = "unnormalised";
 
 /// A formulation of a form.
@@ -21,13 +21,13 @@ pub const ANY_LENGTH: &str = "unnormalised";
 pub struct Subject {
     /// The formulation.
     pub formulation: &'static SphereFormulation,
-    /// Whose rays.
+    /// The form of its rays.
     pub form: Form,
     /// The kernel.
     pub kernel: &'static str,
 }
 
-/// All formulations in all their forms.
+/// All formulations in all of their forms.
 pub fn all() -> impl Iterator<Item = Subject> {
     Form::ALL.into_iter().flat_map(|form| {
         SPHERES.iter().filter_map(move |formulation| {
@@ -40,7 +40,7 @@ pub fn all() -> impl Iterator<Item = Subject> {
     })
 }
 
-/// A shot's sphere as a kernel is given it.
+/// A shot's sphere in the form that a kernel receives.
 #[derive(Clone, Copy, Debug)]
 pub enum Given {
     /// As a record for primary rays.
@@ -49,7 +49,7 @@ pub enum Given {
     General(SphereObject),
 }
 
-/// A sphere that is seen from within and without.
+/// A sphere that is visible from inside and outside.
 pub fn sphere(centre: [Single; 3], radius: Single) -> SphereObject {
     SphereObject {
         centre,
@@ -62,7 +62,7 @@ pub fn sphere(centre: [Single; 3], radius: Single) -> SphereObject {
 }
 
 impl Given {
-    /// A shot's sphere for a form and a record.
+    /// A shot's sphere for a form and a type of record.
     pub fn new(form: Form, record: EyeRecord, shot: &Shot) -> Self {
         let radius = shot.radius();
         match (form, record) {
@@ -83,7 +83,7 @@ impl Given {
         }
     }
 
-    /// The very sphere that this is.
+    /// The exact sphere that the record represents.
     pub fn sphere(&self) -> Sphere {
         match *self {
             Self::Eye(EyeSphere::Centre {
@@ -97,12 +97,12 @@ impl Given {
 }
 
 impl Subject {
-    /// A shot's sphere as this kernel is given it.
+    /// A shot's sphere in the form that this kernel receives.
     pub fn given(&self, shot: &Shot) -> Given {
         Given::new(self.form, self.formulation.record, shot)
     }
 
-    /// What the kernel says of each ray of a shot: the distance or parameter of its hit.
+    /// The kernel's result for each ray of a shot: the distance or parameter of its hit.
     pub fn hits(&self, bench: &mut Bench, shot: &Shot) -> Vec<Option<f64>> {
         let hits = match self.given(shot) {
             Given::Eye(sphere) => {

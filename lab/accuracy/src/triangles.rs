@@ -1,4 +1,4 @@
-//! The formulations of triangles on their scene families.
+//! Measures the formulations of triangles on their scene families.
 
 use std::cmp::Ordering;
 
@@ -17,23 +17,23 @@ use crate::space::{cross, length, less, two_sided, unit};
 use crate::truth::triangle::{Meeting, Triangle};
 use crate::truth::{Line, spacing};
 
-/// A kernel on a family.
+/// The figures of a kernel on a family.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct TriangleRow {
     /// The formulation.
     pub formulation: String,
     /// The family.
     pub family: String,
-    /// What is said of them.
+    /// The figures.
     #[serde(flatten)]
     pub figures: Figures,
 }
 
-/// Measures formulations on all families, so many shots of each.
+/// Measures formulations on all families, with this many shots of each.
 ///
 /// # Panics
 ///
-/// If a kernel does not behave as kernels have to, or there is no such kernel.
+/// Panics if a kernel breaks the rules for kernels or does not exist.
 pub fn measure(formulations: &[&TriangleFormulation], seed: u64, shots: usize) -> Vec<TriangleRow> {
     let rows = parallel::map(FAMILIES, Bench::new, |bench, family| {
         let shots = family.shots(seed, shots);
@@ -54,7 +54,7 @@ pub fn measure(formulations: &[&TriangleFormulation], seed: u64, shots: usize) -
     rows.into_iter().flatten().collect()
 }
 
-/// What is so of a shot's rays.
+/// The exact results for a shot's rays.
 fn truths(shot: &Shot) -> Vec<Truth> {
     let triangles: Vec<Triangle> = shot.triangles.iter().copied().map(Triangle::new).collect();
     let truth = |line: Line| {
@@ -80,8 +80,8 @@ fn truths(shot: &Shot) -> Vec<Truth> {
     shot.lines().map(truth).collect()
 }
 
-/// Ulps of a hit's distance that half an ulp in each of the numbers given moves: those of the
-/// vertices, as they are weighted at the hit, and of the origin.
+/// By how many ulps half an ulp in each input moves a hit's distance. The inputs are the vertices,
+/// weighted as at the hit, and the origin.
 fn condition(triangle: &Triangle, line: &Line, meeting: &Meeting) -> f64 {
     let [a, b, c] = triangle.vertices();
     let normal = unit(cross(less(b, a), less(c, a)));
@@ -93,7 +93,7 @@ fn condition(triangle: &Triangle, line: &Line, meeting: &Meeting) -> f64 {
     sensitivity(line, 1.0, (meeting.distance, normal), places, 0.0)
 }
 
-/// What a kernel says of each ray of a shot: the distance of its nearest hit.
+/// The kernel's result for each ray of a shot: the distance of its nearest hit.
 fn hits(bench: &mut Bench, kernel: &str, shot: &Shot) -> Vec<Option<f64>> {
     bench.reset();
     let packets = shot.packets.iter().map(|rays| call::packet(rays, 0));

@@ -1,12 +1,12 @@
 //! Calls one kernel as a hostile caller would.
 //!
-//! Every register that the ABI lets a caller leave anything in holds junk, also the words of
-//! scalar arguments beyond the preferred one; registers that the kernel must keep hold marks;
-//! buffers lie between guards; local store that is nobody's is full of a `stop` that nobody else
-//! uses. What a kernel breaks of that is reported by name.
+//! Every register that a caller may leave undefined by the ABI holds junk, and so do the words of
+//! scalar arguments outside the preferred slot. Registers that the kernel must preserve hold known
+//! values. Buffers have guards around them. The rest of local store is filled with a `stop` that
+//! nothing else uses. If a kernel breaks one of these rules, the bench reports which one.
 //!
-//! A kernel is called in both images, from the same state, and the two have to leave the same: so
-//! whatever is checked of its plain version holds of the scheduled one.
+//! A kernel is called in both images from the same state, and both must leave the same state.
+//! Every check of the plain version is therefore valid for the scheduled one.
 
 use std::time::{Duration, Instant};
 
@@ -23,22 +23,22 @@ use crate::set::Kernels;
 use crate::source::Source;
 use crate::time::{Time, Watch};
 
-/// Where a kernel returns to.
+/// The stop code to which a kernel returns.
 const RETURN: u16 = 0x1fff;
-/// What a program that lost its way runs into.
+/// The stop code that a program runs into if it leaves its code.
 const LOST: u16 = 0x1ffe;
-/// Top of the stack: below it the arena, above it nothing.
+/// The top of the stack. The arena is below it, and nothing is above it.
 const STACK: u32 = 0x3f000;
-/// Where the arena ends, and what kernels may put below the stack begins.
+/// The end of the arena. Kernels may write between it and the stack.
 const ARENA_END: u32 = STACK - 0x1000;
-/// Where the `stop` stands that a kernel returns to.
+/// The address of the `stop` that a kernel returns to.
 pub(crate) const RETURN_ADDRESS: u32 = 0x3f800;
 const ARENA: u32 = 0x30000;
 const GUARD: usize = 64;
 const GUARD_BYTE: u8 = 0xa5;
 const LIMIT: u64 = 10_000_000;
 
-/// Seed of the random inputs: `CELLRAY_SEED`, else always the same.
+/// A generator of random inputs. Its seed is `CELLRAY_SEED`, or else always the same.
 #[must_use]
 pub fn random() -> ChaCha8Rng {
     let seed = std::env::var("CELLRAY_SEED")
@@ -49,19 +49,19 @@ pub fn random() -> ChaCha8Rng {
     ChaCha8Rng::seed_from_u64(seed)
 }
 
-/// The seed of what has to come out the same each time.
+/// The seed for results that must be reproducible.
 pub const SEED: u64 = 2026;
 
-/// A version of the kernels.
+/// The version of a kernel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Version {
-    /// As written by hand.
+    /// Plain, as written by hand.
     Plain,
     /// Scheduled for the two pipes.
     Scheduled,
 }
 
-/// A place in local store that the kernel was given.
+/// A buffer in local store that is passed to the kernel.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     /// Its address.
@@ -69,16 +69,16 @@ pub struct Place {
     size: usize,
 }
 
-/// What a call gave.
+/// The result of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Returned {
-    /// `$3`, the preferred word.
+    /// The preferred word of `$3`.
     pub value: u32,
-    /// Instructions of the plain version.
+    /// The number of instructions that the plain version executed.
     pub instructions: u64,
 }
 
-/// The kernels in one version, in an emulated local store.
+/// The kernels of one version in an emulated local store.
 struct Machine {
     store: LocalStore,
     image: Image<'static>,
@@ -89,21 +89,21 @@ impl Machine {
     fn new(image: &'static [u8]) -> Self {
         Self {
             store: LocalStore::new(),
-            image: Image::parse(image).expect("an SPU program"),
+            image: Image::parse(image).expect("the image is an SPU program"),
             spu: Spu::new(),
         }
     }
 
-    /// Fills what is nobody's, and loads the kernels.
+    /// Fills unused local store, and loads the kernels.
     fn load(&self) {
-        self.desert(0, SIZE);
+        self.fill_with_stops(0, SIZE);
         self.image.load(&self.store, 0);
         self.store
             .write(RETURN_ADDRESS, &u32::from(RETURN).to_be_bytes());
     }
 
-    /// Fills local store from `start` to `end` with what no program should run into.
-    fn desert(&self, start: u32, end: u32) {
+    /// Fills local store from `start` to `end` with the `stop` that no program should run into.
+    fn fill_with_stops(&self, start: u32, end: u32) {
         let words = (end - start) as usize / 4;
         let lost = u32::from(LOST).to_be_bytes().repeat(words);
         self.store.write(start, &lost);
@@ -118,17 +118,17 @@ impl Machine {
         let stopped = self
             .spu
             .run_observed(&self.store, &mut NoChannels, LIMIT, observer)
-            .unwrap_or_else(|| panic!("{kernel} does not come to an end"));
+            .unwrap_or_else(|| panic!("{kernel} does not end"));
         assert_eq!(stopped.reason, Stop::Signal(RETURN), "{kernel}: {stopped}");
         for number in std::iter::once(1).chain(80..128) {
             let (found, kept) = (self.spu.registers[number], registers[number]);
             assert_eq!(found, kept, "{kernel} lost ${number}, which it must keep");
         }
-        // All but the `stop` that it returned to.
+        // Without the `stop` that it returned to.
         self.spu.executed() - executed - 1
     }
 
-    /// The arena up to `end`, where the last place is.
+    /// The arena up to `end`, which is the end of the last buffer.
     fn arena(&self, end: u32) -> Vec<u8> {
         let mut bytes = vec![0; (end - ARENA) as usize];
         self.store.read(ARENA, &mut bytes);
@@ -136,7 +136,7 @@ impl Machine {
     }
 }
 
-/// Both versions of the kernels, and the places that the next call is given.
+/// Both versions of the kernels, and the buffers for the next call.
 pub struct Bench {
     sources: Vec<Source>,
     plain: Machine,
@@ -153,22 +153,23 @@ impl Default for Bench {
 }
 
 impl Bench {
-    /// A bench with an empty arena, for [`Kernels::here`].
+    /// A bench with an empty arena for [`Kernels::here`].
     ///
     /// # Panics
     ///
-    /// If there are no kernels: whoever can do without them has asked [`Kernels::here`] before.
+    /// Panics if there are no kernels. Callers that can work without them check [`Kernels::here`]
+    /// first.
     #[must_use]
     pub fn new() -> Self {
         let kernels = Kernels::here().unwrap_or_else(|error| panic!("{error}"));
         Self::of(kernels.clone())
     }
 
-    /// The same for any kernels.
+    /// A bench for any kernels.
     ///
     /// # Panics
     ///
-    /// If an image is no SPU program.
+    /// Panics if an image is not an SPU program.
     #[must_use]
     pub fn of(kernels: Kernels) -> Self {
         let bench = Self {
@@ -188,13 +189,13 @@ impl Bench {
     /// Empties the arena.
     pub fn reset(&mut self) {
         for machine in [&self.plain, &self.scheduled] {
-            machine.desert(ARENA, self.free);
+            machine.fill_with_stops(ARENA, self.free);
         }
         self.places.clear();
         self.free = ARENA;
     }
 
-    /// A buffer with guards around it.
+    /// Adds a buffer with guards around it.
     pub fn place(&mut self, bytes: &[u8]) -> Place {
         let place = Place {
             address: self.free + GUARD as u32,
@@ -212,18 +213,18 @@ impl Bench {
         place
     }
 
-    /// A buffer of junk for a kernel to write into.
+    /// Adds a buffer of junk for a kernel to write to.
     pub fn junk<T: FromBytes + IntoBytes + Immutable>(&mut self) -> Place {
         let mut bytes = vec![0; size_of::<T>()];
         self.junk.fill_bytes(&mut bytes);
         self.place(&bytes)
     }
 
-    /// A record as it stands in local store now.
+    /// Reads a record from local store.
     ///
     /// # Panics
     ///
-    /// If the place is not of the record's size.
+    /// Panics if the buffer does not have the record's size.
     #[must_use]
     pub fn read<T: FromBytes + IntoBytes>(&self, place: Place) -> T {
         assert_eq!(place.size, size_of::<T>());
@@ -232,11 +233,11 @@ impl Bench {
         record
     }
 
-    /// The records that fill a place, as they stand in local store now.
+    /// Reads all records of a buffer from local store.
     ///
     /// # Panics
     ///
-    /// If the place does not hold whole records.
+    /// Panics if the buffer does not hold a whole number of records.
     #[must_use]
     pub fn read_all<T: FromBytes + IntoBytes>(&self, place: Place) -> Vec<T> {
         assert_eq!(place.size % size_of::<T>(), 0);
@@ -249,18 +250,18 @@ impl Bench {
         records.collect()
     }
 
-    /// All words of `$3` as the last call left them.
+    /// All words of `$3` after the last call.
     #[must_use]
     pub fn returned_vector(&self) -> [u32; 4] {
         self.plain.spu.registers[3].0
     }
 
-    /// Calls a kernel with words in the preferred slots of `$3` on.
+    /// Calls a kernel with words in the preferred slots of `$3` and the following registers.
     ///
     /// # Panics
     ///
-    /// If the kernel breaks a rule of the ABI, writes beside its places, does not return, or if
-    /// its versions disagree.
+    /// Panics if the kernel breaks a rule of the ABI, writes outside its buffers or does not
+    /// return, or if its versions disagree.
     pub fn call(&mut self, kernel: &str, arguments: &[u32]) -> Returned {
         let mut sources = self.sources.iter();
         let source = *sources
@@ -278,11 +279,11 @@ impl Bench {
         }
     }
 
-    /// Times a call of one version, without the checks. What it writes stays.
+    /// Times a call of one version without the checks. The memory that it writes is not restored.
     ///
     /// # Panics
     ///
-    /// If the kernel does not return.
+    /// Panics if the kernel does not return.
     pub fn time(&mut self, version: Version, kernel: &str, arguments: &[u32]) -> Time {
         let registers = self.registers(arguments);
         let machine = match version {
@@ -294,12 +295,12 @@ impl Bench {
         watch.time()
     }
 
-    /// Runs one version of a kernel, without the checks, for the host's time that its instructions
-    /// take. What it writes stays.
+    /// Runs one version of a kernel without the checks, and measures the host's time for its
+    /// instructions. The memory that it writes is not restored.
     ///
     /// # Panics
     ///
-    /// If the kernel does not return.
+    /// Panics if the kernel does not return.
     pub fn host_time(&mut self, version: Version, kernel: &str, arguments: &[u32]) -> Duration {
         let registers = self.registers(arguments);
         let machine = match version {
@@ -311,7 +312,7 @@ impl Bench {
         start.elapsed()
     }
 
-    /// Junk but for the arguments, the stack and the return address.
+    /// Registers with junk except for the arguments, the stack pointer and the return address.
     fn registers(&mut self, arguments: &[u32]) -> [Quad; 128] {
         let mut registers = [Quad::ZERO; 128];
         for register in &mut registers {
@@ -342,7 +343,7 @@ impl Bench {
         }
     }
 
-    /// Holds the scheduled version to what the plain one left.
+    /// Compares the results of the scheduled version with those of the plain one.
     fn compare(&self, source: &Source) {
         let kernel = source.name;
         let (plain, scheduled) = (self.plain.arena(self.free), self.scheduled.arena(self.free));

@@ -1,44 +1,44 @@
-//! Ways to call each kernel, and how its error is measured.
+//! The cases in which each kernel is called, and how its error is measured.
 
 use rand_chacha::ChaCha8Rng;
 
 use crate::bench::Bench;
 use crate::cases::{eye, flat, math, sphere_ray, whitted};
 
-/// A kernel as the table knows it.
+/// A kernel's entry in the catalogue.
 pub struct Kernel {
     /// Its name.
     pub name: &'static str,
-    /// Rays that a call tests with each object.
+    /// The number of rays that a call tests with each object.
     pub rays: u32,
-    /// Ways to call it.
+    /// The cases in which it is called.
     pub cases: &'static [Case],
-    /// Largest error of many calls with random inputs from its domain, against f64, in what the
-    /// header counts it in.
+    /// Measures the largest error of many calls with random inputs from its domain against f64, in
+    /// the header's unit.
     pub error: Option<fn(&mut Bench, &mut ChaCha8Rng) -> f64>,
 }
 
-/// A way to call a kernel.
+/// A case in which a kernel is called.
 pub struct Case {
-    /// What it shows.
+    /// The name of the case.
     pub name: &'static str,
-    /// How many objects the rays are tested with.
+    /// The number of objects with which the rays are tested.
     pub objects: Objects,
-    /// Places the records for so many objects; gives the arguments.
+    /// Puts the records for this many objects into local store and returns the arguments.
     pub place: fn(&mut Bench, u32) -> Vec<u32>,
 }
 
-/// How many objects a call is given.
+/// The number of objects in a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Objects {
-    /// Always so many.
+    /// Always this number.
     Fixed(u32),
-    /// A list: the lengths to be timed. What the longer takes beyond the shorter is the cost in
+    /// A list with the two lengths to be timed. The difference of their times is the cost in
     /// stream.
     List(u32, u32),
 }
 
-/// Families of kernels, each with the modules of `tests/suite` that compare it with its twins.
+/// The families of kernels, each with the modules of `tests/suite` that compare it with its twins.
 const FAMILIES: [(&[Kernel], &[&str]); 11] = [
     (eye::KERNELS, &["eye::"]),
     (
@@ -56,12 +56,12 @@ const FAMILIES: [(&[Kernel], &[&str]); 11] = [
     (whitted::bounce::KERNELS, &["bounce::"]),
 ];
 
-/// Every kernel that there are cases for.
+/// All kernels that have cases.
 pub fn kernels() -> impl Iterator<Item = &'static Kernel> {
     FAMILIES.iter().flat_map(|(kernels, _)| *kernels)
 }
 
-/// The tests of a kernel's family, as `cargo test` filters them.
+/// The tests of a kernel's family, as filters for `cargo test`.
 #[must_use]
 pub fn tests(kernel: &str) -> &'static [&'static str] {
     let mut families = FAMILIES.iter();

@@ -1,5 +1,5 @@
-//! All that is to be known of a kernel after an edit, in seconds: its schedule, the rules of the
-//! ABI, its error, its time, and the tests that compare it with its twin.
+//! Checks a kernel after an edit, in seconds: its schedule, the rules of the ABI, its error, its
+//! time, and the tests that compare it with its twin.
 
 use std::io::{self, Write};
 use std::process::Command;
@@ -15,51 +15,51 @@ use crate::set::Kernels;
 use crate::source::Source;
 use crate::workshop::{Workshop, WorkshopError};
 
-/// What is wrong with a kernel.
+/// The fault that was found in a kernel.
 #[derive(Debug, Error)]
 pub enum CheckError {
-    /// It can't be built, or its schedule in the repository is not what the scheduler makes.
+    /// The kernel can't be built, or its schedule in the repository is stale.
     #[error(transparent)]
     Workshop(#[from] WorkshopError),
-    /// Notes of the schedule are not what the model says.
+    /// Notes in the schedule differ from the model.
     #[error("{kernel}: {differences}")]
     Notes {
         /// The kernel.
         kernel: &'static str,
-        /// A line for each.
+        /// One line for each difference.
         differences: String,
     },
-    /// It is further off than its header says.
-    #[error("{kernel}: an error of {measured:.2}, and its header states {stated}")]
+    /// The error is larger than the header states.
+    #[error("{kernel}: the error is {measured:.2}, but its header states {stated}")]
     Error {
         /// The kernel.
         kernel: &'static str,
-        /// Measured now.
+        /// The measured error.
         measured: f64,
-        /// By the header.
+        /// The stated error.
         stated: f64,
     },
-    /// The header does not state an error, and one is measured.
+    /// The header states no error, although one is measured.
     #[error("{0}: its header states no error")]
     Unstated(&'static str),
-    /// A test has failed.
-    #[error("{kernel}: a test has failed: {command}")]
+    /// A test failed.
+    #[error("{kernel}: a test failed: {command}")]
     Tests {
         /// The kernel.
         kernel: &'static str,
         /// The command that ran them.
         command: String,
     },
-    /// The tests could not be run, or the report not be written.
+    /// The tests could not be run, or the report could not be written.
     #[error("{0}")]
     Run(#[from] io::Error),
 }
 
-/// Checks kernels, and says of each step what it found.
+/// Checks kernels and reports the result of each step.
 ///
 /// # Panics
 ///
-/// If a kernel breaks a rule of the ABI; see [`Bench::call`].
+/// Panics if a kernel breaks a rule of the ABI; see [`Bench::call`].
 pub fn check(kernels: &[&Kernel], out: &mut impl Write) -> Result<(), CheckError> {
     let workshop = Workshop::here()?;
     let set = Kernels::here()?;
@@ -146,7 +146,8 @@ fn error(
     Ok(())
 }
 
-/// Runs the tests of the kernel's family: those with a twin are in files of their own.
+/// Runs the tests of the kernel's family. The tests that compare kernels with twins are in
+/// separate files.
 fn tests(kernel: &Kernel, out: &mut impl Write) -> Result<(), CheckError> {
     let tests = catalogue::tests(kernel.name);
     out.flush()?;

@@ -1,4 +1,5 @@
-//! The table in a document, between two markers. Invariant: what is outside the markers stays.
+//! The table in a document, between two markers. Invariant: the text outside the markers does not
+//! change.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -8,10 +9,10 @@ use thiserror::Error;
 /// The line before the table.
 pub const BEGIN: &str =
     "<!-- written by `cargo run --release --bin kernels -- measure --write` -->";
-/// The line behind it.
+/// The line after the table.
 pub const END: &str = "<!-- end of what is written -->";
 
-/// Why a document could not be written, or is stale.
+/// Why a document could not be written, or that it is stale.
 #[derive(Debug, Error)]
 pub enum DocumentError {
     /// The document can't be read or written.
@@ -23,29 +24,29 @@ pub enum DocumentError {
         source: std::io::Error,
     },
     /// The markers are missing.
-    #[error("{}: no lines `{BEGIN}` and `{END}`, between which the table goes", path.display())]
+    #[error("{}: there are no lines `{BEGIN}` and `{END}` around the table", path.display())]
     Markers {
         /// The document.
         path: PathBuf,
     },
-    /// The table is not what is measured now.
+    /// The table differs from the present measurement.
     #[error(
-        "{}: stale at line {line}: it says\n  {found}\nand now it is\n  {expected}\nWrite it anew with --write",
+        "{}: stale at line {line}: it says\n  {found}\nbut the present measurement is\n  {expected}\nWrite it again with --write",
         path.display()
     )]
     Stale {
         /// The document.
         path: PathBuf,
-        /// Its first line that differs, from 1.
+        /// The number of its first line that differs, from 1.
         line: usize,
-        /// What it says there.
+        /// The line in the document.
         found: String,
-        /// What it should say.
+        /// The expected line.
         expected: String,
     },
 }
 
-/// Puts `table` into the document.
+/// Writes `table` into the document.
 pub fn write(path: &Path, table: &str) -> Result<(), DocumentError> {
     let text = renewed(path, &read(path)?, table)?;
     fs::write(path, text).map_err(|source| file_error(path, source))

@@ -1,5 +1,5 @@
-//! Records of the eye-ray kernels, made of what their twins take and taken apart into what they
-//! give.
+//! Converts the inputs of the twins of the kernels for primary rays to records, and records to the
+//! twins' results.
 
 use twins::Single;
 use twins::isect_pairs::Hit;
@@ -11,10 +11,10 @@ use zerocopy::big_endian::F32;
 use crate::single::{bits, single};
 use protocol::layout::{Basis, Colours, Depth, Packet, Pair, PixelShuffle, Sphere};
 
-/// Unit directions, or colours, of a packet's rays.
+/// The unit directions, or the colours, of a packet's rays.
 pub type Vectors = [[Single; 3]; 16];
 
-/// What the rays of a packet have hit.
+/// The hits of a packet's rays.
 pub type Hits = [Hit; 16];
 
 /// A packet.
@@ -45,7 +45,7 @@ pub fn hits(packet: &Packet) -> Hits {
     })
 }
 
-/// A sphere with nothing but its place and size.
+/// A sphere of which only the position and the size are set.
 #[must_use]
 pub fn sphere(bare: &BareSphere) -> Sphere {
     Sphere {
@@ -55,7 +55,7 @@ pub fn sphere(bare: &BareSphere) -> Sphere {
     }
 }
 
-/// Place and size of a sphere.
+/// The position and the size of a sphere.
 #[must_use]
 pub fn bare_sphere(sphere: &Sphere) -> BareSphere {
     BareSphere {
@@ -93,21 +93,21 @@ pub fn depth(depth: shade_depth::Depth) -> Depth {
     }
 }
 
-/// Colours of a packet.
+/// The colours of a packet.
 #[must_use]
 pub fn colours(colours: &Vectors) -> Colours {
     let [red, green, blue] = components(colours);
     Colours { red, green, blue }
 }
 
-/// The colours of a record.
+/// The colours in a record.
 #[must_use]
 pub fn colour_vectors(colours: &Colours) -> Vectors {
     vectors([colours.red, colours.green, colours.blue])
 }
 
-/// How colour bytes become words in which `shifts`, different multiples of 8 up to 24, place red,
-/// green and blue.
+/// The shuffle that turns colour bytes into words. `shifts` are the positions of red, green and
+/// blue: different multiples of 8 up to 24.
 #[must_use]
 pub fn pixel_shuffle(shifts: [u32; 3]) -> PixelShuffle {
     const ZERO_BYTE: u8 = 0x80;

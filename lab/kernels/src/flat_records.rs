@@ -1,5 +1,5 @@
-//! Records of the flat shapes' kernels, as `spu/include/flat.inc` lays them out; a test compares
-//! the two.
+//! The records of the kernels for flat shapes, with the layout of `spu/include/flat.inc`. A test
+//! compares the two.
 
 use rand::Rng;
 use spu_emulator::float::single::from_f64;
@@ -22,20 +22,20 @@ pub fn point(vector: Vector) -> Point {
     vector.map(from_f64)
 }
 
-/// A vector of a record: its fourth word counts for nothing.
+/// A vector in a record. Its fourth word has no meaning.
 #[must_use]
 pub fn quad([x, y, z]: Point, anything: u32) -> [F32; 4] {
     [x, y, z, anything].map(single)
 }
 
-/// A ray and what it has hit so far.
+/// A ray and its hit so far.
 #[derive(Clone, Copy, Debug)]
 pub struct Ray {
-    /// Where it begins.
+    /// The ray's origin.
     pub origin: Point,
-    /// Where it goes.
+    /// The ray's direction.
     pub direction: Point,
-    /// What it has hit.
+    /// The ray's hit.
     pub hit: FlatHit,
 }
 
@@ -58,7 +58,7 @@ impl Ray {
         }
     }
 
-    /// Any bits at all.
+    /// A ray of random bits.
     pub fn junk(random: &mut impl Rng) -> Self {
         Self {
             origin: random.random(),
@@ -73,21 +73,21 @@ impl Ray {
     }
 }
 
-/// Sixteen rays, with where they hit.
+/// Sixteen rays and their hits.
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
 #[repr(C)]
 pub struct Rays {
-    /// Origins, an axis after the other.
+    /// The origins, one axis after the other.
     pub origin: [[F32; 16]; 3],
-    /// Directions.
+    /// The directions.
     pub direction: [[F32; 16]; 3],
-    /// The farthest distance that counts; then the nearest hit's.
+    /// The distance limit, and then the distance of the nearest hit.
     pub t: [F32; 16],
-    /// Number of the object hit.
+    /// The number of the object that was hit.
     pub object: [U32; 16],
-    /// Where on it: first coordinate.
+    /// The first coordinate of the hit on the object.
     pub u: [F32; 16],
-    /// Second coordinate.
+    /// The second coordinate.
     pub v: [F32; 16],
 }
 
@@ -109,7 +109,7 @@ impl Rays {
         packed
     }
 
-    /// What the rays of the record have hit.
+    /// The hits in the record.
     #[must_use]
     pub fn hits(&self) -> [FlatHit; 16] {
         std::array::from_fn(|lane| FlatHit {
@@ -121,26 +121,26 @@ impl Rays {
     }
 }
 
-/// One ray. Of the last four fields the first word counts.
+/// One ray. In the last four fields, only the first word has a meaning.
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
 #[repr(C)]
 pub struct OneRay {
-    /// Origin: x, y, z, anything.
+    /// The origin: x, y, z, anything.
     pub origin: [F32; 4],
-    /// Direction: x, y, z, anything.
+    /// The direction: x, y, z, anything.
     pub direction: [F32; 4],
-    /// The farthest distance that counts; then the nearest hit's.
+    /// The distance limit, and then the distance of the nearest hit.
     pub t: [F32; 4],
-    /// Number of the object hit.
+    /// The number of the object that was hit.
     pub object: [U32; 4],
-    /// Where on it: first coordinate.
+    /// The first coordinate of the hit on the object.
     pub u: [F32; 4],
-    /// Second coordinate.
+    /// The second coordinate.
     pub v: [F32; 4],
 }
 
 impl OneRay {
-    /// The record of a ray; `random` fills what has no meaning.
+    /// The record of a ray. `random` fills the fields without meaning.
     pub fn new(ray: &Ray, random: &mut impl Rng) -> Self {
         let mut record = Self::new_zeroed();
         random.fill(record.as_mut_bytes());
@@ -153,7 +153,7 @@ impl OneRay {
         record
     }
 
-    /// What the ray of the record has hit.
+    /// The hit in the record.
     #[must_use]
     pub fn hit(&self) -> FlatHit {
         FlatHit {
@@ -165,14 +165,14 @@ impl OneRay {
     }
 }
 
-/// The shear of a lane's ray, of those in a record.
+/// The shear of one lane's ray in a record.
 ///
 /// # Panics
 ///
-/// If its axes are no components of a vertex.
+/// Panics if its axes are not components of a vertex.
 #[must_use]
 pub fn shear(record: &Shears, lane: usize) -> Shear {
-    // The shuffle of component k takes bytes 4k to 4k + 3.
+    // The shuffle of component k selects bytes 4k to 4k + 3.
     let axes = [record.axis_x, record.axis_y, record.axis_z];
     let axes = axes.map(|axis| axis.as_flattened()[lane].get());
     for axis in axes {

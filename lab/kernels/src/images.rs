@@ -1,4 +1,4 @@
-//! The images that come with the sources, for builds without an SPU assembler.
+//! The stored images, for builds without an SPU assembler.
 
 use std::fs;
 use std::path::Path;
@@ -11,16 +11,16 @@ use crate::workshop::WorkshopError;
 ///
 /// # Errors
 ///
-/// No SPU assembler, a source that it refuses, or a file that can't be written.
+/// Fails if there is no SPU assembler, if it rejects a source, or if a file can't be written.
 pub fn write() -> Result<(), WorkshopError> {
     build(&prebuilt::folder())
 }
 
-/// Compares the images in `spu/images` with what the sources make now.
+/// Compares the images in `spu/images` with those that the present sources make.
 ///
 /// # Errors
 ///
-/// [`WorkshopError::StaleImages`] names the files that differ.
+/// Fails with [`WorkshopError::StaleImages`], which names the files that differ.
 pub fn check() -> Result<(), WorkshopError> {
     let fresh = temporary()?;
     build(fresh.path())?;

@@ -1,10 +1,10 @@
 //! Checks and times the kernels of the SPU program, one by one.
 //!
-//! Owns how a kernel is called from outside ([`Bench`]), what is known of each ([`source`]: its
-//! header; [`catalogue`]: ways to call it, and how its error is measured), how its schedule and
-//! the images are made ([`workshop`], [`set`]) and the table of all that ([`table`]). Knows
-//! nothing of frames. Invariant: no number in the table is copied from anywhere; what a header
-//! states stands beside it.
+//! This crate calls kernels from outside ([`Bench`]), has the data about each of them ([`source`]:
+//! its header; [`catalogue`]: its cases and how its error is measured), makes schedules and images
+//! ([`workshop`], [`set`]), and writes the table of the results ([`table`]). It does not know
+//! about frames. Invariant: every number in the table is measured. The numbers that headers state
+//! are next to it.
 
 pub mod bench;
 pub mod cases;

@@ -1,4 +1,4 @@
-//! The loops of a kernel: how near their schedules come to what the pipes allow.
+//! The loops of a kernel, and how close their schedules come to the limits of the pipes.
 
 use serde::{Deserialize, Serialize};
 use spu_isa::timing::{self, Rules, find_loops};
@@ -11,30 +11,31 @@ use crate::workshop::Schedule;
 /// A loop of a scheduled kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Loop {
-    /// Its label.
+    /// The loop's label.
     pub name: String,
-    /// What the scheduler made of it.
+    /// The result of scheduling it.
     pub form: Form,
 }
 
-/// What the scheduler made of a loop.
+/// The result of scheduling a loop.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Form {
-    /// Passes overlap.
+    /// It was pipelined, so that passes overlap.
     Pipelined(Cycles),
-    /// Passes do not overlap.
+    /// It was not pipelined, so passes do not overlap.
     Straight {
-        /// Why not.
+        /// The reason.
         why: String,
-        /// What the images' loop takes; none if the kernel has others beside it that are
+        /// The cycles of the loop in the images. `None` if the kernel also has loops that are
+        /// pipelined.
         /// pipelined.
         cycles: Option<Cycles>,
     },
 }
 
 impl Form {
-    /// Cycles of a pass, if they are known.
+    /// The cycles of a pass, if they are known.
     #[must_use]
     pub fn cycles(&self) -> Option<&Cycles> {
         match self {
@@ -44,23 +45,23 @@ impl Form {
     }
 }
 
-/// Cycles of a pass.
+/// The cycles of a pass.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Cycles {
-    /// In which the plain pass takes the even pipe.
+    /// Cycles in which the plain pass uses the even pipe.
     pub even: u64,
-    /// In which it takes the odd pipe.
+    /// Cycles in which it uses the odd pipe.
     pub odd: u64,
-    /// That no schedule goes below: pipes, and chains from pass to pass.
+    /// The lower bound for any schedule, from the pipes and from chains between passes.
     pub bound: u64,
-    /// From pass to pass.
+    /// Cycles from one pass to the next.
     pub interval: u64,
-    /// Passes that overlap.
+    /// The number of passes that overlap.
     pub stages: u64,
 }
 
 impl Cycles {
-    /// The share of the bound that is reached: 1 is all.
+    /// The bound divided by the interval. 1 is the best possible.
     #[must_use]
     pub fn reached(&self) -> f64 {
         self.bound as f64 / self.interval as f64
@@ -79,7 +80,7 @@ impl From<&Figures> for Cycles {
     }
 }
 
-/// The loops of a kernel in its schedule.
+/// The loops in a kernel's schedule.
 #[must_use]
 pub fn loops(kernels: &Kernels, kernel: &str, schedule: &Schedule) -> Vec<Loop> {
     let mut straight = straight_cycles(kernels, kernel, schedule.loops.len()).into_iter();
@@ -96,8 +97,8 @@ pub fn loops(kernels: &Kernels, kernel: &str, schedule: &Schedule) -> Vec<Loop> 
     found.collect()
 }
 
-/// What the loops of a kernel take, if it has this many in both images: so if none is pipelined,
-/// which would leave a second one behind.
+/// The cycles of a kernel's loops, if both images contain this number of loops. That is the case
+/// if none is pipelined, because pipelining would add a second one.
 fn straight_cycles(kernels: &Kernels, kernel: &str, count: usize) -> Vec<Cycles> {
     let [plain, scheduled] = [kernels.plain, kernels.scheduled].map(|image| found(kernel, image));
     if plain.len() != count || scheduled.len() != count {

@@ -1,5 +1,5 @@
-//! Times and checks the kernels of the SPU program, makes their schedules, and keeps their table
-//! in the document.
+//! Times and checks the kernels of the SPU program, makes their schedules, and maintains their
+//! table in the document.
 
 use std::io;
 use std::path::PathBuf;
@@ -19,7 +19,7 @@ use kernels::workshop::{Workshop, WorkshopError};
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 use thiserror::Error;
 
-/// The laboratory of the SPU program's kernels.
+/// Measures, checks and schedules the kernels of the SPU program
 #[derive(Debug, Parser)]
 #[command(version)]
 struct Arguments {
@@ -29,18 +29,18 @@ struct Arguments {
 
 #[derive(Debug, Subcommand)]
 enum Command {
-    /// Time kernels by the emulator's pipelines and measure their errors
+    /// Time kernels with the emulator's pipelines and measure their errors
     Measure(Measure),
-    /// Make the schedules of kernels that cellray ships, and write them to spu/scheduled
+    /// Schedule the kernels that cellray ships, and write the schedules to spu/scheduled
     Schedule {
-        /// Kernels to schedule; all if none is named
+        /// Kernels to schedule; the default is all
         #[arg(value_name = "NAME")]
         names: Vec<String>,
-        /// Write nothing, and fail if a file is not what would be written
+        /// Write nothing, and fail if a file is stale
         #[arg(long)]
         check: bool,
     },
-    /// Check all of a kernel: schedule, ABI, error, time, and its tests against its twin
+    /// Check everything about a kernel: schedule, ABI, error, time, and its tests against its twin
     Check {
         /// The kernels
         #[arg(value_name = "NAME", required = true)]
@@ -48,10 +48,10 @@ enum Command {
     },
     /// Build the tracer's SPU program with other formulations, for cellray's --program
     Image {
-        /// How rays are intersected with spheres
+        /// Formulation for spheres
         #[arg(long, value_name = "FORMULATION", value_parser = PossibleValuesParser::new(SPHERES.iter().map(|sphere| sphere.name)))]
         sphere: String,
-        /// How rays are intersected with triangles
+        /// Formulation for triangles
         #[arg(long, value_name = "FORMULATION", default_value = Formulations::standard().triangle.name, value_parser = PossibleValuesParser::new(TRIANGLES.iter().map(|triangle| triangle.name)))]
         triangle: String,
         /// The file to write
@@ -60,12 +60,12 @@ enum Command {
     },
     /// Write the images that cellray ships to spu/images, for builds without an SPU assembler
     Images {
-        /// Write nothing, and fail if an image is not what would be written
+        /// Write nothing, and fail if an image is stale
         #[arg(long)]
         check: bool,
     },
-    /// Fill a folder with all images, for a machine that has neither sources nor an SPU assembler:
-    /// the variable CELLRAY_KERNELS names it there
+    /// Fill a folder with all images, for a machine that has neither sources nor an SPU assembler;
+    /// there, the variable CELLRAY_KERNELS must name the folder
     Pack {
         /// The folder
         folder: PathBuf,
@@ -74,23 +74,23 @@ enum Command {
 
 #[derive(Debug, Args)]
 struct Measure {
-    /// Kernels to measure; all if none is named
+    /// Kernels to measure; the default is all
     #[arg(value_name = "NAME")]
     names: Vec<String>,
     /// Print JSON instead of the table
     #[arg(long)]
     json: bool,
-    /// Write the table into a document, between its markers
+    /// Write the table into this document, between its markers
     #[arg(long, value_name = "FILE", conflicts_with = "json")]
     write: Option<PathBuf>,
-    /// Fail if the document's table is not what is measured now
+    /// Fail if the table in this document differs from the measurement
     #[arg(long, value_name = "FILE", conflicts_with_all = ["json", "write"])]
     check: Option<PathBuf>,
 }
 
 #[derive(Debug, Error)]
 enum Failure {
-    #[error("there is no kernel {name}; there are {known}")]
+    #[error("there is no kernel {name}; the kernels are {known}")]
     Unknown { name: String, known: String },
     #[error(transparent)]
     Measure(#[from] MeasureError),
@@ -100,7 +100,7 @@ enum Failure {
     Check(#[from] CheckError),
     #[error(transparent)]
     Document(#[from] DocumentError),
-    #[error("the table as JSON: {0}")]
+    #[error("can't write the table as JSON: {0}")]
     Json(#[from] serde_json::Error),
     #[error("{}: {source}", path.display())]
     File { path: PathBuf, source: io::Error },
@@ -140,8 +140,8 @@ fn run(command: Command) -> Result<(), Failure> {
             triangle,
             out,
         } => {
-            let sphere = formulation::sphere(&sphere).expect("clap has looked");
-            let triangle = formulation::triangle(&triangle).expect("clap has looked");
+            let sphere = formulation::sphere(&sphere).expect("clap has checked the name");
+            let triangle = formulation::triangle(&triangle).expect("clap has checked the name");
             let image = set::tracer(Formulations::of(sphere, triangle))?;
             std::fs::write(&out, image).map_err(|source| Failure::File { path: out, source })
         }
@@ -165,7 +165,7 @@ fn measure(arguments: &Measure) -> Result<(), Failure> {
     Ok(())
 }
 
-/// The kernels of these names, or all.
+/// The kernels with these names, or all.
 fn chosen(names: &[String]) -> Result<Vec<&'static Kernel>, Failure> {
     Kernels::here()?;
     if names.is_empty() {
@@ -180,7 +180,7 @@ fn chosen(names: &[String]) -> Result<Vec<&'static Kernel>, Failure> {
     names.iter().map(find).collect()
 }
 
-/// The sources of these names, or all.
+/// The sources with these names, or all.
 fn named(names: &[String], sources: &[Source]) -> Result<Vec<Source>, Failure> {
     if names.is_empty() {
         return Ok(sources.to_vec());

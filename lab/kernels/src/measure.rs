@@ -1,4 +1,4 @@
-//! Measures kernels: a row for each case.
+//! Measures kernels, with one row for each case.
 
 use rand::SeedableRng as _;
 use rand_chacha::ChaCha8Rng;
@@ -13,20 +13,20 @@ use crate::source::Source;
 use crate::time::Time;
 use crate::workshop::{Workshop, WorkshopError};
 
-/// What is known of a kernel.
+/// The results for a kernel.
 #[derive(Clone, Debug, Serialize)]
 pub struct Measured {
-    /// Its name.
+    /// The kernel's name.
     pub kernel: &'static str,
     /// The file of its plain version.
     pub file: &'static str,
-    /// What it does.
+    /// A description of what it does.
     pub doc: String,
     /// Its C prototype.
     pub prototype: String,
-    /// Worst error measured now, in what the header counts it in.
+    /// The worst measured error, in the header's unit.
     pub error: Option<f64>,
-    /// The error that its header states, with its domain.
+    /// The error that its header states, and its domain.
     pub stated_error: String,
     /// Its cases.
     pub cases: Vec<Timed>,
@@ -34,25 +34,25 @@ pub struct Measured {
     pub loops: Vec<Loop>,
 }
 
-/// Why a kernel is not measured.
+/// Why a kernel could not be measured.
 #[derive(Debug, Error)]
 pub enum MeasureError {
-    /// Nothing is known of it.
-    #[error("{0}: no source, or its header has not the house's form")]
+    /// The kernel has no source with a valid header.
+    #[error("{0}: it has no source, or its header does not have the project's format")]
     Header(&'static str),
     /// There are no kernels, or they can't be scheduled.
     #[error(transparent)]
     Workshop(#[from] WorkshopError),
 }
 
-/// A case, timed.
+/// The times of a case.
 #[derive(Clone, Debug, Serialize)]
 pub struct Timed {
-    /// Its name.
+    /// The name of the case.
     pub case: &'static str,
-    /// Objects that the rays were tested with.
+    /// The number of objects with which the rays were tested.
     pub objects: u32,
-    /// Rays that a call tests with each object.
+    /// The number of rays that a call tests with each object.
     pub rays: u32,
     /// The plain version.
     pub plain: Cost,
@@ -60,32 +60,32 @@ pub struct Timed {
     pub scheduled: Cost,
 }
 
-/// What a version costs.
+/// The cost of a version.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Cost {
     /// The whole call.
     pub call: Time,
-    /// For a list: what further objects take.
+    /// For a list, the cost of further objects.
     pub stream: Option<Stream>,
 }
 
-/// What a list's further objects take.
+/// The cost of a list's further objects.
 #[derive(Clone, Copy, Debug, Serialize)]
 pub struct Stream {
-    /// How many there were.
+    /// The number of further objects.
     pub objects: u32,
-    /// For all of them.
+    /// The time for all of them.
     pub time: Time,
 }
 
 impl Timed {
-    /// Cycles in which one ray is tested with one object, everything counted.
+    /// The cycles in which one ray is tested with one object, including the whole call.
     #[must_use]
     pub fn cycles_a_test(&self, cost: &Cost) -> f64 {
         cost.call.cycles as f64 / f64::from(self.objects * self.rays)
     }
 
-    /// Cycles in which one ray is tested with one further object.
+    /// The cycles in which one ray is tested with one further object.
     #[must_use]
     pub fn cycles_in_stream(&self, cost: &Cost) -> Option<f64> {
         let stream = cost.stream.as_ref()?;
@@ -94,7 +94,8 @@ impl Timed {
 }
 
 impl Cost {
-    /// What shows how well the pipes are used: the stream if there is one, else the call.
+    /// The time that shows best how well the pipes are used: the stream's if there is one, or else
+    /// the call's.
     #[must_use]
     pub fn main(&self) -> &Time {
         self.stream
@@ -126,7 +127,8 @@ fn measure(
     let known = source.and_then(|source| Some((source, source.header()?)));
     let (source, header) = known.ok_or(MeasureError::Header(kernel.name))?;
     let schedule = workshop.schedule(source)?;
-    // A generator of its own, so that a kernel's error does not hang on which others are measured.
+    // Each kernel has its own generator, so that its error does not depend on which other kernels
+    // are measured.
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let error = kernel.error.map(|error| error(bench, &mut random));
     let cases = time(bench, kernel);
@@ -142,7 +144,7 @@ fn measure(
     })
 }
 
-/// Times a kernel's cases, and nothing else of it.
+/// Only times a kernel's cases.
 pub fn time(bench: &mut Bench, kernel: &Kernel) -> Vec<Timed> {
     let cases = kernel.cases.iter().map(|case| {
         let mut cost = |version| cost(bench, kernel.name, case, version);
@@ -157,11 +159,11 @@ pub fn time(bench: &mut Bench, kernel: &Kernel) -> Vec<Timed> {
     cases.collect()
 }
 
-/// Runs of which the fastest counts as the host's time.
+/// The number of runs, of which the fastest counts as the host's time.
 const RUNS: u32 = 50;
 
-/// Nanoseconds in which the host's interpreter tests one ray with one object by a kernel's
-/// scheduled version: in its last case, on the longest list; none if it has no case.
+/// The nanoseconds in which the host's interpreter tests one ray with one object in a kernel's
+/// scheduled version, measured on its last case and the longest list. `None` if it has no case.
 #[must_use]
 pub fn host_nanoseconds(bench: &mut Bench, kernel: &Kernel) -> Option<f64> {
     let case = kernel.cases.last()?;
@@ -192,7 +194,7 @@ pub(crate) fn cost(bench: &mut Bench, kernel: &str, case: &Case, version: Versio
 }
 
 impl Objects {
-    /// Objects of the call whose whole time is shown.
+    /// The number of objects in the call whose whole time is shown.
     #[must_use]
     pub const fn first(self) -> u32 {
         match self {

@@ -1,5 +1,5 @@
-//! Records of the general intersectors, as `spu/include/rays.inc` lays them out; a test compares
-//! the two.
+//! The records of the general intersectors, with the layout of `spu/include/rays.inc`. A test
+//! compares the two.
 
 use twins::sphere_ray;
 use zerocopy::big_endian::{F32, U32};
@@ -7,25 +7,25 @@ use zerocopy::{FromBytes, FromZeros as _, Immutable, IntoBytes, KnownLayout, Una
 
 use crate::single::{bits, single};
 
-/// Sixteen rays with origins of their own.
+/// Sixteen rays with separate origins.
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
 #[repr(C)]
 pub struct Rays {
-    /// Origins, x.
+    /// The x coordinates of the origins.
     pub origin_x: [F32; 16],
-    /// Origins, y.
+    /// The y coordinates of the origins.
     pub origin_y: [F32; 16],
-    /// Origins, z.
+    /// The z coordinates of the origins.
     pub origin_z: [F32; 16],
-    /// Unit directions, x.
+    /// The x components of the unit directions.
     pub direction_x: [F32; 16],
-    /// Unit directions, y.
+    /// The y components of the unit directions.
     pub direction_y: [F32; 16],
-    /// Unit directions, z.
+    /// The z components of the unit directions.
     pub direction_z: [F32; 16],
-    /// The farthest distance that counts; then the nearest hit's.
+    /// The distance limit, and then the distance of the nearest hit.
     pub t: [F32; 16],
-    /// Number of the object hit.
+    /// The number of the object that was hit.
     pub object: [U32; 16],
 }
 
@@ -33,13 +33,13 @@ pub struct Rays {
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
 #[repr(C)]
 pub struct Ray {
-    /// Origin: x, y, z, anything.
+    /// The origin: x, y, z, anything.
     pub origin: [F32; 4],
-    /// Unit direction: x, y, z, anything.
+    /// The unit direction: x, y, z, anything.
     pub direction: [F32; 4],
-    /// In the first word the distance, as of [`Rays`]; else anything.
+    /// The distance in the first word, as in [`Rays`]. The other words are arbitrary.
     pub t: [F32; 4],
-    /// In the first word the number of the object hit; else anything.
+    /// The number of the object that was hit in the first word. The other words are arbitrary.
     pub object: [U32; 4],
 }
 
@@ -47,9 +47,9 @@ pub struct Ray {
 #[derive(Clone, Copy, Debug, FromBytes, IntoBytes, Immutable, KnownLayout, Unaligned)]
 #[repr(C)]
 pub struct BareSphere {
-    /// Centre: x, y, z.
+    /// The centre: x, y, z.
     pub centre: [F32; 3],
-    /// Radius squared.
+    /// The squared radius.
     pub radius_squared: F32,
 }
 
@@ -75,7 +75,7 @@ impl Rays {
         record
     }
 
-    /// The rays of the record.
+    /// The rays in the record.
     #[must_use]
     pub fn rays(&self) -> [sphere_ray::Ray; 16] {
         std::array::from_fn(|lane| sphere_ray::Ray {
@@ -89,7 +89,7 @@ impl Rays {
 }
 
 impl Ray {
-    /// The record of a ray; `anything` fills what has no meaning.
+    /// The record of a ray. `anything` fills the fields without meaning.
     #[must_use]
     pub fn new(ray: &sphere_ray::Ray, anything: u32) -> Self {
         let vector = |[x, y, z]: [u32; 3]| [x, y, z, anything].map(single);
@@ -102,7 +102,7 @@ impl Ray {
         }
     }
 
-    /// The ray of the record.
+    /// The ray in the record.
     #[must_use]
     pub fn ray(&self) -> sphere_ray::Ray {
         let vector = |[x, y, z, _]: [F32; 4]| [x, y, z].map(bits);

@@ -1,8 +1,7 @@
-//! The kernels that are there to be called: their images, and what is known of their sources.
+//! The kernels that can be called: their images and sources.
 //!
-//! They are made of the repository's sources by the [`Workshop`]. A machine that has neither these
-//! nor an SPU assembler, such as a console, takes them from a folder that `kernels pack` has
-//! filled.
+//! The [`Workshop`] makes them from the repository's sources. A machine without these and without
+//! an SPU assembler, such as a console, reads them from a folder that `kernels pack` filled.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -16,17 +15,17 @@ use crate::workshop::{Workshop, WorkshopError};
 /// The variable that names a folder of packed kernels.
 pub const VARIABLE: &str = "CELLRAY_KERNELS";
 
-/// Names of the images in a pack: as written, and scheduled.
+/// The names of the images in a pack: plain and scheduled.
 const IMAGES: [&str; 2] = ["plain.elf", "scheduled.elf"];
 
-/// Kernels to be called: both images and their sources.
+/// The kernels' images and their sources.
 #[derive(Clone, Debug)]
 pub struct Kernels {
-    /// The image of the kernels as written.
+    /// The image of the plain kernels.
     pub plain: &'static [u8],
-    /// The image of their schedules.
+    /// The image of the scheduled kernels.
     pub scheduled: &'static [u8],
-    /// The sources of both.
+    /// The sources of the kernels.
     pub sources: Vec<Source>,
 }
 
@@ -43,7 +42,7 @@ impl Kernels {
             };
             let _ = KERNELS.set(kernels);
         }
-        Ok(KERNELS.get().expect("they are set"))
+        Ok(KERNELS.get().expect("the kernels were set above"))
     }
 
     fn made(workshop: &Workshop) -> Result<Self, WorkshopError> {
@@ -73,7 +72,7 @@ impl Kernels {
         })
     }
 
-    /// The source of the kernel of this name.
+    /// The source of the kernel with this name.
     #[must_use]
     pub fn source(&self, name: &str) -> Option<&Source> {
         self.sources.iter().find(|source| source.name == name)
@@ -81,11 +80,12 @@ impl Kernels {
 }
 
 impl Source {
-    /// The source of the kernel of this name, of [`Kernels::here`].
+    /// The source of the kernel with this name in [`Kernels::here`].
     ///
     /// # Panics
     ///
-    /// If there are no kernels: whoever can do without them has asked [`Kernels::here`] before.
+    /// Panics if there are no kernels. Callers that can work without them check [`Kernels::here`]
+    /// first.
     #[must_use]
     pub fn find(name: &str) -> Option<&'static Self> {
         let kernels = Kernels::here().unwrap_or_else(|error| panic!("{error}"));
@@ -93,7 +93,7 @@ impl Source {
     }
 }
 
-/// The tracer's SPU program that intersects by any formulations, shipped or not.
+/// The tracer's SPU program with any formulations, even if it is not shipped.
 pub fn tracer(formulations: Formulations) -> Result<Vec<u8>, WorkshopError> {
     let Some(folder) = pack() else {
         return Workshop::here()?.tracer(formulations);
@@ -102,7 +102,7 @@ pub fn tracer(formulations: Formulations) -> Result<Vec<u8>, WorkshopError> {
     fs::read(&path).map_err(|source| WorkshopError::File { path, source })
 }
 
-/// Fills a folder with all that a machine without sources or SPU assembler needs of them.
+/// Fills a folder with everything that a machine without sources or SPU assembler needs.
 pub fn pack_into(folder: &Path) -> Result<(), WorkshopError> {
     let workshop = Workshop::here()?;
     let kernels = Kernels::made(&workshop)?;

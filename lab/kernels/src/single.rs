@@ -1,9 +1,9 @@
-//! Singles of records, by their bits: the host's `f32` is another format than the SPU's. And how
-//! far apart they are.
+//! The singles of records, given by their bits because the host's `f32` has another format than
+//! the SPU's, and the distance between singles.
 
 use zerocopy::big_endian::F32;
 
-/// A single of a record from its bits, whatever the host makes of them.
+/// A record's single from its bits, whatever they mean on the host.
 #[must_use]
 pub fn single(bits: u32) -> F32 {
     F32::from_bytes(bits.to_be_bytes())
@@ -15,7 +15,7 @@ pub fn bits(single: F32) -> u32 {
     u32::from_be_bytes(single.to_bytes())
 }
 
-/// How far apart singles are at this number, which is none of 0.
+/// The distance between singles at this number, which must not be 0.
 #[must_use]
 pub fn spacing(number: f64) -> f64 {
     const EXPONENT: u64 = 0x7ff << 52;

@@ -1,13 +1,13 @@
-//! The kernels' sources: which there are, and what their headers say.
+//! The kernels' sources and their headers.
 //!
-//! Invariant: every `.s` file in a folder of kernels is a kernel whose name is the file's and the
-//! header's.
+//! Invariant: every `.s` file in a folder of kernels is a kernel with the name of the file and of
+//! the header.
 
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Where kernels are: those that programs of `cellray` have, and the laboratory's own.
-const ROOMS: [&str; 6] = [
+/// The folders of kernels: those for `cellray`'s programs, and those for the laboratory.
+const FOLDERS: [&str; 6] = [
     "spu/isect",
     "lab/spu/isect",
     "lab/spu/math",
@@ -16,37 +16,37 @@ const ROOMS: [&str; 6] = [
     "spu/trace",
 ];
 
-/// A kernel's source, as a person has written it.
+/// A kernel's hand-written source.
 #[derive(Clone, Copy, Debug)]
 pub struct Source {
-    /// The kernel.
+    /// The kernel's name.
     pub name: &'static str,
-    /// The file, from the repository's root.
+    /// The file's path from the repository's root.
     pub file: &'static str,
-    /// Its text.
+    /// The file's text.
     pub text: &'static str,
 }
 
-/// What a header says of its kernel.
+/// The header of a kernel.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Header {
-    /// What the kernel does, in a line.
+    /// What the kernel does, in one line.
     pub doc: String,
     /// Its C prototype.
     pub prototype: String,
-    /// The error that its author promises, with what it is counted in and the domain; empty if it
+    /// The error that the author states, with its unit and its domain. Empty if the kernel
     /// computes exactly.
     pub error: String,
 }
 
 impl Source {
-    /// All kernels below a folder that is the repository's root or has its kernels as they lie
-    /// there. They are in the order in which the images have them: by the room's own name, then by
-    /// theirs. Their texts are kept to the end of the process.
+    /// All kernels below a folder, which is the repository's root or has the same folders of
+    /// kernels. They are in the order of the images: by the folder's own name, and then by their
+    /// names. Their texts are kept until the process ends.
     pub fn all(root: &Path) -> Result<Vec<Self>, (PathBuf, std::io::Error)> {
         let mut sources = Vec::new();
-        for room in ROOMS {
-            let folder = root.join(room);
+        for kernels in FOLDERS {
+            let folder = root.join(kernels);
             let entries = fs::read_dir(&folder).map_err(|error| (folder.clone(), error))?;
             for entry in entries {
                 let path = entry.map_err(|error| (folder.clone(), error))?.path();
@@ -55,31 +55,31 @@ impl Source {
                     let name = path.file_stem().unwrap_or_default().to_string_lossy();
                     sources.push(Self {
                         name: name.to_string().leak(),
-                        file: format!("{room}/{name}.s").leak(),
+                        file: format!("{kernels}/{name}.s").leak(),
                         text: text.leak(),
                     });
                 }
             }
         }
-        let room = |source: &Self| Path::new(source.file).parent()?.file_name();
-        sources.sort_by_key(|source| (room(source).map(ToOwned::to_owned), source.name));
+        let parent = |source: &Self| Path::new(source.file).parent()?.file_name();
+        sources.sort_by_key(|source| (parent(source).map(ToOwned::to_owned), source.name));
         Ok(sources)
     }
 
-    /// Whether programs of `cellray` have it, so that its schedule is in the repository.
+    /// Whether programs of `cellray` contain it. If so, its schedule is in the repository.
     #[must_use]
     pub fn shipped(&self) -> bool {
         self.file.starts_with("spu/")
     }
 
-    /// The file of the schedule in the repository, from its root; of a kernel that is shipped.
+    /// The path of the schedule from the repository's root, if the kernel is shipped.
     #[must_use]
     pub fn scheduled_file(&self) -> Option<String> {
         let path = self.file.strip_prefix("spu/")?;
         Some(format!("spu/scheduled/{path}"))
     }
 
-    /// The header; `None` if it has not the house's form.
+    /// The header, or `None` if it does not have the project's format.
     #[must_use]
     pub fn header(&self) -> Option<Header> {
         let lines: Vec<&str> = self
@@ -98,14 +98,14 @@ impl Source {
 }
 
 impl Header {
-    /// The first number of the promised error.
+    /// The first number of the stated error.
     #[must_use]
     pub fn stated_error(&self) -> Option<f64> {
         let mut words = self.error.split_whitespace();
         words.find_map(|word| word.parse().ok())
     }
 
-    /// Words of `$3` in which the kernel returns something.
+    /// The number of words of `$3` in which the kernel returns something.
     #[must_use]
     pub fn returned_words(&self) -> usize {
         match self.prototype.split(' ').next() {
@@ -116,7 +116,8 @@ impl Header {
     }
 }
 
-/// The text behind a key, `C` or `Error`: its line, and those indented further.
+/// The text of a field, `C` or `Error`: its line and the following lines that are indented
+/// further.
 fn entry(lines: &[&str], key: &str) -> Option<String> {
     let prefix = format!("   {key} ");
     let at = lines.iter().position(|line| line.starts_with(&prefix))?;

@@ -1,14 +1,14 @@
-//! The table of `docs/kernels.md`: Markdown that reads well as it is.
+//! The table of `docs/kernels.md`, as Markdown with aligned columns.
 
 use std::fmt::Write as _;
 use std::ops::Range;
 
 use crate::measure::{Cost, Measured, Timed};
 
-/// The columns of a version in the table of times.
+/// The columns for each version in the table of times.
 const VERSIONS: [&str; 2] = ["plain", "scheduled"];
 
-/// The tables of all that was measured.
+/// The tables of all measurements.
 #[must_use]
 pub fn markdown(kernels: &[Measured]) -> String {
     let mut text = String::new();
@@ -67,7 +67,7 @@ fn row(kernel: &Measured, timed: &Timed, version: &str, cost: &Cost) -> [String;
 }
 
 fn percent(share: f64) -> String {
-    // Nothing issues in no time: a list that is left early costs nothing more.
+    // The time may be 0: a kernel that leaves a list early has no cost for further objects.
     if share.is_finite() {
         format!("{:.1} %", 100.0 * share)
     } else {
@@ -133,8 +133,8 @@ fn prototypes(text: &mut String, kernels: &[Measured]) {
     }
 }
 
-/// Writes rows, the first of them the head, with columns in line; those of `numbers` are set to
-/// the right.
+/// Writes rows with aligned columns. The first row is the heading. The columns in `numbers` are
+/// aligned to the right.
 fn write_table<const N: usize>(text: &mut String, rows: &[[String; N]], numbers: Range<usize>) {
     let widths: [usize; N] = std::array::from_fn(|column| {
         let cells = rows.iter().map(|row| row[column].chars().count());

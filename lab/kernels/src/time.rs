@@ -1,8 +1,8 @@
 //! The simulated time of a call.
 //!
-//! The call begins with idle pipelines, every register ready and the code at hand, and ends when
-//! the instruction at the return address could issue: the return is within, with its miss if no
-//! hint told of it, the caller's branch is not.
+//! The call starts with idle pipelines, every register ready and the code in the buffer. It ends
+//! when the instruction at the return address could issue. It includes the return, with a branch
+//! miss if there is no hint for it, but not the caller's branch.
 
 use serde::Serialize;
 use spu_emulator::interp::{Observer, Spu};
@@ -11,39 +11,39 @@ use spu_isa::{Class, Instruction, Pipe};
 
 use crate::bench::RETURN_ADDRESS;
 
-/// Cycles of a call and what issued in them.
+/// The cycles of a call and the instructions that issued in them.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Time {
     /// Cycles.
     pub cycles: u64,
-    /// Instructions of the even pipe, `nop` aside.
+    /// Instructions of the even pipe except `nop`.
     pub even: u64,
-    /// Instructions of the odd pipe, `lnop` aside.
+    /// Instructions of the odd pipe except `lnop`.
     pub odd: u64,
-    /// Cycles in which both pipes issued, `nop` and `lnop` aside.
+    /// Cycles in which both pipes issued, except `nop` and `lnop`.
     pub dual: u64,
 }
 
 impl Time {
-    /// Of all cycles, the share in which the even pipe did some work.
+    /// The share of all cycles in which the even pipe issued useful work.
     #[must_use]
     pub fn even_share(&self) -> f64 {
         self.even as f64 / self.cycles as f64
     }
 
-    /// The same of the odd pipe.
+    /// The same for the odd pipe.
     #[must_use]
     pub fn odd_share(&self) -> f64 {
         self.odd as f64 / self.cycles as f64
     }
 
-    /// Of all cycles, the share in which both pipes did.
+    /// The share of all cycles in which both pipes did.
     #[must_use]
     pub fn dual_share(&self) -> f64 {
         self.dual as f64 / self.cycles as f64
     }
 
-    /// What a longer call took beyond this one.
+    /// The additional cost of a longer call.
     #[must_use]
     pub fn up_to(&self, longer: &Self) -> Self {
         Self {
@@ -60,7 +60,7 @@ impl Time {
 pub(crate) struct Watch {
     timer: Timer,
     time: Time,
-    /// Whether the instruction before was no `nop`.
+    /// Whether the previous instruction was useful work.
     works: bool,
 }
 
@@ -75,7 +75,7 @@ impl Observer for Watch {
         let pairs = self.timer.pipeline.account().dual();
         self.timer.before_instruction(spu, instruction);
         if spu.pc() == RETURN_ADDRESS {
-            // The `stop` there has issued in a cycle of its own.
+            // The `stop` at the return address issued in a cycle of its own.
             self.time.cycles = self.timer.pipeline.clock() - 1;
             return;
         }

@@ -1,4 +1,4 @@
-//! Vectors in f64, for cases and for the truth that errors are measured against.
+//! Vectors in f64, for cases and for exact results.
 
 use rand::Rng;
 
@@ -30,17 +30,17 @@ pub fn unit(vector: Vector) -> Vector {
     vector.map(|component| component / length)
 }
 
-/// Within the cube of that half side.
+/// A random point within the cube with this half side.
 pub fn in_cube(half: f64, random: &mut impl Rng) -> Vector {
     std::array::from_fn(|_| random.random_range(-half..half))
 }
 
-/// A number of this range, evenly spread over orders of magnitude.
+/// A random number of this range, uniformly distributed over orders of magnitude.
 pub fn magnitude(range: std::ops::Range<f64>, random: &mut impl Rng) -> f64 {
     libm::exp(random.random_range(libm::log(range.start)..libm::log(range.end)))
 }
 
-/// Ulps of a single at `exact` by which `found` is off.
+/// The error of `found` in ulps of a single at `exact`.
 #[must_use]
 pub fn ulps(found: f64, exact: f64) -> f64 {
     (found - exact).abs() / exact.abs() * 2_f64.powi(23)

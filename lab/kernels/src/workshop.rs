@@ -1,10 +1,11 @@
-//! Makes of the kernels' sources what the laboratory runs: schedules, objects and images.
+//! Makes everything that the laboratory runs from the kernels' sources: schedules, objects and
+//! images.
 //!
-//! Schedules of kernels that `cellray` ships are files of the repository, which are compared with
-//! what the scheduler makes; the others are made when they are needed. What was made is kept in
-//! the build folder, under a hash of all that it is made of: the source, what it includes, and the
-//! scheduler's own code. So nothing here depends on when it was compiled, and after an edit only
-//! what was edited is made anew, or includes what was.
+//! The schedules of kernels that `cellray` ships are files in the repository, which are compared
+//! with the scheduler's output. The others are made when they are needed. Results are kept in the
+//! build folder under a hash of all their inputs: the source, its includes, and the scheduler's
+//! own code. So nothing here depends on when it was compiled, and after an edit only the files
+//! that depend on it are made again.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -26,10 +27,10 @@ use thiserror::Error;
 use crate::loops::Cycles;
 use crate::source::Source;
 
-/// Why something was not made, or could not be checked.
+/// Why something could not be made or checked.
 #[derive(Debug, Error)]
 pub enum WorkshopError {
-    /// A source is not assembled, or an image not linked.
+    /// A source can't be assembled, or an image can't be linked.
     #[error(transparent)]
     Build(#[from] spu_build::Error),
     /// A file can't be read or written.
@@ -40,12 +41,12 @@ pub enum WorkshopError {
         /// The system's error.
         source: std::io::Error,
     },
-    /// The scheduler refuses a source.
+    /// The scheduler rejects a source.
     #[error("{}: {source}", path.display())]
     Scheduler {
         /// The source.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: scheduler::ScheduleError,
     },
     /// An object has no code.
@@ -53,7 +54,7 @@ pub enum WorkshopError {
     Code {
         /// The source.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: CodeError,
     },
     /// The notes of a schedule can't be checked.
@@ -61,43 +62,43 @@ pub enum WorkshopError {
     Check {
         /// The source.
         path: PathBuf,
-        /// Why.
+        /// The reason.
         source: CheckError,
     },
-    /// Files are missing or not what the scheduler makes now.
-    #[error("stale: {}; write them anew with `kernels schedule`", .0.join(", "))]
+    /// Schedules are missing or stale.
+    #[error("stale: {}; write them again with `kernels schedule`", .0.join(", "))]
     Stale(Vec<String>),
-    /// Images are missing or not what the sources make now.
+    /// Images are missing or stale.
     #[error("stale: {}; write them again with `kernels images`", .0.join(", "))]
     StaleImages(Vec<String>),
 }
 
-/// What the scheduler makes of a kernel.
+/// The scheduler's output for a kernel.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Schedule {
     /// The new source.
     pub text: String,
-    /// Its loops: their labels, and the cycles of a pass, or why passes do not overlap.
+    /// Its loops: their labels, and the cycles of a pass or the reason why passes do not overlap.
     pub loops: Vec<(String, Result<Cycles, String>)>,
 }
 
-/// The sources of a repository, and the folder of what was made of them.
+/// The sources of a repository, and the folder for files made from them.
 #[derive(Debug)]
 pub struct Workshop {
     root: PathBuf,
     made: PathBuf,
     tools: Tools,
     includes: Vec<PathBuf>,
-    /// Of the scheduler's code.
+    /// The hash of the scheduler's code.
     scheduler: u64,
 }
 
-/// Folders of the repository that hold the scheduler's code.
+/// The folders of the repository that hold the scheduler's code.
 const SCHEDULER: [&str; 2] = ["isa/src", "scheduler/src"];
 
 impl Workshop {
-    /// For the sources of the repository in this folder; what is made of them goes to the folder
-    /// `made`.
+    /// A workshop for the sources of the repository in folder `root`. Files made from them go to
+    /// the folder `made`.
     pub fn new(root: &Path, made: &Path) -> Result<Self, WorkshopError> {
         let mut includes = vec![root.join("spu/include"), root.join("lab/spu/include")];
         let constants = assembler::constants();
@@ -114,7 +115,7 @@ impl Workshop {
         })
     }
 
-    /// For the sources of this repository and its build folder.
+    /// A workshop for this repository's sources and build folder.
     pub fn here() -> Result<Self, WorkshopError> {
         let root = Path::new(HERE);
         let target = std::env::var_os("CARGO_TARGET_DIR");
@@ -127,7 +128,7 @@ impl Workshop {
         Source::all(&self.root).map_err(|(path, source)| WorkshopError::File { path, source })
     }
 
-    /// What the scheduler makes of a kernel now.
+    /// Schedules a kernel, or returns a kept result.
     pub fn schedule(&self, kernel: &Source) -> Result<Schedule, WorkshopError> {
         let path = self.root.join(kernel.file);
         let text = read(&path)?;
@@ -172,17 +173,17 @@ impl Workshop {
             loops: loops.collect(),
             text: made.text,
         };
-        let json = serde_json::to_vec(&schedule).expect("texts and numbers");
+        let json = serde_json::to_vec(&schedule).expect("texts and numbers can be written as JSON");
         store(&kept, &json)?;
         Ok(schedule)
     }
 
-    /// The same of many kernels, by as many threads as there are processors.
+    /// Schedules many kernels with as many threads as there are processors.
     pub fn schedules(&self, kernels: &[Source]) -> Result<Vec<Schedule>, WorkshopError> {
         self.each(kernels, Self::schedule)
     }
 
-    /// The file of a kernel's schedule: the repository's, or one that is made.
+    /// The file of a kernel's schedule: the repository's, or one that is made now.
     fn scheduled(&self, kernel: &Source) -> Result<PathBuf, WorkshopError> {
         if let Some(file) = kernel.scheduled_file() {
             return Ok(self.root.join(file));
@@ -194,7 +195,7 @@ impl Workshop {
         Ok(path)
     }
 
-    /// Writes the schedules of those kernels that are shipped.
+    /// Writes the schedules of the shipped kernels among these.
     pub fn write(&self, kernels: &[Source]) -> Result<(), WorkshopError> {
         for (kernel, schedule) in kernels.iter().zip(self.schedules(kernels)?) {
             if let Some(file) = kernel.scheduled_file() {
@@ -204,8 +205,8 @@ impl Workshop {
         Ok(())
     }
 
-    /// Compares the schedules of those kernels that are shipped with what the scheduler makes now;
-    /// the error names all that are stale.
+    /// Compares the schedules of the shipped kernels among these with the scheduler's present
+    /// output. The error names all that are stale.
     pub fn check(&self, kernels: &[Source]) -> Result<(), WorkshopError> {
         let mut stale = Vec::new();
         for (kernel, schedule) in kernels.iter().zip(self.schedules(kernels)?) {
@@ -229,7 +230,7 @@ impl Workshop {
         }
     }
 
-    /// Compares the notes of a kernel's schedule with the model, as `spu time --check`.
+    /// Compares the notes in a kernel's schedule with the model, like `spu time --check`.
     pub fn notes(&self, kernel: &Source) -> Result<check::Outcome, WorkshopError> {
         let path = self.scheduled(kernel)?;
         let text = read(&path)?;
@@ -246,7 +247,7 @@ impl Workshop {
             .map_err(|source| WorkshopError::Check { path, source })
     }
 
-    /// The images of all kernels, as written and scheduled, each without a program around them.
+    /// The images of all kernels, plain and scheduled. They contain no program around the kernels.
     pub fn images(&self, kernels: &[Source]) -> Result<[Vec<u8>; 2], WorkshopError> {
         let start = self.object(&self.root.join("lab/kernels/image/start.s"))?;
         let plain = self.each(kernels, |this, kernel| {
@@ -263,7 +264,7 @@ impl Workshop {
         Ok([link(plain)?, link(scheduled)?])
     }
 
-    /// The tracer's program that intersects by any formulations.
+    /// The tracer's program with any formulations.
     pub fn tracer(&self, formulations: Formulations) -> Result<Vec<u8>, WorkshopError> {
         let sources = self.sources()?;
         let roles = formulations.roles().map(|(_, kernel)| kernel);
@@ -292,14 +293,14 @@ impl Workshop {
         fs::read(&file).map_err(|source| WorkshopError::File { path: file, source })
     }
 
-    /// A hash of all files that a source includes, or one of these does.
+    /// A hash of all files that a source includes, directly or indirectly.
     fn included(&self, text: &str) -> Result<u64, WorkshopError> {
         let mut hasher = DefaultHasher::new();
         let mut seen = BTreeSet::new();
         let mut open = included_names(text);
         while let Some(name) = open.pop() {
             let found = |folder: &PathBuf| Some(folder.join(&name)).filter(|path| path.is_file());
-            // One that is not there, the assembler complains of.
+            // The assembler reports missing files.
             if let Some(path) = self.includes.iter().find_map(found)
                 && seen.insert(path.clone())
             {
@@ -328,7 +329,7 @@ impl Workshop {
                 |source| WorkshopError::File { path, source }
             };
             fs::create_dir_all(&folder).map_err(failed(&folder))?;
-            // Whoever else makes it at the same time never sees half of it.
+            // Another process that makes the same file at the same time never sees a partial file.
             let partial = tempfile::tempdir_in(&folder).map_err(failed(&folder))?;
             let fresh = partial.path().join("fresh.o");
             self.tools.assemble(&self.includes, &[], &fresh, source)?;
@@ -355,7 +356,7 @@ impl Workshop {
             let workers: Vec<_> = (0..workers).map(|_| scope.spawn(work)).collect();
             let made = workers
                 .into_iter()
-                .flat_map(|worker| worker.join().expect("it does not panic"));
+                .flat_map(|worker| worker.join().expect("the worker does not panic"));
             made.collect()
         });
         made.sort_by_key(|(file, _)| kernels.iter().position(|kernel| kernel.file == *file));
@@ -366,21 +367,21 @@ impl Workshop {
 /// The repository's root.
 const HERE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../..");
 
-/// The files that a text's `.include` directives name.
+/// The files named by a text's `.include` directives.
 fn included_names(text: &str) -> Vec<String> {
     let behind = text.split(".include").skip(1);
     let names = behind.filter_map(|rest| rest.lines().next()?.split('"').nth(1));
     names.map(ToOwned::to_owned).collect()
 }
 
-/// A hash that is the same in each run.
+/// A hash that is the same in every run.
 fn hash<const N: usize>(parts: [&[u8]; N]) -> u64 {
     let mut hasher = DefaultHasher::new();
     parts.hash(&mut hasher);
     hasher.finish()
 }
 
-/// A hash of all files below folders, and of their names.
+/// A hash of all files below these folders, and of their names.
 fn hash_of_files(folders: &[PathBuf]) -> Result<u64, WorkshopError> {
     let mut hasher = DefaultHasher::new();
     let mut open = folders.to_vec();
@@ -408,8 +409,8 @@ fn hash_of_files(folders: &[PathBuf]) -> Result<u64, WorkshopError> {
     Ok(hasher.finish())
 }
 
-/// Writes a file, and whatever folders it lies in, unless it has these bytes already. Nobody ever
-/// sees half of it.
+/// Writes a file and its folders, unless it already has these bytes. Other processes never see a
+/// partial file.
 fn store(path: &Path, bytes: &[u8]) -> Result<(), WorkshopError> {
     if fs::read(path).is_ok_and(|found| found == bytes) {
         return Ok(());

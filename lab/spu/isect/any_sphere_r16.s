@@ -9,8 +9,8 @@
 #           origin up to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    lab/twins/src/sphere_ray.rs
 #
-# A word of bits, not four masks: a caller branches on it as it is, and makes masks of it on the
-# odd pipe (fsm). No root is taken; the steps are in sphere_ray_tmpl.inc.
+# The result is a word of bits, not four masks: a caller can branch on it directly, and can make
+# masks of it on the odd pipe (fsm). No root is computed. The steps are in sphere_ray_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"

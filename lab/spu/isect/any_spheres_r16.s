@@ -9,9 +9,9 @@
 #           origin up to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    lab/twins/src/sphere_ray.rs
 #
-# Leaves between chunks of CHUNK spheres as soon as no ray is left unblocked. Within a chunk the
-# loop is free of exits, as a pipelined one must be: to drain it, look and fill it again costs
-# about as much as a sphere. The steps are in sphere_ray_tmpl.inc.
+# Between chunks of CHUNK spheres, the kernel returns if no ray is unblocked. Within a chunk the
+# loop has no exits, as a pipelined loop must: draining, checking and filling it again costs about
+# as much as a sphere. The steps are in sphere_ray_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -9,8 +9,8 @@
 #   Error   none of its own: hits exactly what isect_triangles_r16 hits
 #   Twin    lab/twins/src/triangle.rs
 #
-# Leaves between chunks of CHUNK triangles as soon as every ray is blocked; within a chunk the loop
-# is free of exits, as a pipelined one must be. Rays whose t is not above 0 are not waited for.
+# Between chunks of CHUNK triangles, the kernel returns if every ray is blocked. Within a chunk the
+# loop has no exits, as a pipelined loop must. Rays whose t is not above 0 are ignored.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -7,8 +7,8 @@
 #   Error   3.5 ulp of t, eye 2 to 1e6 radii from the centre, ray within 0.9 r of it; from 30 radii
 #           on 2
 #   Twin    lab/twins/src/sphere/refined.rs
-#
-# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts,
+# The steps are in sphere_tmpl.inc. An opaque sphere has no inside, so only the entry counts, and
+# only if it is in front of the eye.
 # and behind the eye it is none.
 
         .include "sphere_eye.inc"
@@ -16,7 +16,7 @@
 
         eye_registers "k_one,k_two,k_scales,half,whole", "radius2", "b,lx,ly,lz,disc,y,s,e,rest"
         merges_table
-# Lengths halved, and the radius squared with them.
+# Scales the lengths by 1/2, and the squared radius by 1/4.
 scales:
         .int    0x3f000000,0x3f000000,0x3f000000,0x3e800000
 

@@ -7,8 +7,8 @@
 #   Error   8 ulp of t, eye 1.5 to 30 radii from the centre, ray within 0.995 r of it
 #   Twin    lab/twins/src/sphere/stable.rs
 #
-# The steps are those of sphere_tmpl.inc. An opaque sphere has no inside: only the entry counts,
-# and behind the eye it is none.
+# The steps are in sphere_tmpl.inc. An opaque sphere has no inside, so only the entry counts, and
+# only if it is in front of the eye.
 
         .include "sphere_eye.inc"
         .include "sphere_stable.inc"

@@ -9,7 +9,8 @@
 #           -0.5 to 1.5
 #   Twin    lab/twins/src/rectangle.rs
 #
-# As isect_rectangle_r16, but u and v may be any; what it says of a ray along the plane holds.
+# Like isect_rectangle_r16, but with any u and v. Its remark about rays parallel to the plane holds
+# here too.
 
         .include "macros.inc"
         .include "rays.inc"

@@ -10,9 +10,9 @@
 #
 # For the point p, the unit normal m, the origin o and the direction d:
 #   -t = m.(o - p) / m.d
-#   h = o - p + t d     in the rectangle's own space
+#   h = o - p + t d     relative to the point of the rectangle
 #   u = h.dual_u, v = h.dual_v; the edges, 0 and 1, belong to the rectangle
-# A ray along the plane gets a t that is 0 or beyond everything: no hit.
+# A ray parallel to the plane gets a t that is 0 or beyond everything, so it misses.
 
         .include "macros.inc"
         .include "rays.inc"

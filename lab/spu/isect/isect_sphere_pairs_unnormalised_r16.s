@@ -10,8 +10,8 @@
 #           0.995 r of it
 #   Twin    lab/twins/src/sphere/unnormalised.rs
 #
-# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT
-# the exit, and with SIDES_BOTH the exit of a ray from inside.
+# The steps are in sphere_tmpl.inc. The hit is the entry; with SIDES_EXIT it is the exit, and with
+# SIDES_BOTH it is also the exit of a ray from inside.
 
         .include "sphere_general.inc"
         .include "sphere_unnormalised.inc"

@@ -9,10 +9,10 @@
 #           0.995 r of it
 #   Twin    lab/twins/src/sphere_ray.rs
 #
-# Gives the bits that isect_sphere_r16 gives: its formulas and order of sums (sphere_ray_tmpl.inc).
-# Nothing but latency counts: vectors are handled as such where lanes don't meet, and every sum
-# runs over splats, so that it takes no rotation and comes out in all lanes, ready for the next
-# vector.
+# Returns the same bits as isect_sphere_r16, by using its formulas and its order of sums
+# (sphere_ray_tmpl.inc). Only latency matters here. Vectors stay in one register where lanes are
+# independent. Sums are computed from splats, so that they need no rotation and are in all lanes,
+# ready for the next vector.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -24,7 +24,7 @@
         registers k_half,k_one,m_sign,m_x,m_y,m_z,m_radius2
         # the ray and the sphere
         registers origin,direction,dx,dy,dz,t_best,nearest,quadword,radius2
-        # from the origin to the centre; from the ray's nearest point to it
+        # from the origin to the centre, and from the ray's nearest point to it
         registers centre,cx,cy,cz,l,lx,ly,lz
         # temporaries, the same in all lanes
         registers b,disc,out,y,s,e,t,c_meets,c_hit,minus_t

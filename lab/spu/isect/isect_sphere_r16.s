@@ -9,8 +9,8 @@
 #           0.995 r of it
 #   Twin    lab/twins/src/sphere_ray.rs
 #
-# The entry, or the exit of a ray from inside; a ray that leaves the surface outwards from 6 ulp
-# of r above it does not meet it again. The steps are in sphere_ray_tmpl.inc.
+# The hit is the entry, or the exit for a ray from inside. A ray that starts at least 6 ulp of r
+# above the surface and leaves it does not hit it again. The steps are in sphere_ray_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -9,7 +9,8 @@
 #           0.995 r of it
 #   Twin    lab/twins/src/sphere_ray.rs
 #
-# Of equal hits the first counts. The rays stay in registers; the steps are in sphere_ray_tmpl.inc.
+# Of equal hits, the first counts. The rays stay in registers. The steps are in
+# sphere_ray_tmpl.inc.
 
         .include "work_unit.inc"
         .include "macros.inc"

@@ -9,16 +9,17 @@
 #           of it, area across the ray above 1/20 of their square
 #   Twin    lab/twins/src/triangle_mt_pairs.rs
 #
-# Moeller and Trumbore 1997: with edges e1 and e2 from vertex a, s from there to the origin, and
-# determinant e1.(d x e2), u is s.(d x e2), v is d.(s x e1), t is e2.(s x e1), each by the
-# determinant. Both cross products are taken the other way round, so that the determinant's sign is
-# set where the vertices go counter-clockwise. From behind a triangle is hit only with SIDES_BOTH.
-# A ray along the plane gets a t that is 0 or beyond everything: no hit.
+# Moeller and Trumbore 1997. Let e1 and e2 be the edges from vertex a, and s the vector from a to
+# the origin. With the determinant e1.(d x e2), u is s.(d x e2), v is d.(s x e1) and t is e2.(s x
+# e1), each divided by the determinant. Both cross products are reversed, so that the determinant's
+# sign is set if the vertices are in counter-clockwise order. From behind, a triangle is hit only
+# with SIDES_BOTH. A ray parallel to the plane gets a t that is 0 or beyond everything, so it
+# misses.
 #
-# Not watertight: each triangle works a shared edge out from a vertex and edges of its own, and
-# what one rounds off the other does not take. Of rays from inside a closed mesh that are aimed at
-# its edges and vertices one in 10 gets out; one in 40 where vertices lie on a lattice, whose
-# products are exact more often (kernels/tests/flat/leaks.rs, where none gets past
+# It is not watertight: each triangle computes a shared edge from its own vertex and its own edges,
+# and a ray may be rounded out of both triangles. Of rays from inside a closed mesh that are aimed
+# at its edges and vertices, one in 10 leaks. If vertices are on a lattice, whose products are
+# exact more often, one in 40 does (kernels/tests/flat/leaks.rs, where none passes
 # isect_triangle_pairs_r16).
 
         .include "work_unit.inc"
@@ -54,7 +55,7 @@
         cross_component $\out\()_z,\a,\b,x,y
 .endm
 
-# A vector of the candidate, each component in every lane.
+# Loads a vector of the candidate, with each component in every lane.
 .macro  splat_vector out:req, vector:req
     .irp axis, x,y,z
         shufb   $\out\()_\axis,\vector,\vector,$m_\axis

@@ -7,7 +7,8 @@
 #   Error   none of its own: the bits of shear_r16 and isect_triangles_r16
 #   Twin    lab/twins/src/triangle.rs
 #
-# The vertices, then the edges, lie in lanes 0 to 2, while isect_triangles_r16 has a ray a lane.
+# The vertices, and then the edges, are in lanes 0 to 2, while isect_triangles_r16 has a ray in
+# each lane.
 
         .include "macros.inc"
         .include "rays.inc"
@@ -28,7 +29,7 @@
         registers c_y,c_z,slope_x,slope_y,minus_per_z,x,y,z,inverse,t_y,t_e
         # the triangle: a vertex a register, then a vertex a lane
         registers vertex_a,vertex_b,vertex_c,all_x,all_y,all_z,own_x,own_y,own_z,za,zb,zc
-        # edges: opposite to a, b, c
+        # the edges opposite to a, b and c
         registers p,q,last_x,last_y,next_x,next_y,edges,u,v,w,det
         .set    n,58                                    # reused
         .set    outside,59                              # reused
@@ -36,7 +37,7 @@
 
         .section .rodata
         .align  4
-# From vertices to coordinates: those of a and b, then c's beside them.
+# From vertices to coordinates: those of a and b, then those of c next to them.
 pair_xy:
         .int    0x00010203,0x10111213,0x04050607,0x14151617
 pair_z: .int    0x08090a0b,0x18191a1b,0x80808080,0x80808080
@@ -46,7 +47,7 @@ third_y:
         .int    0x08090a0b,0x0c0d0e0f,0x14151617,0x80808080
 third_z:
         .int    0x00010203,0x04050607,0x18191a1b,0x80808080
-# Of the lane after and before, of three.
+# The lane after and the lane before, of three.
 next:   .int    0x04050607,0x08090a0b,0x00010203,0x80808080
 last:   .int    0x08090a0b,0x00010203,0x04050607,0x80808080
 
@@ -89,7 +90,7 @@ function isect_triangle_r1
         by_longest $own_z,$all_x,$all_y,$all_z
         fnms    $own_x,$slope_x,$own_z,$own_x
         fnms    $own_y,$slope_y,$own_z,$own_y
-        # Lane k: the edge between the vertices before and after k.
+        # Lane k gets the edge between the vertices before and after k.
         shufb   $last_x,$own_x,$own_x,$m_last
         shufb   $last_y,$own_y,$own_y,$m_last
         shufb   $next_x,$own_x,$own_x,$m_next

@@ -22,8 +22,8 @@
         # constants
         .set    NEXT,10
         registers k_above_one,k_sign,m_splat,a_controls
-        # -t, carried from triangle to triangle; the rest of a hit waits in the rays, so that the
-        # pipelined loop has registers enough
+        # -t, carried from triangle to triangle. The rest of a hit is kept in the rays' record, so
+        # that the pipelined loop has enough registers.
         registers n_best
         .set    NEXT,18
         registers best

@@ -7,9 +7,9 @@
 #   Error   1.5 ulp: of 1 in the slopes, of itself in 1 / direction z
 #   Twin    lab/twins/src/triangle.rs
 #
-# The longest component of the direction becomes z, the two after it, in cyclic order, x and y. A
-# point (x, y, z), less the origin, then lies beside the ray by x - slope_x z and y - slope_y z,
-# and its t is z / direction z. Slopes are at most 1.
+# The longest component of the direction becomes z, and the next two in cyclic order become x and
+# y. A point (x, y, z) relative to the origin is then beside the ray by x - slope_x z and y -
+# slope_y z, and its t is z / direction z. Slopes are at most 1.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -26,7 +26,7 @@
         registers origin_x,origin_y,origin_z,direction_x,direction_y,direction_z
         # results
         registers axis_x,axis_y,axis_z
-        registers own_x                                 # the origin in the ray's own order
+        registers own_x                                 # the origin in the ray's permuted axes
         registers own_y,own_z,slope_x,slope_y,minus_per_z
         # temporaries
         registers x,y,z,inverse,t_y,t_e,c_y,c_z

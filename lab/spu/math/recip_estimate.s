@@ -10,8 +10,8 @@
 #   Error   956084 ulp of the SPU's format, worst at 0x3f87ffff; over all of an octave
 #   Twin    lab/twins/src/math.rs
 #
-# The estimate word taken as it is. Its last 10 digits, a step and no fraction, count for little:
-# the error is largest where an entry of the table ends.
+# The estimate word is used directly. Its last 10 digits are a step and not a fraction, so they
+# contribute little. The error is largest at the end of a table entry.
 
         .include "macros.inc"
         .include "operands_tmpl.inc"

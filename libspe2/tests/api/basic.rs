@@ -172,7 +172,7 @@ fn mailbox_arguments() {
     }
 }
 
-/// Sends every word back, by both outbound mailboxes in turn, until a 0 comes.
+/// Sends every word back, through the two outbound mailboxes in turn, until it reads a 0.
 const ECHO: &str = "
 again:  rdch    $10,$ch29
         wrch    $ch28,$10

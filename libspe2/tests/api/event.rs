@@ -1,4 +1,4 @@
-//! Event handlers: one thread waits for many contexts.
+//! Event handlers, with which one thread waits for many contexts.
 
 use std::ffi::c_void;
 use std::ptr;
@@ -139,7 +139,7 @@ fn the_inbound_mailbox_is_up_while_it_has_room() {
     assert_eq!(handler.wait(4, 0), []);
 }
 
-/// Waits for a word and sends it back by interrupt; ends with a 0.
+/// Waits for a word and sends it back through the interrupt mailbox. A 0 ends the program.
 const ECHO: &str = "
 again:  rdch    $10,$ch29
         brz     $10,done

@@ -34,7 +34,7 @@ fn what_can_not_be_opened() {
             libc::EINVAL,
         );
     }
-    // Our own executable: ELF, but not the SPU's.
+    // Our own executable is an ELF file, but not for the SPU.
     let own = std::env::current_exe().unwrap();
     assert_null(open_image(&own), libc::EINVAL);
 }
@@ -89,7 +89,7 @@ fn an_embedded_image_is_loaded_from_its_address_alone() {
         0
     );
     assert_eq!(context.run().code, 7);
-    // An address where nothing is, and one where something else is.
+    // One address where nothing is mapped, and one that holds something else.
     handle.elf_image = ptr::without_provenance_mut(16);
     assert_fails(
         unsafe { spe_program_load(context.pointer(), &raw mut handle) },
@@ -106,7 +106,7 @@ fn an_embedded_image_is_loaded_from_its_address_alone() {
 #[test]
 fn the_toe_holds_the_images_address() {
     let folder = tempfile::tempdir().unwrap();
-    // The linker script has no place of its own for it, so the linker puts it behind the rest.
+    // The linker script has no place for it, so the linker puts it after the rest.
     let path = assemble(
         folder.path(),
         "

@@ -1,9 +1,9 @@
-//! The C API as programs call it, in the sets of the library's own test-suite. Every wait ends:
-//! what could sleep for ever runs on another thread, and the test gives up on it.
+//! The C API as programs call it, in the groups of the original library's test suite. No test can
+//! hang: a call that could sleep for ever runs on another thread, and the test gives up on it.
 
 #![expect(
     clippy::undocumented_unsafe_blocks,
-    reason = "each block calls the C API, with NULL or with pointers that live to the end of their test"
+    reason = "each block calls the C API with NULL or with pointers that are valid until their test ends"
 )]
 
 mod basic;

@@ -19,7 +19,7 @@ type Transfer =
 const GETS: [Transfer; 3] = [spe_mfcio_get, spe_mfcio_getb, spe_mfcio_getf];
 const PUTS: [Transfer; 3] = [spe_mfcio_put, spe_mfcio_putb, spe_mfcio_putf];
 
-/// Gets 16 KB from argp, inverts the first quadword, puts all to envp.
+/// Gets 16 KB from argp, inverts the first quadword, and puts everything to envp.
 const COPY: &str = "
         ori     $20,$4,0
         rotqbyi $21,$4,4
@@ -52,7 +52,7 @@ fn the_spu_reaches_this_process() {
         *byte = !*byte;
     }
     assert!(from.0 == to.0);
-    // The same in an empty page and in an unmapped one.
+    // The same happens in an empty page and in an unmapped one.
     for (argp, envp) in [(0x1000, envp), (argp, 0x1000), (argp, u64::MAX - 0xffff)] {
         let run = || context.run_from(SPE_DEFAULT_ENTRY, 0, argp, envp);
         let stop = elsewhere(run, || ());
@@ -60,7 +60,7 @@ fn the_spu_reaches_this_process() {
     }
 }
 
-/// Copies from the other's local store by its mapped address, in argp.
+/// Copies from another context's local store by its mapped address, which is in argp.
 #[test]
 fn local_store_is_memory_of_this_process() {
     let other = Context::new(0);
@@ -74,7 +74,7 @@ fn local_store_is_memory_of_this_process() {
     assert_eq!(other.local_store(0x20010, 0x3ff0), [7; 0x3ff0]);
 }
 
-/// Adds 1 to the first word of argp's line, 2000 times.
+/// Adds 1 to the first word of the line at argp, 2000 times.
 const COUNT: &str = "
         ori     $2,$4,0
         rotqbyi $3,$4,4
@@ -152,7 +152,7 @@ fn proxy_transfers() {
         assert_eq!(tag_status(&context, SPE_TAG_ALL), 1 << 15 | 1);
         assert_eq!(there.0, [3; 256]);
     }
-    // Everything has been reported.
+    // Every tag has been reported.
     for behavior in [SPE_TAG_ALL, SPE_TAG_ANY, SPE_TAG_IMMEDIATE] {
         assert_eq!(tag_status(&context, behavior), 0);
     }

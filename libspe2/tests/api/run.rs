@@ -1,4 +1,4 @@
-//! `spe_context_run`: the stop table, start registers, library calls.
+//! `spe_context_run`: stop reasons, initial registers, library calls.
 
 use std::ptr;
 use std::sync::atomic::{AtomicU32, Ordering::SeqCst};
@@ -60,7 +60,7 @@ fn the_stop_table() {
     for (source, expected) in cases {
         assert_eq!(stop_of(source), expected, "{source}");
     }
-    // Not precise, so without a next instruction.
+    // The stop is not precise, so there is no next instruction.
     for (source, code) in [(".long 0x00800000", 0x20), ("rdch $10,$ch5", 0x40)] {
         let stop = stop_of(source);
         let entry = stop.entry;
@@ -146,9 +146,9 @@ fn start_registers() {
             "${register}"
         );
     }
-    // The back chain ends.
+    // The back chain ends here.
     assert_eq!(context.local_store(0x3fff0, 16), [0; 16]);
-    // Going on elsewhere leaves the registers alone.
+    // Continuing at another address does not change the registers.
     let stop = elsewhere(|| run(stop.entry, 1), || ());
     assert_eq!(stop.returned, 2);
     assert_eq!(doublewords(&context, 3)[0], expected[2]);
@@ -194,7 +194,7 @@ fn arguments() {
             ),
             libc::EINVAL,
         );
-        // Nobody needs to look at the stop.
+        // Nobody has to read the stop record.
         entry = SPE_DEFAULT_ENTRY;
         let returned = spe_context_run(
             context.pointer(),
@@ -210,7 +210,7 @@ fn arguments() {
 
 static CALLED_WITH: AtomicU32 = AtomicU32::new(0);
 
-/// Adds 1 to the word that the call names, and fails if it comes out as 5.
+/// Adds 1 to the word that the call points at, and fails if the result is 5.
 unsafe extern "C" fn increment(ls_base: *mut libc::c_void, ls_address: u32) -> i32 {
     CALLED_WITH.store(ls_address, SeqCst);
     let bytes: *mut u8 = ls_base.cast();
@@ -242,7 +242,7 @@ again:  stop    0x21cc
     assert_eq!(stop, expected_stop);
     assert_eq!(context.local_store(0x8000, 4), [0, 0, 0, 5]);
     assert_eq!(CALLED_WITH.load(SeqCst), 4);
-    // Not called if the program wants the stop itself.
+    // The handler is not called if the program asks for the stop itself.
     let run = || context.run_from(SPE_DEFAULT_ENTRY, SPE_NO_CALLBACKS, 0, 0);
     let stop = elsewhere(run, || ());
     assert_eq!((stop.returned, stop.reason), (0x21cc, SPE_STOP_AND_SIGNAL));

@@ -1,4 +1,4 @@
-//! Contexts that clean up after themselves, programs, errno.
+//! Contexts that clean up after themselves, programs, and errno checks.
 
 use std::ffi::CString;
 use std::fs;
@@ -17,10 +17,10 @@ use spe2::types::{
     SPE_DEFAULT_ENTRY, SPE_EVENTS_ENABLE, SpeContext, SpeProgramHandle, SpeStopInfo, SpeStopResult,
 };
 
-/// How long anything here may take.
+/// How long any call in these tests may take.
 pub const PATIENCE: Duration = Duration::from_secs(60);
 
-/// -1 and this errno.
+/// Asserts that a call returned -1 and set this errno.
 #[track_caller]
 pub fn assert_fails(returned: i32, errno: i32) {
     let found = last_errno();
@@ -28,7 +28,7 @@ pub fn assert_fails(returned: i32, errno: i32) {
     assert_eq!(found, errno);
 }
 
-/// NULL and this errno.
+/// Asserts that a call returned NULL and set this errno.
 #[track_caller]
 pub fn assert_null<T>(returned: *mut T, errno: i32) {
     let found = last_errno();
@@ -40,7 +40,7 @@ pub fn last_errno() -> i32 {
     std::io::Error::last_os_error().raw_os_error().unwrap()
 }
 
-/// Assembles a program into a file of `folder` that may be executed.
+/// Assembles a program into an executable file in `folder`.
 pub fn assemble(folder: &Path, source: &str) -> PathBuf {
     let sources = folder.join("sources");
     fs::create_dir_all(&sources).unwrap();
@@ -55,7 +55,7 @@ pub fn assemble(folder: &Path, source: &str) -> PathBuf {
             .build(&tools, &folder.join("objects"), &image)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::set_permissions(&image, fs::Permissions::from_mode(0o755)).unwrap();
     image
@@ -66,7 +66,7 @@ pub fn open_image(path: &Path) -> *mut SpeProgramHandle {
     unsafe { spe_image_open(name.as_ptr()) }
 }
 
-/// A context, destroyed at the end.
+/// A context that is destroyed when dropped.
 pub struct Context(*mut SpeContext);
 
 unsafe impl Send for Context {}
@@ -82,7 +82,7 @@ impl Drop for Context {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Stop {
     pub returned: i32,
-    /// Only of a failure.
+    /// Only valid after a failure.
     pub errno: i32,
     pub reason: u32,
     pub code: i32,
@@ -99,7 +99,7 @@ pub fn no_stop_info() -> SpeStopInfo {
 }
 
 impl Context {
-    /// What `spe_context_create` gave, to be destroyed.
+    /// Takes ownership of a pointer from `spe_context_create`.
     pub fn owning(pointer: *mut SpeContext) -> Self {
         assert!(!pointer.is_null(), "errno {}", last_errno());
         Self(pointer)
@@ -113,7 +113,7 @@ impl Context {
         Self::owning(unsafe { spe_context_create(flags, ptr::null_mut()) })
     }
 
-    /// A context with events and a program.
+    /// A context with events enabled and a program loaded.
     pub fn with_program(source: &str) -> Self {
         let context = Self::new(SPE_EVENTS_ENABLE);
         context.load(source);
@@ -155,7 +155,7 @@ impl Context {
         self.run_from(SPE_DEFAULT_ENTRY, 0, 0, 0)
     }
 
-    /// Local store from `address` on.
+    /// Returns `length` bytes of local store from `address` on.
     pub fn local_store(&self, address: u32, length: usize) -> Vec<u8> {
         let area: *const u8 = unsafe { spe_ls_area_get(self.0) }.cast();
         let mut bytes = vec![0; length];
@@ -171,7 +171,7 @@ impl Context {
     }
 }
 
-/// What `body` gives on another thread, if it ends in time.
+/// Returns the result of `body` on another thread, if it ends in time.
 pub fn elsewhere<T: Send>(body: impl FnOnce() -> T + Send, meanwhile: impl FnOnce()) -> T {
     let (sender, receiver) = mpsc::channel();
     thread::scope(|scope| {
@@ -185,7 +185,7 @@ pub fn elsewhere<T: Send>(body: impl FnOnce() -> T + Send, meanwhile: impl FnOnc
     })
 }
 
-/// Memory as DMA likes it.
+/// Memory aligned for DMA.
 #[repr(C, align(128))]
 pub struct Aligned<const N: usize>(pub [u8; N]);
 

@@ -1,11 +1,11 @@
-//! The C library as it was at a version, to link against where a newer one is installed.
+//! Stubs of an older version of the C library, to link against where a newer one is installed.
 //!
-//! A linker binds a function to its newest version in the library that it finds, and from then on
-//! the program asks for that version wherever it runs. The installed library still has the older
-//! ones, for programs that were linked long ago. The stubs made here have each function at the
-//! newest version that is old enough, in the library where it was at that time, and nothing that
-//! came later. What each program had a copy of at that time, and now finds in the library, is in
-//! `start.c` and `status.c`.
+//! A linker binds a function to its newest version in the library that it finds, and the program
+//! then needs that version wherever it runs. The installed library still contains the older
+//! versions, for programs that were linked long ago. The stubs made here have each function at its
+//! newest version that is old enough, in the library that contained it at that time, and no newer
+//! functions. `start.c` and `status.c` have those functions of which each program contained a copy
+//! at that time, and which are now in the library.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
@@ -21,14 +21,14 @@ use object::{Endianness, Object as _, ObjectSymbol, ObjectSymbolTable as _, Symb
 use super::share;
 use crate::{Error, file_error, output, run, write};
 
-/// The newest versions that a program may ask for: the oldest glibc that Rust's standard library
-/// runs with, and the GCC of that time.
+/// The newest versions that a program may require: those of the oldest glibc that Rust's standard
+/// library supports, and of the GCC of that time.
 const NEWEST: [(&str, &[u32]); 2] = [("GLIBC", &[2, 17]), ("GCC", &[4, 8])];
 
-/// The soname of the library itself.
+/// The soname of the main library.
 const LIBC: &str = "libc.so.6";
-/// Each library's soname, and how the names begin that were there before they moved to the library
-/// itself.
+/// Each library's soname, and the prefixes of the names that it contained before they moved to the
+/// main library.
 const LIBRARIES: [(&str, &[&str]); 8] = [
     (LIBC, &[]),
     ("libm.so.6", &[]),
@@ -42,27 +42,28 @@ const LIBRARIES: [(&str, &[&str]); 8] = [
 const LIBGCC: &str = "libgcc_s.so.1";
 const LOADER: &str = "ld64.so.1";
 
-/// What calls a program's `main`: `start.c` has one that calls this.
+/// The function that calls a program's `main`. `start.c` contains a function of this name, which
+/// calls this one.
 const START: &str = "__libc_start_main";
-/// Copies that a program has: each is linked only where it is called.
+/// The functions that a program contains copies of. Each is linked only where it is called.
 const COPIES: [(&str, &str); 2] = [
     ("start", include_str!("start.c")),
     ("status", include_str!("status.c")),
 ];
 
-/// A name of a library at its newest version that is old enough.
+/// A name in a library with its newest version that is old enough.
 struct Name {
     version: String,
-    /// Bytes, if it is no function.
+    /// The size in bytes, unless it is a function.
     bytes: Option<u64>,
-    /// Whether there is a newer version, too.
+    /// Whether there is also a newer version.
     renewed: bool,
 }
 
 type Names = BTreeMap<String, Name>;
 
-/// Makes the stubs in `folder` of the libraries that the target's `compiler` links to. A linker
-/// that looks there before it looks elsewhere takes them.
+/// Makes stubs in `folder` for the libraries that the target's `compiler` links to. A linker that
+/// searches this folder first uses the stubs.
 pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     let mut stubs = BTreeMap::<&str, Names>::new();
     for (soname, _) in LIBRARIES {
@@ -79,7 +80,7 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
         }
     }
     let Some(start) = stubs.get(LIBC).and_then(|names| names.get(START)) else {
-        let why = format!("{} knows of no {START} in {LIBC}", compiler.display());
+        let why = format!("{} has no {START} in {LIBC}", compiler.display());
         return Err(Error::Library(why));
     };
     let copies = folder.join("libcopies.a");
@@ -94,7 +95,7 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
         };
         make(compiler, soname, names, &library)?;
     }
-    // As the installed libraries' own files of these names have it.
+    // Written like the files of these names in the installed libraries.
     let mut parts = vec![copies, part(folder, LIBC)];
     parts.extend(installed(compiler, "libc_nonshared.a")?);
     let mut group: Vec<_> = parts.iter().map(|part| quoted(part)).collect();
@@ -112,8 +113,8 @@ pub fn build(compiler: &Path, folder: &Path) -> Result<(), Error> {
     Ok(())
 }
 
-/// The stub that a linker script names. It is not called as the library itself: cargo has the
-/// loader look into the folder, too, when it runs tests.
+/// The stub that a linker script names. It does not have the library's own file name, because
+/// cargo makes the loader search the folder too when it runs tests.
 fn part(folder: &Path, soname: &str) -> PathBuf {
     folder.join(format!("stub-{soname}"))
 }
@@ -122,7 +123,7 @@ fn quoted(path: &Path) -> String {
     format!("\"{}\"", path.display())
 }
 
-/// Where a name was that is in the library itself now, at a new version.
+/// The library that contained a name before it moved to the main library with a new version.
 fn home(name: &str) -> &'static str {
     let was_there =
         |(_, begins): &&(&str, &[&str])| begins.iter().any(|begin| name.starts_with(begin));
@@ -132,15 +133,15 @@ fn home(name: &str) -> &'static str {
         .map_or(LIBC, |(soname, _)| *soname)
 }
 
-/// A file of the compiler's own, if it has it.
+/// The path of one of the compiler's own files, if it has the file.
 fn installed(compiler: &Path, file: &str) -> Result<Option<PathBuf>, Error> {
-    let said = output(Command::new(compiler).arg(format!("-print-file-name={file}")))?;
-    let path = PathBuf::from(said.trim());
-    // It says the name as it was asked for of what it does not have.
+    let printed = output(Command::new(compiler).arg(format!("-print-file-name={file}")))?;
+    let path = PathBuf::from(printed.trim());
+    // For a file that it does not have, the compiler prints the name unchanged.
     Ok((path.components().count() > 1).then_some(path))
 }
 
-/// The version's place among all of its kind, if it is old enough.
+/// The numbers of a version by which it is compared with others of its kind, if it is old enough.
 fn age(version: &str) -> Option<Vec<u32>> {
     let (kind, numbers) = version.split_once('_')?;
     let (_, newest) = NEWEST.iter().find(|(name, _)| *name == kind)?;
@@ -167,7 +168,7 @@ fn names(library: &Path) -> Result<Names, Error> {
         return Ok(names);
     };
     let mut renewed = Vec::new();
-    // Versions themselves are names of no section.
+    // The versions themselves are symbols without a section.
     let has_section = |symbol: &_| ObjectSymbol::section_index(symbol).is_some();
     for symbol in symbols.symbols().filter(has_section) {
         let index = versions.version_index(endian, symbol.index());
@@ -206,7 +207,8 @@ fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<
     for (name, Name { version, bytes, .. }) in names {
         let _ = match bytes {
             Some(bytes) => writeln!(source, "char {name}[{}];", (*bytes).max(1)),
-            // By its name alone the one of `start.c` is found, and this by its version.
+            // The linker finds the function of `start.c` by its plain name, and this one by its
+            // version.
             None if name == START => writeln!(
                 source,
                 "void start(void) {{}}\n__asm__(\".symver start, {name}@{version}\");"
@@ -235,8 +237,8 @@ fn make(compiler: &Path, soname: &str, names: &Names, library: &Path) -> Result<
 
 /// Compiles the copies into an archive.
 fn archive(compiler: &Path, start: &str, archive: &Path) -> Result<(), Error> {
-    let said = output(Command::new(compiler).arg("-print-prog-name=ar"))?;
-    let mut archiver = Command::new(said.trim());
+    let printed = output(Command::new(compiler).arg("-print-prog-name=ar"))?;
+    let mut archiver = Command::new(printed.trim());
     archiver.arg("rcs").arg(archive);
     for (name, text) in COPIES {
         let source = archive.with_file_name(format!("{name}.c"));

@@ -1,5 +1,5 @@
-/* Since 2.34 the library calls what a program has to be called before its main; before, a function of the
-   program's own did, which it told the library of. A library that is told of one still calls it. */
+/* Since glibc 2.34 the library calls a program's constructors before main. Earlier, a function in the program
+   called them, and the program passed this function to the library. The library still calls it if it gets one. */
 typedef void (*function)(int, char **, char **);
 extern function __init_array_start[], __init_array_end[];
 void _init(void);
@@ -12,7 +12,7 @@ static int call_all(int count, char **words, char **variables)
     return 0;
 }
 
-/* As the start-up code of 64-bit PowerPC has it. */
+/* As in the start-up code of 64-bit PowerPC. */
 struct program {
     void *unused;
     int (*main)(int, char **, char **);

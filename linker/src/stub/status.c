@@ -1,5 +1,5 @@
-/* Since 2.33 the library has functions of these names; before, programs had these. The layout of what they read
-   and write is the first one in every version, of 64-bit PowerPC. */
+/* Since glibc 2.33 the library has functions of these names. Earlier, programs contained these copies. On 64-bit
+   PowerPC, the structures that they read and write have the first layout in every version. */
 enum { LAYOUT = 1 };
 
 int __xstat(int layout, const char *path, void *status);

@@ -1,5 +1,5 @@
-//! What is linked against the stubs of the C library asks for nothing that glibc 2.17 does not
-//! have, and finds what it asks for in the library of today.
+//! Programs that are linked against the stubs of the C library require nothing newer than glibc
+//! 2.17, and run with the installed library.
 
 use std::fs;
 use std::path::Path;
@@ -9,7 +9,8 @@ use object::Endianness;
 use object::read::elf::{ElfFile64, FileHeader as _};
 use spu_build::stub::glibc;
 
-/// Functions that later versions of glibc have in another library, at another version, or at all.
+/// Functions that later versions of glibc have in another library, at another version, or that
+/// they added.
 const SOURCE: &str = "
 #include <dlfcn.h>
 #include <math.h>
@@ -38,7 +39,7 @@ extern long asks(double side);
 int main(void) { return (int)asks(3.0); }
 ";
 
-/// Compiles with `cc`, without what the compiler knows better.
+/// Compiles with `cc`, without the compiler's built-in functions.
 fn compile(options: &[&str], folder: &Path, name: &str, source: &str) {
     let file = folder.join(format!("{name}.c"));
     fs::write(&file, source).unwrap();
@@ -56,7 +57,7 @@ fn compile(options: &[&str], folder: &Path, name: &str, source: &str) {
     );
 }
 
-/// The libraries and versions that a file needs, as `libm.so.6 GLIBC_2.17`.
+/// The libraries and versions that a file requires, such as `libm.so.6 GLIBC_2.17`.
 fn needs(path: &Path) -> Vec<String> {
     let data = fs::read(path).unwrap();
     let file = ElfFile64::<Endianness>::parse(&*data).unwrap();
@@ -76,7 +77,7 @@ fn needs(path: &Path) -> Vec<String> {
     found
 }
 
-/// The part after `GLIBC_2.` of what is newer than glibc 2.17.
+/// The part after `GLIBC_2.` of the versions that are newer than glibc 2.17.
 fn too_new(needs: &[String]) -> Vec<&String> {
     let minor = |need: &str| {
         need.split("GLIBC_2.")
@@ -105,7 +106,7 @@ fn what_is_linked_to_the_stubs_needs_no_newer_glibc() {
     let with_stub = [&[here.as_str()], &links[..]].concat();
     compile(&with_stub, folder, "libold.so", SOURCE);
 
-    // Today's library would have been asked for more, or this test would find nothing.
+    // Linking against the installed library must require more, or this test would prove nothing.
     let new = needs(&folder.join("libnew.so"));
     assert!(!too_new(&new).is_empty(), "{new:?}");
     let old = needs(&folder.join("libold.so"));

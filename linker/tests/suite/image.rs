@@ -1,6 +1,6 @@
-//! Building an image: what comes out, and what is said when nothing does.
+//! Builds images and checks the results and the error messages.
 //!
-//! The variables that name tools are the process's, so the tests that set them run the same test
+//! The variables that name tools belong to the process, so the tests that set them run this test
 //! program again as a child.
 
 use std::fs;
@@ -66,7 +66,7 @@ fn an_error_in_a_source_is_shown_with_file_line_and_command() {
 
 #[test]
 fn a_warning_is_an_error() {
-    // Outside the range that makes sense, the assembler only warns.
+    // For an operand outside the useful range, the assembler only warns.
     let text = failure(" .text\n shli $3,$4,70\n");
     assert!(text.contains("program.s:2"), "{text}");
 }
@@ -84,7 +84,7 @@ fn a_folder_without_sources() {
     assert!(matches!(error, Error::NoSources(_)), "{error}");
 }
 
-/// Runs the test below in a child with variables of its own; gives its output.
+/// Runs the test below in a child with its own variables, and returns the output.
 fn find_with(variables: &[(&str, &str)]) -> String {
     let mut child = Command::new(std::env::current_exe().unwrap());
     child
@@ -148,8 +148,8 @@ fn tools_are_taken_from_path_under_either_name() {
     }
 }
 
-/// A compiler driver stands for both tools, on `PATH` or named by the variables: one that does
-/// what gcc does with `-Wa,` and `-Wl,`, over the real tools.
+/// A compiler driver can replace both tools, on `PATH` or named by the variables. This one handles
+/// `-Wa,` and `-Wl,` like gcc and calls the real tools.
 #[test]
 fn a_compiler_driver_assembles_and_links() {
     const DRIVER: &str = r#"#!/bin/sh
@@ -248,11 +248,11 @@ fn the_tracer_takes_further_shaders() {
     let address = u32::from_be_bytes(table[64..68].try_into().unwrap());
     assert_eq!(u64::from(address), symbol.address());
 
-    // Too much of it.
+    // A shader that is too large.
     fs::write(&source, shader.replace("\tbi", "\t.skip 0x40000\n\tbi")).unwrap();
     let text = build().unwrap_err().to_string();
     assert!(text.contains("too large for the local store"), "{text}");
-    // Names that can't be told apart, and one that is too long.
+    // Two shaders with the same name, and a name that is too long.
     fs::write(&source, shader.replace("own", "depth")).unwrap();
     let text = build().unwrap_err().to_string();
     assert!(

@@ -1,4 +1,4 @@
-//! All tests of the builder of SPU programs, but for that of build scripts, which is one itself.
+//! All tests of this crate except the test of build scripts, which is a build script itself.
 
 mod glibc;
 mod image;

@@ -10,16 +10,16 @@ use gimli::{
 /// A line of a source file.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct Source {
-    /// The file, as the assembler was given it.
+    /// The file, under the name that the assembler got.
     pub file: PathBuf,
-    /// Its line, from 1; 0 where the table ends.
+    /// The line number, from 1. It is 0 where the table ends.
     pub line: u64,
 }
 
 type Reader<'a> = EndianSlice<'a, BigEndian>;
 
-/// Reads the table out of the sections that `load` gives (empty if the file has none). An entry
-/// holds from its address up to the next.
+/// Reads the table from the sections that `load` returns (empty if the file has none). An entry is
+/// valid from its address up to the next.
 pub(super) fn read<E: From<gimli::Error>>(
     mut load: impl FnMut(&str) -> Result<Vec<u8>, E>,
 ) -> Result<BTreeMap<u32, Source>, E> {
@@ -38,7 +38,7 @@ pub(super) fn read<E: From<gimli::Error>>(
                 continue;
             };
             if row.end_sequence() {
-                // Where one sequence ends another may have started already.
+                // Another sequence may already have started where this one ends.
                 sources.entry(address).or_insert(Source {
                     file: PathBuf::new(),
                     line: 0,

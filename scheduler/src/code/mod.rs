@@ -1,8 +1,8 @@
-//! The code of a file: words, functions, labels and source lines, of an SPU program or an object.
+//! The code of an SPU program or an object: words, functions, labels and source lines.
 //!
-//! The sections of an object have no addresses yet: they are laid one behind the other, each at a
-//! multiple of 128, and those references within the file are resolved that the analyser needs
-//! (branches, the line table). Invariant: every address given is that of a word in
+//! The sections of an object have no addresses yet. They are placed one after the other, each at a
+//! multiple of 128. References within the file that the analyser needs (branches, the line table)
+//! are resolved. Invariant: every address that this module returns is the address of a word in
 //! [`Code::words`].
 
 mod lines;
@@ -20,56 +20,58 @@ use thiserror::Error;
 pub use lines::Source;
 use spu_isa::{Class, Instruction, LOCAL_STORE_SIZE};
 
-/// Alignment of an object's sections: a line of local store, so that pairing is as if linked so.
+/// Alignment of an object's sections: a line of local store, so that instructions pair as in a
+/// linked program.
 const SECTION_ALIGNMENT: u32 = 128;
 
-/// A word of the symbol's address and addend.
+/// Relocation of a word: the symbol's address plus the addend.
 const R_SPU_ADDR32: u32 = 6;
-/// The distance in words from the instruction, in the 16 bits above the target register.
+/// Relocation of a branch: the distance in words from the instruction, in the 16 bits above the
+/// target register.
 const R_SPU_REL16: u32 = 7;
 
 /// Why a file can't be analysed.
 #[derive(Debug, Error)]
 pub enum CodeError {
     /// Not an ELF file, or a damaged one.
-    #[error("no ELF file, or a damaged one: {0}")]
+    #[error("not an ELF file, or a damaged one: {0}")]
     Elf(#[from] object::read::Error),
     /// An ELF file for another machine.
     #[error("ELF machine {0} is not the SPU (23)")]
     Machine(u16),
-    /// Neither program nor object.
+    /// Neither a program nor an object.
     #[error("neither a program nor an object")]
     Kind,
-    /// Code that no local store has room for.
+    /// Code that does not fit into local store.
     #[error("section {section} with {size:#x} bytes at {address:#x} does not fit into local store")]
     OutsideLocalStore {
-        /// Its name.
+        /// The section's name.
         section: String,
-        /// Its address.
+        /// The section's address.
         address: u64,
-        /// Its bytes.
+        /// The section's size in bytes.
         size: u64,
     },
     /// No executable section.
-    #[error("no code in it")]
+    #[error("the file contains no code")]
     Empty,
     /// The line table is damaged.
     #[error("damaged line table: {0}")]
     Lines(#[from] gimli::Error),
 }
 
-/// A stretch of code with a name.
+/// A named range of code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Function {
-    /// Its symbol; of code without one, the section's name and an offset.
+    /// The function's symbol. Code without one is named by its section and an offset.
     pub name: String,
-    /// Address of its first word.
+    /// Address of the first word.
     pub start: u32,
-    /// Address behind its last word.
+    /// Address after the last word.
     pub end: u32,
 }
 
-/// What the analyser knows of a file.
+/// What the analyser knows about a file.
 #[derive(Clone, Debug)]
 pub struct Code {
     words: BTreeMap<u32, u32>,
@@ -80,7 +82,7 @@ pub struct Code {
 
 type File<'data> = ElfFile32<'data, BigEndian>;
 
-/// A section of code at its address.
+/// A section of code at the address where it was placed.
 struct Placed {
     index: SectionIndex,
     name: String,
@@ -169,7 +171,7 @@ impl Code {
         })
     }
 
-    /// All stretches of code, by address: what symbols of functions cover, and what lies between.
+    /// All ranges of code by address: those that function symbols cover, and those between them.
     #[must_use]
     pub fn functions(&self) -> &[Function] {
         &self.functions
@@ -185,8 +187,8 @@ impl Code {
         range.map(|(&address, &word)| (address, word)).collect()
     }
 
-    /// Whether the word at an address is what fills gaps, or no instruction: alignment and data,
-    /// which the line table counts to the line before.
+    /// Whether the word at an address is padding or data. The line table counts such words to the
+    /// line before them.
     #[must_use]
     pub fn is_filler(&self, address: u32) -> bool {
         let word = self.words.get(&address);
@@ -258,7 +260,8 @@ fn is_code(flags: elf::SectionFlags) -> bool {
     flags.contains(elf::SHF_EXECINSTR) && flags.contains(elf::SHF_ALLOC)
 }
 
-/// Resolves what the analyser looks at in a section's bytes, which stand at `start`.
+/// Resolves those references in a section's bytes that the analyser needs. The section is at
+/// `start`.
 fn relocate<'data>(
     file: &File<'data>,
     section: &impl ObjectSection<'data>,
@@ -299,7 +302,7 @@ fn relocate<'data>(
     }
 }
 
-/// Functions and the code between them, without what is nothing but padding.
+/// Functions and the code between them, without ranges that are only padding.
 fn functions(
     sections: &[Placed],
     mut ranges: Vec<(u32, u32, String)>,
@@ -316,7 +319,7 @@ fn functions(
             .filter(|range| (section.start..section.end).contains(&range.0));
         let end = (section.end, section.end, String::new());
         for (start, end, name) in inside.chain([&end]) {
-            // Between functions a global symbol starts what may be one without a size.
+            // A global symbol between functions may start a function without a size.
             while at < *start {
                 let next = globals.range(at + 1..*start).next().unwrap_or(start);
                 if words.range(at..*next).any(|(_, &word)| !is_padding(word)) {
@@ -329,7 +332,7 @@ fn functions(
                 }
                 at = *next;
             }
-            // An alias, or a function within another, is shown with the first.
+            // An alias, or a function within another one, is shown as part of the first.
             if at <= *start && start < end {
                 functions.push(Function {
                     name: name.clone(),
@@ -343,7 +346,7 @@ fn functions(
     functions
 }
 
-/// What assembler and linker fill gaps with.
+/// Whether the assembler and linker fill gaps with this word.
 fn is_padding(word: u32) -> bool {
     let no_operation = |i: Instruction| matches!(i.op.row().class, Class::Nop | Class::Lnop);
     word == 0 || Instruction::decode(word).is_some_and(no_operation)

@@ -1,16 +1,16 @@
-//! Registers for a block that is run once.
+//! Register allocation for a block that runs once.
 //!
-//! Each value has its register from the instruction that makes it to the last that reads it.
-//! Values that are live at the end stay in the register of the source; the others go back to it if
-//! it is free, else to any that is.
+//! Each value occupies its register from the instruction that makes it to the last that reads it.
+//! Values that are live at the end stay in the register of the source. The others get that
+//! register too if it is free, or else any free one.
 
 use super::function::{Node, POOL, Registers, bit};
 use super::values::{Source, Values};
 
-/// From behind one place in the code up to another.
+/// A range of positions: from after the first up to the second.
 type Span = (usize, usize);
 
-/// The nodes in the given order, with registers; `None` if there are too few.
+/// The nodes in the given order, with registers, or `None` if there are too few registers.
 pub(super) fn allocate(
     nodes: &[Node],
     order: &[usize],

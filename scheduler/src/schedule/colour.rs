@@ -1,15 +1,16 @@
-//! Registers for the overlapping passes of a loop.
+//! Register allocation for the overlapping passes of a loop.
 //!
-//! A value takes its register from the instruction that makes it to the last that reads it, which
-//! wraps round at the end of the interval. Values that a pass hands to the next, or that are live
-//! behind the loop, keep the register of the source, and nothing else uses that.
+//! A value occupies its register from the instruction that makes it to the last that reads it.
+//! This range wraps around at the end of the interval. Values that one pass hands to the next, or
+//! that are live after the loop, keep the register of the source, and no other value uses that
+//! register.
 
 use super::function::{Node, POOL, Registers, bit};
 use super::values::{Source, Values};
 use spu_isa::Pipe;
 
-/// The nodes with registers, and how many these are; `None` if there are too few. `live` are the
-/// registers that are live at the start of the loop or behind it.
+/// The nodes with registers, and the number of registers, or `None` if there are too few. `live`
+/// are the registers that are live at the start of the loop or after it.
 pub(super) fn colour(
     nodes: &[Node],
     times: &[i64],
@@ -46,7 +47,7 @@ pub(super) fn colour(
     order.sort_by_key(|&at| (place(at).rem_euclid(round as i64), at));
     for at in order {
         let own = nodes[at].i.rt;
-        // From behind the instruction up to its last reader.
+        // From after the instruction up to the last reader of its value.
         let first = place(at) + 1;
         let span: Vec<usize> = (first..=until[at])
             .map(|place| place.rem_euclid(round as i64) as usize)

@@ -1,7 +1,7 @@
-//! Copies of values that would live longer than a pass of the loop takes.
+//! Copies of values that would otherwise live longer than a pass of the loop takes.
 //!
-//! A register holds a value until the next pass makes its own. Where a reader comes later than
-//! that, it is given a copy, made by an instruction that is scheduled as any other.
+//! A register holds a value until the next pass makes its own. A later reader therefore gets a
+//! copy, made by an instruction that is scheduled like any other.
 
 use super::dependence::{Edge, cyclic};
 use super::function::Node;
@@ -10,11 +10,11 @@ use super::modulo::{impossible, longest};
 use super::values::{Source, Values};
 use spu_isa::{Op, Pipe};
 
-/// The first number that is no register of the machine.
+/// The first number that is not a register of the machine.
 const FIRST_VIRTUAL: u8 = 128;
 
-/// The body with the copies without which some value lives longer than `life`; `None` if they
-/// don't help, or no pipe has room for them in `interval` cycles.
+/// The body with copies, so that no value lives longer than `life`. `None` if copies don't help,
+/// or if no pipe has room for them in `interval` cycles.
 pub(super) fn insert(body: &[Node], interval: i64, life: i64) -> Option<Vec<Node>> {
     let mut nodes = body.to_vec();
     for register in FIRST_VIRTUAL..=u8::MAX {
@@ -48,7 +48,7 @@ pub(super) fn insert(body: &[Node], interval: i64, life: i64) -> Option<Vec<Node
     None
 }
 
-/// Gives `reader`, and what reads the value no earlier, a copy in `register`.
+/// Gives a copy in `register` to `reader` and to all who read the value no earlier than it.
 fn with_copy(
     nodes: Vec<Node>,
     reader: usize,
@@ -64,7 +64,7 @@ fn with_copy(
     };
     let mut copy = Node::added(plain(op, register, copied, 0), None, "copy");
     copy.plain = plain(op, named, named, 0);
-    // What makes the next value of a register goes on reading that.
+    // The instruction that makes the register's next value continues to read the original.
     let next = match source {
         Source::Node(_) => None,
         Source::Entry(register) => values.last[usize::from(register)],

@@ -1,27 +1,30 @@
-//! What has to issue before what, and by how many cycles.
+//! Which instructions must issue before which, and by how many cycles.
 //!
-//! An edge says `cycle(to) >= cycle(from) + latency - distance * interval`, the interval being the
-//! cycles from pass to pass of a loop. Results of instructions are right in any order that keeps
-//! the edges, since the pipelines wait by themselves; their latencies only make a schedule good.
+//! An edge means `cycle(to) >= cycle(from) + latency - distance * interval`, where the interval is
+//! the number of cycles from one pass of a loop to the next. Any order that respects the edges
+//! gives correct results, because the pipelines wait by themselves. The latencies only make a
+//! schedule fast.
 
 use super::function::{Node, Reference, Registers};
 use super::memory::Memory;
 use super::values::{Source, Values};
 use spu_isa::{Class, Field, Op, Pipe};
 
-/// Something that has to issue before something.
+/// A pair of instructions of which one must issue before the other.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Edge {
     pub from: usize,
     pub to: usize,
     pub latency: i64,
-    /// Passes from the one to the other.
+    /// The number of passes between the two instructions.
     pub distance: i64,
-    /// If it only keeps a register from being overwritten: the value that `from` reads there.
+    /// For an edge that only keeps a register from being overwritten: the value that `from` reads
+    /// there.
     pub keeps: Option<Source>,
 }
 
-/// Least cycles between two instructions if the first has to stand before the second in the code.
+/// The least number of cycles between two instructions if the first must come before the second in
+/// the code.
 pub(super) fn in_order(before: &Node, behind: &Node) -> i64 {
     i64::from(!(before.pipe() == Pipe::Even && behind.pipe() == Pipe::Odd))
 }
@@ -70,8 +73,8 @@ impl Graph<'_> {
     }
 }
 
-/// The edges of a block that is run once. With `renaming`, registers of the pool are taken for as
-/// many as needed, but for the values in `live`, which stay where they are.
+/// The edges of a block that runs once. With `renaming`, the block may use as many registers of
+/// the pool as it needs, except for the values in `live`, which stay in their registers.
 pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<Edge> {
     let values = Values::of(nodes);
     let memory = Memory::of(nodes, &values);
@@ -138,10 +141,10 @@ pub(super) fn straight(nodes: &[Node], live: Registers, renaming: bool) -> Vec<E
     graph.edges
 }
 
-/// The edges of a loop's body, without its branch back, for passes that overlap.
+/// The edges of a loop's body, without the branch back, for passes that overlap.
 ///
-/// Each register holds a value until the next pass makes its own; edges with
-/// [`keeps`](Edge::keeps) see to that.
+/// Each register holds a value until the next pass makes its own. The edges with
+/// [`keeps`](Edge::keeps) ensure this.
 pub(super) fn cyclic(nodes: &[Node]) -> Vec<Edge> {
     let values = Values::of(nodes);
     let memory = Memory::of(nodes, &values);
@@ -173,14 +176,14 @@ pub(super) fn cyclic(nodes: &[Node]) -> Vec<Edge> {
     graph.edges
 }
 
-/// Why the body of a loop can't be pipelined, if so.
+/// The reason why the body of a loop can't be pipelined, if there is one.
 pub(super) fn obstacle(body: &[Node]) -> Option<String> {
     let values = Values::of(body);
     let bad = |at: &usize| body[*at].is_barrier() || values.replaced(body, *at).is_some();
     let node = &body[(0..body.len()).find(bad)?];
     let mnemonic = node.i.op.row().mnemonic;
     let why = if node.is_barrier() {
-        "nothing moves past it"
+        "no instruction may move past it"
     } else {
         "it changes its own target"
     };

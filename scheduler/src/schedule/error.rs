@@ -10,52 +10,52 @@ pub enum ScheduleError {
     /// The object can't be read.
     #[error(transparent)]
     Object(#[from] CodeError),
-    /// A linked program.
-    #[error("not an object: give what the assembler writes, before it is linked")]
+    /// The input is a linked program.
+    #[error("not an object: pass the assembler's output before it is linked")]
     Linked,
-    /// No line table.
+    /// The object has no line table.
     #[error("no line table: assemble with -g")]
     NoLines,
-    /// The object is not the source's.
+    /// The object was not made from this source.
     #[error("the object's line table does not name {0}")]
     NotInTable(String),
-    /// The assembler refuses the schedule.
+    /// The assembler rejects the schedule.
     #[error("the schedule does not assemble: {0}")]
     Assembler(Box<dyn std::error::Error + Send + Sync>),
-    /// No function of the object stands in the source.
-    #[error("no function: the source has no `function NAME`, or the object no such symbol")]
+    /// The source contains no function of the object.
+    #[error("no function: the source has no `function NAME`, or the object has no such symbol")]
     NoFunction,
-    /// Something at a line of the source.
+    /// An error at a line of the source.
     #[error("{file}:{line}: {what}")]
     At {
-        /// The source, as named by the caller.
+        /// The source, under the name that the caller used.
         file: String,
-        /// Its line, from 1.
+        /// The line number in it, from 1.
         line: u64,
         /// What is wrong there.
         what: Unschedulable,
     },
 }
 
-/// What can't be scheduled.
+/// Code that can't be scheduled.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum Unschedulable {
-    /// A word that is no instruction.
-    #[error("the word {0:#010x} is no instruction: data can't stand inside a function")]
+    /// A word that is not an instruction.
+    #[error("the word {0:#010x} is not an instruction: a function can't contain data")]
     Word(u32),
-    /// An instruction that the assembler has no notation for.
+    /// An instruction that has no assembly notation.
     #[error(
-        "the word {0:#010x} can't be written as an instruction: it has reserved bits set, or a constant that none takes"
+        "the word {0:#010x} can't be written as an instruction: it has reserved bits set, or a constant that no instruction takes"
     )]
     Notation(u32),
     /// A hint in the plain source.
-    #[error("a branch hint: the scheduler places them itself")]
+    #[error("a branch hint: remove it, because the scheduler inserts hints itself")]
     Hint,
-    /// A relocation that the assembler has no plain notation for.
-    #[error("relocation of type {0}, which can't be written down again")]
+    /// A relocation that has no plain assembly notation.
+    #[error("relocation of type {0}, which has no assembly notation")]
     Relocation(u32),
-    /// A branch or address into the function that is not the start of an instruction's block.
-    #[error("it names {0:#x}, where nothing has a name")]
+    /// A branch or address into the function that is not the start of a block.
+    #[error("it refers to {0:#x}, where there is no label")]
     Address(u32),
     /// A directive that would be lost.
     #[error("directive {0} inside a function would be lost; move it out")]
@@ -63,32 +63,35 @@ pub enum Unschedulable {
     /// The function does not start on a pair.
     #[error("function {0} does not start at a multiple of 8: put .align 3 before it")]
     Alignment(String),
-    /// The start without the end.
-    #[error("function {0} has no `endfunction` or `.size` behind it")]
+    /// A function without an end.
+    #[error("function {0} has no `endfunction` or `.size` after it")]
     NoEnd(String),
-    /// No register for a test that the schedule needs.
-    #[error("no register of $2 to $79 is free here")]
+    /// No register is free for a test that the schedule needs.
+    #[error("none of the registers $2 to $79 is free here")]
     NoRegister,
-    /// A fault of the scheduler: the schedule does not have the plain code's instructions.
-    #[error("fault of the scheduler: of `{instruction}` the schedule has {found}, not {expected}")]
+    /// A fault of the scheduler: the schedule does not have all the instructions of the plain
+    /// code.
+    #[error(
+        "fault of the scheduler: the schedule has `{instruction}` {found} times, not {expected}"
+    )]
     Miscounted {
         /// The plain instruction.
         instruction: String,
-        /// How many of it the schedule should have.
+        /// How often the schedule should contain it.
         expected: usize,
-        /// How many it has.
+        /// How often it does.
         found: usize,
     },
-    /// A fault of the scheduler: an instruction that neither the plain code has nor a schedule
+    /// A fault of the scheduler: an instruction that is not in the plain code and that no schedule
     /// needs.
-    #[error("fault of the scheduler: `{0}` is not the plain code's")]
+    #[error("fault of the scheduler: `{0}` is not in the plain code")]
     Foreign(String),
-    /// A fault of the scheduler: its text says something else than it means.
-    #[error("fault of the scheduler: its text assembles to `{found}`, where it means `{meant}`")]
+    /// A fault of the scheduler: its text assembles to another instruction than it should.
+    #[error("fault of the scheduler: its text assembles to `{found}` instead of `{meant}`")]
     Miswritten {
-        /// What it means.
+        /// The intended instruction.
         meant: String,
-        /// What the assembler makes of it.
+        /// The instruction that the assembler made.
         found: String,
     },
 }

@@ -1,57 +1,58 @@
-//! A function as blocks of instructions, and which registers are live between them.
+//! A function as blocks of instructions, and the registers that are live between them.
 //!
-//! Blocks stand in the order of the code; one without a branch at its end goes on in the next.
-//! Register numbers from 128 on are virtual: a pass that makes them also removes them.
+//! Blocks are in the order of the code. A block without a branch at its end continues in the next
+//! one. Register numbers from 128 on are virtual: the step that creates them also removes them.
 
 use std::collections::BTreeMap;
 
 use spu_isa::{Class, Field, Instruction, Op, Pipe, Target};
 
-/// Names a block, whatever its place.
+/// Identifies a block independently of its position.
 pub(super) type BlockId = usize;
 
-/// A set of the registers 0 to 127, a bit each.
+/// A set of the registers 0 to 127, one bit each.
 pub(super) type Registers = u128;
 
-/// What a leaf function may use without saving.
+/// The registers that a leaf function may use without saving them.
 pub(super) const POOL: std::ops::RangeInclusive<u8> = 2..=79;
 
 const LINK: u8 = 0;
-/// Link, stack pointer and the registers that a callee saves.
+/// The link register, the stack pointer and the registers that a callee saves.
 const KEPT: Registers = !0 << 80 | 0b11;
 
-/// An address that an operand names.
+/// An address that an operand refers to.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) enum Reference {
     /// The start of a block.
     Block(BlockId),
-    /// What the linker places.
+    /// An address that the linker fills in.
     Symbol(Symbol),
-    /// Of a hint: the branch that ends a block, and the block that it goes to unless to a
-    /// register.
+    /// In a hint: the branch that ends a block, and the block that it goes to. There is no target
+    /// if it goes to a register.
     Hint {
         branch: BlockId,
         target: Option<BlockId>,
-        /// Whether it stands behind what precedes it in the block, for the branch to be in reach.
+        /// Whether the hint comes after the rest of its block's code, so that the branch is in
+        /// reach.
         late: bool,
     },
 }
 
-/// What the linker places.
+/// An address that the linker fills in.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Symbol {
-    /// A name, bytes behind it, and which part of the address is meant.
+    /// The name, the offset in bytes from it, and the part of the address that is meant.
     pub name: String,
     pub addend: i64,
     pub part: &'static str,
-    /// The section, or the symbol if it is another file's.
+    /// The section, or the symbol if it is in another file.
     pub place: String,
-    /// Bytes behind the start of that.
+    /// Offset in bytes from the start of `place`.
     pub offset: i64,
 }
 
 impl Symbol {
-    /// As the assembler takes it.
+    /// The address in assembly notation.
     pub fn text(&self) -> String {
         let Self {
             name, addend, part, ..
@@ -67,23 +68,23 @@ impl Symbol {
 /// An instruction of the function.
 #[derive(Clone, Debug)]
 pub(super) struct Node {
-    /// With the schedule's registers.
+    /// The instruction with the schedule's registers.
     pub i: Instruction,
-    /// With the registers that the source names.
+    /// The instruction with the source's registers.
     pub plain: Instruction,
     pub reference: Option<Reference>,
-    /// Line of the source; 0 for what the scheduler added.
+    /// The line of the source, or 0 if the scheduler added the instruction.
     pub line: u64,
-    /// Where it stands in the plain object; nowhere if the scheduler added it.
+    /// Its address in the plain object, or `None` if the scheduler added it.
     pub origin: Option<u32>,
     /// A store whose line says that it may overlap any other access.
     pub may_alias: bool,
-    /// An access to memory that stays behind all those before it, and before all behind it: the
-    /// passes of a loop may meet in ways that registers no longer show.
+    /// A memory access that stays in order with all other accesses. The passes of a loop may
+    /// access the same memory in ways that can't be seen from registers any more.
     pub in_order: bool,
-    /// Of a pipelined loop: how many passes before this one it belongs to.
+    /// In a pipelined loop: how many passes earlier than the current one it started.
     pub stage: u32,
-    /// What the scheduler added it for.
+    /// Why the scheduler added it.
     pub reason: &'static str,
 }
 
@@ -111,13 +112,13 @@ impl Node {
         self.class().pipe()
     }
 
-    /// Fields and registers that are read.
+    /// The fields and registers that the instruction reads.
     pub fn reads(&self) -> impl Iterator<Item = (Field, u8)> + use<'_> {
         let fields = self.i.op.row().reads.iter();
         fields.map(|&field| (field, self.i.register(field)))
     }
 
-    /// The register that is written.
+    /// The register that the instruction writes.
     pub fn writes(&self) -> Option<u8> {
         (self.i.op.row().target == Target::Rt).then_some(self.i.rt)
     }
@@ -130,13 +131,14 @@ impl Node {
         self.class() == Class::Ls && self.writes().is_none()
     }
 
-    /// Whether nothing moves past it: channels, synchronisation, floating-point status.
+    /// Whether no instruction may move past this one: channels, synchronisation, floating-point
+    /// status.
     pub fn is_barrier(&self) -> bool {
         self.class() == Class::Spr
             || matches!(self.i.op, Op::Sync | Op::Dsync | Op::Fscrrd | Op::Fscrwr)
     }
 
-    /// Whether it is the last of its block: branches, stops and halts.
+    /// Whether it is the last of its block: a branch, stop or halt.
     pub fn ends_block(&self) -> bool {
         let halts = self.class() == Class::Fx2 && self.i.op.row().target == Target::False;
         halts || self.class() == Class::Br && !self.is_barrier()
@@ -146,13 +148,13 @@ impl Node {
         self.i.op == Op::Bi && self.i.ra == LINK
     }
 
-    /// Sets the register of a field that is read, or the target.
+    /// Sets the register of an operand field or of the target.
     pub fn set_register(&mut self, field: Field, register: u8) {
         *self.i.register_mut(field) = register;
     }
 }
 
-/// How code goes on behind a block.
+/// Where execution continues after a block.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Flow {
     pub branch: Option<BlockId>,
@@ -165,18 +167,18 @@ pub(super) struct Flow {
 pub(super) enum Leaves {
     No,
     Return,
-    /// To where every register may be looked at.
+    /// To code that may read any register.
     Anywhere,
 }
 
-/// Instructions that are run from the first to the last.
+/// Instructions that always run from the first to the last.
 #[derive(Clone, Debug)]
 pub(super) struct Block {
     pub id: BlockId,
     /// The label.
     pub name: Option<String>,
     pub nodes: Vec<Node>,
-    /// The cycle of each node, if they are scheduled already.
+    /// The cycle of each node, if the block is already scheduled.
     pub cycles: Option<Vec<u64>>,
 }
 
@@ -224,14 +226,14 @@ impl Block {
 pub(super) struct Function {
     pub name: String,
     pub blocks: Vec<Block>,
-    /// Registers whose values the caller looks at.
+    /// Registers whose values the caller reads.
     pub results: Registers,
-    /// How often each instruction of the plain code stands in the schedule, by its place there:
-    /// all that are not here stand there once.
+    /// How often each instruction of the plain code occurs in the schedule, by its address there.
+    /// An instruction without an entry occurs once.
     pub copies: BTreeMap<u32, usize>,
 }
 
-/// Registers that are live at the start and the end of each block, by position.
+/// The registers that are live at the start and the end of each block, by position.
 pub(super) struct Liveness {
     pub start: Vec<Registers>,
     pub end: Vec<Registers>,
@@ -244,10 +246,10 @@ pub(super) const fn bit(register: u8) -> Registers {
 impl Function {
     pub fn position(&self, id: BlockId) -> usize {
         let found = self.blocks.iter().position(|block| block.id == id);
-        found.expect("references name blocks of the function")
+        found.expect("references refer to blocks of the function")
     }
 
-    /// A name for a new block.
+    /// A new id for a block.
     pub fn new_id(&self) -> BlockId {
         self.blocks
             .iter()
@@ -256,7 +258,7 @@ impl Function {
             .unwrap_or(0)
     }
 
-    /// How many branches name a block.
+    /// How many branches go to a block.
     pub fn branches_to(&self, id: BlockId) -> usize {
         let flows = self.blocks.iter().map(Block::flow);
         flows.filter(|flow| flow.branch == Some(id)).count()
@@ -279,7 +281,7 @@ impl Function {
                     live |= start[self.position(id)];
                 }
                 if flow.falls_through {
-                    // Behind the last block nothing is known.
+                    // Nothing is known about the code after the last block.
                     live |= start.get(at + 1).copied().unwrap_or(!0);
                 }
                 let before = live_before(&self.blocks[at].nodes, live);
@@ -292,7 +294,7 @@ impl Function {
         }
     }
 
-    /// Notes that an instruction stands in the schedule `times` as often as before.
+    /// Records that an instruction occurs `times` as often in the schedule as before.
     pub fn copied(&mut self, node: &Node, times: usize) {
         if let Some(origin) = node.origin {
             *self.copies.entry(origin).or_insert(1) *= times;
@@ -317,7 +319,7 @@ impl Function {
     }
 }
 
-/// Registers that are live before `nodes` if `live` are so behind them.
+/// The registers that are live before `nodes` if `live` are live after them.
 pub(super) fn live_before(nodes: &[Node], live: Registers) -> Registers {
     nodes.iter().rev().fold(live, |live, node| {
         let written = node.writes().map_or(0, bit);

@@ -1,17 +1,17 @@
-//! Instructions into pairs of words, and what the model makes of them.
+//! Places instructions in pairs of words and computes their cycles in the model.
 //!
-//! Two instructions of one cycle stand at 0 and 4 mod 8. Others follow each other as they come:
-//! the pipelines wait by themselves. Where an odd number of them stands before a pair, a
-//! no-operation fills its word.
+//! Two instructions of one cycle are at 0 and 4 mod 8. Other instructions follow each other
+//! directly, because the pipelines wait by themselves. If an odd number of them comes before a
+//! pair, a no-operation fills the gap.
 
 use super::function::Node;
 use spu_isa::timing::{Pipeline, Rules};
 use spu_isa::{Class, Instruction, Op, Pipe};
 
-/// What GCC names in its padding, so that no register in use is encoded as a target.
+/// The register that GCC names in its padding, so that no register in use is encoded as a target.
 const UNUSED_TARGET: u8 = 127;
 
-/// Cycles from the first instruction of a block, which stands at 0 mod 8, up to its end.
+/// The cycles from the first instruction of a block, which is at 0 mod 8, to its end.
 pub(super) fn cost(nodes: &[Node], cycles: &[u64]) -> u64 {
     let mut pipeline = Pipeline::new(Rules::default());
     let words = fill(nodes, cycles);
@@ -21,7 +21,7 @@ pub(super) fn cost(nodes: &[Node], cycles: &[u64]) -> u64 {
     pipeline.clock()
 }
 
-/// The block with no-operations, an even number of words.
+/// The block padded with no-operations to an even number of words.
 pub(super) fn fill(nodes: &[Node], cycles: &[u64]) -> Vec<Node> {
     let mut words: Vec<Node> = Vec::with_capacity(nodes.len() * 2);
     let mut at = 0;
@@ -41,7 +41,7 @@ pub(super) fn fill(nodes: &[Node], cycles: &[u64]) -> Vec<Node> {
     words
 }
 
-/// Brings the words to a multiple of 8 bytes without taking a cycle.
+/// Pads the words to a multiple of 8 bytes without costing a cycle.
 fn complete(words: &mut Vec<Node>) {
     if words.len().is_multiple_of(2) {
         return;
@@ -67,7 +67,7 @@ fn no_operation(op: Op, stage: u32) -> Node {
     node
 }
 
-/// An instruction of registers and a constant.
+/// An instruction with registers and a constant as operands.
 pub(super) fn plain(op: Op, rt: u8, ra: u8, immediate: i32) -> Instruction {
     Instruction {
         op,

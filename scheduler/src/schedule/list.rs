@@ -1,7 +1,8 @@
-//! List scheduling: code that is run once, cycle by cycle.
+//! List scheduling of code that runs once, cycle by cycle.
 //!
-//! In each cycle the most urgent instruction of each pipe goes that can. Urgent is what heads the
-//! longest chain; several orders of the rest are tried.
+//! In each cycle and for each pipe, the most urgent instruction that can issue does so. The most
+//! urgent one heads the longest chain. Several variations of these priorities are tried, and the
+//! best result is kept.
 
 use super::allocate::allocate;
 use super::dependence::{Edge, straight};
@@ -11,11 +12,11 @@ use super::random::Random;
 use spu_isa::timing::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE};
 use spu_isa::{Class, Pipe};
 
-/// Orders that are tried with renamed registers.
+/// How many orders are tried with renamed registers, and again without.
 const TRIES: u64 = 48;
 
-/// Schedules a block behind which `live` are live, all instructions and registers in their new
-/// places. Gives the nodes and their cycles, in the order of the code.
+/// Schedules a block after which `live` are live. Returns the nodes with their new registers, and
+/// their cycles, in the order of the code.
 pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>) {
     let mut best: Option<(u64, Vec<Node>, Vec<u64>)> = None;
     for renaming in [true, false] {
@@ -36,18 +37,18 @@ pub(super) fn schedule(nodes: &[Node], live: Registers) -> (Vec<Node>, Vec<u64>)
             }
         }
     }
-    let (_, nodes, cycles) = best.expect("without renaming every order has its registers");
+    let (_, nodes, cycles) = best.expect("without renaming, every order has enough registers");
     (nodes, cycles)
 }
 
-/// Cycles from each node's issue to the end of the block.
+/// The cycles from each node's issue to the end of the block.
 fn heights(nodes: &[Node], edges: &[Edge]) -> Vec<i64> {
     let mut heights: Vec<i64> = nodes
         .iter()
         .map(|node| i64::from(node.class().latency()))
         .collect();
     let mut by_source = edges.to_vec();
-    // Edges of straight code go forward.
+    // Edges of straight-line code only go forward.
     by_source.sort_by_key(|edge| std::cmp::Reverse(edge.from));
     for edge in &by_source {
         heights[edge.from] = heights[edge.from].max(heights[edge.to] + edge.latency);
@@ -73,10 +74,10 @@ fn priorities(heights: &[i64], attempt: u64) -> Vec<i64> {
 
 fn place(nodes: &[Node], edges: &[Edge], priorities: &[i64]) -> Vec<u64> {
     let count = nodes.len();
-    let mut behind: Vec<Vec<&Edge>> = vec![Vec::new(); count];
+    let mut successors: Vec<Vec<&Edge>> = vec![Vec::new(); count];
     let mut waits = vec![0usize; count];
     for edge in edges {
-        behind[edge.from].push(edge);
+        successors[edge.from].push(edge);
         waits[edge.to] += 1;
     }
     let mut earliest = vec![0i64; count];
@@ -101,7 +102,7 @@ fn place(nodes: &[Node], edges: &[Edge], priorities: &[i64]) -> Vec<u64> {
             cycles[at] = Some(cycle as u64);
             left -= 1;
             ready.retain(|&other| other != at);
-            for edge in &behind[at] {
+            for edge in &successors[at] {
                 let to = edge.to;
                 earliest[to] = earliest[to].max(cycle + edge.latency);
                 waits[to] -= 1;

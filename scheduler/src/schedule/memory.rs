@@ -1,22 +1,22 @@
-//! Which loads and stores may meet in the same quadword.
+//! Which loads and stores may access the same quadword.
 //!
-//! The rules are `docs/schedule.md`'s: accesses through different base values do not overlap,
-//! those through the same one do if their offsets do, and a store marked `may alias` overlaps
-//! everything.
+//! `docs/schedule.md` has the rules. Accesses through different base values do not overlap.
+//! Accesses through the same base value overlap if their offsets do. A store marked `may alias`
+//! overlaps every access.
 
 use super::function::{Node, Reference};
 use super::values::{Source, Values};
 use spu_isa::{Field, Op};
 
-/// Bytes of an access.
+/// Size of an access in bytes.
 const QUADWORD: i64 = 16;
 
-/// The value that an address starts from.
+/// The value that an address is computed from.
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Root {
     /// A register at the start of the block.
     Entry(u8),
-    /// What a node makes.
+    /// The result of a node.
     Node(usize),
     /// A section or a symbol.
     Place(String),
@@ -24,19 +24,19 @@ enum Root {
     Zero,
 }
 
-/// An access.
+/// A load or store.
 #[derive(Clone, Debug)]
 struct Access {
     root: Root,
-    /// The second register of an indexed access, unless it is a known constant.
+    /// The second register of an indexed access, unless its value is a known constant.
     index: Option<Root>,
     offset: i64,
     store: bool,
-    /// Whether it may meet any other access.
+    /// Whether it may overlap any other access.
     anything: bool,
 }
 
-/// The accesses of a block.
+/// The loads and stores of a block.
 pub(super) struct Memory {
     accesses: Vec<Option<Access>>,
     /// For each register that a pass hands to the next: where its value comes from.
@@ -69,7 +69,7 @@ impl Memory {
             return true;
         }
         let same_record = |one: &Root, other: &Root| {
-            one == other || in_loop && self.anew(one).0 == self.anew(other).0
+            one == other || in_loop && self.carried_root(one).0 == self.carried_root(other).0
         };
         if !same_record(&one.root, &other.root) {
             return false;
@@ -77,13 +77,17 @@ impl Memory {
         let distance = if one.root == other.root {
             one.offset - other.offset
         } else {
-            // A record and the one of the pass before: they coincide or are disjoint.
-            one.offset + self.anew(&one.root).1 - other.offset - self.anew(&other.root).1
+            // One accesses a record, the other the record of the pass before. The two records are
+            // the same or disjoint.
+            one.offset + self.carried_root(&one.root).1
+                - other.offset
+                - self.carried_root(&other.root).1
         };
         one.index != other.index || distance.abs() < QUADWORD
     }
 
-    /// After how many passes, at least one, `later` may meet what `earlier` accessed.
+    /// After how many passes, at least one, `later` may access the quadword that `earlier`
+    /// accessed.
     pub fn passes_to_conflict(&self, earlier: usize, later: usize) -> Option<i64> {
         let (Some(earlier), Some(later)) = (&self.accesses[earlier], &self.accesses[later]) else {
             return None;
@@ -94,8 +98,8 @@ impl Memory {
         if earlier.anything || later.anything {
             return Some(1);
         }
-        let (root, offset) = self.anew(&earlier.root);
-        let (later_root, later_offset) = self.anew(&later.root);
+        let (root, offset) = self.carried_root(&earlier.root);
+        let (later_root, later_offset) = self.carried_root(&later.root);
         if root != later_root {
             return None;
         }
@@ -111,7 +115,8 @@ impl Memory {
         };
         let ahead = earlier.offset + offset - later.offset - later_offset;
         match step {
-            // A new record each pass, the same one, or another that does not overlap.
+            // The address moves to a new record in each pass, or stays, or moves to another that
+            // does not overlap.
             None | Some(0) => (ahead.abs() < QUADWORD).then_some(1),
             Some(step) => {
                 let near = ahead.div_euclid(step);
@@ -123,8 +128,8 @@ impl Memory {
         }
     }
 
-    /// A register that gets a value of its own each pass stands for that value.
-    fn anew<'a>(&'a self, root: &'a Root) -> (&'a Root, i64) {
+    /// If a register gets a value of its own in each pass, it is treated as that value.
+    fn carried_root<'a>(&'a self, root: &'a Root) -> (&'a Root, i64) {
         if let Root::Entry(register) = root
             && let Some((_, from, offset)) = self.carried.iter().find(|(r, ..)| r == register)
             && matches!(from, Root::Node(_))
@@ -134,7 +139,8 @@ impl Memory {
         (root, 0)
     }
 
-    /// Bytes by which a root moves in a pass; `None` if it is another value each pass.
+    /// The bytes by which a root moves in a pass, or `None` if it is an unrelated value in each
+    /// pass.
     fn step(&self, root: &Root) -> Option<i64> {
         match root {
             Root::Node(_) => None,
@@ -189,7 +195,7 @@ fn access(nodes: &[Node], values: &Values, at: usize, node: &Node) -> Option<Acc
     })
 }
 
-/// A value as another one and a constant.
+/// Expresses a value as another value plus a constant.
 fn trace(nodes: &[Node], values: &Values, source: Source) -> (Root, i64) {
     let mut source = source;
     let mut offset = 0;

@@ -1,10 +1,10 @@
-//! A scheduler for SPU assembly: plain code in, the same code for both pipes out.
+//! A scheduler for SPU assembly: it turns plain code into the same code for both pipes.
 //!
-//! It takes an object and the source that it was assembled from, and writes the source again with
-//! each function scheduled: blocks by list scheduling, counted loops by software pipelining, all
-//! with the notes that `spu time --check` holds to the model. What it takes for granted of memory
-//! and registers is in `docs/schedule.md`. It knows the instruction table and the pipelines,
-//! nothing of what code computes. Invariant: the same input gives the same bytes.
+//! It takes an object and the source that it was assembled from. It writes the source again with
+//! each function scheduled: blocks by list scheduling, counted loops by software pipelining. The
+//! output has the notes that `spu time --check` compares with the model. `docs/schedule.md` says
+//! what the scheduler assumes about memory and registers. It knows the instruction table and the
+//! pipelines, but not what the code computes. Invariant: the same input produces the same bytes.
 
 mod allocate;
 mod colour;
@@ -38,16 +38,16 @@ use source::Source;
 /// A scheduled source.
 #[derive(Clone, Debug)]
 pub struct Scheduled {
-    /// The new source.
+    /// The new source text.
     pub text: String,
-    /// What became of its loops.
+    /// The result for each of its loops.
     pub loops: Vec<LoopReport>,
 }
 
-/// Schedules all functions of a source. `object` is what the assembler makes of it with `-g` and
-/// without `--strip-local-absolute`; `path` names the source in messages and in the line table.
-/// `assemble` gives the object of a text in the same way: the schedule's own is held to the plain
-/// one, so that an instruction or an operand that is lost is an error.
+/// Schedules all functions of a source. `object` is the assembler's output for it, made with `-g`
+/// and without `--strip-local-absolute`. `path` names the source in messages and in the line
+/// table. `assemble` turns a text into an object in the same way. The object of the schedule is
+/// compared with the plain one, so that a lost instruction or operand is an error.
 pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     object: &[u8],
     path: &str,
@@ -73,12 +73,12 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     let mut used = BTreeMap::new();
     let mut written = Vec::new();
     for lines in &functions {
-        let Some(stretch) = plain.stretch(&lines.name, path).map_err(at)? else {
+        let Some(function_code) = plain.function_code(&lines.name, path).map_err(at)? else {
             continue;
         };
-        let mut function = plain.function(&stretch).map_err(at)?;
+        let mut function = plain.function(&function_code).map_err(at)?;
         source.check(lines).map_err(at)?;
-        // Without a line on it every register may be a result.
+        // Without an `Out` line, every register may be a result.
         function.results = source.results(lines).unwrap_or(!0);
         for block in &mut function.blocks {
             for node in block.nodes.iter_mut().filter(|node| node.is_store()) {
@@ -89,7 +89,7 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
         loops.extend(pipelined::pipeline(&mut function));
         function.fuse();
         let (words, body) = words::lay_out(&mut function, &mut names, &source);
-        verify::instructions(&stretch, &function, &words).map_err(at)?;
+        verify::instructions(&function_code, &function, &words).map_err(at)?;
         if let Some(line) = source.uses(lines) {
             *used.entry(line).or_insert(0) |= words::written(&words);
         }
@@ -112,8 +112,8 @@ pub fn schedule<E: Into<Box<dyn Error + Send + Sync>>>(
     let made = assemble(&text).map_err(|error| ScheduleError::Assembler(error.into()))?;
     let made = Plain::parse(&made)?;
     for (lines, words) in written {
-        let stretch = made.stretch(&lines.name, path).map_err(at)?;
-        verify::text(lines, &words, stretch.as_ref(), &made).map_err(at)?;
+        let function_code = made.function_code(&lines.name, path).map_err(at)?;
+        verify::text(lines, &words, function_code.as_ref(), &made).map_err(at)?;
     }
     Ok(Scheduled { text, loops })
 }

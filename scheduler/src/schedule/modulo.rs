@@ -1,10 +1,11 @@
 //! Iterative modulo scheduling (Rau 1994): every pass starts `interval` cycles after the one
 //! before.
 //!
-//! Instructions are placed by the length of the chain that they head. One that finds no free place
-//! takes one and throws out whom it disturbs; these are placed again, until all stand or the
-//! budget is used up. Invariant of a result: all edges hold, no pipe is taken twice, no FP6 falls
-//! into the cycle behind an FP7, and the branch stands in the last cycle of its pass.
+//! Instructions are placed in the order of the length of the chain that they head. An instruction
+//! that finds no free place takes one by force and removes the instructions that conflict. These
+//! are placed again, until all are placed or the budget is used up. Invariant of a result: all
+//! edges hold, no pipe is used twice in a cycle, no FP6 is in the cycle after an FP7, and the
+//! branch is in the last cycle of its pass.
 
 use super::dependence::Edge;
 use super::function::Node;
@@ -12,21 +13,21 @@ use super::random::Random;
 use spu_isa::timing::rules::{DOUBLE_INTERVAL, FLOAT_CONFLICT_DISTANCE};
 use spu_isa::{Class, Pipe};
 
-/// Placements for each instruction, on average, before an attempt is given up.
+/// Average number of placements of each instruction before an attempt is given up.
 const BUDGET: usize = 24;
 
-/// A loop to be scheduled: the last node is the branch back.
+/// A loop to be scheduled. The last node is the branch back.
 pub(super) struct Problem<'a> {
     nodes: &'a [Node],
     interval: i64,
-    before: Vec<Vec<Edge>>,
-    behind: Vec<Vec<Edge>>,
+    predecessors: Vec<Vec<Edge>>,
+    successors: Vec<Vec<Edge>>,
     heights: Vec<i64>,
-    /// Earliest and latest cycles by which the branch stays in its place.
+    /// The earliest and latest cycles that leave the branch in its place.
     bounds: Vec<(i64, i64)>,
 }
 
-/// A cycle of edges that no schedule of this interval keeps; `None` if there is none.
+/// A cycle of edges that no schedule with this interval can satisfy, or `None` if there is none.
 pub(super) fn impossible(count: usize, edges: &[Edge], interval: i64) -> Option<Vec<Edge>> {
     let mut time = vec![0i64; count];
     let mut cause: Vec<Option<Edge>> = vec![None; count];
@@ -43,7 +44,7 @@ pub(super) fn impossible(count: usize, edges: &[Edge], interval: i64) -> Option<
         }
         moved?;
     }
-    // After as many steps back as there are nodes one stands in the cycle.
+    // After as many steps back as there are nodes, the node is in the cycle.
     let mut at = moved?;
     for _ in 0..count {
         at = cause[at]?.from;
@@ -60,8 +61,8 @@ pub(super) fn impossible(count: usize, edges: &[Edge], interval: i64) -> Option<
     }
 }
 
-/// Longest chains of edges: `forward` from `seeds` on, else up to them. The edges have no
-/// [`impossible`] cycle.
+/// The longest chains of edges: from `seeds` on if `forward`, or else up to them. The edges must
+/// have no [`impossible`] cycle.
 pub(super) fn longest(edges: &[Edge], interval: i64, seeds: Vec<i64>, forward: bool) -> Vec<i64> {
     let mut length = seeds;
     loop {
@@ -88,14 +89,14 @@ pub(super) fn longest(edges: &[Edge], interval: i64, seeds: Vec<i64>, forward: b
 const UNREACHED: i64 = i64::MIN / 2;
 
 impl<'a> Problem<'a> {
-    /// The edges have no [`impossible`] cycle at this interval.
+    /// The edges must have no [`impossible`] cycle at this interval.
     pub fn new(nodes: &'a [Node], edges: &[Edge], interval: i64) -> Self {
         let count = nodes.len();
-        let mut before = vec![Vec::new(); count];
-        let mut behind = vec![Vec::new(); count];
+        let mut predecessors = vec![Vec::new(); count];
+        let mut successors = vec![Vec::new(); count];
         for edge in edges {
-            before[edge.to].push(*edge);
-            behind[edge.from].push(*edge);
+            predecessors[edge.to].push(*edge);
+            successors[edge.from].push(*edge);
         }
         let mut seeds = vec![UNREACHED; count];
         seeds[count - 1] = 0;
@@ -114,12 +115,12 @@ impl<'a> Problem<'a> {
             interval,
             heights: longest(edges, interval, vec![0; count], false),
             bounds: (0..count).map(bound).collect(),
-            before,
-            behind,
+            predecessors,
+            successors,
         }
     }
 
-    /// The cycle of each node; `None` if this attempt finds no place for all.
+    /// The cycle of each node, or `None` if this attempt does not find a place for all of them.
     pub fn attempt(&self, number: u64) -> Option<Vec<i64>> {
         let count = self.nodes.len();
         if self
@@ -148,7 +149,7 @@ impl<'a> Problem<'a> {
             left.swap_remove(place);
             let cycle = self.choose(&table, at, last[at])?;
             last[at] = Some(cycle);
-            let mut out = table.in_the_way(at, cycle);
+            let mut out = table.conflicting(at, cycle);
             out.extend(self.disturbed(&table, at, cycle));
             out.sort_unstable();
             out.dedup();
@@ -164,44 +165,46 @@ impl<'a> Problem<'a> {
         None
     }
 
-    /// A free cycle if there is one between those that stand, else one by force.
+    /// A free cycle between the nodes that are placed, or else one by force.
     fn choose(&self, table: &Table<'_>, at: usize, last: Option<i64>) -> Option<i64> {
         let interval = self.interval;
         let (floor, ceiling) = self.bounds[at];
-        let before = self.before[at].iter().filter_map(|edge| {
+        let predecessors = self.predecessors[at].iter().filter_map(|edge| {
             Some(table.times[edge.from]? + edge.latency - interval * edge.distance)
         });
-        let behind = self.behind[at].iter().filter_map(|edge| {
+        let successors = self.successors[at].iter().filter_map(|edge| {
             Some(table.times[edge.to]? - edge.latency + interval * edge.distance)
         });
-        let earliest = before.fold(floor, i64::max).min(ceiling);
-        let latest = behind.fold(ceiling, i64::min).min(earliest + interval - 1);
-        let free = (earliest..=latest).find(|&cycle| table.in_the_way(at, cycle).is_empty());
+        let earliest = predecessors.fold(floor, i64::max).min(ceiling);
+        let latest = successors
+            .fold(ceiling, i64::min)
+            .min(earliest + interval - 1);
+        let free = (earliest..=latest).find(|&cycle| table.conflicting(at, cycle).is_empty());
         if free.is_some() {
             return free;
         }
         let pinned = self.nodes.len() - 1;
         let again = last.map_or(earliest, |last| last + 1).max(earliest);
         let mut tries = (again..again + interval).chain(earliest..earliest + interval);
-        tries.find(|&cycle| cycle <= ceiling && !table.in_the_way(at, cycle).contains(&pinned))
+        tries.find(|&cycle| cycle <= ceiling && !table.conflicting(at, cycle).contains(&pinned))
     }
 
-    /// Nodes to which an edge would not hold.
+    /// The placed nodes whose edges to or from `at` would not hold.
     fn disturbed(&self, table: &Table<'_>, at: usize, cycle: i64) -> Vec<usize> {
         let interval = self.interval;
-        let before = self.before[at].iter().filter_map(|edge| {
+        let predecessors = self.predecessors[at].iter().filter_map(|edge| {
             let least = table.times[edge.from]? + edge.latency - interval * edge.distance;
             (edge.from != at && least > cycle).then_some(edge.from)
         });
-        let behind = self.behind[at].iter().filter_map(|edge| {
+        let successors = self.successors[at].iter().filter_map(|edge| {
             let least = cycle + edge.latency - interval * edge.distance;
             (edge.to != at && least > table.times[edge.to]?).then_some(edge.to)
         });
-        before.chain(behind).collect()
+        predecessors.chain(successors).collect()
     }
 
-    /// Moves loads and constants behind, to where their values are first needed, so that they hold
-    /// their registers for less long.
+    /// Moves loads and constants later, to where their values are first needed, so that they
+    /// occupy their registers for a shorter time.
     pub fn sink(&self, times: &mut [i64]) {
         let mut table = Table::new(self.nodes, self.interval);
         for (at, &cycle) in times.iter().enumerate() {
@@ -220,21 +223,21 @@ impl<'a> Problem<'a> {
                 continue;
             }
             let (_, ceiling) = self.bounds[at];
-            let behind = self.behind[at].iter().filter(|edge| edge.to != at);
-            let limit = behind
+            let successors = self.successors[at].iter().filter(|edge| edge.to != at);
+            let limit = successors
                 .map(|edge| times[edge.to] - edge.latency + self.interval * edge.distance)
                 .fold(ceiling.min(end - 1), i64::min);
             table.take(at);
             let latest = (times[at]..=limit)
                 .rev()
-                .find(|&cycle| table.in_the_way(at, cycle).is_empty());
+                .find(|&cycle| table.conflicting(at, cycle).is_empty());
             times[at] = latest.unwrap_or(times[at]);
             table.put(at, times[at]);
         }
     }
 }
 
-/// Which instruction takes which pipe in which cycle of the interval.
+/// Which instruction uses which pipe in which cycle of the interval.
 struct Table<'a> {
     nodes: &'a [Node],
     times: Vec<Option<i64>>,
@@ -254,7 +257,7 @@ impl<'a> Table<'a> {
         cycle.rem_euclid(self.rows.len() as i64) as usize
     }
 
-    /// The rows and pipes that a node takes.
+    /// The rows and pipes that a node uses.
     fn cells(&self, at: usize, cycle: i64) -> Vec<(usize, usize)> {
         let node = &self.nodes[at];
         if node.class() == Class::Fpd {
@@ -264,8 +267,8 @@ impl<'a> Table<'a> {
         vec![(self.row(cycle), usize::from(node.pipe() == Pipe::Odd))]
     }
 
-    /// Who stands where the node would, or in conflict with it.
-    fn in_the_way(&self, at: usize, cycle: i64) -> Vec<usize> {
+    /// The nodes that use the same row and pipe, or that conflict with the node there.
+    fn conflicting(&self, at: usize, cycle: i64) -> Vec<usize> {
         let cells = self.cells(at, cycle).into_iter();
         let mut others: Vec<usize> = cells
             .filter_map(|(row, pipe)| self.rows[row][pipe])

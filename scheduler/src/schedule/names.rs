@@ -1,27 +1,27 @@
-//! What registers are called in the schedule.
+//! The names of registers in the schedule.
 //!
-//! A value that is where the source had it keeps the source's name. One that had to move is called
-//! after it, with a number.
+//! A value that stays in the source's register keeps the source's name. A value that had to move
+//! gets this name with a number.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use super::source::Name;
 
-/// The names of one source and its schedule.
+/// The names in one source and its schedule.
 pub(super) struct Names<'a> {
     given: Vec<Name<'a>>,
-    /// Names that exist already.
+    /// Names that are taken.
     used: BTreeSet<String>,
-    /// Those of the source that no label of the schedule has yet.
+    /// Labels of the source that the schedule has not used yet.
     unclaimed: BTreeSet<String>,
-    /// By the name in the source and the new number.
+    /// The new name for a name in the source and a new register number.
     moved: BTreeMap<(String, u8), String>,
-    /// In the order in which they were needed.
+    /// New names in the order in which they were needed.
     made: Vec<(String, u8)>,
 }
 
 impl<'a> Names<'a> {
-    /// `used` are all names of the source.
+    /// `used` are all names in the source.
     pub fn new(given: Vec<Name<'a>>, used: BTreeSet<String>) -> Self {
         Self {
             given,
@@ -32,7 +32,7 @@ impl<'a> Names<'a> {
         }
     }
 
-    /// What `number` is called, which holds a value that the source has in `plain`.
+    /// The name of register `number` when it holds a value that the source has in `plain`.
     pub fn register(&mut self, number: u8, plain: u8, line: u64) -> String {
         if number == plain {
             return format!("${}", self.in_source(plain, line));
@@ -56,7 +56,7 @@ impl<'a> Names<'a> {
         format!("${name}")
     }
 
-    /// A label that nothing else has: the one that is wanted if the source has it.
+    /// An unused label: `wanted` if possible, or else `wanted` with a number.
     pub fn label(&mut self, wanted: &str) -> String {
         if self.unclaimed.remove(wanted) {
             return wanted.to_owned();
@@ -70,7 +70,7 @@ impl<'a> Names<'a> {
         name
     }
 
-    /// The names that the source does not set outside its functions, since the last call.
+    /// The new names since the last call, and the names that the source sets inside this function.
     pub fn take_made(&mut self, inside: (u64, u64)) -> Vec<(String, u8)> {
         let given = self.given.iter();
         let repeated =
@@ -82,7 +82,8 @@ impl<'a> Names<'a> {
         all
     }
 
-    /// The source's name, without its sign, as of a line; what the scheduler added has line 0.
+    /// The source's name of a register at a line, without `$`. Line 0 is code that the scheduler
+    /// added.
     fn in_source(&self, number: u8, line: u64) -> String {
         match number {
             0 => return "lr".into(),
@@ -95,7 +96,7 @@ impl<'a> Names<'a> {
             .iter()
             .filter(known)
             .filter(|name| name.number <= number);
-        // The latest of the nearest.
+        // The latest of the names for the nearest register.
         match names.max_by_key(|name| (name.number, name.line)) {
             Some(name) if name.number == number => name.name.to_owned(),
             Some(name) if name.number > 1 => format!("{}+{}", name.name, number - name.number),

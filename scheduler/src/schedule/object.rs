@@ -1,4 +1,5 @@
-//! The plain functions of an object: instructions, what they name, and the lines they come from.
+//! The plain functions of an object: their instructions, the addresses that these refer to, and
+//! their source lines.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -14,9 +15,9 @@ use super::function::{Block, Function, Node, Reference, Symbol};
 use crate::code::{Code, CodeError};
 use spu_isa::{Class, Format, Instruction, Op, Target, feature};
 
-/// The relocation types whose value the assembler takes as the bare symbol.
+/// The relocation types whose value is the bare symbol in assembly notation.
 const PLAIN: [u32; 8] = [1, 2, 5, 7, 8, 9, 10, 12];
-/// The upper and the lower half of an address.
+/// The upper half of an address, and the lower half.
 const HIGH: u32 = 3;
 const LOW: u32 = 4;
 
@@ -26,15 +27,15 @@ type File<'data> = ElfFile32<'data, BigEndian>;
 pub(super) struct Plain<'data> {
     file: File<'data>,
     code: Code,
-    /// Names of places in sections.
+    /// Names of the places in sections.
     places: BTreeMap<(usize, u64), String>,
 }
 
-/// What is wrong at a line.
+/// An error and its line.
 pub(super) type Fault = (u64, Unschedulable);
 
 /// The code of a function.
-pub(super) struct Stretch {
+pub(super) struct FunctionCode {
     pub name: String,
     pub start: u32,
     pub end: u32,
@@ -46,7 +47,7 @@ pub(super) struct Placed {
     pub address: u32,
     pub word: u32,
     pub i: Instruction,
-    /// What it names; blocks of its own function by their addresses.
+    /// The address that it refers to. Blocks of its own function are named by their addresses.
     pub reference: Option<Reference>,
     pub line: u64,
 }
@@ -75,7 +76,7 @@ impl<'data> Plain<'data> {
         Ok(Self { file, code, places })
     }
 
-    /// Values of the symbols that are plain numbers: `.set` names.
+    /// The values of the symbols that are plain numbers, which `.set` defines.
     pub fn numbers(&self) -> BTreeMap<String, u64> {
         let symbols = self.file.symbols();
         let absolute = symbols.filter(|symbol| symbol.section() == SymbolSection::Absolute);
@@ -84,7 +85,7 @@ impl<'data> Plain<'data> {
             .collect()
     }
 
-    /// All names.
+    /// All symbol names.
     pub fn names(&self) -> BTreeSet<String> {
         let symbols = self.file.symbols();
         symbols
@@ -99,8 +100,8 @@ impl<'data> Plain<'data> {
         sources.iter().any(|(_, at)| at.file.file_name() == name)
     }
 
-    /// The code of the function of this name; `None` if there is none.
-    pub fn stretch(&self, name: &str, source: &str) -> Result<Option<Stretch>, Fault> {
+    /// The code of the function with this name, or `None` if there is none.
+    pub fn function_code(&self, name: &str, source: &str) -> Result<Option<FunctionCode>, Fault> {
         let found = self
             .code
             .functions()
@@ -145,7 +146,7 @@ impl<'data> Plain<'data> {
                 line: line(address),
             });
         }
-        Ok(Some(Stretch {
+        Ok(Some(FunctionCode {
             name: name.to_owned(),
             start,
             end: found.end,
@@ -153,14 +154,14 @@ impl<'data> Plain<'data> {
         }))
     }
 
-    /// A stretch of plain code as blocks.
-    pub fn function(&self, stretch: &Stretch) -> Result<Function, Fault> {
-        let Stretch {
+    /// The code of a function as blocks.
+    pub fn function(&self, function_code: &FunctionCode) -> Result<Function, Fault> {
+        let FunctionCode {
             name,
             start,
             end,
             placed,
-        } = stretch;
+        } = function_code;
         if start % 8 != 0 {
             let line = placed.first().map_or(0, |first| first.line);
             return Err((line, Unschedulable::Alignment(name.clone())));
@@ -216,8 +217,8 @@ impl<'data> Plain<'data> {
         })
     }
 
-    /// Where a name that another object has is in this one: its place and the bytes behind its
-    /// start, as in [`Symbol`].
+    /// Where this object has a name that another object uses: its place and its offset from the
+    /// place's start, as in [`Symbol`].
     pub fn place_of(&self, name: &str) -> Option<(String, i64)> {
         let section_name = |index| {
             let section = self.file.section_by_index(index).ok()?;
@@ -234,7 +235,7 @@ impl<'data> Plain<'data> {
         Some((name.to_owned(), 0))
     }
 
-    /// Cuts the instructions at `starts`, each of which becomes the id of its block.
+    /// Splits the instructions at `starts`. Each start becomes the id of its block.
     fn blocks(&self, start: u32, starts: &BTreeSet<u32>, nodes: Vec<(u32, Node)>) -> Vec<Block> {
         let block = |&at: &u32| Block {
             id: at as usize,
@@ -255,16 +256,16 @@ impl<'data> Plain<'data> {
     }
 }
 
-/// A function's place in the object.
+/// A function's position in the object.
 struct View<'a, 'data> {
     plain: &'a Plain<'data>,
     section: SectionIndex,
-    /// Where the section stands for [`Code`].
+    /// The section's address in [`Code`].
     base: u32,
     range: std::ops::Range<u32>,
 }
 
-/// A relocation: its type, and where it points.
+/// A relocation: its type and its target.
 struct Link {
     kind: u32,
     section: Option<SectionIndex>,
@@ -372,8 +373,7 @@ pub(super) fn is_no_operation(i: Instruction) -> bool {
     matches!(i.op.row().class, Class::Nop | Class::Lnop)
 }
 
-/// Whether the assembler can be told to make the word: nothing is in fields that are reserved, or
-/// that it does not take.
+/// Whether the word can be written in assembly: reserved fields and unused fields must be 0.
 fn has_notation(i: Instruction, word: u32) -> bool {
     let row = i.op.row();
     let constant = match row.format {

@@ -1,9 +1,11 @@
-//! Software pipelining: a loop of one block becomes a fill, a kernel, a drain and a short form.
+//! Software pipelining, which turns a loop of one block into a fill, a kernel, a drain and a short
+//! form.
 //!
-//! The kernel runs a pass every `interval` cycles, `stages` passes overlapping. Fill and drain are
-//! the kernel's instructions of the first and last passes. A trip count below the stages takes the
-//! short form, the plain loop. Invariant: for every trip count, memory and the registers that are
-//! live behind the loop are as the plain loop leaves them.
+//! The kernel starts a pass every `interval` cycles, so that `stages` passes overlap. The fill and
+//! the drain are the kernel's instructions of the first and last passes. If the trip count is
+//! below the number of stages, the short form runs, which is the plain loop. Invariant: for every
+//! trip count, memory and the registers that are live after the loop have the same contents as
+//! after the plain loop.
 
 use super::colour::colour;
 use super::copies;
@@ -16,78 +18,81 @@ use super::modulo::{Problem, impossible, longest};
 use spu_isa::timing::rules::{DOUBLE_INTERVAL, HINT_CYCLES};
 use spu_isa::{Class, Op, Pipe};
 
-/// Instructions placed in the orders that are tried at each interval, and bounds of these orders.
+/// The number of instructions that are placed in the orders tried at each interval, and the bounds
+/// of the number of orders.
 const PLACED: usize = 16_000;
 const ATTEMPTS: (usize, usize) = (24, 160);
-/// Schedules of one interval among which the best is taken.
+/// The number of schedules of one interval from which the best is chosen.
 const KEPT: usize = 12;
-/// Lives of values that are tried at each interval: its own length, then shorter by so many parts
-/// of it. The shorter, the more copies, and the more room each instruction has.
+/// The number of limits on the lives of values that are tried at each interval. The first limit is
+/// the interval itself; each further one is shorter by a fraction of it. A shorter limit needs
+/// more copies but leaves more room for each instruction.
 const LIVES: i64 = 5;
 const LIFE_PARTS: i64 = 12;
-/// Instructions between a hint and its branch that stay within reach with what fills pairs.
+/// The number of instructions between a hint and its branch that keeps the branch in reach even
+/// after padding.
 const HINT_REACH: usize = 200;
-/// Cycles or instructions of a kernel above which it holds its hint itself.
+/// A kernel with more cycles or instructions than this contains its own hint.
 const OWN_HINT: usize = 150;
-/// Longest body that is pipelined.
+/// The longest body that is pipelined, in instructions.
 const MAX_BODY: usize = 1000;
-/// Longest code behind the loop that the short form gets a copy of, so that the drain can be
-/// scheduled together with it.
+/// The longest code after the loop, in instructions, that is copied to the short form, so that the
+/// drain can be scheduled together with it.
 const MAX_COPY: usize = 64;
 
-/// What became of a loop.
+/// The result of pipelining a loop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LoopReport {
-    /// Its label, or the function's name.
+    /// The loop's label, or else the function's name.
     pub name: String,
-    /// Line of its branch.
+    /// The line of its branch.
     pub line: u64,
-    /// What came of it.
+    /// What happened to it.
     pub outcome: Outcome,
 }
 
-/// What came of a loop.
+/// What happened to a loop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Outcome {
     /// It was pipelined.
     Pipelined(Figures),
-    /// It was scheduled as straight code, for this reason.
+    /// It was scheduled as straight-line code, for this reason.
     Plain(String),
 }
 
 /// Figures of a pipelined loop.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Figures {
-    /// Cycles in which the plain body takes the even pipe.
+    /// Cycles in which the plain body uses the even pipe.
     pub even: u64,
-    /// Cycles in which the plain body takes the odd pipe.
+    /// Cycles in which the plain body uses the odd pipe.
     pub odd: u64,
-    /// No schedule has a shorter interval: pipes and chains from pass to pass.
+    /// The lower bound of the interval, from the pipes and from the chains between passes.
     pub minimum: u64,
-    /// Cycles from pass to pass.
+    /// Cycles from one pass to the next.
     pub interval: u64,
-    /// Passes that overlap.
+    /// The number of passes that overlap.
     pub stages: u64,
-    /// Registers that the kernel names.
+    /// The number of registers that the kernel uses.
     pub registers: u32,
-    /// Instructions added to copy values.
+    /// The number of instructions added to copy values.
     pub copies: usize,
 }
 
 /// A scheduled kernel.
 struct Kernel {
-    /// In the order of the code, the branch last, each with its stage.
+    /// The nodes in the order of the code, the branch last, each with its stage.
     nodes: Vec<Node>,
     rows: Vec<u64>,
     figures: Figures,
 }
 
-/// Pipelines the loops of a function as far as they can be.
+/// Pipelines every loop of a function for which it is possible.
 pub(super) fn pipeline(function: &mut Function) -> Vec<LoopReport> {
     let mut reports = Vec::new();
     let ids: Vec<BlockId> = function.blocks.iter().map(|block| block.id).collect();
     for id in ids {
-        // What followed a loop may have become part of it.
+        // The code after a loop may have become part of it.
         let at = function.blocks.iter().position(|block| block.id == id);
         let Some((at, first)) = at.and_then(|at| Some((at, loop_start(function, at)?))) else {
             continue;
@@ -115,7 +120,7 @@ pub(super) fn pipeline(function: &mut Function) -> Vec<LoopReport> {
     reports
 }
 
-/// Where the block's branch goes if that is back.
+/// The target of the block's branch if it goes back.
 fn loop_start(function: &Function, at: usize) -> Option<usize> {
     let target = function.position(function.blocks[at].flow().branch?);
     (target <= at).then_some(target)
@@ -129,7 +134,7 @@ fn cycles(nodes: &[Node], pipe: Pipe) -> u64 {
     cycles.sum()
 }
 
-/// Finds the schedule of a loop, or says why there is none.
+/// Finds the schedule of a loop, or returns the reason why there is none.
 fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String> {
     let block = &function.blocks[at];
     let body = &block.nodes[..];
@@ -173,7 +178,7 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
     let recurrence = |&interval: &i64| impossible(body.len(), &true_edges, interval).is_none();
     let unbounded = (resources.max(3)..).find(recurrence);
     let minimum = unbounded.ok_or("no interval is long enough")?;
-    // A loop that overlaps nothing takes this long.
+    // A loop without overlap takes this long.
     let plain_cycles = super::list::schedule(body, liveness.end[at])
         .1
         .last()
@@ -194,7 +199,8 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
         }
         edges
     };
-    // Where full pipes draw out a short chain, values get their copies as if passes were shorter.
+    // If busy pipes make the interval long although chains are short, values are copied as if
+    // passes were shorter.
     let unlimited = (3..=minimum).find(recurrence).unwrap_or(minimum);
     let short = (longest_chain(&true_edges, body.len()) / 2).max(unlimited);
     let lives = |interval: i64| {
@@ -235,12 +241,13 @@ fn kernel(function: &Function, at: usize, first: usize) -> Result<Kernel, String
 struct Found {
     stages: u64,
     registers: u32,
-    /// With registers.
+    /// The nodes with their registers.
     nodes: Vec<Node>,
     times: Vec<i64>,
 }
 
-/// Of some schedules of this interval, the one of fewest stages, then fewest registers.
+/// Of some schedules of this interval, returns the one with the fewest stages, and among these the
+/// one with the fewest registers.
 fn search(nodes: &[Node], edges: &[Edge], interval: i64, live: Registers) -> Option<Found> {
     let problem = Problem::new(nodes, edges, interval);
     let attempts = (PLACED / nodes.len()).clamp(ATTEMPTS.0, ATTEMPTS.1) as u64;
@@ -261,7 +268,7 @@ fn search(nodes: &[Node], edges: &[Edge], interval: i64, live: Registers) -> Opt
         .min_by_key(|found| (found.stages, found.registers))
 }
 
-/// Cycles of the longest chain within a pass.
+/// The cycles of the longest chain within a pass.
 fn longest_chain(edges: &[Edge], count: usize) -> i64 {
     let within: Vec<Edge> = edges
         .iter()
@@ -272,7 +279,7 @@ fn longest_chain(edges: &[Edge], count: usize) -> i64 {
     chains.into_iter().max().unwrap_or(0)
 }
 
-/// The body with a hint in it if the kernel will be too long for one before it to reach the
+/// The body with a hint in it if the kernel will be so long that a hint before it can't reach the
 /// branch.
 fn with_hint(body: &[Node], interval: i64, id: BlockId) -> Vec<Node> {
     let mut nodes = body.to_vec();
@@ -310,7 +317,7 @@ fn in_rows(nodes: &[Node], times: &[i64], interval: i64, figures: Figures) -> Ke
     }
 }
 
-/// Puts fill, kernel, drain and short form in the place of the loop.
+/// Replaces the loop by its fill, kernel, drain and short form.
 fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'static str> {
     let Kernel {
         nodes,
@@ -335,8 +342,8 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
     let stages = figures.stages as u32;
     if stages > 1 {
         for node in &plain_loop.nodes {
-            // The branch closes the kernel and the short form. Of the rest, fill and drain
-            // together have each stage as often as passes overlap, but once.
+            // The branch ends the kernel and the short form. The fill and the drain together
+            // contain every stage once less than passes overlap.
             let times = if node.ends_block() {
                 2
             } else {
@@ -407,8 +414,9 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
     kernel_block.name = Some(name.clone());
     kernel_block.cycles = Some(rows);
 
-    // What follows, if it ends there, is part of the drain, and once more of the short form.
-    let mut behind_short = Vec::new();
+    // If the next block ends the function's path, it becomes part of the drain, and a copy follows
+    // the short form.
+    let mut after_short = Vec::new();
     if let Some(next) = function.blocks.get(at + 1) {
         let alone = function.branches_to(next.id) == 0
             && !next.flow().falls_through
@@ -420,10 +428,10 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
                 function.copied(node, 2);
             }
             drain.extend(next.nodes.iter().cloned());
-            behind_short = next.nodes;
+            after_short = next.nodes;
         } else if stages > 1 {
             let reference = Some(Reference::Block(next.id));
-            behind_short.push(Node::added(plain(Op::Br, 0, 0, 0), reference, ""));
+            after_short.push(Node::added(plain(Op::Br, 0, 0, 0), reference, ""));
         }
     }
     let outer = function.branches_to(plain_loop.id) > 1;
@@ -440,7 +448,7 @@ fn replace(function: &mut Function, at: usize, kernel: Kernel) -> Result<(), &'s
     function.blocks.splice(at..=at, blocks);
     if stages > 1 {
         function.blocks.push(named(short_id, "_short", short_nodes));
-        function.blocks.push(named(short_id + 3, "", behind_short));
+        function.blocks.push(named(short_id + 3, "", after_short));
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The text of a plain source: what the scheduler keeps of it.
+//! The text of a plain source, and the parts of it that the scheduler keeps.
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -8,44 +8,44 @@ use super::error::Unschedulable;
 use super::function::{Registers, bit};
 use spu_isa::Op;
 
-/// The directives that the assembler has worked off when the code is there.
+/// The directives that have done their work once the object exists.
 const EXPANDED: [&str; 28] = [
     ".irp", ".irpc", ".rept", ".endr", ".set", ".equ", ".if", ".ifb", ".ifnb", ".ifc", ".ifnc",
     ".ifdef", ".ifndef", ".ifeq", ".ifne", ".ifge", ".ifgt", ".ifle", ".iflt", ".else", ".elseif",
     ".endif", ".align", ".p2align", ".balign", ".loc", ".error", ".warning",
 ];
 
-/// How a header begins the registers that a function writes, and goes on in a further line.
+/// How the header line begins that lists the registers that a function writes, and a further line.
 const USES: &str = "#   Uses    ";
 const FURTHER: &str = "#           ";
-/// Columns of a line.
+/// The width of a line in columns.
 const WIDTH: usize = 100;
 
 /// A function's lines, counted from 0.
 #[derive(Clone, Debug)]
 pub(super) struct Lines {
     pub name: String,
-    /// Its first line is in front of the code and stays.
+    /// The first line, which is before the code and stays.
     pub first: usize,
-    /// Its end is behind the code and stays.
+    /// The last line, which is after the code and stays.
     pub end: usize,
 }
 
-/// A source.
+/// The text of a source.
 pub(super) struct Source<'a> {
     pub lines: Vec<&'a str>,
 }
 
-/// A register's name, from this line on.
+/// A register's name, which is valid from this line on.
 pub(super) struct Name<'a> {
     pub line: u64,
     pub name: &'a str,
     pub number: u8,
-    /// Whether it is given inside a function, so that the schedule has to repeat it.
+    /// Whether it is set inside a function, so that the schedule must repeat it.
     pub inside: bool,
 }
 
-/// What is wrong at a line.
+/// An error and its line.
 type Fault = (u64, Unschedulable);
 
 impl<'a> Source<'a> {
@@ -55,7 +55,7 @@ impl<'a> Source<'a> {
         }
     }
 
-    /// The functions that the source writes out.
+    /// The functions that the source contains.
     pub fn functions(&self) -> Result<Vec<Lines>, Fault> {
         let mut functions: Vec<Lines> = Vec::new();
         let mut at = 0;
@@ -79,7 +79,7 @@ impl<'a> Source<'a> {
         Ok(functions)
     }
 
-    /// The function that starts at a line: by the macro, or by a label of that type.
+    /// The function that starts at a line, by the macro or by a label of function type.
     fn starts(&self, at: usize) -> Option<&'a str> {
         let line = code(self.lines[at]).trim();
         if let Some(name) = line.strip_prefix("function ") {
@@ -94,7 +94,7 @@ impl<'a> Source<'a> {
         self.lines.iter().find(typed).map(|_| name)
     }
 
-    /// Complains of what would be lost of a function.
+    /// Reports anything in a function that the schedule would lose.
     pub fn check(&self, function: &Lines) -> Result<(), Fault> {
         for at in function.first + 1..function.end {
             let word = code(self.lines[at]).split_whitespace().next();
@@ -107,7 +107,7 @@ impl<'a> Source<'a> {
         Ok(())
     }
 
-    /// A line's comment, without the sign; lines count from 1.
+    /// A line's comment without `#`. Lines count from 1.
     pub fn comment(&self, line: u64) -> &'a str {
         let text = (line as usize)
             .checked_sub(1)
@@ -116,10 +116,10 @@ impl<'a> Source<'a> {
         comment.map_or("", |(_, comment)| comment.trim())
     }
 
-    /// The names of registers. `numbers` are the values at the end of the source: a name that has
-    /// changed, or that also stands for a plain number, is left out. Of the files that the source
-    /// includes only these values are known: of their names for a number the first by the
-    /// alphabet counts, if the source has none for it.
+    /// The names of registers. `numbers` are the values at the end of the source. A name whose
+    /// value has changed, or that is also used as a plain number, is left out. Only these values
+    /// are known of included files: if the source has no name for a number, the alphabetically
+    /// first of their names is used.
     pub fn register_names<'n>(
         &self,
         functions: &[Lines],
@@ -159,13 +159,13 @@ impl<'a> Source<'a> {
         let is_taken = |number: u64| own.iter().any(|&name| numbers.get(name) == Some(&number));
         let mut by_number: BTreeMap<u64, Vec<&'n str>> = BTreeMap::new();
         for (name, &number) in numbers {
-            // Constants are written in capitals.
+            // Constants have names in capitals.
             let is_register = number < 128 && name.starts_with(|c: char| c.is_ascii_lowercase());
             if is_register && !own.contains(&name.as_str()) && !is_taken(number) {
                 by_number.entry(number).or_default().push(name);
             }
         }
-        // They come in the order of the alphabet.
+        // They are in alphabetical order.
         let first = by_number.into_iter();
         first
             .map(|(number, names)| Name {
@@ -177,7 +177,7 @@ impl<'a> Source<'a> {
             .collect()
     }
 
-    /// Whether a name stands somewhere without the sign of a register.
+    /// Whether a name is used somewhere without the `$` of a register.
     fn used_bare(&self, name: &str) -> bool {
         self.lines.iter().any(|line| {
             if set(line).is_some_and(|(set, _)| set == name) {
@@ -185,7 +185,7 @@ impl<'a> Source<'a> {
             }
             let line = code(line);
             let first = line.split_whitespace().next().unwrap_or_default();
-            // What macros are given is often half a name.
+            // Arguments of macros are often only part of a name.
             let counts = Op::of_mnemonic(first).is_some() || [".set", ".rept"].contains(&first);
             let in_name = |c: char| c.is_ascii_alphanumeric() || "_.$\\".contains(c);
             counts
@@ -200,7 +200,7 @@ impl<'a> Source<'a> {
         })
     }
 
-    /// The registers that the header names as results of a function; `None` if it has no such
+    /// The registers that the header lists as results of a function, or `None` if it has no such
     /// line.
     pub fn results(&self, function: &Lines) -> Option<Registers> {
         let header = self.lines[..function.first]
@@ -216,15 +216,15 @@ impl<'a> Source<'a> {
         Some(registers)
     }
 
-    /// The line of the header that says which registers a function writes, counted from 0.
+    /// The line of the header that lists the registers that a function writes, counted from 0.
     pub fn uses(&self, function: &Lines) -> Option<usize> {
         self.lines[..function.first]
             .iter()
             .rposition(|line| line.starts_with(USES))
     }
 
-    /// Copies lines, counted from 0; one that names the source, called `path`, comes behind the
-    /// comment that heads it. The lines of `used` are given these registers in place of theirs.
+    /// Copies lines, counted from 0. A line that names the source, called `path`, follows the
+    /// leading comment. The lines of `used` get these registers instead of their own.
     pub fn copy(
         &self,
         range: Range<usize>,
@@ -255,7 +255,7 @@ fn code(line: &str) -> &str {
     line.split('#').next().unwrap_or_default()
 }
 
-/// Name and value of a `.set`.
+/// The name and value of a `.set`.
 fn set(line: &str) -> Option<(&str, &str)> {
     let rest = code(line).trim().strip_prefix(".set")?;
     let (name, value) = rest.split_once(',')?;
@@ -271,7 +271,7 @@ fn ends(line: &str, name: &str) -> bool {
     of("endfunction ").or_else(|| of(".size ")) == Some(true)
 }
 
-/// The text behind `Out` in a line of the header.
+/// The text after `Out` in a line of the header.
 fn out(line: &str) -> Option<&str> {
     let text = line.strip_prefix('#')?;
     let (before, behind) = text.split_once("Out ")?;
@@ -279,7 +279,7 @@ fn out(line: &str) -> Option<&str> {
     (first && before.len() == 3 || before.ends_with("  ")).then_some(behind)
 }
 
-/// Registers and ranges of them, as `$3` and `$10-$12`.
+/// Parses registers and ranges of them, such as `$3` and `$10-$12`.
 fn named_registers(text: &str) -> Registers {
     let mut registers = 0;
     let mut before: Option<(u8, &str)> = None;
@@ -300,8 +300,8 @@ fn named_registers(text: &str) -> Registers {
     registers
 }
 
-/// A header's line of the registers that a function writes, with others in their place. What else
-/// it says stays.
+/// Copies the header line of the registers that a function writes, but with these registers. The
+/// rest of the line stays.
 fn push_uses(line: &str, registers: Registers, text: &mut String) {
     let given = &line[USES.len()..];
     let rest = given.find("   ").map_or("", |at| &given[at..]);
@@ -325,7 +325,7 @@ fn push_uses(line: &str, registers: Registers, text: &mut String) {
     text.push_str(&written);
 }
 
-/// The registers from $2 on, as `$3` and `$10-$12`.
+/// The registers from $2 on in the notation `$3` and `$10-$12`.
 fn ranges(registers: Registers) -> Vec<String> {
     let mut ranges = Vec::new();
     let mut register = 2u8;

@@ -1,4 +1,4 @@
-//! The schedule as assembly, on the house's grid and with its notes.
+//! Writes the schedule as assembly, in the project's columns and with notes.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -11,26 +11,26 @@ use spu_isa::{Field, Op, Operand};
 
 /// Columns, counted from 0.
 const MNEMONIC: usize = 8;
-/// Of all but the longest.
+/// Width of all mnemonics except the longest.
 const MNEMONIC_WIDTH: usize = 7;
 const NOTES: usize = 56;
 const WIDTH: usize = 100;
-/// Further to the right is what belongs to an earlier pass.
+/// Instructions of an earlier pass are indented further by this much.
 const INDENT: usize = 4;
-/// From here on constants read better in hexadecimal.
+/// Constants from this value on are written in hexadecimal.
 const LARGE: i32 = 1024;
 
 /// A word of the schedule.
 pub(super) struct Word {
     pub node: Node,
     pub address: u32,
-    /// When it issues, as the model counts it.
+    /// The cycle and pipe in which the model issues it.
     pub slot: Slot,
-    /// Labels that stand before it.
+    /// The labels before it.
     pub labels: Vec<String>,
 }
 
-/// Names that are given to registers, as many in a line as there is room for.
+/// Lines that give registers their names, with as many names in a line as fit.
 pub(super) fn names(made: &[(String, u8)]) -> String {
     let mut text = String::new();
     let mut column = WIDTH;
@@ -65,7 +65,7 @@ pub(super) fn write(
     let mut text = String::new();
     for word in words {
         for label in &word.labels {
-            // Writing to a string does not fail.
+            // Writing to a string can't fail.
             let _ = writeln!(text, "{label}:");
         }
         let indent = if word.node.stage > 0 { INDENT } else { 0 };

@@ -3,20 +3,20 @@
 use super::function::{Node, POOL, Registers, bit};
 use spu_isa::Field;
 
-/// Where a value comes from.
+/// The origin of a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Source {
-    /// From a node of the block.
+    /// The result of a node of the block.
     Node(usize),
-    /// From this register at the start of the block.
+    /// The content of this register at the start of the block.
     Entry(u8),
 }
 
 /// The values of a block.
 pub(super) struct Values {
-    /// For each node the fields that it reads.
+    /// The fields that each node reads, with their origins.
     pub reads: Vec<Vec<(Field, Source)>>,
-    /// The last node that writes each register, virtual ones included.
+    /// The last node that writes each register, including virtual ones.
     pub last: [Option<usize>; 256],
 }
 
@@ -46,14 +46,14 @@ impl Values {
             .map(|read| read.1)
     }
 
-    /// The value that a node replaces in its register: it reads its own target.
+    /// The previous value of its register that a node replaces, if it reads its own target.
     pub fn replaced(&self, nodes: &[Node], at: usize) -> Option<Source> {
         nodes[at].writes()?;
         self.operand(at, Field::Rt)
     }
 
-    /// For each node the first of those that replace each other's value up to it: all these are in
-    /// one register.
+    /// For each node, the first of the chain of nodes that replace each other's value up to it.
+    /// All of these share one register.
     pub fn heads(&self, nodes: &[Node]) -> Vec<usize> {
         let mut heads: Vec<usize> = Vec::with_capacity(nodes.len());
         for at in 0..nodes.len() {
@@ -65,8 +65,9 @@ impl Values {
         heads
     }
 
-    /// Which values keep the register of the source: the last that are in `live`, all of registers
-    /// outside the pool, and what shares a register with one of these or with one from before.
+    /// Which values keep the source's register: the last ones that are in `live`, all in registers
+    /// outside the pool, and those that share a register with one of these or with a value from
+    /// before the block.
     pub fn kept(&self, nodes: &[Node], live: Registers) -> Vec<bool> {
         let heads = self.heads(nodes);
         let mut kept = vec![false; nodes.len()];

@@ -1,22 +1,23 @@
-//! Holds a schedule to the plain code, so that nothing is lost on the way.
+//! Compares a schedule with the plain code, so that no instruction is lost.
 //!
-//! Two steps, for each function: the words that the scheduler laid out are those of the plain
-//! code, each as often as copies of loops ask for, and what a schedule adds; and the words that
-//! the assembler makes of the text are those that were laid out. Registers differ from the plain
-//! code's, and where a branch goes; whether values and jumps are right is not looked at here.
+//! Each function is checked in two steps. First, the words that the scheduler laid out must be
+//! those of the plain code, each as often as copies of loops need it, plus what a schedule adds.
+//! Second, the words that the assembler makes of the text must be those that were laid out.
+//! Registers and branch targets differ from the plain code's. Whether values and jumps are right
+//! is not checked here.
 
 use std::collections::BTreeMap;
 
 use super::error::Unschedulable;
 use super::function::{Function, Node, Reference};
-use super::object::{Fault, Placed, Plain, Stretch, is_no_operation};
+use super::object::{Fault, FunctionCode, Placed, Plain, is_no_operation};
 use super::source::Lines;
 use super::text::Word;
 use spu_isa::{Class, Instruction, Op, disassemble};
 
-/// Holds the words of a function to its plain code.
+/// Compares the words of a function with its plain code.
 pub(super) fn instructions(
-    plain: &Stretch,
+    plain: &FunctionCode,
     function: &Function,
     words: &[Word],
 ) -> Result<(), Fault> {
@@ -58,15 +59,15 @@ pub(super) fn instructions(
     Ok(())
 }
 
-/// An instruction for a message: its word says what the disassembler's text does not.
+/// An instruction for a message. The word shows what the disassembler's text leaves out.
 fn shown(i: Instruction) -> String {
     let word = i.encode();
     let text = disassemble(word, 0).to_string().replace('\t', " ");
     format!("{text} ({word:#010x})")
 }
 
-/// What a schedule adds: fillers, hints, copies of values, and what leads into a pipelined loop
-/// and out of its short form.
+/// Whether the node is an addition of the scheduler: padding, a hint, a copy of a value, or code
+/// at the entry of a pipelined loop or at the exit of its short form.
 fn is_addition(node: &Node) -> bool {
     match node.i.op {
         Op::Ori | Op::Shlqbyi => node.i.immediate == 0,
@@ -75,7 +76,7 @@ fn is_addition(node: &Node) -> bool {
     }
 }
 
-/// Whether they are the same but for registers and the blocks that branches name.
+/// Whether both are the same except for registers and the blocks that branches go to.
 fn is_alike(plain: &Placed, node: &Node) -> bool {
     let bare = |i: Instruction, reference: &Option<Reference>| {
         let mut i = i.without_registers();
@@ -91,12 +92,12 @@ fn is_alike(plain: &Placed, node: &Node) -> bool {
     same_target && bare(plain.i, &plain.reference) == bare(node.i, &node.reference)
 }
 
-/// Holds what the assembler made of a function's text to the words that were meant. `object` is
-/// the whole of what it made.
+/// Compares the words that the assembler made of a function's text with the intended ones.
+/// `object` is the assembler's whole output.
 pub(super) fn text(
     lines: &Lines,
     words: &[Word],
-    made: Option<&Stretch>,
+    made: Option<&FunctionCode>,
     object: &Plain<'_>,
 ) -> Result<(), Fault> {
     let (start, placed) = made.map_or((0, &[][..]), |made| (made.start, &made.placed));
@@ -117,14 +118,14 @@ pub(super) fn text(
     }
 }
 
-/// Whether a word is the one that was meant, in a function that starts at `start`.
+/// Whether a word is the intended one, in a function that starts at `start`.
 fn is_meant(
     Word { node, address, .. }: &Word,
     found: &Placed,
     start: u32,
     object: &Plain<'_>,
 ) -> bool {
-    // The assembler's own directive of that name drops the register.
+    // The assembler's own directive with the same name drops the register.
     if is_no_operation(node.i) {
         return found.i.op == node.i.op;
     }
@@ -163,7 +164,7 @@ mod tests {
         0x3500_0000, // bi $0
     ];
 
-    fn plain() -> Stretch {
+    fn plain() -> FunctionCode {
         let placed = (8..).step_by(4).zip(WORDS).map(|(address, word)| Placed {
             address,
             word,
@@ -171,7 +172,7 @@ mod tests {
             reference: None,
             line: u64::from(address / 4),
         });
-        Stretch {
+        FunctionCode {
             name: "f".into(),
             start: 8,
             end: 24,
@@ -202,7 +203,7 @@ mod tests {
         word(Node::added(Instruction::decode(code).unwrap(), None, ""))
     }
 
-    /// The plain code's words in another order, and with another source register.
+    /// The plain code's words in another order and with another source register.
     fn scheduled() -> Vec<Word> {
         let words = plain().placed.into_iter().rev().map(|placed| {
             let mut word = added(placed.word);
@@ -234,16 +235,16 @@ mod tests {
     fn what_is_lost_or_doubled_is_counted() {
         let lost = fault(|words| drop(words.pop()));
         assert!(
-            lost.contains("of `il $3,1 (0x40800083)` the schedule has 0, not 1"),
+            lost.contains("the schedule has `il $3,1 (0x40800083)` 0 times, not 1"),
             "{lost}"
         );
         let doubled = fault(|words| words.extend(scheduled().pop()));
-        assert!(doubled.contains("has 2, not 1"), "{doubled}");
+        assert!(doubled.contains("2 times, not 1"), "{doubled}");
         let mut function = function();
         function.copies.insert(16, 3);
         let (line, what) = instructions(&plain(), &function, &scheduled()).unwrap_err();
         assert_eq!(line, 4);
-        assert!(what.to_string().contains("has 1, not 3"), "{what}");
+        assert!(what.to_string().contains("1 times, not 3"), "{what}");
     }
 
     #[test]
@@ -252,7 +253,7 @@ mod tests {
         let changed = fault(|words| words[1].node.i.immediate = 0);
         assert!(changed.contains("`stop (0x00000000)`"), "{changed}");
         let changed = fault(|words| words[2].node.i.immediate = 6);
-        assert!(changed.contains("is not the plain code's"), "{changed}");
+        assert!(changed.contains("is not in the plain code"), "{changed}");
         let foreign = fault(|words| words.push(added(0x1c01_4184)));
         assert!(foreign.contains("`ai $4,$3,5 (0x1c014184)`"), "{foreign}");
     }

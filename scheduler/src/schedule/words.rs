@@ -1,4 +1,5 @@
-//! From blocks to words: hints, registers and cycles of straight code, addresses, labels, notes.
+//! Turns blocks into words: adds hints, registers and cycles of straight-line code, addresses,
+//! labels and notes.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -13,12 +14,13 @@ use spu_isa::timing::rules::HINT_MINIMUM_INSTRUCTIONS;
 use spu_isa::timing::{Rules, find_loops};
 use spu_isa::{Class, Op};
 
-/// Words between a hint and its branch that the hint can name.
+/// The number of words between a hint and its branch that the hint can encode.
 const HINT_WORDS: usize = 255;
-/// Instructions between a hint and its branch that stay within that with what fills pairs.
+/// The number of instructions between a hint and its branch that stays within this even after
+/// padding.
 const HINT_REACH: usize = 150;
 
-/// The schedule of a function: its words, and them as text.
+/// The schedule of a function: its words, and their text.
 pub(super) fn lay_out(
     function: &mut Function,
     names: &mut Names<'_>,
@@ -59,7 +61,7 @@ pub(super) fn lay_out(
     (words, text)
 }
 
-/// The registers that words write.
+/// The registers that the words write.
 pub(super) fn written(words: &[Word]) -> Registers {
     let written = words.iter().filter_map(|word| word.node.writes());
     written.fold(0, |set, register| set | bit(register))
@@ -78,7 +80,7 @@ fn scheduled(function: &Function) -> Vec<Vec<Node>> {
     function.blocks.iter().enumerate().map(words).collect()
 }
 
-/// Puts a hint before each return, as early as its block allows.
+/// Inserts a hint before each return, as early as its block allows.
 fn hint_returns(function: &mut Function) {
     for block in &mut function.blocks {
         if block.nodes.last().is_some_and(Node::is_return) {
@@ -95,7 +97,8 @@ fn hint_returns(function: &mut Function) {
     }
 }
 
-/// Puts a hint before each loop of one block that stayed as it was, or into it if it is long.
+/// Inserts a hint before each loop of one block that was not pipelined, or into the loop if it is
+/// long.
 fn hint_loops(function: &mut Function) {
     for at in 1..function.blocks.len() {
         let block = &function.blocks[at];
@@ -117,7 +120,7 @@ fn hint_loops(function: &mut Function) {
     }
 }
 
-/// Blocks whose branches are hinted.
+/// The blocks whose branches have hints.
 fn hinted(function: &Function) -> impl Iterator<Item = BlockId> {
     let nodes = function.blocks.iter().flat_map(|block| &block.nodes);
     nodes.filter_map(|node| match node.reference {
@@ -126,7 +129,7 @@ fn hinted(function: &Function) -> impl Iterator<Item = BlockId> {
     })
 }
 
-/// A hint that stands too near to its branch or too far from it: its block, and its place there.
+/// A hint that is too near to its branch or too far from it: its block and its position there.
 fn useless_hint(function: &Function, blocks: &[Vec<Node>]) -> Option<(usize, usize)> {
     let starts: Vec<usize> = blocks
         .iter()
@@ -158,7 +161,7 @@ fn useless_hint(function: &Function, blocks: &[Vec<Node>]) -> Option<(usize, usi
     None
 }
 
-/// Gives each word its address, what it names, and its note.
+/// Gives each word its address, the address that it refers to, and its note.
 fn words(
     function: &Function,
     blocks: Vec<Vec<Node>>,

@@ -1,4 +1,4 @@
-//! The static analyser on programs of the SPU assembler: functions, loops, notes.
+//! Tests the static analyser on programs of the SPU assembler: functions, loops, notes.
 //!
 //! Provenance: `model`. The notes in `saxpy.s` were derived on paper.
 
@@ -15,7 +15,7 @@ fn folder(program: &str) -> PathBuf {
         .join(program)
 }
 
-/// Builds the program of `tests/programs/<program>`; what is made of `of` in the work folder.
+/// Builds `tests/programs/<program>` and returns the file in the work folder that `of` names.
 fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
     let work = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../linker/spu.ld");
@@ -24,7 +24,7 @@ fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
         image.build(&tools, work.path(), &work.path().join("program"))
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::read(of(work.path())).unwrap()
 }
@@ -46,15 +46,15 @@ fn a_pipelined_loop_reaches_what_its_notes_say() {
     let [found] = &loops[..] else {
         panic!("{loops:?}")
     };
-    // Eight groups of one even and one odd instruction, but r1 comes a cycle after its store could
-    // go.
+    // Eight groups of one even and one odd instruction, but r1 is ready one cycle after its store
+    // could issue.
     assert_eq!((found.even, found.odd), (8, 8));
     let steady = found.steady.as_ref().unwrap();
     assert_eq!(steady.passes, 1);
     assert_eq!(steady.account.cycles(), 9);
     assert_eq!(steady.account.stalled(), 0);
     assert_eq!((steady.account.dual(), steady.account.single()), (7, 2));
-    // The pointers and the counter go round by an `ai` each: 2.
+    // The pointers and the counter advance by one `ai` each: latency 2.
     let recurrence = found.recurrence.as_ref().unwrap();
     assert_eq!((recurrence.cycles, recurrence.passes), (2, 1));
     // ai py, then a load of it in the same pass? No: the loads come first. fma, then its store.
@@ -105,7 +105,7 @@ fn the_sections_of_an_object_are_laid_out() {
         assert_eq!((outcome.notes, &outcome.differences[..]), (6, &[][..]));
         let names: Vec<_> = code.functions().iter().map(|f| f.name.as_str()).collect();
         assert_eq!(names, ["_start", "other"]);
-        // The branch to `other` is one back, also where only a relocation says so.
+        // The branch to `other` goes back, even if only a relocation tells.
         let other = &code.functions()[1];
         let loops = find_loops(&code.words(other.start, other.end), Rules::default());
         assert_eq!(loops.len(), 1);
@@ -170,7 +170,7 @@ fn a_source_that_is_not_in_the_table_is_an_error() {
 fn what_is_no_spu_file_is_an_error() {
     assert!(matches!(Code::parse(b"no"), Err(CodeError::Elf(_))));
     let mut image = build("straight", |work| work.join("program"));
-    // e_machine, big-endian, at 18.
+    // e_machine is at offset 18, big-endian.
     image[19] = 20;
     assert!(matches!(Code::parse(&image), Err(CodeError::Machine(20))));
 }

@@ -1,35 +1,35 @@
-//! Figures of functions and lines.
+//! The figures of functions and lines.
 
 use spu_emulator::profile::Tally;
 use spu_scheduler::code::{Function, Source};
 
-/// A function.
+/// The figures of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FunctionFigures {
-    /// Which.
+    /// The function.
     pub function: Function,
     /// How often its first instruction issued.
     pub calls: u64,
-    /// What all of it cost.
+    /// The total cost of its instructions.
     pub tally: Tally,
 }
 
 impl FunctionFigures {
-    /// Cycles of it, without those of functions that it calls, for each call; `None` if it was
-    /// never begun at its start.
+    /// The function's own cycles for each call, without those of functions that it calls. `None`
+    /// if execution never entered it at its start.
     #[must_use]
     pub fn cycles_a_call(&self) -> Option<f64> {
         (self.calls != 0).then(|| self.tally.cycles() as f64 / self.calls as f64)
     }
 }
 
-/// A source line.
+/// The figures of a source line.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct LineFigures {
-    /// Which.
+    /// The source line.
     pub source: Source,
-    /// The function of its first word.
+    /// The function that contains its first word.
     pub function: Option<String>,
-    /// What all its words cost.
+    /// The total cost of its words.
     pub tally: Tally,
 }

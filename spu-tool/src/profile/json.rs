@@ -1,4 +1,4 @@
-//! A view as JSON. Addresses and words are numbers.
+//! The view of a profile as JSON. Addresses and words are numbers.
 
 use serde_json::{Map, Value, json};
 

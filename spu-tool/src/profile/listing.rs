@@ -1,4 +1,5 @@
-//! A view for people: the tables of functions and lines, and a function's annotated listing.
+//! The view of a profile as text: the tables of functions and lines, and the annotated listing of
+//! a function.
 
 use std::collections::{BTreeMap, HashMap};
 use std::fmt::Write as _;
@@ -12,7 +13,7 @@ use spu_scheduler::code::{Function, Source};
 
 type Read<'r> = &'r mut dyn FnMut(&Path) -> Option<String>;
 
-/// The texts of source files, as far as they can be read.
+/// The texts of those source files that can be read.
 struct Sources<'r> {
     read: Read<'r>,
     files: HashMap<PathBuf, Vec<String>>,
@@ -26,7 +27,7 @@ impl<'r> Sources<'r> {
         }
     }
 
-    /// `folder/file.s:12  the line`, its blanks each as one.
+    /// `folder/file.s:12  the line`, with each run of blanks reduced to one.
     fn describe(&mut self, source: &Source) -> String {
         let mut ends = source.file.iter().rev();
         let name: PathBuf = match (ends.next(), ends.next()) {
@@ -56,7 +57,7 @@ fn share(part: u64, whole: u64) -> f64 {
     100.0 * part as f64 / whole.max(1) as f64
 }
 
-/// Stalls as shares of `whole`, the largest first and no more than `most`.
+/// Stalls as shares of `whole`, the largest first, and at most `most` of them.
 fn stalls(tally: &Tally, whole: u64, most: usize) -> String {
     let stalls = tally.stalls.by_cost().into_iter().take(most);
     let texts = stalls.map(|(cause, cycles)| format!("{:.0} % {cause}", share(cycles, whole)));
@@ -64,7 +65,7 @@ fn stalls(tally: &Tally, whole: u64, most: usize) -> String {
 }
 
 fn summary(text: &mut String, what: &str, tally: &Tally) {
-    // Writing to a string does not fail.
+    // Writing to a string can't fail.
     let _ = writeln!(
         text,
         "{what}: {} cycles, {} instructions, {:.1} % of the issuing cycles dual, {} stalled",

@@ -1,6 +1,6 @@
-//! The profile of a run, program by program: functions, lines and instructions by their cost.
+//! The profile of a run, program by program: the cost of functions, lines and instructions.
 //!
-//! What is charged to whom is [`spu_emulator::profile`]'s.
+//! [`spu_emulator::profile`] defines which instruction each cycle is charged to.
 
 mod figures;
 mod json;

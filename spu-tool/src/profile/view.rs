@@ -1,4 +1,4 @@
-//! A program's part of a profile, against its code.
+//! A program's part of a profile, combined with its code.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -11,41 +11,41 @@ use thiserror::Error;
 use super::figures::{FunctionFigures, LineFigures};
 use super::{json, listing};
 
-/// Under what name instructions go that are in no function of the file.
+/// The name for instructions that are in no function of the file.
 const OUTSIDE: &str = "(outside the program's code)";
 
-/// Why a profile says nothing of a program.
+/// Why a program can't be shown from a profile.
 #[derive(Debug, Error)]
 pub enum ViewError {
-    /// Other programs ran.
+    /// The profile is of other programs.
     #[error("program {asked} is not in the profile; it has {ran}")]
     OtherProgram {
-        /// Of the file.
+        /// The program in the file.
         asked: ProgramId,
-        /// Those that the profile has.
+        /// The programs in the profile.
         ran: String,
     },
     /// The file has no such function.
-    #[error("no function {name}; what ran is {ran}")]
+    #[error("no function {name}; the functions that ran are {ran}")]
     NoFunction {
-        /// Its name.
+        /// The function's name.
         name: String,
-        /// Those that ran.
+        /// The functions that ran.
         ran: String,
     },
 }
 
-/// What all SPEs together ran of one program.
+/// Everything that all SPEs ran of one program.
 #[derive(Clone, Debug)]
 pub struct View<'a> {
     pub(super) code: &'a Code,
     pub(super) cycles_per_second: u64,
-    /// By address and word.
+    /// Tallies by address and word.
     pub(super) tallies: BTreeMap<(u32, u32), Tally>,
 }
 
 impl<'a> View<'a> {
-    /// Of the program whose file is `image`, which `code` was read from.
+    /// The view of the program whose file is `image`, from which `code` was read.
     pub fn new(code: &'a Code, image: &[u8], profile: &ProfileFile) -> Result<Self, ViewError> {
         let asked = ProgramId::of(image);
         let mut tallies: BTreeMap<_, Tally> = BTreeMap::new();
@@ -73,7 +73,7 @@ impl<'a> View<'a> {
         })
     }
 
-    /// All of the program.
+    /// The total of the whole program.
     #[must_use]
     pub fn total(&self) -> Tally {
         sum(self.tallies.values())
@@ -112,7 +112,7 @@ impl<'a> View<'a> {
         figures
     }
 
-    /// The function of this name.
+    /// Finds a function by name.
     pub fn function(&self, name: &str) -> Result<FunctionFigures, ViewError> {
         let functions = self.functions();
         let found = functions.iter().find(|it| it.function.name == name);
@@ -122,8 +122,8 @@ impl<'a> View<'a> {
         })
     }
 
-    /// The source lines that ran, of one function or of all, the most expensive first. What has no
-    /// line is left out.
+    /// The source lines that ran, of one function or of all, the most expensive first.
+    /// Instructions without a line are left out.
     #[must_use]
     pub fn lines(&self, function: Option<&Function>) -> Vec<LineFigures> {
         let mut lines: BTreeMap<_, LineFigures> = BTreeMap::new();
@@ -152,7 +152,7 @@ impl<'a> View<'a> {
         listing::functions(self)
     }
 
-    /// The annotated listing of a function; `read` gives the text of a source file, if it can.
+    /// The annotated listing of a function; `read` returns the text of a source file, if it can.
     #[must_use]
     pub fn function_text(
         &self,
@@ -172,7 +172,7 @@ impl<'a> View<'a> {
         listing::lines(self, function, read)
     }
 
-    /// One JSON document: the functions and their lines, or one with its instructions.
+    /// One JSON document: all functions and their lines, or one function with its instructions.
     #[must_use]
     pub fn json(&self, function: Option<&FunctionFigures>) -> String {
         json::document(self, function)

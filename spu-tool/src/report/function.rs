@@ -1,4 +1,4 @@
-//! What is found out about one function.
+//! The analysis of one function.
 
 use spu_isa::timing::{Account, HintDistance, Loop, Schedule};
 use spu_scheduler::code::Function;
@@ -6,17 +6,17 @@ use spu_scheduler::code::Function;
 /// The analysis of a function.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct FunctionReport {
-    /// Which.
+    /// The function.
     pub function: Function,
-    /// Its code from start to end, no branch being taken.
+    /// Its code from start to end, with no branch taken.
     pub schedule: Schedule,
-    /// Its hints whose branches stand behind them.
+    /// The hints whose branches come after them.
     pub hints: Vec<HintDistance>,
     /// Its loops.
     pub loops: Vec<Loop>,
 }
 
-/// Cycles that were lost, in a line: `12 operand of LS, 6 double-precision stall`.
+/// The lost cycles in one line: `12 operand of LS, 6 double-precision stall`.
 pub(super) fn waits(account: &Account) -> String {
     let waits = account.waits();
     let text = waits

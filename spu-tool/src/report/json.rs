@@ -8,7 +8,7 @@ use spu_scheduler::code::Code;
 
 use super::function::FunctionReport;
 
-/// What kept an instruction.
+/// What delayed an instruction.
 #[derive(Serialize)]
 struct Wait {
     cause: String,

@@ -1,9 +1,9 @@
-//! The listing, in the manner of IBM's static analyser.
+//! The listing, in the style of IBM's static analyser.
 //!
-//! A row: the issue cycle; the pipe (0 even, 1 odd); `D` for a pair that issued together, `d` for
-//! the second of a pair that would have, had it been ready; the cycles in flight as their last
-//! digits, in the column of the cycle modulo 50, after a dash for each cycle of waiting; the
-//! address and the instruction; what it waited for.
+//! Each row shows the issue cycle; the pipe (0 even, 1 odd); `D` for a pair that issued together,
+//! or `d` for the second of a pair that would have if it had been ready; the cycles in flight as
+//! their last digits, in the column of the cycle modulo 50, after a dash for each cycle of
+//! waiting; the address and the instruction; and what it waited for.
 
 use std::fmt::Write as _;
 
@@ -15,10 +15,10 @@ use super::function::{FunctionReport, waits};
 
 const COLUMNS: usize = 50;
 
-/// Appends a function's part.
+/// Appends the part for one function.
 pub(super) fn function(text: &mut String, code: &Code, report: &FunctionReport) {
     let function = &report.function;
-    // Writing to a string does not fail.
+    // Writing to a string can't fail.
     let _ = writeln!(
         text,
         "{}  {:05x}-{:05x}, {} words",
@@ -49,7 +49,7 @@ fn summary(schedule: &Schedule) -> String {
     )
 }
 
-/// Instructions, pairs and stalls of an account.
+/// The instructions, pairs and stalls of an account.
 fn tally(account: &Account) -> String {
     let mut text = format!(
         "{} instructions, {} dual ({:.0} % of the issuing cycles), {} stalled",
@@ -119,7 +119,7 @@ fn describe_loop(text: &mut String, code: &Code, found: &Loop) {
     rows(text, code, &steady.lines);
 }
 
-/// Whole numbers without a fraction.
+/// Formats whole numbers without a fraction.
 fn number(value: f64) -> String {
     if value.fract() == 0.0 {
         format!("{value:.0}")
@@ -133,7 +133,7 @@ fn rows(text: &mut String, code: &Code, lines: &[Line]) {
         if let Some(label) = code.label(line.address) {
             let _ = writeln!(text, "{label}:");
         }
-        // `D` marks both of a pair; the first learns of it from the second.
+        // `D` marks both instructions of a pair, but only the second shows that they are a pair.
         let next = lines.get(at + 1).and_then(|next| next.issued);
         let leads = next.is_some_and(|(_, issue)| issue.dual);
         text.push_str(row(line, leads).trim_end());

@@ -1,4 +1,5 @@
-//! What `spu time` says of a file: the analysis that the listing and the JSON are made from.
+//! What `spu time` reports about a file: the analysis from which the listing and the JSON are
+//! made.
 
 mod function;
 mod json;
@@ -17,7 +18,8 @@ pub struct Report<'a> {
 }
 
 impl<'a> Report<'a> {
-    /// Analyses every function, or the one of this name; `None` if there is none of it.
+    /// Analyses every function, or only the one with this name. `None` if there is no such
+    /// function.
     #[must_use]
     pub fn new(code: &'a Code, name: Option<&str>, rules: Rules) -> Option<Self> {
         let wanted = |function: &&Function| name.is_none_or(|name| function.name == name);
@@ -46,7 +48,7 @@ impl<'a> Report<'a> {
         &self.functions
     }
 
-    /// The report for people.
+    /// The report as text.
     #[must_use]
     pub fn text(&self) -> String {
         let mut text = String::new();
@@ -56,7 +58,7 @@ impl<'a> Report<'a> {
         text
     }
 
-    /// The report for programs: one JSON document.
+    /// The report as one JSON document.
     #[must_use]
     pub fn json(&self) -> String {
         json::document(self.code, &self.functions)

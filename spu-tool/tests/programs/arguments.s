@@ -1,4 +1,4 @@
-# Prints its arguments, which crt2.o's start code gets to the top of local store.
+# Prints its arguments, which crt2.o's start code copies to the top of local store.
         .section .text.start,"ax",@progbits
         .align  3
         .global _start

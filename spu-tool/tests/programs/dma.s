@@ -1,5 +1,5 @@
-# Gets 128 bytes from the effective address in $3, adds the word in $4 to each word, puts them 128
-# bytes further on.
+# Gets 128 bytes from the effective address in $3, adds the word in $4 to each word, and puts them
+# 128 bytes further on.
         .text
         .global _start
 _start: rotqbyi $5,$3,4

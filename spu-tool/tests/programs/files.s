@@ -1,4 +1,5 @@
-# Writes a file by streams, reads it by descriptor, and writes that to standard output.
+# Writes a file through a stream, reads it through a descriptor, and writes the data to standard
+# output.
         .include "runtime.inc"
 
         .type   main,@function
@@ -27,7 +28,7 @@ main:
         ila     $4,buffer
         ori     $5,$81,0
         brsl    $lr,write
-        # Opening what is not there: the error number is the result.
+        # Opens a file that does not exist. The error number is the result.
         ila     $3,missing
         il      $4,0
         brsl    $lr,open

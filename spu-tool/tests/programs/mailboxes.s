@@ -1,5 +1,5 @@
-# Doubles each inbound word, into the outbound mailbox; 0 ends it with the count in the interrupt
-# mailbox.
+# Doubles each inbound word and writes it to the outbound mailbox. A 0 ends it, with the count in
+# the interrupt mailbox.
         .text
         .global _start
 _start: il      $4,0

@@ -1,6 +1,6 @@
-//! The profile: that it is the account, and that each cycle is charged where it belongs.
+//! The profile agrees with the account, and each cycle is charged to the right instruction.
 //!
-//! Provenance: `model`, derived by hand beside each figure.
+//! Provenance: `model`. The figures are derived by hand in the comments next to them.
 
 use std::fs;
 use std::path::Path;
@@ -21,8 +21,8 @@ use spu_reports::ProfileFile;
 use spu_scheduler::code::Code;
 use spu_tool::profile::{FunctionFigures, View, ViewError};
 
-/// A dual pair, a dependence, a branch that misses, commands that are waited for, atomic lines,
-/// and a decrementer whose event interrupts a loop.
+/// A dual pair, a dependence, a mispredicted branch, commands that the program waits for, atomic
+/// lines, and a decrementer whose event interrupts a loop.
 const BUSY: &str = "
         ila     $5,200
         .balign 8
@@ -53,7 +53,7 @@ const BASE: u64 = 0x3_4000_0000;
 /// How long a program may take on the host.
 const PATIENCE: Duration = Duration::from_secs(60);
 
-/// The ELF image of a program of the emulator's tests; `_start` is put before the source.
+/// The ELF image of a program from the emulator's tests. `_start` is put before the source.
 fn assemble(source: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let sources = folder.path().join("sources");
@@ -69,7 +69,7 @@ fn assemble(source: &str) -> Vec<u8> {
             .build(&tools, &folder.path().join("objects"), &image)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::read(image).unwrap()
 }
@@ -85,18 +85,18 @@ impl Machine {
         Self(make(memory, Timing::default()))
     }
 
-    /// One that keeps a profile.
+    /// A machine that keeps a profile.
     fn profiled() -> Self {
         Self::of(machine::Machine::profiled)
     }
 
-    /// An SPE with a program that is to be run soon, and its entry.
+    /// An SPE with a loaded program that will run soon, and its entry point.
     fn loaded(&self, image: &[u8]) -> (Arc<Spe>, u32) {
         let spe = Spe::new(&self.0, Config::default());
         (Arc::clone(&spe), Self::load(&spe, image))
     }
 
-    /// Loads a program that is to be run soon; its entry.
+    /// Loads a program that will run soon, and returns its entry point.
     fn load(spe: &Spe, image: &[u8]) -> u32 {
         spe.profile_as(ProgramId::of(image));
         let image = Image::parse(image).unwrap();
@@ -119,7 +119,7 @@ impl Machine {
     }
 }
 
-/// A program on a thread of its own.
+/// A program that runs on a thread of its own.
 struct Running(JoinHandle<Stopped>, Arc<Spe>);
 
 fn start(spe: &Arc<Spe>, entry: u32) -> Running {
@@ -156,7 +156,8 @@ fn run(machine: &Machine, spe: &Arc<Spe>, entry: u32) {
     running.end();
 }
 
-/// Holds the profile to the accounts, and the file to what it was written from.
+/// Compares the profile with the accounts, and the file with the profile from which it was
+/// written.
 fn check(machine: &Machine) -> ProfileFile {
     let profile = machine.profile().unwrap();
     let spes = machine.report().spes;
@@ -190,7 +191,7 @@ fn every_cycle_of_the_account_is_charged_once() {
             .map(|spe| profile.tally(spe).stalls.of(cause))
             .sum::<u64>()
     };
-    // The program has them all, so that the sums above say something of each.
+    // The program has all of these causes, so the sums above test each of them.
     for cause in [
         Cause::BranchMiss,
         Cause::Channel,
@@ -210,8 +211,8 @@ fn a_machine_keeps_a_profile_only_if_it_is_to() {
     assert!(machine.profile().is_none());
 }
 
-/// A function's instructions as the view's JSON has them: name of the operation, issued, joined,
-/// cycles, stalls.
+/// A function's instructions as in the view's JSON: name of the operation, issued, joined, cycles,
+/// stalls.
 fn rows(view: &View<'_>, function: &FunctionFigures) -> Vec<(String, [u64; 3], String)> {
     let json: serde_json::Value = serde_json::from_str(&view.json(Some(function))).unwrap();
     let rows = json["functions"][0]["instructions"].as_array().unwrap();
@@ -246,7 +247,7 @@ next:   fa      $21,$21,$22
     let image = assemble(source);
     let (spe, entry) = machine.loaded(&image);
     let running = start(&spe, entry);
-    // It comes to its mailbox long before that has a word.
+    // The program reaches its mailbox long before the mailbox has a word.
     assert!(spe.write_inbound(1, None));
     machine.depart();
     running.end();
@@ -259,15 +260,15 @@ next:   fa      $21,$21,$22
     let rows = rows(&view, &work);
     let slept = machine.report().spes[0].waits.mailbox;
     let expected = [
-        // Both pipes: the second costs nothing.
+        // Both pipes issue: the second instruction costs nothing.
         ("il", [1, 0, 1], "{}".into()),
         ("rchcnt", [1, 1, 0], "{}".into()),
-        // From pass to pass 1 for each of fa, ai and brnz, 1 for brnz to have ai's result, and 18
-        // for the miss: fa, whose result is there after 6, waits for nothing.
+        // Each pass costs 1 for each of fa, ai and brnz, 1 because brnz waits for ai's result, and
+        // 18 for the miss. fa waits for nothing, because its result is ready after 6 cycles.
         ("fa", [10, 0, 10], "{}".into()),
         ("lnop", [10, 10, 0], "{}".into()),
         ("ai", [10, 0, 10], "{}".into()),
-        // Nine of ten are taken.
+        // Nine of ten branches are taken.
         (
             "brnz",
             [10, 0, 10 + 10 + 9 * 18],
@@ -305,8 +306,8 @@ fn programs_one_after_the_other_have_profiles_of_their_own() {
         let code = Code::parse(image).unwrap();
         Ok(View::new(&code, image, &profile)?.total())
     };
-    // il and stop are a pair. A program that is begun again pays a miss with its first
-    // instruction, not with the stop of the one before.
+    // il and stop are a pair. A program that starts again charges a miss to its first instruction,
+    // not to the stop before it.
     assert_eq!(total(&one).unwrap().issued, 4);
     assert_eq!(total(&one).unwrap().cycles(), 2 + 18);
     assert_eq!(total(&other).unwrap().issued, 3);

@@ -4,7 +4,8 @@ use proptest::prelude::*;
 
 use super::support::Bench;
 
-/// The program ends with this status, and standard error names the fault and the place.
+/// Checks that the program ends with this status and that standard error names the fault and the
+/// place.
 fn fault(source: &str, options: &[&str], status: i32, names: &[&str]) {
     let bench = Bench::new();
     let program = bench.instructions(source);
@@ -57,7 +58,7 @@ fn the_limit_counts_every_instruction() {
     );
     let bench = Bench::new();
     bench.run(&["--max-instructions", "3"], &bench.instructions(source), 0);
-    // Instructions before a library call count too.
+    // Instructions before a library call count, too.
     let call = " ila $3,0x1000\n stop 0x2100\n .long 0x03001000\n stop 0x2000";
     let program = bench.instructions(call);
     bench.run(&["--max-instructions", "2"], &program, 125);
@@ -86,7 +87,7 @@ fn calls_that_nobody_serves_are_named() {
     );
 }
 
-/// A guest that closes standard error gets its status all the same.
+/// A program that closes standard error still gets its exit status.
 #[test]
 fn a_fault_without_standard_error() {
     let source = "

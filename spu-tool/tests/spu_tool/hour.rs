@@ -1,4 +1,4 @@
-//! `docs/spu-programming.md`: its sources do what it says, in the cycles that it says.
+//! Checks `docs/spu-programming.md`: its sources do what it says, in as many cycles as it says.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -13,7 +13,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("..")
 }
 
-/// The program that calls this version of `dot`, and the object of `dot`.
+/// Builds the program that calls this version of `dot`, and the object of `dot`.
 fn build(bench: &Bench, name: &str, dot: &str) -> (PathBuf, PathBuf) {
     let main = root().join("examples/spu/main.s");
     let source = bench.write(&format!("{name}.s"), dot);
@@ -31,7 +31,7 @@ fn build(bench: &Bench, name: &str, dot: &str) -> (PathBuf, PathBuf) {
     (image, object)
 }
 
-/// The cycles of a run, whose result is checked.
+/// Returns the cycles of a run, after checking its result.
 fn cycles(bench: &Bench, image: &Path) -> u32 {
     let image = image.to_str().unwrap();
     let run = bench.spu(&["run", "--dump-regs", "--timing", image]);

@@ -1,7 +1,7 @@
-//! The program `spu` from outside: SPU programs assembled here and now, run, traced and taken
-//! apart.
+//! Tests the program `spu` from outside: it assembles SPU programs, runs them, traces them and
+//! disassembles them.
 //!
-//! No compiler for the SPU is at hand, so the programs make library calls in the sequences that
+//! There is no compiler for the SPU, so the programs make library calls with the sequences that
 //! newlib uses (`programs/runtime.inc`): stored instructions, saved registers, `va_list`.
 
 mod charges;

@@ -69,7 +69,7 @@ fn statistics_count_transfers_and_calls() {
     assert_eq!(stats["library_calls"]["vprintf"], 1);
 }
 
-/// The figures of `--timing` as JSON; the program's exit code is `status`.
+/// The figures of `--timing` as JSON. The program must exit with `status`.
 fn timing(bench: &Bench, program: &Path, options: &[&str], status: i32) -> serde_json::Value {
     let options = [&["--timing=figures.json", "--json"], options].concat();
     bench.run(&options, program, status);
@@ -79,8 +79,9 @@ fn timing(bench: &Bench, program: &Path, options: &[&str], status: i32) -> serde
 #[test]
 fn timing_says_where_the_cycles_went() {
     let bench = Bench::new();
-    // il issues in cycle 0, its result is there in 2, the first product's in 8; the second's
-    // nobody waits for. So the operands cost 1 cycle behind FX2 and 5 behind FP6.
+    // il issues in cycle 0 and its result is ready in cycle 2, that of the first product in cycle
+    // 8. No instruction waits for the second product. So the operands cost 1 cycle for FX2 and 5
+    // for FP6.
     let program = bench.instructions(
         "        il $3,1\n        fm $4,$3,$3\n        fm $5,$4,$4\n        stop 0x2000",
     );
@@ -97,8 +98,8 @@ fn timing_says_where_the_cycles_went() {
 #[test]
 fn timed_runs_repeat_and_count_simulated_time() {
     let bench = Bench::new();
-    // A thousand unhinted taken branches between two looks at the decrementer: 20 cycles each, and
-    // the two of ai; 40 cycles a tick. The count of ticks is the exit code.
+    // A thousand taken branches without hints between two reads of the decrementer: each costs 20
+    // cycles, including 2 for ai. A tick has 40 cycles. The number of ticks is the exit status.
     let program = bench.instructions(
         "        il $3,-1\n        wrch $ch7,$3\n        il $3,100\n        rdch $4,$ch8\n\
          again:  ai $3,$3,-1\n        brnz $3,again\n        rdch $5,$ch8\n        sf $5,$5,$4\n\
@@ -123,7 +124,7 @@ fn timing_goes_with_transfers_and_library_calls_but_not_with_mailboxes() {
     let bench = Bench::new();
     let figures = timing(&bench, &bench.program("hello"), &[], 42);
     assert!(figures["instructions"].as_u64().unwrap() > 10);
-    // A transfer from the program's own file takes its time.
+    // A transfer from the program's own file takes time.
     let program = bench.instructions(
         "        il $3,0x4000\n        wrch $ch16,$3\n        il $4,0\n        wrch $ch17,$4\n\
          ilhu $5,0x1000\n        wrch $ch18,$5\n        il $6,128\n        wrch $ch19,$6\n\

@@ -44,7 +44,7 @@ fn profiled() -> tempfile::TempDir {
         image.build(&tools, &folder.path().join("objects"), &program)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     let bytes = fs::read(program).unwrap();
     let machine = Machine::profiled(Arc::new(RegisteredMemory::new()), Timing::default());
@@ -75,7 +75,7 @@ fn shown(within: &Path, arguments: &[&str]) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// The words of the first line that ends so.
+/// The words of the first line that ends like this.
 fn row<'t>(text: &'t str, end: &str) -> Vec<&'t str> {
     let line = text.lines().find(|line| line.ends_with(end));
     let line = line.unwrap_or_else(|| panic!("{end}: {text}"));
@@ -86,10 +86,11 @@ fn row<'t>(text: &'t str, end: &str) -> Vec<&'t str> {
 fn functions_are_told_with_their_calls() {
     let folder = profiled();
     let text = shown(folder.path(), &[]);
-    // il, whose pair brsl is the first time: 1; brsl 2 and three misses; ai 3; brnz 3, each behind
-    // one cycle for ai's result, and two misses; stop 1.
+    // il, which pairs with brsl the first time: 1. brsl: 2 and three misses. ai: 3. brnz: 3, each
+    // after one cycle of waiting for ai's result, and two misses. stop: 1.
     assert_eq!(row(&text, " _start")[..4], ["103", "57.9%", "1", "103.0"]);
-    // Three times fa 1, fa 6 for the result of the first, bi as its pair and a miss.
+    // In each of three passes: fa 1, then fa 6 to wait for the result of the first, then bi as its
+    // pair, and a miss.
     assert_eq!(row(&text, " inner")[..4], ["75", "42.1%", "3", "25.0"]);
     assert!(!text.contains("never"), "{text}");
     let first = text.lines().next().unwrap();
@@ -111,8 +112,8 @@ fn the_listing_shows_every_instruction_with_its_line() {
         &["program", "run.json", "--function", "never"],
     );
     assert_eq!(refused.status.code(), Some(127));
-    let told = String::from_utf8(refused.stderr).unwrap();
-    assert!(told.contains("no function never"), "{told}");
+    let message = String::from_utf8(refused.stderr).unwrap();
+    assert!(message.contains("no function never"), "{message}");
 }
 
 #[test]
@@ -124,15 +125,15 @@ fn lines_and_json_have_the_same_cycles() {
     for part in ["functions", "lines"] {
         let parts = json[part].as_array().unwrap();
         assert_eq!(parts.iter().map(cycles).sum::<u64>(), all, "{part}");
-        // The most expensive first.
+        // The most expensive come first.
         assert!(parts.is_sorted_by_key(|part| std::cmp::Reverse(cycles(part))));
     }
     let text = shown(folder.path(), &["--lines"]);
-    let told = text.lines().skip(1).map(|line| {
+    let shown = text.lines().skip(1).map(|line| {
         let cycles = line.split_whitespace().next().unwrap();
         cycles.parse::<u64>().unwrap()
     });
-    assert_eq!(told.sum::<u64>(), all);
+    assert_eq!(shown.sum::<u64>(), all);
 }
 
 #[test]
@@ -144,34 +145,43 @@ fn damaged_profiles_and_other_programs_are_refused() {
         whole.replacen(from, to, 1)
     };
     for (text, expected) in [
-        (String::new(), "no profile: "),
-        ("{}".into(), "no profile: missing field"),
+        (String::new(), "not a profile: "),
+        ("{}".into(), "not a profile: missing field"),
         (damaged("\"cycles\":", "\"cycles\":1"), "not the sum"),
         (damaged("\"issued\":3", "\"issued\":4"), "not the sum"),
         (damaged("\"joined\":0", "\"joined\":9"), "not the sum"),
-        (damaged("branch miss", "bad luck"), "no cause \"bad luck\""),
+        (
+            damaged("branch miss", "bad luck"),
+            "unknown cause \"bad luck\"",
+        ),
         (damaged("\"address\":", "\"address\":9999999"), "address 0x"),
-        (damaged("\"word\":", "\"word\":-"), "no profile: "),
-        (damaged("\"program\":\"", "\"program\":\"x"), "no profile: "),
-        (damaged("\"program\":\"", "\"program\":\"0"), "no profile"),
+        (damaged("\"word\":", "\"word\":-"), "not a profile: "),
+        (
+            damaged("\"program\":\"", "\"program\":\"x"),
+            "not a profile: ",
+        ),
+        (
+            damaged("\"program\":\"", "\"program\":\"0"),
+            "not a profile",
+        ),
     ] {
         fs::write(folder.path().join("damaged.json"), &text).unwrap();
         let output = profile(folder.path(), &["program", "damaged.json"]);
         assert_eq!(output.status.code(), Some(127), "{text}");
-        let told = String::from_utf8(output.stderr).unwrap();
+        let message = String::from_utf8(output.stderr).unwrap();
         assert!(
-            told.starts_with("spu: damaged.json: ") && told.contains(expected),
-            "{expected}: {told}"
+            message.starts_with("spu: damaged.json: ") && message.contains(expected),
+            "{expected}: {message}"
         );
     }
     for (arguments, expected) in [
         (["nothing", "run.json"], "nothing: "),
         (["program", "nothing"], "nothing: "),
-        (["run.json", "run.json"], "run.json: no ELF file"),
+        (["run.json", "run.json"], "run.json: not an ELF file"),
     ] {
         let output = profile(folder.path(), &arguments);
         assert_eq!(output.status.code(), Some(127));
-        let told = String::from_utf8(output.stderr).unwrap();
-        assert!(told.contains(expected), "{told}");
+        let message = String::from_utf8(output.stderr).unwrap();
+        assert!(message.contains(expected), "{message}");
     }
 }

@@ -1,7 +1,7 @@
 //! Reports on programs of the SPU assembler.
 //!
-//! Provenance: `model`. What is in `tests/kept` is kept output, checked by hand when it was made;
-//! `MAKE_REF=1` writes it anew.
+//! Provenance: `model`. The files in `tests/kept` are saved output that was checked by hand.
+//! `MAKE_REF=1` writes them again.
 
 use std::env;
 use std::fs;
@@ -17,8 +17,8 @@ pub fn folder(program: &str) -> PathBuf {
         .join(program)
 }
 
-/// Builds the program of `scheduler/tests/programs/<program>`; what is made of `of` in the work
-/// folder.
+/// Builds the program of `scheduler/tests/programs/<program>` and returns the file in the work
+/// folder that `of` names.
 pub fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
     let work = tempfile::tempdir().unwrap();
     let script = Path::new(env!("CARGO_MANIFEST_DIR")).join("../linker/spu.ld");
@@ -27,7 +27,7 @@ pub fn build(program: &str, of: impl Fn(&Path) -> PathBuf) -> Vec<u8> {
         image.build(&tools, work.path(), &work.path().join("program"))
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::read(of(work.path())).unwrap()
 }
@@ -99,7 +99,7 @@ fn hints_are_measured_to_their_branches() {
         cycles,
         verdict,
     };
-    // One instruction a cycle, all being odd: n between are n + 1 cycles.
+    // One instruction a cycle, because all are odd: n instructions between take n + 1 cycles.
     assert_eq!(
         report.functions()[0].hints,
         [

@@ -41,18 +41,18 @@ impl Bench {
         fs::read_to_string(self.path(name)).unwrap()
     }
 
-    /// A text in which the folder's name is the same in every run.
+    /// Replaces the folder's name, so that the text is the same in every run.
     pub fn without_folder(&self, text: &str) -> String {
         text.replace(self.folder.path().to_str().unwrap(), "FOLDER")
     }
 
-    /// The image of a program of `tests/programs`.
+    /// Builds a program of `tests/programs` and returns its path.
     pub fn program(&self, name: &str) -> PathBuf {
         let source = fs::read_to_string(programs().join(format!("{name}.s"))).unwrap();
         self.assemble(name, &source)
     }
 
-    /// The image of a few instructions, which start at `_start`.
+    /// Builds a program of a few instructions that start at `_start`.
     pub fn instructions(&self, text: &str) -> PathBuf {
         let source = format!("        .text\n        .global _start\n_start:\n{text}\n");
         self.assemble("program", &source)
@@ -69,7 +69,7 @@ impl Bench {
                 .build(&tools, &self.path("objects"), &image)
         });
         if let Err(error) = built {
-            panic!("{error}\n(the SPU binutils come by ci/setup)");
+            panic!("{error}\n(ci/setup installs the SPU binutils)");
         }
         image
     }
@@ -87,7 +87,7 @@ impl Bench {
             .stderr(Stdio::piped())
             .spawn()
             .unwrap();
-        // A program that reads nothing may have ended already.
+        // A program that reads nothing may already have ended.
         let _ = child.stdin.take().unwrap().write_all(input.as_bytes());
         let output = child.wait_with_output().unwrap();
         Outcome {
@@ -97,7 +97,7 @@ impl Bench {
         }
     }
 
-    /// Runs a program with options before its name; it is to end with this status.
+    /// Runs a program with options before its name, and checks that it ends with this status.
     pub fn run(&self, options: &[&str], program: &Path, status: i32) -> Outcome {
         let mut arguments: Vec<&OsStr> = vec!["run".as_ref()];
         arguments.extend(options.iter().map(OsStr::new));
@@ -108,7 +108,7 @@ impl Bench {
     }
 }
 
-/// Compares with a kept file; `MAKE_REF=1` writes it anew.
+/// Compares with a saved file. `MAKE_REF=1` writes it again.
 pub fn assert_golden(name: &str, found: &str) {
     let path = programs().join(name);
     if std::env::var_os("MAKE_REF").is_some() {

@@ -13,7 +13,7 @@ fn kept(file: &str) -> String {
     fs::read_to_string(path).unwrap()
 }
 
-/// Builds `source` as `saxpy.s` in a new folder; the program is `program` in it.
+/// Builds `source` as `saxpy.s` in a new folder, which contains the result as `program`.
 fn build(source: &str) -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
     let sources = folder.path().join("sources");
@@ -26,7 +26,7 @@ fn build(source: &str) -> tempfile::TempDir {
         image.build(&tools, &objects, &folder.path().join("program"))
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     folder
 }
@@ -48,7 +48,7 @@ fn out(output: &Output) -> String {
     String::from_utf8(output.stdout.clone()).unwrap()
 }
 
-fn talk(output: &Output) -> String {
+fn stderr(output: &Output) -> String {
     String::from_utf8(output.stderr.clone()).unwrap()
 }
 
@@ -59,7 +59,7 @@ fn the_listing_and_the_json_go_to_standard_output() {
     assert!(listing.status.success());
     let expected = kept("saxpy.txt");
     assert_eq!(out(&listing), expected);
-    assert_eq!(talk(&listing), "");
+    assert_eq!(stderr(&listing), "");
     let json = time(built.path(), &["--json", "--function", "saxpy", "program"]);
     let expected = kept("saxpy.json");
     assert_eq!(out(&json), expected);
@@ -67,7 +67,7 @@ fn the_listing_and_the_json_go_to_standard_output() {
 
 #[test]
 fn switches_reach_the_model() {
-    // Unhinted, a pass of nine cycles misses: 18 more, or 19.
+    // Without its hint, a pass of nine cycles has a miss: 18 more cycles, or 19.
     let unhinted = saxpy().replace("hbrr back,loop", "lnop");
     let built = build(&unhinted);
     let plain = out(&time(built.path(), &["program"]));
@@ -81,15 +81,15 @@ fn right_notes_are_status_0_and_wrong_ones_1() {
     let built = build(&saxpy());
     for sources in [&[][..], &["sources/saxpy.s"]] {
         let right = time(built.path(), &[&["--check", "program"], sources].concat());
-        assert_eq!(right.status.code(), Some(0), "{}", talk(&right));
+        assert_eq!(right.status.code(), Some(0), "{}", stderr(&right));
         assert_eq!(out(&right), "");
-        assert_eq!(talk(&right), "25 notes, 0 differ from the model\n");
+        assert_eq!(stderr(&right), "25 notes, 0 differ from the model\n");
     }
     let built = build(&saxpy().replace("# 6o", "# 5e"));
     let wrong = time(built.path(), &["--check", "program", "sources/saxpy.s"]);
     assert_eq!(wrong.status.code(), Some(1));
     assert_eq!(out(&wrong), "sources/saxpy.s:45: note 5e, model 6o\n");
-    assert_eq!(talk(&wrong), "25 notes, 1 differ from the model\n");
+    assert_eq!(stderr(&wrong), "25 notes, 1 differ from the model\n");
 }
 
 #[test]
@@ -100,7 +100,7 @@ fn errors_name_file_and_fault() {
     let bare = build("        .globl _start\n_start: stop\n");
     for (within, arguments, expected) in [
         (&built, &["nothing"][..], "nothing: "),
-        (&built, &["text"], "text: no ELF file"),
+        (&built, &["text"], "text: not an ELF file"),
         (
             &built,
             &["program", "--function", "x"],
@@ -112,7 +112,11 @@ fn errors_name_file_and_fault() {
             "other.s: the line table",
         ),
         (&built, &["--check", "program", "none.s"], "none.s: "),
-        (&bare, &["--check", "program"], "saxpy.s: no schedule note"),
+        (
+            &bare,
+            &["--check", "program"],
+            "saxpy.s: the file has no schedule note",
+        ),
         (&built, &["program", "sources/saxpy.s"], "--check"),
         (&built, &["program", "--miss-cycles", "17"], "17"),
     ] {
@@ -122,7 +126,7 @@ fn errors_name_file_and_fault() {
             status.is_some_and(|code| code > 1),
             "{arguments:?}: {status:?}"
         );
-        assert!(talk(&output).contains(expected), "{}", talk(&output));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
         assert_eq!(out(&output), "");
     }
 }

@@ -13,20 +13,20 @@
 #   Error   0: no ray is outside; axis, cosine and sine allow for the rounding of cull_nodes
 #   Twin    lab/twins/src/bound.rs
 #
-# The apex is the point and the radius LIGHT_near: a ray that ends there is the same segment as one
-# that comes from there, by its t. The axis is the mean of the directions at length 1. Of unit
-# vectors the square of the chord is c = |d - axis|^2 = 2 - 2 cos. The largest is looked for, and
-# of this
-#   cosine = (1 - c/2) (1 - 2^-12)        for cull_nodes takes a length in 12 bits
-#   sine = sqrt(c - c^2/4) + 2^-18        c is right to some 2^-20 of itself
-# With a direction more than 79 degrees from the axis the cone is of little use, and near a right
-# angle sine^2 + cosine^2 would exceed 1, where cull_nodes relies on less: then axis, cosine and
-# sine are all 0. So they are where the directions' sum is too short to be that of such a cone,
-# which has at least 3/16 in length, and might be 0. Sine and radius are less the largest single if
-# no ray is there.
+# The apex is the point, and the radius is LIGHT_near: a ray that ends there is the same segment,
+# by its t, as one that comes from there. The axis is the normalised mean of the directions. For
+# unit vectors, the square of the chord is c = |d - axis|^2 = 2 - 2 cos. With the largest chord,
+#   cosine = (1 - c/2) (1 - 2^-12)        because cull_nodes computes a length to 12 bits
+#   sine = sqrt(c - c^2/4) + 2^-18        because the relative error of c is about 2^-20
+# If a direction is more than 79 degrees from the axis, the cone is of little use. Near a right
+# angle, sine^2 + cosine^2 would exceed 1, but cull_nodes relies on it being less. Then axis,
+# cosine and sine are all 0. The same holds if the sum of the directions is too short for such a
+# cone, which has at least 3/16 in length, and might be 0. Without any ray, sine and radius are
+# minus the largest single.
 #
-# Tried: axes and chords in one loop. 101 cycles a packet instead of 106, but of five stages: the
-# code is 0.4 KB more, and so is what a call takes until they are full.
+# Tried: axes and chords in one loop. It takes 101 cycles a packet instead of 106, but has five
+# stages. The code is 0.4 KB larger, and a call takes correspondingly longer until the stages are
+# full.
 # Scheduled by spu schedule from bound_fan_r16.s
 
         .include "bound_tmpl.inc"
@@ -34,7 +34,7 @@
         .set    a_light,6
         .set    along,7
         # constants
-        .set    k_along,12                              # the weight: 1, or -1 to turn them round
+        .set    k_along,12                              # the weight: 1, or -1 to reverse the rays
         .set    k_short,8
         .set    k_wide,9
         .set    k_cosine,49
@@ -62,7 +62,7 @@
         .set    length,68                               # squared
         .set    c_short,69
         # the cone
-        .set    top,31                                  # chord^2, t; the sums are done with
+        .set    top,31                                  # chord^2, t; the sums are no longer needed
         .set    top_t,32
         .set    most,33                                 # of all lanes: chord^2, t
         .set    t_odd,34
@@ -80,12 +80,12 @@ sine_by_lane:
         .float  1,0,0,0
 least_by_lane:                                          # 2^-18
         .int    0x36800000,0,0,0
-# Two quadwords' words of even number, and those of odd number.
+# The even-numbered words of two quadwords, and the odd-numbered ones.
 even_words:
         .int    0x00010203,0x10111213,0x08090a0b,0x18191a1b
 odd_words:
         .int    0x04050607,0x14151617,0x0c0d0e0f,0x1c1d1e1f
-# The least sine, and from the light how near to it the rays are.
+# The least sine, and the light's distance of the rays from it.
 least_and_near:
         .int    0x00010203,0x1c1d1e1f,0x80808080,0x80808080
 

@@ -15,15 +15,15 @@
 #   Twin    lab/twins/src/cull_faces.rs
 #
 # With n the object's axis:
-#   g = axis.n                  all rays go with n if g > sine, all against it if -g > sine
-#   h = (apex - centre).n       all start before the plane if h > M, all behind it if -h > M
-#   M = radius + leave          what starts within rounding of the plane counts as on both sides
-# The front is met by rays that start before it and go against n. So a candidate is left out that
-# is seen from the front alone if all go with n, or all start behind. One with SIDES_BOTH is left
-# out if all go with n and start before it, or go against it and start behind.
+#   g = axis.n                  all rays go with n if g > sine, and all against it if -g > sine
+#   h = (apex - centre).n       all start in front of the plane if h > M, and behind it if -h > M
+#   M = radius + leave          starts within rounding of the plane count as on both sides
+# The front is hit by rays that start in front of it and go against n. A one-sided candidate is
+# therefore culled if all rays go with n, or if all start behind. A candidate with SIDES_BOTH is
+# culled if all rays go with n and start in front, or if all go against it and start behind.
 #
-# Rays that go against their bound's axis end in its sphere: their ends' sides are the other ones,
-# and their directions too.
+# Rays that go against their bound's axis end in its sphere. The bound then has their end points
+# instead of their origins, so sides and directions are reversed.
 # Scheduled by spu schedule from cull_faces.s
 
         .include "work_unit.inc"
@@ -43,15 +43,15 @@
         registers candidate,a_bound,apart,normal
         registers own                                   # offset, leave, material, sides
         registers axis,limits
-        # lanes: of g, of h
+        # the lanes of g and of h
         registers terms,others
         registers with                                  # limit less what it limits
         registers against
-        registers outer                                 # all go with it; all start behind
-        registers inner                                 # all start before; all go against it
+        registers outer                                 # all go with n; all start behind
+        registers inner                                 # all start in front; all go against n
         registers both,drop,step
-        # the candidate once more: what came before is far away by then, and what is written over
-        # it comes later
+        # the candidate, loaded again instead of being kept in a register for so long; it is
+        # overwritten only later
         registers a_again,again
 
         .section .rodata

@@ -12,20 +12,20 @@
 #   Error   0: no child is left out that a ray of the packet meets, from inside or within its t
 #   Twin    lab/twins/src/cull_nodes.rs
 #
-# The four children stand in the four lanes. Seen from the bound's apex, with v = c - apex:
+# The four children are in the four lanes. Relative to the bound's apex, with v = c - apex:
 #   a = v.axis                  along the cone
-#   perp = |v - a axis|         beside its axis
-#   S = R + radius              the rays, shrunk to the apex, meet a sphere that has grown by as much
-# and a child is left out if one of these is below 0:
-#   S - perp cosine + a sine    S less the distance from the cone's side
-#   S + a                       all of the sphere is behind the apex
-#   S + farthest - a            all of it is too far
-# The perpendicular keeps the digits of a distant sphere. Of its length 12 bits are enough: the
-# bound's cosine is less by as much.
+#   perp = |v - a axis|         across it
+#   S = R + radius              shrinking the rays to the apex enlarges the sphere by as much
+# A child is culled if one of these is below 0:
+#   S - perp cosine + a sine    S minus the distance from the cone's side
+#   S + a                       the whole sphere is behind the apex
+#   S + farthest - a            the whole sphere is too far away
+# The perpendicular keeps the digits for a distant sphere. 12 bits of its length are enough,
+# because the bound's cosine is smaller by as much.
 #
-# The slack is 32 ulp; the roundings add up to 24. Most truncate to the safe side: of the spheres
-# in kernels/tests/rays/conservative.rs none was lost with a slack of 2 ulp of R alone, the first
-# ones when 2 ulp of |c| + R were taken away.
+# The slack is 32 ulp, and the roundings add up to 24. Most of them truncate to the safe side: with
+# a slack of only 2 ulp of R, none of the spheres in kernels/tests/rays/conservative.rs was lost.
+# The first ones were lost with a slack of minus 2 ulp of |c| + R.
 # Scheduled by spu schedule from cull_nodes.s
 
         .include "work_unit.inc"
@@ -35,7 +35,7 @@
         registers a_first                               # candidate
         registers count,a_list
         # constants
-        .set    m_child,10                              # to 13: a word and three of another
+        .set    m_child,10                              # to 13: a word of one and three of another
         # state
         .set    NEXT,14
         registers a_candidate
@@ -53,7 +53,7 @@
         registers step                                  # to 42
         .set    NEXT,43
         registers entry
-        # the candidate once more: what came before is far away by then
+        # the candidate, loaded again instead of being kept in a register for so long
         registers a_again,again
 
         .section .rodata

@@ -11,14 +11,13 @@
 #   Error   0: no sphere is left out that a ray enters
 #   Twin    lab/twins/src/cull.rs
 #
-# A unit direction d enters the sphere around c if c.d is above the cosine of the sphere's cone
-# times
-# |c|. The limit is a little less than that, so that rounding lets no sphere slip through: what
-# passes here is tested exactly by isect_pairs_r16. Per ray
-#   s = limit - c.d, negative if it may be entered
-# and the signs of all sixteen are brought together on the odd pipe.
+# A unit direction d enters the sphere around c if c.d is above |c| times the cosine of the
+# sphere's cone. The limit is slightly less than that, so that rounding never loses a sphere.
+# isect_pairs_r16 makes the exact test of the pairs that pass. For each ray,
+#   s = limit - c.d, which is negative if the ray may enter the sphere
+# and the signs of all sixteen rays are gathered on the odd pipe.
 #
-# One loop runs over packets and spheres, four spheres a pass: two loops, one in the other, would
+# One loop runs over packets and spheres, with four spheres in each pass. Two nested loops would
 # drain and fill the pipeline for every packet.
 # Scheduled by spu schedule from filter_spheres_r16.s
 
@@ -36,9 +35,9 @@
         registers m_pair                                # the first word of one, then another's
         registers k_all
         # state
-        registers a_four                                # spheres at hand
-        registers left                                  # fours left for the packet
-        registers found                                 # pairs so far
+        registers a_four                                # the current spheres
+        registers left                                  # groups of four left for the packet
+        registers found                                 # pairs found so far
         # the packet
         registers place
         registers dx                                    # to 25, a row each

@@ -12,28 +12,30 @@
 #           one seed in some thirty has shown a hit lost inside
 #   Twin    lab/twins/src/cone.rs
 #
-# From the base to the ray's point nearest to it goes w, which has an h along the axis and a c
-# across it; the direction likewise has a rise and an e. The body's radius there is k, and grows
-# along the ray by m. The ray crosses the body, or its mirror image beyond the apex, at the roots
-# of
+# Let w be the vector from the base to the ray's point that is nearest to the base. It has the
+# component h along the axis and c across it. The direction has the components rise and e. The
+# body's radius at that height is k, and it grows along the ray by m. The ray crosses the body, or
+# its mirror image beyond the apex, at the roots of
 # |c + s e|^2 = (k + m s)^2, whose halved coefficients are
 #   a = |e|^2 - m^2
 #   b = c.e - k m
 #   out = |c|^2 - k^2
 #   disc = |k e - m c|^2 - |c x e|^2
-# The last is b^2 - a out, but loses digits only at the outline and near the apex. With the root's
-# sign that of b, q = b + root does not cancel: the crossings are at s = -q/a and s = -out/q. The
-# one over a enters the body if b is not below 0, else it leaves it, and the other way round for
-# the other; that holds for a below 0 as well. Without direction across the axis disc of a cylinder
-# would be 0, and is a tiny bit less: no hit.
+# The last equals b^2 - a out, but loses digits only at the outline and near the apex. If the root
+# gets the sign of b, q = b + root does not cancel, and the crossings are at s = -q/a and s =
+# -out/q. The crossing at -q/a enters the body if b is not below 0, and otherwise leaves it. The
+# other crossing does the opposite. This also holds for a below 0. If the direction is parallel to
+# the axis of a cylinder, disc would be 0. It is made slightly smaller, so that there is no hit.
 #
-# Of both crossings those off the heights or seen from the wrong side get a sign, and so do not
-# count; as unsigned numbers they are the larger ones, and the smaller is the nearer.
+# Crossings outside the heights or seen from the wrong side get a negative sign, and so do not
+# count. As unsigned integers they are larger than the others, and the smaller number is the nearer
+# crossing.
 #
-# A pass is one row of four rays, a quarter of a candidate: all four in one would leave too few
-# registers for passes to overlap (386 cycles instead of 4 times 91), in four times the code. The
-# odd pipe has room for reading the record again. A load drops the lowest bits of an address: so
-# the quarters of the list's steps all read the same candidate, and tell its rows apart.
+# A pass is one row of four rays, a quarter of a candidate. All four rows in one pass would leave
+# too few registers for passes to overlap (386 cycles instead of 4 times 91) and have four times as
+# much code. The odd pipe has room to load the record again. A load ignores the lowest bits of an
+# address, so the list pointer advances by quarters of an entry: all four load the same candidate,
+# and the low bits select the row.
 # Scheduled by spu schedule from isect_cone_pairs_r16.s
 
         .include "work_unit.inc"
@@ -49,12 +51,12 @@
         registers object
         registers a_packet                              # its row
         registers quad,base_x,base_y,base_z,axis_x,axis_y,axis_z,radius,growth,height,sides
-        registers if_enters                             # the sign, where an entry does not count
-        registers if_leaves                             # likewise an exit
+        registers if_enters                             # the sign bit where entries do not count
+        registers if_leaves                             # the sign bit where exits do not count
         # a row
         registers x                                     # direction
         registers y,z,wx,wy,wz
-        registers near                                  # t of the point nearest to the base
+        registers near                                  # t of the ray's point nearest to the base
         registers h,rise,cx,cy,cz,ex,ey,ez,k,m,a,b,out
         registers turn_x                                # c x e
         registers turn_y,turn_z
@@ -69,7 +71,7 @@
 
         sign_controls_table
 
-# By SIDES_BOTH, then SIDES_EXIT and both.
+# Indexed by SIDES_BOTH, SIDES_EXIT and both.
 hidden_if_enters:
     .irp value, 0,0,0x80000000,0
         .int    \value,\value,\value,\value
@@ -79,7 +81,7 @@ hidden_if_leaves:
         .int    \value,\value,\value,\value
     .endr
 
-# dot = a . b, of the registers a and b, with x, y and z at their ends.
+# dot = a . b, where the registers' names are a and b followed by x, y and z.
 .macro  dot_f4 dot:req, a:req, b
         fm      \dot,$\a\()x,$\b\()x
         fma     \dot,$\a\()y,$\b\()y,\dot

@@ -8,8 +8,9 @@
 #           or more apart; incidence within 84 degrees of the normal
 #   Twin    lab/twins/src/rectangle_pairs.rs
 #
-# As isect_rectangle_r16; but from behind, where the direction goes with the axis, it is hit only
-# with SIDES_BOTH. A ray along the plane gets a t that is 0 or beyond everything: no hit.
+# Like isect_rectangle_r16. But from behind, where the direction goes with the axis, it is hit only
+# with SIDES_BOTH. A ray parallel to the plane gets a t that is 0 or beyond everything, so it
+# misses.
 # Scheduled by spu schedule from isect_rectangle_pairs_r16.s
 
         .include "work_unit.inc"

@@ -9,15 +9,15 @@
 #           r of it
 #   Twin    lab/twins/src/sphere/paper.rs
 #
-# The steps are those of sphere_tmpl.inc: of the crossings the entry is asked for, with SIDES_EXIT
-# the exit, and with SIDES_BOTH the exit of a ray from inside.
+# The steps are in sphere_tmpl.inc. The hit is the entry; with SIDES_EXIT it is the exit, and with
+# SIDES_BOTH it is also the exit of a ray from inside.
 # Scheduled by spu schedule from isect_sphere_pairs_paper_r16.s
 
         .include "sphere_general.inc"
         .include "sphere_paper.inc"
 
         general_registers "k_one", "radius2", "out,y,s,e"
-        .set    cc,out                                  # whose sign is asked for
+        .set    cc,out                                  # only its sign is used
         sign_controls_table
         sides_tables 0x3f000000, 0x3f800000
 

@@ -9,9 +9,9 @@
 #           it, area across the ray above 1/20 of their square
 #   Twin    lab/twins/src/triangle_pairs.rs
 #
-# As watertight as isect_triangles_r16, by the same steps; but from behind, where the vertices go
-# clockwise, it is hit only with SIDES_BOTH. They go counter-clockwise if the sum of u, v and w has
-# the sign of direction z.
+# As watertight as isect_triangles_r16, with the same steps. But from behind, where the vertices
+# are in clockwise order, a triangle is hit only with SIDES_BOTH. The order is counter-clockwise if
+# the sum of u, v and w has the sign of direction z.
 # Scheduled by spu schedule from isect_triangle_pairs_r16.s
 
         .include "work_unit.inc"

@@ -21,8 +21,9 @@
         # the pair
         registers number,bit
 
-# A packet's number is its offset over PACKET_SIZE: so many quadwords, times one over them in 16
-# bits of fraction, rounded up, which is exact for so few.
+# A packet's number is its offset divided by PACKET_SIZE. It is computed as the number of quadwords
+# times the reciprocal of QUADWORDS with 16 bits of fraction, rounded up, which is exact for so few
+# packets.
         .set    QUADWORDS,PACKET_SIZE/16
         .set    INVERSE,(65536+QUADWORDS-1)/QUADWORDS
 

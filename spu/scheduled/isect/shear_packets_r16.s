@@ -8,7 +8,7 @@
 #   Error   1.5 ulp: of 1 in the slopes, of itself in 1 / direction z
 #   Twin    lab/twins/src/triangle.rs
 #
-# Each as shear_r16 makes it.
+# The shears are those of shear_r16.
 # Scheduled by spu schedule from shear_packets_r16.s
 
         .include "work_unit.inc"
@@ -25,7 +25,7 @@
         registers origin_x,origin_y,origin_z,direction_x,direction_y,direction_z
         # results
         registers axis_x,axis_y,axis_z
-        registers own_x                                 # the origin in the ray's own order
+        registers own_x                                 # the origin in the ray's permuted axes
         registers own_y,own_z,slope_x,slope_y,minus_per_z
         # temporaries
         registers x,y,z,inverse,t_y,t_e,c_y,c_z

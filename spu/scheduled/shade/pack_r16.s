@@ -10,8 +10,8 @@
 #   Twin    lab/twins/src/pack.rs
 #
 #   channel = floor(min(c, 1) 255 + 1/2)
-# The conversion to an unsigned number saturates, so scaled by 2^32 / 256 it clamps as well: the
-# channel is the highest byte of floor((c 255/256 + 1/512) 2^32).
+# The conversion to an unsigned integer saturates, so after scaling by 2^32 / 256 it also clamps.
+# The channel is the highest byte of floor((c 255/256 + 1/512) 2^32).
 # Scheduled by spu schedule from pack_r16.s
 
         .include "work_unit.inc"

@@ -11,7 +11,7 @@
 #           may be taken; its length within 2
 #   Twin    lab/twins/src/reflect.rs
 #
-#   r = d - 2 (d.N) N, by the surface's own normal G where that does not leave it: r.G <= 0
+# r = d - 2 (d.N) N, or with the surface's own normal G if r does not leave the surface: r.G <= 0
 # The ray starts at point + leave G.
 # Scheduled by spu schedule from reflect_r16.s
 

@@ -13,11 +13,11 @@
 #           not; its length within 2
 #   Twin    lab/twins/src/refract.rs
 #
-# For the ratio e, by the normal N:
-#   s = e (d - (d.N) N)   along the surface: its length is the sine beyond
-#   k = 1 - s.s           below 0: all is reflected, F = 1
-#   r = s - sqrt(k) N     by the surface's own normal G where that does not cross it: r.G >= 0
-#   F = schlick + grazing (1 - c)^5, c the cosine in the thinner medium: -d.N or sqrt(k)
+# For the ratio e and the normal N:
+#   s = e (d - (d.N) N)   along the surface; its length is the sine of refraction
+#   k = 1 - s.s           below 0, all light is reflected, and F = 1
+#   r = s - sqrt(k) N     or with the surface's own normal G if r does not cross it: r.G >= 0
+#   F = schlick + grazing (1 - c)^5, where c is the cosine in the thinner medium: -d.N or sqrt(k)
 # 1 - cosine^2 would lose the sine of a steep ray. The ray starts at point - leave G.
 # Scheduled by spu schedule from refract_r16.s
 
@@ -33,8 +33,8 @@
         registers side                                  # r.G
         registers cosine                                # N.G
         registers wrong
-        registers taken                                 # d.N of the normal taken
-        registers away                                  # 1 - c on this side
+        registers taken                                 # d.N of the normal that is used
+        registers away                                  # 1 - c on the ray's side
         registers off                                   # 1 - c
         registers fifth
         registers share                                 # F
@@ -42,7 +42,7 @@
         registers ux                                    # s
         registers uy,uz
 
-# s, k and sqrt(k) by n, where along is d.n.
+# s, k and sqrt(k) for the normal n, where along is d.n.
 .macro  beyond_by along:req
     .irp axis, x,y,z
         fnms    $u\axis,\along,$n\axis,$d\axis

@@ -10,7 +10,7 @@
 #   Error   2 ulp of 1, each channel
 #   Twin    lab/twins/src/shade_depth.rs
 #
-#   brightness = clamp((far - t) scale, 0, 1), 1 where nothing was hit
+#   brightness = clamp((far - t) scale, 0, 1), or 1 for a miss
 #   colour = the record's colour brightness
 # Scheduled by spu schedule from shade_depth_r16.s
 
@@ -23,7 +23,7 @@
         .set    NEXT,10
         registers k_zero,k_one,k_far,k_scale,m_interleave,m_low,m_high,m_third
         # state
-        registers missed                                # less one, a miss
+        registers missed                                # minus the number of misses
         registers rays
         # a row
         registers a_packet,object,t,bright,c_none,c_over,object1,object2,object3,colour0,colour1

@@ -11,10 +11,11 @@
 #   Error   2 ulp of 1, each component of the direction; t 4 ulp
 #   Twin    lab/twins/src/shadow_rays.rs
 #
-#   to = position - point, L = to / |to|, t = |to|; L = position, t FARTHEST if directional
-#   ray where N.L > 0, plane.L > 0 and diffuse or highlight > 0; else t = -1
+#   to = position - point, L = to / |to|, t = |to|
+#   for a directional light: L = position, t = the largest single
+#   a ray exists if N.L > 0, plane.L > 0 and diffuse or highlight > 0; otherwise t = -1
 #   origin = point + leave plane
-# A light exactly at the point has L = 0, so N.L = 0: no ray.
+# A light exactly at the point has L = 0, so N.L = 0 and there is no ray.
 # Scheduled by spu schedule from shadow_rays_r16.s
 
         .include "work_unit.inc"
@@ -28,7 +29,7 @@
         registers k_half
         .set    NEXT,10
         registers k_one,k_farthest,k_minus_one
-        registers k_near                                # 0 of a directional light, else 1
+        registers k_near                                # 0 for a directional light, else 1
         registers c_directional,light_x,light_y,light_z
         # state
         registers rays
@@ -113,212 +114,214 @@ function shadow_rays_r16
         shufb   $light_y,$light,$light,$m_lane_3        # 8o
         ilhu    $k_one,0x3f80                           # 9e
         shufb   $light_z,$light,$light,$m_lane_4        # 9o
-        clgti   $count_2,$count,1                       # 10e at least as many passes as overlap
+        ilhu    $k_farthest,0x7fff                      # 10e
         shufb   $background,$background,$background,$m_lane # 10o
-        ilhu    $k_half,0x3f00                          # 11e
-        ilhu    $k_farthest,0x5e80                      # 12e
-        ilhu    $k_minus_one,0xbf80                     # 13e
-        andc    $k_near,$k_one,$c_directional           # 14e
-        il      $rays,0                                 # 15e
-        brz     $count_2,next_site_short                # 15o too few passes
-        ai      $count,$count,-1                        # 16e
-        lqd     $a_surfaces,0($a_site)                  # 16o
-        ai      $a_site,$a_site,16                      # 17e
-        lqd     $point_x_2,0($a_surfaces)               # 22o
-        lqd     $point_x_3,48($a_surfaces)              # 23o
-        lqd     $point_x_4,16($a_surfaces)              # 24o
-        lqd     $point_y_2,64($a_surfaces)              # 25o
-        lqd     $point_x_5,32($a_surfaces)              # 26o
-        nop     $127                                    # 27e pairing
-        lqd     $point_y_3,112($a_surfaces)             # 27o
-        fnms    $to_x_2,$point_x_2,$k_near,$light_x     # 28e
-        lqd     $point_y_4,80($a_surfaces)              # 28o
-        fnms    $to_x_3,$point_x_3,$k_near,$light_x     # 29e
-        lqd     $point_z_2,128($a_surfaces)             # 29o
-        fnms    $to_x_4,$point_x_4,$k_near,$light_x     # 30e
-        lqd     $point_y_5,96($a_surfaces)              # 30o
-        fnms    $to_y_2,$point_y_2,$k_near,$light_y     # 31e
-        lqd     $point_z_3,176($a_surfaces)             # 31o
-        fnms    $to_x_5,$point_x_5,$k_near,$light_x     # 32e
-        lqd     $point_z_4,144($a_surfaces)             # 32o
-        fnms    $to_y_3,$point_y_3,$k_near,$light_y     # 33e
-        lqd     $point_z_5,160($a_surfaces)             # 33o
-        fm      $squared,$to_x_2,$to_x_2                # 34e
-        lqd     $plane_x_2,432($a_surfaces)             # 34o
-        fm      $squared_2,$to_x_3,$to_x_3              # 35e
-        lqd     $leave_2,624($a_surfaces)               # 35o
-        fm      $squared_3,$to_x_4,$to_x_4              # 36e
-        lqd     $plane_x_3,416($a_surfaces)             # 36o
-        fnms    $to_y_4,$point_y_4,$k_near,$light_y     # 37e
-        lqd     $leave_3,608($a_surfaces)               # 37o
-        fnms    $to_z_2,$point_z_2,$k_near,$light_z     # 38e
-        lqd     $plane_x_4,384($a_surfaces)             # 38o
-        fnms    $to_y_5,$point_y_5,$k_near,$light_y     # 39e
-        lqd     $leave_4,576($a_surfaces)               # 39o
-        fma     $squared,$to_y_2,$to_y_2,$squared       # 40e
-        lqd     $plane_y_2,480($a_surfaces)             # 40o
-        fm      $squared_4,$to_x_5,$to_x_5              # 41e
-        rotqbyi $a_shadow_2,$a_surfaces,8               # 41o
-        fnms    $to_z_3,$point_z_3,$k_near,$light_z     # 42e
-        lqd     $diffuse_2,832($a_surfaces)             # 42o
-        fma     $squared_2,$to_y_3,$to_y_3,$squared_2   # 43e
-        lqd     $share_2,896($a_surfaces)               # 43o
-        fnms    $to_z_4,$point_z_4,$k_near,$light_z     # 44e
-        lnop                                            # 44o pairing
-        fma     $squared_3,$to_y_4,$to_y_4,$squared_3   # 45e
-        stqd    $background,480($a_shadow_2)            # 45o
-        fma     $squared,$to_z_2,$to_z_2,$squared       # 46e
-        fnms    $to_z_5,$point_z_5,$k_near,$light_z     # 47e
-        fma     $squared_4,$to_y_5,$to_y_5,$squared_4   # 48e
-        fma     $squared_2,$to_z_3,$to_z_3,$squared_2   # 49e
-        fma     $point_x_3,$leave_2,$plane_x_2,$point_x_3 # 50e
-        fma     $squared_3,$to_z_4,$to_z_4,$squared_3   # 51e
-        fma     $point_x_5,$leave_3,$plane_x_3,$point_x_5 # 52e
-        frsqest $t_y_2,$squared                         # 52o
-        fma     $point_x_2,$leave_4,$plane_x_4,$point_x_2 # 53e
-        fma     $squared_4,$to_z_5,$to_z_5,$squared_4   # 54e
-        fma     $point_y_5,$leave_3,$plane_y_2,$point_y_5 # 55e
-        frsqest $t_y_3,$squared_2                       # 55o
-        fi      $t_y_2,$squared,$t_y_2                  # 56e
-        stqd    $point_x_3,48($a_shadow_2)              # 56o
-        or      $share_3,$share_2,$diffuse_2            # 57e
-        frsqest $t_y_4,$squared_3                       # 57o
-        nop     $127                                    # 58e pairing
-        stqd    $background,448($a_shadow_2)            # 58o
-        fi      $t_y_5,$squared_2,$t_y_3                # 59e
-        stqd    $background,464($a_shadow_2)            # 59o
-        cgti    $share_3,$share_3,0                     # 60e
-        frsqest $t_y_6,$squared_4                       # 60o
-        fi      $t_y_4,$squared_3,$t_y_4                # 61e
-        stqd    $background,496($a_shadow_2)            # 61o
-        nop     $127                                    # 62e pairing
-        stqd    $point_x_5,32($a_shadow_2)              # 62o
-        fm      $t_e_2,$squared,$t_y_2                  # 63e
-        stqd    $point_x_2,0($a_shadow_2)               # 63o
-        fi      $t_y_7,$squared_4,$t_y_6                # 64e
-        stqd    $point_y_5,96($a_shadow_2)              # 64o
-        nop     $127                                    # 65e pairing
-        lqd     $plane_x_5,400($a_surfaces)             # 65o
-        fm      $t_e_3,$squared_2,$t_y_5                # 66e
-        lqd     $normal_x_2,192($a_surfaces)            # 66o
-        fm      $inverse_2,$t_y_2,$k_half               # 67e
-        lqd     $normal_y_2,272($a_surfaces)            # 67o
-        fm      $t_e_4,$squared_3,$t_y_4                # 68e
-        lqd     $normal_x_3,224($a_surfaces)            # 68o
-        fnms    $t_e_2,$t_e_2,$t_y_2,$k_one             # 69e
-        fm      $inverse_3,$t_y_5,$k_half               # 70e
-        fm      $t_e_5,$squared_4,$t_y_7                # 71e
-        fnms    $t_e_3,$t_e_3,$t_y_5,$k_one             # 72e
-        fm      $inverse_4,$t_y_4,$k_half               # 73e
-        fnms    $t_e_4,$t_e_4,$t_y_4,$k_one             # 74e
-        fma     $inverse_5,$t_e_2,$inverse_2,$t_y_2     # 75e
-        fm      $inverse_6,$t_y_7,$k_half               # 76e
-        fnms    $t_e_6,$t_e_5,$t_y_7,$k_one             # 77e
-        fma     $inverse_7,$t_e_3,$inverse_3,$t_y_5     # 78e
-        fma     $inverse_8,$t_e_4,$inverse_4,$t_y_4     # 80e
-        selb    $inverse_9,$inverse_5,$k_one,$c_directional # 81e
-        fm      $t_2,$squared,$inverse_5                # 82e
-        fma     $inverse_5,$t_e_6,$inverse_6,$t_y_7     # 83e
-        fm      $to_x_6,$to_x_2,$inverse_9              # 84e
-        fm      $to_y_6,$to_y_2,$inverse_9              # 85e
-        selb    $inverse_10,$inverse_7,$k_one,$c_directional # 86e
-        selb    $inverse_11,$inverse_8,$k_one,$c_directional # 87e
-        fm      $to_x_3,$to_x_3,$inverse_10             # 88e
-        fm      $to_z_4,$to_z_4,$inverse_11             # 89e
-        selb    $inverse_12,$inverse_5,$k_one,$c_directional # 90e
-        stqd    $to_x_6,192($a_shadow_2)                # 90o
-        fm      $to_x_4,$to_x_4,$inverse_11             # 91e
-        stqd    $to_y_6,256($a_shadow_2)                # 91o
-        fm      $to_x_5,$to_x_5,$inverse_12             # 92e
-        lqd     $normal_x_4,208($a_surfaces)            # 92o
-        fm      $to_y_5,$to_y_5,$inverse_12             # 93e
-        lqd     $normal_y_3,256($a_surfaces)            # 93o
-        fm      $to_y_7,$to_y_4,$inverse_11             # 94e
-        stqd    $to_x_3,240($a_shadow_2)                # 94o
-        fm      $to_y_3,$to_y_3,$inverse_10             # 95e
-        lqd     $normal_x_5,240($a_surfaces)            # 95o
-        fm      $to_z_2,$to_z_2,$inverse_9              # 96e
-        lqd     $plane_y_3,448($a_surfaces)             # 96o
-        fm      $facing_2,$normal_x_2,$to_x_6           # 97e
-        stqd    $to_z_4,336($a_shadow_2)                # 97o
-        fm      $facing_plane_2,$plane_x_4,$to_x_6      # 98e
-        stqd    $to_x_4,208($a_shadow_2)                # 98o
-        fm      $to_z_6,$to_z_3,$inverse_10             # 99e
-        lqd     $normal_z_2,336($a_surfaces)            # 99o
-        fm      $to_z_7,$to_z_5,$inverse_12             # 100e
-        lqd     $plane_z_2,512($a_surfaces)             # 100o
-        fm      $facing_3,$normal_x_4,$to_x_4           # 101e
-        stqd    $to_x_5,224($a_shadow_2)                # 101o
-        fm      $facing_plane_3,$plane_x_3,$to_x_5      # 102e
-        stqd    $to_y_5,288($a_shadow_2)                # 102o
-        fm      $facing_plane_4,$plane_x_5,$to_x_4      # 103e
-        stqd    $to_y_7,272($a_shadow_2)                # 103o
-        fm      $facing_4,$normal_x_3,$to_x_5           # 104e
-        stqd    $to_y_3,304($a_shadow_2)                # 104o
-        fma     $facing_2,$normal_y_3,$to_y_6,$facing_2 # 105e
-        stqd    $to_z_2,320($a_shadow_2)                # 105o
-        fma     $facing_plane_2,$plane_y_3,$to_y_6,$facing_plane_2 # 106e
-        lqd     $plane_y_4,464($a_surfaces)             # 106o
-        fm      $facing_plane_5,$plane_x_2,$to_x_3      # 107e
-        lqd     $normal_y_4,288($a_surfaces)            # 107o
-        fm      $facing_5,$normal_x_5,$to_x_3           # 108e
-        lqd     $plane_y_5,496($a_surfaces)             # 108o
-        fma     $facing_6,$normal_y_2,$to_y_7,$facing_3 # 109e
-        lqd     $normal_z_3,320($a_surfaces)            # 109o
-        fma     $facing_plane_6,$plane_y_2,$to_y_5,$facing_plane_3 # 110e
-        lqd     $normal_y_5,304($a_surfaces)            # 110o
-        fma     $point_y_2,$leave_4,$plane_y_3,$point_y_2 # 111e
-        stqd    $to_z_6,368($a_shadow_2)                # 111o
-        fma     $facing_plane_4,$plane_y_4,$to_y_7,$facing_plane_4 # 112e
-        lqd     $plane_z_3,528($a_surfaces)             # 112o
-        fma     $facing_4,$normal_y_4,$to_y_5,$facing_4 # 113e
-        lqd     $plane_z_4,560($a_surfaces)             # 113o
-        fma     $facing_plane_2,$plane_z_2,$to_z_2,$facing_plane_2 # 114e
-        lqd     $share_4,912($a_surfaces)               # 114o
-        fma     $facing_plane_5,$plane_y_5,$to_y_3,$facing_plane_5 # 115e
-        lqd     $diffuse_3,848($a_surfaces)             # 115o
-        fma     $facing_2,$normal_z_3,$to_z_2,$facing_2 # 116e
-        lqd     $normal_z_4,352($a_surfaces)            # 116o
-        fma     $point_y_3,$leave_2,$plane_y_5,$point_y_3 # 117e
-        stqd    $to_z_7,352($a_shadow_2)                # 117o
-        fma     $facing_7,$normal_y_5,$to_y_3,$facing_5 # 118e
-        lqd     $plane_z_5,544($a_surfaces)             # 118o
-        fma     $facing_8,$normal_z_2,$to_z_4,$facing_6 # 119e
-        lqd     $normal_z_5,368($a_surfaces)            # 119o
-        fma     $facing_plane_4,$plane_z_3,$to_z_4,$facing_plane_4 # 120e
-        lqd     $diffuse_4,864($a_surfaces)             # 120o
-        cgti    $facing_plane_2,$facing_plane_2,0       # 121e
-        lqd     $share_5,928($a_surfaces)               # 121o
-        fma     $facing_4,$normal_z_4,$to_z_7,$facing_4 # 122e
-        stqd    $point_y_2,64($a_shadow_2)              # 122o
-        fma     $facing_plane_7,$plane_z_4,$to_z_6,$facing_plane_5 # 123e
-        stqd    $point_y_3,112($a_shadow_2)             # 123o
-        fma     $facing_plane_8,$plane_z_5,$to_z_7,$facing_plane_6 # 124e
-        lqd     $diffuse,880($a_surfaces)               # 124o
-        cgti    $facing_9,$facing_2,0                   # 125e
-        lqd     $share_6,944($a_surfaces)               # 125o
-        fm      $t_3,$squared_4,$inverse_5              # 126e
-        lqd     $leave_5,592($a_surfaces)               # 126o
-        fm      $t_4,$squared_2,$inverse_7              # 127e
-        and     $facing_10,$facing_9,$facing_plane_2    # 128e
-        fma     $point_z,$leave_3,$plane_z_5,$point_z_5 # 129e
-        fma     $facing_11,$normal_z_5,$to_z_6,$facing_7 # 130e
-        fma     $point_z_6,$leave_2,$plane_z_4,$point_z_3 # 131e
-        cgti    $facing_7,$facing_8,0                   # 132e
-        cgti    $facing_plane_9,$facing_plane_4,0       # 133e
-        and     $facing_12,$facing_10,$share_3          # 134e
-        or      $share_7,$share_4,$diffuse_3            # 135e
-        cgti    $facing,$facing_4,0                     # 136e
-        cgti    $facing_plane_8,$facing_plane_8,0       # 137e
-        cgti    $facing_plane,$facing_plane_7,0         # 138e
-        or      $share_8,$share_5,$diffuse_4            # 139e
-        sf      $rays_2,$facing_12,$rays                # 140e true is -1
-        cgti    $share_9,$share_7,0                     # 141e
-        selb    $t_5,$t_3,$k_farthest,$c_directional    # 142e
-        and     $facing_10,$facing_7,$facing_plane_9    # 143e
-        and     $facing_13,$facing,$facing_plane_8      # 144e
-        selb    $t_6,$t_4,$k_farthest,$c_directional    # 145e
-        lnop                                            # 145o pairing
+        clgti   $count_2,$count,1                       # 11e at least as many passes as overlap
+        ilhu    $k_half,0x3f00                          # 12e
+        iohl    $k_farthest,0xffff                      # 13e
+        ilhu    $k_minus_one,0xbf80                     # 14e
+        andc    $k_near,$k_one,$c_directional           # 15e
+        lnop                                            # 15o pairing
+        il      $rays,0                                 # 16e
+        brz     $count_2,next_site_short                # 16o too few passes
+        ai      $count,$count,-1                        # 17e
+        lqd     $a_surfaces,0($a_site)                  # 17o
+        ai      $a_site,$a_site,16                      # 18e
+        lqd     $point_x_2,0($a_surfaces)               # 23o
+        lqd     $point_x_3,48($a_surfaces)              # 24o
+        lqd     $point_x_4,16($a_surfaces)              # 25o
+        lqd     $point_y_2,64($a_surfaces)              # 26o
+        lqd     $point_x_5,32($a_surfaces)              # 27o
+        nop     $127                                    # 28e pairing
+        lqd     $point_y_3,112($a_surfaces)             # 28o
+        fnms    $to_x_2,$point_x_2,$k_near,$light_x     # 29e
+        lqd     $point_y_4,80($a_surfaces)              # 29o
+        fnms    $to_x_3,$point_x_3,$k_near,$light_x     # 30e
+        lqd     $point_z_2,128($a_surfaces)             # 30o
+        fnms    $to_x_4,$point_x_4,$k_near,$light_x     # 31e
+        lqd     $point_y_5,96($a_surfaces)              # 31o
+        fnms    $to_y_2,$point_y_2,$k_near,$light_y     # 32e
+        lqd     $point_z_3,176($a_surfaces)             # 32o
+        fnms    $to_x_5,$point_x_5,$k_near,$light_x     # 33e
+        lqd     $point_z_4,144($a_surfaces)             # 33o
+        fnms    $to_y_3,$point_y_3,$k_near,$light_y     # 34e
+        lqd     $point_z_5,160($a_surfaces)             # 34o
+        fm      $squared,$to_x_2,$to_x_2                # 35e
+        lqd     $plane_x_2,432($a_surfaces)             # 35o
+        fm      $squared_2,$to_x_3,$to_x_3              # 36e
+        lqd     $leave_2,624($a_surfaces)               # 36o
+        fm      $squared_3,$to_x_4,$to_x_4              # 37e
+        lqd     $plane_x_3,416($a_surfaces)             # 37o
+        fnms    $to_y_4,$point_y_4,$k_near,$light_y     # 38e
+        lqd     $leave_3,608($a_surfaces)               # 38o
+        fnms    $to_z_2,$point_z_2,$k_near,$light_z     # 39e
+        lqd     $plane_x_4,384($a_surfaces)             # 39o
+        fnms    $to_y_5,$point_y_5,$k_near,$light_y     # 40e
+        lqd     $leave_4,576($a_surfaces)               # 40o
+        fma     $squared,$to_y_2,$to_y_2,$squared       # 41e
+        lqd     $plane_y_2,480($a_surfaces)             # 41o
+        fm      $squared_4,$to_x_5,$to_x_5              # 42e
+        rotqbyi $a_shadow_2,$a_surfaces,8               # 42o
+        fnms    $to_z_3,$point_z_3,$k_near,$light_z     # 43e
+        lqd     $diffuse_2,832($a_surfaces)             # 43o
+        fma     $squared_2,$to_y_3,$to_y_3,$squared_2   # 44e
+        lqd     $share_2,896($a_surfaces)               # 44o
+        fnms    $to_z_4,$point_z_4,$k_near,$light_z     # 45e
+        lnop                                            # 45o pairing
+        fma     $squared_3,$to_y_4,$to_y_4,$squared_3   # 46e
+        stqd    $background,480($a_shadow_2)            # 46o
+        fma     $squared,$to_z_2,$to_z_2,$squared       # 47e
+        fnms    $to_z_5,$point_z_5,$k_near,$light_z     # 48e
+        fma     $squared_4,$to_y_5,$to_y_5,$squared_4   # 49e
+        fma     $squared_2,$to_z_3,$to_z_3,$squared_2   # 50e
+        fma     $point_x_3,$leave_2,$plane_x_2,$point_x_3 # 51e
+        fma     $squared_3,$to_z_4,$to_z_4,$squared_3   # 52e
+        fma     $point_x_5,$leave_3,$plane_x_3,$point_x_5 # 53e
+        frsqest $t_y_2,$squared                         # 53o
+        fma     $point_x_2,$leave_4,$plane_x_4,$point_x_2 # 54e
+        fma     $squared_4,$to_z_5,$to_z_5,$squared_4   # 55e
+        fma     $point_y_5,$leave_3,$plane_y_2,$point_y_5 # 56e
+        frsqest $t_y_3,$squared_2                       # 56o
+        fi      $t_y_2,$squared,$t_y_2                  # 57e
+        stqd    $point_x_3,48($a_shadow_2)              # 57o
+        or      $share_3,$share_2,$diffuse_2            # 58e
+        frsqest $t_y_4,$squared_3                       # 58o
+        nop     $127                                    # 59e pairing
+        stqd    $background,448($a_shadow_2)            # 59o
+        fi      $t_y_5,$squared_2,$t_y_3                # 60e
+        stqd    $background,464($a_shadow_2)            # 60o
+        cgti    $share_3,$share_3,0                     # 61e
+        frsqest $t_y_6,$squared_4                       # 61o
+        fi      $t_y_4,$squared_3,$t_y_4                # 62e
+        stqd    $background,496($a_shadow_2)            # 62o
+        nop     $127                                    # 63e pairing
+        stqd    $point_x_5,32($a_shadow_2)              # 63o
+        fm      $t_e_2,$squared,$t_y_2                  # 64e
+        stqd    $point_x_2,0($a_shadow_2)               # 64o
+        fi      $t_y_7,$squared_4,$t_y_6                # 65e
+        stqd    $point_y_5,96($a_shadow_2)              # 65o
+        nop     $127                                    # 66e pairing
+        lqd     $plane_x_5,400($a_surfaces)             # 66o
+        fm      $t_e_3,$squared_2,$t_y_5                # 67e
+        lqd     $normal_x_2,192($a_surfaces)            # 67o
+        fm      $inverse_2,$t_y_2,$k_half               # 68e
+        lqd     $normal_y_2,272($a_surfaces)            # 68o
+        fm      $t_e_4,$squared_3,$t_y_4                # 69e
+        lqd     $normal_x_3,224($a_surfaces)            # 69o
+        fnms    $t_e_2,$t_e_2,$t_y_2,$k_one             # 70e
+        fm      $inverse_3,$t_y_5,$k_half               # 71e
+        fm      $t_e_5,$squared_4,$t_y_7                # 72e
+        fnms    $t_e_3,$t_e_3,$t_y_5,$k_one             # 73e
+        fm      $inverse_4,$t_y_4,$k_half               # 74e
+        fnms    $t_e_4,$t_e_4,$t_y_4,$k_one             # 75e
+        fma     $inverse_5,$t_e_2,$inverse_2,$t_y_2     # 76e
+        fm      $inverse_6,$t_y_7,$k_half               # 77e
+        fnms    $t_e_6,$t_e_5,$t_y_7,$k_one             # 78e
+        fma     $inverse_7,$t_e_3,$inverse_3,$t_y_5     # 79e
+        fma     $inverse_8,$t_e_4,$inverse_4,$t_y_4     # 81e
+        selb    $inverse_9,$inverse_5,$k_one,$c_directional # 82e
+        fm      $t_2,$squared,$inverse_5                # 83e
+        fma     $inverse_5,$t_e_6,$inverse_6,$t_y_7     # 84e
+        fm      $to_x_6,$to_x_2,$inverse_9              # 85e
+        fm      $to_y_6,$to_y_2,$inverse_9              # 86e
+        selb    $inverse_10,$inverse_7,$k_one,$c_directional # 87e
+        selb    $inverse_11,$inverse_8,$k_one,$c_directional # 88e
+        fm      $to_x_3,$to_x_3,$inverse_10             # 89e
+        fm      $to_z_4,$to_z_4,$inverse_11             # 90e
+        selb    $inverse_12,$inverse_5,$k_one,$c_directional # 91e
+        stqd    $to_x_6,192($a_shadow_2)                # 91o
+        fm      $to_x_4,$to_x_4,$inverse_11             # 92e
+        stqd    $to_y_6,256($a_shadow_2)                # 92o
+        fm      $to_x_5,$to_x_5,$inverse_12             # 93e
+        lqd     $normal_x_4,208($a_surfaces)            # 93o
+        fm      $to_y_5,$to_y_5,$inverse_12             # 94e
+        lqd     $normal_y_3,256($a_surfaces)            # 94o
+        fm      $to_y_7,$to_y_4,$inverse_11             # 95e
+        stqd    $to_x_3,240($a_shadow_2)                # 95o
+        fm      $to_y_3,$to_y_3,$inverse_10             # 96e
+        lqd     $normal_x_5,240($a_surfaces)            # 96o
+        fm      $to_z_2,$to_z_2,$inverse_9              # 97e
+        lqd     $plane_y_3,448($a_surfaces)             # 97o
+        fm      $facing_2,$normal_x_2,$to_x_6           # 98e
+        stqd    $to_z_4,336($a_shadow_2)                # 98o
+        fm      $facing_plane_2,$plane_x_4,$to_x_6      # 99e
+        stqd    $to_x_4,208($a_shadow_2)                # 99o
+        fm      $to_z_6,$to_z_3,$inverse_10             # 100e
+        lqd     $normal_z_2,336($a_surfaces)            # 100o
+        fm      $to_z_7,$to_z_5,$inverse_12             # 101e
+        lqd     $plane_z_2,512($a_surfaces)             # 101o
+        fm      $facing_3,$normal_x_4,$to_x_4           # 102e
+        stqd    $to_x_5,224($a_shadow_2)                # 102o
+        fm      $facing_plane_3,$plane_x_3,$to_x_5      # 103e
+        stqd    $to_y_5,288($a_shadow_2)                # 103o
+        fm      $facing_plane_4,$plane_x_5,$to_x_4      # 104e
+        stqd    $to_y_7,272($a_shadow_2)                # 104o
+        fm      $facing_4,$normal_x_3,$to_x_5           # 105e
+        stqd    $to_y_3,304($a_shadow_2)                # 105o
+        fma     $facing_2,$normal_y_3,$to_y_6,$facing_2 # 106e
+        stqd    $to_z_2,320($a_shadow_2)                # 106o
+        fma     $facing_plane_2,$plane_y_3,$to_y_6,$facing_plane_2 # 107e
+        lqd     $plane_y_4,464($a_surfaces)             # 107o
+        fm      $facing_plane_5,$plane_x_2,$to_x_3      # 108e
+        lqd     $normal_y_4,288($a_surfaces)            # 108o
+        fm      $facing_5,$normal_x_5,$to_x_3           # 109e
+        lqd     $plane_y_5,496($a_surfaces)             # 109o
+        fma     $facing_6,$normal_y_2,$to_y_7,$facing_3 # 110e
+        lqd     $normal_z_3,320($a_surfaces)            # 110o
+        fma     $facing_plane_6,$plane_y_2,$to_y_5,$facing_plane_3 # 111e
+        lqd     $normal_y_5,304($a_surfaces)            # 111o
+        fma     $point_y_2,$leave_4,$plane_y_3,$point_y_2 # 112e
+        stqd    $to_z_6,368($a_shadow_2)                # 112o
+        fma     $facing_plane_4,$plane_y_4,$to_y_7,$facing_plane_4 # 113e
+        lqd     $plane_z_3,528($a_surfaces)             # 113o
+        fma     $facing_4,$normal_y_4,$to_y_5,$facing_4 # 114e
+        lqd     $plane_z_4,560($a_surfaces)             # 114o
+        fma     $facing_plane_2,$plane_z_2,$to_z_2,$facing_plane_2 # 115e
+        lqd     $share_4,912($a_surfaces)               # 115o
+        fma     $facing_plane_5,$plane_y_5,$to_y_3,$facing_plane_5 # 116e
+        lqd     $diffuse_3,848($a_surfaces)             # 116o
+        fma     $facing_2,$normal_z_3,$to_z_2,$facing_2 # 117e
+        lqd     $normal_z_4,352($a_surfaces)            # 117o
+        fma     $point_y_3,$leave_2,$plane_y_5,$point_y_3 # 118e
+        stqd    $to_z_7,352($a_shadow_2)                # 118o
+        fma     $facing_7,$normal_y_5,$to_y_3,$facing_5 # 119e
+        lqd     $plane_z_5,544($a_surfaces)             # 119o
+        fma     $facing_8,$normal_z_2,$to_z_4,$facing_6 # 120e
+        lqd     $normal_z_5,368($a_surfaces)            # 120o
+        fma     $facing_plane_4,$plane_z_3,$to_z_4,$facing_plane_4 # 121e
+        lqd     $diffuse_4,864($a_surfaces)             # 121o
+        cgti    $facing_plane_2,$facing_plane_2,0       # 122e
+        lqd     $share_5,928($a_surfaces)               # 122o
+        fma     $facing_4,$normal_z_4,$to_z_7,$facing_4 # 123e
+        stqd    $point_y_2,64($a_shadow_2)              # 123o
+        fma     $facing_plane_7,$plane_z_4,$to_z_6,$facing_plane_5 # 124e
+        stqd    $point_y_3,112($a_shadow_2)             # 124o
+        fma     $facing_plane_8,$plane_z_5,$to_z_7,$facing_plane_6 # 125e
+        lqd     $diffuse,880($a_surfaces)               # 125o
+        cgti    $facing_9,$facing_2,0                   # 126e
+        lqd     $share_6,944($a_surfaces)               # 126o
+        fm      $t_3,$squared_4,$inverse_5              # 127e
+        lqd     $leave_5,592($a_surfaces)               # 127o
+        fm      $t_4,$squared_2,$inverse_7              # 128e
+        and     $facing_10,$facing_9,$facing_plane_2    # 129e
+        fma     $point_z,$leave_3,$plane_z_5,$point_z_5 # 130e
+        fma     $facing_11,$normal_z_5,$to_z_6,$facing_7 # 131e
+        fma     $point_z_6,$leave_2,$plane_z_4,$point_z_3 # 132e
+        cgti    $facing_7,$facing_8,0                   # 133e
+        cgti    $facing_plane_9,$facing_plane_4,0       # 134e
+        and     $facing_12,$facing_10,$share_3          # 135e
+        or      $share_7,$share_4,$diffuse_3            # 136e
+        cgti    $facing,$facing_4,0                     # 137e
+        cgti    $facing_plane_8,$facing_plane_8,0       # 138e
+        cgti    $facing_plane,$facing_plane_7,0         # 139e
+        or      $share_8,$share_5,$diffuse_4            # 140e
+        sf      $rays_2,$facing_12,$rays                # 141e true is -1
+        cgti    $share_9,$share_7,0                     # 142e
+        selb    $t_5,$t_3,$k_farthest,$c_directional    # 143e
+        and     $facing_10,$facing_7,$facing_plane_9    # 144e
+        and     $facing_13,$facing,$facing_plane_8      # 145e
+        selb    $t_6,$t_4,$k_farthest,$c_directional    # 146e
+        lnop                                            # 146o pairing
 next_site:
             and     $facing,$facing_10,$share_9         # 0e
             lnop                                        # 0o pairing

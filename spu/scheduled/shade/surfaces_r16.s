@@ -13,13 +13,13 @@
 #           r), each component, r the distance from the axis or the centre
 #   Twin    lab/twins/src/surfaces.rs
 #
-# leave = OBJECT_leave + 2^-20 (|Px| + |Py| + |Pz|): 8 ulp of every number that a hit comes from.
-# Rays that started an eighth of it off spheres and planes did not meet them again in 240000 tries,
-# also along the surface; of those that started a sixteenth off, 1 in 2400 did.
+# leave = OBJECT_leave + 2^-20 (|Px| + |Py| + |Pz|), which is 8 ulp of every number that a hit is
+# computed from. In 240000 tries, rays that started at an eighth of it from spheres and planes did
+# not meet them again, even along the surface. Of those that started at a sixteenth, 1 in 2400 did.
 #
-# The odd pipe is the bound: of the 111 instructions there, 34 load and store rays and surfaces,
-# 28 gather the objects' and materials' quadwords, and 6 find their addresses. Four quadwords
-# become four rows in 6 of the odd and 4 of the even, instead of 8 of the odd.
+# The odd pipe is the bound. Of its 111 instructions, 34 load and store rays and surfaces, 28
+# gather the quadwords of objects and materials, and 6 compute their addresses. Transposing four
+# quadwords takes 6 instructions of the odd and 4 of the even pipe, instead of 8 of the odd.
 # Scheduled by spu schedule from surfaces_r16.s
 
         .include "surface_tmpl.inc"
@@ -51,8 +51,8 @@
         .set    row3,76
         .set    m_ratio,77
 
-# Four quadwords A, B, C, D halfway to four rows: A0 A1 C0 C1, C2 C3 A2 A3 and B0 B1 D0 D1, D2 D3
-# B2 B3.
+# The first half of transposing four quadwords A, B, C, D: A0 A1 C0 C1, C2 C3 A2 A3 and B0 B1 D0
+# D1, D2 D3 B2 B3.
 .macro  gather offset:req
     .irp lane, 0,1,2,3
         lqd     $quad\lane,\offset($a_lane\lane)
@@ -65,7 +65,7 @@
         selb    $high13,$quad3,$quad1,$m_behind
 .endm
 
-# The rest of the way.
+# The second half.
 .macro  row0_of out:req
         shufb   \out,$low02,$low13,$m_first
 .endm
@@ -83,7 +83,7 @@
         shufb   \out3,$high02,$high13,$m_fourth
 .endm
 
-# The four lanes of a row of addresses, each to the preferred slot.
+# Moves the four lanes of a row of addresses to the preferred slots of four registers.
 .macro  addresses row:req
         ori     $a_lane0,\row,0
         rotqbyi $a_lane1,\row,4

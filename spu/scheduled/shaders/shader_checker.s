@@ -10,8 +10,9 @@
 #   Twin    lab/twins/src/shader.rs
 #
 # A point is in an odd cube if floor(s x + 1/1024) + floor(s y + 1/1024) + floor(s z + 1/1024) is
-# odd, s the fourth parameter: then its colour is that of the first three. A plane on a side of the
-# cubes, at a multiple of 1/s, is thus in one layer of them and not torn between two by rounding.
+# odd, where s is the fourth parameter. Its colour is then that of the first three parameters.
+# Because of the 1/1024, a plane on a side of the cubes, at a multiple of 1/s, is in one layer of
+# cubes, and rounding does not split it between two.
 # Scheduled by spu schedule from shader_checker.s
 
         .include "work_unit.inc"

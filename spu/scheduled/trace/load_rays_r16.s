@@ -9,8 +9,8 @@
 #   Error   0
 #   Twin    lab/twins/src/load_rays.rs
 #
-# Behind the last ray, rays that are not there fill the packet: t is -1, the weight 0, the pixel's
-# sum the one that nobody reads; origin and direction are what lies behind the queue.
+# After the last ray, absent rays fill the packet: t is -1, the weight is 0, and the pixel's sum is
+# one that is never read. Their origins and directions are whatever follows the queue.
 # Scheduled by spu schedule from load_rays_r16.s
 
         .include "work_unit.inc"
@@ -20,15 +20,15 @@
         .set    NEXT,3
         registers a_queue
         registers rows                                  # rays, then rows left
-        registers a_row                                 # of the packet
+        registers a_row                                 # rows of the packet
         registers background
-        registers dummy                                 # the sum that nobody reads
+        registers dummy                                 # the sum that is never read
         # constants
         .set    NEXT,10
         registers m_first,m_last,m_splat,k_far,k_absent,k_lanes,k_further
         # state
         .set    NEXT,20
-        registers left                                  # rays, from this row's first
+        registers left                                  # rays from this row's first on
         # the row
         registers origin                                # to 24: rays, then x, y, z, weight
         .set    direction,25                            # to 28: rays, then x, y, z, pixel

@@ -10,7 +10,7 @@
 #   Error   2 ulp of 1, each component of a direction
 #   Twin    lab/twins/src/primary_rays.rs
 #
-# Beyond the picture's right and lower edges the rays are not there: t is -1, the weight 0.
+# Rays beyond the right and lower edges of the picture are absent: t is -1, the weight is 0.
 # Scheduled by spu schedule from primary_rays_r16.s
 
         .include "work_unit.inc"

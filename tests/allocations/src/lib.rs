@@ -1,5 +1,5 @@
-//! A memory allocator for tests that knows who asked for memory. A program that depends on this
-//! crate has it as its allocator.
+//! A memory allocator for tests that records which code allocates memory. Programs that depend on
+//! this crate use it as their allocator.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::backtrace::Backtrace;
@@ -8,7 +8,7 @@ use std::cell::{Cell, RefCell};
 struct Watching;
 
 thread_local! {
-    /// Whether this thread is watched; not while it takes down who asked.
+    /// Whether this thread is watched. It is not while an allocation is being recorded.
     static WATCHED: Cell<bool> = const { Cell::new(false) };
     static ASKED: RefCell<Vec<String>> = const { RefCell::new(Vec::new()) };
 }
@@ -16,10 +16,10 @@ thread_local! {
 #[global_allocator]
 static ALLOCATOR: Watching = Watching;
 
-/// Takes down who asks for memory, unless it is the emulated SPEs' library: it is none of the
-/// program's on a console.
+/// Records a backtrace of an allocation, unless it comes from the emulated SPEs' library, which is
+/// not part of the program on a console.
 fn asked() {
-    // A thread that is ending has nobody who watches it.
+    // A thread that is ending can't access the variable and is not watched.
     if !WATCHED
         .try_with(|watched| watched.replace(false))
         .unwrap_or(false)
@@ -33,28 +33,28 @@ fn asked() {
     WATCHED.set(true);
 }
 
-// SAFETY: all is the system's allocator; while what is added asks for memory itself, it adds
-// nothing.
+// SAFETY: all requests go to the system's allocator. The recording code also allocates, but it
+// records nothing then.
 unsafe impl GlobalAlloc for Watching {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
         asked();
-        // SAFETY: the caller's promise.
+        // SAFETY: the caller keeps the contract of `alloc`.
         unsafe { System.alloc(layout) }
     }
 
     unsafe fn dealloc(&self, block: *mut u8, layout: Layout) {
-        // SAFETY: the caller's promise.
+        // SAFETY: the caller keeps the contract of `dealloc`.
         unsafe { System.dealloc(block, layout) }
     }
 
     unsafe fn realloc(&self, block: *mut u8, layout: Layout, size: usize) -> *mut u8 {
         asked();
-        // SAFETY: the caller's promise.
+        // SAFETY: the caller keeps the contract of `realloc`.
         unsafe { System.realloc(block, layout, size) }
     }
 }
 
-/// Who in this thread has asked for memory while something was done, as backtraces.
+/// Returns a backtrace for each allocation that this thread makes during `work`.
 pub fn during(work: impl FnOnce()) -> Vec<String> {
     WATCHED.set(true);
     work();

@@ -12,7 +12,8 @@ fn commands_are_handed_over_to_their_programs() {
         ("play", "cellray-play", "play accuracy --seed x y --help\n"),
         ("view", "cellray-play", "view accuracy --seed x y --help\n"),
     ] {
-        // Links, and on one file system: a program that is being written can't be run.
+        // Hard links, which must be on the same file system. A program that is being written can't
+        // be run.
         let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).unwrap();
         let elsewhere = tempfile::tempdir().unwrap();
         let cellray = folder.path().join("cellray");
@@ -31,7 +32,7 @@ fn commands_are_handed_over_to_their_programs() {
             err.contains(program) && err.contains("cargo build"),
             "{err}"
         );
-        // One on PATH, then one beside cellray, which goes before it.
+        // First one on PATH, then one in cellray's own folder, which takes precedence.
         symlink("/bin/false", elsewhere.path().join(program)).unwrap();
         assert_eq!(run().status.code(), Some(1));
         symlink("/bin/echo", folder.path().join(program)).unwrap();

@@ -1,12 +1,13 @@
-//! The choice of formulations: those that are shipped draw, and what was chosen is what is said.
+//! The choice of formulations: those that are shipped can draw, and the output names the chosen
+//! ones.
 
 use image::RgbImage;
 use protocol::formulation::{self, Formulations, SPHERES, TRIANGLES};
 
 use crate::command_line::support::{bad, good};
 
-/// Renders a scene with options; gives the picture, the formulations of the statistics, and the
-/// talk.
+/// Renders a scene with options. Returns the picture, the formulations in the statistics, and the
+/// messages.
 fn rendered(scene: &str, options: &[&str]) -> (RgbImage, [String; 2], String) {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("p.png");
@@ -21,7 +22,7 @@ fn rendered(scene: &str, options: &[&str]) -> (RgbImage, [String; 2], String) {
     (image::open(&picture).unwrap().into_rgb8(), names, err)
 }
 
-/// Pixels that are off by more than two steps of a channel.
+/// The number of pixels that differ by more than two steps of a channel.
 fn different(a: &RgbImage, b: &RgbImage) -> usize {
     let far = |(a, b): (&image::Rgb<u8>, &image::Rgb<u8>)| {
         (0..3).any(|channel| a.0[channel].abs_diff(b.0[channel]) > 2)
@@ -51,7 +52,7 @@ fn every_formulation_draws_the_same_picture_but_for_its_error() {
             assert_eq!(names[0], used.name);
             assert_eq!(err.contains("has no kernel"), !has_kernel, "{err}");
             let different = different(&picture, &expected);
-            // A twentieth: the bare estimate has 7 good bits.
+            // A twentieth of the pixels, because the bare estimate has only 7 good bits.
             assert!(
                 different < 96 * 54 / 20,
                 "{}: {different} pixels",
@@ -90,7 +91,7 @@ fn a_quality_is_a_choice_of_formulations() {
     });
     assert_eq!(points[1], Formulations::standard().eye.name);
     assert!(points[0] != points[1] && points[1] != points[2]);
-    // One named goes before the quality's.
+    // An option takes precedence over the quality's formulation.
     let (_, [sphere, _], _) = rendered(scene, &["--quality", "exact", "--sphere", "paper"]);
     assert_eq!(sphere, "paper");
 }

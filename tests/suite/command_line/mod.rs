@@ -1,4 +1,4 @@
-//! The command line, as its users meet it: what it writes, and what it says of bad input.
+//! The command line from outside: its output, and its messages about bad input.
 
 mod beside;
 mod formulations;
@@ -49,7 +49,7 @@ fn renders_a_picture_with_statistics() {
         assert_eq!(stats["rays"][kind], 0);
     }
     assert_eq!(stats["frames_traced"], 2);
-    // Whole packets: the bottom row of packets is half within the picture.
+    // Whole packets are counted: the bottom row of packets is half within the picture.
     let tests = |kind: &str| stats["tests"][kind].as_u64().unwrap();
     assert_eq!(
         tests("made") + tests("skipped") + tests("unseen"),
@@ -140,8 +140,8 @@ fn skipping_changes_no_byte_of_a_picture() {
     assert!(skipping == without);
 }
 
-/// Transfers that come as late as they may, and in the wrong order where nothing forbids it, make
-/// no difference: the SPU program waits for all that it needs.
+/// Transfers that complete as late as possible, and in the wrong order where that is allowed,
+/// change nothing: the SPU program waits for everything that it needs.
 #[test]
 fn late_transfers_change_nothing() {
     let folder = tempfile::tempdir().unwrap();
@@ -172,7 +172,7 @@ fn late_transfers_change_nothing() {
     assert!(at_once == at_last);
 }
 
-/// In simulated time the statistics are the console's, and two runs have the same ones to the bit.
+/// In simulated time the statistics are the console's, and two runs have identical statistics.
 #[test]
 fn simulated_time_repeats() {
     let folder = tempfile::tempdir().unwrap();
@@ -205,7 +205,7 @@ fn simulated_time_repeats() {
     assert_eq!(first.0, second.0);
     assert_eq!(first.1, second.1);
     assert!(first.2 == second.2, "the reports differ");
-    // A sixteenth of a frame that takes half a millisecond.
+    // This is a sixteenth of a frame that takes half a millisecond.
     let frames_per_second = first.0.as_f64().unwrap();
     assert!(
         (10_000.0..50_000.0).contains(&frames_per_second),
@@ -324,7 +324,8 @@ fn bad_scenes() {
     bad_scene(&format!("{VIEW}#cellray fog\n"), &["bad.nff:9", "fog"]);
 }
 
-/// 17 GB that the disk never holds: a sparse file is one endless line of zero bytes.
+/// A file of 17 GB that needs no space on the disk: a sparse file is one endless line of zero
+/// bytes.
 #[test]
 fn seventeen_gigabytes() {
     let folder = tempfile::tempdir().unwrap();

@@ -1,4 +1,4 @@
-//! A game and a shader of one's own, as a newcomer starts them.
+//! New games and new shaders, as a newcomer creates them.
 
 use std::fs;
 use std::process::Command;
@@ -80,8 +80,8 @@ fn a_shader_is_tried_with_and_without_a_program() {
     )
     .unwrap();
     let (program, built, linked) = (file("stripes.elf"), file("built.png"), file("linked.png"));
-    let (_, said) = good(&["shader", "build", STRIPES, "--out", &program]);
-    assert!(said.contains("stripes"), "{said}");
+    let (_, stderr) = good(&["shader", "build", STRIPES, "--out", &program]);
+    assert!(stderr.contains("stripes"), "{stderr}");
     good(&["render", &scene, "--program", &program, "--out", &built]);
     good(&["render", &scene, "--shader", STRIPES, "--out", &linked]);
     assert_eq!(fs::read(built).unwrap(), fs::read(linked).unwrap());

@@ -1,4 +1,4 @@
-//! Numbered pictures, in parts, as batch engines ask for them.
+//! Numbered pictures in parts, as batch renderers request them.
 
 use std::fs;
 use std::os::unix::process::ExitStatusExt as _;
@@ -14,13 +14,13 @@ fn pattern(folder: &Path) -> String {
     folder.join("f-%03d.png").to_str().unwrap().to_owned()
 }
 
-/// Pictures of the scene's frames, once around in eight.
+/// Renders pictures of the scene's frames: one turn in eight frames.
 fn render(folder: &Path, frames: &str) -> String {
     let out = pattern(folder);
-    let (_, talk) = good(&[
+    let (_, stderr) = good(&[
         "render", SCENE, "--size", "64x36", "--turn", "8", "--frames", frames, "--out", &out,
     ]);
-    talk
+    stderr
 }
 
 fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
@@ -38,14 +38,14 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
 #[test]
 fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     let [whole, parts, still] = [(); 3].map(|()| tempfile::tempdir().unwrap());
-    let talk = render(whole.path(), "0..9");
+    let stderr = render(whole.path(), "0..9");
     assert!(
-        talk.contains("9 picture(s) written, 0 existed already"),
-        "{talk}"
+        stderr.contains("9 picture(s) written, 0 existed already"),
+        "{stderr}"
     );
     let pictures = files(whole.path());
     assert_eq!(pictures.len(), 9);
-    // The eye turns, and is back after eight.
+    // The eye turns, and is back at the start after eight frames.
     for pair in pictures.windows(2) {
         assert!(pair[0].1 != pair[1].1, "{:?}", pair[0].0);
     }
@@ -54,16 +54,16 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
     render(parts.path(), "6..9");
     render(parts.path(), "0..2");
     fs::write(parts.path().join("f-003.png"), "kept").unwrap();
-    let talk = render(parts.path(), "0..9");
+    let stderr = render(parts.path(), "0..9");
     assert!(
-        talk.contains("3 picture(s) written, 6 existed already"),
-        "{talk}"
+        stderr.contains("3 picture(s) written, 6 existed already"),
+        "{stderr}"
     );
     fs::remove_file(parts.path().join("f-003.png")).unwrap();
     render(parts.path(), "3..4");
     assert!(files(parts.path()) == pictures, "parts are others");
 
-    // The first is the scene as it is.
+    // The first picture shows the scene unchanged.
     let picture = still.path().join("f-000.png");
     let picture = picture.to_str().unwrap();
     good(&["render", SCENE, "--size", "64x36", "--out", picture]);
@@ -73,8 +73,8 @@ fn parts_are_what_one_run_makes_and_what_is_there_is_kept() {
 #[test]
 fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
     let folder = tempfile::tempdir().unwrap();
-    // In blocks of 512 bytes: room for an emulated SPU's local store, and for no picture of this
-    // size.
+    // In blocks of 512 bytes: this is enough for an emulated SPU's local store, but not for a
+    // picture of this size.
     let output = Command::new("sh")
         .args(["-c", "ulimit -f 576; exec \"$0\" \"$@\""])
         .arg(env!("CARGO_BIN_EXE_cellray"))
@@ -91,11 +91,11 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
         .current_dir(env!("CARGO_MANIFEST_DIR"))
         .output()
         .unwrap();
-    let talk = text(&output.stderr);
-    assert_eq!(output.status.code(), Some(1), "{talk}");
+    let stderr = text(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{stderr}");
     assert!(
-        talk.contains("f-000.png") && talk.contains("too large"),
-        "{talk}"
+        stderr.contains("f-000.png") && stderr.contains("too large"),
+        "{stderr}"
     );
     assert_eq!(files(folder.path()), []);
 }
@@ -104,7 +104,7 @@ fn a_full_disk_names_the_picture_and_leaves_no_part_of_it() {
 fn signals_end_it_between_two_pictures() {
     for signal in [libc::SIGINT, libc::SIGTERM] {
         let folder = tempfile::tempdir().unwrap();
-        // What starts the tests may have signals ignored; then they would be here, too.
+        // The process that starts the tests may ignore signals, and children inherit that.
         let mut child = Command::new("env")
             .arg("--default-signal")
             .arg(env!("CARGO_BIN_EXE_cellray"))
@@ -127,7 +127,7 @@ fn signals_end_it_between_two_pictures() {
             assert!(begun.elapsed() < Duration::from_secs(60), "no pictures");
             std::thread::sleep(Duration::from_millis(20));
         }
-        // SAFETY: the child is this test's own and has not been waited for.
+        // SAFETY: the child was started by this test and has not been waited for.
         unsafe { libc::kill(child.id() as libc::pid_t, signal) };
         let status = child.wait().unwrap();
         assert_eq!(status.signal(), Some(signal), "{status}");

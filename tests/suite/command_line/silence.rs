@@ -1,5 +1,5 @@
-//! SPUs that do not answer: said in time, also where libspe2 counts time by a clock that is slower
-//! than ours.
+//! SPUs that do not answer: they are reported in time, even if libspe2 counts time by a clock that
+//! is slower than ours.
 
 use std::fs;
 use std::path::Path;
@@ -10,7 +10,7 @@ use spu_build::{Image, Tools};
 
 use crate::command_line::support::text;
 
-/// Takes its mail, and never answers; two instructions in each cycle are slow to emulate.
+/// Takes its mail and never answers. Two instructions in each cycle make it slow to emulate.
 const SILENT: &str = "        .global _start
 _start: rdch $3,$SPU_RdInMbox
         rdch $4,$SPU_RdInMbox

@@ -1,4 +1,4 @@
-//! Runs of the command line, to success or to failure.
+//! Runs the command line and expects success or failure.
 
 use std::fs;
 use std::process::{Command, Output};
@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 pub const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n\
                     f 1 1 1 1 0 0 0 1\n";
 
-/// Runs it in the repository's folder.
+/// Runs cellray in the repository's folder.
 pub fn cellray(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_cellray"))
         .args(arguments)
@@ -17,12 +17,12 @@ pub fn cellray(arguments: &[&str]) -> Output {
         .unwrap()
 }
 
-/// Output as text.
+/// Converts output to text.
 pub fn text(bytes: &[u8]) -> String {
     String::from_utf8_lossy(bytes).into_owned()
 }
 
-/// Runs to success; gives standard output and standard error.
+/// Runs cellray, which must succeed. Returns standard output and standard error.
 pub fn good(arguments: &[&str]) -> (String, String) {
     let output = cellray(arguments);
     let (out, err) = (text(&output.stdout), text(&output.stderr));
@@ -30,7 +30,7 @@ pub fn good(arguments: &[&str]) -> (String, String) {
     (out, err)
 }
 
-/// Runs to failure, which must come soon, write nothing to standard output and say all `parts`.
+/// Runs cellray, which must fail soon, write nothing to standard output and print all `parts`.
 pub fn bad(arguments: &[&str], parts: &[&str]) {
     let start = Instant::now();
     let output = cellray(arguments);
@@ -53,7 +53,7 @@ pub fn bad(arguments: &[&str], parts: &[&str]) {
     }
 }
 
-/// Renders a scene to failure, which must say all `parts` and leave no picture.
+/// Renders a scene, which must fail, print all `parts` and leave no picture.
 pub fn bad_scene(scene: &str, parts: &[&str]) {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("bad.nff");

@@ -1,4 +1,4 @@
-//! The options of Whitted's model, and what does not fit.
+//! The options of Whitted's model, and scenes that do not fit.
 
 use std::fs;
 
@@ -19,7 +19,7 @@ fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
         let (_, err) = good(&[&arguments[..], model].concat());
         assert!(!err.contains("not drawn"), "{model:?}: {err}");
     }
-    // Without lights a scene is the paper's, unless asked for otherwise.
+    // A scene without lights uses the paper's model, unless the command line asks for Whitted's.
     let scene = format!("{VIEW}p 3\n0 0 0\n1 0 0\n0 1 0\n");
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("dark.nff");
@@ -31,7 +31,7 @@ fn what_depth_shading_does_not_draw_is_named_with_file_and_line() {
     assert!(!err.contains("not drawn"), "{err}");
 }
 
-/// A picture with options, and its statistics.
+/// Renders with options. Returns the picture and its statistics.
 fn traced(scene: &str, options: &[&str]) -> (Vec<u8>, serde_json::Value) {
     let folder = tempfile::tempdir().unwrap();
     let picture = folder.path().join("p.png");
@@ -44,7 +44,7 @@ fn traced(scene: &str, options: &[&str]) -> (Vec<u8>, serde_json::Value) {
     )
 }
 
-/// The numbers of rays under the names of the Standard Procedural Databases, which must add up.
+/// The numbers of rays under the names of the Standard Procedural Databases. Checks their sum.
 fn rays(stats: &serde_json::Value) -> [u64; 7] {
     let names = [
         "eye",
@@ -105,7 +105,7 @@ fn each_option_of_whitteds_model_changes_what_it_says() {
 fn rays_that_are_not_seen_are_sent_if_asked_for() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("glass.nff");
-    // The glass mirrors nothing.
+    // This glass reflects nothing.
     let glass = "l 9 9 9\nf 1 1 1 0.2 0 0 0.8 1.1\ns 0 0 0 1\n";
     fs::write(&path, format!("{VIEW}{glass}")).unwrap();
     let path = path.to_str().unwrap();
@@ -145,7 +145,7 @@ fn a_scene_that_is_too_large_says_how_much_of_it_fits() {
     );
     let parts = [
         "bytes of local store",
-        // No ray that is worth sending gets as deep as 16.
+        // No ray with enough weight to be sent reaches depth 16.
         "for rays of depth 13",
         "spheres fit",
     ];

@@ -1,4 +1,4 @@
-//! A good frame descriptor of 64x32 pixels, and the bytes that it points to.
+//! A valid frame descriptor of 64x32 pixels, and the data that it points to.
 
 use cellray::Scene;
 use cellray::Settings;
@@ -6,18 +6,18 @@ use cellray::framebuffer::{Framebuffer as _, Geometry, Memory};
 use cellray::work::{self, Addresses, EyeSpheres, Order, Projection, Skip, Split, Units};
 use protocol::layout::Frame;
 
-/// Pixels across and down: two tiles.
+/// Width and height in pixels: two tiles.
 pub const SIZE: (u32, u32) = (64, 32);
 
-/// A frame, less the addresses of what it points to in main memory, which are 0.
+/// A frame without its addresses in main memory, which are 0.
 pub struct Descriptor {
     pub frame: Frame,
     pub spheres: Vec<u8>,
-    /// The scene of Whitted's model; a line of zeros without one.
+    /// The block of Whitted's model, or zeros without such a scene.
     pub block: Vec<u8>,
-    /// Each SPU's share is a slice of these.
+    /// The work units. Each SPU's share is a slice of them.
     pub units: Vec<u8>,
-    /// Where the picture goes: of this the frame has the address.
+    /// The memory for the picture. The frame contains its address.
     pub framebuffer: Memory,
 }
 

@@ -1,5 +1,5 @@
-//! SPU programs that go wrong: each becomes an error that says which SPU, where and why, in time,
-//! and no picture is passed off as whole.
+//! SPU programs that fail. Each becomes an error that says which SPU failed, where and why, in
+//! time, and no incomplete picture is presented as complete.
 
 use std::fs;
 use std::path::Path;
@@ -11,7 +11,8 @@ use cellray::spe::Program;
 use cellray::{Engine, EngineError, Scene, Settings};
 use spu_build::{Image, Tools};
 
-/// Assembles a program whose frame loop is `body`: it has taken a mail when it gets there.
+/// Assembles a program with `body` as its frame loop, which starts after the program has taken a
+/// mail.
 fn program(body: &str) -> Program {
     let taking = "        rdch $3,$SPU_RdInMbox\n        rdch $4,$SPU_RdInMbox\n        or $5,$3,$4\n        \
                   brz $5,quit\n";
@@ -20,7 +21,7 @@ fn program(body: &str) -> Program {
     ))
 }
 
-/// Assembles a program of these instructions.
+/// Assembles a program from these instructions.
 fn assemble(source: &str) -> Program {
     let folder = tempfile::tempdir().unwrap();
     let source = format!(
@@ -36,12 +37,12 @@ fn assemble(source: &str) -> Program {
         })
         .unwrap();
     let image = fs::read(elf).unwrap().leak();
-    // SAFETY: the linker made it.
+    // SAFETY: the image comes from the linker.
     unsafe { Program::from_elf(image) }
 }
 
-/// Renders with a program that goes wrong; gives the error after checking that it came in time and
-/// that nothing was written.
+/// Renders with a program that fails. Checks that the error came in time and that nothing was
+/// presented, and returns the error.
 fn render(body: &str, timeout: Duration) -> EngineError {
     render_with(program(body), timeout)
 }
@@ -73,10 +74,7 @@ fn render_with(program: Program, timeout: Duration) -> EngineError {
         "{error} took its time"
     );
     let left: Vec<_> = fs::read_dir(folder.path()).unwrap().collect();
-    assert!(
-        left.is_empty(),
-        "{left:?} is left of a picture that never was"
-    );
+    assert!(left.is_empty(), "{left:?} is left of an incomplete picture");
     error
 }
 
@@ -156,7 +154,7 @@ fn a_dma_to_memory_that_is_not_there() {
     check(&body, &["unmapped memory", "0x0040"]);
 }
 
-/// What is said of SPUs that do not answer for a second.
+/// The message about SPUs that do not answer for a second.
 fn silence(program: Program) -> String {
     let error = render_with(program, Duration::from_secs(1));
     assert!(
@@ -181,7 +179,7 @@ fn a_program_that_sleeps() {
 #[test]
 fn a_program_that_goes_round_in_circles() {
     let text = silence(program("        nop\ncircle: nop\n        br circle"));
-    // The mail takes four instructions.
+    // Taking the mail needs four instructions.
     let places = ["was at 0x00014, circle;", "was at 0x00018, circle+0x4;"];
     assert!(places.iter().any(|place| text.contains(place)), "{text}");
 }
@@ -192,8 +190,8 @@ fn a_program_that_does_not_look_at_its_mail() {
     assert!(text.contains("has not read its mailbox"), "{text}");
 }
 
-/// Takes six units, each after 0.4 s by the decrementer, and answers that all is done: longer than
-/// a second in all, but never a second without a unit taken.
+/// Takes six units, each after waiting 0.4 s by the decrementer, and answers that all is done. It
+/// takes longer than a second in total, but never a second without taking a unit.
 const SLOWLY: &str = "
         ila $10,0x1000
         wrch $MFC_LSA,$10

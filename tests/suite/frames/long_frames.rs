@@ -1,6 +1,6 @@
-//! Frames that take longer than the 32 bits of the decrementer can tell: 53.8 s on a console.
+//! Frames that take longer than the 32 bits of the decrementer can count: 53.8 s on a console.
 //!
-//! The SPU program runs on an emulated SPE whose clock leaps at every look, so that a small frame
+//! The SPU program runs on an emulated SPE whose clock jumps at every read, so that a small frame
 //! lasts minutes.
 
 use std::sync::Arc;
@@ -20,7 +20,7 @@ use zerocopy::{FromBytes as _, IntoBytes as _};
 use crate::frames::descriptor::{Descriptor, SIZE};
 use crate::recorder::nff_scene;
 
-/// Where the frame's records lie in main memory.
+/// Addresses of the frame's records in main memory.
 const FRAME: u64 = 0x1000_0000;
 const SPHERES: u64 = 0x1100_0000;
 const SCENE: u64 = 0x1200_0000;
@@ -30,14 +30,14 @@ const UNITS: u64 = 0x1500_0000;
 const COSTS: u64 = 0x1600_0000;
 const FRAMEBUFFER: u64 = 0x1700_0000;
 
-/// What a 32-bit decrementer has ticks for.
+/// The number of ticks of a 32-bit decrementer.
 const PERIOD: u64 = 1 << 32;
 
-/// By how much the clock is later at each look: 2.5 s. The driver looks some fifteen times a tile,
-/// and must not miss that 53.8 s have passed.
+/// By how much the clock advances at each read: 2.5 s. The driver reads it some fifteen times a
+/// tile, and must not miss that 53.8 s have passed.
 const LEAP: u64 = 3 << 26;
 
-/// A clock that leaps at each look.
+/// A clock that jumps at each read.
 struct Leaping {
     now: AtomicU64,
 }
@@ -52,7 +52,7 @@ impl Clock for Leaping {
     }
 }
 
-/// What one SPU says of a frame, what its first unit has cost, and how long all of it has taken.
+/// One SPU's statistics of a frame, the cost of its first unit, and the total time.
 fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
     let Descriptor {
         mut frame,
@@ -93,7 +93,7 @@ fn traced(scene: &nff::Scene) -> (Statistics, UnitCost, u64) {
     let image = Image::parse(Settings::default().program.image()).unwrap();
     image.load(spe.local_store(), 0);
 
-    // The frame, then the end of the program: as many words as the mailbox holds.
+    // The frame and then the end of the program: as many words as the mailbox holds.
     for word in [(FRAME >> 32) as u32, FRAME as u32, 0, 0] {
         assert!(spe.write_inbound(word, None));
     }
@@ -129,10 +129,10 @@ fn holds(scene: &nff::Scene) {
     let (line, cost, total) = traced(scene);
     let [busy, dma_wait, idled] = [line.busy, line.dma_wait, line.idle].map(|ticks| ticks.get());
     assert!(busy > PERIOD, "the frame is too short to tell: {busy}");
-    // What is not told of is the start of the program and what follows the last count.
-    let told = busy + dma_wait + idled;
-    assert!(told <= total, "{told} of {total} ticks");
-    assert!(total - told < 24 * LEAP, "{told} of {total} ticks");
+    // The start of the program and the time after the last count are not included.
+    let counted = busy + dma_wait + idled;
+    assert!(counted <= total, "{counted} of {total} ticks");
+    assert!(total - counted < 24 * LEAP, "{counted} of {total} ticks");
     let phases = phases(&line);
     assert!(
         phases <= busy + dma_wait,

@@ -1,5 +1,5 @@
-//! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that go wrong,
-//! and shaders of games.
+//! Whole frames on emulated SPUs: pictures, the work-unit protocol, SPU programs that fail, and
+//! shaders of games.
 
 mod descriptor;
 mod faults;

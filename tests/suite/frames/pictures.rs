@@ -1,4 +1,5 @@
-//! Whole frames: the same bytes however the work is split, and the f64 reference's picture.
+//! Whole frames have the same bytes however the work is split, and match the picture of the f64
+//! reference.
 
 use std::ffi::c_void;
 use std::ptr::{self, NonNull};
@@ -22,7 +23,7 @@ fn one_spu() -> Settings {
 #[test]
 fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
     let scene = nff_scene("paper16.nff");
-    // Widths that fill whole tiles, part of one, and no whole group of four pixels.
+    // Widths of whole tiles, of part of a tile, and one that is no multiple of four pixels.
     for (width, height) in [(256, 64), (101, 57), (1, 1), (3, 200), (700, 33)] {
         let reference = render(&scene, width, height, one_spu());
         for spus in 1..=6 {
@@ -36,7 +37,8 @@ fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
                 let (framebuffer, shown) = Recorder::pair(width, height);
                 let mut engine = Engine::start(settings, framebuffer).unwrap();
                 let scene = Scene::from_nff(&scene).unwrap();
-                // The first frame's units are cut blindly, the further ones' by costs.
+                // The units of the first frame are cut without known costs, and those of later
+                // frames by costs.
                 for frame in 1..=3 {
                     engine.render(&scene, &mut |_| ()).unwrap();
                     assert!(
@@ -53,7 +55,7 @@ fn one_to_six_spus_both_splits_and_known_costs_give_the_same_bytes() {
 fn every_packet_is_accounted_for_with_every_sphere() {
     let nff = nff_scene("paper13.nff");
     let mut view_of_some = nff.clone();
-    // VisiblePrimitive through a keyhole, most of the spheres are out of the picture.
+    // With a narrow view, most of the spheres are outside the picture.
     view_of_some.view.angle = 5.0;
     for (nff, skip) in [
         (&nff, Skip::Misses),
@@ -106,7 +108,7 @@ fn tests_that_skipping_leaves_out_are_of_spheres_that_no_ray_comes_near() {
             let mut engine = Engine::start(settings, framebuffer).unwrap();
             engine.render(&scene, &mut |_| ()).unwrap().tests()
         });
-        // A packet's own rays are a closer test than its cone.
+        // The test with a packet's own rays is closer than the one with its cone.
         let near = skipping.made + skipping.hidden;
         assert!(
             without.hits_looked_for <= near,
@@ -130,7 +132,7 @@ const SCENES: [&str; 8] = [
     "fullscreen.nff",
 ];
 
-/// Renders with and without skipping: the bytes must be the same.
+/// Renders with and without skipping. The bytes must be equal.
 fn skipping_changes_nothing(scene: &nff::Scene, width: u32, height: u32) -> RgbImage {
     let skipping = render(scene, width, height, Settings::default());
     let settings = Settings {
@@ -160,7 +162,8 @@ fn skipping_changes_no_random_scene() {
         let count = random.random_range(1..60);
         let mut scene = random_scene(&mut random, count);
         let view = &mut scene.view;
-        // From outside and from among the spheres, through a keyhole and with a very wide picture.
+        // From outside and from among the spheres, with a narrow view and with a very wide
+        // picture.
         view.from = vector(&mut random, if number % 2 == 0 { 12.0 } else { 3.0 });
         view.at = vector(&mut random, 2.0);
         let widest = libm::exp2(random.random_range(2.0..7.4f64));
@@ -172,8 +175,8 @@ fn skipping_changes_no_random_scene() {
     assert!(shown > 100, "{shown} of 200 pictures show anything");
 }
 
-/// Compares with f64: every pixel within 1/255 away from silhouettes, and not over 0.05 % off at
-/// all.
+/// Compares with f64: every pixel is within 1/255 away from silhouettes, and at most 0.05 % of all
+/// pixels are off.
 fn like_the_reference(scene: &nff::Scene, width: u32, height: u32) {
     let rendered = render(scene, width, height, Settings::default());
     let mut picture = oracle::Picture::black(width, height).unwrap();
@@ -201,7 +204,7 @@ fn the_scenes_are_like_the_reference() {
 #[test]
 fn a_sphereflake_is_like_the_reference() {
     let mut scene = nff::sphereflake::generate(2).unwrap();
-    // By depth shading, as all scenes without lights.
+    // With depth shading, as for all scenes without lights.
     scene.lights.clear();
     like_the_reference(&scene, 512, 512);
 }
@@ -222,8 +225,8 @@ fn an_empty_scene_is_its_background() {
 
 #[test]
 fn hits_are_counted_within_the_picture_only() {
-    // One sphere around the whole view: every ray hits, also of the lanes beyond the picture's
-    // edge.
+    // One sphere encloses the eye, so every ray hits, including those of lanes outside the
+    // picture.
     let text = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 10\nhither 1\nresolution 64 64\n\
                 f 1 1 1 1 0 0 0 1\ns 0 0 0 5\n";
     let scene = nff::parse(text.as_bytes(), "near", &nff::Limits::default()).unwrap();
@@ -238,7 +241,7 @@ fn hits_are_counted_within_the_picture_only() {
     }
 }
 
-/// Memory around a multiple of 4 GB, where a tile's rows have no common high address word.
+/// Memory around a multiple of 4 GB, where the rows of a tile have different high address words.
 struct Straddling {
     base: NonNull<u8>,
     geometry: Geometry,
@@ -247,14 +250,14 @@ struct Straddling {
 const BOUNDARY: usize = 0x22_0000_0000;
 const STRIDE: u32 = 512;
 
-// SAFETY: the mapping is this value's own.
+// SAFETY: the mapping belongs to this value.
 unsafe impl Send for Straddling {}
 
 impl Straddling {
     fn new(geometry: Geometry) -> Self {
         let length = STRIDE as usize * geometry.height as usize;
         let start = BOUNDARY - length / 2 / 4096 * 4096;
-        // SAFETY: maps new anonymous memory; nothing that exists is replaced.
+        // SAFETY: this maps new anonymous memory and replaces no existing mapping.
         let base = unsafe {
             libc::mmap(
                 start as *mut c_void,
@@ -279,7 +282,7 @@ impl Straddling {
 
 impl Drop for Straddling {
     fn drop(&mut self) {
-        // SAFETY: the mapping is this value's own, and no SPU writes to it any more.
+        // SAFETY: the mapping belongs to this value, and no SPU writes to it any more.
         unsafe { libc::munmap(self.base.as_ptr().cast(), self.bytes()) };
     }
 }
@@ -301,7 +304,7 @@ impl Framebuffer for Straddling {
 
     fn present(&mut self) -> Result<(), FramebufferError> {
         let bytes = ptr::slice_from_raw_parts(self.base.as_ptr(), self.bytes());
-        // SAFETY: all SPUs have answered, so nobody writes to the mapping now.
+        // SAFETY: all SPUs have answered, so nothing writes to the mapping now.
         let bytes = unsafe { &*bytes };
         let expected = render(
             &nff_scene("paper16.nff"),

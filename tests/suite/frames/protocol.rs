@@ -1,4 +1,4 @@
-//! The SPU's side of the work-unit protocol: what it refuses, and that it goes on afterwards.
+//! The SPU's side of the work-unit protocol: what it refuses, and that it continues afterwards.
 
 use std::time::Duration;
 
@@ -10,7 +10,7 @@ use protocol::layout::{Frame, SCENE_ADDRESS, SCENE_ROOM, Statistics, UnitCounter
 use zerocopy::big_endian::U32;
 use zerocopy::{FromZeros as _, IntoBytes as _};
 
-/// Makes one field of a descriptor wrong.
+/// Changes one field of a descriptor to a wrong value.
 type Spoil = fn(&mut Frame);
 
 const WHITTED: &[u8] = b"\
@@ -39,7 +39,7 @@ c
 3 0 2 0
 ";
 
-/// An engine, and a good frame descriptor with all that it points to.
+/// An engine, and a valid frame descriptor with everything that it points to.
 struct Fixture {
     engine: Engine,
     frame: Frame,
@@ -48,12 +48,12 @@ struct Fixture {
     _framebuffer: Memory,
 }
 
-/// A frame by depth shading.
+/// A frame with depth shading.
 fn fixture(spus: u32) -> Fixture {
     fixture_of(&nff_scene("paper13.nff"), spus)
 }
 
-/// A frame by Whitted's model: spheres, parallelograms, triangles and a cone.
+/// A frame of Whitted's model with spheres, parallelograms, triangles and a cone.
 fn whitted_fixture(spus: u32) -> Fixture {
     let scene = nff::parse(WHITTED, "all shapes", &nff::Limits::default()).unwrap();
     fixture_of(&scene, spus)
@@ -99,8 +99,8 @@ fn fixture_of(scene: &nff::Scene, spus: u32) -> Fixture {
 
 impl Fixture {
     fn submit(&mut self, frame: &Frame) -> Result<(), EngineError> {
-        // SAFETY: every address is either one of the fixture's memory, which lives on, or one that
-        // the SPUs must refuse without using it, which is what is tested.
+        // SAFETY: every address is either in the fixture's memory, which stays alive, or one that
+        // the SPUs must refuse without using it. The test checks that they do.
         unsafe { self.engine.submit(frame, &mut |_| ()) }.map(|_| ())
     }
 
@@ -112,8 +112,8 @@ impl Fixture {
         }
     }
 
-    /// Tries each wrong field, whose name and a part of whose message the case has, and the good
-    /// frame after it.
+    /// Tries each wrong field, and the valid frame after it. A case has the field's name and a
+    /// part of the message.
     fn refuses(&mut self, cases: &[(&str, &str, Spoil)]) {
         let good = self.frame;
         for (field, part, spoil) in cases {
@@ -227,7 +227,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("scene_bytes", "4294967295", |frame| {
             frame.scene_bytes = u32::MAX.into()
         }),
-        // Fifteen depths of three batches of eight packets wait in 184320 bytes.
+        // Fifteen depths with three batches of eight packets need 184320 bytes.
         (
             "ray_depth",
             "16 (0x10), 8 (0x8): must be a multiple",
@@ -269,7 +269,7 @@ fn every_wrong_field_of_whitteds_model_is_refused_by_name() {
         ("sphere_count", "1 (0x1)", |frame| {
             frame.sphere_count = 1.into()
         }),
-        // The scene is too short for what is said to be in it.
+        // The scene is too short for its declared contents.
         ("trees", "lie in the scene", |frame| {
             frame.scene_bytes = 0.into();
             frame.lights = SCENE_ADDRESS.into();
@@ -317,7 +317,7 @@ fn what_whitteds_model_may_say_at_most_is_traced() {
             frame.batch = 8.into();
         },
         |frame| frame.light_count = 0.into(),
-        // A tree of no objects is not looked at.
+        // A tree without objects is not checked.
         |frame| {
             frame.trees[0].objects = 0.into();
             frame.trees[0].roots = u32::MAX.into();
@@ -335,7 +335,7 @@ fn a_descriptor_at_an_odd_address_is_refused() {
     let mut fixture = fixture(1);
     let frame = fixture.frame;
     for address in [0x1_0000_0040_u64, 0x1001, 0x7f] {
-        // SAFETY: the SPU must refuse the address without using it, which is what is tested.
+        // SAFETY: the SPU must refuse the address without using it. The test checks that it does.
         let error = unsafe { fixture.engine.mail(address, &frame, &mut |_| ()) }.unwrap_err();
         let EngineError::Refused { refusal, .. } = &error else {
             panic!("{error}")

@@ -5,12 +5,12 @@ use nff::{Material, Object, Scene, Shader, Shape, View};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 
-/// A vector with coordinates up to `most`.
+/// A vector with coordinates between -`most` and `most`.
 pub fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {
     DVec3::from_array(std::array::from_fn(|_| random.random_range(-most..most)))
 }
 
-/// A sphere of any of the scene's materials.
+/// A sphere with a random one of the scene's materials.
 pub fn sphere(random: &mut ChaCha8Rng, materials: usize) -> Object {
     Object {
         line: 0,
@@ -22,7 +22,8 @@ pub fn sphere(random: &mut ChaCha8Rng, materials: usize) -> Object {
     }
 }
 
-/// Spheres of some colours, at most 4 from the origin each way, seen from 12 away.
+/// Spheres of several colours, at most 4 from the origin in each direction, seen from a distance
+/// of 12.
 pub fn random_scene(random: &mut ChaCha8Rng, count: usize) -> Scene {
     let material = |colour| Material {
         line: 0,

@@ -1,4 +1,5 @@
-//! Frames of which only what has changed is traced: the bytes must be those of a whole frame.
+//! Frames of which only the changed part is traced. Their bytes must equal those of a fully traced
+//! frame.
 
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::{Arc, Mutex};
@@ -39,10 +40,10 @@ fn a_frame_that_changes_nothing_is_shown_and_not_traced() {
     }
 }
 
-/// Changes something of a scene.
+/// A change of a scene.
 type Change = fn(&mut nff::Scene);
 
-/// By Whitted's model too what changes is traced, wherever it shows.
+/// With Whitted's model too, a change is traced wherever it is visible.
 #[test]
 fn whitteds_model_is_traced_again_where_anything_has_changed() {
     let whitted = nff_scene("whitted16.nff");
@@ -81,7 +82,7 @@ fn whitteds_model_is_traced_again_where_anything_has_changed() {
                 let statistics = engine.render(&scene, &mut |_| ()).unwrap();
                 statistics.tiles_retained
             };
-            // The one before may have been this scene.
+            // The previous frame may have shown this scene already.
             retained();
             let first = shown.lock().unwrap().take().unwrap();
             assert_eq!(retained(), tiles, "{what}");
@@ -126,7 +127,7 @@ fn move_sphere(scene: &mut nff::Scene, number: usize) {
     }
 }
 
-/// Of the parallelogram the triangle of its first three vertices.
+/// Turns the parallelogram into the triangle of its first three vertices.
 fn halve_the_ground(scene: &mut nff::Scene) {
     if let Shape::Polygon { vertices } = &mut scene.objects[0].shape {
         vertices.truncate(3);
@@ -190,13 +191,13 @@ fn a_framebuffer_that_was_asked_for_counts_as_drawn_to() {
     engine.render(&scene, &mut |_| ()).unwrap();
     let picture = shown.lock().unwrap().take().unwrap();
     let target = engine.framebuffer().unwrap().target();
-    // SAFETY: the target was just given out, and the SPUs are at rest.
+    // SAFETY: the target was just obtained, and the SPUs are idle.
     unsafe { target.base.write_bytes(0xee, target.bytes) };
     engine.render(&scene, &mut |_| ()).unwrap();
     assert!(shown.lock().unwrap().take().unwrap() == picture);
 }
 
-/// One step of a game: something moves, changes, comes, goes, or the view does.
+/// One step of a game: an object moves, changes, appears or disappears, or the view changes.
 fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
     // The first two stay: see frame_of_depth.
     let count = scene.objects.len();
@@ -207,7 +208,7 @@ fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
         ..
     } = &mut scene.objects[any]
     else {
-        unreachable!("these scenes have spheres alone");
+        unreachable!("these scenes have only spheres");
     };
     match random.random_range(0..24) {
         0 => {}
@@ -234,7 +235,7 @@ fn change(random: &mut ChaCha8Rng, scene: &mut nff::Scene) {
     }
 }
 
-/// Two spheres that set the range of depth shading, so that what others do does not.
+/// Two spheres that set the range of depth shading, so that other objects do not change it.
 fn frame_of_depth(scene: &mut nff::Scene) {
     let place = |centre, radius| Object {
         line: 0,
@@ -249,7 +250,7 @@ fn frame_of_depth(scene: &mut nff::Scene) {
         .insert(1, place(DVec3::new(0.0, 30.0, 0.0), 0.5));
 }
 
-/// Two pages that take turns, as a screen's.
+/// Two pages that are shown in turn, like those of a screen.
 struct TwoPages {
     pages: [Memory; 2],
     next: usize,
@@ -342,7 +343,7 @@ fn moves_look_as_if_every_frame_were_traced_as_a_whole() {
     assert!(retained > 180 * 66 / 4, "{retained}");
 }
 
-/// Memory that others draw to while they may.
+/// Memory to which others may draw between frames.
 struct Shared {
     memory: Memory,
     disturbed: Arc<AtomicBool>,
@@ -362,7 +363,7 @@ impl Framebuffer for Shared {
         *self.shown.lock().unwrap() = Some(self.memory.rgb());
         if self.disturbed.load(Ordering::Relaxed) {
             let Target { base, bytes, .. } = self.memory.target();
-            // SAFETY: the target was just given out, and the SPUs have answered.
+            // SAFETY: the target was just obtained, and the SPUs have answered.
             unsafe { base.write_bytes(0xee, bytes) };
         }
         Ok(())
@@ -408,7 +409,7 @@ fn nothing_is_retained_while_others_draw_and_just_after() {
     }
 }
 
-/// A framebuffer whose frames get lost on the way to the screen now and then.
+/// A framebuffer whose frames sometimes get lost on the way to the screen.
 struct Unsteady {
     memory: Memory,
     presents: u32,
@@ -428,7 +429,7 @@ impl Framebuffer for Unsteady {
         self.presents += 1;
         if self.presents == 2 {
             let Target { base, bytes, .. } = self.memory.target();
-            // SAFETY: the target was just given out, and the SPUs have answered.
+            // SAFETY: the target was just obtained, and the SPUs have answered.
             unsafe { base.write_bytes(0xee, bytes) };
             return Err(FramebufferError::OutOfMemory { bytes });
         }

@@ -1,5 +1,5 @@
-//! Random things to put into worlds. No two surfaces are in one place: which of them is seen is
-//! left open (`docs/shading.md`).
+//! Random content for worlds. No two surfaces are in the same place, because which of them is
+//! visible is undefined (`docs/shading.md`).
 
 use cellray::game::{DVec3, Light, Material, Shader, Shape};
 use rand::Rng as _;
@@ -13,7 +13,7 @@ pub fn colour(random: &mut ChaCha8Rng) -> DVec3 {
     vector(random, 1.0).abs()
 }
 
-/// A shape of any kind, at most 4 from the origin each way.
+/// A shape of any kind, at most 4 from the origin in each direction.
 pub fn shape(random: &mut ChaCha8Rng) -> Shape {
     let middle = vector(random, 3.0);
     let [a, b, c] = std::array::from_fn(|_| vector(random, 0.8));
@@ -26,7 +26,7 @@ pub fn shape(random: &mut ChaCha8Rng) -> Shape {
             apex_radius: random.random_range(0.0..0.6),
         },
         4 => {
-            // Vertices need not be in a plane.
+            // The vertices need not be in a plane.
             let bent = if random.random() {
                 0.7 * c
             } else {
@@ -62,7 +62,7 @@ pub fn sphere(random: &mut ChaCha8Rng) -> Shape {
     }
 }
 
-/// A material; `goes_on` if rays may be reflected by it or let through.
+/// A random material. `goes_on` allows it to reflect or refract rays.
 pub fn material(random: &mut ChaCha8Rng, goes_on: bool) -> Material {
     let shader = match random.random_range(0..8) {
         0 => Shader::Flat,

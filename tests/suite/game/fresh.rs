@@ -1,4 +1,4 @@
-//! A world that has changed is traced as a new scene of the same content, byte for byte.
+//! A changed world is traced exactly like a new scene with the same content, byte for byte.
 
 use cellray::game::{DVec3, Light, LightId, MaterialId, Model, ObjectId, RenderOptions, World};
 use cellray::spe::Program;
@@ -10,11 +10,11 @@ use rand_chacha::ChaCha8Rng;
 use crate::game::content;
 use crate::recorder::{Recorder, Snapshot};
 
-/// The tiles of the last column and row are cut short.
+/// The tiles of the last column and row are partly outside the picture.
 const SIZE: (u32, u32) = (132, 66);
 const TILES: u64 = 3 * 5;
 
-/// A world, and what is in it.
+/// A world and its contents.
 struct Played {
     world: World,
     goes_on: bool,
@@ -63,7 +63,7 @@ impl Played {
         self.objects.push(object);
     }
 
-    /// Changes something, in most cases little.
+    /// Changes something, usually something small.
     fn change(&mut self, random: &mut ChaCha8Rng) {
         let Self { world, .. } = self;
         let object = self.objects.choose(random).copied();
@@ -134,7 +134,7 @@ impl Screen {
         }
     }
 
-    /// The picture of a scene, and how many tiles were not traced for it.
+    /// Returns the picture of a scene, and the number of tiles that were not traced for it.
     fn picture(&mut self, scene: &Scene) -> (image::RgbImage, u64) {
         let retained = self
             .engine
@@ -146,8 +146,8 @@ impl Screen {
     }
 }
 
-/// Plays with worlds; which part of the tiles was retained in frames in which something may have
-/// changed.
+/// Changes worlds at random. Returns the share of tiles that were retained in frames in which
+/// something may have changed.
 fn play(seed: u64, render_options: RenderOptions, lights: usize, goes_on: bool) -> f64 {
     let mut random = ChaCha8Rng::seed_from_u64(seed);
     let (mut changed, mut fresh) = (Screen::new(true), Screen::new(false));
@@ -210,7 +210,7 @@ fn without_shadows() {
     assert!(retained > 0.3, "{retained}");
 }
 
-/// A world in which lights come and go changes its model.
+/// Adding and removing lights changes a world's model.
 #[test]
 fn the_model_follows_the_lights() {
     let mut random = ChaCha8Rng::seed_from_u64(5);
@@ -230,7 +230,7 @@ fn the_model_follows_the_lights() {
     }
 }
 
-/// As many objects as come: those for which there is no room have the scene laid out anew.
+/// Objects are added until there is no more room, and then the scene's layout is rebuilt.
 #[test]
 fn worlds_grow_and_shrink() {
     let mut random = ChaCha8Rng::seed_from_u64(6);

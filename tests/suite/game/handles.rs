@@ -1,4 +1,4 @@
-//! Handles, and what a world refuses.
+//! Handles, and the errors of a world.
 
 use cellray::Settings;
 use cellray::game::{
@@ -10,7 +10,7 @@ use protocol::layout::MAX_SPHERES;
 
 use crate::recorder::{nff_scene, render};
 
-/// Seven lines.
+/// The view takes seven lines.
 const VIEW: &str = "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 40\nhither 1\nresolution 32 24\n";
 
 fn red(world: &mut World) -> MaterialId {
@@ -216,7 +216,7 @@ fn numbers_out_of_range_are_refused_and_change_nothing() {
     assert_eq!(world.checksum(), before);
 }
 
-/// What does not fit is an error of the frame, and the world goes on when it fits again.
+/// A world that does not fit fails to render, and renders again once it fits.
 #[test]
 fn too_much_is_refused_until_it_is_gone() {
     let program = Program::tracer();

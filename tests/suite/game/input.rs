@@ -1,4 +1,4 @@
-//! The state that events add up to.
+//! The input state that results from events.
 
 use cellray::game::{Axis, Button, Input, InputEvent, Key, MouseButton, PadId, Sensors};
 
@@ -30,7 +30,7 @@ fn every_key_is_pressed_held_and_released_alone() {
         next(&mut input, &[key(one, true)]);
         assert!(
             input.key_held(one) && !input.key_pressed(one),
-            "a repetition is none"
+            "a repeated event is not a press"
         );
         next(&mut input, &[key(one, false)]);
         assert!(input.key_released(one) && !input.key_held(one));
@@ -102,7 +102,7 @@ fn pads_come_and_go() {
         axis: Axis::LeftX,
         value,
     };
-    // A pad that is not there is passed over.
+    // Events of a pad that is not connected are ignored.
     let mut input = after(&[button(0, true), axis(1.0)]);
     assert!(input.pad().is_none());
     next(
@@ -141,7 +141,7 @@ fn pads_come_and_go() {
     let gone = InputEvent::PadDisconnected { pad: PadId(1) };
     next(&mut input, &[gone]);
     assert_eq!(input.pads().len(), 1);
-    // Plugged in again it is as new.
+    // A pad that is connected again starts in the initial state.
     next(&mut input, &[connected(1)]);
     assert!(!input.pads()[1].held(Button::Cross));
     assert_eq!(input.pads()[1].axis(Axis::LeftX), 0.0);

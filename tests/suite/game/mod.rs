@@ -1,4 +1,4 @@
-//! The user layer: worlds that change, input, sessions.
+//! The user layer: worlds that change, input, and sessions.
 
 mod content;
 mod fresh;

@@ -1,4 +1,4 @@
-//! What is left alone of a picture in which little changes.
+//! Which tiles are retained when little changes.
 
 use cellray::game::{DVec3, DepthShading, Light, Material, ObjectId, World, WorldError};
 use cellray::spe::Program;
@@ -6,7 +6,7 @@ use cellray::{Engine, Settings};
 
 use crate::recorder::Recorder;
 
-/// A ball over one end of a ground and a still one over the other, seen from above.
+/// A moving ball over one end of a ground and a still one over the other, seen from above.
 fn balls(ground: Material, lights: &[Light]) -> Result<(World, ObjectId), WorldError> {
     let mut world = World::new();
     world.set_default_light(false);
@@ -25,8 +25,8 @@ fn balls(ground: Material, lights: &[Light]) -> Result<(World, ObjectId), WorldE
     Ok((world, ball))
 }
 
-/// Tiles that are traced, of the 10 x 8 there are, when the ball moves by a little, and when
-/// nothing does.
+/// How many of the 10 x 8 tiles are traced after the ball has moved a little, and how many after
+/// no change.
 fn traced(world: &mut World, ball: ObjectId) -> [u64; 2] {
     let (framebuffer, _) = Recorder::pair(640, 128);
     let mut engine = Engine::start(Settings::default(), framebuffer).unwrap();
@@ -54,7 +54,7 @@ fn a_ball_and_its_shadows_are_a_few_tiles() {
     assert_eq!(still, 0);
 }
 
-/// A long shadow is followed, and no more than that.
+/// Tiles along a long shadow are traced, and few others.
 #[test]
 fn a_low_sun_throws_a_long_shadow() {
     let low = Light::sun(DVec3::new(-1.0, 0.12, 0.0));
@@ -64,7 +64,7 @@ fn a_low_sun_throws_a_long_shadow() {
     assert!((4..=40).contains(&moved), "{moved}");
 }
 
-/// All that a mirror may show is traced, and what is beside it is not.
+/// Every tile that a mirror may affect is traced, and no other.
 #[test]
 fn a_mirror_is_traced_again() {
     let above = Light::at(DVec3::new(-8.0, 30.0, 5.0));
@@ -86,8 +86,8 @@ fn a_mirror_is_traced_again() {
     assert_eq!(still, 0);
 }
 
-/// By depth shading there is nothing but the ball; but where its distance is the range's, all
-/// changes.
+/// With depth shading, only the ball's tiles are traced. But if the ball's distance sets the
+/// range, all are.
 #[test]
 fn depth_shading_needs_a_range_of_its_own() {
     let (mut world, ball) = balls(Material::matte(0.5, 0.6, 0.5), &[]).unwrap();

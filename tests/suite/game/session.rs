@@ -1,4 +1,4 @@
-//! Sessions: run, recorded, played back.
+//! Sessions: running, recording and replaying them.
 
 use std::cell::RefCell;
 use std::io::{self, Write};
@@ -21,12 +21,12 @@ use crate::recorder::{Recorder, Snapshot};
 
 const FRAMES: u64 = 40;
 
-/// A ball that the player drives and chance pushes.
+/// A ball that the player steers and random pushes move.
 struct Driven {
     random: ChaCha8Rng,
     ball: ObjectId,
     place: DVec3,
-    /// From which frame on it does something else than it did; for a recording that does not fit.
+    /// The frame from which on it behaves differently, for a recording that does not match.
     odd_from: u64,
     over_at: u64,
 }
@@ -82,7 +82,7 @@ impl Game for Driven {
     }
 }
 
-/// Random input.
+/// Generates random input.
 struct Player(ChaCha8Rng);
 
 impl InputSource for Player {
@@ -103,7 +103,7 @@ impl InputSource for Player {
                 pad,
                 name: "\"pad\"\n".into(),
             }),
-            // What is no number is not heard, and not recorded.
+            // NaN is ignored and not recorded.
             3 => events.push(InputEvent::PadAxis {
                 pad,
                 axis: Axis::LeftY,
@@ -115,7 +115,7 @@ impl InputSource for Player {
     }
 }
 
-/// Steps of any length.
+/// Steps of random lengths.
 struct Unsteady(ChaCha8Rng);
 
 impl Clock for Unsteady {
@@ -147,7 +147,7 @@ fn start(game: Driven, size: (u32, u32)) -> (Session<Driven>, Snapshot) {
     (Session::start(game, settings, framebuffer).unwrap(), shown)
 }
 
-/// A clock for those who are told the time otherwise.
+/// A clock for sessions that get the time from a recording.
 const NO_TIME: FixedSteps = FixedSteps(Duration::ZERO);
 
 fn pictures(
@@ -163,12 +163,12 @@ fn pictures(
     pictures
 }
 
-/// Those of a session that a recording tells of all.
+/// The pictures of a session that is completely determined by a recording.
 fn replayed(session: &mut Session<Driven>, shown: &Snapshot) -> Vec<RgbImage> {
     pictures(session, shown, &mut { NO_TIME }, &mut NoInput)
 }
 
-/// A session of random input, and the recording of it.
+/// A session with random input, and its recording.
 fn recorded() -> (Vec<RgbImage>, Vec<u8>) {
     let random = ChaCha8Rng::seed_from_u64;
     let bytes = Shared::default();
@@ -198,7 +198,7 @@ fn a_recorded_session_is_played_back_bit_for_bit() {
     let (session, shown) = replay(Driven::new(), &bytes);
     let mut session = session.record_to(Box::new(again.clone()));
     assert!(replayed(&mut session, &shown) == expected);
-    // After the last frame it is over.
+    // The session is over after the last frame.
     let after = session.frame(&mut { NO_TIME }, &mut NoInput);
     assert!(after.unwrap().is_break());
     drop(session);
@@ -210,7 +210,7 @@ fn a_recording_is_played_back_in_another_size() {
     let (_, bytes) = recorded();
     let (session, shown) = start(Driven::new(), (96, 64));
     let mut session = session.replaying(open(&bytes).unwrap()).unwrap();
-    // The world is the recorded one: its checksums are compared.
+    // The world equals the recorded one, because the replay compares their checksums.
     let pictures = replayed(&mut session, &shown);
     assert_eq!(pictures.len(), FRAMES as usize);
     assert_eq!(pictures[0].dimensions(), (96, 64));
@@ -326,7 +326,7 @@ fn input_that_ends_or_fails_ends_the_session() {
     assert!(error.to_string().contains("unplugged"), "{error}");
 }
 
-/// The size may change in the midst of a game: it is told, and so is who plays it back.
+/// The size may change during a game. The game and its replay see the change.
 #[test]
 fn a_session_moves_to_another_framebuffer() {
     let bytes = Shared::default();
@@ -340,7 +340,7 @@ fn a_session_moves_to_another_framebuffer() {
     let larger = Memory::new(Geometry::new(320, 200).unwrap()).unwrap();
     let before = session.show_on(Box::new(larger)).unwrap();
     assert_eq!(before.geometry(), Geometry::new(64, 32).unwrap());
-    // All of the first one is traced there.
+    // The whole first frame is traced on the new framebuffer.
     run(&mut session, 1);
     assert_eq!(session.engine().statistics().primary_rays(), 320 * 200);
     run(&mut session, 1);

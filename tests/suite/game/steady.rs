@@ -1,4 +1,4 @@
-//! Frames in which things move take no memory.
+//! Frames in which objects move allocate no memory.
 
 use std::time::Duration;
 
@@ -9,7 +9,7 @@ use cellray::game::{
     RenderOptions, Session, Shader, Shape, Start, World, WorldError,
 };
 
-/// Everything moves and changes its colour; some things come and go.
+/// Every object moves and changes its colour, and some appear and disappear.
 struct Swarm {
     render_options: RenderOptions,
     objects: Vec<(ObjectId, DVec3)>,
@@ -31,7 +31,7 @@ impl Swarm {
     }
 }
 
-/// A way that comes back to where it began after three seconds.
+/// A closed path that takes three seconds.
 fn way(time: f64, number: usize) -> DVec3 {
     let wave = |phase: f64| {
         let part = (time / 3.0 + phase).fract();
@@ -127,9 +127,9 @@ fn run(session: &mut Session<Swarm>, frames: u64) {
 }
 
 fn steady_frames_take_no_memory(model: Model) {
-    // Three tiles of few pixels: how long the SPUs trace them is nothing to the PPU's memory.
+    // Three small tiles, because the SPUs' time is irrelevant to the PPU's memory.
     let mut session = session(model, 16);
-    // Once around: all has been as large as it gets.
+    // After one turn, everything has reached its maximum size.
     run(&mut session, 130);
     for frame in 0..40 {
         let asked = allocations::during(|| run(&mut session, 1));
@@ -150,8 +150,7 @@ fn by_depth_shading() {
     steady_frames_take_no_memory(Model::Depth);
 }
 
-/// The loop sleeps while SPUs trace: what it takes of its processor is a small part of the time
-/// that passes.
+/// The frame loop sleeps while SPUs trace, so it uses only a small part of the processor's time.
 #[test]
 fn the_frame_loop_sleeps() {
     let mut session = session(Model::Whitted, 64);

@@ -1,5 +1,5 @@
-//! Rays that can't change their pixel are not sent, and that changes no picture by more than a
-//! step.
+//! Rays that can't change their pixel are not sent. No pixel changes by more than one step because
+//! of that.
 
 use std::path::Path;
 

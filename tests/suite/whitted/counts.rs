@@ -1,5 +1,5 @@
 //! The conditions of the Standard Procedural Databases: rays through the corners of 512x512
-//! pixels, and how many there are of each kind.
+//! pixels, and the number of rays of each kind.
 
 use std::path::Path;
 
@@ -10,18 +10,18 @@ use oracle::whitted::{Counts, trace};
 
 use crate::whitted::frame::{Frame, WHITTED, options, picture};
 
-/// Pixels of a side.
+/// The number of pixels on a side.
 const SIDE: u32 = 512;
-/// Where rays are many.
+/// The same for scenes with many rays.
 const DEEP_SIDE: u32 = 128;
 
-/// How far a count may be off, in parts of it.
+/// The relative tolerance of a count.
 const OFF: f64 = 0.001;
 
-/// Greatest share of pixels that are off, those on silhouettes among them.
+/// The greatest share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
-/// Each pixel the mean of its four corners.
+/// A picture in which each pixel is the mean of its four corners.
 fn averaged(corners: &RgbImage) -> RgbImage {
     RgbImage::from_fn(corners.width() - 1, corners.height() - 1, |x, y| {
         let around = [(0, 0), (1, 0), (0, 1), (1, 1)]
@@ -95,7 +95,7 @@ fn tetra() {
     corner_rays_are_counted_as_by_the_reference(&scene, WHITTED, SIDE);
 }
 
-/// A cogwheel with its centre and this height of its upper face.
+/// A gear with this centre and with its upper face at this height.
 fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
     const TEETH: u32 = 6;
     const THICKNESS: f64 = 0.2;
@@ -123,8 +123,8 @@ fn cogwheel([x, y]: [f64; 2], height: f64) -> String {
     text
 }
 
-/// Glass that mirrors nothing, as that of the Standard Procedural Databases' gears, and glass that
-/// is not even lit.
+/// Glass without reflection, like that of the gears in the Standard Procedural Databases, and
+/// glass that is not even lit.
 fn gears() -> nff::Scene {
     let text = format!(
         "b 0.078 0.361 0.753\nv\nfrom -1.1 -2.1 2.6\nat 0 0 0.4\nup 0 0 1\nangle 45\nhither 0\n\

@@ -1,4 +1,4 @@
-//! Frames by Whitted's model, and how far they are from the reference.
+//! Frames of Whitted's model, and their difference from the reference.
 
 use cellray::scene::{Model, RenderOptions};
 use cellray::spe::Program;
@@ -10,7 +10,7 @@ use oracle::{Comparison, Picture};
 
 use crate::recorder::Recorder;
 
-/// Whitted's model, whatever lights there are.
+/// Whitted's model, with or without lights.
 pub const WHITTED: RenderOptions = RenderOptions {
     model: Model::Whitted,
     ray_depth: 5,
@@ -45,7 +45,7 @@ impl Frame {
         }
     }
 
-    /// Rays of all SPUs.
+    /// The rays of all SPUs.
     pub fn rays(&self) -> Rays {
         let mut sum = Rays::default();
         for spu in &self.statistics.spus {
@@ -55,7 +55,7 @@ impl Frame {
     }
 }
 
-/// The reference's way to trace what looks like this.
+/// The reference's options that correspond to these.
 pub fn options(render_options: RenderOptions) -> Options {
     Options {
         depth: render_options.ray_depth,
@@ -65,7 +65,7 @@ pub fn options(render_options: RenderOptions) -> Options {
     }
 }
 
-/// A picture for the comparison.
+/// A picture in the format of the comparison.
 pub fn picture(image: &RgbImage) -> Picture {
     let mut picture = Picture::black(image.width(), image.height()).unwrap();
     for (to, from) in picture.pixels_mut().iter_mut().zip(image.pixels()) {
@@ -74,7 +74,7 @@ pub fn picture(image: &RgbImage) -> Picture {
     picture
 }
 
-/// Traces a scene on SPUs and by the reference.
+/// Traces a scene on SPUs and with the reference.
 pub fn compared(scene: &nff::Scene, render_options: RenderOptions, size: (u32, u32)) -> Comparison {
     let frame = Frame::of(scene, render_options, size, Settings::default());
     let (reference, _) = trace(scene, size.0, size.1, &options(render_options)).unwrap();

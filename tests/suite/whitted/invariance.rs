@@ -1,4 +1,5 @@
-//! The same bytes however the work is split and whatever is left out, and statistics that add up.
+//! The bytes are the same however the work is split and whatever is skipped, and the statistics
+//! add up.
 
 use cellray::Settings;
 use cellray::work::{Skip, Split};
@@ -39,7 +40,7 @@ fn nothing_depends_on_who_traces_what(name: &str) {
     assert_eq!(rays.eye, u64::from(SIZE.0 * SIZE.1));
     assert!(rays.eye_hit > 0 && rays.eye_hit < rays.hit);
     assert!(rays.reflected > 0 && rays.refracted > 0 && rays.shadow > 0);
-    // Those that hit nothing are counted as the rest: some there must be.
+    // Rays that hit nothing are counted as the rest, and there must be some.
     assert!(rays.hit < rays.eye + rays.reflected + rays.refracted);
 
     let (all, some) = (all.statistics.tests(), one.statistics.tests());

@@ -1,4 +1,4 @@
-//! Whitted's model on emulated SPUs, against the f64 reference.
+//! Whitted's model on emulated SPUs, compared with the f64 reference.
 
 mod chains;
 mod counts;

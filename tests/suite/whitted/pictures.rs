@@ -6,12 +6,12 @@ use crate::recorder::nff_scene;
 use crate::whitted::frame::{WHITTED, compared};
 
 const SIZE: (u32, u32) = (320, 180);
-/// Where rays are many.
+/// The size for scenes with many rays.
 const DEEP_SIZE: (u32, u32) = (160, 90);
 
 const ALL: [&str; 4] = ["whitted16.nff", "mirrors.nff", "glass.nff", "shapes.nff"];
 
-/// Greatest share of pixels that are off, those on silhouettes among them.
+/// The greatest share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
 fn scenes_are_as_the_reference_has_them(
@@ -53,7 +53,7 @@ fn scenes_without_bounces() {
     scenes_are_as_the_reference_has_them(&ALL, render_options, SIZE);
 }
 
-/// Where glass is behind glass, a pixel would take 2^15 rays: such scenes have a depth of 7.
+/// With glass behind glass, a pixel would take 2^15 rays. Such scenes use a depth of 7.
 #[test]
 fn scenes_of_a_great_depth() {
     for (ray_depth, names, size) in [

@@ -1,9 +1,9 @@
-//! Scenes elsewhere and of another size.
+//! Scenes that are moved and scaled.
 
 use glam::DVec3;
 use nff::{LightKind, Scene, Shader, Shape};
 
-/// Moves all of a scene, then scales it about the origin.
+/// Moves a whole scene, and then scales it about the origin.
 pub fn place(scene: &mut Scene, shift: DVec3, scale: f64) {
     let to = |point: &mut DVec3| *point = (*point + shift) * scale;
     to(&mut scene.view.from);

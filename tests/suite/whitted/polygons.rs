@@ -1,8 +1,8 @@
-//! Polygons that are not as NFF asks for: whose edges cross, or whose vertices are in no plane.
+//! Polygons that break the rules of NFF: their edges cross, or their vertices are not in a plane.
 
 use crate::whitted::frame::{WHITTED, compared};
 
-/// Greatest share of pixels that are off, those on silhouettes among them.
+/// The greatest share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.0015;
 
 const PENTAGRAM: [[f64; 2]; 5] = [
@@ -13,7 +13,7 @@ const PENTAGRAM: [[f64; 2]; 5] = [
     [0.5878, -0.809],
 ];
 
-/// The polygon or patch of these corners, all of whose normals lean outwards.
+/// The polygon or patch with these corners. All of its normals lean outwards.
 fn shape(keyword: &str, corners: &[[f64; 3]]) -> String {
     let mut text = format!("{keyword} {}\n", corners.len());
     for [x, y, z] in corners {
@@ -27,8 +27,8 @@ fn shape(keyword: &str, corners: &[[f64; 3]]) -> String {
     text
 }
 
-/// Shapes above a mirror on which they throw shadows, lit from nearby; `f` has what they are made
-/// of.
+/// Shapes above a mirror on which they cast shadows, lit from nearby. The `f` line of `material`
+/// defines their material.
 fn is_as_the_reference_has_it(what: &str, material: &str, shapes: &str) {
     let text = format!(
         "v\nfrom 1 -3 3.5\nat 0 0 0\nup 0 1 0\nangle 40\nhither 0\nresolution 200 150\nb 0.2 0.3 0.5\n\
@@ -53,7 +53,7 @@ fn polygons_whose_edges_cross_are_filled_by_the_even_odd_rule() {
     let flat = |corners: &[[f64; 2]]| -> Vec<[f64; 3]> {
         corners.iter().map(|&[x, y]| [x, y, 0.0]).collect()
     };
-    // Its second part is the smaller one and goes round the other way.
+    // Its second part is the smaller one and has the opposite orientation.
     let bow_tie = [[-1.0, -1.0], [1.0, 0.6], [1.0, -0.6], [-1.0, 1.0]];
     let twice = [PENTAGRAM, PENTAGRAM].concat();
     for material in MATERIALS {

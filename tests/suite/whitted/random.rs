@@ -1,5 +1,6 @@
-//! Random scenes with everything that a scene can have, also what nobody would write. Two surfaces
-//! in one place there are none: which of them is seen is left open (`docs/shading.md`).
+//! Random scenes with everything that a scene can contain, including content that nobody would
+//! write. No two surfaces are in the same place, because which of them is visible is undefined
+//! (`docs/shading.md`).
 
 use std::f64::consts::TAU;
 
@@ -10,7 +11,8 @@ use rand_chacha::ChaCha8Rng;
 
 use crate::whitted::placed::place;
 
-/// From this radius on a sphere is vast, as a ground is, among objects of about 1.
+/// A sphere with at least this radius is vast, like a ground, among objects with a size of about
+/// 1.
 const VAST: f64 = 16.0;
 
 /// A random scene.
@@ -20,8 +22,8 @@ pub struct Drawn {
     pub vast: bool,
 }
 
-/// A small scene: a few objects of all shapes, some without area, some around the eye; at any
-/// scale from 1e-4 to 1e6, and some far from the origin.
+/// A small scene: a few objects of all shapes, some without area, some around the eye, at any
+/// scale from 1e-4 to 1e6, and sometimes far from the origin.
 pub fn scene(random: &mut ChaCha8Rng) -> Drawn {
     let scale = libm::pow(10f64, random.random_range(-4.0..6.0));
     let middle = if random.random_bool(0.2) {
@@ -64,7 +66,7 @@ fn vector(random: &mut ChaCha8Rng, most: f64) -> DVec3 {
 }
 
 fn view(random: &mut ChaCha8Rng) -> View {
-    // Now and then in the middle of the objects, perhaps inside of one.
+    // Sometimes in the middle of the objects, perhaps inside one.
     let distance = if random.random_bool(0.3) { 1.5 } else { 6.0 };
     View {
         from: vector(random, distance),
@@ -176,7 +178,7 @@ fn shape(random: &mut ChaCha8Rng) -> Shape {
     }
 }
 
-/// A polygon in a plane of its own: regular, star-shaped, a parallelogram, or without area.
+/// A polygon in a random plane: regular, star-shaped, a parallelogram, or without area.
 fn polygon(random: &mut ChaCha8Rng) -> Vec<DVec3> {
     let middle = vector(random, 2.0);
     let turn = DQuat::from_scaled_axis(vector(random, 3.0));

@@ -1,4 +1,5 @@
-//! Scenes of any size, also far from the origin: no acne on surfaces, and no leaks between them.
+//! Scenes of any size, including scenes far from the origin, have no acne on surfaces and no leaks
+//! between them.
 
 use glam::DVec3;
 
@@ -6,13 +7,13 @@ use crate::recorder::nff_scene;
 use crate::whitted::frame::{WHITTED, compared};
 use crate::whitted::placed::place;
 
-/// How far away a scene is moved, in its own sizes.
+/// How far a scene is moved, in multiples of its own size.
 const FAR: f64 = 1e4;
 
-/// Greatest share of pixels that are off, those on silhouettes among them.
+/// The greatest share of wrong pixels, including those on silhouettes.
 const WRONG: f64 = 0.001;
 
-/// What a scene measures from the eye to the middle of the picture and as much behind it.
+/// The size of a scene: twice the distance from the eye to the middle of the picture.
 fn size(scene: &nff::Scene) -> f64 {
     2.0 * scene.view.from.distance(scene.view.at)
 }

@@ -1,7 +1,7 @@
-//! Pictures of random scenes against the reference.
+//! Compares pictures of random scenes with the reference.
 //!
-//! One class of pixels is off: where a vast surface meets another. Rays leave a surface from a
-//! little above it, by 2^-20 of its size and distance, and so begin beyond what is nearer than
+//! One class of pixels is wrong: those where a vast surface meets another. Rays start slightly
+//! above a surface, by 2^-20 of its size and distance, and therefore miss anything nearer than
 //! that.
 
 use std::env;
@@ -23,26 +23,26 @@ use crate::whitted::random::{self, Drawn};
 
 const SIDE: u32 = 16;
 
-/// Scenes that are traced unless `CELLRAY_SCENES` asks for more or less.
+/// The number of scenes, unless `CELLRAY_SCENES` sets another.
 const SCENES: u64 = 2500;
 
-/// How far a channel may be off, beside the rounding to a byte.
+/// The tolerance of a channel in addition to the rounding to a byte.
 const TOLERANCE: f64 = 2.0 / 255.0;
 
-/// Pixels of which one may be off, if a vast surface is in its scene.
+/// If a scene has a vast surface, one in this many pixels may be wrong.
 const PIXELS_A_LEAK: u64 = 200_000;
 
-/// How far from a pixel's centre, in pixels, rays are looked for of which one sees what the SPUs
-/// saw. The SPU's directions are off by some 1e-7, which a chain of mirrors and glass spreads.
+/// The distance from a pixel's centre, in pixels, within which a ray must see what the SPUs saw.
+/// The SPUs' directions are off by some 1e-7, which a chain of mirrors and glass magnifies.
 const NEAR: f64 = 0.02;
 
-/// Whether the SPUs' pixel may be this colour.
+/// Whether this colour explains the SPUs' pixel.
 fn is_near(pixel: [u8; 3], colour: DVec3) -> bool {
     let off = |at: usize| (f64::from(pixel[at]) / 255.0 - colour[at]).abs();
     (0..3).all(|at| off(at) <= TOLERANCE + 0.5 / 255.0)
 }
 
-/// Rays around a pixel's centre, `lines` by `lines` of them.
+/// The colours of `lines` by `lines` rays around a pixel's centre.
 fn around(probe: &Probe<'_>, (x, y): (u32, u32), lines: u32) -> impl Iterator<Item = DVec3> {
     let step = move |number: u32| NEAR * (2.0 * f64::from(number) / f64::from(lines - 1) - 1.0);
     (0..lines * lines).map(move |number| {
@@ -51,7 +51,7 @@ fn around(probe: &Probe<'_>, (x, y): (u32, u32), lines: u32) -> impl Iterator<It
     })
 }
 
-/// Pixels that no ray near their centre explains.
+/// The pixels that no ray near their centres explains.
 fn unexplained(
     scene: &nff::Scene,
     render_options: RenderOptions,
@@ -72,22 +72,22 @@ fn unexplained(
         .collect()
 }
 
-/// A scene that is wrong.
+/// A scene with wrong pixels.
 struct Wrong {
     seed: u64,
-    /// Whether anything in it is vast.
+    /// Whether the scene contains anything vast.
     vast: bool,
     pixels: Vec<(u32, u32)>,
 }
 
-/// What came of some scenes.
+/// The result for some scenes.
 #[derive(Default)]
 struct Outcome {
     rays: Rays,
     wrong: Vec<Wrong>,
 }
 
-/// Traces the scenes of some seeds.
+/// Traces the scenes of these seeds.
 fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
     let (framebuffer, shown) = Recorder::pair(SIDE, SIDE);
     let settings = Settings {
@@ -122,7 +122,9 @@ fn outcome(seeds: impl Iterator<Item = u64>) -> Outcome {
 #[test]
 fn random_scenes_are_as_the_reference_has_them() {
     let scenes = match env::var("CELLRAY_SCENES") {
-        Ok(number) => number.parse().expect("CELLRAY_SCENES: a number of scenes"),
+        Ok(number) => number
+            .parse()
+            .expect("CELLRAY_SCENES must be a number of scenes"),
         Err(_) => SCENES,
     };
     let threads = thread::available_parallelism().map_or(1, usize::from);
@@ -150,7 +152,7 @@ fn random_scenes_are_as_the_reference_has_them() {
     }
     assert!(wrong.iter().all(|scene| scene.vast));
     assert!(pixels as u64 <= rays.eye / PIXELS_A_LEAK);
-    // The scenes have something of everything.
+    // The scenes must contain something of everything.
     assert!(rays.eye_hit > rays.eye / 4, "{rays:?}");
     for seen in [rays.reflected, rays.refracted, rays.shadow] {
         assert!(seen > rays.eye / 8, "{rays:?}");

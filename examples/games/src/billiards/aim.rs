@@ -1,4 +1,4 @@
-//! How the player aims: direction, power, height of the tip.
+//! How the player aims: direction, power, and height of the cue's tip.
 
 use cellray::game::{Axis, Button, DVec3, Input, Key, MouseButton};
 
@@ -6,29 +6,30 @@ use super::balls::Balls;
 use super::table::{HALF, RADIUS};
 use crate::camera::stick;
 
-/// Radians by a pixel of the mouse's way, and a second by keys and sticks.
+/// Radians by which the cue turns for a pixel of mouse movement, and for a second of keys and
+/// sticks.
 const TURN_A_PIXEL: f64 = 0.002;
 const TURN_A_SECOND: f64 = 0.9;
-/// How much slower it turns where the player takes care.
+/// The factor by which it turns more slowly while the player aims with care.
 const CARE: f64 = 0.08;
-/// Power by a pixel that the mouse is drawn back, and a second by keys and sticks.
+/// Power for a pixel by which the mouse is drawn back, and for a second of keys and sticks.
 const POWER_A_PIXEL: f64 = 0.004;
 const POWER_A_SECOND: f64 = 0.7;
-/// Height of the tip by a notch of the wheel, and a second by keys and buttons.
+/// Height of the tip for a notch of the wheel, and for a second of keys and buttons.
 const HEIGHT_A_NOTCH: f64 = 0.1;
 const HEIGHT_A_SECOND: f64 = 1.0;
-/// Power that is no blow: a mouse that was drawn back and brought forward again.
+/// Below this power there is no shot: the mouse was drawn back and brought forward again.
 const LEAST_POWER: f64 = 0.03;
-/// Speed of the cue ball with all power.
+/// Speed of the cue ball at full power.
 const FASTEST: f64 = 7.5;
 
-/// How the cue is held.
+/// How the player holds the cue.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Aim {
     turn: f64,
     power: f64,
     height: f64,
-    /// The power before the mouse drew the cue back, while it does.
+    /// While the mouse draws the cue back, the power from before that.
     before: Option<f64>,
 }
 
@@ -44,46 +45,46 @@ impl Default for Aim {
 }
 
 impl Aim {
-    /// Where the cue points, level and of length 1.
+    /// The horizontal direction of the cue, with length 1.
     #[must_use]
     pub fn direction(&self) -> DVec3 {
         let (sine, cosine) = libm::sincos(self.turn);
         DVec3::new(cosine, 0.0, sine)
     }
 
-    /// Part of all power, 0 to 1.
+    /// The power as a share of full power, 0 to 1.
     #[must_use]
     pub fn power(&self) -> f64 {
         self.power
     }
 
-    /// How high the tip is, -1 to 1.
+    /// The height of the tip, -1 to 1.
     #[must_use]
     pub fn height(&self) -> f64 {
         self.height
     }
 
-    /// Speed of the blow.
+    /// The speed that the shot gives the cue ball.
     #[must_use]
     pub fn speed(&self) -> f64 {
-        // Finer where it is soft.
+        // Soft shots can be controlled more finely.
         FASTEST * self.power * (0.4 + 0.6 * self.power)
     }
 
-    /// Points it from a place to another, for a new turn: a cue that the mouse still draws back is
-    /// let go.
+    /// Points the cue from one place to another for a new turn. If the mouse is still drawing the
+    /// cue back, that ends.
     pub fn point(&mut self, from: DVec3, to: DVec3) {
         self.let_go();
         self.turn = libm::atan2(to.z - from.z, to.x - from.x);
         self.height = 0.0;
     }
 
-    /// Ends the mouse's drawing without a blow: the power is what it was.
+    /// Ends the mouse's draw without a shot. The power is again what it was before.
     fn let_go(&mut self) {
         self.power = self.before.take().unwrap_or(self.power);
     }
 
-    /// Does what the player does; whether that was the blow.
+    /// Applies the player's input. Returns whether the player made the shot.
     pub fn steer(&mut self, input: &Input, seconds: f64) -> bool {
         let key = |less, more| f64::from(input.key_axis(less, more)) * seconds;
         let careful = input.key_held(Key::Shift) || input.mouse_held(MouseButton::Right);
@@ -117,7 +118,8 @@ impl Aim {
         self.turn = libm::remainder(self.turn + turn * care, std::f64::consts::TAU);
         self.power = (self.power + power).clamp(0.0, 1.0);
         self.height = (self.height + height).clamp(-1.0, 1.0);
-        // Who turns to another window lets the button go there, and does not mean to strike.
+        // A player who switches to another window releases the button there without meaning to
+        // shoot.
         if input.lost_focus() {
             self.let_go();
         }
@@ -130,13 +132,13 @@ impl Aim {
         }
         blow &= self.power >= LEAST_POWER;
         if blow {
-            // However it was struck: the button's release is none any more.
+            // After any shot, releasing the button has no effect.
             self.before = None;
         }
         blow
     }
 
-    /// How far the cue ball goes before it touches a ball or a cushion.
+    /// How far the cue ball runs before it touches a ball or a cushion.
     #[must_use]
     pub fn free_way(&self, balls: &Balls) -> f64 {
         let (from, direction) = (balls.0[0].body.centre, self.direction());
@@ -181,7 +183,7 @@ mod tests {
         InputEvent::MouseMotion { by: [across, back] }
     }
 
-    /// An aim with a player's input.
+    /// An aim and a player's input.
     #[derive(Default)]
     struct Played {
         aim: Aim,
@@ -189,7 +191,7 @@ mod tests {
     }
 
     impl Played {
-        /// A frame; whether it had the blow.
+        /// Runs a frame, and returns whether it contained the shot.
         fn frame(&mut self, events: &[InputEvent]) -> bool {
             self.input.begin_frame();
             events.iter().for_each(|event| self.input.apply(event));
@@ -205,7 +207,8 @@ mod tests {
         assert!(played.frame(&[RELEASE]));
         assert_eq!((played.aim.power(), played.aim.turn), (0.4, 0.0));
 
-        // Drawn back and brought forward again: no blow, and the power is what it was.
+        // The cue is drawn back and brought forward again: there is no shot, and the power is what
+        // it was.
         assert!(!played.frame(&[PRESS]));
         assert!(!played.frame(&[motion(0.0, 90.0)]));
         assert!(!played.frame(&[motion(0.0, -90.0)]));
@@ -220,7 +223,7 @@ mod tests {
         let (key, down) = (Key::Space, true);
         assert!(played.frame(&[InputEvent::Key { key, down }]));
         assert_eq!(played.aim.power(), 0.3);
-        // The next turn: the mouse turns the cue, and a release is no blow.
+        // In the next turn, the mouse turns the cue, and a release is no shot.
         played.aim.point(DVec3::ZERO, DVec3::X);
         assert!(!played.frame(&[motion(10.0, 100.0)]));
         assert_eq!(played.aim.power(), 0.3);

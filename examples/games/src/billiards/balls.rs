@@ -1,9 +1,10 @@
-//! How the balls run: they slide, roll, bounce and fall.
+//! The physics of the balls: they slide, roll, bounce and fall.
 //!
-//! Each ball has its way and its roll, the way that it would take if it rolled as it spins: where
-//! they differ it slides on the cloth, which brings them together. Follow and draw come of that.
-//! There is no spin about the upright axis. Invariants: energy never grows; on the bed all centres
-//! are at one height; balls at rest do not overlap by more than rounding.
+//! Each ball has a velocity and a roll, which is the velocity at which it would roll without
+//! sliding at its present spin. While the two differ, the ball slides on the cloth, which makes
+//! them equal. Follow and draw shots result from this. There is no spin about the vertical axis.
+//! Invariants: energy never grows; all centres on the bed are at one height; balls at rest overlap
+//! by no more than rounding.
 
 use cellray::game::DVec3;
 use rand::seq::SliceRandom as _;
@@ -14,36 +15,38 @@ use super::table::{CUSHIONS, FOOT, HALF, HEAD, POCKETS, RADIUS, nearest};
 use crate::bodies::{Body, meet, pairs};
 use crate::steps::STEP;
 
-/// Balls with the cue ball, which is number 0.
+/// The number of balls including the cue ball, which is number 0.
 pub const BALLS: usize = 16;
 
 const GRAVITY: f64 = 9.81;
-/// Friction of a ball that slides, and of one that rolls.
+/// Coefficients of friction for a ball that slides, and for one that rolls.
 const SLIDING: f64 = 0.2;
 const ROLLING: f64 = 0.014;
-/// Part of the speed at which two balls meet that they part with; of a ball and a cushion.
+/// Coefficients of restitution between two balls, and between a ball and a cushion.
 const BALL_RESTITUTION: f64 = 0.95;
 const CUSHION_RESTITUTION: f64 = 0.8;
-/// What a cushion leaves of the way along it, and of the roll.
+/// The share of the velocity along a cushion, and of the roll, that remains after a bounce.
 const CUSHION_GRIP: f64 = 0.96;
 const CUSHION_ROLL: f64 = 0.55;
-/// Between balls in the rack.
+/// The gap between balls in the rack.
 const GAP: f64 = 0.0004;
-/// Times that contacts are looked for in a step, while there are any: a rack passes a blow on.
+/// How often contacts are searched for in a step as long as there are any, because a rack passes
+/// an impact on from ball to ball.
 const ROUNDS: usize = 6;
-/// Halvings of a step that find a moment in it: to less than an atom's breadth at any speed.
+/// How often a step is halved to find a moment in it. The position is then exact to less than an
+/// atom's width at any speed.
 const HALVINGS: usize = 28;
-/// Lower than this a ball in a pocket is gone.
+/// A ball in a pocket that is lower than this has been pocketed.
 const DEPTH: f64 = 2.0 * RADIUS;
 
-/// What has become of a ball.
+/// Where a ball is.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Place {
-    /// It lies or runs on the bed.
+    /// On the bed.
     Bed,
-    /// It falls into the pocket of that index.
+    /// Falling into the pocket with this index.
     Falling(usize),
-    /// It is in a pocket.
+    /// Pocketed.
     Gone,
 }
 
@@ -52,13 +55,13 @@ pub enum Place {
 pub struct Ball {
     /// 0 for the cue ball.
     pub number: usize,
-    /// Where it is and goes.
+    /// Its position and velocity.
     pub body: Body,
-    /// Its way if it rolled as it spins.
+    /// The velocity at which it would roll without sliding at its present spin.
     pub roll: DVec3,
-    /// A direction that turns with it, of length 1.
+    /// A unit vector that turns with the ball.
     pub axis: DVec3,
-    /// What has become of it.
+    /// Where it is.
     pub place: Place,
 }
 
@@ -71,14 +74,14 @@ impl Ball {
                 ..Body::new(centre, RADIUS)
             },
             roll: DVec3::ZERO,
-            // Each another way up, all the same in every game: what is painted on them is seen by
-            // most.
+            // Each ball starts with another orientation, which is the same in every game, so that
+            // the paint on most of them is visible.
             axis: tipped(number),
             place: Place::Bed,
         }
     }
 
-    /// Energy of its way and its spin; the mass is 1.
+    /// The energy of its velocity and its spin. The mass is 1.
     #[must_use]
     pub fn energy(&self) -> f64 {
         self.body.energy() + self.roll.length_squared() / 5.0
@@ -92,13 +95,13 @@ impl Ball {
         }
     }
 
-    /// A step on the bed, as if it were alone there.
+    /// Moves it for one step on the bed, ignoring the other balls.
     fn run(&mut self) {
         let body = &mut self.body;
         let slip = body.velocity - self.roll;
         let (speed, grip) = (slip.length(), SLIDING * GRAVITY * STEP);
-        // The cloth slows the way by what it adds to the roll, which takes two and a half times as
-        // much.
+        // The friction that slows the ball increases the roll by the same impulse, and the roll
+        // changes two and a half times as much.
         if speed > 3.5 * grip {
             let push = slip * (grip / speed);
             body.velocity -= push;
@@ -119,7 +122,7 @@ impl Ball {
         self.axis = axis / axis.length();
     }
 
-    /// Bounces off the cushions that it touches; whether there are any.
+    /// Bounces it off the cushions that it touches. Returns whether there are any.
     fn bounce(&mut self) -> bool {
         let DVec3 { x, z, .. } = self.body.centre;
         if x.abs() < HALF.0 - RADIUS && z.abs() < HALF.1 - RADIUS {
@@ -158,22 +161,22 @@ impl Ball {
         touched
     }
 
-    /// The pocket that it falls into.
+    /// The pocket that the ball falls into.
     fn pocket(&self) -> Option<usize> {
         let on_bed = DVec3::new(self.body.centre.x, 0.0, self.body.centre.z);
         let far = |pocket: usize| POCKETS[pocket].centre.distance(on_bed);
         let near = (0..POCKETS.len()).min_by(|&a, &b| far(a).total_cmp(&far(b)))?;
-        // Whoever gets past the jaws has nowhere else to go.
+        // A ball that has passed the jaws can only fall.
         let past = on_bed.x.abs() > HALF.0 + RADIUS || on_bed.z.abs() > HALF.1 + RADIUS;
         (past || far(near) < POCKETS[near].reach).then_some(near)
     }
 
-    /// A step down a pocket.
+    /// Moves it for one step down a pocket.
     fn fall(&mut self, pocket: usize) {
         let body = &mut self.body;
         let middle = POCKETS[pocket].centre;
         let on_bed = DVec3::new(body.centre.x, 0.0, body.centre.z);
-        // The pocket's wall holds what would fly on.
+        // The pocket's wall stops a ball that would fly on.
         body.velocity.x = (middle.x - on_bed.x) * 8.0;
         body.velocity.z = (middle.z - on_bed.z) * 8.0;
         body.velocity.y -= GRAVITY * STEP;
@@ -191,7 +194,8 @@ impl Ball {
 pub struct Balls(pub [Ball; BALLS]);
 
 impl Balls {
-    /// The rack, in an order by chance: the eight in the middle, unequal corners behind.
+    /// The rack in random order, with the eight in the middle and balls of different groups in the
+    /// back corners.
     #[must_use]
     pub fn rack(chance: &mut Xoshiro256PlusPlus) -> Self {
         const MIDDLE: usize = 4;
@@ -231,35 +235,35 @@ impl Balls {
         Self(balls)
     }
 
-    /// Whether nothing moves.
+    /// Whether no ball moves.
     #[must_use]
     pub fn are_at_rest(&self) -> bool {
         !self.0.iter().any(Ball::moves)
     }
 
-    /// The balls on the bed, by number.
+    /// Whether the ball with this number is on the bed.
     #[must_use]
     pub fn on_bed(&self, number: usize) -> bool {
         self.0[number].place == Place::Bed
     }
 
-    /// Energy of all of them.
+    /// The energy of all balls.
     #[must_use]
     pub fn energy(&self) -> f64 {
         let on_bed = self.0.iter().filter(|ball| ball.place == Place::Bed);
         on_bed.map(Ball::energy).sum()
     }
 
-    /// Strikes the cue ball: a speed in a direction, and how high, -1 to 1: above its middle it
-    /// follows, below it is drawn back.
+    /// Strikes the cue ball with a speed in a direction. The height, -1 to 1, is where the tip
+    /// hits: above the middle the ball follows, and below it the ball is drawn back.
     pub fn strike(&mut self, direction: DVec3, speed: f64, height: f64) {
         let ball = &mut self.0[0];
         ball.body.velocity = direction * speed;
-        // A tip half a radius off the middle is as far as chalk holds.
+        // Half a radius off the middle is the limit at which chalk prevents a miscue.
         ball.roll = direction * (speed * height * 1.25);
     }
 
-    /// Puts the cue ball back on the head spot, or as near to it as there is room.
+    /// Puts the cue ball on the head spot, or as near to it as there is room.
     pub fn bring_back(&mut self) {
         let free = |place: DVec3| {
             self.0[1..]
@@ -267,7 +271,7 @@ impl Balls {
                 .filter(|ball| ball.place == Place::Bed)
                 .all(|ball| ball.body.centre.distance(place) > 2.0 * RADIUS)
         };
-        // Fifteen balls can't take all of these.
+        // Fifteen balls can't cover all of these places.
         let places = (0..32).map(|step| {
             let side = if step % 2 == 0 { 1.0 } else { -1.0 };
             HEAD + DVec3::Z * (side * f64::from(step / 2) * RADIUS * 1.2)
@@ -276,7 +280,7 @@ impl Balls {
         self.0[0] = Ball::new(0, place);
     }
 
-    /// A step of all balls; what happens in it is written down.
+    /// Moves all balls for one step, and records the events of the shot.
     pub fn step(&mut self, shot: &mut Shot) {
         for ball in &mut self.0 {
             match ball.place {
@@ -300,7 +304,7 @@ impl Balls {
         }
     }
 
-    /// Off one another and off the cushions; whether anything touched.
+    /// Bounces balls off one another and off the cushions. Returns whether anything touched.
     fn bounce(&mut self, shot: &mut Shot) -> bool {
         let mut touched = false;
         pairs(&mut self.0, |a, b| {
@@ -323,16 +327,17 @@ impl Balls {
     }
 }
 
-/// Seconds since a ball touched a cushion that it overlaps, by how far it was from it how many
-/// seconds ago; 0 where that was more than a step ago. Off an end of a line it bounces by where it
-/// was then: it turns a jaw's corner within a step.
+/// The seconds since a ball first touched a cushion that it now overlaps. `distance_before`
+/// returns its distance from the cushion a number of seconds ago. 0 if the contact was more than a
+/// step ago. At an end of a line, the ball bounces according to its position at the contact,
+/// because it passes a jaw's corner within a step.
 fn since_contact(distance_before: impl Fn(f64) -> f64) -> f64 {
     let (mut within, mut out) = (0.0, STEP);
     if distance_before(out) < RADIUS {
         return 0.0;
     }
-    // Along a straight way the distance from a line has one valley: there is one moment to be
-    // found.
+    // Along a straight path, the distance from a line has only one minimum, so there is only one
+    // moment to find.
     for _ in 0..HALVINGS {
         let middle = (within + out) / 2.0;
         if distance_before(middle) < RADIUS {
@@ -344,7 +349,7 @@ fn since_contact(distance_before: impl Fn(f64) -> f64) -> f64 {
     out
 }
 
-/// A direction for each number, none near another's.
+/// A direction for each number, far from those of the other numbers.
 fn tipped(number: usize) -> DVec3 {
     let turn = number as f64 * 2.4;
     let (sine, cosine) = libm::sincos(turn);
@@ -361,7 +366,7 @@ mod tests {
 
     #[test]
     fn a_ball_bounces_off_a_jaws_corner_by_where_it_touched() {
-        // The end of a long cushion, by the side pocket at negative z.
+        // The end of a long cushion next to the side pocket at negative z.
         let [corner, _] = CUSHIONS[1].nose;
         for degrees in [10.0, 25.0, 40.0, 55.0, 70.0] {
             let (sine, cosine) = libm::sincos(f64::to_radians(degrees));

@@ -1,9 +1,9 @@
-//! Eight-ball for two on a table with six pockets.
+//! Eight-ball for two players on a table with six pockets.
 //!
-//! A sphere on the rail says whose turn it is: yellow or blue; it lies by the rail where that
-//! player's balls are laid when pocketed, full ones in front and striped ones behind, or at the
-//! foot of the table while nobody has a group. It is red after a foul, and changes its colour when
-//! a game is won. The rules are in [`rules`].
+//! A sphere on the rail shows whose turn it is by its colour, yellow or blue. It is on the rail
+//! where that player's pocketed balls are placed: solids in front, stripes behind. While no player
+//! has a group, it is at the foot of the table. It is red after a foul, and changes its colour
+//! after a game is won. The rules are in [`rules`].
 //!
 //! | | keyboard | mouse | pad |
 //! |---|---|---|---|
@@ -35,9 +35,9 @@ use self::scene::{Scene, Sign};
 use crate::camera::follow;
 use crate::steps::Steps;
 
-/// What it is called.
+/// The game's name.
 pub const NAME: &str = "billiards";
-/// What the player can do.
+/// The controls.
 pub const CONTROLS: &[&str] = &[
     "left and right arrow, mouse, left stick: aim; with Shift, right button, L2: with care",
     "up and down arrow, mouse drawn back with its left button, right stick: power",
@@ -46,7 +46,7 @@ pub const CONTROLS: &[&str] = &[
     "C, middle button, Triangle: from above, or from behind the ball",
     "N, Start: a new game",
 ];
-/// Its line in the table of games.
+/// The entry in the table of games.
 pub const ENTRY: Entry = Entry {
     name: NAME,
     line: "eight-ball for two on a table with six pockets",
@@ -54,22 +54,22 @@ pub const ENTRY: Entry = Entry {
     new: || Box::new(Billiards::default()),
 };
 
-/// Steps that the cue takes to come forward.
+/// The number of steps in which the cue comes forward.
 const BLOW: u32 = 40;
-/// From the cue ball back to the tip at rest, and with all power drawn.
+/// The distance from the cue ball to the tip at rest, and when drawn back at full power.
 const DRAWN: (f64, f64) = (0.02, 0.3);
-/// Seconds that the marker is red after a foul.
+/// Seconds for which the marker is red after a foul.
 const FOUL: f64 = 1.6;
-/// How much of the way to where it is to be the eye goes in a second, about.
+/// How fast the eye follows, as the approximate share of the remaining distance for each second.
 const FOLLOWS: f64 = 3.0;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Phase {
     /// The player aims.
     Aim,
-    /// The cue comes forward, for so many steps more.
+    /// The cue comes forward for this many more steps.
     Blow(u32),
-    /// The balls run.
+    /// The balls are moving.
     Run,
     /// The game is won.
     Over,
@@ -119,25 +119,25 @@ impl Billiards {
         &self.balls.0
     }
 
-    /// The balls and what they do.
+    /// The balls and their state.
     #[must_use]
     pub fn table(&self) -> &Balls {
         &self.balls
     }
 
-    /// Where the game stands.
+    /// The state of the game.
     #[must_use]
     pub fn rules(&self) -> &Rules {
         &self.rules
     }
 
-    /// How the cue is held.
+    /// How the player holds the cue.
     #[must_use]
     pub fn aim(&self) -> &Aim {
         &self.aim
     }
 
-    /// Whether a player is to aim.
+    /// Whether the game waits for a player to aim.
     #[must_use]
     pub fn waits(&self) -> bool {
         self.phase == Phase::Aim
@@ -145,7 +145,7 @@ impl Billiards {
 
     fn begin(&mut self) {
         self.balls = Balls::rack(&mut self.chance);
-        // Who lost breaks.
+        // The loser breaks.
         self.rules = Rules::new(self.rules.winner().map_or(0, |winner| 1 - winner));
         self.since = FOUL;
         self.prepare();
@@ -214,12 +214,12 @@ impl Billiards {
         }
     }
 
-    /// How far the cue's tip is from the cue ball, while there is a cue.
+    /// The distance of the cue's tip from the cue ball, while the cue is visible.
     fn drawn(&self) -> Option<f64> {
         let drawn = DRAWN.0 + (DRAWN.1 - DRAWN.0) * self.aim.power();
         match self.phase {
             Phase::Aim => Some(drawn),
-            // It gathers speed.
+            // The cue accelerates.
             Phase::Blow(left) => {
                 let part = f64::from(BLOW - left) / f64::from(BLOW);
                 Some(drawn * (1.0 - part * part))
@@ -246,7 +246,7 @@ impl Billiards {
         world.look_from(self.eye, self.at)
     }
 
-    /// Where the eye is to be and what it is to look at.
+    /// The wanted position of the eye, and the point that it looks at.
     fn view(&self) -> (DVec3, DVec3) {
         let ball = self.balls.0[0].body.centre;
         match self.phase {

@@ -1,16 +1,17 @@
-//! Eight-ball, as it is played where nobody has the rule book at hand.
+//! Eight-ball with informal rules.
 //!
-//! Who pockets the first ball after the break has its group, full or striped; who pockets one of
-//! their own plays on. It is a foul to pocket the cue ball, to touch nothing, or to touch first
-//! what is not one's own; the other player's turn comes then, and a pocketed cue ball is put back
-//! on the head spot. Who pockets the eight in a later shot than the last of their group, without a
-//! foul, has won; who pockets it earlier has lost. On the break it wins; the break is the first
-//! shot that touches a ball.
+//! The player who pockets the first ball after the break gets its group, solids or stripes. A
+//! player who pockets a ball of their own group continues. It is a foul to pocket the cue ball, to
+//! touch no ball, or to touch a ball first that is not one's own. After a foul it is the other
+//! player's turn, and a pocketed cue ball returns to the head spot. A player who pockets the eight
+//! without a foul, in a shot after the last ball of their group, wins. A player who pockets it
+//! earlier loses. On the break, pocketing it wins. The break is the first shot that touches a
+//! ball.
 
-/// Number of the ball that decides.
+/// The number of the eight ball, which decides the game.
 pub const EIGHT: usize = 8;
 
-/// Balls of one kind.
+/// The balls of one kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Group {
     /// Numbers 1 to 7.
@@ -20,7 +21,7 @@ pub enum Group {
 }
 
 impl Group {
-    /// The group of a ball; the cue ball and the eight have none.
+    /// The group of a ball. The cue ball and the eight have none.
     #[must_use]
     pub fn of(number: usize) -> Option<Self> {
         match number {
@@ -45,7 +46,7 @@ impl Group {
     }
 }
 
-/// What happened from the blow until all was at rest.
+/// What happened between a shot and the moment when all balls are at rest.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Shot {
     first_touched: Option<usize>,
@@ -54,12 +55,12 @@ pub struct Shot {
 }
 
 impl Shot {
-    /// The cue ball touches a ball.
+    /// Records that the cue ball touches a ball.
     pub fn touch(&mut self, number: usize) {
         self.first_touched.get_or_insert(number);
     }
 
-    /// A ball falls into a pocket.
+    /// Records that a ball falls into a pocket.
     pub fn pocket(&mut self, number: usize) {
         self.pocketed |= 1 << number;
         if number != 0 {
@@ -72,7 +73,7 @@ impl Shot {
     }
 }
 
-/// Where a game stands. Players are 0 and 1.
+/// The state of a game. The players are 0 and 1.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Rules {
     turn: usize,
@@ -84,7 +85,7 @@ pub struct Rules {
 }
 
 impl Rules {
-    /// A new game, in which that player breaks.
+    /// A new game in which this player breaks.
     #[must_use]
     pub fn new(turn: usize) -> Self {
         Self {
@@ -93,7 +94,7 @@ impl Rules {
         }
     }
 
-    /// Whose turn it is.
+    /// The player whose turn it is.
     #[must_use]
     pub fn turn(&self) -> usize {
         self.turn
@@ -105,7 +106,7 @@ impl Rules {
         self.foul
     }
 
-    /// Who has won.
+    /// The player who has won.
     #[must_use]
     pub fn winner(&self) -> Option<usize> {
         self.winner
@@ -126,7 +127,8 @@ impl Rules {
         self.group_of(self.turn)
     }
 
-    /// Whether the player at the table may touch a ball first. Asks what is on the bed.
+    /// Whether the player at the table may touch this ball first. `on_bed` says which balls are on
+    /// the bed.
     #[must_use]
     pub fn may_touch(&self, number: usize, on_bed: impl Fn(usize) -> bool) -> bool {
         match self.group() {
@@ -136,7 +138,7 @@ impl Rules {
         }
     }
 
-    /// Judges a shot. Asks what is on the bed after it.
+    /// Judges a shot. `on_bed` says which balls are on the bed after it.
     pub fn judge(&mut self, shot: &Shot, on_bed: impl Fn(usize) -> bool) {
         let before = |number: usize| on_bed(number) || shot.has(number);
         let legal = shot
@@ -180,7 +182,7 @@ mod tests {
         shot
     }
 
-    /// Plays shots one after another; a number once pocketed is off the bed.
+    /// Plays shots one after another. Balls that were pocketed are off the bed.
     fn play(shots: &[Shot]) -> Rules {
         let mut rules = Rules::new(0);
         let mut gone = 0_u16;
@@ -207,7 +209,7 @@ mod tests {
             assert!(rules.was_foul());
             assert_eq!((rules.turn(), rules.winner()), (1, None));
         }
-        // The other's ball first, one's own pocketed.
+        // The other player's ball is touched first, and one's own is pocketed.
         let rules = play(&[
             shot(Some(1), &[]),
             shot(Some(9), &[12]),
@@ -233,7 +235,8 @@ mod tests {
         assert_eq!(with(shot(Some(EIGHT), &[EIGHT])), Some(0));
         assert_eq!(with(shot(Some(EIGHT), &[EIGHT, 0])), Some(1));
         assert_eq!(with(shot(Some(9), &[EIGHT])), Some(1));
-        // In the shot of the last of the group it is too early, whichever of the two falls first.
+        // The eight may not fall in the same shot as the last ball of the group, whichever of the
+        // two falls first.
         let seven_left = [
             shot(Some(1), &[]),
             shot(Some(9), &[]),
@@ -252,7 +255,7 @@ mod tests {
         let missed = shot(None, &[]);
         let rules = play(std::slice::from_ref(&missed));
         assert_eq!((rules.turn(), rules.was_foul()), (1, true));
-        // The other breaks then: what falls gives no group, and the eight wins.
+        // The other player breaks then. A pocketed ball gives no group, and the eight wins.
         let rules = play(&[missed.clone(), shot(Some(1), &[3])]);
         assert_eq!((rules.turn(), rules.group()), (1, None));
         let rules = play(&[missed, shot(Some(1), &[EIGHT])]);
@@ -261,7 +264,7 @@ mod tests {
 
     #[test]
     fn each_player_has_a_group_whoever_is_at_the_table() {
-        // Player 0 has the full ones, and loses by the eight: the turn stays.
+        // Player 0 has the solids and loses by the eight, so the turn does not change.
         let rules = play(&[
             shot(Some(1), &[3]),
             shot(Some(1), &[2]),

@@ -1,9 +1,8 @@
-//! What is seen of a game of billiards: the table, the balls and what is painted on them, the cue,
-//! the marker.
+//! The scene of a game of billiards: the table, the painted balls, the cue, and the marker.
 //!
-//! Shapes have one material each and no picture on them. A ball's stripe is what two white caps
-//! leave free: spheres a little smaller than the ball and off its middle, so that they stand out
-//! by less than a hair.
+//! Each shape has only one material and no texture. A ball's stripe is the part that two white
+//! caps leave uncovered. The caps are spheres that are a little smaller than the ball and off its
+//! centre, so that they protrude by less than a hair.
 
 use cellray::game::{
     DVec3, Light, Material, MaterialId, ObjectId, Shader, Shape, World, WorldError,
@@ -15,16 +14,16 @@ use super::rules::{EIGHT, Group, Rules};
 use super::table::{CUSHION, CUSHIONS, HALF, HEIGHT, POCKETS, RADIUS, RAIL};
 use crate::colour::hue;
 
-/// Dots on the way of the cue ball.
+/// The number of dots on the path of the cue ball.
 const DOTS: usize = 7;
 const MARKER: f64 = 0.026;
-/// Lamps stand so far along the table and so high.
+/// The lamps' positions along the table, and their height.
 const LAMPS: [f64; 2] = [-0.62, 0.62];
 const LAMP_HEIGHT: f64 = 1.35;
-/// By how much caps stand out, in radii.
-const PROUD: f64 = 0.006;
+/// By how much caps protrude, in radii.
+const PROTRUSION: f64 = 0.006;
 
-/// Along the cue: where its parts meet, from the tip, and how thick it is there.
+/// The distances from the tip at which the parts of the cue meet, and its radius there.
 const CUE: [(f64, f64); 5] = [
     (0.0, 0.0055),
     (0.012, 0.006),
@@ -32,10 +31,10 @@ const CUE: [(f64, f64); 5] = [
     (0.8, 0.0105),
     (1.42, 0.0145),
 ];
-/// How much the cue rises along its length: its butt is held above the rail.
+/// The slope of the cue: its butt is held above the rail.
 const CUE_RISE: f64 = 0.11;
 
-/// Colours of the full balls, and of the striped ones in the same order.
+/// The colours of the solids, and of the stripes in the same order.
 const COLOURS: [[f64; 3]; 7] = [
     [0.95, 0.72, 0.08],
     [0.08, 0.2, 0.72],
@@ -57,11 +56,11 @@ pub(super) struct Scene {
     marker_glow: MaterialId,
 }
 
-/// What the marker says.
+/// What the marker shows.
 pub(super) enum Sign {
     Turn,
     Foul,
-    /// So many seconds since the game was won.
+    /// The seconds since the game was won.
     Won(f64),
 }
 
@@ -137,7 +136,7 @@ impl Scene {
         Ok(())
     }
 
-    /// Shows the balls as they are, and those in pockets on the rails.
+    /// Shows the balls in their present state, and the pocketed ones on the rails.
     pub fn show_balls(&self, world: &mut World, balls: &Balls) -> Result<(), WorldError> {
         for ball in &balls.0 {
             let seen = ball.place != Place::Gone || ball.number != 0;
@@ -153,7 +152,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Shows the cue so far behind the cue ball, and with an aim the dots on its way.
+    /// Shows the cue at this distance behind the cue ball. With an aim, also shows the dots on the
+    /// ball's path.
     pub fn show_cue(
         &self,
         world: &mut World,
@@ -174,13 +174,14 @@ impl Scene {
         for (number, &dot) in self.dots.iter().enumerate() {
             let along = way * (number + 1) as f64 / DOTS as f64;
             world.move_to(dot, ball + direction * along)?;
-            // Within a ball there is none to be seen.
+            // A dot inside a ball is not shown.
             world.show(dot, dotted && along > RADIUS)?;
         }
         Ok(())
     }
 
-    /// Shows whose turn it is: by colour, and on whose balls' rail.
+    /// Shows whose turn it is, by the marker's colour and by its place on the rail of that
+    /// player's balls.
     pub fn show_marker(
         &self,
         world: &mut World,
@@ -198,12 +199,12 @@ impl Scene {
     }
 }
 
-/// Whom the marker speaks of: who has won, or whose turn it is.
+/// The player that the marker shows: the winner, or the one whose turn it is.
 fn shown_player(rules: &Rules) -> usize {
     rules.winner().unwrap_or(rules.turn())
 }
 
-/// Where the marker lies.
+/// The position of the marker.
 fn marker_place(rules: &Rules) -> DVec3 {
     let player = shown_player(rules);
     let rail = |half: f64| half + CUSHION + RAIL / 2.0;
@@ -229,21 +230,21 @@ fn part(ends: &[(f64, f64)], place: impl Fn((f64, f64)) -> DVec3) -> Shape {
 /// A ball and its two caps.
 fn shapes(ball: &Ball) -> [Shape; 3] {
     let centre = ball.body.centre;
-    // Where the caps end: the cosine of the angle from their middle.
+    // The edge of the caps: the cosine of the angle from their centres.
     let end = match Group::of(ball.number) {
         Some(Group::Striped) => 0.5,
         _ => 0.93,
     };
-    let off = (PROUD + PROUD * PROUD / 2.0) / (1.0 + PROUD - end);
+    let off = (PROTRUSION + PROTRUSION * PROTRUSION / 2.0) / (1.0 + PROTRUSION - end);
     let cap = |side: f64| Shape::Sphere {
         centre: centre + ball.axis * (side * off * RADIUS),
-        radius: (1.0 + PROUD - off) * RADIUS,
+        radius: (1.0 + PROTRUSION - off) * RADIUS,
     };
     let radius = RADIUS;
     [Shape::Sphere { centre, radius }, cap(1.0), cap(-1.0)]
 }
 
-/// A ball that was pocketed, in its place among its group.
+/// A pocketed ball in its place among its group.
 fn on_the_rail(ball: &Ball) -> Ball {
     let (side, place) = match Group::of(ball.number) {
         Some(Group::Striped) => (-1.0, ball.number - EIGHT),
@@ -258,7 +259,7 @@ fn on_the_rail(ball: &Ball) -> Ball {
     shown
 }
 
-/// A rectangle seen from above.
+/// A horizontal rectangle that faces up.
 fn level(low: (f64, f64), high: (f64, f64), y: f64) -> [DVec3; 4] {
     let p = |x, z| DVec3::new(x, y, z);
     [
@@ -269,7 +270,8 @@ fn level(low: (f64, f64), high: (f64, f64), y: f64) -> [DVec3; 4] {
     ]
 }
 
-/// A rectangle on edge over a line, seen from where the line goes to the right.
+/// A vertical rectangle over a line. It is seen from the side from which the line goes to the
+/// right.
 fn upright([a, b]: [DVec3; 2], low: f64, high: f64) -> [DVec3; 4] {
     let at = |place: DVec3, y| DVec3::new(place.x, y, place.z);
     [at(a, low), at(b, low), at(b, high), at(a, high)]
@@ -291,7 +293,7 @@ fn add_room(world: &mut World) -> Result<(), WorldError> {
     add_fixed(world, &level((-4.5, -3.6), (4.5, 3.6), -0.78), floor)?;
     let lamp = world.add_material(Material::flat(1.0, 0.96, 0.86))?;
     for x in LAMPS {
-        // Seen from below alone, such as by balls.
+        // It is only visible from below, for example in reflections on balls.
         let mut corners = level((x - 0.3, -0.12), (x + 0.3, 0.12), LAMP_HEIGHT + 0.02);
         corners.reverse();
         add_fixed(world, &corners, lamp)?;
@@ -368,7 +370,7 @@ fn add_rails(world: &mut World) -> Result<(), WorldError> {
         )?;
         world.fix(leg)?;
     }
-    // Diamonds: three on each half of a long rail, three on a short one.
+    // Diamonds: three on each half of a long rail, and three on a short rail.
     let pearl = world.add_material(Material::matte(0.9, 0.88, 0.8))?;
     for step in [-3, -2, -1, 1, 2, 3] {
         let along = f64::from(step) * HALF.0 / 4.0;
@@ -385,7 +387,7 @@ fn add_rails(world: &mut World) -> Result<(), WorldError> {
     Ok(())
 }
 
-/// What shows of a sphere that is sunk into the rail.
+/// Adds the visible part of a sphere that is sunk into the rail.
 fn add_diamond(world: &mut World, place: DVec3, of: MaterialId) -> Result<(), WorldError> {
     let diamond = world.add_sphere(place - DVec3::Y * 0.0215, 0.023, of)?;
     world.fix(diamond)
@@ -394,7 +396,7 @@ fn add_diamond(world: &mut World, place: DVec3, of: MaterialId) -> Result<(), Wo
 fn add_pockets(world: &mut World) -> Result<(), WorldError> {
     let dark = world.add_material(Material::flat(0.006, 0.006, 0.007))?;
     for pocket in POCKETS {
-        // A bowl, nearly flat: there is no hole in the bed.
+        // A shallow bowl, because the bed has no hole.
         let bowl = world.add(
             Shape::Cone {
                 base: pocket.centre + DVec3::Y * 0.004,
@@ -427,10 +429,11 @@ mod tests {
         };
         judge(&mut rules, 1, 3);
         assert!(marker_place(&rules).x > 1.0);
-        // Full ones are laid in front, for player 0.
+        // The solids are placed in front, for player 0.
         judge(&mut rules, 1, 2);
         assert!(marker_place(&rules).z > 0.6);
-        // Who loses by the eight is still at the table: the other has won, whose balls are behind.
+        // The player who loses by the eight is still at the table. The winner is the other one,
+        // whose balls are at the back.
         judge(&mut rules, 1, EIGHT);
         assert_eq!((rules.turn(), rules.winner()), (0, Some(1)));
         assert!(marker_place(&rules).z < -0.6);

@@ -1,36 +1,38 @@
-//! The table: where its cushions and pockets are, in metres; x is along it, y up from the bed.
+//! The table: the positions of its cushions and pockets, in metres. x is along the table, and y is
+//! the height above the bed.
 //!
-//! Invariant: a ball that is not in a pocket's reach can't be past the cushions: their noses and
-//! jaws leave no way but into one.
+//! Invariant: a ball that is not within a pocket's reach can't get past the cushions, because
+//! their noses and jaws leave no other gap.
 
 use cellray::game::DVec3;
 
 /// A ball's radius.
 pub const RADIUS: f64 = 0.0286;
-/// Half of the bed between the cushions' noses.
+/// Half the size of the bed between the cushions' noses.
 pub const HALF: (f64, f64) = (1.27, 0.635);
-/// From a cushion's nose back to the rail.
+/// The distance from a cushion's nose back to the rail.
 pub const CUSHION: f64 = 0.055;
-/// How high cushions and rails are.
+/// The height of cushions and rails.
 pub const HEIGHT: f64 = 0.04;
-/// How wide the rails are.
+/// The width of the rails.
 pub const RAIL: f64 = 0.13;
-/// Where the cue ball begins, and where the rack's first ball lies.
+/// The places where the cue ball and the rack's first ball start.
 pub const HEAD: DVec3 = DVec3::new(-0.635, RADIUS, 0.0);
 /// See [`HEAD`].
 pub const FOOT: DVec3 = DVec3::new(0.635, RADIUS, 0.0);
 
-/// From a corner to the nose's end, and how much farther out the jaw ends.
+/// The distance from a corner to the nose's end, and how much farther out the jaw ends.
 const CORNER: (f64, f64) = (0.085, 0.042);
-/// From the middle of a long side to the nose's end, and how much nearer the jaw ends.
+/// The distance from the middle of a long side to the nose's end, and how much nearer to it the
+/// jaw ends.
 const SIDE: (f64, f64) = (0.066, 0.014);
 
 /// A pocket.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pocket {
-    /// Its middle, on the bed.
+    /// Its centre on the bed.
     pub centre: DVec3,
-    /// How near a ball's centre has to come to fall.
+    /// The distance from a ball's centre within which the ball falls.
     pub reach: f64,
 }
 
@@ -58,13 +60,13 @@ const fn side(z: f64) -> Pocket {
     }
 }
 
-/// A cushion: its nose, from left to right as seen from the bed's middle, and where its jaws end
-/// at the rail.
+/// A cushion: its nose, from left to right as seen from the middle of the bed, and the ends of its
+/// jaws at the rail.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cushion {
     /// The nose's ends.
     pub nose: [DVec3; 2],
-    /// The jaws' ends, behind them.
+    /// The ends of the jaws behind the nose's ends.
     pub back: [DVec3; 2],
 }
 
@@ -87,13 +89,13 @@ pub const CUSHIONS: [Cushion; 6] = [
     short(1.0),
 ];
 
-/// Half of the long side at z, before or behind the side pocket by the sign of x.
+/// Half of the long side at z, on the side of the side pocket that the sign of x says.
 const fn long(x: f64, z: f64) -> Cushion {
     let (nose, back) = (z * HALF.1, z * (HALF.1 + CUSHION));
     let far = [x * (HALF.0 - CORNER.0), x * (HALF.0 - CORNER.0 + CORNER.1)];
     let near = [x * SIDE.0, x * (SIDE.0 - SIDE.1)];
-    // Seen from the middle, x grows to the right where z is negative and to the left where it is
-    // positive.
+    // Seen from the middle of the bed, x grows to the right where z is negative, and to the left
+    // where z is positive.
     let [left, right] = if x * z > 0.0 {
         [far, near]
     } else {

@@ -1,9 +1,8 @@
-//! What goes round the sun, as a table.
+//! A table of the bodies that orbit the sun.
 //!
-//! Invariant: nothing goes through anything else, ever. Whatever belongs to a planet, and every
-//! ring of the sun's, has a shell round the sun of its own: the planet's ellipse and as far on
-//! both sides as its moons and rings reach; within it, each moon and ring has a shell round the
-//! planet.
+//! Invariant: no body ever passes through another. Each planet and each ring of the sun has its
+//! own shell around the sun. A planet's shell is its ellipse, extended on both sides by the reach
+//! of its moons and rings. Within it, each moon and each ring has its own shell around the planet.
 
 /// The sun's radius.
 pub(super) const SUN_RADIUS: f64 = 1.4;
@@ -11,14 +10,14 @@ pub(super) const SUN_RADIUS: f64 = 1.4;
 /// A planet.
 pub(super) struct Planet {
     pub radius: f64,
-    /// Half of its ellipse's long axis.
+    /// The semi-major axis of its ellipse.
     pub distance: f64,
-    /// Days that it takes.
+    /// The length of its year in days.
     pub period: f64,
     pub eccentricity: f64,
-    /// Degrees.
+    /// In degrees.
     pub inclination: f64,
-    /// Where it begins, in turns.
+    /// The initial position in turns.
     pub start: f64,
     pub colour: [f64; 3],
     pub shine: f64,
@@ -40,7 +39,7 @@ macro_rules! planets {
     };
 }
 
-/// From the sun outwards: Mercury to Neptune.
+/// The planets from the sun outwards, Mercury to Neptune.
 pub(super) const PLANETS: &[Planet; 8] = planets! {
     0.24  2.28    87.97 0.206 7.0 0.10 [0.66, 0.6, 0.55], 0.0;
     0.38  3.42   224.70 0.007 3.4 0.74 [0.93, 0.8, 0.52], 0.0;
@@ -54,7 +53,7 @@ pub(super) const PLANETS: &[Planet; 8] = planets! {
 
 /// A moon.
 pub(super) struct Moon {
-    /// Index of its planet.
+    /// The index of its planet.
     pub planet: usize,
     pub radius: f64,
     pub distance: f64,
@@ -74,8 +73,8 @@ macro_rules! moons {
     };
 }
 
-/// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; Triton, which goes
-/// backwards.
+/// Luna; Phobos and Deimos; Io, Europa, Ganymede and Callisto; Titan; and Triton, whose orbit is
+/// retrograde.
 pub(super) const MOONS: &[Moon; 9] = moons! {
     2 0.07  0.56  27.32 0.9;
     3 0.03  0.39   0.32 0.0;
@@ -90,16 +89,16 @@ pub(super) const MOONS: &[Moon; 9] = moons! {
 
 /// A ring of stones.
 pub(super) struct Ring {
-    /// Index of its planet; the sun's otherwise.
+    /// The index of its planet, or `None` for a ring of the sun.
     pub planet: Option<usize>,
     pub stones: u32,
-    /// A stone's radius.
+    /// The radius of a stone.
     pub stone: f64,
-    /// From the middle, and how far the stones stray from that.
+    /// The distance from the centre, and how far the stones deviate from it.
     pub distance: f64,
     pub width: f64,
     pub period: f64,
-    /// Degrees.
+    /// In degrees.
     pub tilt: f64,
     pub colour: [f64; 3],
 }
@@ -115,7 +114,7 @@ const SATURN: Ring = Ring {
     colour: [0.86, 0.76, 0.58],
 };
 
-/// Saturn's, two of them; Uranus', which is upright; the asteroids.
+/// Two rings of Saturn, that of Uranus, which is upright, and the asteroids.
 pub(super) const RINGS: &[Ring] = &[
     SATURN,
     Ring {

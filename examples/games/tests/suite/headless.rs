@@ -1,5 +1,5 @@
-//! Every game as it is run: without a player, with any player at all, twice, and without taking
-//! memory.
+//! Runs every game without a player, with random input, twice, and with a check that frames
+//! allocate no memory.
 
 use std::io;
 use std::ops::ControlFlow;
@@ -18,14 +18,14 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 
 const FRAMES: u64 = 300;
 
-/// Who presses anything, turns to other windows, and has a pad that comes loose.
+/// A player who presses anything, switches to other windows, and has a pad that disconnects.
 struct Anyone {
     rng: Xoshiro256PlusPlus,
     begun: bool,
 }
 
 impl Anyone {
-    /// What a broken device may say.
+    /// A value that a broken device may send.
     fn number(&mut self) -> f32 {
         let odd = [f32::NAN, f32::INFINITY, 1e30, -1e30, f32::MAX, f32::MIN];
         if self.rng.random_ratio(1, 6) {
@@ -53,7 +53,7 @@ impl InputSource for Anyone {
             let rng = &mut self.rng;
             let down = rng.random();
             events.push(match rng.random_range(0..40) {
-                // Some things happen seldom.
+                // Some events are rare.
                 0 => InputEvent::FocusLost,
                 1 => InputEvent::PadDisconnected { pad },
                 2..4 => connected(),
@@ -96,7 +96,7 @@ impl InputSource for Anyone {
     }
 }
 
-/// Time as it passes on a machine that has other things to do.
+/// The time on a machine that is busy with other work.
 struct AnyTime(Xoshiro256PlusPlus);
 
 impl Clock for AnyTime {
@@ -122,13 +122,13 @@ fn session(name: &str, seed: u64, size: (u32, u32)) -> Session<Box<dyn Game>> {
         .with_seed(seed)
 }
 
-/// Frames in which nobody does anything.
+/// Runs frames without input.
 fn run(session: &mut Session<Box<dyn Game>>, frames: u64) {
     let mut clock = FixedSteps(Duration::from_millis(40));
     session.run(Some(frames), &mut clock, &mut NoInput).unwrap();
 }
 
-/// Where nobody plays nothing moves, and nothing is traced again, however long the frames take.
+/// Without a player, nothing moves and no tile is traced again, however long the frames take.
 #[test]
 fn a_table_at_rest_is_traced_once() {
     let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(5));
@@ -137,7 +137,7 @@ fn a_table_at_rest_is_traced_once() {
     assert_eq!((report.frames, report.frames_traced), (200, 1));
 }
 
-/// The world after some frames with that player.
+/// The world's checksum after some frames with this player.
 fn played(name: &str, seed: u64, player: u64) -> u64 {
     let mut clock = AnyTime(Xoshiro256PlusPlus::seed_from_u64(player + 1000));
     let mut player = Anyone {

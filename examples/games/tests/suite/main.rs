@@ -1,4 +1,4 @@
-//! All tests of the games: one program, as linking several takes longer.
+//! All tests of the games. They are one program, because linking several takes longer.
 
 mod headless;
 mod orrery;

@@ -1,4 +1,4 @@
-//! What is seen of the orrery.
+//! What is visible of the orrery.
 
 use cellray::game::{DVec3, Frame, Game, Input, InputEvent, Key, ObjectId, Shape, Start, World};
 use games::orrery::Orrery;
@@ -6,9 +6,9 @@ use rand::seq::IndexedRandom as _;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// A picture that is this wide and high has to hold it all.
+/// A picture of this width and height must contain everything.
 const SIZE: (u32, u32) = (1280, 720);
-/// Nearer than this is what is not a star.
+/// Bodies nearer than this are not stars.
 const HERE: f64 = 100.0;
 
 struct Played {
@@ -51,7 +51,7 @@ impl Played {
         self.frame += 1;
     }
 
-    /// A key pressed, and let go at once.
+    /// Presses a key and releases it at once.
     fn press(&mut self, key: Key) {
         self.frame(0.0, &[(key, true), (key, false)]);
     }
@@ -59,11 +59,12 @@ impl Played {
     fn sphere(&self, object: ObjectId) -> (DVec3, f64) {
         match *self.world.shape(object).unwrap() {
             Shape::Sphere { centre, radius } => (centre, radius.abs()),
-            ref other => panic!("all is made of spheres, but for {other:?}"),
+            ref other => panic!("everything is made of spheres except {other:?}"),
         }
     }
 
-    /// What is wholly in the picture, at the edges of which `part` of its half is left free.
+    /// Whether a sphere is wholly in the picture, with a margin of `part` of half the picture at
+    /// each edge.
     fn is_in_the_picture(&self, (centre, radius): (DVec3, f64)) -> bool {
         let view = self.world.view();
         let ahead = (view.at - view.from).normalize();
@@ -72,7 +73,7 @@ impl Played {
         let high = libm::tan((view.angle / 2.0).to_radians());
         let wide = high * f64::from(SIZE.0) / f64::from(SIZE.1);
         let to = centre - view.from;
-        // The four planes that bound what is seen go through the eye.
+        // The four planes that bound the view go through the eye.
         [(right, wide), (-right, wide), (up, high), (-up, high)]
             .into_iter()
             .all(|(aside, half)| {
@@ -90,7 +91,7 @@ fn all_is_in_the_picture_at_any_time() {
     }
     let objects: Vec<_> = played.world.objects().collect();
     let mut farthest = 0.0_f64;
-    // Neptune goes round once.
+    // The time in which Neptune orbits once.
     while played.game.days() < 61_000.0 {
         played.frame(0.1, &[]);
         for &object in &objects {
@@ -132,7 +133,7 @@ fn the_eye_is_never_within_the_sun_or_a_planet() {
             played.press(*[Key::Up, Key::Down].choose(&mut rng).unwrap());
         }
         let key = *held.choose(&mut rng).unwrap();
-        // Nearer most of the time.
+        // The eye is nearer most of the time.
         let down = rng.random_ratio(if key == Key::PageUp { 9 } else { 1 }, 10);
         played.frame(0.04, &[(key, down)]);
         let eye = played.world.view().from;
@@ -164,7 +165,7 @@ fn the_eye_keeps_its_distance_from_the_sun() {
     }
     assert_eq!(played.game.followed(), 0);
     assert!((played.world.view().from.length() - 2.0).abs() < 1e-9);
-    // A planet is seen from nearer.
+    // The eye is nearer to a planet.
     played.press(Key::Digit1);
     for _ in 0..300 {
         played.frame(0.04, &[]);
@@ -181,11 +182,11 @@ fn days_do_not_depend_on_the_frames() {
         (0..frames).for_each(|_| played.frame(step, &[]));
         played.game.days()
     };
-    // Multiples of a step, to the bit.
+    // The times are exact multiples of a step.
     assert_eq!(days(16, 1.0 / 32.0), days(32, 1.0 / 64.0));
     assert_eq!(days(16, 1.0 / 32.0), days(4, 1.0 / 8.0));
     assert!((days(30, 1.0 / 30.0) - 6.0).abs() < 0.02);
-    // A long frame slows time.
+    // A long frame slows down time.
     assert_eq!(days(1, 0.25), days(1, 100.0));
 
     let mut played = Played::new();

@@ -1,4 +1,4 @@
-//! What moves, moves as it should.
+//! The physics of the games.
 
 use cellray::game::{DVec3, Frame, Game, Input, InputEvent, Key, Start, World};
 use games::billiards::balls::{Balls, Place};
@@ -10,7 +10,7 @@ use games::screensaver::Screensaver;
 use rand::{Rng as _, SeedableRng as _};
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-/// Most steps that a shot takes.
+/// The greatest number of steps in a shot.
 const LONGEST: usize = 60 * 480;
 
 fn level(turn: f64) -> DVec3 {
@@ -18,7 +18,7 @@ fn level(turn: f64) -> DVec3 {
     DVec3::new(cosine, 0.0, sine)
 }
 
-/// Where a ball on the bed may be.
+/// Whether a ball on the bed may be at this place.
 fn is_on_the_table(centre: DVec3) -> bool {
     centre.y == RADIUS && centre.x.abs() < HALF.0 + CUSHION && centre.z.abs() < HALF.1 + CUSHION
 }
@@ -73,12 +73,13 @@ fn energy_never_grows_and_all_comes_to_rest_on_the_table_or_in_a_pocket() {
             );
         }
     }
-    // It was a game: most shots touch something, and some racks lose several balls.
+    // The shots were a real game: most shots touch a ball, and in some racks several balls are
+    // pocketed.
     assert!(pocketed > 96, "{pocketed} shots touched a ball");
     assert!(gone >= 3, "at most {gone} balls were pocketed");
 }
 
-/// The cue ball alone on the bed.
+/// Only the cue ball, on the bed.
 fn alone() -> Balls {
     let mut balls = Balls::rack(&mut Xoshiro256PlusPlus::seed_from_u64(0));
     for ball in &mut balls.0[1..] {
@@ -92,7 +93,7 @@ fn a_ball_driven_at_a_pocket_falls_into_it() {
     for pocket in POCKETS {
         let mut balls = alone();
         if pocket.centre.x == 0.0 {
-            // Their jaws take nothing that comes along the cushion.
+            // The jaws of a side pocket do not catch a ball that runs along the cushion.
             balls.0[0].body.centre = DVec3::new(0.2, RADIUS, 0.0);
         }
         let from = balls.0[0].body.centre;
@@ -116,7 +117,7 @@ fn the_tips_height_makes_the_cue_ball_follow_or_come_back() {
         balls.0[1].body.centre = HEAD + DVec3::X * 0.3;
         balls.strike(DVec3::X, 2.0, height);
         let mut shot = Shot::default();
-        // Until the other has left it behind, and before that comes back.
+        // After the other has passed it, and before that one returns.
         for _ in 0..300 {
             balls.step(&mut shot);
         }
@@ -127,7 +128,7 @@ fn the_tips_height_makes_the_cue_ball_follow_or_come_back() {
     assert!(after(0.0).abs() < 0.35, "stun: {}", after(0.0));
 }
 
-/// Frames of a game, with the keys that are held in each.
+/// Plays frames of a game with the keys that are held in each.
 fn play<G: Game>(
     game: &mut G,
     frames: u64,

@@ -1,5 +1,4 @@
-//! A game of eight-ball that was played to its end, and is played back: `MAKE_REF=1` plays and
-//! keeps another.
+//! Replays a recorded game of eight-ball to its end. `MAKE_REF=1` plays and records another.
 
 mod player;
 
@@ -16,9 +15,9 @@ use games::billiards::Billiards;
 
 use player::Player;
 
-/// Longest game, in frames.
+/// The greatest length of a game in frames.
 const LONGEST: u64 = 20_000;
-/// Time from one frame of a game that is played to the next.
+/// The time between frames of a game that is being recorded.
 const STEP: Duration = Duration::from_millis(250);
 
 fn kept(name: &str) -> PathBuf {
@@ -36,7 +35,7 @@ fn session() -> Session<Billiards> {
     Session::start(Billiards::default(), settings, Box::new(picture)).unwrap()
 }
 
-/// Where all balls are, to the bit, and who has won.
+/// The exact positions of all balls, and the winner.
 fn end(game: &Billiards) -> String {
     let mut text = String::new();
     for ball in game.balls() {
@@ -47,13 +46,13 @@ fn end(game: &Billiards) -> String {
     text
 }
 
-/// Plays a game by the mouse, and keeps it.
+/// Plays a game with the mouse and records it.
 fn make(recording: &Path, ended: &Path) {
     fs::create_dir_all(kept("")).unwrap();
     let file = BufWriter::new(File::create(recording).unwrap());
     let mut player = Player::default();
     let mut session = session()
-        // Both groups' balls are pocketed; one is left when the eight falls.
+        // Balls of both groups were pocketed, and one is left when the eight falls.
         .with_seed(6)
         .record_to(Box::new(file));
     for _ in 0..LONGEST {

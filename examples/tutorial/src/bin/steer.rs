@@ -1,5 +1,5 @@
-//! A ball on a mirror, steered by keys or a pad, that takes the colours of the pearls that it
-//! meets.
+//! A ball on a mirror that keys or a pad steer. It takes the colours of the pearls that it
+//! touches.
 
 use cellray::game::{
     Axis, Button, DVec3, Frame, Game, Input, Key, Light, Material, MaterialId, ObjectId, Shader,
@@ -9,12 +9,12 @@ use cellray::game::{
 /// Radius of the ball, and of a pearl.
 const BALL: f64 = 1.0;
 const PEARL: f64 = 0.5;
-/// Half the mirror's side.
+/// Half the length of the mirror's side.
 const EDGE: f64 = 5.0;
-/// Speed that the player can give the ball, and what it gains or loses of it in a second.
+/// The greatest speed that the player can give the ball, and its change of speed in a second.
 const SPEED: f64 = 7.0;
 const GRIP: f64 = 12.0;
-/// Speed at which it leaves the ground, and what it loses of it in a second.
+/// The speed at which the ball leaves the ground, and its loss of speed in a second.
 const JUMP: f64 = 8.0;
 const GRAVITY: f64 = 20.0;
 
@@ -88,7 +88,7 @@ impl Steer {
         Ok(())
     }
 
-    /// Where the ball is after `step` seconds.
+    /// The position of the ball after `step` seconds.
     fn roll(&mut self, from: DVec3, input: &Input, step: f64) -> DVec3 {
         let pad = input.pad();
         let stick = |axis| pad.map_or(0.0, |pad| pad.axis(axis));
@@ -109,12 +109,12 @@ impl Steer {
             DVec3::new(-most, BALL, -most),
             DVec3::new(most, f64::MAX, most),
         );
-        // What holds it up takes its speed in that direction.
+        // An obstacle takes the ball's speed in that direction.
         self.velocity *= DVec3::select(kept.cmpeq(to), DVec3::ONE, DVec3::ZERO);
         kept
     }
 
-    /// Takes the pearl that the ball touches, if there is one, and its colour.
+    /// Takes the pearl that the ball touches, if any, and its colour.
     fn take_pearl(&mut self, world: &mut World, ball: DVec3) -> Result<(), WorldError> {
         let touches = |&pearl: &ObjectId| {
             let pearl = world.position(pearl);

@@ -1,5 +1,4 @@
-//! A planet with clouds in stripes, by a shader of this crate's own, and a moon that falls around
-//! it.
+//! A planet with clouds in stripes, which a shader of this crate draws, and a moon that orbits it.
 
 use cellray::game::{
     DVec3, Frame, Game, Key, Light, Material, MaterialId, ObjectId, Shader, Start, View, World,
@@ -7,15 +6,15 @@ use cellray::game::{
 };
 use cellray::spe::{Program, ProgramError};
 
-/// The tracer's SPU program with `shaders/stripes.s` in it, as `build.rs` has made it.
+/// The tracer's SPU program with `shaders/stripes.s` in it, built by `build.rs`.
 const IMAGE: &[u8] = include_bytes!(concat!(env!("OUT_DIR"), "/tracer.elf"));
 
-/// The planet's attraction at a distance of 1.
+/// The planet's gravity at a distance of 1.
 const ATTRACTION: f64 = 22.0;
 
 struct Stripes {
     clouds: MaterialId,
-    /// Stripes a unit.
+    /// Stripes for each unit of length.
     scale: f64,
     moon: ObjectId,
     place: DVec3,
@@ -63,7 +62,7 @@ impl Game for Stripes {
     fn set_up(&mut self, world: &mut World, _: &Start) -> Result<(), WorldError> {
         world.set_view(View {
             from: DVec3::new(0.0, 3.0, 12.0),
-            // The planet's axis leans.
+            // The planet's axis is tilted.
             up: DVec3::new(0.3, 1.0, 0.0),
             ..world.view().clone()
         })?;

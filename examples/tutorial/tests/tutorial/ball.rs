@@ -1,4 +1,4 @@
-//! The ball: its pictures against the reference, and how short it is.
+//! The ball: its pictures compared with the reference, and the length of its program.
 
 use oracle::Picture;
 
@@ -35,8 +35,8 @@ fn it_is_where_the_formula_has_it() {
 #[test]
 fn it_runs_without_a_display() {
     let folder = tempfile::tempdir().unwrap();
-    let talk = good(BALL, folder.path(), &["--display", "none", "--frames", "3"]);
-    assert_eq!(frames(&talk), 3);
+    let stderr = good(BALL, folder.path(), &["--display", "none", "--frames", "3"]);
+    assert_eq!(frames(&stderr), 3);
 }
 
 #[test]

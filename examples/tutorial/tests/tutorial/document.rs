@@ -1,4 +1,5 @@
-//! The tutorial's text: what it shows is in its programs, what it has one type is understood.
+//! The tutorial's text: the code that it shows is in its programs, and the commands that it shows
+//! are valid.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -11,7 +12,7 @@ fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
-/// The source that is shown: the file that the line above names in backquotes, and the text.
+/// The code blocks: the file that the line above names in backquotes, and the text.
 fn blocks() -> Vec<(String, String)> {
     let mut blocks = Vec::new();
     let mut above = "";
@@ -54,7 +55,7 @@ fn what_is_shown_is_in_the_programs() {
     }
 }
 
-/// The words of a command line, of which some stand in single quotes.
+/// The words of a command line, some of them in single quotes.
 fn words(line: &str) -> Vec<&str> {
     line.split_whitespace()
         .map(|word| word.trim_matches('\''))
@@ -68,7 +69,7 @@ fn what_is_to_be_typed_is_understood() {
     let joined = TUTORIAL.replace("\\\n", "");
     let mut program = None;
     for line in joined.lines() {
-        // The game that the commands after it are about.
+        // The game to which the following commands belong.
         if let Some(line) = line.strip_prefix("    cellray new ") {
             program = Some(match words(line)[..] {
                 ["ball"] => BALL,
@@ -83,7 +84,7 @@ fn what_is_to_be_typed_is_understood() {
         let program = program.expect("a game was made");
         let words = words(line.split(" #").next().unwrap()).into_iter();
         let mut arguments: Vec<_> = words.filter(|word| *word != "--").collect();
-        // No display is there, and small pictures do.
+        // The tests have no display, and small pictures are enough.
         for option in ["--display", "--size"] {
             if let Some(at) = arguments.iter().position(|word| *word == option) {
                 arguments.drain(at..at + 2);

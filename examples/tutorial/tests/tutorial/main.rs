@@ -1,4 +1,4 @@
-//! The programs of `docs/tutorial.md` as they are run, and the document itself.
+//! Tests the programs of `docs/tutorial.md` and the document itself.
 
 mod ball;
 mod document;

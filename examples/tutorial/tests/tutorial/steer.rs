@@ -1,4 +1,4 @@
-//! The steered ball: its pictures against the reference, played by recordings.
+//! The steered ball: its pictures compared with the reference, with recordings as input.
 
 use std::fmt::Write as _;
 use std::fs;
@@ -9,7 +9,7 @@ use oracle::{Comparison, Picture};
 
 use crate::program::{SIZE, STEER, frames, good, path, pictures, run};
 
-/// The pearls: where they are, and their colours.
+/// The pearls: their positions and colours.
 const PEARLS: [([f64; 2], &str); 5] = [
     ([-3.8, 2.2], "0.95 0.25 0.2"),
     ([-3.2, -3.0], "0.95 0.75 0.2"),
@@ -18,7 +18,8 @@ const PEARLS: [([f64; 2], &str); 5] = [
     ([2.8, 3.2], "0.75 0.35 0.9"),
 ];
 
-/// Compares a picture with the scene as it is to be: the ball's place and colour, and the pearls that are left.
+/// Compares a picture with the expected scene: the ball's position and colour, and the pearls that
+/// are left.
 fn compare(picture: &Path, ball: [f64; 3], colour: &str, pearls: &[usize]) -> Comparison {
     let [x, y, z] = ball;
     let mut text = format!(
@@ -42,7 +43,7 @@ fn is_right(comparison: Comparison) {
     assert!(comparison.wrong_fraction <= 0.005, "{comparison:?}");
 }
 
-/// A recording in which keys go down (`+`) and up (`-`) before frames, which are 40 ms long.
+/// A recording in which keys go down (`+`) and up (`-`) before frames of 40 ms each.
 fn recording(folder: &Path, frames: u32, keys: &[(u32, &str)]) {
     let mut text = String::from(
         "{\"format\":\"cellray recording\",\"version\":1,\"game\":\"steer\",\"seed\":0,\"size\":[160,90]}\n",
@@ -84,7 +85,7 @@ fn the_first_picture_is_like_the_reference() {
         &[0, 1, 2, 3, 4],
     ));
     assert!(fs::read(&first).unwrap() == fs::read(path(folder.path(), 1)).unwrap());
-    // That it can tell: a pearl less is seen.
+    // The comparison works: it detects a missing pearl.
     let other = compare(&first, [0.0, 1.0, 0.0], "0.9 0.9 0.9", &[0, 1, 2, 3]);
     assert!(other.wrong_off_silhouette > 20, "{other:?}");
 }
@@ -123,7 +124,7 @@ fn space_makes_it_jump() {
     for frames in ["6..7", "39..40"] {
         pictures(STEER, folder.path(), frames, &REPLAY);
     }
-    // 8 a second at first, 0.8 less with every further frame.
+    // The speed is 8 at first, and 0.8 less in every further frame.
     let height: f64 = 1.0
         + (0..6)
             .map(|frame| 0.04 * (8.0 - 0.8 * f64::from(frame)))
@@ -146,13 +147,13 @@ fn space_makes_it_jump() {
 #[test]
 fn what_stands_still_is_traced_once() {
     let folder = tempfile::tempdir().unwrap();
-    let talk = good(
+    let stderr = good(
         STEER,
         folder.path(),
         &["--display", "none", "--frames", "30", "--size", "160x90"],
     );
-    assert_eq!(frames(&talk), 30);
-    assert!(talk.contains("30 frame(s), 1 traced"), "{talk}");
+    assert_eq!(frames(&stderr), 30);
+    assert!(stderr.contains("30 frame(s), 1 traced"), "{stderr}");
 }
 
 #[test]
@@ -161,11 +162,11 @@ fn a_session_is_played_back() {
     pictures(STEER, folder.path(), "0..3", &["--record", "session"]);
     let before = fs::read(path(folder.path(), 2)).unwrap();
     fs::remove_file(path(folder.path(), 2)).unwrap();
-    // It ends where the recording does.
-    let talk = pictures(STEER, folder.path(), "2..100", &REPLAY);
-    assert!(talk.contains("1 picture(s) written"), "{talk}");
+    // The run ends when the recording does.
+    let stderr = pictures(STEER, folder.path(), "2..100", &REPLAY);
+    assert!(stderr.contains("1 picture(s) written"), "{stderr}");
     assert!(fs::read(path(folder.path(), 2)).unwrap() == before);
-    // A recording is never written over.
+    // A recording is never overwritten.
     let arguments = ["--display", "none", "--frames", "1", "--record", "session"];
     let output = run(STEER, folder.path(), &arguments);
     assert!(!output.status.success());
@@ -176,8 +177,8 @@ fn the_game_that_was_played_is_won_again() {
     let folder = tempfile::tempdir().unwrap();
     let recorded = concat!(env!("CARGO_MANIFEST_DIR"), "/played.session");
     let arguments = ["--display", "none", "--size", "64x36", "--replay", recorded];
-    let talk = good(STEER, folder.path(), &arguments);
+    let stderr = good(STEER, folder.path(), &arguments);
     let lines = fs::read_to_string(recorded).unwrap().lines().count();
-    // One line is the session's. It was over with the last pearl: nobody ended it.
-    assert_eq!(frames(&talk) as usize + 1, lines);
+    // One line is the session's. The session ended by itself with the last pearl.
+    assert_eq!(frames(&stderr) as usize + 1, lines);
 }

@@ -1,4 +1,5 @@
-//! The stripes, against their formula: on a wall, with the shader checked, and on the planet.
+//! The stripes compared with their formula: on a wall, with the check of shaders, and on the
+//! planet.
 
 use cellray::framebuffer::{Geometry, Png};
 use cellray::game::{DVec3, Material, Model, RenderOptions, Shader, View, World};
@@ -8,7 +9,7 @@ use image::RgbImage;
 
 use crate::program::{SIZE, STRIPES, frames, good, path, pictures};
 
-/// What the stripes leave of a colour.
+/// A colour after the stripes have darkened it.
 fn striped(colour: [f64; 3], scale: f64, strength: f64, y: f64) -> DVec3 {
     let within = (scale * y).fract();
     let part = strength * (within * within - within.powi(4));
@@ -20,7 +21,7 @@ fn striped(colour: [f64; 3], scale: f64, strength: f64, y: f64) -> DVec3 {
     )
 }
 
-/// The directions through the pixels, of length 1.
+/// The directions through the pixels, with length 1.
 fn directions(view: &View, size: (u32, u32)) -> impl Iterator<Item = (u32, u32, DVec3)> {
     let camera = view.camera(size.0, size.1).unwrap();
     let pixels = (0..size.1).flat_map(move |y| (0..size.0).map(move |x| (x, y)));
@@ -30,7 +31,7 @@ fn directions(view: &View, size: (u32, u32)) -> impl Iterator<Item = (u32, u32, 
     })
 }
 
-/// A pixel is a colour, limited to what can be shown.
+/// Checks that a pixel has a colour, limited to the range that can be shown.
 fn is(picture: &RgbImage, (x, y): (u32, u32), colour: DVec3) {
     let pixel = picture.get_pixel(x, y).0;
     let expected = colour.clamp(DVec3::ZERO, DVec3::ONE).to_array();
@@ -62,12 +63,12 @@ fn the_shader_keeps_its_rules() -> Result<(), Box<dyn std::error::Error>> {
         model,
         ..RenderOptions::default()
     });
-    // Light from everywhere alone: what is seen is the colour itself.
+    // Only ambient light, so that the picture shows the colour itself.
     world.set_ambient(DVec3::ONE)?;
     let stripes = world.add_material(own([0.9, 0.8, 0.7], [1.6, 0.9, 0.0, 0.0]))?;
     let wall = [(-9.0, -9.0), (9.0, -9.0), (9.0, 9.0), (-9.0, 9.0)];
     world.add_polygon(&wall.map(|(x, y)| DVec3::new(x, y, 0.0)), stripes)?;
-    // Before it, so that packets have rays that are none of the shader's.
+    // In front of it, so that packets contain rays that do not belong to the shader.
     let green = world.add_material(Material::matte(0.1, 0.6, 0.2))?;
     let ball = (DVec3::new(1.0, 0.5, 2.0), 1.2);
     world.add_sphere(ball.0, ball.1, green)?;
@@ -110,7 +111,8 @@ const PLANET: f64 = 3.0;
 const MOON: f64 = 0.6;
 const SUN: DVec3 = DVec3::new(1.0, 0.5, 1.2);
 
-/// Where a ray enters a sphere, if it is sure to; nothing if it is sure not to.
+/// Where a ray enters a sphere if it certainly does, or `None` if it certainly does not. An error
+/// if it is too close to tell.
 fn enters(
     from: DVec3,
     direction: DVec3,
@@ -126,7 +128,7 @@ fn enters(
     Ok((nearest < radius && before > 1e-9).then_some(before))
 }
 
-/// What the eye sees in a direction: nothing where that is on an edge.
+/// The colour in a direction, or an error on an edge.
 fn seen(from: DVec3, direction: DVec3, moon: DVec3) -> Result<DVec3, ()> {
     let spheres = [(DVec3::ZERO, PLANET), (moon, MOON)];
     let [planet, moon] = [0, 1].map(|number| enters(from, direction, spheres[number]));
@@ -189,8 +191,8 @@ fn keys_change_the_stripes() {
         "",
     ];
     std::fs::write(folder.path().join("session"), lines.join("\n")).unwrap();
-    let talk = pictures(STRIPES, folder.path(), "0..3", &["--replay", "session"]);
-    assert_eq!(frames(&talk), 3);
+    let stderr = pictures(STRIPES, folder.path(), "0..3", &["--replay", "session"]);
+    assert_eq!(frames(&stderr), 3);
     let pole = |frame| {
         let picture = image::open(path(folder.path(), frame)).unwrap().into_rgb8();
         *picture.get_pixel(SIZE.0 / 2, 20)
@@ -202,10 +204,10 @@ fn keys_change_the_stripes() {
 #[test]
 fn it_runs_without_a_display() {
     let folder = tempfile::tempdir().unwrap();
-    let talk = good(
+    let stderr = good(
         STRIPES,
         folder.path(),
         &["--display", "none", "--frames", "3"],
     );
-    assert_eq!(frames(&talk), 3);
+    assert_eq!(frames(&stderr), 3);
 }

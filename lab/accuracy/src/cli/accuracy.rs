@@ -11,36 +11,36 @@ use clap::Args;
 
 use super::Outcome;
 
-/// Measure run time against error of every formulation.
+/// Measure run time against error of every formulation
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Arguments {
     /// Folder for results.json, the tables as CSV and the plots
     #[arg(long, default_value = "target/accuracy", value_name = "DIR")]
     out: PathBuf,
-    /// Write the results as JSON to a file, or - for standard output, and nothing else
+    /// Write only the results as JSON, to a file or to standard output with -
     #[arg(long, value_name = "F.json", conflicts_with_all = ["out", "write"])]
     json: Option<PathBuf>,
-    /// Leave out the host: its name, its time and the command. What is left is the same on every
-    /// host
+    /// Leave out the host's name, its time and the command, so that the output is the same on
+    /// every host
     #[arg(long)]
     no_host_time: bool,
-    /// Write the document too, with its plots beside it
+    /// Also write the document, with its plots next to it
     #[arg(long, value_name = "F.md")]
     write: Option<PathBuf>,
     /// Seed of the random rays
     #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
-    /// Some thousand rays, without pictures and roots: some seconds
+    /// Use some thousand rays and no pictures or roots, which takes some seconds
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Sixteen times as many rays, and pictures of 1280x720
+    /// Use sixteen times as many rays, and pictures of 1280x720
     #[arg(long)]
     full: bool,
     /// Trace no pictures
     #[arg(long)]
     no_pictures: bool,
-    /// Measure these formulations alone
+    /// Measure only these formulations
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     only: Vec<String>,
 }
@@ -65,7 +65,7 @@ pub fn run(arguments: &Arguments) -> Outcome {
         pictures: !(arguments.quick || arguments.no_pictures),
         host_time: !arguments.no_host_time,
     };
-    // Before the minutes of measuring, not after.
+    // Checked before the minutes of measuring, not after them.
     if arguments.json.is_none() {
         output::folder(&arguments.out)?;
     }

@@ -1,4 +1,4 @@
-//! Commands, one a file: data goes to standard output, talk to standard error.
+//! The commands, one in each file. Data goes to standard output, and messages to standard error.
 
 mod accuracy;
 mod stability;
@@ -7,10 +7,10 @@ use std::process::ExitCode;
 
 use clap::{Parser, Subcommand};
 
-/// Whether all that a command was to hold held.
+/// Whether everything held that the command checks.
 type Outcome = Result<ExitCode, Box<dyn std::error::Error>>;
 
-/// Measures run time against error, and numerical stability, of the ways to intersect rays.
+/// Measures run time against error, and the numerical stability, of the ways to intersect rays
 #[derive(Parser)]
 #[command(name = "cellray-bench", version)]
 struct Arguments {
@@ -22,7 +22,7 @@ struct Arguments {
 enum Command {
     /// Measure run time against error of every formulation
     Accuracy(accuracy::Arguments),
-    /// Run the stress suite and check what is guaranteed of scenes
+    /// Run the stress suite and check the guarantees about scenes
     Stability(stability::Arguments),
 }
 

@@ -10,36 +10,36 @@ use clap::Args;
 
 use super::Outcome;
 
-/// Run the stress suite and check what is guaranteed of scenes.
+/// Run the stress suite and check the guarantees about scenes
 #[derive(Args)]
 pub struct Arguments {
     /// Seed of the random inputs
     #[arg(long, default_value_t = kernels::bench::SEED, value_name = "N", allow_negative_numbers = true)]
     seed: u64,
-    /// Ten times as many cases
+    /// Try ten times as many cases
     #[arg(long)]
     full: bool,
-    /// A tenth of the cases, for slow hosts
+    /// Try a tenth of the cases, for slow hosts
     #[arg(long, conflicts_with = "full")]
     quick: bool,
-    /// Try this family alone
+    /// Try only this family
     #[arg(long, value_name = "FAMILY", value_parser = family)]
     only: Option<String>,
-    /// Write the report as JSON too
+    /// Also write the report as JSON
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write each family's worst inputs to this folder, to be tried again by later versions
+    /// Write each family's worst inputs to this folder, for later versions to try again
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
 }
 
-/// A family's name.
+/// Parses a family's name.
 fn family(name: &str) -> Result<String, String> {
     let names = stability::names().map_err(|error| error.to_string())?;
     if names.contains(&name) {
         Ok(name.to_owned())
     } else {
-        Err(format!("there are {}", names.join(", ")))
+        Err(format!("the families are {}", names.join(", ")))
     }
 }
 

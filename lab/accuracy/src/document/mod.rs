@@ -1,6 +1,7 @@
-//! The document of the results: tables, plots and what is not beaten, as Markdown.
+//! The document with the results: tables, plots and the formulations that no other beats, as
+//! Markdown.
 //!
-//! Invariant: every number in it is one of the results that it is written from.
+//! Invariant: every number in it comes from the results.
 
 mod table;
 #[cfg(test)]
@@ -21,19 +22,19 @@ use crate::run::{KernelRow, Results};
 use crate::spheres::SphereRow;
 use table::{Table, figure, option};
 
-/// What stands in front of the plots' names beside the document.
+/// The prefix of the plots' file names, which are next to the document.
 pub const PREFIX: &str = "accuracy-";
 
-/// Writes the document; its plots are expected beside it.
+/// Writes the document, which refers to plots next to it.
 ///
 /// # Errors
 ///
-/// A file that can't be written.
+/// Fails if the file can't be written.
 pub fn write(document: &Document, path: &Path) -> Result<(), OutputError> {
     fs::write(path, text(document)).map_err(OutputError::of(path.display()))
 }
 
-/// The document.
+/// The document's text.
 pub fn text(document: &Document) -> String {
     let results = &document.results;
     let plots = plots::plots(results);
@@ -117,7 +118,7 @@ fn mean(summary: Option<Summary>) -> String {
     option(summary.map(|summary| summary.mean))
 }
 
-/// A plot with what is not beaten in it.
+/// A plot and the names of the points that no other beats.
 fn shown(plots: &[Plot], name: &str) -> String {
     let Some(plot) = plots.iter().find(|plot| plot.name == name) else {
         return String::new();
@@ -129,10 +130,10 @@ fn shown(plots: &[Plot], name: &str) -> String {
     text
 }
 
-/// A kernel and all its rows.
+/// A kernel and all of its rows.
 type Kernel<'a> = (&'a KernelRow, Vec<&'a SphereRow>);
 
-/// The largest of a figure over the well-conditioned families.
+/// The largest value of a figure over the well-conditioned families.
 fn largest((_, rows): &Kernel<'_>, of: fn(&Figures) -> Option<f64>) -> String {
     let sound = rows.iter().filter_map(|row| row.figures.sound(of)?);
     option(sound.reduce(f64::max))
@@ -177,7 +178,7 @@ fn spheres(results: &Results, plots: &[Plot], form: Form) -> String {
     text
 }
 
-/// Families down, formulations across.
+/// A table with families as rows and formulations as columns.
 fn by_family(form: Form, kernels: &[Kernel<'_>]) -> Table {
     let names = kernels
         .iter()

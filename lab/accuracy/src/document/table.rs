@@ -1,11 +1,11 @@
-//! Tables of Markdown.
+//! Markdown tables.
 
 use std::fmt;
 
-/// What stands over a column, and what is in it.
+/// A column's heading, and the function that makes its cells.
 pub(super) type Column<R> = (&'static str, fn(&R) -> String);
 
-/// A table with a head; its columns are as wide as what is in them.
+/// A table with headings. Columns are as wide as their contents.
 #[derive(Clone, Debug)]
 pub(super) struct Table {
     rows: Vec<Vec<String>>,
@@ -17,7 +17,7 @@ impl Table {
         Self { rows: vec![head] }
     }
 
-    /// A row for each of these.
+    /// A table with a row for each of these.
     pub fn of<R>(rows: impl IntoIterator<Item = R>, columns: &[Column<R>]) -> Self {
         let mut table = Self::new(columns.iter().map(|(title, _)| *title));
         for row in rows {
@@ -41,7 +41,7 @@ impl fmt::Display for Table {
         let widths: Vec<usize> = (0..columns).map(width).collect();
         for (number, row) in self.rows.iter().enumerate() {
             for (cell, &width) in row.iter().zip(&widths) {
-                // Numbers stand to the right.
+                // Numbers are aligned to the right.
                 if number > 0 && cell.starts_with(|first: char| first.is_ascii_digit()) {
                     write!(out, "| {cell:>width$} ")?;
                 } else {
@@ -60,7 +60,7 @@ impl fmt::Display for Table {
     }
 }
 
-/// A number with three digits that count.
+/// A number with three significant digits.
 pub(super) fn figure(value: f64) -> String {
     match value.abs() {
         0.0 => "0".to_owned(),
@@ -72,7 +72,7 @@ pub(super) fn figure(value: f64) -> String {
     }
 }
 
-/// A number, or nothing.
+/// A number, or an empty cell.
 pub(super) fn option(value: Option<f64>) -> String {
     value.map_or_else(String::new, figure)
 }

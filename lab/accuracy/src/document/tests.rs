@@ -1,4 +1,4 @@
-//! The document says what the results say.
+//! The document contains the results.
 
 use super::*;
 use crate::output::Origin;
@@ -34,6 +34,6 @@ fn the_document_has_machine_commit_seed_tables_and_what_is_not_beaten() {
         .find(|line| line.starts_with("| ratio 2 "))
         .unwrap();
     assert!(line.contains(&cell), "{line}");
-    // Nothing was traced, and nothing is said of it.
+    // No pictures were traced, so the document has no section about them.
     assert!(!text.contains("Whole pictures"));
 }

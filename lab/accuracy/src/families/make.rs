@@ -1,4 +1,4 @@
-//! How each family's spheres and rays are made.
+//! How the spheres and rays of each family are made.
 
 use crate::generator::Generator;
 use rand::Rng as _;
@@ -11,15 +11,15 @@ use crate::space::{
 };
 use crate::truth::Vector;
 
-/// How far from 0 origins are, in radii.
+/// How far origins are from 0, in radii.
 const AROUND: f64 = 8.0;
 
-/// A radius of its order of magnitude.
+/// A random radius of any order of magnitude.
 fn radius(random: &mut Generator) -> f64 {
     random.random_range(0.5..2.0)
 }
 
-/// Where rays of a form start, within a cube of that half side.
+/// The origin of a form's rays, within a cube with this half side.
 fn origin(form: Form, half: f64, random: &mut Generator) -> Vector {
     match form {
         Form::Eye => [0.0; 3],
@@ -27,7 +27,7 @@ fn origin(form: Form, half: f64, random: &mut Generator) -> Vector {
     }
 }
 
-/// The value of the nearest single, so that rays are aimed from where they really start.
+/// The value of the nearest single. Rays are aimed from their rounded origins.
 fn rounded(value: f64) -> f64 {
     to_f64(nearest(value))
 }
@@ -36,12 +36,12 @@ fn ray(origin: Vector, direction: Vector) -> Ray {
     fresh(point(origin), point(direction))
 }
 
-/// A ray to a point.
+/// A ray towards a point.
 fn ray_to(target: Vector, from: Vector) -> Ray {
     ray(from, unit(less(target, from)))
 }
 
-/// A sphere, and packets of rays that `aim` gives.
+/// A sphere, and packets of the rays that `aim` returns.
 fn shot(
     centre: Vector,
     radius: f64,
@@ -56,13 +56,13 @@ fn shot(
     }
 }
 
-/// Where rays start, an axis, and the centre of a sphere so far away along it.
+/// The rays' origin, an axis, and the centre of a sphere at this distance along the axis.
 fn ahead(from: Vector, distance: f64, random: &mut Generator) -> [Vector; 3] {
     let axis = direction(random);
     [from, axis, along(from, distance, axis)]
 }
 
-/// Rays from a point over the disc within 2 radii of a sphere.
+/// Rays from a point to the disc within 2 radii of a sphere.
 fn over([from, axis, centre]: [Vector; 3], radius: f64, random: &mut Generator) -> Shot {
     shot(centre, radius, random, |random| {
         ray_to(on_disc(centre, axis, 2.0 * radius, random), from)
@@ -79,7 +79,7 @@ pub(super) fn at_ratio(random: &mut Generator, form: Form, ratio: f64) -> Shot {
 pub(super) fn tiny(random: &mut Generator, form: Form, size: f64) -> Shot {
     let from = origin(form, 1.0, random);
     let radius = size * radius(random);
-    // By its ratio, as the others are.
+    // By its ratio, like the others.
     let ratio = 1e3 / radius;
     let places = ahead(from, ratio * radius, random);
     over(places, radius, random)

@@ -1,7 +1,7 @@
 //! Scene families: named generators of one sphere and the rays that are sent to it.
 //!
-//! Invariant: everything is made of singles, by basic arithmetic and roots, from a seed: a family
-//! gives the same on every host. What a family is of is in [`FAMILIES`], one row each.
+//! Invariant: everything consists of singles, made by basic arithmetic and roots from a seed, so a
+//! family is the same on every host. [`FAMILIES`] describes each family in one row.
 
 mod make;
 pub mod triangles;
@@ -16,24 +16,24 @@ use twins::sphere_ray::Ray;
 use crate::truth::sphere::Crossing;
 use crate::truth::{Line, Vector};
 
-/// Packets that a sphere is tested with.
+/// The number of packets with which a sphere is tested.
 pub const PACKETS: usize = 16;
 
-/// From where a kernel's rays come.
+/// The origin of a kernel's rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Form {
-    /// All from 0, the eye; the sphere counts from outside alone.
+    /// All rays start at 0, the eye. The sphere is only hit from outside.
     Eye,
-    /// From anywhere; the sphere counts from inside too.
+    /// Rays start anywhere. The sphere is hit from inside, too.
     General,
 }
 
 impl Form {
-    /// Both, in the tables' order.
+    /// Both forms, in the tables' order.
     pub const ALL: [Self; 2] = [Self::Eye, Self::General];
 
-    /// Its name in tables.
+    /// The form's name in tables.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Eye => "eye",
@@ -41,7 +41,7 @@ impl Form {
         }
     }
 
-    /// The kernel that a formulation has for it.
+    /// The kernel that a formulation has for this form.
     pub const fn kernel(self, formulation: &SphereFormulation) -> Option<&'static str> {
         match self {
             Self::Eye => formulation.eye,
@@ -49,8 +49,8 @@ impl Form {
         }
     }
 
-    /// The hit that its kernels are to find of those where a line crosses a sphere, and the normal
-    /// there.
+    /// Of the points where a line crosses a sphere, the hit that this form's kernels must find,
+    /// and the normal there.
     pub fn seen(self, crossing: &Crossing) -> Option<(f64, Vector)> {
         match self {
             Self::Eye => Some((crossing.entry, crossing.entry_normal)).filter(|(t, _)| *t > 0.0),
@@ -59,28 +59,29 @@ impl Form {
     }
 }
 
-/// A scene family.
+/// A family of scenes.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// Its name.
+    /// The family's name.
     pub name: &'static str,
-    /// What is in it.
+    /// A description of its contents.
     pub doc: &'static str,
-    /// Whose rays can be so.
+    /// The forms in which it exists.
     pub forms: &'static [Form],
-    /// Distance over radius, where that is what the family is about.
+    /// The distance over the radius, if the family is about that.
     pub ratio: Option<f64>,
-    /// How far from the centre, in radii, a ray may pass for the error of its distance to count.
+    /// The greatest distance from the centre, in radii, at which a ray may pass for the error of
+    /// its distance to count.
     pub counted: f64,
-    /// Whether directions have any length.
+    /// Whether directions may have any length.
     pub any_length: bool,
-    /// A sphere and its rays.
+    /// Makes a sphere and its rays.
     make: fn(&mut Generator, Form, f64) -> Shot,
-    /// What the generator is told: the ratio, or a size.
+    /// The generator's parameter: the ratio, or a size.
     parameter: f64,
 }
 
-/// A sphere and rays to it.
+/// A sphere and the rays sent to it.
 #[derive(Clone, Debug)]
 pub struct Shot {
     /// Centre.
@@ -94,7 +95,7 @@ pub struct Shot {
 const BOTH: &[Form] = &[Form::Eye, Form::General];
 const GENERAL: &[Form] = &[Form::General];
 
-/// A family of one distance over radius.
+/// A family with one value of distance over radius.
 const fn ratio(name: &'static str, ratio: f64) -> Family {
     Family {
         name,
@@ -108,7 +109,7 @@ const fn ratio(name: &'static str, ratio: f64) -> Family {
     }
 }
 
-/// A huge sphere as ground.
+/// A huge sphere used as a ground.
 const fn ground(name: &'static str, radius: f64) -> Family {
     Family {
         name,
@@ -122,10 +123,10 @@ const fn ground(name: &'static str, radius: f64) -> Family {
     }
 }
 
-/// The family at which the paper's formula has no digits left.
+/// The family in which the paper's formula has no correct digits left.
 pub const FAR: &str = "ratio 4096";
 
-/// All families.
+/// All families of spheres.
 pub const FAMILIES: &[Family] = &[
     ratio("ratio 2", 2.0),
     ratio("ratio 4", 4.0),
@@ -191,7 +192,7 @@ pub const FAMILIES: &[Family] = &[
 ];
 
 impl Family {
-    /// So many spheres with [`PACKETS`] packets each.
+    /// This many spheres with [`PACKETS`] packets each.
     pub fn shots(&self, form: Form, seed: u64, spheres: usize) -> Vec<Shot> {
         let mut random = generator(seed, &[self.name, form.name()], 0);
         (0..spheres)
@@ -200,24 +201,24 @@ impl Family {
     }
 }
 
-/// The lines of packets' rays.
+/// The lines of the packets' rays.
 fn lines(packets: &[[Ray; 16]]) -> impl Iterator<Item = Line> {
     let rays = packets.iter().flatten();
     rays.map(|ray| Line::new(ray.origin, ray.direction))
 }
 
 impl Shot {
-    /// Its rays as exact numbers.
+    /// The rays as exact numbers.
     pub fn lines(&self) -> impl Iterator<Item = Line> {
         lines(&self.packets)
     }
 
-    /// The centre, exactly.
+    /// The exact centre.
     pub fn centre(&self) -> Vector {
         self.centre.map(to_f64)
     }
 
-    /// The radius, exactly.
+    /// The exact radius.
     pub fn radius(&self) -> f64 {
         to_f64(self.radius)
     }

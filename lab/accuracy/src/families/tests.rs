@@ -1,4 +1,4 @@
-//! Families are what they say.
+//! The families match their descriptions.
 
 use super::*;
 use crate::space::{dot, less};
@@ -10,7 +10,8 @@ fn family(name: &str) -> &'static Family {
     FAMILIES.iter().find(|family| family.name == name).unwrap()
 }
 
-/// Of every ray: its line, its shot, and how far from the centre it passes, in radii.
+/// For every ray: its line, its shot, and the distance from the centre at which it passes, in
+/// radii.
 fn rays(family: &Family, form: Form) -> Vec<(Line, Shot, f64)> {
     let shots = family.shots(form, 3, SPHERES);
     let each = |shot: &Shot| {

@@ -1,5 +1,5 @@
-//! Scene families of triangles: named generators of one or two of them and the rays that are sent
-//! there.
+//! Scene families of triangles: named generators of one or two triangles and the rays that are
+//! sent to them.
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
@@ -10,34 +10,34 @@ use super::PACKETS;
 use crate::space::{across, along, direction, dot, fresh, in_cube, less, point, unit};
 use crate::truth::{Line, Vector};
 
-/// How flat a ray may come at least: the cosine of its angle with the normal.
+/// The least cosine of the angle between a ray and the normal.
 const SLANT: f64 = 0.3;
 
 /// A family of triangles.
 #[derive(Clone, Copy, Debug)]
 pub struct Family {
-    /// Its name.
+    /// The family's name.
     pub name: &'static str,
-    /// What is in it.
+    /// A description of its contents.
     pub doc: &'static str,
-    /// How high a triangle is over its longest edge.
+    /// The height of a triangle as a share of its longest edge.
     height: f64,
-    /// How far away rays begin, in longest edges: from, and up to.
+    /// The least and the greatest distance of the rays' origins, in longest edges.
     reach: [f64; 2],
-    /// Whether there are two with a common edge, and rays to that alone.
+    /// Whether there are two triangles with a common edge, and only rays to that edge.
     pub shared_edge: bool,
 }
 
-/// Triangles and rays to them.
+/// Triangles and the rays sent to them.
 #[derive(Clone, Debug)]
 pub struct Shot {
-    /// One, or two that share an edge.
+    /// One triangle, or two that share an edge.
     pub triangles: Vec<Triangle>,
     /// The rays.
     pub packets: Vec<[Ray; 16]>,
 }
 
-/// The family that the others differ from.
+/// The family from which the others are derived.
 const WELL_SHAPED: Family = Family {
     name: "well-shaped",
     doc: "half as high as their longest edge is long, 2 to 8 edges away, rays to the triangle and around it",
@@ -70,14 +70,14 @@ pub const FAMILIES: &[Family] = &[
 ];
 
 impl Shot {
-    /// Its rays as exact numbers.
+    /// The rays as exact numbers.
     pub fn lines(&self) -> impl Iterator<Item = Line> {
         super::lines(&self.packets)
     }
 }
 
 impl Family {
-    /// So many shots with [`PACKETS`] packets each.
+    /// This many shots with [`PACKETS`] packets each.
     pub fn shots(&self, seed: u64, shots: usize) -> Vec<Shot> {
         let mut random = generator(seed, &[self.name], 0);
         (0..shots).map(|_| self.shot(&mut random)).collect()
@@ -114,7 +114,7 @@ impl Family {
         Shot { triangles, packets }
     }
 
-    /// Where a ray begins, a single, not too flat over the plane on either side.
+    /// A ray's origin, rounded to singles, on either side of the plane and not too flat above it.
     fn origin(&self, corner: Vector, edge: f64, normal: Vector, random: &mut Generator) -> Vector {
         let [near, far] = self.reach;
         let away = loop {
@@ -162,7 +162,7 @@ mod tests {
                 }
             }
             if family.shared_edge {
-                // Through the common edge nothing leaves the two.
+                // No ray leaves the two triangles through the common edge.
                 assert_eq!(within, rays);
             } else {
                 assert!(

@@ -1,4 +1,4 @@
-//! Files of results say what was measured.
+//! The files of results contain what was measured.
 
 use super::*;
 use crate::run::{self, Order};

@@ -1,4 +1,4 @@
-//! A chart: points in groups, each joined by a line of all of them or of what is not beaten.
+//! A chart of points in groups. A line joins all points of a group, or those that no other beats.
 
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -9,16 +9,16 @@ use super::labels::{Area, apart, beside};
 use super::scale::{Kind, Scale, written};
 use crate::pareto;
 
-/// Pixels across and down.
+/// Width and height in pixels.
 pub(super) const SIZE: (u32, u32) = (960, 600);
-/// What stands free around the frame.
+/// The margins around the frame.
 const MARGIN: Area = Area {
     left: 70.0,
     top: 84.0,
     right: 24.0,
     bottom: 62.0,
 };
-/// Room for names at the ends of lines.
+/// The room for names at the ends of lines.
 const ENDS: f64 = 130.0;
 const FONT: &str = "sans-serif";
 const TEXT: u32 = 14;
@@ -27,7 +27,7 @@ const GREY: RGBColor = RGBColor(110, 110, 110);
 const PALE: RGBColor = RGBColor(228, 228, 228);
 const FRONT: RGBColor = RGBColor(60, 60, 60);
 
-/// Colours that the colour-blind tell apart too (Okabe and Ito), and darker ones of the same.
+/// Colours that colour-blind readers can distinguish (Okabe and Ito), and darker versions of them.
 const COLOURS: [RGBColor; 12] = [
     RGBColor(213, 94, 0),
     RGBColor(0, 114, 178),
@@ -48,11 +48,11 @@ const COLOURS: [RGBColor; 12] = [
 pub(super) struct Axis {
     pub label: String,
     pub kind: Kind,
-    /// Whether more is better.
+    /// Whether larger values are better.
     pub rising: bool,
 }
 
-/// A point with its name.
+/// A point and its name.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Point {
     pub name: String,
@@ -61,12 +61,12 @@ pub(super) struct Point {
     pub colour: usize,
 }
 
-/// How points of a group belong together.
+/// How the points of a group are drawn.
 #[derive(Clone, Debug)]
 pub(super) enum Group {
-    /// Rivals: each has its name, and a line joins those that are not beaten.
+    /// Rivals: each point has a name, and a line joins those that no other beats.
     Rivals(Vec<Point>),
-    /// A course: all are joined, and the last has the name.
+    /// A course: a line joins all points, and the last one has the name.
     Course(Vec<Point>),
 }
 
@@ -96,7 +96,7 @@ impl Group {
     }
 }
 
-/// Tells the plotting crate of the font that it draws and measures with.
+/// Registers the font with which the plotting crate draws and measures text.
 pub(super) fn use_font() -> Result<(), String> {
     for (style, bytes) in [
         (FontStyle::Normal, dejavu::sans::regular()),
@@ -107,10 +107,10 @@ pub(super) fn use_font() -> Result<(), String> {
     Ok(())
 }
 
-/// A chart's own numbers while it is drawn.
+/// A chart's state while it is drawn.
 struct Sheet<'a, DB: DrawingBackend> {
     area: &'a DrawingArea<DB, Shift>,
-    /// What lengths are drawn at, so many times as large.
+    /// The factor by which all lengths are multiplied.
     zoom: u32,
     frame: Area,
     x: Scale,
@@ -120,7 +120,7 @@ struct Sheet<'a, DB: DrawingBackend> {
 type Drawn<DB> = Result<(), DrawingAreaErrorKind<<DB as DrawingBackend>::ErrorType>>;
 
 impl Chart {
-    /// Draws it on an area that is so many times [`SIZE`].
+    /// Draws the chart on an area that is `zoom` times as large as [`SIZE`].
     pub fn draw<DB: DrawingBackend>(&self, area: &DrawingArea<DB, Shift>, zoom: u32) -> Drawn<DB> {
         area.fill(&WHITE)?;
         let points = || self.groups.iter().flat_map(Group::points);
@@ -231,7 +231,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         self.text(&chart.x.label, (right, bottom + 34.0), TEXT, &BLACK, under)
     }
 
-    /// From each that is not beaten to the next.
+    /// The path from each point that no other beats to the next.
     fn front_path(&self, x: &Axis, points: &[Point]) -> Vec<(f64, f64)> {
         let front = not_beaten(x, points).into_iter();
         front
@@ -239,7 +239,8 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
             .collect()
     }
 
-    /// What is not beaten, ringed and joined, and all else.
+    /// Draws all points, with a ring around those that no other beats, and the line that joins
+    /// these.
     fn front(&self, x: &Axis, points: &[Point]) -> Drawn<DB> {
         let front = not_beaten(x, points);
         self.line(self.front_path(x, points), FRONT.stroke_width(2))?;
@@ -266,7 +267,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         Ok(())
     }
 
-    /// The names of rivals, beside their points.
+    /// Draws the names of rivals next to their points.
     fn names(&self, x: &Axis, groups: &[Group]) -> Drawn<DB> {
         let fronts = || groups.iter().filter_map(Group::rivals);
         let rivals: Vec<&Point> = fronts().flatten().collect();
@@ -295,7 +296,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
         Ok(())
     }
 
-    /// The names of courses, where they end.
+    /// Draws the names of courses at their ends.
     fn ends(&self, groups: &[Group]) -> Drawn<DB> {
         let courses = groups.iter().filter_map(|group| group.course()?.last());
         let courses: Vec<&Point> = courses.collect();
@@ -319,7 +320,7 @@ impl<DB: DrawingBackend> Sheet<'_, DB> {
     }
 }
 
-/// Numbers of the points that no other beats, the cheapest first.
+/// The indices of the points that no other beats, the cheapest first.
 pub(super) fn not_beaten(x: &Axis, points: &[Point]) -> Vec<usize> {
     let sign = if x.rising { -1.0 } else { 1.0 };
     let points: Vec<(f64, f64)> = points

@@ -1,4 +1,4 @@
-//! Where names stand, so that they lie neither on each other nor on points.
+//! Positions for names that overlap neither each other nor points.
 
 /// A rectangle in pixels: left, top, right, bottom.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -10,7 +10,7 @@ pub(super) struct Area {
 }
 
 impl Area {
-    /// The area of this size around a point.
+    /// The area of this size centred on a point.
     pub fn around((x, y): (f64, f64), width: f64, height: f64) -> Self {
         Self {
             left: x - width / 2.0,
@@ -20,7 +20,7 @@ impl Area {
         }
     }
 
-    /// The point in it that is nearest to another.
+    /// The point in the area that is nearest to another point.
     pub fn nearest(&self, (x, y): (f64, f64)) -> (f64, f64) {
         (
             x.clamp(self.left, self.right),
@@ -43,10 +43,10 @@ impl Area {
     }
 }
 
-/// How large a point is, with the room around it.
+/// The size of a point including its margin.
 const POINT: f64 = 14.0;
 
-/// Directions in which a name may stand, the best first.
+/// The directions in which a name may be placed, the best first.
 const WAYS: [(f64, f64); 8] = [
     (1.0, 0.0),
     (-1.0, 0.0),
@@ -58,10 +58,10 @@ const WAYS: [(f64, f64); 8] = [
     (-1.0, 1.0),
 ];
 
-/// How much of a line is kept free at once.
+/// The length of the pieces into which a line is cut to keep names off it.
 const STEP: f64 = 5.0;
 
-/// Small areas along a line.
+/// Small areas that cover a line.
 fn along(line: &[(f64, f64)]) -> impl Iterator<Item = Area> {
     line.windows(2).flat_map(|ends| {
         let ((x, y), (to_x, to_y)) = (ends[0], ends[1]);
@@ -74,8 +74,8 @@ fn along(line: &[(f64, f64)]) -> impl Iterator<Item = Area> {
     })
 }
 
-/// Places names of these sizes beside their points, within a frame and off these lines: as near as
-/// they fit.
+/// Places names of these sizes next to their points, as near as they fit, within a frame and off
+/// these lines.
 pub(super) fn beside(
     points: &[(f64, f64)],
     sizes: &[(f64, f64)],
@@ -112,8 +112,8 @@ pub(super) fn beside(
     areas
 }
 
-/// Moves heights apart, so that no two are nearer than `gap` and none is beyond `top` or `bottom`;
-/// their order stays.
+/// Moves heights apart, so that they are at least `gap` apart and between `top` and `bottom`.
+/// Their order stays.
 pub(super) fn apart(heights: &[f64], gap: f64, top: f64, bottom: f64) -> Vec<f64> {
     let mut order: Vec<usize> = (0..heights.len()).collect();
     order.sort_by(|a, b| heights[*a].total_cmp(&heights[*b]));

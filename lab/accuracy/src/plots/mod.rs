@@ -1,7 +1,7 @@
 //! Plots of results, each as SVG and PNG.
 //!
-//! Owns which plots there are ([`plots`]); how they look is in `chart`. Invariant: a plot shows
-//! numbers of the results and no others.
+//! This module defines which plots there are ([`plots`]), and `chart` how they look. Invariant: a
+//! plot shows only numbers from the results.
 
 mod chart;
 mod labels;
@@ -24,21 +24,22 @@ use crate::spheres::SphereRow;
 use chart::{Axis, Chart, Group, Point, SIZE, not_beaten, use_font};
 use scale::Kind;
 
-/// What PNGs are drawn at, so many times as large.
+/// The scale of PNGs.
 const ZOOM: u32 = 2;
 
 /// A plot.
 pub struct Plot {
-    /// Its file's name, without folder and ending.
+    /// The file's name without folder and extension.
     pub name: String,
-    /// What it shows.
+    /// The title.
     pub title: String,
-    /// Those that are not beaten in cost and error, the cheapest first, where the plot is of both.
+    /// For plots of cost against error: the names of the points that no other beats, the cheapest
+    /// first.
     pub front: Vec<String>,
     chart: Chart,
 }
 
-/// All plots that results are enough for.
+/// All plots for which there are enough results.
 pub fn plots(results: &Results) -> Vec<Plot> {
     let mut charts = Vec::new();
     for form in Form::ALL {
@@ -68,20 +69,20 @@ pub fn plots(results: &Results) -> Vec<Plot> {
     plots.collect()
 }
 
-/// What plots are written as.
+/// The file format of a plot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Format {
-    /// Lines and text, for documents.
+    /// SVG: lines and text, for documents.
     Svg,
-    /// Pixels.
+    /// PNG.
     Png,
 }
 
-/// Writes all plots into a folder, their names behind a prefix.
+/// Writes all plots to a folder, with a prefix before their names.
 ///
 /// # Errors
 ///
-/// Files that can't be written.
+/// Fails if a file can't be written.
 pub fn write(
     results: &Results,
     folder: &Path,
@@ -131,7 +132,7 @@ fn bitmap(chart: &Chart) -> Result<RgbImage, String> {
     Ok(picture)
 }
 
-/// A formulation has one colour in all plots.
+/// The colour of a formulation, which is the same in all plots.
 fn colour(formulation: &str) -> usize {
     let place = SPHERES.iter().position(|known| known.name == formulation);
     place.unwrap_or(SPHERES.len())
@@ -160,7 +161,7 @@ pub(crate) fn worst_distance(rows: &[&SphereRow]) -> Option<f64> {
     sound.reduce(f64::max)
 }
 
-/// What kernels of a form cost against something of their rows.
+/// The plot of the cost of a form's kernels against a figure of their rows.
 fn against(
     results: &Results,
     form: Form,
@@ -194,7 +195,7 @@ fn distance(results: &Results, form: Form) -> Chart {
     against(results, form, words, worst_distance)
 }
 
-/// The share of rays at distance over radius 4096 of which a kernel says the wrong thing, in per
+/// The share of rays at distance over radius 4096 for which a kernel's verdict is wrong, in per
 /// cent.
 pub(crate) fn wrong_far_off(rows: &[&SphereRow]) -> Option<f64> {
     let row = rows.iter().find(|row| row.family == FAR)?;

@@ -1,15 +1,15 @@
-//! Axes: where a value lies, and which values are written beside the axis.
+//! Axes: the position of a value, and the values that are written along the axis.
 
-/// How much of a logarithmic axis is kept for 0, if there is one.
+/// The share of a logarithmic axis that is reserved for 0, if it has one.
 const ZERO: f64 = 0.09;
 
-/// An axis that knows its values.
+/// An axis with its range of values.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Scale {
     kind: Kind,
     low: f64,
     high: f64,
-    /// Whether 0 is among the values of a logarithmic axis: it gets a place of its own.
+    /// Whether a logarithmic axis includes 0, which gets a place of its own.
     zero: bool,
 }
 
@@ -20,7 +20,7 @@ pub(super) enum Kind {
 }
 
 impl Scale {
-    /// A scale for these values, none of them below 0 if it is logarithmic.
+    /// A scale for these values. A logarithmic one must not have values below 0.
     pub fn new(kind: Kind, values: impl Iterator<Item = f64> + Clone) -> Self {
         let zero = kind == Kind::Log && values.clone().any(|value| value == 0.0);
         let values = values.filter(|value| kind == Kind::Linear || *value > 0.0);
@@ -49,7 +49,7 @@ impl Scale {
         }
     }
 
-    /// Where a value lies, from 0 to 1.
+    /// The position of a value, from 0 to 1.
     pub fn place(&self, value: f64) -> f64 {
         match self.kind {
             Kind::Linear => (value - self.low) / (self.high - self.low),
@@ -62,7 +62,7 @@ impl Scale {
         }
     }
 
-    /// The values that are written.
+    /// The values that are written along the axis.
     pub fn ticks(&self) -> Vec<f64> {
         let mut ticks = match self.kind {
             Kind::Linear => self.linear_ticks(),
@@ -91,7 +91,7 @@ impl Scale {
         let decades = libm::log10(self.high / self.low);
         let first = libm::log10(self.low).floor() as i32;
         let last = libm::log10(self.high).ceil() as i32;
-        // About as many as there is room for.
+        // About as many as fit.
         let (every, within): (i32, &[f64]) = if decades > 8.0 {
             ((decades / 6.0).ceil() as i32, &[1.0])
         } else if decades > 2.5 {
@@ -109,7 +109,7 @@ impl Scale {
     }
 }
 
-/// A value as it is written beside an axis.
+/// The text of a value along the axis.
 pub(super) fn written(value: f64) -> String {
     if value != 0.0 && !(1e-3..1e5).contains(&value.abs()) {
         return format!("{value:.0e}");

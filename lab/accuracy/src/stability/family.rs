@@ -1,6 +1,6 @@
-//! What a family of cases is, and what is counted of it.
+//! Families of cases and the tallies of their results.
 //!
-//! Invariant: a tally depends on the cases alone, in their order: not on who has tried them.
+//! Invariant: a tally depends only on the cases in their order, not on the thread that tried them.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -8,47 +8,47 @@ use thiserror::Error;
 
 use super::statement::{Bound, StatementError};
 
-/// Cases of one kind, tried on one kernel or one chain of them.
+/// Cases of one kind, tried on one kernel or on one sequence of kernels.
 pub struct Family {
-    /// The family.
+    /// The family's name.
     pub name: &'static str,
-    /// What is tried on it.
+    /// What the cases test.
     pub subject: String,
-    /// What its errors are counted in.
+    /// The unit of its errors.
     pub unit: &'static str,
-    /// What they are held to.
+    /// The bound of its errors.
     pub bound: Bound,
-    /// Rounds of a run that is neither quick nor full.
+    /// The number of rounds in a run of the default size.
     pub rounds: u32,
     /// How cases are made and tried.
     pub cases: Box<dyn Cases>,
 }
 
-/// How cases are made and tried.
+/// Makes and tries cases.
 pub trait Cases: Sync {
-    /// Tries some new ones.
+    /// Tries some new cases.
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally);
-    /// Tries the one that these words say.
+    /// Tries the case that these words describe.
     fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed;
 }
 
-/// Whether words were a case.
+/// Whether the words were a case.
 pub type Replayed = Result<(), NoCaseError>;
 
-/// Families, if all of their bounds are where they should be.
+/// Families, or the error that one of their bounds is missing from its kernel's header.
 pub type Families = Result<Vec<Family>, StatementError>;
 
-/// The words of a kept input say no case of its family.
+/// The words of a saved input are not a case of its family.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
-#[error("{found} words, where a case has {needed}")]
+#[error("{found} words, but a case has {needed}")]
 pub struct NoCaseError {
-    /// Words that there are.
+    /// The number of words in the input.
     pub found: usize,
-    /// Words that a case has.
+    /// The number of words in a case.
     pub needed: usize,
 }
 
-/// Refuses what are not as many words as a case has.
+/// Checks the number of words in a case.
 pub fn need(needed: usize, words: &[u32]) -> Replayed {
     let found = words.len();
     if found == needed {
@@ -58,53 +58,54 @@ pub fn need(needed: usize, words: &[u32]) -> Replayed {
     }
 }
 
-/// The vectors of a case, or of a part of one, that has as many words as they do.
+/// The vectors of a case, or of a part of one with as many words.
 pub fn points_of<const N: usize>(words: &[u32]) -> Result<[[u32; 3]; N], NoCaseError> {
     need(3 * N, words)?;
     Ok(std::array::from_fn(|n| [0, 1, 2].map(|k| words[3 * n + k])))
 }
 
-/// What is said of a case.
+/// The judgement of a case.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Judgement {
-    /// Nothing is asked of it.
+    /// Nothing is required of it.
     Uncounted,
-    /// It is wrong, by more than an error.
+    /// It is wrong, which is worse than any error.
     Wrong,
-    /// How large its error is.
+    /// The size of its error.
     Error(f64),
 }
 
 impl Judgement {
-    /// No error where it is right, else this one.
+    /// No error if it is right, and this one otherwise.
     pub fn unless(right: bool, error: impl FnOnce() -> f64) -> Self {
         Self::Error(if right { 0.0 } else { error() })
     }
 }
 
-/// What has been found of a family.
+/// The results of a family.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Tally {
-    /// Cases tried.
+    /// The number of cases tried.
     pub cases: u64,
-    /// Cases that the bound is asked of; the others are beyond what is stated, and are only tried.
+    /// The number of cases to which the bound applies. The others are outside the stated domain
+    /// and are only tried.
     pub counted: u64,
-    /// Answers that no error is small enough for: a hit lost or made up, other bits than the
-    /// twin's.
+    /// The number of results that are wrong whatever the bound is: a lost or false hit, or other
+    /// bits than the twin's.
     pub wrong: u64,
-    /// Largest error of the others.
+    /// The largest error of the others.
     pub worst: f64,
-    /// The input of the first wrong answer, else of the largest error.
+    /// The input of the first wrong result, or else of the largest error.
     pub input: Vec<u32>,
 }
 
 impl Tally {
-    /// A case that nothing is asked of.
+    /// Adds a case of which nothing is required.
     pub fn uncounted(&mut self) {
         self.cases += 1;
     }
 
-    /// A case and its error.
+    /// Adds a case with its error.
     pub fn error(&mut self, error: f64, input: impl FnOnce() -> Vec<u32>) {
         self.cases += 1;
         self.counted += 1;
@@ -116,7 +117,7 @@ impl Tally {
         }
     }
 
-    /// A case whose answer is wrong.
+    /// Adds a case with a wrong result.
     pub fn wrong(&mut self, input: impl FnOnce() -> Vec<u32>) {
         self.cases += 1;
         self.counted += 1;
@@ -126,7 +127,7 @@ impl Tally {
         self.wrong += 1;
     }
 
-    /// A case and what is said of it.
+    /// Adds a case with its judgement.
     pub fn judged(&mut self, judgement: Judgement, input: impl FnOnce() -> Vec<u32>) {
         match judgement {
             Judgement::Uncounted => self.uncounted(),
@@ -135,7 +136,7 @@ impl Tally {
         }
     }
 
-    /// A case that is right or wrong.
+    /// Adds a case that is either right or wrong.
     pub fn verdict(&mut self, right: bool, input: impl FnOnce() -> Vec<u32>) {
         if right {
             self.error(0.0, input);
@@ -144,7 +145,7 @@ impl Tally {
         }
     }
 
-    /// Adds what has been found after this.
+    /// Adds the results of later cases.
     pub fn append(&mut self, later: Self) {
         let takes = if later.wrong > 0 {
             self.wrong == 0
@@ -160,7 +161,7 @@ impl Tally {
         self.worst = self.worst.max(later.worst);
     }
 
-    /// Whether all that is asked of it holds, and anything was asked.
+    /// Whether the bound holds for every case to which it applies, and there is such a case.
     pub fn holds(&self, bound: &Bound) -> bool {
         self.counted > 0 && self.wrong == 0 && self.worst <= bound.value
     }
@@ -204,7 +205,7 @@ mod tests {
             let (first, second) = cases.split_at(split);
             let mut sum = of(first);
             let mut rest = of(second);
-            // Numbers go on where the first part ends.
+            // Numbers continue where the first part ends.
             for word in &mut rest.input {
                 *word += split as u32;
             }

@@ -1,8 +1,9 @@
-//! The stress suite: inputs that single precision is worst at, and the bounds that hold there.
+//! The stress suite: the inputs for which single precision is worst, and the bounds that hold for
+//! them.
 //!
-//! Owns how families of cases are tried, on all cores, how their worst inputs are kept and tried
-//! again, and what is said of them. Invariant: a bound is a kernel header's, or follows from one;
-//! a figure depends on the seed and the size alone.
+//! This module tries families of cases on all cores, saves their worst inputs and tries them
+//! again, and makes the report. Invariant: a bound comes from a kernel's header or follows from
+//! one, and a figure depends only on the seed and the size.
 
 mod family;
 mod guarantees;
@@ -26,48 +27,48 @@ use regressions::{Regressions, RegressionsError};
 use report::{Report, Row, Section};
 use statement::StatementError;
 
-/// How many cases are tried.
+/// The number of cases to try.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "lowercase")]
 pub enum Size {
-    /// A tenth: for slow hosts.
+    /// A tenth of the default, for slow hosts.
     Quick,
-    /// As many as the families say.
+    /// The default, which the families define.
     Default,
-    /// Ten times as many.
+    /// Ten times the default.
     Full,
 }
 
-/// The suite could not be run.
+/// Why the suite could not be run.
 #[derive(Debug, Error)]
 pub enum SuiteError {
     /// The harness stopped a kernel.
     #[error("{0}")]
     Kernel(String),
-    /// A bound is not where it should be.
+    /// A bound is not in its kernel's header.
     #[error(transparent)]
     Statement(#[from] StatementError),
-    /// Kept inputs can't be read.
+    /// The saved inputs can't be read.
     #[error(transparent)]
     Regressions(#[from] RegressionsError),
-    /// A kept input is none of its family.
-    #[error("a kept input of {family} on {subject}: {error}")]
+    /// A saved input is not a case of its family.
+    #[error("a saved input of {family} on {subject}: {error}")]
     Kept {
         /// The family.
         family: &'static str,
-        /// What it is tried on.
+        /// What the cases test.
         subject: String,
-        /// What is the matter.
+        /// What is wrong.
         error: NoCaseError,
     },
 }
 
 impl SuiteError {
-    /// What the harness has said when it stopped a kernel.
+    /// The harness's message when it stopped a kernel.
     pub(crate) fn kernel(panic: &(dyn Any + Send)) -> Self {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
-        Self::Kernel(text.unwrap_or_else(|| "a kernel was stopped".to_owned()))
+        Self::Kernel(text.unwrap_or_else(|| "the harness stopped a kernel".to_owned()))
     }
 }
 
@@ -91,7 +92,7 @@ fn families(section: Section) -> Families {
 /// The names of all families, each once.
 ///
 /// # Errors
-/// A bound is not where it should be.
+/// Fails if a bound is not in its kernel's header.
 pub fn names() -> Result<Vec<&'static str>, StatementError> {
     let mut names = Vec::new();
     for section in Section::ALL {
@@ -104,11 +105,11 @@ pub fn names() -> Result<Vec<&'static str>, StatementError> {
     Ok(names)
 }
 
-/// Tries the kept inputs, then new ones.
+/// Tries the saved inputs, and then new ones.
 ///
 /// # Errors
-/// A kernel broke a rule, or a bound or the kept inputs can't be read. That a bound does not hold
-/// is no error: the report says it.
+/// Fails if a kernel breaks a rule, or if a bound or the saved inputs can't be read. A bound that
+/// does not hold is not an error; the report shows it.
 pub fn run(
     size: Size,
     seed: u64,
@@ -135,7 +136,7 @@ pub fn run(
     Ok(Report { seed, size, rows })
 }
 
-/// Tries what is kept of a family.
+/// Tries the saved inputs of a family.
 fn replay(bench: &mut Bench, family: &Family, kept: &Regressions) -> Result<Tally, SuiteError> {
     let mut tally = Tally::default();
     for words in kept.of(family.name, &family.subject) {

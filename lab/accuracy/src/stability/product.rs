@@ -1,4 +1,5 @@
-//! Objects as a scene has them and as the PPU sends them: the records that rays of a frame meet.
+//! Objects in the form in which the PPU sends them: the records that the rays of a frame are
+//! tested against.
 
 use cellray::work::{BlockOptions, SceneBlock};
 use glam::DVec3;
@@ -13,7 +14,7 @@ use zerocopy::big_endian::F32;
 use crate::space::{along, cross, dot, less};
 use crate::truth::Vector;
 
-/// A shape that SPUs know.
+/// The kinds of shape that SPUs know.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
     /// A sphere.
@@ -27,7 +28,7 @@ pub enum Kind {
 }
 
 impl Kind {
-    /// Its place among a block's trees, and the bytes of its record.
+    /// Its index among a block's trees, and the size of its record in bytes.
     const fn record(self) -> (usize, usize) {
         match self {
             Self::Sphere => (0, size_of::<Object>()),
@@ -37,12 +38,12 @@ impl Kind {
         }
     }
 
-    /// Words of its record.
+    /// The number of words in its record.
     pub const fn words(self) -> usize {
         self.record().1 / 4
     }
 
-    /// The kernel that finds hits with it.
+    /// The kernel that intersects it.
     pub const fn kernel(self) -> &'static str {
         match self {
             Self::Sphere => "isect_sphere_pairs_r16",
@@ -53,45 +54,45 @@ impl Kind {
     }
 }
 
-/// An object's record and its material's.
+/// The records of an object and of its material.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Product {
-    /// What it is.
+    /// The kind of shape.
     pub kind: Kind,
-    /// Its record; the address of its material is yet to be put in.
+    /// The object's record, without the address of its material.
     pub object: Vec<u8>,
     /// The material's record.
     pub material: Vec<u8>,
 }
 
-/// What a surface is made of.
+/// The properties of a material.
 #[derive(Clone, Copy, Debug)]
 pub struct Stuff {
-    /// Share that is reflected.
+    /// The share of light that it reflects.
     pub mirror: f64,
-    /// Share that is let through.
+    /// The share of light that it transmits.
     pub transmittance: f64,
     /// Index of refraction.
     pub index: f64,
 }
 
-/// What all records begin with.
+/// The part with which all records begin.
 pub struct Head {
-    /// Where it is.
+    /// The object's centre.
     pub centre: Vector,
-    /// Where it stands.
+    /// The object's axis.
     pub axis: Vector,
     /// The signed radius of a sphere.
     pub offset: f64,
-    /// Of the normal, the part across the axis.
+    /// The factor of the normal's part across the axis.
     pub gain: f64,
-    /// Of the normal, the part along the axis.
+    /// The factor of the normal's part along the axis.
     pub slope: f64,
 }
 
 impl Product {
-    /// What the PPU sends of a shape to an eye at the origin; nothing of one that it does not send
-    /// as this kind.
+    /// The records that the PPU sends for a shape, with the eye at the origin. `None` if it does
+    /// not send the shape as this kind.
     pub fn of(kind: Kind, shape: Shape, stuff: Stuff) -> Option<Self> {
         let scene = nff::Scene {
             name: String::new(),
@@ -146,14 +147,14 @@ impl Product {
         })
     }
 
-    /// All of it, as words.
+    /// All of it as words.
     pub fn words(&self) -> impl Iterator<Item = u32> {
         let bytes = self.object.as_chunks().0.iter();
         let words = bytes.chain(self.material.as_chunks().0);
         words.map(|word| u32::from_be_bytes(*word))
     }
 
-    /// The object of these words, which are as many as it has.
+    /// The object that these words describe. There must be as many as the kind needs.
     pub fn from_words(kind: Kind, words: &[u32]) -> Self {
         let (object, material) = words.split_at(kind.words());
         let bytes = |words: &[u32]| words.iter().flat_map(|word| word.to_be_bytes()).collect();
@@ -164,12 +165,12 @@ impl Product {
         }
     }
 
-    /// Words of an object of this kind.
+    /// The number of words in an object of this kind.
     pub const fn word_count(kind: Kind) -> usize {
         kind.words() + size_of::<Material>() / 4
     }
 
-    /// The head of its record, in double precision.
+    /// The head of its record in double precision.
     pub fn head(&self) -> Head {
         let (head, _) = Object::ref_from_prefix(&self.object).expect("records begin with a head");
         Head {
@@ -181,25 +182,25 @@ impl Product {
         }
     }
 
-    /// The record behind its head, by words.
+    /// The words of the record after its head.
     pub fn rest(&self) -> Vec<Single> {
         let words = self.object[size_of::<Object>()..].as_chunks().0.iter();
         words.map(|word| u32::from_be_bytes(*word)).collect()
     }
 }
 
-/// What a record of the SPUs has there, in double precision.
+/// The value of a single in a record, in double precision.
 pub fn exactly(single: F32) -> f64 {
     to_f64(bits(single))
 }
 
-/// Where a ray that starts within a body, or on the outer side of it, meets it next, in f64 for
-/// the record's very singles; nothing if it does not.
+/// Where a ray that starts inside a body, or on the outer side of it, next hits it, computed in
+/// f64 from the record's own singles. `None` if it does not hit.
 pub fn next_hit(product: &Product, origin: Vector, direction: Vector) -> Option<f64> {
     let head = product.head();
     let from = less(origin, head.centre);
     match product.kind {
-        // A plane is not met again by what leaves it.
+        // A ray that leaves a plane never hits it again.
         Kind::Rectangle | Kind::Triangle => None,
         Kind::Sphere => {
             let b = dot(from, direction);

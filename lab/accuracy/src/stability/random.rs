@@ -1,4 +1,4 @@
-//! Random numbers whose bits are the same on every host: no logarithm, no power, no sine.
+//! Random numbers with the same bits on every host: no logarithms, powers or sines are used.
 
 use crate::generator::{Generator, generator};
 use rand::Rng as _;
@@ -8,7 +8,7 @@ use twins::Single;
 use crate::space::{cross, direction, dot, less, unit};
 use crate::truth::Vector;
 
-/// The random numbers of one round of a family: whoever tries it.
+/// The random numbers for one round of a family, independent of the thread that tries it.
 pub fn of_round(seed: u64, family: &str, subject: &str, round: u32) -> Generator {
     generator(seed, &[family, subject], round)
 }
@@ -19,12 +19,12 @@ pub fn power_of_two(exponent: i32) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 
-/// A number from 2^low to below 2^high, all powers equally likely.
+/// A random number from 2^low to below 2^high, in which all powers are equally likely.
 pub fn magnitude(low: i32, high: i32, random: &mut Generator) -> f64 {
     power_of_two(random.random_range(low..high)) * random.random_range(1.0..2.0)
 }
 
-/// Two directions across a third and one another.
+/// Two directions that are perpendicular to a third and to each other.
 pub fn across(axis: Vector, random: &mut Generator) -> [Vector; 2] {
     loop {
         let across = cross(axis, direction(random));
@@ -35,12 +35,12 @@ pub fn across(axis: Vector, random: &mut Generator) -> [Vector; 2] {
     }
 }
 
-/// The vector as singles have it.
+/// The vector rounded to singles.
 pub fn rounded(vector: Vector) -> Vector {
     vector.map(|x| to_f64(from_f64(x)))
 }
 
-/// The direction from a place to another; a third if they are too near to one another for one.
+/// The direction from one place to another, or `otherwise` if they are too close for one.
 pub fn towards(from: Vector, to: Vector, otherwise: Vector) -> Vector {
     let way = less(to, from);
     if dot(way, way) > 0.0 {
@@ -50,12 +50,12 @@ pub fn towards(from: Vector, to: Vector, otherwise: Vector) -> Vector {
     }
 }
 
-/// This number, or as far below 0.
+/// This number with a random sign.
 pub fn either_side(number: f64, random: &mut Generator) -> f64 {
     if random.random() { number } else { -number }
 }
 
-/// Singles nearest to a vector, half of them one ulp off it.
+/// The singles nearest to a vector. Half of them are moved by one ulp.
 pub fn nearby(vector: Vector, random: &mut Generator) -> [Single; 3] {
     vector.map(|x| {
         let single = from_f64(x);

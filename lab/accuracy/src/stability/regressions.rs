@@ -1,7 +1,7 @@
-//! Inputs that were the worst of their family once: they are tried again each time.
+//! Inputs that were once the worst of their family. Every run tries them again.
 //!
-//! A file a family, `regressions/<family>.json`, of words in hex; those of the repository are part
-//! of the program.
+//! Each family has a file `regressions/<family>.json` with words in hexadecimal. The files in the
+//! repository are compiled into the program.
 
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -12,27 +12,27 @@ use thiserror::Error;
 use super::report::Report;
 use crate::file::OutputError;
 
-/// Kept inputs by family and what they are tried on.
+/// Saved inputs by family and subject.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Regressions {
     inputs: BTreeMap<(String, String), Vec<Vec<u32>>>,
 }
 
-/// Kept inputs can't be read or written.
+/// Why saved inputs can't be read or written.
 #[derive(Debug, Error)]
 pub enum RegressionsError {
-    /// A file is not of the form.
-    #[error("kept inputs of {family}: {error}")]
+    /// A file has the wrong format.
+    #[error("saved inputs of {family}: {error}")]
     Form {
-        /// The family whose file it is.
+        /// The family of the file.
         family: String,
-        /// What is the matter.
+        /// What is wrong.
         error: serde_json::Error,
     },
-    /// A word is no hexadecimal number of 32 bits.
-    #[error("kept inputs of {family}: \"{word}\" is no hexadecimal word")]
+    /// A word is not a hexadecimal number of 32 bits.
+    #[error("saved inputs of {family}: \"{word}\" is not a hexadecimal word")]
     Word {
-        /// The family whose file it is.
+        /// The family of the file.
         family: String,
         /// The word.
         word: String,
@@ -49,7 +49,7 @@ impl RegressionsError {
     }
 }
 
-/// A family's file.
+/// The file of a family.
 #[derive(Deserialize, Serialize)]
 struct File {
     inputs: Vec<Input>,
@@ -57,15 +57,15 @@ struct File {
 
 #[derive(Deserialize, Serialize)]
 struct Input {
-    /// What it is tried on.
+    /// The subject that the cases test.
     subject: String,
-    /// Where its error is counted, how large it was when it was kept.
+    /// If the family has errors, the size of the error when the input was saved.
     worst: f64,
-    /// The case.
+    /// The words of the case.
     words: String,
 }
 
-/// The files of the repository.
+/// The files in the repository.
 macro_rules! files {
     ($($family:literal)*) => {
         const FILES: &[(&str, &str)] = &[$((
@@ -102,10 +102,10 @@ files! {
 }
 
 impl Regressions {
-    /// Those of the repository.
+    /// The inputs in the repository.
     ///
     /// # Errors
-    /// A file is not of the form.
+    /// Fails if a file has the wrong format.
     pub fn kept() -> Result<Self, RegressionsError> {
         let mut kept = Self::default();
         for (family, text) in FILES {
@@ -114,17 +114,17 @@ impl Regressions {
         Ok(kept)
     }
 
-    /// Those of one family's file.
+    /// The inputs in one family's file.
     ///
     /// # Errors
-    /// The file is not of the form.
+    /// Fails if the file has the wrong format.
     pub fn of_file(family: &str, text: &str) -> Result<Self, RegressionsError> {
         let mut kept = Self::default();
         kept.add(family, text)?;
         Ok(kept)
     }
 
-    /// Adds those of a family's file.
+    /// Adds the inputs in a family's file.
     fn add(&mut self, family: &str, text: &str) -> Result<(), RegressionsError> {
         let file: File = serde_json::from_str(text).map_err(RegressionsError::form(family))?;
         for input in file.inputs {
@@ -141,7 +141,7 @@ impl Regressions {
         Ok(())
     }
 
-    /// The kept inputs of a family for what it is tried on.
+    /// The saved inputs of a family for a subject.
     pub fn of(&self, family: &str, subject: &str) -> impl Iterator<Item = &[u32]> {
         let key = (family.to_owned(), subject.to_owned());
         let inputs = self.inputs.get(&key).map_or(&[][..], Vec::as_slice);
@@ -149,10 +149,10 @@ impl Regressions {
     }
 }
 
-/// Writes the worst inputs of a report, a file a family, over those that are there.
+/// Writes the worst inputs in a report to one file for each family, replacing existing files.
 ///
 /// # Errors
-/// A file can't be written.
+/// Fails if a file can't be written.
 pub fn keep(report: &Report, folder: &Path) -> Result<(), RegressionsError> {
     let mut files: BTreeMap<&str, File> = BTreeMap::new();
     for row in report.rows.iter().filter(|row| !row.tally.input.is_empty()) {

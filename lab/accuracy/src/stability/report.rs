@@ -1,4 +1,4 @@
-//! What the suite has found: a table to read, and JSON.
+//! The suite's results as a table and as JSON.
 
 use std::fmt;
 
@@ -11,14 +11,14 @@ use super::statement::Bound;
 /// A part of the report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Section {
-    /// Kernels under stress.
+    /// Kernels with difficult inputs.
     Stress,
-    /// What holds of scenes.
+    /// Guarantees about scenes.
     Guarantees,
 }
 
 impl Section {
-    /// All of them, in the report's order.
+    /// All sections in the report's order.
     pub const ALL: [Self; 2] = [Self::Stress, Self::Guarantees];
 
     fn title(self) -> &'static str {
@@ -29,38 +29,38 @@ impl Section {
     }
 }
 
-/// What was found of a family.
+/// The results of a family.
 #[derive(Clone, Debug)]
 pub struct Row {
-    /// Where it belongs.
+    /// The section that it belongs to.
     pub section: Section,
-    /// The family.
+    /// The family's name.
     pub family: &'static str,
-    /// What it was tried on.
+    /// What the cases test.
     pub subject: String,
-    /// What the error is counted in.
+    /// The unit of the error.
     pub unit: &'static str,
-    /// What it is held to.
+    /// The bound of the error.
     pub bound: Bound,
-    /// Kept inputs that were tried.
+    /// The number of saved inputs that were tried.
     pub replayed: u64,
-    /// All that was tried.
+    /// The results of all cases.
     pub tally: Tally,
 }
 
-/// All that was found.
+/// The results of all families.
 #[derive(Clone, Debug)]
 pub struct Report {
-    /// Seed of the random inputs.
+    /// The seed of the random inputs.
     pub seed: u64,
-    /// How many there were.
+    /// The number of cases.
     pub size: Size,
-    /// A family and what it was tried on, each.
+    /// One row for each family and subject.
     pub rows: Vec<Row>,
 }
 
 impl Row {
-    /// The row of a family, of what was kept and what is new.
+    /// The row of a family, with the results of saved and of new inputs.
     pub fn new(section: Section, family: Family, replayed: Tally, tally: Tally) -> Self {
         let mut all = replayed;
         let replayed = all.cases;
@@ -81,7 +81,7 @@ impl Row {
         self.tally.holds(&self.bound)
     }
 
-    /// The worst input's words.
+    /// The words of the worst input.
     pub fn hex(&self) -> Vec<String> {
         let words = self.tally.input.iter();
         words.map(|word| format!("{word:08x}")).collect()
@@ -107,12 +107,12 @@ impl Row {
 }
 
 impl Report {
-    /// Whether all bounds hold, and there were any.
+    /// Whether all bounds hold. False if there are none.
     pub fn held(&self) -> bool {
         !self.rows.is_empty() && self.rows.iter().all(Row::held)
     }
 
-    /// The report for programs: nothing in it depends on the host.
+    /// The report as JSON, in which nothing depends on the host.
     pub fn json(&self) -> Value {
         let rows: Vec<Value> = self.rows.iter().map(Row::record).collect();
         json!({ "seed": self.seed, "size": self.size, "held": self.held(), "rows": rows })
@@ -138,7 +138,8 @@ impl fmt::Display for Report {
     }
 }
 
-/// What stands over a column, whether its cells stand to the left, and what is in them.
+/// A column: its heading, whether it is aligned to the left, and the function that makes its
+/// cells.
 type Column = (&'static str, bool, fn(&Row) -> String);
 
 const COLUMNS: [Column; 9] = [
@@ -157,7 +158,7 @@ const COLUMNS: [Column; 9] = [
     }),
 ];
 
-/// The rows with columns as wide as they need.
+/// Writes the rows with columns as wide as needed.
 fn table(f: &mut fmt::Formatter<'_>, rows: &[&Row]) -> fmt::Result {
     let mut lines = vec![String::new(); rows.len() + 1];
     for (title, left, cell) in COLUMNS {
@@ -178,7 +179,7 @@ fn table(f: &mut fmt::Formatter<'_>, rows: &[&Row]) -> fmt::Result {
         .try_for_each(|line| writeln!(f, "{}", line.trim_end()))
 }
 
-/// A number in few digits.
+/// A number with few digits.
 fn short(value: f64) -> String {
     if value == 0.0 || (0.01..100_000.0).contains(&value) {
         format!("{value:.2}")
@@ -226,8 +227,8 @@ mod tests {
         assert!(!report.held());
         let text = report.to_string();
         assert_eq!(text.matches(" ok").count(), 1, "{text}");
-        let said = "FAILED a family, a kernel: 3f800000 00000001";
-        assert_eq!(text.matches(said).count(), 2, "{text}");
+        let expected = "FAILED a family, a kernel: 3f800000 00000001";
+        assert_eq!(text.matches(expected).count(), 2, "{text}");
     }
 
     #[test]

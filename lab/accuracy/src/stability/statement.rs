@@ -1,50 +1,50 @@
 //! Bounds that kernels' headers state.
 //!
-//! Invariant: no number that a header says stands here a second time; a header that no longer says
-//! it is an error, not a guess.
+//! Invariant: no number from a header is repeated in this code. If a header no longer contains it,
+//! that is an error.
 
 use kernels::source::Source;
 use thiserror::Error;
 
-/// What an error is held to, and who says so.
+/// The bound of an error and its source.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bound {
-    /// The most that an error may be.
+    /// The largest error that is allowed.
     pub value: f64,
-    /// Where the number comes from.
+    /// The source of the number.
     pub source: String,
 }
 
-/// A header does not say what is asked of it.
+/// A header does not contain an expected statement.
 #[derive(Clone, Debug, Error, PartialEq, Eq)]
 pub enum StatementError {
-    /// There is no such kernel, or its header has not the house's form.
+    /// There is no such kernel, or its header does not have the project's format.
     #[error("there is no kernel {0} with a header")]
     NoHeader(String),
-    /// The number is not there.
+    /// The number is missing.
     #[error("the header of {kernel} has no number before \"{phrase}\" in its statement of error")]
     NoNumber {
-        /// The kernel.
+        /// The kernel's name.
         kernel: String,
-        /// What should stand behind the number.
+        /// The words that should follow the number.
         phrase: String,
     },
 }
 
 impl Bound {
-    /// The first number that a kernel's header states of its error.
+    /// The first number in a kernel's statement of error.
     pub fn of(kernel: &str) -> Result<Self, StatementError> {
         Self::before(kernel, "")
     }
 
-    /// The number before these words of the statement.
+    /// The number before these words in the statement.
     pub fn before(kernel: &str, phrase: &str) -> Result<Self, StatementError> {
         let value = stated(kernel, phrase)?;
         let source = format!("header of {kernel}");
         Ok(Self { value, source })
     }
 
-    /// No case at all.
+    /// No case may be wrong at all.
     pub fn none(source: &str) -> Self {
         Self {
             value: 0.0,
@@ -53,8 +53,8 @@ impl Bound {
     }
 }
 
-/// The number before these words of what a kernel's header states of its error; before anything if
-/// they are empty.
+/// The number before these words in a kernel's statement of error. If the words are empty, the
+/// first number.
 pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
     let header = Source::find(kernel).and_then(Source::header);
     let header = header.ok_or_else(|| StatementError::NoHeader(kernel.to_owned()))?;
@@ -64,7 +64,7 @@ pub fn stated(kernel: &str, phrase: &str) -> Result<f64, StatementError> {
     })
 }
 
-/// Whether a kernel's header says this of its error.
+/// Whether a kernel's statement of error contains these words.
 pub fn says(kernel: &str, phrase: &str) -> bool {
     let header = Source::find(kernel).and_then(Source::header);
     header.is_some_and(|header| header.error.contains(phrase))

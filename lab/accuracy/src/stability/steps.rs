@@ -1,7 +1,7 @@
-//! A tile's steps by the tracer's own kernels, packet by packet: what rays hit, and the rays that
-//! leave from there.
+//! The steps of tracing a tile with the tracer's own kernels, packet by packet: what rays hit, and
+//! the rays that leave from there.
 //!
-//! Each packet has an object of its own.
+//! Each packet has its own object.
 
 use kernels::bench::Bench;
 use kernels::cases::eye::call::{address, put};
@@ -18,31 +18,31 @@ use zerocopy::big_endian::U32;
 use super::product::{Kind, Product};
 use crate::space::fresh;
 
-/// The t of a ray that is not there: -1.
+/// The t of an absent ray: -1.
 pub const NOT_THERE: Single = 0xbf80_0000;
-/// What a ray that has hit its packet's object says in [`Ray::object`].
+/// The value of [`Ray::object`] after the ray has hit its packet's object.
 pub const HIT: u32 = 1;
 
-/// A ray, by origin and direction.
+/// A ray as its origin and direction.
 pub type Line = [[Single; 3]; 2];
 
-/// Sixteen rays, as far as they are there.
+/// Sixteen rays, of which some may be absent.
 pub type Lanes = [Option<Ray>; 16];
 
-/// What came of sixteen rays.
+/// The results for sixteen rays.
 #[derive(Clone, Debug)]
 pub struct Leaving {
-    /// Where they have hit, and what the surface is there.
+    /// The points that they hit, and the surface there.
     pub surfaces: Surfaces,
-    /// Rays that it threw back.
+    /// The reflected rays.
     pub reflected: Lanes,
-    /// Rays that the surface let through.
+    /// The refracted rays.
     pub refracted: Lanes,
-    /// Shadow rays, whose `t` is that of the light.
+    /// The shadow rays. Their `t` is that of the light.
     pub shadow: Lanes,
 }
 
-/// A ray that is not there.
+/// An absent ray.
 const NO_RAY: Ray = Ray {
     origin: [0; 3],
     direction: [0; 3],
@@ -50,8 +50,7 @@ const NO_RAY: Ray = Ray {
     object: 0,
 };
 
-/// Tests packets with an object each, all of one kind; where it is hit, the ray's object is
-/// [`HIT`].
+/// Tests packets against one object each, all of one kind. If a ray hits, its object is [`HIT`].
 pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<[Ray; 16]> {
     let Some(kind) = products.first().map(|product| product.kind) else {
         return Vec::new();
@@ -94,7 +93,7 @@ pub fn meet(bench: &mut Bench, products: &[&Product], packets: &[Lanes]) -> Vec<
         .collect()
 }
 
-/// What leaves from where packets have hit their objects, as [`meet`] gives it; a light at this
+/// The rays that leave from the hits of packets, as [`meet`] returns them, with a light at this
 /// place.
 pub fn leave(
     bench: &mut Bench,
@@ -150,7 +149,7 @@ pub fn leave(
     let shadows: Vec<RayPacket> = bench.read_all(shadow);
     let found: Vec<Surfaces> = bench.read_all(surfaces);
     let mut leaving = Vec::new();
-    // A site at a time: rays in a queue do not say whose they are but by their pixel.
+    // One site at a time, because a queued ray only identifies its pixel.
     let queue = put(bench, &[QueuedRay::new_zeroed(); 17]);
     for (number, (surfaces, shadow)) in found.iter().zip(&shadows).enumerate() {
         let mut queued = |kernel| {
@@ -177,7 +176,7 @@ pub fn leave(
     leaving
 }
 
-/// The object's record with its material's address.
+/// The object's record with the address of its material.
 fn with_material(product: &Product, material: u32) -> Vec<u8> {
     let mut bytes = product.object.clone();
     let field = Object::RECORD

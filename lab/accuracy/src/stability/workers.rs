@@ -1,7 +1,7 @@
 //! Tries families' cases on all of the host's cores.
 //!
-//! Invariant: the tallies are the same for any number of cores: each round has random numbers of
-//! its own, and parts are added in the order of their rounds.
+//! Invariant: the tallies do not depend on the number of cores, because each round has its own
+//! random numbers and parts are added in the order of their rounds.
 
 use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -13,17 +13,17 @@ use super::family::{Family, Tally};
 use super::random::of_round;
 use crate::parallel;
 
-/// Rounds that are tried at a time.
+/// The number of rounds that are tried at a time.
 const PART: u32 = 4;
 
-/// Rounds of a family.
+/// Some rounds of a family.
 struct Part {
     family: usize,
     rounds: Range<u32>,
 }
 
-/// Tries so many rounds of each family.
-/// Fails if a kernel broke a rule of the ABI, its versions disagree, or it did not come to an end.
+/// Tries this many rounds of each family. Fails if a kernel breaks a rule of the ABI, its versions
+/// disagree, or it does not end.
 pub fn tally(families: &[(&Family, u32)], seed: u64) -> Result<Vec<Tally>, SuiteError> {
     let parts: Vec<Part> = families
         .iter()
@@ -38,8 +38,8 @@ pub fn tally(families: &[(&Family, u32)], seed: u64) -> Result<Vec<Tally>, Suite
         .collect();
     let found = parallel::map(&parts, Bench::new, |bench, part| {
         let (family, _) = families[part.family];
-        // The harness stops a kernel by a panic; what it leaves of the bench, no other part is
-        // given.
+        // The harness stops a kernel by a panic. The bench may then be in an invalid state, so no
+        // other part uses it.
         let tried = catch_unwind(AssertUnwindSafe(|| rounds(bench, family, seed, part)));
         tried.map_err(|panic| {
             *bench = Bench::new();

@@ -1,17 +1,17 @@
-//! Double precision that knows how far off it may be.
+//! Double precision with a bound of its error.
 //!
-//! Invariant: the exact number is within `error` of `value`, as long as nothing leaves the normal
-//! range of doubles: products of six singles do not.
+//! Invariant: the exact number is within `error` of `value`, as long as no number leaves the
+//! normal range of doubles. Products of six singles stay within it.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// Largest rounding error of a result, relative to it.
+/// The largest relative rounding error of a result.
 const UNIT: f64 = f64::EPSILON / 2.0;
-/// More than the roundings of a bound can take from it.
+/// More than the rounding of a bound can take from it.
 const UP: f64 = 1.0 + 16.0 * f64::EPSILON;
 
-/// A number and a bound of its error.
+/// A number and the bound of its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Bounded {
     pub value: f64,
@@ -32,7 +32,7 @@ impl Bounded {
         }
     }
 
-    /// On which side of 0 it is; `None` if that is open.
+    /// Its sign, or `None` if the error leaves it open.
     pub fn sign(self) -> Option<Ordering> {
         if self.value.abs() > self.error {
             self.value.partial_cmp(&0.0)
@@ -41,7 +41,7 @@ impl Bounded {
         }
     }
 
-    /// The root of a number that is not below 0.
+    /// The square root of a number that is not below 0.
     pub fn sqrt(self) -> Self {
         let root = self.value.max(0.0).sqrt();
         let least = (self.value - self.error).max(0.0).sqrt();
@@ -53,7 +53,7 @@ impl Bounded {
         Self::new(root, error + root * UNIT)
     }
 
-    /// The one of two ways to the same number that is more precise.
+    /// The more precise of two results for the same number.
     pub fn better(self, other: Self) -> Self {
         if other.error < self.error {
             other
@@ -69,8 +69,7 @@ impl Add for Bounded {
     fn add(self, other: Self) -> Self {
         let sum = self.value + other.value;
         let part = sum - self.value;
-        // Exactly what rounding took from the sum (Knuth): most differences of singles lose
-        // nothing.
+        // The exact rounding error of the sum (Knuth). Most differences of singles have none.
         let lost = (self.value - (sum - part)) + (other.value - part);
         Self::new(sum, self.error + other.error + lost.abs())
     }
@@ -132,7 +131,7 @@ mod tests {
             };
             let [a, b, c, d] = [number(), number(), number(), number()];
             let exact = Exact::from;
-            // Cancels often: differences of products, over a difference.
+            // A computation that often cancels: differences of products, divided by a difference.
             let ac = a - c;
             let by = Bounded::from;
             let top = by(a) * by(b) - by(c) * by(d);

@@ -1,4 +1,4 @@
-//! Numbers without rounding, and their roots and quotients to many more digits than are asked for.
+//! Exact numbers. Roots and quotients have many more digits than are needed.
 
 use std::cmp::Ordering;
 use std::ops::{Add, Div, Mul, Neg, Sub};
@@ -6,17 +6,17 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 use dashu_float::FBig;
 use dashu_float::round::mode::HalfEven;
 
-/// Binary digits of roots and quotients.
+/// The number of binary digits of roots and quotients.
 const DIGITS: usize = 320;
 
-/// A number of as many digits as it needs.
+/// A number with as many digits as it needs.
 #[derive(Clone, Debug, PartialEq, PartialOrd)]
 pub(super) struct Exact(FBig<HalfEven, 2>);
 
 impl From<f64> for Exact {
     /// # Panics
     ///
-    /// If it is no number.
+    /// Panics if the value is not finite.
     fn from(value: f64) -> Self {
         let number = FBig::try_from(value).expect("a finite number");
         Self(number.with_precision(0).value())
@@ -30,7 +30,7 @@ impl Exact {
             .unwrap_or(Ordering::Equal)
     }
 
-    /// The root, to [`DIGITS`], of a number that is not below 0.
+    /// The square root, to [`DIGITS`], of a number that is not below 0.
     pub fn sqrt(&self) -> Self {
         if self.sign() == Ordering::Equal {
             return self.clone();
@@ -44,7 +44,7 @@ impl Exact {
     }
 }
 
-/// What loses nothing.
+/// The exact operations.
 macro_rules! exactly {
     ($($trait:ident $method:ident $operator:tt)*) => {$(
         impl $trait for Exact {
@@ -70,7 +70,7 @@ impl Neg for Exact {
 impl Div for Exact {
     type Output = Self;
 
-    /// The quotient, to [`DIGITS`].
+    /// The quotient to [`DIGITS`].
     fn div(self, other: Self) -> Self {
         let rounded = |number: FBig<HalfEven, 2>| number.with_precision(DIGITS).value();
         let quotient = rounded(self.0) / rounded(other.0);

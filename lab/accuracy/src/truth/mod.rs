@@ -1,10 +1,10 @@
-//! What is exactly so of a ray and an object, for the very singles that a kernel is given.
+//! The exact result for a ray and an object, for the same singles that a kernel gets.
 //!
-//! A ray is taken as the line through its origin along its direction at length 1; distances along
-//! it may be below 0. Answers come from double precision, which carries a bound of its own
-//! rounding errors (`bounded`); where the bound is above [`DOUBT`] of an ulp, or leaves a sign
-//! open, from exact numbers (`exact`). Invariant: the verdict of hit or miss is exact, and a
-//! distance is right to [`DOUBT`] of an ulp of a single.
+//! A ray is treated as the line through its origin in its direction, normalised to length 1.
+//! Distances along it may be below 0. Results come from double precision with a bound of its own
+//! rounding error (`bounded`). If the bound is above [`DOUBT`] ulp, or leaves a sign open, they
+//! come from exact numbers (`exact`). Invariant: the verdict of hit or miss is exact, and a
+//! distance is right to [`DOUBT`] ulp of a single.
 
 mod bounded;
 mod exact;
@@ -18,20 +18,20 @@ use twins::Single;
 
 pub use space::Vector;
 
-/// The part of an ulp that double precision may be off by.
+/// The largest error of double precision that is accepted, in ulps of a single.
 pub const DOUBT: f64 = 1.0 / 64.0;
 
-/// A ray as exact numbers, each a single.
+/// A ray as exact numbers, each of which is a single.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    /// Where it starts.
+    /// The ray's origin.
     pub origin: Vector,
-    /// Where it goes, of any length.
+    /// The ray's direction, with any length.
     pub direction: Vector,
 }
 
 impl Line {
-    /// The ray that a kernel is given.
+    /// The ray that a kernel receives.
     pub fn new(origin: [Single; 3], direction: [Single; 3]) -> Self {
         Self {
             origin: origin.map(to_f64),
@@ -46,8 +46,8 @@ impl Line {
     }
 }
 
-/// From a single to the next: what an ulp is at `value`. Below the smallest single, what it is
-/// there.
+/// The distance from a single to the next at `value`, which is an ulp. Below the smallest single,
+/// it is the value there.
 pub fn spacing(value: f64) -> f64 {
     const SMALLEST: f64 = 1.0 / (1_u128 << 126) as f64;
     single::spacing(value.abs().max(SMALLEST))

@@ -1,11 +1,11 @@
-//! Products of vectors, for every kind of number.
+//! Products of vectors for every type of number.
 
 use std::ops::{Add, Mul, Sub};
 
 /// x, y, z.
 pub type Vector = [f64; 3];
 
-/// What vectors are made of.
+/// The component type of vectors.
 pub(super) trait Number:
     Clone + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self>
 {

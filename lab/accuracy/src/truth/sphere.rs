@@ -1,4 +1,4 @@
-//! Rays and spheres.
+//! Exact intersection of rays with spheres.
 
 use std::cmp::Ordering;
 
@@ -17,7 +17,7 @@ pub struct Sphere {
     radius_squared: f64,
 }
 
-/// Where a ray's line enters a sphere and where it leaves it.
+/// The points where a ray's line enters and leaves a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Crossing {
     /// Distance of the entry.
@@ -33,16 +33,17 @@ pub struct Crossing {
 /// How a ray's line passes a sphere.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Passing {
-    /// How far outside of the edge it passes, in radii: (l^2 - r^2) / 2 r^2 for a line that comes
-    /// to l from the centre, which is (l - r) / r near the edge. Below 0 for a hit. No number if
-    /// the ray goes nowhere, or for a sphere of radius 0.
+    /// How far outside the edge it passes, relative to the radius: (l^2 - r^2) / 2 r^2 for a line
+    /// at distance l from the centre, which is about (l - r) / r near the edge. Below 0 for a hit.
+    /// NaN if the direction is 0 or the radius is 0.
     pub beyond: f64,
-    /// Entry and exit, if it hits; a line that touches does, a sphere of radius 0 is not hit.
+    /// The entry and the exit, if the line hits. A line that touches the sphere hits, and a sphere
+    /// of radius 0 is never hit.
     pub crossing: Option<Crossing>,
 }
 
 impl Passing {
-    /// Of a line that enters and leaves there, or misses: each a distance and the outward normal.
+    /// Made from the two ends, each a distance and an outward normal, or from a miss.
     fn new(beyond: f64, ends: Option<[(f64, Vector); 2]>) -> Self {
         let crossing = ends.map(|[(entry, entry_normal), (exit, exit_normal)]| Crossing {
             entry,
@@ -66,17 +67,17 @@ impl Crossing {
 }
 
 impl Sphere {
-    /// A sphere that a kernel is given by its radius, of either sign.
+    /// A sphere that a kernel receives with its signed radius.
     pub fn of_radius(centre: [Single; 3], radius: Single) -> Self {
         let radius = to_f64(radius);
         Self {
             centre: centre.map(to_f64),
-            // Two times 24 digits: exact.
+            // The product of two numbers with 24 digits is exact.
             radius_squared: radius * radius,
         }
     }
 
-    /// A sphere that a kernel is given by its radius squared.
+    /// A sphere that a kernel receives with the square of its radius.
     pub fn of_radius_squared(centre: [Single; 3], radius_squared: Single) -> Self {
         Self {
             centre: centre.map(to_f64),
@@ -84,7 +85,7 @@ impl Sphere {
         }
     }
 
-    /// A sphere that a kernel is given by its direction and distance from 0 and the square of
+    /// A sphere that a kernel receives as its direction and distance from 0 and the square of
     /// radius over distance. Its own numbers are rounded to doubles.
     pub fn of_axis(axis: [Single; 3], k: Single, distance: Single) -> Self {
         let (axis, distance) = (axis.map(to_f64), to_f64(distance));
@@ -95,12 +96,12 @@ impl Sphere {
         }
     }
 
-    /// Its centre.
+    /// The centre.
     pub fn centre(&self) -> Vector {
         self.centre
     }
 
-    /// Its radius, in double precision.
+    /// The radius, in double precision.
     pub fn radius(&self) -> f64 {
         self.radius_squared.sqrt()
     }
@@ -110,9 +111,10 @@ impl Sphere {
         self.in_double(line).unwrap_or_else(|| self.in_exact(line))
     }
 
-    /// The answer of double precision, unless it is in doubt.
+    /// The result in double precision, unless its error is too large.
     ///
-    /// The distance from the line comes of a vector product, which loses nothing at a distance.
+    /// The distance from the line is computed by a vector product, which keeps its precision far
+    /// away.
     fn in_double(&self, line: &Line) -> Option<Passing> {
         let to = less(
             &self.centre.map(Bounded::from),
@@ -132,7 +134,8 @@ impl Sphere {
         }
         let (along, root, length) = (dot(&to, &d), disc.sqrt(), dd.sqrt());
         let (near, far) = ((along - root) / length, (along + root) / length);
-        // Of the two roots one cancels: it is also their product over the other.
+        // One of the two roots cancels. It is therefore computed as their product divided by the
+        // other.
         let product = dot(&to, &to) - square;
         let (near, far) = (near.better(product / far), far.better(product / near));
         let sure = |t: Bounded| t.error <= DOUBT * spacing(t.value);
@@ -151,7 +154,7 @@ impl Sphere {
         Some(Passing::new(beyond, Some(ends)))
     }
 
-    /// The answer by numbers without rounding, and by other steps than those in double precision.
+    /// The result with exact numbers, computed by other steps than the one in double precision.
     fn in_exact(&self, line: &Line) -> Passing {
         let from = less(&line.origin.map(Exact::from), &self.centre.map(Exact::from));
         let d = line.direction.map(Exact::from);
@@ -200,7 +203,7 @@ mod tests {
         }
     }
 
-    /// Both ways of finding it.
+    /// The results of both ways.
     fn both(sphere: &Sphere, line: &Line) -> [Passing; 2] {
         let double = sphere.in_double(line).expect("no doubt");
         [double, sphere.in_exact(line)]
@@ -208,7 +211,8 @@ mod tests {
 
     #[test]
     fn whole_numbers_come_out_exactly() {
-        // 3, 4, 5: at height 3 the sphere is 8 long. The direction's length is of no account.
+        // 3, 4, 5: at height 3 the chord of the sphere is 8 long. The direction's length does not
+        // matter.
         for direction in [[0.0, 0.0, -1.0], [0.0, 0.0, -16.0]] {
             let line = line([1.0, 5.0, 20.0], direction);
             for passing in both(&sphere([1.0, 2.0, 3.0], 5.0), &line) {
@@ -245,8 +249,8 @@ mod tests {
 
     #[test]
     fn the_verdict_is_exact_where_double_precision_has_no_digits_left() {
-        // The edge of a sphere a single ulp of 2^24 off: its square needs 50 digits more than a
-        // double.
+        // The edge of a sphere, a single ulp of 2^24 away: its square needs 50 digits more than a
+        // double has.
         let far = 2_f64.powi(60);
         let sphere = sphere([0.0, 0.0, far], 1.0);
         let through = |slope: f64| line([0.0; 3], [slope, 0.0, 1.0]);

@@ -1,4 +1,4 @@
-//! Rays and triangles.
+//! Exact intersection of rays with triangles.
 
 use std::cmp::Ordering;
 
@@ -16,29 +16,29 @@ pub struct Triangle {
     vertices: [Vector; 3],
 }
 
-/// Where a ray's line meets the plane of a triangle.
+/// The point where a ray's line meets the plane of a triangle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Meeting {
     /// Distance.
     pub distance: f64,
-    /// What the vertices weigh at the point: of sum 1.
+    /// The weights of the vertices at the point. Their sum is 1.
     pub weights: [f64; 3],
-    /// The side of each edge that the point is on, against the edge's vertex: `Greater` within,
-    /// `Equal` on it.
+    /// On which side of each edge the point is, relative to the opposite vertex: `Greater` inside,
+    /// `Equal` on the edge.
     pub sides: [Ordering; 3],
-    /// Whether the ray sees the vertices go counter-clockwise.
+    /// Whether the vertices are in counter-clockwise order as seen by the ray.
     pub front: bool,
 }
 
 impl Meeting {
-    /// Within the triangle, on its rim, or outside.
+    /// Whether the point is inside the triangle, on its edge, or outside.
     pub fn side(&self) -> Ordering {
         self.sides.into_iter().min().unwrap_or(Ordering::Less)
     }
 }
 
-/// The products that decide: of the ray with each edge, with the plane, and of the plane with the
-/// origin.
+/// The products that decide: of the ray with each edge, of the ray with the plane, and of the
+/// plane with the origin.
 struct Volumes<T> {
     edges: [T; 3],
     plane: T,
@@ -60,7 +60,7 @@ impl<T: Number> Volumes<T> {
 }
 
 impl Triangle {
-    /// A triangle that a kernel is given.
+    /// A triangle that a kernel receives.
     pub fn new(vertices: [[Single; 3]; 3]) -> Self {
         Self {
             vertices: vertices.map(|vertex| vertex.map(to_f64)),
@@ -72,12 +72,13 @@ impl Triangle {
         self.vertices
     }
 
-    /// Where a ray's line meets its plane; `None` if they are parallel, or there is no plane.
+    /// Where a ray's line meets the plane. `None` if they are parallel, or if the vertices define
+    /// no plane.
     pub fn meeting(&self, line: &Line) -> Option<Meeting> {
         self.in_double(line).unwrap_or_else(|| self.in_exact(line))
     }
 
-    /// The answer of double precision, unless it is in doubt.
+    /// The result in double precision, unless its error is too large.
     fn in_double(&self, line: &Line) -> Option<Option<Meeting>> {
         let volumes = Volumes::new(
             self.vertices.map(|vertex| vertex.map(Bounded::from)),
@@ -107,7 +108,7 @@ impl Triangle {
         })
     }
 
-    /// The answer by numbers without rounding.
+    /// The result with exact numbers.
     fn in_exact(&self, line: &Line) -> Option<Meeting> {
         let d = line.direction.map(Exact::from);
         let volumes = Volumes::new(
@@ -134,7 +135,7 @@ impl Triangle {
     }
 }
 
-/// A sign, seen from the side of the plane that is seen.
+/// A sign as seen from the ray's side of the plane.
 fn against(sign: Ordering, plane: Ordering) -> Ordering {
     match plane {
         Ordering::Less => sign.reverse(),

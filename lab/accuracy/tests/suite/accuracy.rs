@@ -1,4 +1,4 @@
-//! The command line of the benchmark of accuracy.
+//! Tests the command line of the benchmark of accuracy.
 
 use std::fs;
 use std::path::Path;

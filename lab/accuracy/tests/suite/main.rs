@@ -1,12 +1,12 @@
-//! The program as it is used: the command line, the files that it writes, and whether all bounds
-//! hold.
+//! Tests the program from outside: its command line, the files that it writes, and whether all
+//! bounds hold.
 
 mod accuracy;
 mod stability;
 
 use std::process::{Command, Output};
 
-/// What a command of `cellray-bench` says to these arguments.
+/// The output of a command of `cellray-bench` with these arguments.
 fn bench(command: &str, arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_cellray-bench"))
         .arg(command)

@@ -1,10 +1,10 @@
-//! The stress suite and the guarantees: all bounds hold, kept inputs are tried, figures repeat;
-//! and the command line says what is wrong with what it is given.
+//! The stress suite and the guarantees: all bounds hold, saved inputs are tried, and figures are
+//! reproducible. The command line reports errors in its arguments.
 
 use ::accuracy::stability::regressions::{Regressions, keep};
 use ::accuracy::stability::{Size, run};
 
-/// Seed of the tests' run, another than that of the kept inputs.
+/// The seed of the tests' run, which differs from that of the saved inputs.
 const SEED: u64 = 7;
 
 fn kept() -> Regressions {
@@ -17,7 +17,10 @@ fn all_bounds_hold_and_kept_inputs_are_tried() {
     assert!(report.held(), "{report}");
     for row in &report.rows {
         let (family, subject) = (row.family, &row.subject);
-        assert!(row.replayed > 0, "nothing is kept of {family}, {subject}");
+        assert!(
+            row.replayed > 0,
+            "there are no saved inputs of {family}, {subject}"
+        );
         let tried = row.tally.cases - row.replayed;
         assert!(tried >= 100, "{tried} cases of {family}, {subject}");
     }
@@ -38,8 +41,8 @@ fn figures_depend_on_the_seed_alone() {
     assert_ne!(figures(1), figures(2));
 }
 
-/// What is kept of one run is the worst of the next one with the same seed, and with another at
-/// least as bad.
+/// The inputs saved by one run are again the worst of the next run with the same seed. With
+/// another seed, the worst is at least as bad.
 #[test]
 fn what_is_kept_is_the_worst_again() {
     let family = Some("sphere-grazing");
@@ -62,7 +65,7 @@ fn a_kept_input_of_another_length_is_refused() {
     let kept = Regressions::of_file("refract-critical", text).expect("a good file");
     let error = run(Size::Quick, 1, Some("refract-critical"), &kept).expect_err("a short input");
     let text = error.to_string();
-    assert!(text.contains("1 words, where a case has 9"), "{text}");
+    assert!(text.contains("1 words, but a case has 9"), "{text}");
 }
 
 fn bench(arguments: &[&str]) -> std::process::Output {
@@ -90,7 +93,7 @@ fn the_command_prints_a_table_and_writes_json() {
 #[test]
 fn what_can_not_be_is_said_by_its_value() {
     let nowhere = "/no/such/folder/report.json";
-    for (arguments, said) in [
+    for (arguments, expected) in [
         (&["--only", "spherical-cows"][..], "spherical-cows"),
         (&["--seed", "seven"], "seven"),
         (&["--quick", "--full"], "--full"),
@@ -102,6 +105,6 @@ fn what_can_not_be_is_said_by_its_value() {
         let output = bench(arguments);
         let error = String::from_utf8_lossy(&output.stderr);
         assert!(!output.status.success(), "{arguments:?}");
-        assert!(error.contains(said), "{arguments:?}: {error}");
+        assert!(error.contains(expected), "{arguments:?}: {error}");
     }
 }

@@ -1,4 +1,4 @@
-//! The eye-ray kernels, in the order in which a group of packets goes through them.
+//! The kernels for primary rays, in the order in which a group of packets passes through them.
 
 pub mod call;
 pub mod error;
@@ -19,14 +19,14 @@ use crate::single::single;
 use call::{address, list_room, put, put_packets, put_places};
 use protocol::layout::{Colours, Frustum, Packet, Pair, Place, Sphere};
 
-/// The sixteen packets of a group, and of four groups.
+/// The sixteen packets of one group, and of four groups.
 const PACKETS: Objects = Objects::List(16, 64);
 /// A short list of spheres, and a long one.
 const SPHERES: Objects = Objects::List(16, 64);
-/// The packets that a mask may name.
+/// The packets that a mask can select.
 const NAMED: Objects = Objects::Fixed(64);
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "frustum_spheres",
@@ -138,7 +138,7 @@ pub const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// The rays of the cases: about -z.
+/// The rays of the cases, which are close to -z.
 fn rays() -> Vectors {
     std::array::from_fn(|lane| {
         let step = |at: usize| (at as f64 - 1.5) * 0.01;
@@ -154,7 +154,7 @@ fn ahead() -> BareSphere {
     bare_sphere([0.0, 0.0, -5.0], 1.0)
 }
 
-/// The record of a sphere with the limits of its tests, as they are without rounding.
+/// The record of a sphere with the limits of its tests, without margins for rounding.
 fn limited(bare: &BareSphere) -> Sphere {
     let mut sphere = eye_records::sphere(bare);
     let square: f64 = bare
@@ -179,7 +179,7 @@ fn packets(bench: &mut Bench, hits: &Hits, count: u32) -> Vec<bench::Place> {
 }
 
 fn frustum_spheres(bench: &mut Bench, bare: &BareSphere, count: u32) -> Vec<u32> {
-    // The sides of a pyramid about -z, half as wide as it is long.
+    // The sides of a pyramid around -z that is half as wide as it is long.
     let (along, across) = (
         libm::sin(libm::atan(0.5_f64)),
         libm::cos(libm::atan(0.5_f64)),
@@ -227,7 +227,7 @@ fn list_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
     vec![masks.address, places.address, places.address, list.address]
 }
 
-/// Masks that name all packets of a tile.
+/// Masks that select all packets of a tile.
 fn all_named(bench: &mut Bench) -> bench::Place {
     put(bench, &[0xffff_u32; 4].map(U32::new))
 }
@@ -272,7 +272,7 @@ fn hidden_pairs(bench: &mut Bench, count: u32) -> Vec<u32> {
     vec![pairs.address, count]
 }
 
-/// Each of the spheres with sixteen packets.
+/// Each of the spheres paired with sixteen packets.
 fn isect_pairs(bench: &mut Bench, spheres: &[Sphere; 4], count: u32) -> Vec<u32> {
     let packets = packets(bench, &error::NO_HITS, 64);
     let spheres = put(bench, spheres);

@@ -1,4 +1,4 @@
-//! The kernels of triangles, rectangles and planes: cases, and inputs of the stated domains.
+//! The kernels for triangles, rectangles and planes: cases, and inputs from the stated domains.
 
 pub mod error;
 
@@ -21,7 +21,7 @@ const TRIANGLES: Objects = Objects::List(16, 48);
 /// The number of the first object.
 const OBJECT: u32 = 7;
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "shear_r16",
@@ -133,7 +133,7 @@ pub const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// Across the rays of the cases, the nearer the smaller its place.
+/// A triangle across the rays of the cases. The smaller its place, the nearer it is.
 fn ahead(place: u32) -> Triangle {
     let z = -5.0 * f64::from(place);
     [[-9.0, -9.0, z], [9.0, -9.0, z], [0.0, 9.0, z]].map(point)
@@ -149,7 +149,7 @@ fn put_rays(bench: &mut Bench) -> Place {
     bench.place(Rays::pack(&rays).as_bytes())
 }
 
-/// Rays, their shears, and so many triangles, the farthest first.
+/// Rays, their shears, and this many triangles, the farthest first.
 fn triangles(
     bench: &mut Bench,
     triangle: fn(u32) -> Triangle,
@@ -174,7 +174,7 @@ fn one_ray(bench: &mut Bench, triangle: &Triangle) -> Vec<u32> {
     vec![ray.address, triangle.address, OBJECT]
 }
 
-/// Rays, and a rectangle whose corner is at this x, before them.
+/// Rays, and a rectangle in front of them whose corner is at this x.
 fn with_rectangle(bench: &mut Bench, x: f64, further: &[u32]) -> Vec<u32> {
     let rays = put_rays(bench);
     let shape = rectangle([x, -1.0, -5.0], [2.0, 0.0, 0.0], [0.0, 2.0, 0.0]);
@@ -182,7 +182,7 @@ fn with_rectangle(bench: &mut Bench, x: f64, further: &[u32]) -> Vec<u32> {
     [&[rays.address, shape.address], further].concat()
 }
 
-/// The record of triangles; their fourth words are `anything`.
+/// Puts the record of triangles into local store. Their fourth words are `anything`.
 pub fn put_triangles(
     bench: &mut Bench,
     triangles: impl IntoIterator<Item = Triangle>,
@@ -193,7 +193,7 @@ pub fn put_triangles(
     bench.place(records.as_bytes())
 }
 
-/// The record of a rectangle; its fourth words are `anything`.
+/// Puts the record of a rectangle into local store. Its fourth words are `anything`.
 pub fn put_rectangle(
     bench: &mut Bench,
     rectangle: &Rectangle,
@@ -209,7 +209,7 @@ pub fn put_rectangle(
     bench.place(record.as_bytes())
 }
 
-/// A parallelogram of these edges, made as a scene makes it: in f64, then rounded.
+/// A parallelogram with these edges, made like those of scenes: in f64, and then rounded.
 #[must_use]
 pub fn rectangle(corner: Vector, first: Vector, second: Vector) -> Rectangle {
     let across = cross(first, second);
@@ -222,7 +222,7 @@ pub fn rectangle(corner: Vector, first: Vector, second: Vector) -> Rectangle {
     }
 }
 
-/// A triangle of the stated domain and a ray to a point in it.
+/// A triangle from the stated domain, and a ray to a point in it.
 pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
     let origin = point(in_cube(10.0, random));
     loop {
@@ -243,7 +243,7 @@ pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
             weights[0] * a[axis] + weights[1] * b[axis] + weights[2] * c[axis]
         });
         let direction = unit(less(target, origin.map(to_f64)));
-        // How large it looks: twice its area across the ray, by its size.
+        // Its apparent size: twice its area across the ray, relative to its size.
         let seen = dot(cross(less(a, c), less(b, c)), direction).abs();
         if seen > 0.1 * size * size {
             return (Ray::new(origin, point(direction)), triangle);
@@ -251,8 +251,8 @@ pub fn aimed_at_triangle(random: &mut impl Rng) -> (Ray, Triangle) {
     }
 }
 
-/// t, u, v where the ray meets the triangle's plane, in f64 for the very singles that a kernel is
-/// given (Möller and Trumbore).
+/// t, u and v of the point where the ray meets the triangle's plane, in f64 from the same singles
+/// that a kernel gets (Möller and Trumbore).
 #[must_use]
 pub fn on_triangle(ray: &Ray, triangle: &Triangle) -> Vector {
     let [a, b, c] = triangle.map(|vertex| vertex.map(to_f64));
@@ -269,7 +269,7 @@ pub fn on_triangle(ray: &Ray, triangle: &Triangle) -> Vector {
     ]
 }
 
-/// A rectangle, rays to points in it and around it, and about how far away it is.
+/// A rectangle, rays to points in it and around it, and its approximate distance.
 pub fn around_rectangle(random: &mut impl Rng) -> (Rectangle, [Ray; 16], f64) {
     let origin = in_cube(10.0, random);
     let distance = magnitude(1.0..100.0, random);
@@ -294,8 +294,8 @@ pub fn around_rectangle(random: &mut impl Rng) -> (Rectangle, [Ray; 16], f64) {
     (rectangle(corner, first, second), rays, distance)
 }
 
-/// t, u, v where the ray meets the plane, in f64 for the very singles that a kernel is given; and
-/// the cosine of its incidence.
+/// t, u and v of the point where the ray meets the plane, in f64 from the same singles that a
+/// kernel gets, and the cosine of its incidence.
 #[must_use]
 pub fn on_plane(ray: &Ray, rectangle: &Rectangle) -> (Vector, f64) {
     let origin = ray.origin.map(to_f64);

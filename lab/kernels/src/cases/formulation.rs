@@ -1,4 +1,5 @@
-//! What the kernels of each formulation of spheres are measured on, as their headers state it.
+//! The inputs over which the kernels of each formulation of spheres are measured, as their headers
+//! state.
 
 use std::fmt::Debug;
 use std::ops::Range;
@@ -8,23 +9,24 @@ use twins::sphere::{
     Perpendicular, Refined, Stable, Unnormalised,
 };
 
-/// Rays and spheres for which a formulation is honest.
+/// The rays and spheres for which a formulation's stated error holds.
 #[derive(Clone, Debug)]
 pub struct Domain {
-    /// Distance of the eye from the centre, in radii.
+    /// The distance of the eye from the centre, in radii.
     pub eye: Range<f64>,
-    /// The largest distance of other origins outside, in radii.
+    /// The largest distance of other origins from the centre, in radii.
     pub farthest: f64,
-    /// How near to its outline a sphere may be passed, as disc / r^2, for a root that counts.
+    /// The least distance between a ray and the sphere's outline, as disc / r^2, for which the
+    /// root counts.
     pub outline: f64,
-    /// How near to the surface, in radii, another origin may be.
+    /// The least distance of another origin from the surface, in radii.
     pub surface: f64,
-    /// Lengths of directions.
+    /// The lengths of directions.
     pub lengths: Range<f64>,
-    /// Whether a ray is sure to touch a sphere where nothing but roots and quotients has to be
-    /// rounded.
+    /// Whether a ray certainly hits a sphere that it touches, if only roots and quotients need
+    /// rounding.
     pub touches: bool,
-    /// The relative error that is no surprise in rays from where no digits are lost.
+    /// The relative error that is expected for rays from distances at which no digits are lost.
     pub rough: f64,
 }
 
@@ -38,7 +40,7 @@ const PERPENDICULAR: Domain = Domain {
     rough: 1e-6,
 };
 
-/// A formulation with its domain.
+/// A formulation and its domain.
 pub trait Formulation: Copy + Debug + 'static {
     /// The domain.
     const DOMAIN: Domain = PERPENDICULAR;

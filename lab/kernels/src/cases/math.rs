@@ -1,5 +1,5 @@
-//! The kernels of the room math: reciprocals, square roots and their reciprocals, each from the
-//! bare estimate to two Newton steps.
+//! The kernels of `math`: reciprocals, square roots and their reciprocals, each from the bare
+//! estimate to two Newton steps.
 
 pub mod error;
 
@@ -17,10 +17,10 @@ use crate::catalogue::{Case, Kernel, Objects};
 
 /// Short arrays of quadwords, and long ones.
 const QUADWORDS: Objects = Objects::List(32, 128);
-/// Quadwords that a pass takes: arrays are rounded up to it.
+/// The quadwords in a pass. Arrays are rounded up to a multiple of it.
 const PASS: usize = 4;
 
-/// What is computed of an operand.
+/// The function of an operand.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// 1/x.
@@ -31,21 +31,21 @@ pub enum Quantity {
     Root,
 }
 
-/// A kernel of the room.
+/// A kernel of `math`.
 #[derive(Clone, Copy, Debug)]
 pub struct Function {
     /// The kernel.
     pub kernel: &'static str,
-    /// What it computes.
+    /// The function that it computes.
     pub quantity: Quantity,
-    /// What it does to a lane.
+    /// Its operation on one lane.
     pub twin: fn(Single) -> Single,
-    /// Magnitudes of operands for which its error is stated.
+    /// The magnitudes of operands for which its error is stated.
     pub domain: [Single; 2],
 }
 
 impl Quantity {
-    /// What is so.
+    /// The exact result.
     #[must_use]
     pub fn exactly(self, x: f64) -> f64 {
         match self {
@@ -55,8 +55,8 @@ impl Quantity {
         }
     }
 
-    /// Operands of which all others differ by an exponent that changes no digit of the result:
-    /// those from 1 on, to below 2, or for roots below 4.
+    /// Operands from which all others differ only by an exponent that does not change a digit of
+    /// the result: those from 1 to below 2, or to below 4 for roots.
     #[must_use]
     pub const fn all_fractions(self) -> RangeInclusive<Single> {
         match self {
@@ -65,17 +65,17 @@ impl Quantity {
         }
     }
 
-    /// Whether operands below 0 belong to the domain.
+    /// Whether operands below 0 are in the domain.
     #[must_use]
     pub const fn takes_negative(self) -> bool {
         matches!(self, Self::Reciprocal)
     }
 }
 
-/// Whose reciprocals are normal, but for 2^126 itself, of which the estimate is 0.
+/// Operands whose reciprocals are normal, except for 2^126 itself, whose estimate is 0.
 const RECIPROCAL: [Single; 2] = [SMALLEST, 0x7e7f_ffff];
 const NORMAL: [Single; 2] = [SMALLEST, LARGEST];
-/// Where what remains of the operand after the root's square is not flushed to 0.
+/// Operands for which the remainder after subtracting the root's square is not flushed to 0.
 const WITH_REMAINDER: [Single; 2] = [0x0b80_0000, LARGEST];
 
 const fn function(
@@ -92,7 +92,7 @@ const fn function(
     }
 }
 
-/// All of them: for each quantity the cheapest first.
+/// All kernels of `math`. For each quantity, the cheapest is first.
 pub const FUNCTIONS: [Function; 12] = {
     use Quantity::{Reciprocal, ReciprocalRoot, Root};
     [
@@ -149,7 +149,7 @@ const fn row<const NUMBER: usize>() -> Kernel {
     }
 }
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     row::<0>(),
     row::<1>(),
@@ -165,7 +165,8 @@ pub const KERNELS: &[Kernel] = &[
     row::<11>(),
 ];
 
-/// Places operands, with `anything` in the rest of the last pass, and room for the results.
+/// Puts operands into local store, with `anything` in the rest of the last pass, and room for the
+/// results.
 fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -> [Place; 2] {
     let padded = operands.len().next_multiple_of(PASS);
     let mut words: Vec<[U32; 4]> = operands
@@ -178,8 +179,8 @@ fn put_operands(bench: &mut Bench, operands: &[[Single; 4]], anything: Single) -
     [operands, results]
 }
 
-/// A kernel's results, those of the operands' rest in the last pass with them, which are
-/// `anything`. With `in_place` the results take the operands' place.
+/// Returns a kernel's results, including those for the rest of the last pass, where the operands
+/// are `anything`. With `in_place`, the results overwrite the operands.
 pub fn call(
     bench: &mut Bench,
     kernel: &str,
@@ -198,7 +199,7 @@ pub fn call(
         .collect()
 }
 
-/// An operand of the domain, its exponent and fraction as likely as any other.
+/// A random operand of the domain. All exponents and fractions are equally likely.
 pub fn operand(random: &mut impl Rng, function: &Function) -> Single {
     let [least, most] = function.domain;
     let sign = function.quantity.takes_negative() && random.random();

@@ -1,4 +1,4 @@
-//! Cases and measures of error, a file for each family of kernels.
+//! Cases and measures of error. Each family of kernels has a file.
 
 pub mod eye;
 pub mod flat;

@@ -1,4 +1,4 @@
-//! The general sphere kernels: rays from anywhere, the truth in f64, cases, errors.
+//! The general sphere kernels, for rays from anywhere: the exact result in f64, cases and errors.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -13,16 +13,17 @@ use crate::records;
 use crate::vector::dot;
 pub use crate::vector::{Vector, unit};
 
-/// Packets that an error is measured over.
+/// The number of packets over which an error is measured.
 const PACKETS: u32 = 4000;
-/// How near to its outline a sphere may be passed, as disc / r^2, for a root that counts.
+/// The least distance between a ray and the sphere's outline, as disc / r^2, for which the root
+/// counts.
 const OUTLINE: f64 = 0.01;
-/// The same for a hit or a miss that counts.
+/// The same for which the verdict counts.
 const TANGENT: f64 = 1e-4;
-/// How near to the surface, in radii, an origin may be for a side that counts.
+/// The least distance of an origin from the surface, in radii, for which its side counts.
 const SURFACE: f64 = 1e-5;
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "isect_sphere_r1",
@@ -111,7 +112,7 @@ pub const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// The rays of the cases: from about the origin, to -z.
+/// The rays of the cases: from near the origin towards -z.
 #[must_use]
 pub fn case_rays() -> [Ray; 16] {
     std::array::from_fn(|lane| {
@@ -170,7 +171,7 @@ fn packet(bench: &mut Bench, spheres: &[BareSphere], further: &[u32]) -> Vec<u32
     [&[rays.address, spheres.address], further].concat()
 }
 
-/// A direction, all equally likely.
+/// A random direction, uniformly distributed.
 #[must_use]
 pub fn any_direction(random: &mut ChaCha8Rng) -> Vector {
     loop {
@@ -181,21 +182,21 @@ pub fn any_direction(random: &mut ChaCha8Rng) -> Vector {
     }
 }
 
-/// How a ray meets a sphere, in f64 and with the direction at length 1, for the very singles that
-/// a kernel is given.
+/// The exact intersection of a ray with a sphere, in f64 and with the direction normalised, from
+/// the same singles that a kernel gets.
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
-    /// Where it hits first, if it does: the entry, or the exit from inside.
+    /// The first hit: the entry, or the exit for a ray from inside.
     pub t: Option<f64>,
-    /// disc / r^2: 0 is a tangent.
+    /// disc / r^2, which is 0 for a tangent.
     pub depth: f64,
-    /// Distance of the origin from the surface, in radii; below 0 inside.
+    /// The distance of the origin from the surface, in radii. Below 0 inside.
     pub height: f64,
     /// The radius.
     pub radius: f64,
 }
 
-/// The truth about a ray and a sphere.
+/// The exact intersection of a ray with a sphere.
 #[must_use]
 pub fn truth(ray: &Ray, sphere: &BareSphere) -> Truth {
     let direction = unit(ray.direction.map(to_f64));
@@ -217,7 +218,7 @@ pub fn truth(ray: &Ray, sphere: &BareSphere) -> Truth {
     }
 }
 
-/// A sphere, and rays towards points within 2 radii of its centre: from as far as 30 radii, from
+/// A sphere, and rays towards points within 2 radii of its centre: from up to 30 radii away, from
 /// near its surface, and from inside.
 #[must_use]
 pub fn around_a_sphere(random: &mut ChaCha8Rng) -> ([Ray; 16], BareSphere) {
@@ -240,18 +241,18 @@ pub fn around_a_sphere(random: &mut ChaCha8Rng) -> ([Ray; 16], BareSphere) {
     (rays, sphere)
 }
 
-/// The distance of a single to the next, at the larger of t and r.
+/// The distance from a single to the next, at the larger of t and r.
 #[must_use]
 pub fn ulp(t: f64, radius: f64) -> f64 {
     libm::exp2(libm::log2(t.max(radius)).floor() - 23.0)
 }
 
-/// Object number that the measured calls give.
+/// The object number that the measured calls pass.
 const OBJECT: u32 = 77;
 
 type Call = fn(&mut Bench, &[Ray; 16], &BareSphere) -> [Ray; 16];
 
-/// `isect_sphere_r1` on each ray.
+/// Calls `isect_sphere_r1` with each ray.
 pub fn one_by_one(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
     rays.map(|ray| {
         bench.reset();
@@ -262,7 +263,7 @@ pub fn one_by_one(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [
     })
 }
 
-/// `isect_sphere_r16`.
+/// Calls `isect_sphere_r16`.
 pub fn together(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
     bench.reset();
     let record = bench.place(records::Rays::new(rays).as_bytes());
@@ -274,7 +275,7 @@ pub fn together(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ra
     bench.read::<records::Rays>(record).rays()
 }
 
-/// `isect_spheres16_r16` with fifteen spheres that no ray comes near.
+/// Calls `isect_spheres16_r16` with fifteen more spheres that no ray comes near.
 pub fn among_sixteen(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
     const PLACE: usize = 5;
     bench.reset();
@@ -291,7 +292,7 @@ pub fn among_sixteen(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -
     bench.read::<records::Rays>(record).rays()
 }
 
-/// Worst error of t; infinite if a hit is missed or made up.
+/// The largest error of t. Infinite for a missed or a false hit.
 fn nearest_error(bench: &mut Bench, random: &mut ChaCha8Rng, call: Call) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -315,7 +316,7 @@ fn nearest_error(bench: &mut Bench, random: &mut ChaCha8Rng, call: Call) -> f64 
     worst
 }
 
-/// Worst distance between t and the hit at which the answer was wrong.
+/// The largest distance between t and the hit for which the result was wrong.
 fn any_error(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, further: &[u32]) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

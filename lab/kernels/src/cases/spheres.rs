@@ -1,5 +1,5 @@
-//! Kernels that intersect rays with spheres, called by name: those of all formulations of a form
-//! take the same, and each is given one sphere.
+//! Calls kernels that intersect rays with spheres, by name. Those of all formulations of a form
+//! take the same arguments, and each gets one sphere.
 
 use twins::sphere::Perpendicular;
 use twins::sphere_ray::{BareSphere, Ray};
@@ -15,24 +15,24 @@ use crate::measure::cost;
 use crate::single::single;
 use protocol::layout::{RayPacket, Sphere};
 
-/// What a sphere's record holds for the primary rays.
+/// The content of a sphere's record for primary rays.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum EyeSphere {
-    /// The centre as the eye sees it and the radius squared, for kernels that take
+    /// The centre relative to the eye, and the squared radius, for kernels that take
     /// `EyeRecord::Centre`.
     Centre {
-        /// Centre less eye.
+        /// The centre minus the eye.
         centre: [Single; 3],
-        /// Radius squared.
+        /// The squared radius.
         radius_squared: Single,
     },
     /// The same by direction and distance, for kernels that take `EyeRecord::Axis`.
     Axis {
-        /// The centre's direction, at length 1.
+        /// The unit direction to the centre.
         axis: [Single; 3],
         /// The square of radius over distance.
         k: Single,
-        /// The centre's distance.
+        /// The distance of the centre.
         distance: Single,
     },
 }
@@ -60,15 +60,16 @@ impl EyeSphere {
     }
 }
 
-/// A hit's distance for each of sixteen rays, if the kernel says that there is one.
+/// For each of sixteen rays, the distance of its hit if the kernel finds one.
 pub type Distances = [Option<Single>; 16];
 
 /// Calls a kernel for rays from anywhere (`isect_sphere_pairs…_r16`) on packets of rays and a
-/// sphere. No ray has a farthest distance; what `t` and `object` hold does not count.
+/// sphere. The rays have no distance limit; their `t` and `object` are ignored.
 ///
 /// # Panics
 ///
-/// If there is no such kernel, or more packets than local store has room for (64 there is).
+/// Panics if there is no such kernel, or if the packets do not fit into local store, which has
+/// room for 64.
 #[must_use]
 pub fn general(
     bench: &mut Bench,
@@ -87,7 +88,7 @@ pub fn general(
         .map(|rays| packet(&rays.map(unhit), 0))
         .collect();
     let list: Vec<[usize; 2]> = (0..packets.len()).map(|number| [0, number]).collect();
-    // The record is that of all formulations.
+    // All formulations use the same record.
     let placed = call::place(
         bench,
         &packets,
@@ -103,11 +104,12 @@ pub fn general(
         .collect()
 }
 
-/// Calls a kernel for the primary rays (`isect_pairs…_r16`) on packets of directions and a sphere.
+/// Calls a kernel for primary rays (`isect_pairs…_r16`) on packets of directions and a sphere.
 ///
 /// # Panics
 ///
-/// If there is no such kernel, or more packets than local store has room for (64 there is).
+/// Panics if there is no such kernel, or if the packets do not fit into local store, which has
+/// room for 64.
 #[must_use]
 pub fn eye(
     bench: &mut Bench,
@@ -127,9 +129,9 @@ pub fn eye(
         .collect()
 }
 
-/// Simulated cycles in which a kernel's scheduled version tests one ray with one further object of
-/// a list, as its last case in the catalogue measures it; none if the catalogue has no such
-/// kernel, or it takes no list.
+/// The simulated cycles in which a kernel's scheduled version tests one ray with one further
+/// object of a list, measured on its last case in the catalogue. `None` if the catalogue does not
+/// contain the kernel or the kernel takes no list.
 #[must_use]
 pub fn cycles_a_ray(bench: &mut Bench, kernel: &str) -> Option<f64> {
     let kernel = catalogue::kernels().find(|row| row.name == kernel)?;

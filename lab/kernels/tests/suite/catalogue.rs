@@ -1,4 +1,4 @@
-//! What the headers say holds, and the records are what the assembler thinks they are.
+//! The statements in headers hold, and the records have the layout that the assembler uses.
 
 use std::collections::BTreeSet;
 
@@ -91,7 +91,7 @@ fn every_case_can_be_called() {
     }
 }
 
-/// Every `.set NAME_field,offset` of an included file.
+/// Every `.set NAME_field,offset` in an included file.
 fn offsets(text: &'static str) -> BTreeSet<(&'static str, usize)> {
     text.lines()
         .filter_map(|line| line.trim_start().strip_prefix(".set"))

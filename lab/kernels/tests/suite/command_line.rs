@@ -1,4 +1,4 @@
-//! The program `kernels`, as one calls it.
+//! Tests the program `kernels` from outside.
 
 use std::fs;
 use std::process::{Command, Output};
@@ -33,7 +33,7 @@ fn gives_the_same_to_programs() {
     assert_eq!(kernel["file"], "lab/spu/isect/isect_sphere_r16.s");
     assert_eq!(kernel["cases"][0]["case"], "all miss");
     let cycles = kernel["cases"][0]["plain"]["call"]["cycles"].as_u64();
-    // Sixteen rays take 21 even-pipe instructions a row of four, if not more.
+    // Sixteen rays take at least 21 even-pipe instructions for each row of four.
     assert!(cycles.is_some_and(|cycles| cycles > 84), "{cycles:?}");
     assert!(kernel["error"].as_f64().is_some_and(|error| error > 0.0));
 }
@@ -54,7 +54,7 @@ fn finds_a_document_stale() {
     let path = file.to_str().expect("a name");
     let markers = format!("{}\n{}\n", kernels::document::BEGIN, kernels::document::END);
     fs::write(&file, markers).expect("a file");
-    // Of one kernel: all of them take a minute.
+    // Only one kernel, because all of them take a minute.
     let stale = kernels(&["measure", "any_sphere_r16", "--check", path]);
     assert!(!stale.status.success());
     assert!(text(&stale.stderr).contains("stale at line 2"));

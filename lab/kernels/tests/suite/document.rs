@@ -1,4 +1,4 @@
-//! A document is written between its markers only, and one that is stale is found out.
+//! A document is only changed between its markers, and a stale one is detected.
 
 use std::fs;
 

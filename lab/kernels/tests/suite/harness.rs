@@ -1,4 +1,4 @@
-//! The harness sees what it is there for: kernels that break a rule, one each.
+//! The harness detects kernels that break a rule. There is one for each rule.
 
 use std::fs;
 use std::path::Path;
@@ -27,7 +27,7 @@ const fn source(name: &'static str, text: &'static str) -> Source {
     }
 }
 
-/// The kernels as written; those that `versions` has other files of, by these.
+/// The plain kernels, with files of `versions` replacing those of the same names.
 fn image(versions: &str) -> &'static [u8] {
     let here = Path::new(env!("CARGO_MANIFEST_DIR"));
     let harness = here.join("tests/suite/harness");
@@ -92,7 +92,7 @@ fn a_lost_kernel_is_seen() {
 }
 
 #[test]
-#[should_panic(expected = "endless does not come to an end")]
+#[should_panic(expected = "endless does not end")]
 fn an_endless_kernel_is_seen() {
     call("endless");
 }

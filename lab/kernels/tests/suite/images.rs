@@ -1,4 +1,4 @@
-//! The images that come with the sources are what the sources make.
+//! The stored images equal those that the sources make.
 
 #[test]
 fn committed_images_are_what_the_sources_make() {

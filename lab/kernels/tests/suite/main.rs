@@ -1,4 +1,5 @@
-//! All tests of the kernels: one program, as linking many takes longer than running them.
+//! All tests of the kernels. They are one program, because linking many takes longer than running
+//! them.
 
 mod bounce;
 mod catalogue;

@@ -1,4 +1,4 @@
-//! What is measured now: it stands in `docs/kernels.md`, and keeps within its bounds.
+//! The present measurements equal those in `docs/kernels.md` and are within their bounds.
 
 use std::path::Path;
 use std::sync::OnceLock;
@@ -27,7 +27,7 @@ fn timed(kernel: &str, case: &str) -> &'static Timed {
     cases.find(|timed| timed.case == case).expect("a case")
 }
 
-/// Cycles of the scheduled version for one more object.
+/// The cycles of the scheduled version for one more object.
 fn in_stream(kernel: &str, case: &str) -> f64 {
     let stream = timed(kernel, case).scheduled.stream.expect("a list");
     stream.time.cycles as f64 / f64::from(stream.objects)
@@ -58,7 +58,7 @@ fn loops_reach_nine_tenths_of_their_bounds() {
     assert!(loops >= 13, "only {loops} loops");
 }
 
-/// The intervals that the scheduler tells are those of the images.
+/// The intervals that the scheduler reports are those in the images.
 #[test]
 fn the_model_finds_the_same_intervals() {
     let kernels = Kernels::here().unwrap_or_else(|error| panic!("{error}"));

@@ -1,5 +1,5 @@
-//! Every kernel that is shipped has a schedule in the repository, which is what the scheduler
-//! makes of it now, and says of itself what is so.
+//! Every kernel that is shipped has a schedule in the repository. It equals the scheduler's
+//! present output, and its notes and its header are right.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -75,7 +75,7 @@ fn headers_name_the_registers_that_are_written() {
     }
 }
 
-/// The registers that a header's `Uses` names.
+/// The registers that a header's `Uses` lists.
 fn used(source: &str) -> BTreeSet<u8> {
     let lines = source.lines().take_while(|line| line.starts_with('#'));
     let mut lines = lines.skip_while(|line| !line.starts_with("#   Uses "));
@@ -194,7 +194,7 @@ fn a_changed_include_costs_those_that_include_it() {
     }
 }
 
-/// A repository's folder of nothing but what sources include.
+/// A folder of a repository with only the files that sources include.
 fn with_includes() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a folder");
     let here = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");

@@ -1,5 +1,5 @@
-//! The general sphere kernels: against their twin bit for bit, in what a ray and a sphere can be
-//! to each other, and in what leaving a surface takes.
+//! The general sphere kernels: compared with their twin bit for bit for every relation of a ray
+//! and a sphere, and for rays that leave a surface.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::{
@@ -14,10 +14,10 @@ use twins::FARTHEST;
 use twins::sphere_ray::{self as twin, BareSphere, Ray};
 use zerocopy::IntoBytes as _;
 
-/// The number that the calls of `kernels::cases::sphere` give.
+/// The object number that the calls of `kernels::cases::sphere_ray` pass.
 const OBJECT: u32 = 77;
 
-/// Every kernel that finds the nearest hit, on one sphere; all have to give the twin's bits.
+/// Calls every kernel that finds the nearest hit with one sphere. All must return the twin's bits.
 fn check_nearest(bench: &mut Bench, rays: &[Ray; 16], sphere: &BareSphere) -> [Ray; 16] {
     let expected = rays.map(|ray| twin::nearest(ray, sphere, OBJECT));
     for (kernel, call) in [
@@ -56,7 +56,8 @@ fn check_sixteen(
     found
 }
 
-/// The two any-hit kernels; gives the bits and the instructions of the one for arrays.
+/// Calls the two any-hit kernels. Returns the bits, and the number of instructions of the one for
+/// arrays.
 fn check_any(bench: &mut Bench, rays: &[Ray; 16], spheres: &[BareSphere]) -> (u32, u64) {
     bench.reset();
     let record = bench.place(records::Rays::new(rays).as_bytes());
@@ -109,7 +110,7 @@ fn sensible_rays_equal_the_twin() {
         hits += found.iter().filter(|ray| ray.object == OBJECT).count();
         assert_eq!(among_sixteen(&mut bench, &rays, &sphere), found);
         for ray in &mut rays {
-            // Half of the limits on either side of the hit, some rays not to be asked for.
+            // Half of the limits are before the hit and half after it, and some rays are absent.
             ray.t = match random.random_range(0..8) {
                 0 => from_f64(random.random_range(-1.0..0.0)),
                 1 => FARTHEST,
@@ -211,7 +212,7 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other() {
             let error = (t - expected).abs() / expected.max(radius);
             assert!(error < 1e-6, "{name}: {t}");
         }
-        // A t on either side of the hit, where there is one.
+        // A t before the hit and one after it, if there is a hit.
         for (part, sees) in [(0.999, false), (1.001, true)] {
             let ray = Ray {
                 t: from_f64(expected.unwrap_or(1.0) * part),
@@ -273,7 +274,7 @@ fn an_idle_ray_stays_as_it_is_and_holds_nobody_up() {
 fn every_length_of_an_array() {
     let mut bench = Bench::new();
     for count in 0..=26 {
-        // One ray finds its sphere at each place, the others none.
+        // One ray finds its sphere at each place, and the others find none.
         for place in 0..count {
             let mut spheres = vec![bare_sphere([9.0, 0.0, -5.0], 1.0); count];
             spheres[place] = bare_sphere([0.0, 0.0, -5.0], 0.5);
@@ -287,8 +288,8 @@ fn every_length_of_an_array() {
     assert_eq!(bits, 0);
 }
 
-/// How high above the surface, in ulps of the radius, a ray starts that has to miss the sphere
-/// that it leaves; what the kernels' headers promise.
+/// The height above the surface, in ulps of the radius, from which a ray must miss the sphere that
+/// it leaves, as the kernels' headers state.
 const CLEAR_OF_SURFACE: f64 = 6.0;
 
 #[test]

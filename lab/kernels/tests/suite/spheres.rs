@@ -1,4 +1,4 @@
-//! The kernels of all formulations of spheres, by name.
+//! Calls the kernels of all formulations of spheres by name.
 
 use std::collections::BTreeSet;
 
@@ -13,15 +13,15 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::sphere::Axis;
 use twins::sphere_ray::BareSphere;
 
-/// A sphere whose nearest point is 4 ahead of the rays of the cases.
+/// A sphere whose nearest point is 4 in front of the rays of the cases.
 const CENTRE: [f64; 3] = [0.0, 0.0, -5.0];
 
 fn all_about(expected: f64, found: &[Distances], kernel: &str) {
     assert_eq!(found.len(), 3, "{kernel}");
     for t in found.iter().flatten() {
         let t = to_f64(t.unwrap_or_else(|| panic!("{kernel}: a ray misses")));
-        // An estimate's root is off by some hundredths, a ray at the edge of the packet by few
-        // thousandths.
+        // The root of an estimate has an error of some hundredths, and a ray at the edge of the
+        // packet is farther by a few thousandths.
         assert!((t - expected).abs() < 0.1, "{kernel}: {t}");
     }
 }

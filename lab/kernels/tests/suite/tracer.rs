@@ -1,5 +1,5 @@
-//! The tracer's program with any formulation, shipped or not: all draw the same picture but for
-//! their error.
+//! The tracer's program with any formulation, shipped or not. All draw the same picture except for
+//! their errors.
 
 use std::path::Path;
 
@@ -32,8 +32,8 @@ fn picture(scene: &str, formulations: Formulations) -> RgbImage {
     image::open(file).unwrap().into_rgb8()
 }
 
-/// Compares with the standard formulations' picture: which share of the pixels may be off by more
-/// than two steps of a channel.
+/// Compares with the standard formulations' picture. At most `share` of the pixels may differ by
+/// more than two steps of a channel.
 fn alike(scene: &str, formulations: Formulations, expected: &RgbImage, share: f64) {
     let found = picture(scene, formulations);
     let far = |(a, b): (&image::Rgb<u8>, &image::Rgb<u8>)| {
@@ -55,7 +55,7 @@ fn every_formulation_draws_the_same_picture_but_for_its_error() {
     for scene in ["paper16.nff", "whitted16.nff"] {
         let expected = picture(scene, standard);
         for sphere in SPHERES {
-            // A twentieth: the bare estimate has 7 good bits.
+            // A twentieth of the pixels, because the bare estimate has only 7 good bits.
             let formulations = Formulations::of(sphere, standard.triangle);
             alike(scene, formulations, &expected, 0.05);
         }

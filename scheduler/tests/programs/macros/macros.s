@@ -1,4 +1,4 @@
-# Notes where they can't be right.
+# Notes in places where they can't be right.
 
         .macro twice
         il $3,1
@@ -12,4 +12,4 @@ _start:
                                                         # 2e none
         ai $3,$3,1                                      # 2e
         .long 0x00800000
-        ai $3,$3,1                                      # 4e behind what is no instruction
+        ai $3,$3,1                                      # 4e after an invalid instruction

@@ -1,4 +1,4 @@
-# Code in two sections: in an object both start at 0, and a branch to a global symbol is open.
+# Code in two sections. In an object, both start at 0 and a branch between them is unresolved.
 
         .text
         .globl _start

@@ -1,4 +1,4 @@
-# One of each rule that straight-line code can show.
+# One example of each rule that straight-line code can show.
 
         .text
         .globl _start

@@ -1,4 +1,4 @@
-//! How a verb ends when it can't do its work: messages and exit statuses.
+//! Error messages and exit statuses of the subcommands.
 
 use std::error::Error;
 use std::io::{self, Write as _};
@@ -8,12 +8,12 @@ use std::process::ExitCode;
 use spu_emulator::elf::ElfError;
 use thiserror::Error;
 
-/// The file is no SPU program.
+/// The file is not an SPU program.
 pub const BAD_ELF: u8 = 126;
 /// Wrong usage, or a file that can't be used.
 pub const USAGE: u8 = 127;
 
-/// Why a verb could not do its work.
+/// Why a subcommand could not do its work.
 #[derive(Debug, Error)]
 pub enum Failure {
     #[error("{path}: {error}")]
@@ -24,14 +24,14 @@ pub enum Failure {
     Contents { path: PathBuf, what: String },
     #[error("standard output: {0}")]
     Output(io::Error),
-    /// What only one verb knows.
+    /// An error that only one subcommand has.
     #[error(transparent)]
-    Verb(Box<dyn Error>),
+    Command(Box<dyn Error>),
 }
 
 impl Failure {
-    pub fn verb(error: impl Error + 'static) -> Self {
-        Self::Verb(Box::new(error))
+    pub fn command(error: impl Error + 'static) -> Self {
+        Self::Command(Box::new(error))
     }
 
     pub fn file(path: &Path) -> impl FnOnce(io::Error) -> Self {
@@ -40,9 +40,9 @@ impl Failure {
     }
 }
 
-/// Tells of a failure; the status to exit with.
+/// Prints a failure and returns the exit status.
 pub fn fail(failure: &Failure) -> ExitCode {
-    // Who closed standard error sees the status.
+    // If standard error is closed, the exit status still reports the failure.
     let _ = writeln!(io::stderr(), "spu: {failure}");
     let status = match failure {
         Failure::Elf { .. } => BAD_ELF,

@@ -1,4 +1,4 @@
-//! The program's file.
+//! Reads the program's file.
 
 use std::fs;
 use std::path::Path;
@@ -19,7 +19,7 @@ pub fn parse<'data>(path: &Path, bytes: &'data [u8]) -> Result<Image<'data>, Fai
     })
 }
 
-/// `0x00104 <main+0x10>`: an address as people look for it.
+/// `0x00104 <main+0x10>`: an address with its nearest symbol.
 pub fn place(image: &Image<'_>, address: u32) -> String {
     let name = match image.nearest_symbol(address) {
         Some((name, 0)) => format!(" <{name}>"),
@@ -29,7 +29,7 @@ pub fn place(image: &Image<'_>, address: u32) -> String {
     format!("{address:#07x}{name}")
 }
 
-/// An instruction's text, with the code of a stop, which objdump leaves out.
+/// An instruction's text. A stop includes its code, which objdump leaves out.
 pub fn instruction_text(word: u32, address: u32) -> String {
     if let Some(Instruction {
         op: Op::Stop,
@@ -40,7 +40,7 @@ pub fn instruction_text(word: u32, address: u32) -> String {
         return format!("stop {immediate:#06x}");
     }
     let text = disassemble(word, address).to_string();
-    // The comment repeats a constant that stands there already.
+    // The comment only repeats a constant from the operands.
     let text = text.split("\t#").next().unwrap_or(&text);
     text.replace('\t', " ")
 }

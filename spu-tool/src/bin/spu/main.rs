@@ -1,4 +1,4 @@
-//! `spu`: SPU programs without a PPE program.
+//! `spu`: tools for SPU programs that need no PPE program.
 
 mod dump;
 mod failure;
@@ -13,16 +13,16 @@ use std::process::ExitCode;
 
 use failure::{Failure, USAGE, fail};
 
-/// Runs, traces and takes apart programs of the Cell Broadband Engine's SPU.
+/// Runs, traces, times and disassembles programs of the Cell Broadband Engine's SPU.
 #[derive(Parser)]
 #[command(name = "spu", version, max_term_width = 100)]
 struct CommandLine {
     #[command(subcommand)]
-    verb: Verb,
+    command: Command,
 }
 
 #[derive(Subcommand)]
-enum Verb {
+enum Command {
     Run(Box<run::Options>),
     Dump(dump::Options),
     Time(Box<time::Arguments>),
@@ -37,7 +37,7 @@ fn main() -> ExitCode {
     let line = match CommandLine::try_parse() {
         Ok(line) => line,
         Err(error) => {
-            // If not even that can be printed, the status says it.
+            // If the error can't be printed either, the exit status still reports it.
             let _ = error.print();
             return if error.use_stderr() {
                 USAGE.into()
@@ -46,15 +46,15 @@ fn main() -> ExitCode {
             };
         }
     };
-    let done = match line.verb {
-        Verb::Run(options) => run::run(&options),
-        Verb::Dump(options) => dump::dump(&options),
-        Verb::Time(arguments) => time::run(&arguments).map_err(Into::into),
-        Verb::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
-        Verb::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
-        Verb::Pages(arguments) => pages::write(CommandLine::command(), &arguments)
+    let done = match line.command {
+        Command::Run(options) => run::run(&options),
+        Command::Dump(options) => dump::dump(&options),
+        Command::Time(arguments) => time::run(&arguments).map_err(Into::into),
+        Command::Profile(arguments) => profile::run(&arguments).map_err(Into::into),
+        Command::Schedule(arguments) => schedule::run(&arguments).map_err(Into::into),
+        Command::Pages(arguments) => pages::write(CommandLine::command(), &arguments)
             .map(|()| ExitCode::SUCCESS)
-            .map_err(Failure::verb),
+            .map_err(Failure::command),
     };
     done.unwrap_or_else(|failure| fail(&failure))
 }

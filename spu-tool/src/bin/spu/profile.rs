@@ -1,4 +1,4 @@
-//! `spu profile`: where a run's cycles went.
+//! `spu profile`: shows where a run's cycles went.
 
 use std::fs;
 use std::io::{self, Write};
@@ -16,10 +16,11 @@ use crate::failure::Failure;
 /// Shows which functions, instructions and source lines a run in simulated time spent its cycles
 /// on
 ///
-/// The profile is written by a program on this project's libspe2 with LIBSPE2_TIMING=1 and
-/// LIBSPE2_PROFILE=FILE. The cycles from the issue of the instruction before until an instruction
-/// issues are its own; the second of a dual pair costs nothing; a branch has its miss, a channel
-/// instruction its sleep. All SPEs are taken together.
+/// A program on this project's libspe2 writes the profile if LIBSPE2_TIMING=1 and
+/// LIBSPE2_PROFILE=FILE are set. An instruction is charged the cycles from the issue of the
+/// instruction before it to its own issue. The second of a dual pair costs nothing. A branch is
+/// also charged its miss, and a channel instruction its wait. The figures of all SPEs are added
+/// up.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   spu profile tracer.elf run.json
@@ -28,20 +29,20 @@ use crate::failure::Failure;
 pub struct Arguments {
     /// The SPU program that ran
     program: PathBuf,
-    /// Its profile
+    /// The profile of its run
     profile: PathBuf,
-    /// The listing of this function
+    /// Show the listing of this function
     #[arg(long, value_name = "NAME")]
     function: Option<String>,
-    /// Source lines, the most expensive first; the program must have been assembled with -g
+    /// Show source lines, the most expensive first; the program must have been assembled with -g
     #[arg(long)]
     lines: bool,
-    /// Write JSON: functions and lines, or the one function with its instructions
+    /// Write JSON: functions and lines, or one function with its instructions
     #[arg(long, conflicts_with = "lines")]
     json: bool,
 }
 
-/// Why nothing was shown.
+/// Why nothing could be shown.
 #[derive(Debug, Error)]
 pub enum Error {
     #[error("{path}: {source}")]
@@ -52,7 +53,7 @@ pub enum Error {
     Profile { path: PathBuf, source: ProfileError },
     #[error("{path}: {source}")]
     View { path: PathBuf, source: ViewError },
-    #[error("{0}: no line table in it")]
+    #[error("{0}: the file has no line table")]
     NoLines(PathBuf),
     #[error("standard output: {0}")]
     Output(io::Error),
@@ -60,11 +61,11 @@ pub enum Error {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::verb(error)
+        Self::command(error)
     }
 }
 
-/// Runs the verb.
+/// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let image = read(&arguments.program)?;
     let code = Code::parse(&image).map_err(|source| Error::Code {
@@ -102,7 +103,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         view.functions_text()
     };
     match io::stdout().write_all(text.as_bytes()) {
-        // A reader that has seen enough, `head` say, is no error.
+        // A reader that closes the pipe early, such as `head`, is no error.
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Error::Output(error)),
         _ => Ok(ExitCode::SUCCESS),
     }

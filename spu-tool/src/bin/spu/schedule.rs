@@ -1,4 +1,4 @@
-//! `spu schedule`: plain assembly to scheduled assembly.
+//! `spu schedule`: turns plain assembly into scheduled assembly.
 
 use std::fs;
 use std::io::{self, Write};
@@ -14,44 +14,45 @@ use crate::failure::Failure;
 
 /// Writes an assembly source again with its functions scheduled for both pipes
 ///
-/// Blocks are list-scheduled, loops that `ai $n,$n,-1` and `brnz $n` count down are software
-/// pipelined. Macros are expanded, each line has the note that `spu time --check` compares with
-/// the model, and returns and loops get their hints. What else is in the source stays as it is.
-/// The schedule is assembled and its instructions are held to the source's before it is written.
+/// Blocks are list-scheduled. Loops that `ai $n,$n,-1` and `brnz $n` count down are
+/// software-pipelined. Macros are expanded, and returns and loops get hints. Each line has the
+/// note that `spu time --check` compares with the model. The rest of the source is kept. Before
+/// the schedule is written, it is assembled, and its instructions are compared with those of the
+/// source.
 #[derive(Args, Debug)]
 #[command(
-    after_help = "Memory: loads and stores through different base values do not overlap, unless the store's line says
-`may alias` in its comment; through the same one they do if their offsets do. A pointer that a loop
-moves by a constant is followed from pass to pass; one that it loads anew points to the same record
-as before or to one that does not overlap it. lqx and stqx with an unknown index may meet every
-access through their first register.
+    after_help = "Memory: loads and stores through different base values do not overlap, unless the comment on the store's
+line contains `may alias`. Through the same base value they overlap if their offsets do. A pointer that
+a loop moves by a constant is tracked from pass to pass. A pointer that a loop loads in each pass
+points to the same record as before or to one that does not overlap it. lqx and stqx with an unknown
+index may overlap every access through their first register.
 
-Registers: $2 to $79 are used where they are not live. At a return $0, $1, $80 to $127 and those that
-`Out` in the source's header names are live; without such a line, all are.
+Registers: $2 to $79 are used where they are not live. At a return, $0, $1, $80 to $127 and the
+registers that `Out` in the source's header lists are live. Without such a line, all are.
 
-Assembler: the one that SPU_AS names, else spu-elf-as or spu-as.
+Assembler: the one that SPU_AS names, or else spu-elf-as or spu-as.
 
 Example:
   spu-elf-as -g -I include -o kernel.o kernel.s
   spu schedule -I include kernel.o kernel.s -o scheduled/kernel.s"
 )]
 pub struct Arguments {
-    /// Object of the source, assembled with -g and without --strip-local-absolute
+    /// The assembled source, made with -g and without --strip-local-absolute
     object: PathBuf,
-    /// The source
+    /// The assembly source
     source: PathBuf,
-    /// Folder with files that the source includes, as for the assembler
+    /// Folder to search for included files, as for the assembler
     #[arg(short = 'I', long = "include", value_name = "DIR")]
     includes: Vec<PathBuf>,
-    /// Where the schedule goes; standard output unless named
+    /// File for the schedule; the default is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
-    /// Tell the figures of each pipelined loop on standard error
+    /// Print the figures of each pipelined loop to standard error
     #[arg(short, long)]
     verbose: bool,
 }
 
-/// Why nothing was scheduled.
+/// Why nothing could be scheduled.
 #[derive(Debug, Error)]
 pub enum Error {
     #[error("{path}: {source}")]
@@ -69,11 +70,11 @@ pub enum Error {
 
 impl From<Error> for Failure {
     fn from(error: Error) -> Self {
-        Self::verb(error)
+        Self::command(error)
     }
 }
 
-/// Runs the verb.
+/// Runs the subcommand.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     let read = |path: &PathBuf| {
         fs::read(path).map_err(|source| Error::File {
@@ -96,15 +97,15 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
         },
     })?;
     for found in &scheduled.loops {
-        let told = match &found.outcome {
+        let result = match &found.outcome {
             Outcome::Plain(why) => format!("not pipelined: {why}"),
             Outcome::Pipelined(figures) if arguments.verbose => describe(figures),
             Outcome::Pipelined(_) => continue,
         };
-        // Who closed standard error gets the schedule.
+        // If standard error is closed, the schedule is still written.
         let _ = writeln!(
             io::stderr(),
-            "{path}:{}: loop {}: {told}",
+            "{path}:{}: loop {}: {result}",
             found.line,
             found.name
         );
@@ -124,7 +125,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, Error> {
     Ok(ExitCode::SUCCESS)
 }
 
-/// The object of a schedule.
+/// Assembles a schedule and returns the object.
 fn assemble(
     arguments: &Arguments,
     text: &str,

@@ -17,11 +17,11 @@ use crate::failure::Failure;
 
 /// Shows when each instruction issues, and where the cycles go, without running the program
 ///
-/// Code is taken straight on, branches not taken, all registers ready at its start. A row of the
-/// listing: the cycle; the pipe, 0 even and 1 odd; D for a pair that issued together, d for one
-/// that would have, had its second instruction been ready; the cycles in flight as their last
-/// digits, dashes for waiting; the address; the instruction; what it waited for. Loops are shown
-/// in their steady state, branch and hint included.
+/// The code is analysed as a straight line: no branch is taken, and all registers are ready at the
+/// start. Each row of the listing shows the cycle; the pipe (0 even, 1 odd); D for a pair that
+/// issued together, or d for a pair that would have if its second instruction had been ready; the
+/// cycles in flight as their last digits, with dashes for waiting; the address; the instruction;
+/// and what it waited for. Loops are shown in their steady state, including branch and hint.
 #[derive(Args, Debug)]
 #[command(after_help = "Examples:
   spu time tracer.elf --function isect_spheres_r16
@@ -30,24 +30,24 @@ use crate::failure::Failure;
 pub struct Arguments {
     /// SPU program or object
     file: PathBuf,
-    /// Only the function of this name
+    /// Show only this function
     #[arg(long, value_name = "NAME", conflicts_with = "check")]
     function: Option<String>,
     /// Write JSON
     #[arg(long, conflicts_with = "check")]
     json: bool,
-    /// Compare the schedule notes (`# 12e`) in the sources with the model; exit status 1 if one
-    /// differs. FILE must have been assembled with -g
+    /// Compare the schedule notes (`# 12e`) in the sources with the model; the exit status is 1 if
+    /// any differ. FILE must have been assembled with -g
     #[arg(long)]
     check: bool,
-    /// Sources whose notes are checked; without any, all that FILE's line table names
+    /// Sources whose notes are checked; the default is all sources that FILE's line table names
     #[arg(requires = "check", value_name = "SOURCE")]
     sources: Vec<PathBuf>,
     #[command(flatten)]
     model: Model,
 }
 
-/// Switches for what no source settles; see docs/timing.md.
+/// Switches for rules that no source settles; see docs/timing.md.
 #[derive(Args, Debug)]
 #[command(next_help_heading = "Model")]
 struct Model {
@@ -55,20 +55,20 @@ struct Model {
     #[arg(long, value_name = "CYCLES", default_value_t = MISS_CYCLES,
         value_parser = clap::value_parser!(u64).range(18..=19))]
     miss_cycles: u64,
-    /// Least cycles between two channel instructions
+    /// Least number of cycles between two channel instructions
     #[arg(long, value_name = "CYCLES", default_value_t = 1,
         value_parser = clap::value_parser!(u64).range(1..=100))]
     channel_interval: u64,
-    /// Registers that are encoded as targets but never written delay their readers
+    /// Make registers that are encoded as targets but never written delay their readers
     #[arg(long)]
     false_targets: bool,
-    /// FP6 does not wait behind FP7
+    /// Let FP6 issue right after FP7 without waiting
     #[arg(long)]
     no_float_conflict: bool,
-    /// Straight-line code waits for its lines
+    /// Make straight-line code wait for its lines to be fetched
     #[arg(long)]
     inline_prefetch: bool,
-    /// Double precision as on the PowerXCell 8i
+    /// Time double precision as on the PowerXCell 8i
     #[arg(long)]
     double_extension: bool,
 }
@@ -87,7 +87,7 @@ impl Model {
     }
 }
 
-/// Why nothing was shown.
+/// Why nothing could be shown.
 #[derive(Debug, Error)]
 pub enum TimeError {
     #[error("{path}: {source}")]
@@ -102,7 +102,7 @@ pub enum TimeError {
         name: String,
         functions: String,
     },
-    #[error("{0}: no schedule note in it")]
+    #[error("{0}: the file has no schedule note")]
     NoNotes(String),
     #[error("standard output: {0}")]
     Output(io::Error),
@@ -110,11 +110,11 @@ pub enum TimeError {
 
 impl From<TimeError> for Failure {
     fn from(error: TimeError) -> Self {
-        Self::verb(error)
+        Self::command(error)
     }
 }
 
-/// Runs the verb. Status 1: a note differs.
+/// Runs the subcommand. The exit status is 1 if a note differs.
 pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
     let path = &arguments.file;
     let data = fs::read(path).map_err(|source| TimeError::Read {
@@ -180,7 +180,7 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
             .collect::<String>(),
     )?;
     let wrong = outcome.differences.len();
-    // Who closed standard error sees the status.
+    // If standard error is closed, the exit status still reports the result.
     let _ = writeln!(
         io::stderr(),
         "{} notes, {wrong} differ from the model",
@@ -189,7 +189,7 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
     Ok(ExitCode::from(u8::from(wrong > 0)))
 }
 
-/// A reader that has seen enough, `head` say, is no error.
+/// A reader that closes the pipe early, such as `head`, is no error.
 fn print(text: &str) -> Result<(), TimeError> {
     match io::stdout().write_all(text.as_bytes()) {
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(TimeError::Output(error)),

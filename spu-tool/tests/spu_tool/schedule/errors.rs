@@ -1,20 +1,20 @@
-//! What can't be scheduled, and how that is said.
+//! Sources that can't be scheduled, and their error messages.
 
 use std::fs;
 
-use super::support::{Workshop, talk};
+use super::support::{Workshop, stderr};
 
 const START: &str = "        .include \"kernel.inc\"\nfunction f\n        il $3,1\n";
 const END: &str = "        bi $lr\nendfunction f\n";
 
-/// What is said of a function with this body.
-fn said(body: &str, status: i32) -> String {
+/// The messages for a function with this body.
+fn messages(body: &str, status: i32) -> String {
     let shop = Workshop::new(&format!("{START}{body}{END}"));
     shop.assemble("plain.s", "plain.o", &["-g"]);
     let output = shop.spu_schedule(&["plain.o", "plain.s"]);
-    assert_eq!(output.status.code(), Some(status), "{}", talk(&output));
+    assert_eq!(output.status.code(), Some(status), "{}", stderr(&output));
     assert_eq!(output.stdout.is_empty(), status != 0);
-    talk(&output)
+    stderr(&output)
 }
 
 #[test]
@@ -33,11 +33,11 @@ fn faults_of_the_code_name_file_and_line() {
             "plain.s:4: a branch hint",
         ),
         ("        hbrp\n", "plain.s:4: a branch hint"),
-        ("        lqr $3,f\n", "plain.s:4: it names 0x0"),
+        ("        lqr $3,f\n", "plain.s:4: it refers to 0x0"),
         ("        brz $3,f+12\n        il $3,1\n", ""),
     ] {
-        let said = said(body, if expected.is_empty() { 0 } else { 127 });
-        assert!(said.contains(expected), "{body}: {said}");
+        let messages = messages(body, if expected.is_empty() { 0 } else { 127 });
+        assert!(messages.contains(expected), "{body}: {messages}");
     }
 }
 
@@ -54,16 +54,16 @@ fn loops_that_stay_plain_are_named_with_the_reason() {
         ),
         (
             "pass:   ai $4,$4,-1\n        wrch $ch28,$5\n        brnz $4,pass\n",
-            "not pipelined: `wrch` at line 5: nothing moves past it",
+            "not pipelined: `wrch` at line 5: no instruction may move past it",
         ),
         (
             "pass:   ai $4,$4,-1\n        brz $4,pass\n",
             "not pipelined: it is not counted down",
         ),
     ] {
-        let said = said(body, 0);
-        assert!(said.contains(reason), "{said}");
-        assert!(said.starts_with("plain.s:"), "{said}");
+        let messages = messages(body, 0);
+        assert!(messages.contains(reason), "{messages}");
+        assert!(messages.starts_with("plain.s:"), "{messages}");
     }
 }
 
@@ -84,7 +84,7 @@ fn files_that_do_not_fit_are_refused() {
     for (shop, arguments, expected) in [
         (&shop, ["none.o", "plain.s"], "none.o: "),
         (&shop, ["plain.o", "none.s"], "none.s: "),
-        (&shop, ["text.o", "plain.s"], "text.o: no ELF file"),
+        (&shop, ["text.o", "plain.s"], "text.o: not an ELF file"),
         (
             &shop,
             ["bare.o", "plain.s"],
@@ -100,7 +100,7 @@ fn files_that_do_not_fit_are_refused() {
     ] {
         let output = shop.spu_schedule(&arguments);
         assert_eq!(output.status.code(), Some(127), "{arguments:?}");
-        assert!(talk(&output).contains(expected), "{}", talk(&output));
+        assert!(stderr(&output).contains(expected), "{}", stderr(&output));
         assert!(output.stdout.is_empty());
     }
 }

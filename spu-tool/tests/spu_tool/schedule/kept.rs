@@ -1,5 +1,5 @@
-//! Nothing of the plain code is lost: every instruction with every operand comes out again, or is
-//! refused, and a schedule whose text says something else is an error.
+//! Nothing of the plain code is lost: every instruction with every operand is in the schedule or
+//! is refused, and a schedule whose text means something else is an error.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -8,12 +8,12 @@ use spu_isa::{Class, Format, Instruction, Op, Operand, feature};
 use spu_scheduler::ScheduleError;
 use spu_scheduler::code::Code;
 
-use super::support::{Workshop, talk};
+use super::support::{Workshop, stderr};
 
 const START: &str = "        .include \"kernel.inc\"\n";
 
-/// The instructions of the function `f` in an object of the folder, without what fills pairs, how
-/// often each; of registers only channels' and special-purpose ones'.
+/// How often each instruction of the function `f` occurs in an object of the folder, without
+/// padding. Only channels and special-purpose registers are included among the registers.
 fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
     let code = Code::parse(&fs::read(shop.path(object)).unwrap()).unwrap();
     let mut functions = code.functions().iter();
@@ -34,7 +34,7 @@ fn instructions(shop: &Workshop, object: &str) -> BTreeMap<String, usize> {
     found
 }
 
-/// A line for an instruction with a constant.
+/// An assembly line for an instruction with a constant.
 fn line(op: Op, constant: i32) -> String {
     let row = op.row();
     let i = Instruction {
@@ -61,8 +61,8 @@ fn line(op: Op, constant: i32) -> String {
     format!("        {} {}\n", i.mnemonic(), operands.join(","))
 }
 
-/// Constants of an instruction that the assembler takes without a warning: the ends, and some
-/// between.
+/// Constants of an instruction that the assembler accepts without a warning: the smallest, the
+/// largest and some between.
 fn constants(op: Op) -> &'static [i32] {
     const DISABLE: i32 = feature::DISABLE;
     const ENABLE: i32 = feature::ENABLE;
@@ -136,21 +136,21 @@ endfunction f
 "
     );
     let shop = Workshop::new(&source);
-    let told = shop.schedule();
-    let stages = told
+    let message = shop.schedule();
+    let stages = message
         .split("stages ")
         .nth(1)
-        .unwrap_or_else(|| panic!("{told}"));
+        .unwrap_or_else(|| panic!("{message}"));
     let stages: usize = stages.split(',').next().unwrap().parse().unwrap();
-    assert!(stages > 1, "{told}");
+    assert!(stages > 1, "{message}");
     let mut expected = instructions(&shop, "plain.o");
     for (key, count) in &mut expected {
-        // The branch closes the kernel and the short form, and a return is behind the drain and
-        // behind the short form.
+        // The branch ends the kernel and the short form. A return follows the drain and the short
+        // form.
         *count *= if key.starts_with('b') { 2 } else { stages + 1 };
     }
     let mut found = instructions(&shop, "scheduled.o");
-    // The test of the trip count, and no more.
+    // Only the test of the trip count is left.
     assert_eq!(found.remove(&format!("clgti None {}", stages - 1)), Some(1));
     let branches = |counts: &mut BTreeMap<String, usize>| {
         counts
@@ -212,14 +212,14 @@ endfunction f
         let shop = Workshop::new(&source);
         shop.assemble("plain.s", "plain.o", &["-g"]);
         let output = shop.spu_schedule(&["plain.o", "plain.s"]);
-        let said = talk(&output);
-        assert_eq!(output.status.code(), Some(127), "{word:08x}: {said}");
+        let message = stderr(&output);
+        assert_eq!(output.status.code(), Some(127), "{word:08x}: {message}");
         let refused = format!("spu: plain.s:6: the word {word:#010x} can't be written");
-        assert!(said.starts_with(&refused), "{said}");
+        assert!(message.starts_with(&refused), "{message}");
     }
 }
 
-/// A program with one of each: constants, a symbol, a stop, a branch, a loop.
+/// A program with one example of each: constants, a symbol, a stop, a branch, a loop.
 const BODY: &str = "function f
         il      $3,table
         lqa     $4,table+16
@@ -236,8 +236,8 @@ endfunction f
 table:  .space  32
 ";
 
-/// What the library says if the assembler is given another text than the scheduler's.
-fn said(change: impl Fn(&str) -> String) -> Result<(), ScheduleError> {
+/// The library's error if the assembler receives another text than the scheduler's.
+fn schedule_changed(change: impl Fn(&str) -> String) -> Result<(), ScheduleError> {
     let shop = Workshop::new(&format!("{START}{BODY}"));
     shop.assemble("plain.s", "plain.o", &["-g"]);
     let object = fs::read(shop.path("plain.o")).unwrap();
@@ -252,7 +252,7 @@ fn said(change: impl Fn(&str) -> String) -> Result<(), ScheduleError> {
 
 #[test]
 fn a_text_that_says_something_else_is_an_error() {
-    said(str::to_owned).unwrap();
+    schedule_changed(str::to_owned).unwrap();
     for (from, to) in [
         ("stop    0x2000", "stop    0x2001"),
         ("stop    0x2000", "stop"),
@@ -268,25 +268,25 @@ fn a_text_that_says_something_else_is_an_error() {
         ("        a       $7,", "        a       $8,"),
         (",skip ", ",f "),
     ] {
-        let changed = said(|text| {
+        let changed = schedule_changed(|text| {
             assert!(text.contains(from), "{from}: {text}");
             text.replacen(from, to, 1)
         });
-        let told = changed.expect_err(from).to_string();
+        let message = changed.expect_err(from).to_string();
         assert!(
-            told.starts_with("plain.s:") && told.contains("fault of the scheduler"),
-            "{told}"
+            message.starts_with("plain.s:") && message.contains("fault of the scheduler"),
+            "{message}"
         );
     }
     let without_lines = |word: &str| {
-        said(|text| {
+        schedule_changed(|text| {
             let kept = text.lines().filter(|line| !line.contains(word));
             kept.map(|line| format!("{line}\n")).collect()
         })
     };
     for word in ["rdch", "a       $9"] {
-        let told = without_lines(word).unwrap_err().to_string();
-        assert!(told.contains("fault of the scheduler"), "{told}");
+        let message = without_lines(word).unwrap_err().to_string();
+        assert!(message.contains("fault of the scheduler"), "{message}");
     }
 }
 
@@ -296,15 +296,15 @@ fn what_the_assembler_says_of_the_text_is_told() {
     shop.assemble("plain.s", "plain.o", &["-g"]);
     let object = fs::read(shop.path("plain.o")).unwrap();
     let refused = spu_scheduler::schedule(&object, "plain.s", BODY, |_| Err("not today"));
-    let told = refused.map(|_| ()).unwrap_err().to_string();
-    assert_eq!(told, "the schedule does not assemble: not today");
-    // Without the folder of what the source includes.
+    let message = refused.map(|_| ()).unwrap_err().to_string();
+    assert_eq!(message, "the schedule does not assemble: not today");
+    // Without the folder of the included files.
     let output = shop.spu(&["schedule", "plain.o", "plain.s"]);
     assert_eq!(output.status.code(), Some(127));
     assert!(
-        talk(&output).contains("the schedule does not assemble: "),
+        stderr(&output).contains("the schedule does not assemble: "),
         "{}",
-        talk(&output)
+        stderr(&output)
     );
     assert!(output.stdout.is_empty());
 }

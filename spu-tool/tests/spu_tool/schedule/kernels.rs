@@ -1,7 +1,7 @@
-//! Three kernels of a ray tracer: what they compute, and how close their loops come to the bound.
+//! Three kernels of a ray tracer: their results, and how close their loops come to the bound.
 //!
-//! Provenance: `model`; the sources in `tests/schedule-kernels` are the tracer's own, as they
-//! stood before they were scheduled.
+//! Provenance: `model`. The sources in `tests/schedule-kernels` are the tracer's own from before
+//! they were scheduled.
 
 use std::fs;
 use std::path::Path;
@@ -14,15 +14,15 @@ fn source(kernel: &str) -> String {
     fs::read_to_string(folder.join(format!("{kernel}.s"))).unwrap()
 }
 
-/// The kernel's two forms, and what was told of its loops.
+/// The plain and the scheduled form of the kernel, and the messages about its loops.
 fn forms(kernel: &str) -> (Program, Program, String) {
     let shop = Workshop::new(&source(kernel));
-    let told = shop.schedule();
+    let messages = shop.schedule();
     let names = [kernel.to_owned()];
     (
         shop.link("plain.s", &names),
         shop.link("scheduled.s", &names),
-        told,
+        messages,
     )
 }
 
@@ -39,9 +39,12 @@ fn singles(random: &mut Random, input: &mut Input, address: u32, count: u32) {
     }
 }
 
-/// The number after a word in what was told.
-fn figure(told: &str, name: &str) -> u64 {
-    let behind = told.split(name).nth(1).unwrap_or_else(|| panic!("{told}"));
+/// The number after a word in the messages.
+fn figure(messages: &str, name: &str) -> u64 {
+    let behind = messages
+        .split(name)
+        .nth(1)
+        .unwrap_or_else(|| panic!("{messages}"));
     let digits: String = behind
         .trim()
         .chars()
@@ -52,9 +55,9 @@ fn figure(told: &str, name: &str) -> u64 {
 
 #[test]
 fn spheres_are_met_every_95_cycles() {
-    let (plain, scheduled, told) = forms("isect_spheres_r16");
-    assert_eq!(figure(&told, "even "), 95, "{told}");
-    assert!(figure(&told, "interval ") <= 99, "{told}");
+    let (plain, scheduled, messages) = forms("isect_spheres_r16");
+    assert_eq!(figure(&messages, "even "), 95, "{messages}");
+    assert!(figure(&messages, "interval ") <= 99, "{messages}");
     let mut random = Random::new("spheres");
     for count in 0..24 {
         let mut input = Input::default();
@@ -77,10 +80,10 @@ fn spheres_are_met_every_95_cycles() {
 #[test]
 fn the_model_runs_the_kernel_at_its_interval() {
     let shop = Workshop::new(&source("isect_spheres_r16"));
-    let told = shop.schedule();
+    let messages = shop.schedule();
     let timed = shop.spu(&["time", "scheduled.o"]);
     let listing = String::from_utf8(timed.stdout).unwrap();
-    let interval = figure(&told, "interval ");
+    let interval = figure(&messages, "interval ");
     let expected = format!("{interval} cycles a pass");
     assert!(listing.contains(&expected), "{listing}");
 }

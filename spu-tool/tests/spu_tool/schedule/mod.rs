@@ -1,4 +1,5 @@
-//! `spu schedule`: what it writes does what the plain source does, and is timed as its notes say.
+//! Tests `spu schedule`: its output does what the plain source does, and takes the cycles in its
+//! notes.
 
 mod errors;
 mod kept;

@@ -1,6 +1,6 @@
-//! Random programs: straight code and loops, plain against scheduled.
+//! Random programs: straight-line code and loops, plain against scheduled.
 //!
-//! Provenance: `model`; the interpreter says what the plain source does.
+//! Provenance: `model`. The interpreter defines what the plain source does.
 
 use std::fmt::Write as _;
 
@@ -8,7 +8,7 @@ use super::support::{DATA, Input, Workshop, compare};
 use crate::random::Random;
 
 const FUNCTIONS: usize = 40;
-/// The pointers: $3 to $5 to areas of their own, $6 to that of $3, $7 to a list of records.
+/// The pointers: $3 to $5 to separate areas, $6 to that of $3, $7 to a list of records.
 const POINTERS: [(&str, u8, u32); 5] = [
     ("p", 3, DATA + 0x1000),
     ("q", 4, DATA + 0x5000),
@@ -17,7 +17,7 @@ const POINTERS: [(&str, u8, u32); 5] = [
     ("list", 7, DATA + 0xd000),
 ];
 const RECORDS: u32 = DATA + 0x1_1000;
-/// Values, $10 and up, that operations read and write, and that come from before the function.
+/// The values in $10 and up that operations read and write. They are set before the function.
 const VALUES: u8 = 12;
 const FIRST_VALUE: u8 = 10;
 const COUNT: u8 = 8;
@@ -37,10 +37,10 @@ fn pick<'a>(random: &mut Random, from: &[&'a str]) -> &'a str {
     from[random.below(from.len() as u64) as usize]
 }
 
-/// What a function is made of.
+/// The properties of a random function.
 struct Shape {
     in_loop: bool,
-    /// Every store is marked, and two pointers go to one area.
+    /// Every store is marked, and two pointers point to one area.
     aliases: bool,
     records: bool,
     doubles: bool,
@@ -97,7 +97,7 @@ fn header(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
     live
 }
 
-/// A source of functions with the names of its registers.
+/// The start of a source: the header and the names of its registers.
 fn start() -> String {
     let mut source = String::from("# Random functions.\n        .include \"kernel.inc\"\n");
     for (name, number, _) in POINTERS {
@@ -160,7 +160,7 @@ fn counted(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
     let before: Vec<_> = (0..random.below(10))
         .map(|_| operation(random, &shape))
         .collect();
-    // The longest are beyond the reach of a hint that stands before them.
+    // The longest are beyond the reach of a hint before them.
     let longest = [25, 25, 25, 25, 25, 25, 90, 90, 330][random.below(9) as usize];
     let length = 2 + random.below(longest);
     let mut body: Vec<_> = (0..length).map(|_| operation(random, &shape)).collect();
@@ -176,7 +176,7 @@ fn counted(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
         insert(random, "a $v+3,$v+3,$count");
     }
     if shape.records {
-        // A pass starts with its record; another one may follow.
+        // A pass starts with its record, and may access another one.
         body.insert(0, "lqd $record,0($list)".into());
         body.insert(1, "ai $list,$list,16".into());
     }
@@ -193,7 +193,7 @@ fn counted(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
     live
 }
 
-/// A loop with long chains and few instructions: many of its passes overlap.
+/// A loop with long chains and few instructions, so that many passes overlap.
 fn stream(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
     let live = header(random, source, name);
     let mut body = vec!["ai $count,$count,-1".to_owned()];
@@ -216,7 +216,7 @@ fn stream(random: &mut Random, source: &mut String, name: &str) -> Vec<u8> {
             body.push(format!("xor {sum},{sum},$record"));
         }
         if random.below(2) == 0 {
-            // What was loaded is needed once more at the end.
+            // The loaded value is needed once more at the end.
             body.insert(first, "ori $count+22,$record,0".into());
             body.push("xor $record,$record,$count+22".into());
         }
@@ -237,7 +237,7 @@ fn word(random: &mut Random) -> u32 {
     match random.below(6) {
         0 => 0,
         1 => random.below(16) as u32,
-        // Singles near 1.
+        // Single-precision values near 1.
         2..=4 => 0x3f00_0000 + random.below(0x0180_0000) as u32,
         _ => random.next() as u32,
     }
@@ -261,7 +261,7 @@ fn input(random: &mut Random, count: u32) -> Input {
         let value = quadword(random);
         input.memory.push((address, value));
     }
-    // Few records, so that passes meet in one.
+    // Few records, so that passes access the same one.
     for place in 0..64 {
         let record = RECORDS + 64 * random.below(4) as u32;
         input.memory.push((POINTERS[4].2 + 16 * place, [record; 4]));
@@ -309,14 +309,14 @@ fn random_loops_do_the_same_for_every_trip_count() {
             })
             .collect();
         let shop = Workshop::new(&source);
-        let told = shop.schedule();
-        pipelined += told.matches("interval").count();
+        let messages = shop.schedule();
+        pipelined += messages.matches("interval").count();
         let overlapping = |line: &&str| {
             !["stages 1,", "stages 2,"]
                 .iter()
                 .any(|few| line.contains(few))
         };
-        deep += told
+        deep += messages
             .lines()
             .filter(|line| line.contains("stages"))
             .filter(overlapping)

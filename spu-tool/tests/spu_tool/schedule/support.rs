@@ -1,4 +1,4 @@
-//! Assembles, schedules, links and runs.
+//! Assembles, schedules, links and runs test programs.
 
 use std::env;
 use std::fs;
@@ -11,12 +11,12 @@ use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::stop::Stop;
 
-/// Code and constants are below it, the data of the tests above.
+/// Code and constants are below this address, and the data of the tests is above it.
 pub const DATA: u32 = 0x2_0000;
-/// No program of these tests runs for longer.
+/// No program of these tests runs for more instructions.
 const LIMIT: u64 = 1_000_000;
 
-/// A folder with a plain source, to be worked on.
+/// A folder with a plain source.
 pub struct Workshop {
     folder: tempfile::TempDir,
 }
@@ -32,7 +32,7 @@ impl Workshop {
         self.folder.path().join(name)
     }
 
-    /// Assembles a source of the folder as `spu schedule` wants it.
+    /// Assembles a source in the folder in the way that `spu schedule` needs.
     pub fn assemble(&self, source: &str, object: &str, options: &[&str]) {
         let output = Command::new(assembler())
             .args(["--fatal-warnings", "-I"])
@@ -55,19 +55,19 @@ impl Workshop {
             .unwrap()
     }
 
-    /// `spu schedule` with these arguments, and the folder of what sources include.
+    /// Runs `spu schedule` with these arguments and with the folder of included files.
     pub fn spu_schedule(&self, arguments: &[&str]) -> Output {
         let kernels = kernels();
         let include = kernels.to_str().unwrap();
         self.spu(&[&["schedule", "-I", include], arguments].concat())
     }
 
-    /// Schedules the source; gives what was told of its loops. The notes are checked.
+    /// Schedules the source, checks the notes, and returns the messages about its loops.
     pub fn schedule(&self) -> String {
         self.assemble("plain.s", "plain.o", &["-g"]);
         let output = self.spu_schedule(&["-v", "plain.o", "plain.s", "-o", "scheduled.s"]);
-        let told = talk(&output);
-        assert_eq!(output.status.code(), Some(0), "{told}");
+        let messages = stderr(&output);
+        assert_eq!(output.status.code(), Some(0), "{messages}");
         self.assemble("scheduled.s", "scheduled.o", &["-g"]);
         let check = self.spu(&["time", "--check", "scheduled.o", "scheduled.s"]);
         assert_eq!(
@@ -75,12 +75,12 @@ impl Workshop {
             Some(0),
             "{}{}",
             String::from_utf8_lossy(&check.stdout),
-            talk(&check)
+            stderr(&check)
         );
-        told
+        messages
     }
 
-    /// The program of one source and a caller of `functions`.
+    /// Links a program from one source and a caller of `functions`.
     pub fn link(&self, source: &str, functions: &[String]) -> Program {
         let sources = self.path(&format!("{source}.sources"));
         fs::create_dir_all(&sources).unwrap();
@@ -99,13 +99,13 @@ impl Workshop {
                 .build(&tools, &self.path(&format!("{source}.objects")), &image)
         });
         if let Err(error) = built {
-            panic!("{error}\n(the SPU binutils come by ci/setup)");
+            panic!("{error}\n(ci/setup installs the SPU binutils)");
         }
         Program(fs::read(image).unwrap())
     }
 }
 
-pub fn talk(output: &Output) -> String {
+pub fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
 }
 
@@ -113,7 +113,7 @@ fn kernels() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/schedule-kernels")
 }
 
-/// The assembler, where the build looks for it.
+/// The assembler that the build would use.
 fn assembler() -> PathBuf {
     if let Some(named) = env::var_os("SPU_AS") {
         return named.into();
@@ -127,10 +127,10 @@ fn assembler() -> PathBuf {
         .chain(set_up)
         .flat_map(|folder| ["spu-elf-as", "spu-as"].map(|name| folder.join(name)))
         .find(|path| path.is_file())
-        .expect("the SPU binutils come by ci/setup")
+        .expect("ci/setup installs the SPU binutils")
 }
 
-/// Channels that take every value and remember it.
+/// Channels that accept every value and record it.
 #[derive(Default)]
 struct Written(Vec<(u8, u32)>);
 
@@ -158,14 +158,14 @@ impl Channels for Written {
     fn set_srr0(&mut self, _: u32) {}
 }
 
-/// What a function is given: registers, and quadwords of memory.
+/// The input of a function: registers, and quadwords of memory.
 #[derive(Clone, Default)]
 pub struct Input {
     pub registers: Vec<(u8, [u32; 4])>,
     pub memory: Vec<(u32, [u32; 4])>,
 }
 
-/// What a function leaves.
+/// The state that a function leaves.
 #[derive(PartialEq)]
 pub struct Left {
     pub registers: Vec<Quad>,
@@ -192,7 +192,7 @@ impl Program {
         spu.set_pc(image.symbol(&format!("call_{function}")).unwrap());
         let mut channels = Written::default();
         let stopped = spu.run_limited(&store, &mut channels, LIMIT);
-        let stopped = stopped.unwrap_or_else(|| panic!("{function} does not come back"));
+        let stopped = stopped.unwrap_or_else(|| panic!("{function} does not return"));
         assert!(
             matches!(stopped.reason, Stop::Signal(0x2000)),
             "{function}: {stopped:?}"
@@ -207,8 +207,8 @@ impl Program {
     }
 }
 
-/// Holds a function's two forms to each other. Of the registers, `live` are compared and those
-/// that a callee keeps.
+/// Compares the results of a function's two forms. Of the registers, only `live` and those that a
+/// callee saves are compared.
 pub fn compare(plain: &Left, scheduled: &Left, live: &[u8], what: &str) {
     for register in (0..128u8).filter(|r| *r == 1 || *r >= 80 || live.contains(r)) {
         let (plain, scheduled) = (

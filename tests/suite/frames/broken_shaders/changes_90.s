@@ -1,4 +1,4 @@
-# A shader that changes a register of the driver's.
+# A shader that changes one of the driver's registers.
 
         .include "macros.inc"
         .include "shader.inc"

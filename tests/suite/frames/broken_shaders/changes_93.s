@@ -1,4 +1,4 @@
-# A shader that changes the driver's number of tiles: the next work unit's are beyond it.
+# A shader that changes the driver's number of tiles, so that the next work unit is out of range.
 
         .include "macros.inc"
         .include "shader.inc"

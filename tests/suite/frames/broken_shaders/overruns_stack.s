@@ -1,4 +1,4 @@
-# A shader with a buffer larger than the stack that it has.
+# A shader with a buffer larger than its stack.
 
         .include "macros.inc"
         .include "shader.inc"

@@ -1,4 +1,4 @@
-# A shader that colours all lanes of the packet, its own or not.
+# A shader that colours all lanes of the packet, including those that it must not shade.
 
         .include "work_unit.inc"
         .include "macros.inc"

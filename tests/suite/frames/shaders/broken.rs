@@ -1,5 +1,5 @@
-//! Shaders that break the contract: the check names them, and the engine lives on. And those for
-//! which there is no room.
+//! Shaders that break the contract: the check names them, and the engine stays usable. Also
+//! shaders that do not fit.
 
 use std::fs;
 use std::process::{Command, Output};
@@ -13,8 +13,8 @@ use crate::recorder::{Recorder, Snapshot};
 
 const SIZE: (u32, u32) = (96, 64);
 
-/// A sphere before nothing, so that packets at its rim have lanes of both; a light for the model's
-/// sake.
+/// A sphere in front of the background, so that packets at its edge have lanes of both. The light
+/// makes it a scene of Whitted's model.
 fn scene(shader: &str) -> String {
     format!(
         "v\nfrom 0 0 9\nat 0 0 0\nup 0 1 0\nangle 30\nhither 1\nresolution 96 64\nb 0.1 0.2 0.3\n\
@@ -81,8 +81,8 @@ fn what_breaks_the_contract_is_named_and_the_next_frame_is_traced() {
     }
 }
 
-/// The tracer's program refuses what is right, as a shader has changed what it goes by: the error
-/// says how to find that out, and needs not to once it is found.
+/// If a shader has changed the driver's state, the tracer's program refuses valid work. The error
+/// then says how to find the cause, but not if the cause is already known.
 #[test]
 fn an_error_without_the_check_names_the_check() {
     let bad = parsed("#cellray shader changes_93");
@@ -98,8 +98,8 @@ fn an_error_without_the_check_names_the_check() {
     }
 }
 
-/// What the lanes outside have is the background's own colour, which theirs does not change:
-/// without the check nobody would notice.
+/// Pixels outside the sphere get the background's colour whatever the shader writes for their
+/// lanes, so nobody would notice the fault without the check.
 #[test]
 fn what_is_not_checked_is_not_found() {
     let (mut engine, shown) = engine(false);
@@ -111,8 +111,8 @@ fn what_is_not_checked_is_not_found() {
     assert!(middle[0] > middle[1], "{middle:?}");
 }
 
-/// A scene's numbers are those of the program that it was made with: another program may have
-/// fewer.
+/// The numbers in a scene belong to the program that it was made with. Another program may have
+/// fewer shaders.
 #[test]
 fn a_number_that_the_program_does_not_have_is_refused() {
     let other = parsed("#cellray shader rings 1 0 0 4");
@@ -155,7 +155,7 @@ fn a_name_that_is_too_long_is_not_assembled() {
     );
 }
 
-/// `cellray render` with the program of these tests and a scene of one sphere.
+/// Runs `cellray render` with these tests' program and a scene of one sphere.
 fn cellray(shader: &str, options: &[&str]) -> (Output, Option<Vec<u8>>) {
     let folder = tempfile::tempdir().unwrap();
     let [scene_file, image_file, picture] =

@@ -1,5 +1,5 @@
-//! Shaders that games bring: the rings of `examples/shader`, and those of `broken_shaders`, which
-//! break the contract.
+//! Shaders of games: the rings of `examples/shader`, and those of `broken_shaders`, which break
+//! the contract.
 
 mod broken;
 mod program;

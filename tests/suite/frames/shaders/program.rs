@@ -1,4 +1,4 @@
-//! The tracer's program with shaders of one's own in it.
+//! The tracer's program with additional shaders.
 
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -21,8 +21,8 @@ pub fn build(folders: &[&Path], image: &Path) -> Result<(), Error> {
     program.build(&Tools::find()?, work.path(), image)
 }
 
-/// The image that has the shaders of the example and those of `tests/suite/frames/broken_shaders`;
-/// it is built once.
+/// The image with the shaders of the example and of `tests/suite/frames/broken_shaders`. It is
+/// built once.
 pub fn image() -> &'static [u8] {
     static IMAGE: OnceLock<Vec<u8>> = OnceLock::new();
     IMAGE.get_or_init(|| {
@@ -37,7 +37,7 @@ pub fn image() -> &'static [u8] {
     })
 }
 
-/// Its program.
+/// The program in this image.
 pub fn program() -> Program {
     Program::from_image(image()).unwrap()
 }

@@ -1,4 +1,5 @@
-//! The example's rings, against their formula, and its picture with and without the check.
+//! The rings of the example, compared with their formula, and their picture with and without the
+//! check.
 
 use cellray::scene::{Model, RenderOptions};
 use cellray::{Engine, Scene, Settings};
@@ -21,7 +22,7 @@ fn render(scene: &Scene, (width, height): (u32, u32), check_shaders: bool) -> Rg
     picture.expect("the frame was presented")
 }
 
-/// A ground that shows its colour as it is: it is lit by ambient light alone.
+/// A ground with only ambient light, so that it shows its own colour.
 const GROUND: &str = "\
 v
 from 31.3 4 -12.2

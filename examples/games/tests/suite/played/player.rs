@@ -1,27 +1,27 @@
-//! A player of eight-ball who sees the table and has a mouse.
+//! A simulated player of eight-ball who sees the table and uses the mouse.
 
 use cellray::game::{DVec3, InputEvent, MouseButton};
 use games::billiards::Billiards;
 use games::billiards::table::{POCKETS, RADIUS};
 
-/// What the game makes of the mouse's way, in radians and in power a pixel.
+/// The radians and the power for a pixel of mouse movement in the game.
 const TURN: f64 = 0.002;
 const POWER: f64 = 0.004;
 
-/// Sees the game after every frame, and does in the next what came to mind.
+/// Sees the game after every frame, and acts in the next one.
 #[derive(Default)]
 pub struct Player {
-    /// Events of frames to come, the next one last.
+    /// The events of the next frames. The next one is last.
     to_do: Vec<Vec<InputEvent>>,
 }
 
 impl Player {
-    /// What it does in the next frame.
+    /// Returns the events of the next frame.
     pub fn next(&mut self) -> Vec<InputEvent> {
         self.to_do.pop().unwrap_or_default()
     }
 
-    /// Looks at the table, and thinks of a shot where it is time for one.
+    /// Looks at the table, and plans a shot when it is time for one.
     pub fn look(&mut self, game: &Billiards) {
         if !game.waits() || !self.to_do.is_empty() {
             return;
@@ -52,17 +52,17 @@ impl Player {
     }
 }
 
-/// Where to send the cue ball, and with what power.
+/// The direction and power of the best shot.
 fn best(game: &Billiards) -> (DVec3, f64) {
     let balls = game.balls();
     let cue = balls[0].body.centre;
     let on_bed = |number: usize| game.table().on_bed(number);
     let mine = |number: usize| on_bed(number) && game.rules().may_touch(number, on_bed);
-    // A rack that is whole is broken.
+    // A complete rack is broken.
     if (0..balls.len()).all(on_bed) && balls[1..].iter().all(|ball| ball.body.centre.x > 0.5) {
         return (DVec3::new(0.635, cue.y, 0.0), 1.0);
     }
-    // Whether a ball goes from a place to another without touching others than these two.
+    // Whether a ball can run from one place to another without touching any other than these two.
     let is_free = |from: DVec3, to: DVec3, but: usize| {
         let way = to - from;
         balls[1..].iter().all(|ball| {
@@ -82,7 +82,7 @@ fn best(game: &Billiards) -> (DVec3, f64) {
             let ghost = ball - way * (2.0 * RADIUS);
             let cut = (ghost - cue).normalize().dot(way);
             let length = cue.distance(ghost) + ball.distance(into);
-            // Side pockets take nothing that comes along the cushion.
+            // Side pockets do not catch balls that run along the cushion.
             let steep = pocket.centre.x != 0.0 || way.z.abs() > 0.6;
             let worth = cut * cut / (0.3 + length);
             if cut > 0.25

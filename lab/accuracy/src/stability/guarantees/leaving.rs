@@ -1,13 +1,13 @@
-//! Rays that leave a surface do not meet it where they leave: reflected, refracted and shadow
-//! rays, started as the tracer starts them.
+//! Rays that leave a surface do not hit it at their origin. These are reflected, refracted and
+//! shadow rays, started in the same way as in the tracer.
 //!
-//! What a ray has to meet next is worked out in f64 for the very singles that it starts with. On
-//! the outer side of a convex body, and on a plane, that is nothing. Within a body it is the wall
-//! across, which may neither be lost nor be the one that the ray has just left.
+//! What a ray must hit next is computed in f64 from the same singles that it starts with. On the
+//! outer side of a convex body, and on a plane, it must hit nothing. Inside a body it must hit the
+//! opposite wall. It must neither miss this wall nor hit the wall that it has just left.
 //!
-//! Known weakness: where a ray meets a body at its very edge, so that the cosine of its incidence
-//! is below `leave` over the radius, rounding may take the outer side for the inner one. Such hits
-//! are tried, and nothing is asked of what leaves from there.
+//! Known weakness: a ray may meet a body so close to its edge that the cosine of its incidence is
+//! below `leave` over the radius. Rounding may then confuse the outer with the inner side. Such
+//! hits are tried, but nothing is required of the rays that leave from there.
 
 use crate::generator::Generator;
 use glam::DVec3;
@@ -26,28 +26,29 @@ use crate::stability::statement::Bound;
 use crate::stability::steps::{HIT, Lanes, Leaving, Line, leave, meet};
 use crate::truth::Vector;
 
-/// Packets of a call, each with an object of its own.
+/// The number of packets in a call, each with its own object.
 const PACKETS: usize = 4;
-/// Calls of a round.
+/// The number of calls in a round.
 const CALLS: usize = 8;
-/// Words of a ray and of the light.
+/// The number of words of a ray and of the light.
 const LINES: usize = 9;
-/// How near to an end of a cone, in parts of its size, the wall across may be missed.
+/// The distance to an end of a cone, relative to its size, within which a ray may miss the
+/// opposite wall.
 const END: f64 = 1e-3;
 
-/// A body, and points of its surface that rays are sent to.
+/// A body, and the points of its surface that rays are sent to.
 struct Body {
     product: Product,
     targets: Vec<Target>,
 }
 
-/// A point of a surface and the normal there, outwards where there is an outside.
+/// A point of a surface and the normal there, which points outwards if the body has an outside.
 struct Target {
     point: Vector,
     normal: Vector,
 }
 
-/// How bodies of a kind are made.
+/// How bodies of one kind are made.
 struct Leave {
     kind: Kind,
     body: fn(&mut Generator) -> Option<Body>,
@@ -82,13 +83,13 @@ fn vector(v: Vector) -> DVec3 {
     DVec3::from_array(v)
 }
 
-/// Where a body may be: around the eye, near and far.
+/// A random position for a body: around the eye, near or far.
 fn place(random: &mut Generator) -> Vector {
     let distance = magnitude(-3, 10, random);
     rounded(direction(random).map(|x| distance * x))
 }
 
-/// Glass of any index with a mirror's shine; a quarter lets nothing through.
+/// Glass with a random index that also reflects. A quarter of the materials are opaque.
 fn stuff(random: &mut Generator) -> Stuff {
     let index = random.random_range(1.01..2.5);
     Stuff {
@@ -125,7 +126,7 @@ fn sphere(random: &mut Generator) -> Option<Body> {
     })
 }
 
-/// A flat body: its corners, and a point of it by two shares.
+/// A flat body: its corners, and a random point on it.
 fn flat(kind: Kind, vertices: Vec<Vector>, random: &mut Generator) -> Option<Body> {
     let (corner, first) = (vertices[0], less(vertices[1], vertices[0]));
     let second = less(vertices[vertices.len() - 1], corner);
@@ -162,7 +163,8 @@ fn rectangle(random: &mut Generator) -> Option<Body> {
     flat(Kind::Rectangle, vertices, random)
 }
 
-/// A cone or cylinder not thinner than 1 to 64, nor tapering to less than a hundredth.
+/// A cone or cylinder whose radius is at least 1/64 of its height, and which tapers to no less
+/// than a hundredth.
 fn stout_cone(random: &mut Generator) -> Option<Body> {
     let height = magnitude(-5, 5, random);
     let widest = height * magnitude(-6, 3, random);
@@ -174,7 +176,7 @@ fn stout_cone(random: &mut Generator) -> Option<Body> {
     cone(height, [widest, narrowest], random)
 }
 
-/// A cone as thin as 1 to 4096 that tapers to a thousandth or to nothing.
+/// A cone as thin as 1/4096 that tapers to a thousandth or to a point.
 fn thin_cone(random: &mut Generator) -> Option<Body> {
     let height = magnitude(-5, 5, random);
     let widest = height * magnitude(-12, -6, random);
@@ -182,7 +184,7 @@ fn thin_cone(random: &mut Generator) -> Option<Body> {
     cone(height, [widest, share * widest], random)
 }
 
-/// A cone with these radii at its ends, whichever way round.
+/// A cone with these radii at its ends, in random order.
 fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body> {
     let base = place(random);
     let axis = direction(random);
@@ -207,7 +209,8 @@ fn cone(height: f64, mut radii: [f64; 2], random: &mut Generator) -> Option<Body
     })
 }
 
-/// A ray to a point of a surface, from the eye or from anywhere, half of them along the surface.
+/// A ray to a point of a surface, from the eye or from anywhere. Half of the rays are nearly
+/// parallel to the surface.
 fn aimed_at(target: &Target, random: &mut Generator) -> Line {
     let distance = magnitude(-6, 7, random);
     let back = match random.random_range(0..4) {
@@ -221,12 +224,12 @@ fn aimed_at(target: &Target, random: &mut Generator) -> Line {
         }
     };
     let origin = rounded(along(target.point, 1.0, back));
-    // Next to the eye the eye itself may be meant.
+    // Next to the eye, the ray may start at the eye itself.
     let way = towards(origin, target.point, [0.0, 0.0, -1.0]);
     [origin, way].map(|v| v.map(from_f64))
 }
 
-/// What rays leave.
+/// The kind of ray that leaves.
 #[derive(Clone, Copy)]
 enum Start {
     Reflected,
@@ -234,17 +237,17 @@ enum Start {
     Shadow,
 }
 
-/// What a ray that leaves has to do.
+/// What a ray that leaves must do.
 enum Expected {
-    /// Meet nothing.
+    /// Hit nothing.
     Nothing,
-    /// Meet the wall across, about there.
+    /// Hit the opposite wall at about this distance.
     Wall(f64),
-    /// Either: the wall ends too near to where it would be met.
+    /// Either, because the wall ends close to the expected hit.
     Anything,
 }
 
-/// What a ray has to do that leaves a body on this side of the surface.
+/// What a ray must do that leaves a body on this side of the surface.
 fn expected(product: &Product, inner: bool, start: &Ray) -> Expected {
     if !inner || matches!(product.kind, Kind::Rectangle | Kind::Triangle) {
         return Expected::Nothing;
@@ -253,7 +256,7 @@ fn expected(product: &Product, inner: bool, start: &Ray) -> Expected {
     let way = unit(start.direction.map(to_f64));
     let Some(t) = next_hit(product, origin, way) else {
         return match product.kind {
-            // A ray that starts within leaves it somewhere: it can't have started within.
+            // A ray that starts inside must hit the body. If it does not, it did not start inside.
             Kind::Sphere => Expected::Wall(f64::INFINITY),
             _ => Expected::Anything,
         };
@@ -270,7 +273,7 @@ fn expected(product: &Product, inner: bool, start: &Ray) -> Expected {
     Expected::Wall(t)
 }
 
-/// Tries packets, each of rays to its own body, by a light.
+/// Tries packets of rays, each to its own body, with a light.
 fn try_packets(
     bench: &mut Bench,
     products: &[&Product],
@@ -298,7 +301,7 @@ fn try_packets(
                 continue;
             };
             let product = products[number];
-            // What is let through goes on behind the surface that the ray has met.
+            // A refracted ray continues on the other side of the surface that it hit.
             let (before, edge) = side(product, &leaving[number], lane, &lines[number][lane]);
             if edge {
                 tally.uncounted();
@@ -326,8 +329,8 @@ fn try_packets(
     }
 }
 
-/// Whether a lane's ray has met its body from the outer side, and whether so near to the body's
-/// edge that rounding decides that.
+/// Whether a lane's ray has hit its body from the outer side, and whether this is so close to the
+/// body's edge that rounding decides it.
 fn side(product: &Product, leaving: &Leaving, lane: usize, line: &Line) -> (bool, bool) {
     let found = &leaving.surfaces;
     let [point, plane] = [

@@ -1,6 +1,6 @@
-//! Closed meshes, a point inside each, and rays from there to their edges and vertices.
+//! Closed meshes with a point inside each, and rays from there to their edges and vertices.
 //!
-//! Invariant: the surface goes round the point, whatever rounding has made of the vertices.
+//! Invariant: the surface encloses the point, however the vertices were rounded.
 
 use crate::generator::Generator;
 use kernels::flat_records::{Point, point};
@@ -12,10 +12,10 @@ use crate::space::{along, dot, in_cube, less, unit};
 use crate::stability::random::magnitude;
 use crate::truth::Vector;
 
-/// A place far from the origin, as embree's tests have it.
+/// A place far from the origin, as in embree's tests.
 const FAR_OUT: Vector = [148_376.0, 1234.0, -223_423.0];
 
-/// A closed mesh and a point inside.
+/// A closed mesh and a point inside it.
 #[derive(Clone, Debug)]
 pub struct Mesh {
     vertices: Vec<Point>,
@@ -23,33 +23,34 @@ pub struct Mesh {
     inside: Point,
 }
 
-/// How a mesh is made.
+/// Makes a random mesh.
 pub type Maker = fn(&mut Generator) -> Mesh;
 
-/// A lumpy sphere of any size, somewhere near.
+/// An irregular sphere of any size, not far from the origin.
 pub fn lumpy(random: &mut Generator) -> Mesh {
     let size = magnitude(-10, 10, random);
     let place = in_cube(10.0 * size, random);
     Mesh::icosahedron(place, size, [1.0; 3], random)
 }
 
-/// One that is thin in one direction or two.
+/// A mesh that is thin in one or two directions.
 pub fn thin(random: &mut Generator) -> Mesh {
     let widths = std::array::from_fn(|_| magnitude(-13, 0, random));
     Mesh::icosahedron([0.0; 3], 1.0, widths, random)
 }
 
-/// One so far out that the vertices lie on a coarse lattice, and many edges exactly behind others.
+/// A mesh so far from the origin that the vertices are on a coarse lattice, and many edges are
+/// exactly behind others.
 pub fn far_out(random: &mut Generator) -> Mesh {
     let size = magnitude(0, 10, random);
     Mesh::icosahedron(FAR_OUT, size, [1.0; 3], random)
 }
 
-/// A box of squares, cut either way, with all coordinates on a lattice: rays go exactly through
-/// vertices and along faces' edges.
+/// A box of squares, each divided into triangles along a random diagonal, with all coordinates on
+/// a lattice. Rays go exactly through vertices and along the edges of faces.
 pub fn lattice(random: &mut Generator) -> Mesh {
     const CELLS: usize = 2;
-    // Odd numbers, so that products are longer than a single.
+    // Odd numbers, so that products have more digits than a single.
     let steps: Vector =
         std::array::from_fn(|_| f64::from(random.random_range(0..4096_u32) * 2 + 1));
     let corner: Vector = std::array::from_fn(|_| f64::from(random.random_range(-8..=4_i32)));
@@ -73,7 +74,7 @@ pub fn lattice(random: &mut Generator) -> Mesh {
             }
         }
     }
-    // A middle of the lattice is off the surface, and in line with its vertices.
+    // The middle of the lattice is not on the surface, and is in line with its vertices.
     let inside = place([1.0; 3]);
     Mesh {
         vertices,
@@ -83,9 +84,9 @@ pub fn lattice(random: &mut Generator) -> Mesh {
 }
 
 impl Mesh {
-    /// An icosahedron's vertices, each drawn out: every ray from `inside` along one of the
-    /// icosahedron's meets that of the mesh, as long as rounding moves it by less than the mesh's
-    /// least width.
+    /// The vertices of an icosahedron, each scaled. Every ray from `inside` in the direction of
+    /// one of the icosahedron's vertices meets that vertex of the mesh, as long as rounding moves
+    /// it by less than the mesh's smallest width.
     fn icosahedron(place: Vector, size: f64, widths: Vector, random: &mut Generator) -> Self {
         let golden = (1.0 + 5_f64.sqrt()) / 2.0;
         let mut vertices = Vec::new();
@@ -97,7 +98,8 @@ impl Mesh {
                 vertices.push(unit(vertex));
             }
         }
-        // Edges are as long as neighbours are apart: three neighbours of one another are a face.
+        // All edges have the distance of neighbours as their length. Three vertices that are
+        // neighbours of each other form a face.
         let near = |a: usize, b: usize| dot(vertices[a], vertices[b]) > 0.4;
         let mut faces = Vec::new();
         for a in 0..12 {
@@ -129,7 +131,7 @@ impl Mesh {
         }
     }
 
-    /// The triangles, each gone round as chance will.
+    /// The triangles, each with a random orientation.
     pub fn triangles(&self, random: &mut Generator) -> Vec<Triangle> {
         let triangle = |face: &[usize; 3]| {
             let mut face = *face;
@@ -142,8 +144,8 @@ impl Mesh {
         self.faces.iter().map(triangle).collect()
     }
 
-    /// Origin and direction of a ray to a vertex, to a point of an edge, or within an ulp or so of
-    /// them.
+    /// The origin and direction of a ray to a vertex or to a point on an edge, or within about an
+    /// ulp of these.
     pub fn aimed(&self, random: &mut Generator) -> [Point; 2] {
         let face = self.faces[random.random_range(0..self.faces.len() as u32) as usize];
         let from = random.random_range(0..3_usize);
@@ -174,7 +176,7 @@ mod tests {
     use super::*;
     use crate::stability::random::of_round;
 
-    /// Every edge belongs to two faces: there is no hole.
+    /// Every edge belongs to two faces, so there is no hole.
     #[test]
     fn meshes_are_closed() {
         let mut random = of_round(1, "mesh", "", 0);

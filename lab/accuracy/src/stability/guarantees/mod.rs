@@ -1,4 +1,5 @@
-//! What holds of whole scenes: meshes without leaks, rays that leave cleanly, symmetric shadows.
+//! Guarantees about whole scenes: meshes do not leak, rays leave surfaces without hitting them,
+//! and shadows are symmetric.
 
 mod leaving;
 mod mesh;

@@ -1,5 +1,5 @@
-//! Shadows are symmetric: a point sees a light exactly when the light sees the point, but for
-//! those whose line passes an object's edge within the rounding of the rays.
+//! Shadows are symmetric: a point sees a light exactly if the light sees the point. The only
+//! exceptions are lines that pass an object's edge within the rounding of the rays.
 
 use std::marker::PhantomData;
 
@@ -28,16 +28,17 @@ use crate::stability::stress::spheres::TANGENT;
 use crate::stability::stress::triangles::{EDGE, off_edges};
 use crate::truth::{self, Line, Vector, spacing};
 
-/// What may stand between a point and a light.
+/// An object that may be between a point and a light.
 trait Blocker: Shape + Sync {
     const NAME: &'static str;
-    /// Words that say it.
+    /// The number of words that describe it.
     const WORDS: usize;
-    /// One that is about this large, at this place.
+    /// A random object of about this size at this place.
     fn any(place: Vector, size: f64, random: &mut Generator) -> Self;
-    /// A point of its outline as seen along a direction, and the direction there.
+    /// A point on its outline as seen along a direction, and the direction away from the outline
+    /// there.
     fn outline(&self, random: &mut Generator) -> [Vector; 2];
-    /// How far a line passes from its outline.
+    /// The distance between a line and its outline.
     fn off_outline(&self, from: Point, to: Point) -> f64;
     fn words(&self) -> Vec<u32>;
     fn from_words(words: &[u32]) -> Self;
@@ -116,10 +117,10 @@ impl Blocker for TriangleObject {
 /// Points and lights with one kind of object between them.
 struct Symmetric<B>(PhantomData<fn() -> B>);
 
-/// The kinds of objects.
+/// A family for each kind of object.
 pub fn families() -> Families {
-    // A direction is off by so many ulps of 1 in each component: there, and back. An ulp of the
-    // distance may be as little as half of that part of it.
+    // A direction has an error of this many ulps of 1 in each component, in either direction of
+    // the ray. An ulp of the distance may be as little as half as large, relative to the distance.
     let direction = stated("shadow_rays_r16", "ulp of 1")?;
     let bound = |outline: f64| Bound {
         value: 2.0 * (2.0 * 3_f64.sqrt() * direction + outline),
@@ -174,8 +175,8 @@ fn site(points: &[Point; 16], axis: Vector) -> Site {
     }
 }
 
-/// Whether an object blocks the ray from each point to each light; nothing if there is no such
-/// ray.
+/// For each point and light, whether an object blocks the ray between them. `None` if there is no
+/// such ray.
 fn blocked<B: Blocker>(
     bench: &mut Bench,
     object: &B,

@@ -1,5 +1,5 @@
-//! Nothing leaks: every ray from inside a closed mesh meets it, also those aimed at its edges and
-//! vertices.
+//! Nothing leaks: every ray from inside a closed mesh hits it, including rays aimed at its edges
+//! and vertices.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -13,18 +13,18 @@ use crate::space::{fresh, two_sided};
 use crate::stability::family::{Cases, Family, Replayed, Tally, need};
 use crate::stability::statement::Bound;
 
-/// Packets that are traced in a mesh.
+/// The number of packets traced in a mesh.
 const PACKETS: usize = 16;
-/// Meshes of a round.
+/// The number of meshes in a round.
 const MESHES: u32 = 4;
-/// Words of a ray, and of a triangle.
+/// The number of words of a ray, and of a triangle.
 const RAY: usize = 6;
 const TRIANGLE: usize = 9;
 
-/// Rays to the edges of meshes of one kind.
+/// Rays to the edges of one kind of meshes.
 struct Watertight(Maker);
 
-/// The kinds of meshes.
+/// A family for each kind of mesh.
 pub fn families() -> [Family; 4] {
     let kinds: [(_, Maker); 4] = [
         ("mesh-lumpy", mesh::lumpy),
@@ -42,7 +42,7 @@ pub fn families() -> [Family; 4] {
     })
 }
 
-/// Whether each ray meets any of the triangles.
+/// Whether each ray hits any of the triangles.
 fn met(bench: &mut Bench, triangles: &[TriangleObject], rays: &[[Point; 2]]) -> Vec<bool> {
     let packets: Vec<_> = rays
         .chunks(16)
@@ -81,7 +81,7 @@ impl Cases for Watertight {
     }
 
     fn replay(&self, bench: &mut Bench, words: &[u32], tally: &mut Tally) -> Replayed {
-        // A ray, and as many triangles as the mesh had, but one at least.
+        // A ray and as many triangles as the mesh had, which is at least one.
         let triangles = words.len().saturating_sub(RAY).div_ceil(TRIANGLE);
         need(RAY + triangles.max(1) * TRIANGLE, words)?;
         let (points, _) = words.as_chunks();

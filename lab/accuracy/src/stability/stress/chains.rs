@@ -1,16 +1,16 @@
-//! Chains of mirrors: how an error grows by bounces, between two spheres and within one.
+//! Chains of mirrors: how an error grows with bounces between two spheres and inside one.
 //!
-//! By the tracer's own steps: hit, surface, reflected ray. Beside each goes the same chain in f64,
-//! whose own error grows by the same factors from 2^-53 and so stays below a millionth of what is
-//! measured.
+//! They use the tracer's own steps: hit, surface, reflected ray. Each chain is compared with the
+//! same chain in f64. Its own error grows by the same factors from 2^-53, so it stays below a
+//! millionth of what is measured.
 //!
-//! In radii, with t from sphere to sphere, c the cosine of incidence, e the error of the place and
-//! a that of the angle, and what the headers state of each step as noise:
-//! - between two spheres each mirror spreads what it gets: e' = (e + t a) / c + noise, a' = a + 2
-//!   e' + noise. The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), 3.7 for spheres a radius
-//!   apart.
-//! - within a sphere each mirror gathers it again: e' = e + 2 a + noise, a' = a + noise. The error
-//!   grows with the square of the number of bounces.
+//! In radii, let t be the distance from sphere to sphere, c the cosine of incidence, e the error
+//! of the place and a that of the angle. The headers state the noise of each step.
+//! - Between two spheres, each mirror magnifies the error: e' = (e + t a) / c + noise, a' = a + 2
+//!   e' + noise. The factor of a bounce tends to 1 + t + sqrt(t^2 + 2 t), which is 3.7 for spheres
+//!   a radius apart.
+//! - Inside a sphere, each mirror focuses it again: e' = e + 2 a + noise, a' = a + noise. The
+//!   error grows with the square of the number of bounces.
 
 use crate::generator::Generator;
 use glam::DVec3;
@@ -29,22 +29,22 @@ use crate::truth::Vector;
 
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;
-/// What `OBJECT_leave` and a point's coordinates add to how far off a ray starts, in parts of
-/// them.
+/// How much `OBJECT_leave` and the rounding of a point's coordinates add to a ray's distance from
+/// the surface, relative to each.
 const LEAVE: f64 = 8.0 * ULP;
-/// Packets of a call.
+/// The number of packets in a call.
 const PACKETS: usize = 4;
-/// Words of a ray.
+/// The number of words of a ray.
 const LINE: usize = 6;
-/// The mirrors' centre is within so many radii of the eye, on each axis.
+/// The greatest distance, in radii, of the mirrors' centre from the eye on each axis.
 const PLACE: f64 = 2.0;
 
-/// Where a ray goes to and fro.
+/// Where a ray bounces.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Room {
-    /// Between two spheres that are a radius apart, nearly along their axis.
+    /// Between two spheres that are a radius apart, almost along their axis.
     Between,
-    /// Within a hollow sphere.
+    /// Inside a hollow sphere.
     Within,
 }
 
@@ -53,10 +53,10 @@ struct Chain {
     bounces: u32,
 }
 
-/// Bounces after which errors are looked at.
+/// The numbers of bounces after which errors are measured.
 const BOUNCES: [u32; 4] = [1, 2, 4, 8];
 
-/// Both rooms, by bounces.
+/// A family for each room and number of bounces.
 pub fn families() -> Families {
     let mut families = Vec::new();
     for room in [Room::Between, Room::Within] {
@@ -76,11 +76,11 @@ pub fn families() -> Families {
     Ok(families)
 }
 
-/// What a bounce adds, in radii.
+/// The error that a bounce adds, in radii.
 struct Noise {
     place: f64,
     angle: f64,
-    /// How far off the surface a ray starts.
+    /// The distance from the surface at which a ray starts.
     leave: f64,
 }
 
@@ -92,7 +92,7 @@ impl Room {
         }
     }
 
-    /// The least cosine of incidence.
+    /// The smallest cosine of incidence.
     fn cosine(self) -> f64 {
         match self {
             Self::Between => 0.9,
@@ -104,7 +104,7 @@ impl Room {
         (1.0 - self.cosine() * self.cosine()).sqrt()
     }
 
-    /// The farthest from mirror to mirror.
+    /// The greatest distance between mirrors.
     fn farthest(self) -> f64 {
         match self {
             Self::Between => 1.25,
@@ -120,12 +120,12 @@ impl Room {
                 phrase: NORMALS.to_owned(),
             });
         }
-        // Two spheres lie a radius and a half from the middle.
+        // Two spheres are a radius and a half from the middle.
         let centre = 3_f64.sqrt() * PLACE + 3_f64.sqrt() * 1.5;
         let leave = LEAVE * (2.0 * centre + 3_f64.sqrt() + 1.0);
         let components = 3_f64.sqrt();
         let height = stated("surfaces_r16", "")? * leave;
-        // A distance of up to 2 has ulps of 2.
+        // Distances of up to 2 have the ulps of 2.
         let distance = 2.0 * ULP * stated("isect_sphere_pairs_r16", "")?;
         let normal = components * (ULP + leave / 4.0);
         let direction = components * ULP * stated("reflect_r16", "")?;
@@ -136,11 +136,11 @@ impl Room {
         })
     }
 
-    /// The error of the place after so many bounces, in ulps of the radius.
+    /// The error of the place after this many bounces, in ulps of the radius.
     fn carried(self, noise: &Noise, bounces: u32) -> f64 {
         let (sine, cosine) = (self.sine(), self.cosine());
         let (mut place, mut angle) = (0.0, 0.0);
-        // The first ray starts where it is said to.
+        // The first ray starts exactly at its origin.
         let mut start = 0.0;
         for _ in 0..bounces {
             match self {
@@ -160,7 +160,7 @@ impl Room {
         place / ULP
     }
 
-    /// The mirrors, in the order that a ray meets them, and sixteen rays.
+    /// The mirrors in the order in which a ray hits them, and sixteen rays.
     fn mirrors(self, bounces: u32, random: &mut Generator) -> Option<([Product; 2], [Line; 16])> {
         let radius = magnitude(-10, 10, random);
         let place: Vector = rounded(std::array::from_fn(|_| {
@@ -190,7 +190,8 @@ impl Room {
         let lines = std::array::from_fn(|_| {
             let (from, way) = match self {
                 Self::Between => {
-                    // So little aside that it stays between them.
+                    // The direction is so close to the axis that the ray stays between the
+                    // spheres.
                     let highest = -4 - 2 * bounces as i32;
                     let tilt = magnitude(highest - 8, highest, random);
                     let [aside, _] = across(axis, random);
@@ -211,7 +212,7 @@ impl Room {
 struct Exact {
     origin: Vector,
     way: Vector,
-    /// The least cosine of incidence so far.
+    /// The smallest cosine of incidence so far.
     cosine: f64,
 }
 
@@ -224,7 +225,7 @@ impl Exact {
         }
     }
 
-    /// On to the next mirror and off it; nothing if it is missed.
+    /// Follows the ray to the next mirror and reflects it. `None` if it misses.
     fn bounce(&mut self, mirror: &Product) -> Option<()> {
         let head = mirror.head();
         let radius = head.offset;

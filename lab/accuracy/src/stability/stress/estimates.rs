@@ -1,5 +1,5 @@
-//! Reciprocals and square roots where tables meet: the first and the last fraction of every entry,
-//! those next to them, with every exponent and either sign.
+//! Reciprocals and square roots where tables' entries meet: the first and the last fraction of
+//! every entry, and the fractions next to them, with every exponent and both signs.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -11,11 +11,11 @@ use twins::Single;
 use crate::stability::family::{Cases, Families, Family, Replayed, Tally, need};
 use crate::stability::statement::Bound;
 
-/// Bits of a fraction behind those that choose an entry of a table.
+/// The number of low bits of a fraction that do not select a table entry.
 const POSITION: u32 = 18;
-/// Entries for one exponent.
+/// The number of entries for one exponent.
 const ENTRIES: u32 = 1 << (23 - POSITION);
-/// Quadwords of a call.
+/// The number of quadwords in a call.
 const QUADWORDS: usize = 64;
 
 struct Estimates(&'static Function);
@@ -35,7 +35,8 @@ pub fn families() -> Families {
     FUNCTIONS.iter().map(family).collect()
 }
 
-/// A fraction at a border of an entry, and up to two ulps within; any exponent and sign.
+/// A fraction at the border of an entry, or up to two ulps inside, with a random exponent and
+/// sign.
 fn operand(random: &mut Generator) -> Single {
     let first = random.random_range(0..ENTRIES) << POSITION;
     let within = random.random_range(0..3);

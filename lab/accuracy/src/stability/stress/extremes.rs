@@ -1,8 +1,9 @@
-//! Words that the SPU's format is oddest at, as any operand: zeros of either sign, denormals, what
-//! saturates, the least and the largest exponents, directions without a component.
+//! The words for which the SPU's format is most unusual, in any operand: zeros of both signs,
+//! denormals, values that saturate, the smallest and the largest exponents, directions without a
+//! component.
 //!
-//! Whatever is asked, a kernel gives its twin's bits, ends, and finds no hit nearer than 0 or
-//! beyond what was there.
+//! For every input, a kernel must return its twin's bits, terminate, and find no hit nearer than 0
+//! or beyond the one that it was given.
 
 use std::marker::PhantomData;
 
@@ -33,8 +34,8 @@ use twins::sphere_ray::Ray;
 use crate::stability::family::{Cases, Family, Replayed, Tally, need};
 use crate::stability::statement::Bound;
 
-/// Magnitudes: zero, denormals, the smallest, about 1, about the ends of what can be squared, and
-/// all that saturates or would be no number elsewhere.
+/// Magnitudes: zero, denormals, the smallest numbers, about 1, around the limits of what can be
+/// squared, and everything that saturates or would be infinite or NaN elsewhere.
 const MAGNITUDES: [Single; 20] = [
     0,
     1,
@@ -58,7 +59,7 @@ const MAGNITUDES: [Single; 20] = [
     0x7fff_ffff,
 ];
 
-/// One of them, one near it, or any word.
+/// One of these, one near it, or any word.
 fn word(random: &mut Generator) -> Single {
     let sign = u32::from(random.random::<bool>()) << 31;
     let magnitude = MAGNITUDES[random.random_range(0..MAGNITUDES.len() as u32) as usize];
@@ -73,7 +74,7 @@ fn words<const N: usize>(random: &mut Generator) -> [Single; N] {
     std::array::from_fn(|_| word(random))
 }
 
-/// Objects that words make.
+/// Shapes that can be made from words.
 trait OfWords: Shape {
     const WORDS: usize;
     fn of_words(words: &[u32]) -> Self;
@@ -157,9 +158,9 @@ impl OfWords for ConeObject {
     }
 }
 
-/// Words of a ray: origin, direction, t.
+/// The number of words of a ray: origin, direction, t.
 const RAY: usize = 7;
-/// What a ray has hit before.
+/// The object of a ray that has hit nothing before.
 const NOTHING: u32 = 0;
 
 fn ray(words: [u32; RAY]) -> Ray {
@@ -172,7 +173,7 @@ fn ray(words: [u32; RAY]) -> Ray {
     }
 }
 
-/// Any ray with any object of a shape.
+/// Random rays tested against random objects of a shape.
 struct Meeting<S>(PhantomData<fn() -> S>);
 
 impl<S: OfWords> Meeting<S> {
@@ -183,7 +184,7 @@ impl<S: OfWords> Meeting<S> {
             call::pairs(bench, &[call::packet(&before, 0)], &[shape], &[[0, 0]], 0);
         for ((before, after), words) in before.iter().zip(call::rays(&after[0])).zip(rays) {
             let twin = shape.twin(*before, objects[0]);
-            // As signed numbers, singles above 0 are in order.
+            // As signed integers, singles above 0 have the same order.
             let within =
                 after == *before || (after.t as i32 > 0 && (after.t as i32) < before.t as i32);
             tally.verdict(after == twin && within, || [object, words].concat());
@@ -194,7 +195,7 @@ impl<S: OfWords> Meeting<S> {
 impl<S: OfWords> Cases for Meeting<S> {
     fn round(&self, bench: &mut Bench, random: &mut Generator, tally: &mut Tally) {
         let mut object = Vec::from_iter((0..S::WORDS).map(|_| word(random)));
-        // Any sides.
+        // Any combination of sides.
         object[0] = random.random();
         let rays = [(); 16].map(|()| words(random));
         Self::meet(bench, &object, &rays, tally);
@@ -208,10 +209,10 @@ impl<S: OfWords> Cases for Meeting<S> {
     }
 }
 
-/// Any hit, thrown back and let through.
+/// Random hits, reflected and refracted.
 struct Bounces;
 
-/// Words of a hit.
+/// The number of words of a hit.
 const BOUNCE: usize = 20;
 
 fn bounce(words: [u32; BOUNCE], pixel: u32) -> Bounce {
@@ -277,7 +278,7 @@ fn meeting<S: OfWords + 'static>() -> Family {
     }
 }
 
-/// All shapes, and the rays that leave.
+/// A family for each shape, and those of the rays that leave.
 pub fn families() -> Vec<Family> {
     vec![
         meeting::<By<Paper>>(),

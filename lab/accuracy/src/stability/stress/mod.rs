@@ -1,4 +1,4 @@
-//! Kernels under stress: the inputs that single precision is worst at.
+//! Kernels with the inputs for which single precision is worst.
 
 mod chains;
 mod estimates;

@@ -1,5 +1,5 @@
-//! Glass near the critical angle, from both sides of it, and rays along surfaces of the thinner
-//! medium: the direction beyond, whether there is one, and Schlick's share.
+//! Glass near the critical angle, from both sides of it, and rays parallel to surfaces in the
+//! medium with the lower index: the refracted direction, whether it exists, and Schlick's share.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -19,29 +19,30 @@ use crate::stability::statement::{Bound, stated};
 const KERNEL: &str = "refract_r16";
 /// An ulp of 1.
 const ULP: f64 = 1.0 / (1 << 23) as f64;
-/// How much Schlick's share changes with the cosine, at most: (1 - c)^5.
+/// The greatest derivative of Schlick's share by the cosine, from (1 - c)^5.
 const STEEPEST: f64 = 5.0;
-/// The cosine beyond up to which the header counts the error over the cosine.
+/// The refracted cosine up to which the header states the error over the cosine.
 const STEEP: f64 = 0.1;
-/// Packets of a round.
+/// The number of packets in a round.
 const PACKETS: u32 = 16;
 
-/// Whether the ray comes out of the denser medium or into it.
+/// Whether the ray leaves the denser medium or enters it.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Way {
-    /// Near the critical angle.
+    /// It leaves near the critical angle.
     Out,
-    /// Along the surface.
+    /// It enters along the surface.
     Into,
 }
 
 struct Critical {
     way: Way,
-    /// The square of the cosine, in ulps of 1, below which all may be reflected or not.
+    /// If the square of the cosine is below this, in ulps of 1, the ray may be reflected totally
+    /// or not.
     undecided: f64,
 }
 
-/// Both ways.
+/// A family for each of the two.
 pub fn families() -> Families {
     let undecided = stated(KERNEL, "ulp, all may be reflected")?;
     let family = |way, name, unit, bound| Family {
@@ -68,7 +69,7 @@ pub fn families() -> Families {
     ])
 }
 
-/// A hit whose cosine is this on the thinner side, which is the ray's or the one beyond.
+/// A hit with this cosine on the thinner side, which is either the ray's side or the other one.
 fn hit(way: Way, random: &mut Generator) -> Bounce {
     let dense: f64 = random.random_range(1.05..4.0);
     let cosine = magnitude(-14, -3, random) * 0.75;
@@ -90,7 +91,7 @@ fn hit(way: Way, random: &mut Generator) -> Bounce {
     )
 }
 
-/// A hit from this direction where the normal is this.
+/// A hit from this direction with this normal.
 fn bounce([direction, normal]: [[Single; 3]; 2], [ratio, schlick, grazing]: [Single; 3]) -> Bounce {
     Bounce {
         direction,
@@ -108,12 +109,12 @@ fn bounce([direction, normal]: [[Single; 3]; 2], [ratio, schlick, grazing]: [Sin
     }
 }
 
-/// What is so of a hit.
+/// The exact result of a hit.
 struct Truth {
-    /// The square of the cosine beyond; below 0, all is reflected.
+    /// The square of the refracted cosine. Below 0, reflection is total.
     squared: f64,
     direction: Vector,
-    /// Schlick's share, and the cosine that it is of.
+    /// Schlick's share, and the cosine that it depends on.
     share: f64,
     thinner: f64,
 }
@@ -147,7 +148,7 @@ impl Critical {
             ..hits[lane]
         });
         bench.reset();
-        // What fills the records where the kernel does not read.
+        // Fills the parts of the records that the kernel does not read.
         let mut junk = Generator::seed_from_u64(0);
         let sites = Sites::put(bench, &[packet], &mut junk);
         let end = bench.call(KERNEL, &sites.arguments(0)).value;

@@ -1,7 +1,7 @@
-//! Triangles under stress: needles, triangles without area, rays within ulps of edges.
+//! Triangles with difficult inputs: needles, triangles without area, rays within ulps of edges.
 //!
-//! The watertight kernel's distance is a mean of the vertices', by weights that are not below 0:
-//! however thin a triangle is, its hits lie between its vertices.
+//! The watertight kernel's distance is a mean of the vertices' distances with weights that are not
+//! below 0. However thin a triangle is, its hits are therefore between its vertices.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -21,12 +21,12 @@ use crate::truth::Vector;
 use crate::truth::triangle::Triangle;
 use crate::truth::{Line, spacing};
 
-/// The kernel whose error the header of the watertight one is about.
+/// The kernel whose error the watertight one's header refers to.
 const STATED: &str = "isect_triangles_r16";
-/// How far from an edge a verdict may be wrong, in ulps of the farthest vertex' distance: of the
-/// vertices each coordinate is rounded twice, and the ray's slopes once.
+/// How far from an edge a verdict may be wrong, in ulps of the farthest vertex's distance. Each
+/// coordinate of the vertices is rounded twice, and the ray's slopes once.
 pub const EDGE: f64 = 8.0;
-/// Triangles of a round.
+/// The number of triangles in a round.
 const TRIANGLES: u32 = 16;
 
 /// A kind of cases.
@@ -35,20 +35,20 @@ struct Triangles {
     judge: fn(&Case) -> Judgement,
 }
 
-/// A triangle and rays to it.
+/// A triangle and the rays to it.
 struct Aimed {
     vertices: [Point; 3],
     rays: [Ray; 16],
 }
 
-/// A ray and a triangle, and the distance that the kernel says.
+/// A ray, a triangle, and the distance that the kernel found.
 struct Case {
     line: Line,
     vertices: [Point; 3],
     found: Option<f64>,
 }
 
-/// All kinds.
+/// A family for each kind.
 pub fn families() -> Families {
     let family = |name, unit, bound, make, judge| Family {
         name,
@@ -89,7 +89,7 @@ pub fn families() -> Families {
     ])
 }
 
-/// How far the line between two points passes from the line of a triangle's nearest edge.
+/// The distance of the line between two points from the line of the triangle's nearest edge.
 pub fn off_edges(vertices: &[Point; 3], from: Vector, way: Vector) -> f64 {
     let corners = vertices.map(|vertex| less(vertex.map(to_f64), from));
     let off = (0..3).map(|k| {
@@ -124,7 +124,7 @@ fn off_edge(case: &Case) -> Judgement {
     let Some(meeting) = Triangle::new(case.vertices).meeting(&case.line) else {
         return Judgement::Uncounted;
     };
-    // Nearly along the plane there is no digit left of the distance's sign.
+    // Almost parallel to the plane, the sign of the distance has no correct digit.
     let hit = meeting.side().is_ge() && meeting.distance > 0.0;
     Judgement::unless(hit == case.found.is_some(), || {
         let off = off_edges(&case.vertices, case.line.origin, case.line.direction);
@@ -132,14 +132,15 @@ fn off_edge(case: &Case) -> Judgement {
     })
 }
 
-/// A ray towards a point, from this far back, by nearly the direction to there.
+/// A ray towards a point from this distance, with almost the direction to the point.
 fn aimed_at(target: Vector, back: Vector, distance: f64, random: &mut Generator) -> Ray {
     let origin = rounded(along(target, distance, back));
     let way = towards(origin, target, [0.0, 0.0, 1.0]);
     fresh(origin.map(from_f64), nearby(way, random))
 }
 
-/// As thin as singles let a triangle be, or in line altogether; rays to points along it.
+/// A triangle that is as thin as singles allow, or whose vertices are in line, and rays to points
+/// along it.
 fn needle(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
@@ -156,7 +157,7 @@ fn needle(random: &mut Generator) -> Aimed {
     let rays = [(); 16].map(|()| {
         let [u, v] = [(); 2].map(|()| random.random_range(0.0..0.5));
         let target = along(along(a, u, less(b, a)), v, less(c, a));
-        // Half of them see it at one distance from end to end.
+        // For half of the rays, all points of the triangle are at one distance.
         let [aside, _] = across(axis, random);
         let back = if random.random() {
             aside
@@ -169,7 +170,7 @@ fn needle(random: &mut Generator) -> Aimed {
     Aimed::new([a, b, c], rays)
 }
 
-/// Two or three vertices that are one point; rays to it and to the edge.
+/// A triangle of which two or three vertices coincide, and rays to that point and to the edge.
 fn repeated(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let a = rounded(in_cube(4.0 * size, random));
@@ -189,7 +190,7 @@ fn repeated(random: &mut Generator) -> Aimed {
     Aimed::new(vertices, rays)
 }
 
-/// Any triangle, rays to points on its edges and within ulps of them.
+/// Any triangle, and rays to points on its edges and within ulps of them.
 fn near_edge(random: &mut Generator) -> Aimed {
     let size = magnitude(-10, 10, random);
     let place = in_cube(4.0 * size, random);

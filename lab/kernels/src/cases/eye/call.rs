@@ -1,4 +1,4 @@
-//! Calls of the eye-ray kernels with what their twins take.
+//! Calls the kernels for primary rays with the inputs of their twins.
 
 use twins::Single;
 use twins::isect_pairs::Hit;
@@ -12,15 +12,15 @@ use crate::eye_records::{self, Hits, Vectors};
 use crate::single::single;
 use protocol::layout::{Colours, Packet, Pair, Place, Sphere};
 
-/// Bytes from row to row of the pixels that [`pack`] makes: more than a packet is wide.
+/// Bytes between rows of the pixels that [`pack`] writes. This is more than the width of a packet.
 pub const PITCH: usize = 48;
 
-/// Puts records into local store, one behind the other.
+/// Puts records into local store, one after the other.
 pub fn put<T: IntoBytes + Immutable>(bench: &mut Bench, records: &[T]) -> bench::Place {
     bench.place(records.as_bytes())
 }
 
-/// The address of a record of an array.
+/// The address of a record in an array.
 #[must_use]
 pub fn address<T>(array: bench::Place, number: usize) -> u32 {
     array.address + (number * size_of::<T>()) as u32
@@ -32,7 +32,7 @@ pub fn put_packets(bench: &mut Bench, packets: &[Packet]) -> Vec<bench::Place> {
     each.collect()
 }
 
-/// Puts places of these packets into local store, the rest of them given by `fill`.
+/// Puts the places of these packets into local store. `fill` sets the other fields.
 pub fn put_places(
     bench: &mut Bench,
     packets: &[bench::Place],
@@ -51,7 +51,7 @@ pub fn put_places(
     put(bench, &places)
 }
 
-/// Room for a list of pairs, and for the one that may be written behind it.
+/// Room for a list of pairs, and for one more pair that may be written after it.
 pub fn list_room(bench: &mut Bench, pairs: usize) -> bench::Place {
     put(bench, &vec![Pair::new_zeroed(); pairs + 1])
 }
@@ -60,7 +60,7 @@ pub fn list_room(bench: &mut Bench, pairs: usize) -> bench::Place {
 ///
 /// # Panics
 ///
-/// If the end is none of a list there.
+/// Panics if the address is not a possible end of such a list.
 #[must_use]
 pub fn list(bench: &Bench, room: bench::Place, end: u32) -> Vec<Pair> {
     let mut pairs: Vec<Pair> = bench.read_all(room);
@@ -69,7 +69,7 @@ pub fn list(bench: &Bench, room: bench::Place, end: u32) -> Vec<Pair> {
     pairs
 }
 
-/// `ray_setup_r16`: the packets whose top left pixels are at `pixels`.
+/// `ray_setup_r16`: returns the packets whose top left pixels are at `pixels`.
 pub fn ray_setup(
     bench: &mut Bench,
     basis: &ray_setup::Basis,
@@ -91,9 +91,9 @@ pub fn ray_setup(
     packets.iter().map(|packet| bench.read(*packet)).collect()
 }
 
-/// `isect_pairs_r16`, or the kernel of another formulation, on the pairs of a sphere and a packet,
-/// both by number; gives the packets and the addresses of the spheres' records, which are the
-/// objects.
+/// Calls `isect_pairs_r16`, or the kernel of another formulation, on pairs of a sphere and a
+/// packet, both given by number. Returns the packets and the addresses of the spheres' records,
+/// which identify the objects.
 pub fn isect_pairs(
     bench: &mut Bench,
     kernel: &str,
@@ -117,9 +117,9 @@ pub fn isect_pairs(
     (packets.collect(), objects)
 }
 
-/// `shade_depth_r16` on packets whose hits have numbers of `colours` for objects, the first of
-/// which is the background's; gives the colours and the count of rays that hit something in each
-/// lane.
+/// Calls `shade_depth_r16` on packets whose hits have indices into `colours` as objects. The first
+/// colour is the background's. Returns the colours, and the number of rays in each lane that hit
+/// something.
 pub fn shade_depth(
     bench: &mut Bench,
     hits: &[Hits],
@@ -135,7 +135,7 @@ pub fn shade_depth(
         .iter()
         .map(|colour| Sphere {
             colour: colour.map(single),
-            // Anything: it is no part of the colour.
+            // Any value, because it has no effect on the colour.
             distance: single(u32::MAX),
             ..nothing
         })
@@ -169,11 +169,11 @@ pub fn shade_depth(
     (shaded, bench.returned_vector())
 }
 
-/// `pack_r16`: the words of packets of these colours.
+/// `pack_r16`: returns the words of packets with these colours.
 ///
 /// # Panics
 ///
-/// If the kernel wrote a byte beside the pixels.
+/// Panics if the kernel writes a byte outside the pixels.
 pub fn pack(bench: &mut Bench, colours: &[Vectors], shifts: [u32; 3]) -> Vec<[u32; 16]> {
     const JUNK: u8 = 0x55;
     bench.reset();

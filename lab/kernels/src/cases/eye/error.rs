@@ -1,4 +1,4 @@
-//! Errors of the eye-ray kernels against f64, each over random inputs from its domain.
+//! Errors of the kernels for primary rays against f64, each over random inputs from its domain.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -13,11 +13,11 @@ use crate::bench::Bench;
 use crate::cases::sphere_ray::unit;
 use crate::eye_records::{self, Hits, Vectors};
 
-/// The distance of singles from 1/2 to 1.
+/// The distance between singles from 1/2 to 1.
 const ULP_OF_1: f64 = 1.0 / (1 << 23) as f64;
 type Vector = [f64; 3];
 
-/// Largest error of a direction's component, in ulps of 1.
+/// The largest error of a direction's component, in ulps of 1.
 pub fn ray_setup(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..1000 {
@@ -28,7 +28,7 @@ pub fn ray_setup(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// A camera with the picture plane at distance 1, and fields of view from narrow to wide.
+/// A camera with the picture plane at distance 1 and a random field of view, narrow to wide.
 #[must_use]
 pub fn camera(random: &mut ChaCha8Rng) -> Basis {
     let field = random.random_range(0.01..2.0);
@@ -43,7 +43,8 @@ pub fn camera(random: &mut ChaCha8Rng) -> Basis {
     }
 }
 
-/// Largest error of a component of the directions through 4x4 pixels from each of `pixels` on.
+/// The largest error of a component of the directions through 4x4 pixels, starting at each of
+/// `pixels`.
 pub fn error_of_rays(bench: &mut Bench, basis: &Basis, pixels: &[[u32; 2]]) -> f64 {
     let packets = call::ray_setup(bench, basis, pixels, 0);
     let packets = packets.iter().map(eye_records::directions);
@@ -53,7 +54,7 @@ pub fn error_of_rays(bench: &mut Bench, basis: &Basis, pixels: &[[u32; 2]]) -> f
         .fold(0.0, f64::max)
 }
 
-/// Largest error of a component of these directions, through 4x4 pixels from (x, y) on.
+/// The largest error of a component of these directions through 4x4 pixels, starting at (x, y).
 #[must_use]
 pub fn error_of_directions(basis: &Basis, [x, y]: [u32; 2], directions: &Vectors) -> f64 {
     let [corner, right, down] =
@@ -70,14 +71,14 @@ pub fn error_of_directions(basis: &Basis, [x, y]: [u32; 2], directions: &Vectors
     worst
 }
 
-/// Hits of rays that have hit nothing.
+/// The hits of rays that have hit nothing.
 pub const NO_HITS: Hits = [Hit {
     t: FARTHEST,
     object: 0,
 }; 16];
 
-/// Depth shading, colours of which the first is the background's, and hits of numbered objects
-/// from before the fading begins to beyond its end.
+/// Depth shading, colours of which the first is the background's, and hits of numbered objects at
+/// distances from before the start of the fading to after its end.
 #[must_use]
 pub fn shaded_hits(random: &mut ChaCha8Rng) -> (Depth, Vec<[Single; 3]>, Hits) {
     let near: f64 = random.random_range(0.0..50.0);
@@ -101,7 +102,7 @@ pub fn shaded_hits(random: &mut ChaCha8Rng) -> (Depth, Vec<[Single; 3]>, Hits) {
     (depth, colours, hits)
 }
 
-/// Largest error of a colour's channel, in ulps of 1.
+/// The largest error of a colour's channel, in ulps of 1.
 pub fn shade_depth(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..2000 {
@@ -120,7 +121,7 @@ pub fn shade_depth(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Largest error of a pixel's channel, of 255.
+/// The largest error of a pixel's channel, of 255.
 pub fn pack(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for shifts in [[16, 8, 0], [8, 16, 24]] {

@@ -1,5 +1,5 @@
-//! Spheres as the eye sees them, by the kernels of all formulations: records, cases, the truth in
-//! f64, errors.
+//! Spheres for primary rays with the kernels of all formulations: records, cases, the exact result
+//! in f64, and errors.
 
 use std::fmt::Debug;
 
@@ -23,19 +23,19 @@ use crate::eye_records::{self, Vectors};
 use crate::vector::{Vector, dot, magnitude, unit};
 use protocol::layout::Sphere;
 
-/// How near to its outline a sphere may be passed, as disc / r^2, for a hit or a miss that counts;
-/// nearer, the direction's own rounding decides.
+/// The least distance between a ray and the sphere's outline, as disc / r^2, for which the verdict
+/// counts. Closer to it, the rounding of the direction decides.
 const TANGENT: f64 = 1e-3;
 
-/// What a formulation takes of a sphere of the eye's.
+/// The data that a formulation uses of a sphere for primary rays.
 pub trait Seen: Copy + Debug {
-    /// A sphere with its centre there.
+    /// A sphere with this centre.
     fn at(centre: Vector, radius: f64) -> Self;
-    /// Centre and radius squared of the very sphere that is described.
+    /// The centre and the squared radius of the exact sphere that the data describe.
     fn exact(&self) -> (Vector, f64);
-    /// As the record holds it.
+    /// The words in the record.
     fn words(&self) -> EyeSphere;
-    /// Any bits at all.
+    /// Random bits.
     fn junk(random: &mut ChaCha8Rng) -> Self;
 
     /// The record.
@@ -70,8 +70,8 @@ impl Seen for BareSphere {
 
 impl Seen for Axis {
     fn at(centre: Vector, radius: f64) -> Self {
-        // A centre at the eye has no direction: with a tiny distance the eye is inside, as it
-        // should be.
+        // A centre at the eye has no direction. With a tiny distance, the eye is inside the
+        // sphere, as it should be.
         let distance = dot(centre, centre).sqrt().max(radius * 2_f64.powi(-60));
         Self {
             axis: centre.map(|component| from_f64(component / distance)),
@@ -103,7 +103,7 @@ impl Seen for Axis {
     }
 }
 
-/// The kernels of the formulations beside the one that the primary rays go through.
+/// The kernels of the formulations other than the standard one for primary rays.
 pub const KERNELS: &[Kernel] = &[
     row::<Paper>(),
     row::<Estimate>(),
@@ -151,7 +151,7 @@ pub(super) const fn row<F: ForTheEye<Sphere: Seen>>() -> Kernel {
     }
 }
 
-/// A sphere within a formulation's domain, and rays within its outline and around it.
+/// A sphere within a formulation's domain, and rays inside its outline and around it.
 #[must_use]
 pub fn around_a_sphere<F: ForTheEye<Sphere: Seen>>(
     random: &mut ChaCha8Rng,
@@ -172,7 +172,7 @@ pub fn around_a_sphere<F: ForTheEye<Sphere: Seen>>(
     (rays, sphere)
 }
 
-/// Largest error of t in its ulps; infinite if a hit is missed or made up.
+/// The largest error of t in ulps of t. Infinite for a missed or a false hit.
 fn error<F: ForTheEye<Sphere: Seen>>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..4000 {
@@ -190,7 +190,7 @@ fn error<F: ForTheEye<Sphere: Seen>>(bench: &mut Bench, random: &mut ChaCha8Rng)
             let disc = radius_squared - dot(l, l);
             let depth = disc / radius_squared;
             let found = (hit.object != 0).then(|| to_f64(hit.t));
-            // Where directions have any length, t is in parts of it.
+            // With directions of any length, t is a multiple of the length.
             let part = if F::DOMAIN.lengths.is_empty() {
                 1.0
             } else {

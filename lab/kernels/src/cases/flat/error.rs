@@ -1,6 +1,6 @@
-//! Errors of the flat shapes' kernels against f64, over random inputs of their domains.
+//! Errors of the kernels for flat shapes against f64, over random inputs from their domains.
 //!
-//! The table has the first number of a header's `Error`; the tests hold the others too.
+//! The table contains the first number of a header's `Error`. The tests also check the others.
 
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
@@ -14,10 +14,10 @@ use crate::bench::Bench;
 use crate::flat_records::{self, NO_HIT, Ray, Rays, Shears};
 use crate::vector::ulps;
 
-/// Packets that an error is measured over.
+/// The number of packets over which an error is measured.
 const PACKETS: u32 = 1000;
 
-/// Largest error of a slope in ulps of 1, or of 1 / direction z in its own.
+/// The largest error of a slope in ulps of 1, or of 1 / direction z in its own ulps.
 pub fn shear(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -34,7 +34,7 @@ pub fn shear(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// The same of one ray.
+/// The same error of one ray.
 #[must_use]
 pub fn error_of_shear(ray: &Ray, shears: &Shears, lane: usize) -> f64 {
     let shear = flat_records::shear(shears, lane);
@@ -44,7 +44,7 @@ pub fn error_of_shear(ray: &Ray, shears: &Shears, lane: usize) -> f64 {
     errors.fold(ulps(to_f64(shear.minus_per_z), -1.0 / z), f64::max)
 }
 
-/// Largest error of t in its ulps; infinite if a hit is missed.
+/// The largest error of t in ulps of t. Infinite for a missed hit.
 pub fn isect_triangles(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -58,7 +58,7 @@ pub fn isect_triangles(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
         bench.call("isect_triangles_r16", &arguments);
         let hits = bench.read::<Rays>(packet).hits();
         for ((number, (ray, triangle)), hit) in (1..).zip(&aimed).zip(hits) {
-            // Another triangle may stand before it: then that one's domain is not known.
+            // Another triangle may be in front of it, whose domain is not known.
             if hit.object == number {
                 let [t, ..] = on_triangle(ray, triangle);
                 worst = worst.max(ulps(to_f64(hit.t), t));
@@ -70,18 +70,18 @@ pub fn isect_triangles(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Largest error of t in its ulps, where the rectangle is hit.
+/// The largest error of t in ulps of t for rays that hit the rectangle.
 pub fn isect_rectangle(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     nearest_error(bench, random, "isect_rectangle_r16")
 }
 
-/// Largest error of t in its ulps; infinite if a hit is missed.
+/// The largest error of t in ulps of t. Infinite for a missed hit.
 pub fn isect_plane(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     nearest_error(bench, random, "isect_plane_r16")
 }
 
 fn nearest_error(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str) -> f64 {
-    /// How near to an edge, in u and v, a point may be on either side.
+    /// The least distance of a point from an edge, in u and v, on either side.
     const EDGE: f64 = 5e-4;
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

@@ -1,5 +1,5 @@
-//! Errors of reciprocals and roots against f64, in ulps of the SPU's format: spacings of singles
-//! at what is exact.
+//! Errors of reciprocals and roots against f64, in ulps of the SPU's format: the distance between
+//! singles at the exact result.
 
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::to_f64;
@@ -9,36 +9,37 @@ use super::{Function, call, operand};
 use crate::bench::Bench;
 use crate::single::spacing;
 
-/// Calls that an error is measured over.
+/// The number of calls over which an error is measured.
 const CALLS: u32 = 100;
-/// Quadwords of each.
+/// The number of quadwords in each call.
 const QUADWORDS: usize = 100;
-/// The part of all operands that the high quantile is of.
+/// The share of all operands for the high quantile.
 const MOST: f64 = 0.999;
 
-/// Errors of a function over all fractions that an operand can have, in ulps.
+/// The errors of a function over all fractions that an operand can have, in ulps.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Accuracy {
     /// The largest.
     pub largest: f64,
-    /// The first operand that has it.
+    /// The first operand with the largest error.
     pub worst: Single,
     /// The mean.
     pub mean: f64,
-    /// What 99.9 % of the operands do not exceed.
+    /// The error that 99.9 % of the operands do not exceed.
     pub most: f64,
 }
 
-/// How far off a result is, in ulps.
+/// The error of a result in ulps.
 #[must_use]
 pub fn ulps(function: &Function, operand: Single, result: Single) -> f64 {
     let exact = function.quantity.exactly(to_f64(operand));
     (to_f64(result) - exact).abs() / spacing(exact)
 }
 
-/// The errors of a function over the 2^23 operands of an octave, for roots the 2^24 of two: all
-/// that there are, as an exponent changes no digit of the results. By the twin, which the tests
-/// hold the kernel to bit for bit; takes about a second.
+/// The errors of a function over the 2^23 operands of an octave, or the 2^24 of two octaves for
+/// roots. These are all cases, because an exponent does not change a digit of the result. They are
+/// computed with the twin, to which the tests compare the kernel bit for bit. This takes about a
+/// second.
 #[must_use]
 pub fn accuracy(function: &Function) -> Accuracy {
     let operands = function.quantity.all_fractions();
@@ -65,7 +66,7 @@ pub fn accuracy(function: &Function) -> Accuracy {
     }
 }
 
-/// Largest error of the kernel over random operands of its domain.
+/// The largest error of the kernel over random operands from its domain.
 pub fn largest(bench: &mut Bench, random: &mut ChaCha8Rng, function: &Function) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..CALLS {

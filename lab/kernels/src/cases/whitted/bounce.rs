@@ -1,4 +1,5 @@
-//! `refract_r16` and `reflect_r16`: cases, hits of their domain, and what they give against f64.
+//! `refract_r16` and `reflect_r16`: cases, hits from their domain, and their results compared with
+//! f64.
 
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -15,14 +16,14 @@ use protocol::layout::{QueuedRay, RayPacket, Site, Surfaces};
 
 /// A short list of sites, and a long one.
 const SITES: Objects = Objects::List(2, 8);
-/// Packets that an error is measured over.
+/// The number of packets over which an error is measured.
 const PACKETS: u32 = 1000;
-/// The least cosine on the far side for which `refract_r16` states its error.
+/// The least refracted cosine for which `refract_r16` states its error.
 pub const STEEP: f64 = 0.1;
-/// How near to the surface, by its cosine, rounding may decide which normal is taken.
+/// If the cosine is closer to 0 than this, rounding may decide which normal is used.
 pub const ALONG: f64 = 1e-5;
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "refract_r16",
@@ -60,7 +61,7 @@ pub const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// Hits that all have this share to reflect and to let through.
+/// Hits that all reflect and transmit this share.
 fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
     let mut random = ChaCha8Rng::seed_from_u64(SEED);
     let packet = |_| {
@@ -74,7 +75,7 @@ fn case(bench: &mut Bench, count: u32, share: f64) -> Vec<u32> {
     Sites::put(bench, &packets, &mut random).arguments(0)
 }
 
-/// Sites placed for a call, and the queue for their rays.
+/// Sites in local store for a call, and the queue for their rays.
 pub struct Sites {
     sites: Place,
     surfaces: Vec<Place>,
@@ -82,7 +83,7 @@ pub struct Sites {
 }
 
 impl Sites {
-    /// Places the records of hits; what the kernels don't read is junk.
+    /// Puts the records of hits into local store. Fields that the kernels do not read are junk.
     pub fn put(bench: &mut Bench, packets: &[[Bounce; 16]], random: &mut impl Rng) -> Self {
         let mut surfaces = Vec::new();
         let sites: Vec<Site> = packets
@@ -110,18 +111,18 @@ impl Sites {
         }
     }
 
-    /// What a kernel is given, with the least weight of a ray that is sent on.
+    /// The arguments of a kernel, with the least weight of a ray that is sent on.
     #[must_use]
     pub fn arguments(&self, least: u32) -> Vec<u32> {
         let count = self.surfaces.len() as u32;
         vec![self.sites.address, count, self.queue.address, least]
     }
 
-    /// The rays that a kernel has appended, by the end that it returned.
+    /// The rays that a kernel appended, up to the end that it returned.
     ///
     /// # Panics
     ///
-    /// If that is no end of whole rays within the queue.
+    /// Panics if that is not the end of a whole ray within the queue.
     #[must_use]
     pub fn queued(&self, bench: &Bench, end: u32) -> Vec<Queued> {
         let bytes = end - self.queue.address;
@@ -139,7 +140,7 @@ impl Sites {
         queued.collect()
     }
 
-    /// The surfaces as they stand now.
+    /// The surfaces in local store.
     #[must_use]
     pub fn surfaces(&self, bench: &Bench) -> Vec<Surfaces> {
         let read = |place: &Place| bench.read(*place);
@@ -147,7 +148,7 @@ impl Sites {
     }
 }
 
-/// The records of sixteen hits, in what the kernels read of them; the rest is junk.
+/// The records of sixteen hits. Fields that the kernels do not read are junk.
 fn records(packet: &[Bounce; 16], random: &mut impl Rng) -> (Surfaces, RayPacket) {
     let mut surfaces = Surfaces::new_zeroed();
     let mut rays = RayPacket::new_zeroed();
@@ -195,8 +196,8 @@ fn records(packet: &[Bounce; 16], random: &mut impl Rng) -> (Surfaces, RayPacket
     (surfaces, rays)
 }
 
-/// A hit of the stated domain: any incidence, half of them on patches, whose normals lean by up to
-/// a half; glass, mirrors and neither.
+/// A hit from the stated domain: any incidence, half of the hits on patches with normals that lean
+/// by up to a half, and materials of glass, mirrors and neither.
 pub fn hit(random: &mut impl Rng) -> Bounce {
     let (direction, plane) = loop {
         let [direction, plane] = [(); 2].map(|()| unit(in_cube(1.0, random)));
@@ -239,11 +240,12 @@ pub fn hit(random: &mut impl Rng) -> Bounce {
     }
 }
 
-/// A direction in f64 for the very singles that a kernel is given, and its share of the ray's
-/// weight; nothing if there is none, or if it is not within the stated domain.
+/// A function that returns the direction of the new ray in f64, from the same singles that a
+/// kernel gets, and its share of the ray's weight. It returns `None` if there is no such ray or if
+/// it is outside the stated domain.
 type Truth = fn(&Bounce) -> Option<(Vector, f64)>;
 
-/// What a mirror throws back.
+/// The reflected ray.
 #[must_use]
 pub fn reflected(hit: &Bounce) -> Option<(Vector, f64)> {
     let [direction, normal, plane] =
@@ -266,7 +268,7 @@ pub fn reflected(hit: &Bounce) -> Option<(Vector, f64)> {
     decided.then_some((taken, share))
 }
 
-/// What glass lets through.
+/// The refracted ray.
 #[must_use]
 pub fn refracted(hit: &Bounce) -> Option<(Vector, f64)> {
     let [direction, normal, plane] =
@@ -295,11 +297,11 @@ pub fn refracted(hit: &Bounce) -> Option<(Vector, f64)> {
     (off.abs() > ALONG && share > 0.0).then_some((taken, share))
 }
 
-/// Largest error of a direction's component in ulps of 1; infinite if a ray is missing.
+/// The largest error of a direction's component in ulps of 1. Infinite if a ray is missing.
 fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
-        // One at a time: the rays in the queue don't say whose they are, but for the pixel.
+        // One hit at a time, because only the pixel identifies a ray in the queue.
         let packet: [Bounce; 16] = std::array::from_fn(|lane| Bounce {
             pixel: lane as u32,
             ..hit(random)
@@ -319,7 +321,7 @@ fn worst(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, truth: Truth)
     worst
 }
 
-/// Ulps of 1 by which the worst component of a ray's direction is off.
+/// The largest error of a component of a ray's direction, in ulps of 1.
 #[must_use]
 pub fn off(ray: &Queued, exact: Vector) -> f64 {
     let found = ray.direction.map(to_f64).into_iter().zip(exact);

@@ -1,4 +1,4 @@
-//! The intersectors that run through candidates: what they all are called with.
+//! The kernels that intersect candidates: the inputs that they share.
 
 pub mod call;
 pub mod cone;
@@ -30,10 +30,10 @@ use triangle_mt::MoellerTrumbore;
 
 /// A short list of candidates, and a long one.
 const CANDIDATES: Objects = Objects::List(16, 64);
-/// Packets to be sheared: as many as there is room for.
+/// Packets to be sheared, up to as many as fit.
 const PACKETS: Objects = Objects::List(8, 24);
 
-/// The row of a shape's kernel: past objects that are missed, and through some that are hit.
+/// The row of a shape's kernel, with objects that are missed and objects that are hit.
 const fn row<S: Shape>() -> Kernel {
     Kernel {
         name: S::KERNEL,
@@ -63,7 +63,7 @@ const fn row<S: Shape>() -> Kernel {
     }
 }
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     row::<By<Perpendicular>>(),
     row::<By<Paper>>(),
@@ -95,7 +95,7 @@ pub const KERNELS: &[Kernel] = &[
     row::<ConeObject>(),
 ];
 
-/// Each of the objects with sixteen packets.
+/// Each of the objects paired with sixteen packets.
 fn candidates<S: Shape>(bench: &mut Bench, objects: &[S; 4], count: u32) -> Vec<u32> {
     let rays = case_rays().map(|ray| Ray { t: FARTHEST, ..ray });
     let packets = [call::packet(&rays, 0); 16];

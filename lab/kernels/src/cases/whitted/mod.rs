@@ -1,4 +1,4 @@
-//! The kernels of Whitted's model, a file for each step of it.
+//! The kernels of Whitted's model. Each step of it has a file.
 
 pub mod bounce;
 pub mod isect;

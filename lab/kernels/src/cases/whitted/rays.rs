@@ -1,4 +1,5 @@
-//! The kernels that make packets of rays, and those that leave out what no ray of a packet meets.
+//! The kernels that make packets of rays, and those that cull objects that no ray of a packet can
+//! hit.
 
 pub mod call;
 pub mod faces;
@@ -20,12 +21,12 @@ use crate::cases::sphere_ray::unit;
 use crate::catalogue::{Case, Kernel, Objects};
 use call::{BareSphere, Child, Point};
 
-/// A packet, and a batch of them.
+/// One packet, and a batch of them.
 const PACKETS: Objects = Objects::List(1, 8);
 /// A short list of candidates, and a long one.
 const NODES: Objects = Objects::List(16, 64);
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "primary_rays_r16",
@@ -112,7 +113,7 @@ pub const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// The camera of the cases: along -z.
+/// The camera of the cases, which looks along -z.
 fn view() -> View {
     View {
         basis: Basis {
@@ -126,7 +127,7 @@ fn view() -> View {
     }
 }
 
-/// A ray that waits.
+/// A queued ray.
 const QUEUED: Queued = Queued {
     origin: [ONE; 3],
     weight: ONE,
@@ -134,14 +135,14 @@ const QUEUED: Queued = Queued {
     pixel: 0,
 };
 
-/// Where those of the cases come from.
+/// The origin of the cases' rays.
 const EYE: Point = Point {
     place: [ZERO; 3],
     near: ZERO,
     along: ONE,
 };
 
-/// Rays about -z.
+/// Rays close to -z.
 fn rays() -> [Ray; 16] {
     std::array::from_fn(|lane| {
         let step = |at: usize| (at as f64 - 1.5) * 0.01;
@@ -156,7 +157,7 @@ fn rays() -> [Ray; 16] {
     })
 }
 
-/// Candidates of nodes with four equal children and one packet.
+/// Candidates of one packet and nodes with four equal children.
 fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
     let child = Child {
         sphere: BareSphere {
@@ -170,7 +171,7 @@ fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
     call::put_candidates(bench, &[[child; 4]], &bounds, &pairs).arguments
 }
 
-/// Candidates of a face before the rays, whose normal has this z, and one packet.
+/// Candidates of one packet and a face in front of the rays, whose normal has this z.
 fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
     let face = Face {
         point: [0.0, 0.0, -5.0].map(from_f64),
@@ -183,7 +184,7 @@ fn cull_faces(bench: &mut Bench, z: f64, count: u32) -> Vec<u32> {
     faces::put(bench, &[face], &bounds, &pairs, ONE).arguments
 }
 
-/// Largest error of a direction's component, in ulps of 1.
+/// The largest error of a direction's component, in ulps of 1.
 fn primary_rays_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let errors = (0..1000).map(|_| {
         let basis = camera(random);

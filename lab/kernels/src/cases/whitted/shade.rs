@@ -1,4 +1,4 @@
-//! The kernels from hits to pixels, in the order in which a batch of packets goes through them.
+//! The kernels from hits to pixels, in the order in which a batch of packets passes through them.
 
 pub mod call;
 pub mod error;
@@ -19,10 +19,10 @@ use protocol::layout;
 use records::PacketRay;
 use shapes::Shape;
 
-/// Packets of a call: the cost of one more is what counts.
+/// The packets in a call. The cost of one more is what counts.
 const PACKETS: Objects = Objects::List(4, 8);
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "surfaces_r16",
@@ -116,7 +116,7 @@ pub const KERNELS: &[Kernel] = &[
     },
 ];
 
-/// A ray from the eye to -z.
+/// A ray from the eye towards -z.
 fn away() -> PacketRay {
     PacketRay {
         ray: Ray {
@@ -130,7 +130,8 @@ fn away() -> PacketRay {
     }
 }
 
-/// A background and a sphere ahead with their material, and packets of rays that hit the sphere.
+/// A background and a sphere in front of the eye with their material, and packets of rays that hit
+/// the sphere.
 fn hits(bench: &mut Bench, count: u32) -> (bench::Place, bench::Place) {
     let half = from_f64(0.5);
     let material = put(
@@ -179,7 +180,7 @@ fn ambient(bench: &mut Bench, count: u32) -> Vec<u32> {
     vec![surfaces.address, count, brightness.address]
 }
 
-/// Hits on a sphere that a light beside the eye reaches.
+/// Hits on a sphere that a light next to the eye reaches.
 fn sites(bench: &mut Bench, count: u32) -> Vec<u32> {
     let half = from_f64(0.5);
     let surface = Surface {

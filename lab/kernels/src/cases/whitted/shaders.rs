@@ -1,5 +1,4 @@
-//! The shaders that the program comes with: cases, surfaces to shade, and the error of
-//! `shader_depth`.
+//! The built-in shaders: cases, surfaces to shade, and the error of `shader_depth`.
 
 use rand::{Rng, SeedableRng as _};
 use rand_chacha::ChaCha8Rng;
@@ -13,10 +12,10 @@ use crate::catalogue::{Case, Kernel, Objects};
 use crate::single::{bits, single};
 use protocol::layout::{Material, RayPacket, ShaderContext, Surfaces};
 
-/// Packets that an error is measured over.
+/// The number of packets over which an error is measured.
 const PACKETS: u32 = 500;
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[
     Kernel {
         name: "shader_checker",
@@ -47,22 +46,22 @@ fn case(bench: &mut Bench) -> Vec<u32> {
     arguments
 }
 
-/// What a shader is given.
+/// The inputs of a shader.
 pub struct Call {
     /// The surfaces.
     pub surfaces: Surfaces,
     /// The rays that hit them.
     pub rays: RayPacket,
-    /// Lanes to shade.
+    /// The lanes to shade.
     pub mask: [bool; 16],
-    /// For the shader.
+    /// The shader's parameters.
     pub parameters: [Single; 4],
-    /// The eye in the scene.
+    /// The position of the eye in the scene.
     pub eye: [Single; 3],
 }
 
 impl Call {
-    /// Records of junk, but for what shaders read: that is of `value`.
+    /// Records of junk, except for the fields that shaders read, which come from `value`.
     pub fn random<R: Rng>(random: &mut R, mut value: impl FnMut(&mut R) -> Single) -> Self {
         let mut surfaces = Surfaces::new_zeroed();
         let mut rays = RayPacket::new_zeroed();
@@ -89,7 +88,7 @@ impl Call {
         }
     }
 
-    /// Places the records: where the surfaces are, and the arguments.
+    /// Puts the records into local store. Returns the surfaces' buffer and the arguments.
     pub fn put(&self, bench: &mut Bench) -> (Place, Vec<u32>) {
         let mask = self
             .mask
@@ -119,7 +118,7 @@ impl Call {
     }
 }
 
-/// Largest error of a channel in ulps of 1.
+/// The largest error of a channel in ulps of 1.
 fn depth_error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

@@ -1,4 +1,4 @@
-//! The kernel of smooth normals: patches, hits on them, its case and its error.
+//! The kernel for smooth normals: patches, hits on them, its case and its error.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -21,7 +21,7 @@ use crate::single::{bits, single};
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 use protocol::layout::{self, SIDES_SMOOTH, Surfaces};
 
-/// The kernels of this file.
+/// The kernels in this file.
 pub const KERNELS: &[Kernel] = &[Kernel {
     name: "smooth_r16",
     rays: 16,
@@ -45,16 +45,16 @@ pub const KERNELS: &[Kernel] = &[Kernel {
     error: Some(error),
 }];
 
-/// Where a ray has hit a triangle.
+/// A hit on a triangle.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
-    /// The triangle, with normals.
+    /// The triangle with its normals.
     pub patch: Patch,
-    /// Whether the normals count.
+    /// Whether the normals are used.
     pub smooth: bool,
     /// The point hit.
     pub point: Point,
-    /// The triangle's own normal on the ray's side.
+    /// The triangle's geometric normal on the ray's side.
     pub plane: Point,
     /// The ray's direction.
     pub direction: Point,
@@ -76,7 +76,7 @@ fn record(hit: &Hit, anything: u32) -> layout::Patch {
     }
 }
 
-/// The surfaces where these hits are; `anything` is what no lane's normal is yet, and all else.
+/// The surfaces of these hits. `anything` fills the lanes without a normal and all other fields.
 #[must_use]
 pub fn surfaces(hits: &[Hit; 16], anything: u32) -> Surfaces {
     let words = [U32::new(anything); size_of::<Surfaces>() / 4];
@@ -96,8 +96,8 @@ pub fn surfaces(hits: &[Hit; 16], anything: u32) -> Surfaces {
     surfaces
 }
 
-/// Places the hits' patches, rays and surfaces; gives the arguments, of which the last is the
-/// surfaces' place, too.
+/// Puts the hits' patches, rays and surfaces into local store. Returns the arguments, of which the
+/// last is the surfaces' address, and the surfaces' buffer.
 fn place(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> (Vec<u32>, Place) {
     let records = hits.map(|hit| record(&hit, anything));
     let records = put(bench, &records);
@@ -112,7 +112,7 @@ fn place(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> (Vec<u32>, Place
     (vec![rays.address, surfaces.address], surfaces)
 }
 
-/// `smooth_r16` on these hits: the surfaces then.
+/// `smooth_r16` on these hits: returns the surfaces after the call.
 pub fn smooth(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> Surfaces {
     bench.reset();
     let (arguments, surfaces) = place(bench, hits, anything);
@@ -120,14 +120,14 @@ pub fn smooth(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> Surfaces {
     bench.read(surfaces)
 }
 
-/// The normals that shade.
+/// The shading normals.
 #[must_use]
 pub fn normals(surfaces: &Surfaces) -> [Point; 16] {
     let axes = [surfaces.normal_x, surfaces.normal_y, surfaces.normal_z];
     std::array::from_fn(|lane| axes.map(|axis| bits(axis[lane])))
 }
 
-/// A hit of the stated domain, of a scene so many times as large.
+/// A hit from the stated domain, in a scene scaled by `scale`.
 pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
     let distance = magnitude(1.0..100.0, random);
     let size = distance * magnitude(0.01..1.0, random);
@@ -142,7 +142,7 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
         let lengths = edges.map(|edge| dot(edge, edge).sqrt());
         let area = cross(edges[0], edges[1]);
         let longest = lengths.into_iter().fold(0.0, f64::max);
-        // No sliver: a point's own rounding would move it from vertex to vertex.
+        // No slivers, in which the rounding of a point would move it from one vertex to another.
         if longest > scale * size && dot(area, area).sqrt() > 0.3 * longest * longest {
             break corners;
         }
@@ -180,7 +180,8 @@ pub fn any_hit(random: &mut ChaCha8Rng, scale: f64) -> Hit {
     }
 }
 
-/// The normal in f64, and how far it points to the ray: below 0 it is the plane's.
+/// The normal in f64, and its component towards the ray. If that is below 0, the plane's normal is
+/// used.
 #[must_use]
 pub fn truth(hit: &Hit) -> (Vector, f64) {
     let [a, b, c] = hit
@@ -200,9 +201,9 @@ pub fn truth(hit: &Hit) -> (Vector, f64) {
     (if towards > 0.0 { normal } else { plane }, towards)
 }
 
-/// Largest error of a component, of 1.
+/// The largest error of a component, of 1.
 fn error(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
-    /// How near to 0 the cosine to the ray may be for a normal that counts.
+    /// The least cosine to the ray for which a normal counts.
     const EDGE_ON: f64 = 1e-4;
     let mut worst = 0.0_f64;
     for _ in 0..500 {

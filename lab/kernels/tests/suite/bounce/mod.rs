@@ -1,4 +1,4 @@
-//! `refract_r16` and `reflect_r16`: against their twins bit for bit and against `f64`.
+//! `refract_r16` and `reflect_r16`: compared with their twins bit for bit, and with `f64`.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::bounce::{Sites, hit, off, reflected, refracted};
@@ -10,13 +10,13 @@ use twins::bounce::{Bounce, Queued};
 use twins::reflect::reflect;
 use twins::refract::refract;
 
-/// Runs both kernels on these hits, each alone, and compares with the twins; gives the rays let
-/// through and those thrown back.
+/// Runs both kernels on these hits, each separately, and compares with the twins. Returns the
+/// refracted and the reflected rays.
 fn check(bench: &mut Bench, random: &mut impl Rng, packets: &[[Bounce; 16]]) -> [Vec<Queued>; 2] {
     check_above(0, bench, random, packets)
 }
 
-/// The same, where rays of a weight below `least` are not sent on.
+/// The same, if rays with a weight below `least` are not sent on.
 fn check_above(
     least: u32,
     bench: &mut Bench,
@@ -53,7 +53,7 @@ fn check_above(
     [through, thrown_back]
 }
 
-/// Only the share `mirror` may have changed, to this.
+/// Checks that only the share `mirror` has changed, to this value.
 fn assert_surfaces(
     sites: &Sites,
     bench: &Bench,
@@ -141,7 +141,7 @@ fn any_bits_at_all_equal_the_twins() {
     assert!(rays[0] > 250 && rays[1] > 3000, "only {rays:?} rays");
 }
 
-/// The header's first number holds for every component, and the length is within 2 ulp.
+/// The header's first number holds for every component, and lengths are within 2 ulp of 1.
 #[test]
 fn keep_their_error_bounds() {
     let mut random = random();
@@ -184,7 +184,8 @@ fn keep_their_error_bounds() {
     assert!(compared.iter().all(|count| *count > 5000), "{compared:?}");
 }
 
-/// Close to total reflection the square of the cosine is off by ulps of 1, so the cosine by many.
+/// Near total reflection, the square of the cosine has an error of some ulps of 1, so the cosine
+/// has an error of many ulps.
 #[test]
 fn keeps_its_error_near_the_critical_angle() {
     const STATED: f64 = 2.0;
@@ -227,7 +228,7 @@ fn keeps_its_error_near_the_critical_angle() {
     assert!(compared > 5000, "only {compared} compared");
 }
 
-/// A hit on a plane that faces +z, by a ray of this cosine and in the plane of x and z.
+/// A hit on a plane that faces +z, by a ray with this cosine in the plane of x and z.
 fn on_plane(cosine: f64, ratio: f64) -> Bounce {
     let sine = (1.0 - cosine * cosine).sqrt();
     let up = [0.0, 0.0, 1.0].map(from_f64);
@@ -247,7 +248,7 @@ fn on_plane(cosine: f64, ratio: f64) -> Bounce {
     }
 }
 
-/// What one hit lets through and throws back, after the kernels in the driver's order.
+/// The refracted and the reflected ray of one hit, with the kernels called in the driver's order.
 fn follow(hit: Bounce) -> [Option<Queued>; 2] {
     let mut bench = Bench::new();
     let mut random = random();
@@ -256,7 +257,7 @@ fn follow(hit: Bounce) -> [Option<Queued>; 2] {
         transmittance: 0,
         ..hit
     };
-    // Lane 6 alone.
+    // Only lane 6.
     let mut packet = [nothing; 16];
     packet[6] = hit;
     bench.reset();
@@ -271,7 +272,7 @@ fn follow(hit: Bounce) -> [Option<Queued>; 2] {
 
 #[test]
 fn critical_grazing_and_head_on() {
-    // Out of glass of 1.5 the sine 2/3 is the critical one: the cosine sqrt(5)/3.
+    // From glass with index 1.5, the critical sine is 2/3, and the cosine is sqrt(5)/3.
     let critical = 5_f64.sqrt() / 3.0;
     for (cosine, total) in [(critical + 1e-5, false), (critical - 1e-5, true)] {
         let [through, back] = follow(on_plane(cosine, 1.5));
@@ -283,7 +284,7 @@ fn critical_grazing_and_head_on() {
             assert_eq!(to_f64(back.origin[2]), 6.125);
         }
     }
-    // Straight on, at any ratio.
+    // Perpendicular incidence goes straight on, at any ratio.
     for ratio in [0.5, 1.0, 2.0] {
         let [through, back] = follow(on_plane(1.0, ratio));
         let through = through.expect("a ray");
@@ -292,7 +293,7 @@ fn critical_grazing_and_head_on() {
         assert_eq!(through.pixel, 0x1230);
         assert_eq!(back, None);
     }
-    // Along the surface, with Schlick, nearly all is reflected.
+    // Almost parallel to the surface, Schlick's formula reflects almost everything.
     let grazing = Bounce {
         schlick: from_f64(0.04),
         grazing: from_f64(0.96),
@@ -304,7 +305,8 @@ fn critical_grazing_and_head_on() {
     assert!(through < 0.002, "{through}");
 }
 
-/// On a patch, a normal that leans too far sends rays to the wrong side: there the plane's counts.
+/// On a patch, a normal that leans too far would send rays to the wrong side. The plane's normal
+/// is used there.
 #[test]
 fn leaning_normals_give_way_to_the_plane() {
     let leaning = [0.8, 0.0, 0.6].map(from_f64);
@@ -314,7 +316,7 @@ fn leaning_normals_give_way_to_the_plane() {
         transmittance: 0,
         ..on_plane(0.3, 1.0)
     };
-    // Away from the leaning normal the ray would be thrown into the surface.
+    // With the leaning normal, the ray would be reflected into the surface.
     let away = Bounce {
         normal: [-0.8, 0.0, 0.6].map(from_f64),
         ..mirror

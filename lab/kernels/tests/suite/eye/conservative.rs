@@ -1,5 +1,5 @@
-//! With the records that the PPU makes, no kernel leaves out what some ray enters: by f64, from
-//! the sphere of the scene, and by what the intersector would find.
+//! With the records that the PPU makes, no kernel culls a sphere that some ray enters, neither by
+//! f64 with the scene's sphere nor by the intersector's result.
 
 use cellray::framebuffer::Geometry;
 use cellray::scene;
@@ -29,21 +29,21 @@ const SIZE: Geometry = Geometry {
 };
 const CAMERAS: usize = 200;
 const SPHERES: usize = 32;
-/// Pixels across and down a group.
+/// The width and height of a group in pixels.
 const GROUP_SIDE: u32 = 16;
 
-/// A vector of length 1, any as likely as another.
+/// A random unit vector, uniformly distributed.
 fn unit(random: &mut ChaCha8Rng) -> DVec3 {
     DVec3::from_array(kernels::cases::sphere_ray::any_direction(random))
 }
 
-/// A vector of length 1 at right angles to one.
+/// A random unit vector that is perpendicular to another.
 fn across(random: &mut ChaCha8Rng, along: DVec3) -> DVec3 {
     let across = along.cross(unit(random)).try_normalize();
     across.unwrap_or_else(|| along.any_orthonormal_vector())
 }
 
-/// A camera that looks anywhere from anywhere, with a narrow or a wide picture.
+/// A camera at a random place with a random direction, with a narrow or a wide picture.
 fn camera(random: &mut ChaCha8Rng) -> Camera {
     let from = unit(random) * libm::exp2(random.random_range(-6.0..6.0_f64));
     let sight = unit(random);
@@ -58,8 +58,8 @@ fn camera(random: &mut ChaCha8Rng) -> Camera {
     view.camera(SIZE.width, SIZE.height).expect("a camera")
 }
 
-/// A sphere, far or near, small or large, whose edge is at a ray, or a hair or some pixels beside
-/// it.
+/// A sphere of any distance and size whose edge touches a ray, or is next to it by a tiny distance
+/// or by some pixels.
 fn sphere_at(random: &mut ChaCha8Rng, eye: DVec3, ray: DVec3) -> scene::Sphere {
     let distance = libm::exp2(random.random_range(-6.0..12.0_f64));
     let share = match random.random_range(0..3) {
@@ -84,7 +84,7 @@ fn sphere_at(random: &mut ChaCha8Rng, eye: DVec3, ray: DVec3) -> scene::Sphere {
     }
 }
 
-/// Whether a ray enters a sphere from outside, by f64 alone.
+/// Whether a ray enters a sphere from outside, computed only in f64.
 fn enters(sphere: &scene::Sphere, eye: DVec3, ray: DVec3) -> bool {
     let to_centre = sphere.centre - eye;
     let passes_at = to_centre.reject_from(ray).length();
@@ -95,7 +95,8 @@ fn nearest(vector: DVec3) -> [Single; 3] {
     vector.to_array().map(|value| (value as f32).to_bits())
 }
 
-/// The camera as frames have it, and that of the packets' middles, by the frame's own arithmetic.
+/// The camera's record as in frames, and that of the packets' middles, computed like the frame
+/// does.
 fn bases(camera: &Camera) -> (Basis, Basis) {
     let basis = Basis {
         corner: nearest(camera.corner),
@@ -115,7 +116,7 @@ fn bases(camera: &Camera) -> (Basis, Basis) {
     (basis, middles)
 }
 
-/// A group of the picture: its rays, spheres about them, and which of these each packet has to
+/// A group of the picture: its rays, spheres around them, and the spheres that each packet must
 /// test.
 struct Group {
     camera: Camera,
@@ -124,7 +125,7 @@ struct Group {
     packets: Vec<Packet>,
     middles: Packet,
     records: Vec<Sphere>,
-    /// A sphere's mask: packets some ray of which enters it.
+    /// A sphere's mask: the packets with a ray that enters it.
     entered: Vec<u32>,
 }
 
@@ -184,7 +185,8 @@ impl Group {
         }
     }
 
-    /// Holds a kernel to what has to be tested; gives how much has, and how much it left out.
+    /// Checks that a kernel keeps all necessary tests. Returns how many were necessary and how
+    /// many it culled.
     fn check(&self, kernel: &str, tested: impl Fn(usize) -> u32) -> (u32, u32) {
         let (mut needed, mut left_out) = (0, 0);
         for (number, entered) in self.entered.iter().enumerate() {
@@ -202,12 +204,12 @@ impl Group {
     }
 }
 
-/// A unit direction in f64.
+/// A unit vector in f64.
 fn wide(ray: [Single; 3]) -> DVec3 {
     DVec3::from_array(ray.map(to_f64)).normalize()
 }
 
-/// Sums up what [`Group::check`] gave, and asks for enough of both.
+/// Adds up the results of [`Group::check`], and checks that there are enough of both.
 fn assert_both(kernel: &str, results: impl Iterator<Item = (u32, u32)>) {
     let (needed, left_out) = results.fold((0, 0), |sum, one| (sum.0 + one.0, sum.1 + one.1));
     println!("{kernel}: {needed} tests needed, {left_out} left out");
@@ -221,7 +223,7 @@ fn no_ray_that_enters_a_sphere_is_filtered_out() {
     let results = (0..CAMERAS).map(|_| {
         let group = Group::any(&mut bench, &mut random);
         let mut masks = [0_u32; SPHERES];
-        // A row of packets at a time: the lists of all do not fit.
+        // One row of packets at a time, because the lists of all rows do not fit.
         for (row, packets) in group.packets.chunks(4).enumerate() {
             bench.reset();
             let packets = put_packets(&mut bench, packets);
@@ -271,7 +273,7 @@ fn no_packet_a_ray_of_which_enters_a_sphere_is_culled() {
     assert_both("cull_spheres_p64", results);
 }
 
-/// The planes around the tile of a pixel, to the outer edges of its pixels; normals point inwards.
+/// The planes around the tile of a pixel, at the outer edges of its pixels. Normals point inwards.
 fn frustum(camera: &Camera, left: u32, top: u32) -> Frustum {
     let direction = |x: f64, y: f64| camera.corner + x * camera.right + y * camera.down;
     let (left, top) = (

@@ -18,12 +18,13 @@ use zerocopy::big_endian::U32;
 
 use super::COUNTS;
 
-/// How inputs come about.
+/// The kind of inputs.
 #[derive(Clone, Copy)]
 enum Inputs {
-    /// Directions about -z, and spheres around it with limits of which about half are exceeded.
+    /// Directions close to -z, and spheres around them with limits of which about half are
+    /// exceeded.
     Sensible,
-    /// Any bits.
+    /// Random bits.
     Any,
 }
 
@@ -77,7 +78,7 @@ fn objects_and_packets(pairs: &[Pair]) -> Vec<[u32; 2]> {
         .collect()
 }
 
-/// Checks `filter_spheres_r16`; gives how many pairs passed.
+/// Checks `filter_spheres_r16`, and returns how many pairs passed.
 fn check_filter(bench: &mut Bench, packets: &[Packet], spheres: &[Sphere]) -> usize {
     bench.reset();
     let addresses = put_packets(bench, packets);
@@ -145,7 +146,7 @@ fn one_ray_of_sixteen_is_enough_for_the_filter() {
     assert_eq!(check_filter(&mut bench, &[packet], &[sphere; 4]), 0);
 }
 
-/// Checks `cull_spheres_p64`; gives how many packets were named.
+/// Checks `cull_spheres_p64`, and returns how many packets it selected.
 fn check_cull(
     bench: &mut Bench,
     middles: &[Vectors; 4],
@@ -206,7 +207,7 @@ fn culled_spheres_equal_the_twins() {
     }
 }
 
-/// Checks `frustum_spheres`; gives how many spheres passed.
+/// Checks `frustum_spheres`, and returns how many spheres passed.
 fn check_frustum(bench: &mut Bench, normals: &[[Single; 3]; 4], spheres: &[Sphere]) -> usize {
     bench.reset();
     let [normal_x, normal_y, normal_z] =
@@ -264,8 +265,8 @@ fn spheres_in_a_frustum_equal_the_twins() {
     }
 }
 
-/// Checks `hidden_pairs_r16` on a sphere at each of `near` and the packet of the same place; gives
-/// how many pairs stayed.
+/// Checks `hidden_pairs_r16` on pairs of a sphere at each distance of `near` and the packet with
+/// the same index. Returns how many pairs stayed.
 fn check_hidden(bench: &mut Bench, packets: &[Packet], near: &[Single]) -> usize {
     bench.reset();
     let addresses = put_packets(bench, packets);
@@ -350,7 +351,7 @@ fn one_ray_of_sixteen_is_enough_to_be_seen() {
     };
     for lane in 0..16 {
         assert!(stays(lane, near + 1) && stays(lane, FARTHEST));
-        // As far as the sphere can be near: it has nothing that such a ray could meet.
+        // The largest possible distance. Such a ray can't hit any part of the sphere.
         assert!(!stays(lane, near - 1) && !stays(lane, near));
     }
 }

@@ -21,7 +21,7 @@ use twins::sphere::{
 
 use super::COUNTS;
 
-/// Runs the kernel, compares with the twin pair by pair, and gives the hits and the spheres'
+/// Runs the kernel, compares with the twin pair by pair, and returns the hits and the spheres'
 /// objects.
 fn check<F: ForTheEye<Sphere: Seen>>(
     bench: &mut Bench,
@@ -49,7 +49,7 @@ fn check<F: ForTheEye<Sphere: Seen>>(
     (expected, objects)
 }
 
-/// Rays about -z.
+/// Rays close to -z.
 fn rays(random: &mut ChaCha8Rng) -> Vectors {
     std::array::from_fn(|_| {
         let [x, y] = [(); 2].map(|()| random.random_range(-0.3..0.3));
@@ -57,7 +57,7 @@ fn rays(random: &mut ChaCha8Rng) -> Vectors {
     })
 }
 
-/// A sphere about as far as it is wide from -z.
+/// A random sphere around z = -6 and near the z axis.
 fn sphere<S: Seen>(random: &mut ChaCha8Rng) -> S {
     let [x, y, z] = [(); 3].map(|()| random.random_range(-2.0..2.0));
     S::at([x, y, z - 6.0], random.random_range(0.1..1.5))
@@ -113,7 +113,7 @@ fn a_packet_in_pair_after_pair_keeps_its_nearest_hit<F: ForTheEye<Sphere: Seen>>
             let (hits, objects) = check::<F>(&mut bench, &[straight(none)], &spheres, &pairs);
             assert!(hits[0].iter().all(|hit| hit.object == objects[0]));
         }
-        // In runs of random length, among other packets.
+        // In runs of random length, mixed with other packets.
         let mut packet = 0;
         let pairs: Vec<[usize; 2]> = (0..count)
             .map(|_| {
@@ -130,7 +130,7 @@ fn a_packet_in_pair_after_pair_keeps_its_nearest_hit<F: ForTheEye<Sphere: Seen>>
 fn ulps_around_a_tangent_equal_the_twin<F: ForTheEye<Sphere: Seen>>() {
     let mut bench = Bench::new();
     let rays = std::array::from_fn(|lane| {
-        // By ulps, or by more, for formulations that lose digits.
+        // By ulps, or by more for formulations that lose digits.
         let step = if lane % 2 == 0 { -26 } else { -20 };
         let sine: f64 = 0.2 + (lane as f64 - 8.0) * 2_f64.powi(step);
         unit([sine, 0.0, -(1.0 - sine * sine).sqrt()]).map(from_f64)
@@ -249,7 +249,7 @@ fn any_bits_at_all_equal_the_twin<F: ForTheEye<Sphere: Seen>>() {
     }
 }
 
-/// What is asked of every formulation.
+/// The tests of every formulation.
 macro_rules! asked_of_all {
     ($module:ident, $formulation:ty: $($test:ident)*) => {
         mod $module {

@@ -12,11 +12,11 @@ use zerocopy::big_endian::U32;
 
 use super::COUNTS;
 
-/// Packets of a tile: four groups of sixteen, each with a mask.
+/// The packets of a tile: four groups of sixteen, each with a mask.
 const TILE: usize = 64;
 const GROUP: usize = 16;
 
-/// None, all, each alone, all but each, and random ones.
+/// No packet, all packets, each one alone, all but each one, and random ones.
 fn masks(random: &mut ChaCha8Rng) -> Vec<[u32; 4]> {
     let mut masks = vec![[0; 4], [0xffff; 4]];
     for packet in 0..TILE {
@@ -99,7 +99,7 @@ fn masks_of_pairs_equal_the_twins() {
     let mut bench = Bench::new();
     for round in 0..3 * TILE {
         for count in COUNTS.into_iter().chain([0]) {
-            // Each packet alone, then any of them together.
+            // Each packet alone, and then random sets of them.
             let numbers: Vec<usize> = (0..count)
                 .map(|_| {
                     if round < TILE {

@@ -1,6 +1,6 @@
-//! The eye-ray kernels: against their twins bit for bit, on inputs as frames have them and on any
-//! bits at all, in lists of every kind of length; and against f64 where they promise to leave out
-//! nothing that can be seen.
+//! The kernels for primary rays. They are compared with their twins bit for bit, on inputs like
+//! those of frames and on random bits, in lists of every relevant length. Kernels that guarantee
+//! to cull nothing visible are also compared with f64.
 
 mod conservative;
 mod cull;
@@ -10,5 +10,5 @@ mod pack;
 mod ray_setup;
 mod shade_depth;
 
-/// Lengths of lists: a scheduled loop takes other paths for the short ones.
+/// Lengths of lists. A scheduled loop takes other paths for the short ones.
 const COUNTS: [usize; 6] = [1, 2, 3, 7, 16, 40];

@@ -11,7 +11,7 @@ use twins::pack::pack;
 
 use super::COUNTS;
 
-/// Compares with the twin; gives the words.
+/// Compares with the twin, and returns the words.
 fn check(bench: &mut Bench, colours: &[Vectors], shifts: [u32; 3]) -> Vec<[u32; 16]> {
     let words = call::pack(bench, colours, shifts);
     for (colours, words) in colours.iter().zip(&words) {
@@ -23,7 +23,7 @@ fn check(bench: &mut Bench, colours: &[Vectors], shifts: [u32; 3]) -> Vec<[u32; 
     words
 }
 
-/// Different places for the channels.
+/// Different positions for the channels.
 fn any_shifts(random: &mut ChaCha8Rng) -> [u32; 3] {
     let mut shifts = [0, 8, 16, 24];
     shifts.shuffle(random);

@@ -11,7 +11,7 @@ use twins::ray_setup::{Basis, ray_setup};
 
 use super::COUNTS;
 
-/// First column and row from which single-precision pixel numbers are no longer exact.
+/// The first column and row whose pixel numbers are not exact in single precision.
 const PIXELS_END: u32 = 1 << 23;
 
 fn check(bench: &mut Bench, basis: &Basis, pixels: &[[u32; 2]], background: u32) {

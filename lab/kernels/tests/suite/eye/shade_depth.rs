@@ -11,7 +11,7 @@ use twins::shade_depth::{Depth, shade_depth};
 
 use super::COUNTS;
 
-/// Compares with the twin; gives the colours.
+/// Compares with the twin, and returns the colours.
 fn check(bench: &mut Bench, hits: &[Hits], colours: &[[Single; 3]], depth: Depth) -> Vec<Vectors> {
     let (found, counts) = call::shade_depth(bench, hits, colours, depth);
     let mut expected_counts = [0; 4];

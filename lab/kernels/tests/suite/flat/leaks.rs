@@ -1,5 +1,5 @@
-//! What the watertight kernel is for: rays from inside a closed mesh, aimed at its edges and
-//! vertices, that get out where each triangle is met Möller and Trumbore's way.
+//! The purpose of the watertight kernel: rays from inside a closed mesh, aimed at its edges and
+//! vertices, that leak with Möller and Trumbore's test.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::isect::call;
@@ -13,17 +13,17 @@ use twins::sphere_ray;
 
 use super::watertight::Mesh;
 
-/// Meshes of a kind.
+/// The number of meshes of each kind.
 const MESHES: u32 = 80;
-/// Packets from inside each.
+/// The number of packets from inside each mesh.
 const PACKETS: usize = 40;
 /// The object of a ray that has hit nothing.
 const NOTHING: u32 = 0;
 
-/// How a mesh is made, and which part of its rays leaks.
+/// How a mesh is made, and the share of its rays that leaks.
 type Kind = (fn(&mut ChaCha8Rng) -> Mesh, f64);
 
-/// So many of the rays that are aimed at edges and vertices of meshes leave them.
+/// The number of rays aimed at edges and vertices of meshes, and the number of those that leak.
 #[derive(Debug, Default)]
 struct Leaks {
     rays: u32,
@@ -31,7 +31,8 @@ struct Leaks {
     moeller_trumbore: u32,
 }
 
-/// Rays of the packets that hit none of the triangles, which are seen from both sides.
+/// Returns how many of the packets' rays hit none of the triangles, which are visible from both
+/// sides.
 fn leaks(bench: &mut Bench, kernel: &str, packets: &[RayPacket], faces: &[TriangleObject]) -> u32 {
     let mut packets = packets.to_vec();
     for face in faces {
@@ -77,7 +78,7 @@ fn count(random: &mut ChaCha8Rng, mesh: fn(&mut ChaCha8Rng) -> Mesh) -> Leaks {
     found
 }
 
-/// As the kernel's header states it, for whatever seed.
+/// As the kernel's header states, for any seed.
 #[test]
 fn moeller_and_trumbore_leak_where_the_watertight_kernel_does_not() {
     let mut random = random();
@@ -90,7 +91,7 @@ fn moeller_and_trumbore_leak_where_the_watertight_kernel_does_not() {
             },
             0.1,
         ),
-        // Thin in one direction or two.
+        // Thin in one or two directions.
         (
             |random| {
                 let widths = std::array::from_fn(|_| magnitude(1e-4..1.0, random));
@@ -98,7 +99,7 @@ fn moeller_and_trumbore_leak_where_the_watertight_kernel_does_not() {
             },
             0.1,
         ),
-        // Far out.
+        // Far from the origin.
         (
             |random| {
                 let size = magnitude(1.0..1e3, random);

@@ -1,10 +1,10 @@
-//! What the tests of triangles and of rectangles share.
+//! Functions that the tests of triangles and of rectangles share.
 
 use kernels::Bench;
 use kernels::flat_records::{Rays, Shears};
 use zerocopy::IntoBytes as _;
 
-/// The packets' shears. Leaves the bench empty.
+/// The packets' shears. Empties the bench.
 pub fn sheared(bench: &mut Bench, packets: &[Rays]) -> Vec<Shears> {
     bench.reset();
     let records = packets
@@ -20,14 +20,14 @@ pub fn sheared(bench: &mut Bench, packets: &[Rays]) -> Vec<Shears> {
     records
 }
 
-/// The bits of sixteen rays for which something is true, as the any-hit kernels return them.
+/// The bits for a condition on sixteen rays, in the format of the any-hit kernels' results.
 pub fn code(blocked: [bool; 16]) -> u32 {
     blocked
         .into_iter()
         .fold(0, |code, blocked| code << 1 | u32::from(blocked))
 }
 
-/// Holds a kernel to the numbers after `Error` in its header, which are what its author promises.
+/// Checks that a kernel's worst errors are within the numbers after `Error` in its header.
 pub fn keeps_stated_errors(kernel: &str, worst: &[f64]) {
     let source = kernels::source::Source::find(kernel).expect("a kernel");
     let header = source.header().expect("a header");

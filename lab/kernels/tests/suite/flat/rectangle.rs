@@ -1,5 +1,5 @@
-//! `isect_rectangle_r16`, `any_rectangle_r16`, `isect_plane_r16`: against their twin bit for bit
-//! and against `f64`.
+//! `isect_rectangle_r16`, `any_rectangle_r16`, `isect_plane_r16`: compared with their twin bit for
+//! bit, and with `f64`.
 
 use super::rays::{code, keeps_stated_errors};
 use kernels::cases::flat::{around_rectangle, on_plane, put_rectangle, rectangle};
@@ -12,8 +12,8 @@ use twins::flat::FlatHit;
 use twins::rectangle::{Rectangle, any_rectangle, isect_plane, isect_rectangle};
 use zerocopy::IntoBytes as _;
 
-/// Runs the kernels on sixteen rays and compares every lane with the twin; gives the hits with the
-/// rectangle and with its plane.
+/// Runs the kernels on sixteen rays and compares every lane with the twin. Returns the hits on the
+/// rectangle and on its plane.
 fn check(
     bench: &mut Bench,
     random: &mut impl Rng,
@@ -76,7 +76,7 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
                 hits += u32::from(inside);
             } else {
                 wrong += 1;
-                // Only where the error decides.
+                // Only where rounding decides.
                 let beyond = [u, 1.0 - u, v, 1.0 - v].map(f64::abs);
                 assert!(
                     beyond.iter().any(|beyond| *beyond <= error),
@@ -94,8 +94,8 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
     keeps_stated_errors("isect_plane_r16", &[worst_t, worst_uv]);
 }
 
-/// Name, rectangle, origin, direction, the farthest distance allowed, and whether the rectangle
-/// and its plane are hit.
+/// Name, rectangle, origin, direction, distance limit, and whether the rectangle and its plane are
+/// hit.
 type Case = (&'static str, Rectangle, [f64; 3], [f64; 3], f64, bool, bool);
 
 #[test]

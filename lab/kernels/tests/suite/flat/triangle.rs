@@ -1,5 +1,5 @@
-//! `shear_r16`, `isect_triangles_r16`, `any_triangles_r16`, `isect_triangle_r1`: against their
-//! twin bit for bit and against `f64`. That meshes are watertight is tested in `watertight.rs`.
+//! `shear_r16`, `isect_triangles_r16`, `any_triangles_r16`, `isect_triangle_r1`: compared with
+//! their twin bit for bit, and with `f64`. `watertight.rs` tests that meshes are watertight.
 
 use super::rays::{code, keeps_stated_errors, sheared};
 use kernels::cases::flat::error::error_of_shear;
@@ -13,7 +13,7 @@ use twins::flat::FlatHit;
 use twins::triangle::{Shear, Triangle, any_triangle, isect_triangles, shear};
 use zerocopy::IntoBytes as _;
 
-/// Runs the kernels on sixteen rays, compares every lane with the twin, and gives the hits.
+/// Runs the kernels on sixteen rays, compares every lane with the twin, and returns the hits.
 fn check(
     bench: &mut Bench,
     random: &mut impl Rng,
@@ -101,7 +101,7 @@ fn equals_its_twin_and_keeps_its_error_bounds() {
             let ray = &rays[lane];
             assert_ne!(hit.object, 0, "{ray:x?} misses what it is aimed at");
             worst_slope = worst_slope.max(error_of_shear(ray, &shears, lane));
-            // Another triangle may stand before it: then that one's domain is not known.
+            // Another triangle may be in front of it, whose domain is not known.
             if hit.object as usize == lane + 1 {
                 hits += 1;
                 let [t, u, v] = on_triangle(ray, &triangles[lane]);
@@ -203,7 +203,7 @@ fn behind_beyond_along_and_without_size() {
         ),
     ];
     for (name, triangle, farthest, hit) in cases {
-        // Along each axis, either way: the scene turned with the ray.
+        // Along each axis in both directions. The scene turns with the ray.
         for turn in 0..3 {
             for way in [1.0, -1.0] {
                 let turned = |from: [f64; 3]| {

@@ -1,5 +1,5 @@
-//! Triangles leak nothing: every ray from inside a closed mesh hits it, also those that are aimed
-//! at its edges and vertices, however thin its triangles are and wherever it lies.
+//! Triangles do not leak: every ray from inside a closed mesh hits it, including rays aimed at its
+//! edges and vertices, however thin its triangles are and wherever it is.
 
 use super::rays::sheared;
 use kernels::cases::flat::put_triangles;
@@ -12,7 +12,8 @@ use spu_emulator::float::single::to_f64;
 use twins::triangle::Triangle;
 use zerocopy::IntoBytes as _;
 
-/// The faces of an icosahedron by vertex: those around 0, those around 11, and between.
+/// The faces of an icosahedron as vertex numbers: those around vertex 0, those around vertex 11,
+/// and those between.
 fn faces() -> Vec<[usize; 3]> {
     let next = |k: usize| k % 5 + 1;
     (1..=5)
@@ -51,9 +52,9 @@ pub struct Mesh {
 }
 
 impl Mesh {
-    /// Every ray from `inside` along a vertex of the unit icosahedron meets that vertex of the
-    /// mesh, so `inside` is inside, as long as rounding moves it by less than the mesh's least
-    /// width.
+    /// Every ray from `inside` in the direction of a vertex of the unit icosahedron meets that
+    /// vertex of the mesh, so `inside` is inside. This holds as long as rounding moves vertices by
+    /// less than the mesh's smallest width.
     pub fn new(place: [f64; 3], size: f64, widths: [f64; 3], random: &mut ChaCha8Rng) -> Self {
         let vertices = vertices().map(|vertex| {
             let stretch = size * random.random_range(0.5..2.0);
@@ -68,11 +69,10 @@ impl Mesh {
         Self { vertices, inside }
     }
 
-    /// Vertices on a lattice of so few points that many edges lie in line, faces are seen from
-    /// their side, and some have no area. The surface goes round `inside`, whichever way it is
-    /// folded.
+    /// Vertices on a lattice with so few points that many edges are in line, faces are seen
+    /// edge-on, and some have no area. The surface encloses `inside`, however it is folded.
     pub fn on_lattice(random: &mut ChaCha8Rng) -> Self {
-        // Odd numbers, so that products are longer than a single.
+        // Odd numbers, so that products have more digits than a single.
         let steps: [f64; 3] =
             std::array::from_fn(|_| f64::from(random.random_range(0..4096_u32) * 2 + 1));
         loop {
@@ -90,8 +90,8 @@ impl Mesh {
         }
     }
 
-    /// How often the surface goes round `inside`: the sum of the faces' solid angles over the
-    /// sphere's (Van Oosterom and Strackee). An integer, or `inside` is on the surface: then 0.
+    /// How often the surface winds around `inside`: the sum of the faces' solid angles divided by
+    /// the sphere's (Van Oosterom and Strackee). An integer, or 0 if `inside` is on the surface.
     fn turns(&self) -> f64 {
         let seen = self
             .vertices
@@ -116,7 +116,7 @@ impl Mesh {
         faces()
             .into_iter()
             .map(|mut face| {
-                // A mesh need not go round all its faces alike.
+                // The faces of a mesh may have different orientations.
                 if random.random() {
                     face.swap(0, 1);
                 }
@@ -126,7 +126,7 @@ impl Mesh {
             .collect()
     }
 
-    /// A ray to a vertex, to a point of an edge, or within an ulp or so of them.
+    /// A ray to a vertex or to a point on an edge, or within about an ulp of these.
     pub fn aimed(&self, random: &mut ChaCha8Rng) -> Ray {
         let face = faces()[random.random_range(0..20)];
         let [a, b] = [face[0], face[1]].map(|vertex| self.vertices[vertex].map(to_f64));
@@ -152,7 +152,7 @@ impl Mesh {
     }
 }
 
-/// Traces so many packets of aimed rays in each of so many meshes; panics at the first leak.
+/// Traces this many packets of aimed rays in each of this many meshes. Panics at the first leak.
 fn trace(
     bench: &mut Bench,
     random: &mut ChaCha8Rng,
@@ -203,12 +203,13 @@ fn no_ray_leaves_a_closed_mesh() {
         let place = in_cube(10.0 * size, random);
         Mesh::new(place, size, [1.0; 3], random)
     });
-    // Thin in one direction or two.
+    // Thin in one or two directions.
     on_edges += trace(&mut bench, &mut random, 2500, 8, |random| {
         let widths = std::array::from_fn(|_| magnitude(1e-4..1.0, random));
         Mesh::new([0.0; 3], 1.0, widths, random)
     });
-    // So far out that the vertices lie on a coarse lattice, and many edges exactly behind others.
+    // So far from the origin that the vertices are on a coarse lattice, and many edges are exactly
+    // behind others.
     on_edges += trace(&mut bench, &mut random, 3000, 8, |random| {
         let size = magnitude(1.0..1e3, random);
         Mesh::new([148_376.0, 1234.0, -223_423.0], size, [1.0; 3], random)

@@ -1,5 +1,5 @@
-//! Reciprocals, square roots and their reciprocals: bit for bit against their twins, and the twins
-//! against what is exact, for every fraction that an operand can have.
+//! Reciprocals, square roots and their reciprocals. Kernels are compared with their twins bit for
+//! bit, and the twins with exact results for every fraction that an operand can have.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::math::error::{accuracy, ulps};
@@ -10,13 +10,14 @@ use spu_emulator::float::single::{LARGEST, SMALLEST, from_f64, to_f64};
 use twins::Single;
 use twins::math::{reciprocal, rsqrt};
 
-/// Quadwords: around a pass, and some more, as a scheduled loop takes other paths for few passes.
+/// Numbers of quadwords: those around a pass, and some more, because a scheduled loop takes other
+/// paths for few passes.
 const COUNTS: [usize; 12] = [0, 1, 2, 3, 4, 5, 7, 8, 9, 16, 33, 100];
 
-/// The signs of a word.
+/// The sign bit of a word.
 const SIGN: u32 = 1 << 31;
 
-/// Runs a kernel and compares with its twin, also in the rest of the last pass.
+/// Runs a kernel and compares it with its twin, including the rest of the last pass.
 fn check(
     bench: &mut Bench,
     function: &Function,
@@ -35,7 +36,7 @@ fn check(
     }
 }
 
-/// The same of any number of operands.
+/// The same for any number of operands.
 fn check_all(bench: &mut Bench, function: &Function, operands: &[Single]) {
     let (whole, rest) = operands.as_chunks();
     for quadwords in whole.chunks(1000) {
@@ -46,7 +47,7 @@ fn check_all(bench: &mut Bench, function: &Function, operands: &[Single]) {
     }
 }
 
-/// What a header states: the largest error, and the operand that has it.
+/// The largest error and the operand that has it, as the header states them.
 fn stated(function: &Function) -> (f64, Single) {
     let header = Source::find(function.kernel).and_then(Source::header);
     let header = header.expect("a header");
@@ -85,7 +86,7 @@ fn any_bits_at_all_equal_the_twin() {
     }
 }
 
-/// Where the estimate takes another entry of its table or another exponent.
+/// Operands where the estimate changes to another entry of its table or to another exponent.
 #[test]
 fn borders_of_the_estimates_tables_equal_the_twin() {
     let mut bench = Bench::new();
@@ -106,8 +107,8 @@ fn borders_of_the_estimates_tables_equal_the_twin() {
     }
 }
 
-/// The largest error is the one that the header states, not more and hardly less, and the operand
-/// that it names has it.
+/// The largest error equals the header's: it is not larger and hardly smaller, and the operand
+/// that the header names has it.
 #[test]
 fn errors_over_all_fractions_are_those_that_headers_state() {
     let mut bench = Bench::new();
@@ -126,7 +127,7 @@ fn errors_over_all_fractions_are_those_that_headers_state() {
     }
 }
 
-/// At the ends of the domain nothing is flushed or saturated that counts.
+/// At the ends of the domain, no relevant value is flushed or saturated.
 #[test]
 fn errors_hold_to_the_ends_of_the_domains() {
     for function in &FUNCTIONS {
@@ -145,7 +146,7 @@ fn errors_hold_to_the_ends_of_the_domains() {
     }
 }
 
-/// Each step is worth its cycles: the mean error shrinks from one to the next.
+/// Each step is worth its cycles, because it lowers the mean error.
 #[test]
 fn every_step_lowers_the_error() {
     let all: Vec<f64> = FUNCTIONS
@@ -161,8 +162,8 @@ fn every_step_lowers_the_error() {
     }
 }
 
-/// The manual: with one Newton step the reciprocal is the truncated one or the single below, that
-/// of the root at most one single off.
+/// The manual states that with one Newton step the reciprocal is the truncated one or the single
+/// below it, and that the reciprocal root is wrong by at most one single.
 #[test]
 fn one_step_is_as_near_as_the_manual_says() {
     for operand in Quantity::Reciprocal.all_fractions() {
@@ -177,7 +178,7 @@ fn one_step_is_as_near_as_the_manual_says() {
     }
 }
 
-/// Zeros, also those that would be denormal elsewhere.
+/// Zeros, including words that would be denormal elsewhere.
 const ZEROS: [Single; 5] = [0, SIGN, 1, SMALLEST - 1, SIGN | 0x0012_3456];
 
 /// 2^128.
@@ -214,7 +215,8 @@ fn reciprocals_of_enormous_operands_are_zero() {
     }
 }
 
-/// But for Newton's steps, which make nothing of it, roots are those of the magnitude.
+/// Roots of negative operands are those of the magnitude, except with Newton's steps, whose result
+/// is meaningless.
 #[test]
 fn unrefined_roots_of_negative_operands_are_those_of_their_magnitudes() {
     let mut random = random();
@@ -232,7 +234,7 @@ fn unrefined_roots_of_negative_operands_are_those_of_their_magnitudes() {
     }
 }
 
-/// Below the domain of the refined roots.
+/// Operands below the domain of the refined roots.
 #[test]
 fn roots_of_tiny_operands_lose_what_is_flushed() {
     let largest = |function: &Function, power: i32, end: i32| {

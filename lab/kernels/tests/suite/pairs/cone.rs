@@ -15,10 +15,11 @@ const BOTH: Sides = Sides {
     exit: false,
 };
 
-/// A ray's origin and direction, and where it enters and leaves.
+/// A name, a ray's origin and direction, and the distances at which it enters and leaves.
 type Case = (&'static str, [f64; 3], [f64; 3], Option<f64>, Option<f64>);
 
-/// Checks the cases with the body seen from each side, the crossings that far away as stated.
+/// Checks the cases with the body visible from each side. The crossings must be at the given
+/// distances.
 fn check_cases(exact: &Exact, cases: &[Case]) {
     let mut bench = Bench::new();
     for &(name, origin, direction, enters, leaves) in cases {

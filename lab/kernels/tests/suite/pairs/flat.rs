@@ -18,9 +18,9 @@ use twins::triangle::shear;
 
 use super::{COUNTS, check, straight};
 
-/// Whether an object is hit by sixteen rays alike.
+/// Whether sixteen equal rays hit an object.
 fn is_hit<S: Shape>(bench: &mut Bench, ray: Ray, object: S) -> bool {
-    // Bits of the sides that mean nothing here.
+    // The bits of the sides that must have no effect here.
     let [none, all] = [0, u32::MAX].map(|anything| {
         let (rays, objects) = check(bench, &[[ray; 16]], &[object], &[[0, 0]], anything);
         rays[0].map(|ray| ray.object == objects[0])
@@ -30,7 +30,7 @@ fn is_hit<S: Shape>(bench: &mut Bench, ray: Ray, object: S) -> bool {
     none[0]
 }
 
-/// The scene turned with the ray, along each axis and either way.
+/// The scene turned together with the ray, along each axis in both directions.
 fn turned(from: [f64; 3], turn: usize, way: f64) -> [f64; 3] {
     let mut to = [0.0; 3];
     for axis in 0..3 {
@@ -43,7 +43,7 @@ fn turned(from: [f64; 3], turn: usize, way: f64) -> [f64; 3] {
 fn from_before_and_from_behind() {
     let mut bench = Bench::new();
     for turn in 0..3 {
-        // Point reflection turns the order of the vertices round.
+        // A point reflection reverses the orientation of the vertices.
         for (way, front) in [(1.0, true), (-1.0, true), (1.0, false), (-1.0, false)] {
             for both in [false, true] {
                 let place = |point: [f64; 3]| turned(point, turn, way);
@@ -63,7 +63,8 @@ fn from_before_and_from_behind() {
                 let vertices = [[0.0; 3], first, second].map(vertex);
                 let seen = front == (way > 0.0) || both;
                 let [first, second] = [first, second].map(place);
-                // The normal is first x second: a reflection keeps it while all else turns round.
+                // The normal is first x second. A reflection keeps it, while everything else is
+                // reversed.
                 let shape = |corner| RectangleObject {
                     rectangle: rectangle(place(corner), first, second),
                     both,
@@ -163,7 +164,7 @@ fn shears_of_packets_equal_the_twin() {
     }
 }
 
-/// The faces of a tetrahedron by its vertices, each counter-clockwise as seen from within.
+/// The faces of a tetrahedron by its vertices, each counter-clockwise as seen from inside.
 const FACES: [[usize; 3]; 4] = [[0, 1, 2], [0, 3, 1], [1, 3, 2], [2, 3, 0]];
 
 #[test]
@@ -193,7 +194,7 @@ fn no_ray_leaves_a_mesh_that_is_seen_from_within() {
                 both: false,
             }
         });
-        // To vertices, to middles of edges, and to anywhere on them.
+        // To vertices, to the middles of edges, and to random points on them.
         let rays = std::array::from_fn(|lane| {
             let [from, to] = [lane % 4, (lane + 1 + lane / 8) % 4].map(|corner| corners[corner]);
             let along = match lane / 4 {

@@ -1,5 +1,5 @@
-//! The intersectors that run through candidates: what is asked of all of them, bit for bit against
-//! their twins, and a file for what each shape has of its own.
+//! The kernels that intersect candidates: tests that all of them share, bit for bit against their
+//! twins, and a file with further tests for each shape.
 
 mod cone;
 mod flat;
@@ -29,17 +29,17 @@ use twins::sphere::{
 use twins::sphere_ray::Ray;
 use zerocopy::IntoBytes as _;
 
-/// Lengths of lists: a scheduled loop takes other paths for the short ones.
+/// Lengths of lists. A scheduled loop takes other paths for the short ones.
 const COUNTS: [usize; 7] = [0, 1, 2, 3, 7, 16, 40];
 
 /// The object of a ray that has hit nothing.
 const NOTHING: u32 = 0x0002_9000;
 
-/// The -1 of a ray that is not there.
+/// The t of an absent ray, -1.
 const ABSENT: u32 = 0xbf80_0000;
 
-/// Runs the kernel, compares with the twin candidate by candidate, nothing else being written, and
-/// gives the rays and the objects' addresses.
+/// Runs the kernel and compares with the twin candidate by candidate. No other memory may change.
+/// Returns the rays and the objects' addresses.
 fn check<S: Shape>(
     bench: &mut Bench,
     packets: &[[Ray; 16]],
@@ -68,14 +68,14 @@ fn check<S: Shape>(
     (expected, addresses)
 }
 
-/// How far from a tangent a ray of this lane is, by the sine: by ulps, or by more, for
+/// The sine of the angle between this lane's ray and a tangent: some ulps, or more for
 /// formulations that lose digits.
 fn around_a_tangent(lane: usize) -> f64 {
     let step = if lane.is_multiple_of(2) { -26 } else { -20 };
     (lane as f64 - 8.0) * 2_f64.powi(step)
 }
 
-/// The rays of the cases, of which nothing has been hit.
+/// The rays of the cases, which have hit nothing yet.
 fn straight() -> [Ray; 16] {
     case_rays().map(|ray| Ray {
         t: FARTHEST,
@@ -129,7 +129,7 @@ fn a_packet_in_candidate_after_candidate_keeps_its_nearest_hit<S: Shape>() {
             let (rays, addresses) = check(&mut bench, &[straight()], &objects, &list, 0);
             assert!(rays[0].iter().all(|ray| ray.object == addresses[0]));
         }
-        // In runs of random length, among other packets.
+        // In runs of random length, mixed with other packets.
         let mut packet = 0;
         let list: Vec<[usize; 2]> = (0..count)
             .map(|_| {
@@ -162,7 +162,7 @@ fn a_ray_that_is_not_there_stays_so<S: Shape>() {
                 ray.t = ABSENT;
                 ray.object = NOTHING;
             }
-            // Whatever it is made of.
+            // With any bits in the ignored fields.
             rays[3].origin = random.random();
             rays[3].direction = random.random();
             let anything = random.random();
@@ -183,7 +183,7 @@ fn sensible_rays_equal_the_twin<S: Shape>() {
     for _ in 0..300 {
         for scale in SCALES {
             let (object, mut rays) = S::around(&mut random, scale);
-            // Some limits on either side of the hit.
+            // Some limits before and some after the hit.
             for ray in rays.iter_mut().step_by(2) {
                 if let Some(t) = object.truth(ray).t {
                     ray.t = from_f64(t * random.random_range(0.5..1.5));
@@ -227,7 +227,7 @@ fn any_bits_at_all_equal_the_twin<S: Shape>() {
     println!("{}: junk hit {hits} times", S::KERNEL);
 }
 
-/// What is asked of every shape.
+/// The tests of every shape.
 macro_rules! asked_of_all {
     ($module:ident, $shape:ty: $($test:ident)*) => {
         mod $module {

@@ -10,7 +10,7 @@ use spu_emulator::float::single::to_f64;
 use twins::smooth::{Patch, smooth as twin};
 use zerocopy::IntoBytes as _;
 
-/// Runs the kernel, compares every lane with the twin, nothing else being written, and gives the
+/// Runs the kernel and compares every lane with the twin. No other memory may change. Returns the
 /// normals.
 fn check(bench: &mut Bench, hits: &[Hit; 16], anything: u32) -> [[u32; 3]; 16] {
     let after = smooth(bench, hits, anything);

@@ -14,7 +14,8 @@ use twins::sphere::{
 
 use super::{around_a_tangent, check};
 
-/// A sphere's centre and radius, and where a ray along -z from the origin enters and leaves it.
+/// A name, a sphere's centre and radius, and the distances at which a ray along -z from the origin
+/// enters and leaves it.
 type Case = (&'static str, [f64; 3], f64, Option<f64>, Option<f64>);
 
 fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
@@ -74,7 +75,7 @@ fn all_that_a_ray_and_a_sphere_can_be_to_each_other<F: ForAnyRay>() {
     for (name, centre, radius, enters, leaves) in cases {
         let radii = centre[2].abs() / radius.abs();
         let rounded_off = enters.is_some_and(|t| t < domain.rough * radius.abs());
-        // The last case is where squares of squares are too large.
+        // In the last case, squares of squares are too large.
         let too_large = centre[2] < -1e15 && !domain.lengths.is_empty();
         if domain.farthest < radii.min(30.0)
             || rounded_off
@@ -112,7 +113,7 @@ fn a_hit_at_0_is_none<F: ForAnyRay>() {
     if !F::DOMAIN.touches {
         return;
     }
-    // Both crossings are exactly where the ray starts.
+    // Both crossings are exactly at the origin of the ray.
     let straight = ray([0.0; 3], [0.0, 0.0, -1.0], FARTHEST);
     for (both, exit) in [(false, false), (false, true), (true, false)] {
         let sphere = sphere([1.0, 0.0, 0.0], 1.0, Sides { both, exit });
@@ -141,7 +142,7 @@ fn ulps_around_a_tangent_equal_the_twin<F: ForAnyRay>() {
     }
 }
 
-/// What is asked of every formulation.
+/// The tests of every formulation.
 macro_rules! asked_of_all {
     ($($module:ident: $formulation:ty;)*) => {
         $(mod $module {

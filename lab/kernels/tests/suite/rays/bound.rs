@@ -10,13 +10,13 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::bound::{Bound, NOTHING, bound, bound_fan};
 use twins::primary_rays::{ABSENT, Ray};
 
-/// Packets of a batch: one for each, and more.
+/// The number of packets in a batch: one, and more.
 const COUNTS: [usize; 6] = [1, 2, 3, 7, 8, 40];
-/// What a length or a sine may be more than that of the rays.
+/// How much larger than that of the rays a length or a sine may be.
 const LOOSE: f64 = 1.0 / (1 << 16) as f64;
-/// What a cosine may be less.
+/// How much smaller a cosine may be.
 const LOOSE_COSINE: f64 = 1.0 / (1 << 11) as f64;
-/// The smallest cosine for which there has to be a cone.
+/// The smallest cosine for which a cone is required.
 const WIDE: f64 = 0.19;
 
 fn check(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
@@ -37,7 +37,7 @@ fn check_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Bo
     found
 }
 
-/// Any point, from or to which rays go.
+/// A random point from which or to which rays go.
 fn point(random: &mut ChaCha8Rng) -> Point {
     Point {
         place: random.random(),
@@ -75,7 +75,7 @@ fn any_bits_at_all_equal_the_twin() {
     }
 }
 
-/// The cone of rays that end at a point is that of the rays turned round.
+/// The cone of rays that end at a point equals that of the reversed rays.
 #[test]
 fn rays_turned_round_have_the_same_cone() {
     let mut random = random();

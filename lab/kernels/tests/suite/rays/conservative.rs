@@ -1,5 +1,5 @@
-//! What bounds rays and `cull_nodes` together: no child is left out that a ray of the packet
-//! meets, by f64 from the singles of the records.
+//! The kernels that bound rays, together with `cull_nodes`: no child is culled that a ray of the
+//! packet meets, by f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::any_direction;
@@ -13,20 +13,20 @@ use twins::bound::Bound;
 use twins::primary_rays::Ray;
 use twins::{ONE, ZERO};
 
-/// What a child's radius has to be more than its sphere's, as a share of |c| + R.
+/// By how much a child's radius must exceed its sphere's, as a share of |c| + R.
 const SLACK: f64 = 1.0 / (1 << 18) as f64;
-/// More than the rounding of a radius to a single takes away.
+/// More than a radius can lose by rounding to a single.
 const ROUNDING: f64 = 1.0 + 1.0 / (1 << 22) as f64;
 const NODES: usize = 16;
 const PACKETS: usize = 300;
 
-/// What the kernels made of one packet's children.
+/// The result of the kernels for one packet's children.
 #[derive(Clone, Copy, Debug, Default)]
 struct Outcome {
     tested: usize,
     kept: usize,
     met: usize,
-    /// Met, but not kept.
+    /// Met by a ray, but culled.
     lost: usize,
 }
 
@@ -34,8 +34,8 @@ fn at(from: Vector, direction: Vector, distance: f64) -> Vector {
     std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
 }
 
-/// A sphere that may be about a ray of the packet: its edge a hair off the ray, off its origin or
-/// its end, or anywhere.
+/// A sphere near a ray of the packet: its edge is a tiny distance away from the ray, its origin or
+/// its end, or it is at a random place.
 fn sphere(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
     let ray = rays[random.random_range(0..rays.len())];
     let (origin, direction) = (ray.origin.map(to_f64), unit(ray.direction.map(to_f64)));
@@ -62,7 +62,7 @@ fn sphere(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> (Vector, f64) {
     (centre, radius)
 }
 
-/// Whether a ray has a point in a sphere, up to its t.
+/// Whether a part of a ray up to its t is in a sphere.
 fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
     let to_centre = less(centre, ray.origin.map(to_f64));
     let direction = unit(ray.direction.map(to_f64));
@@ -71,13 +71,13 @@ fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
     dot(apart, apart) <= radius * radius
 }
 
-/// Rays, and what bounds them.
+/// Rays and their bounds.
 type Bounded = ([Ray; 16], Vec<Bound>);
 
-/// Makes rays of a scene of some scale.
+/// Makes rays for a scene of some scale.
 type Source<'a> = &'a dyn Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded;
 
-/// From anywhere.
+/// Rays from anywhere.
 fn anywhere(fan: Fan) -> impl Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded {
     move |bench, scale, random| {
         let packet = fans::packet(fan, scale, random);
@@ -85,7 +85,7 @@ fn anywhere(fan: Fan) -> impl Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded {
     }
 }
 
-/// From the eye.
+/// Rays from the eye.
 fn from_eye(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     let packet = fans::packet(Fan::Eye, scale, random);
     let eye = Point {
@@ -96,7 +96,7 @@ fn from_eye(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     (packet, call::fans(bench, &[packet], &eye))
 }
 
-/// To a light.
+/// Rays to a light.
 fn to_light(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     let (packet, light) = fans::to_light(scale, random);
     (packet, call::fans(bench, &[packet], &light))
@@ -171,7 +171,8 @@ fn no_child_that_a_ray_meets_is_left_out() {
     check("to a light", &to_light);
 }
 
-/// The spheres are near enough to the rays, and the bounds to both, that little less would not do.
+/// The spheres are so near to the rays, and the bounds so tight, that slightly smaller radii are
+/// not enough.
 #[test]
 fn with_radii_a_hair_too_small_some_are_left_out() {
     let check = |name: &str, source: Source<'_>| {
@@ -184,8 +185,8 @@ fn with_radii_a_hair_too_small_some_are_left_out() {
     check("from the eye", &from_eye);
 }
 
-/// Where rays go about one way, much of what they miss is left out, though most of these spheres
-/// all but touch a ray.
+/// For rays in similar directions, many children that they miss are culled, although most of these
+/// spheres almost touch a ray.
 #[test]
 fn much_of_what_coherent_rays_miss_is_left_out() {
     let check = |name: &str, source: Source<'_>| {

@@ -1,4 +1,4 @@
-//! `cull_faces` against its twin, and by f64 from the singles of the records.
+//! `cull_faces` compared with its twin, and with f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::any_direction;
@@ -18,10 +18,11 @@ use super::COUNTS;
 
 const MINUS_ONE: u32 = 0xbf80_0000;
 
-/// What an object's numbers add to `leave`, as a share of its centre's components' magnitudes.
+/// How much an object's numbers add to `leave`, as a share of the magnitudes of its centre's
+/// components.
 const LEAVE: f64 = 1.0 / (1 << 20) as f64;
 
-/// Checks the kernel; gives the numbers of the pairs that it kept.
+/// Checks the kernel, and returns the numbers of the pairs that it kept.
 fn check(
     bench: &mut Bench,
     faces: &[Face],
@@ -113,7 +114,7 @@ fn no_candidate_gives_no_list() {
     assert!(check(&mut Bench::new(), &[], &[], &[], ONE).is_empty());
 }
 
-/// A bound without rays meets no face that is seen from one side.
+/// A bound without rays meets no face that is visible from one side.
 #[test]
 fn nobody_meets_a_front() {
     let mut random = random();
@@ -130,7 +131,7 @@ fn nobody_meets_a_front() {
     }
 }
 
-/// Whether a ray goes through the plane from a side that is seen, by the singles of the records.
+/// Whether a ray goes through the plane from a visible side, by the singles of the records.
 fn meets(ray: &Ray, face: &Face) -> bool {
     let [point, normal] = [face.point, face.normal].map(|vector| vector.map(to_f64));
     let direction = ray.direction.map(to_f64);
@@ -140,7 +141,7 @@ fn meets(ray: &Ray, face: &Face) -> bool {
     t > 0.0 && t < to_f64(ray.t) && (face.both || against < 0.0)
 }
 
-/// A plane all but through a ray's origin, or all but along a ray.
+/// A plane almost through a ray's origin, or almost parallel to a ray.
 fn tempting(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> Face {
     let ray = rays[random.random_range(0..rays.len())];
     let origin = ray.origin.map(to_f64);
@@ -160,7 +161,7 @@ fn tempting(rays: &[&Ray], scale: f64, random: &mut ChaCha8Rng) -> Face {
     }
 }
 
-/// What no face may be lost of.
+/// Rays with their bounds, of which no face may be lost.
 struct Bounded {
     packet: [Ray; 16],
     bound: Bound,
@@ -168,7 +169,7 @@ struct Bounded {
     scale: f64,
 }
 
-/// Adds to those missed, left out of these, and met.
+/// Adds to the numbers of missed faces, of culled faces among these, and of faces that are met.
 fn no_face_is_lost(
     bench: &mut Bench,
     of: &Bounded,

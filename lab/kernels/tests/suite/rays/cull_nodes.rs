@@ -1,4 +1,4 @@
-//! `cull_nodes` against its twin.
+//! `cull_nodes` compared with its twin.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::rays::call::{self, BareSphere, Child};
@@ -19,7 +19,7 @@ const BOUNDS: usize = 4;
 /// The radius of a lane without a child.
 const NO_CHILD: Single = FARTHEST | 1 << 31;
 
-/// Checks the kernel; gives how many children it kept.
+/// Checks the kernel, and returns how many children it kept.
 fn check(bench: &mut Bench, nodes: &[[Child; 4]], bounds: &[Bound], pairs: &[[usize; 2]]) -> usize {
     let (given, found) = call::cull_nodes(bench, nodes, bounds, pairs);
     let mut expected = Vec::new();
@@ -44,7 +44,7 @@ fn pairs(count: usize, random: &mut ChaCha8Rng) -> Vec<[usize; 2]> {
     (0..count).map(pair).collect()
 }
 
-/// A child about the eye, or none.
+/// A child around the eye, or none.
 fn child(random: &mut ChaCha8Rng) -> Child {
     let radius = match random.random_range(0..5) {
         0 => NO_CHILD,
@@ -120,7 +120,7 @@ fn no_candidate_gives_no_list() {
     assert_eq!(check(&mut bench, &[node], &[bound], &[]), 0);
 }
 
-/// Neither a lane without a child nor a bound without rays has anything to meet.
+/// A lane without a child and a bound without rays meet nothing.
 #[test]
 fn nothing_meets_nothing() {
     let mut random = random();

@@ -5,7 +5,7 @@ use kernels::cases::whitted::rays::call;
 use rand::Rng as _;
 use twins::load_rays::{Queued, load_ray};
 
-/// Any rays, which are copied whatever their bits.
+/// Random rays, which are copied whatever their bits are.
 #[test]
 fn queues_of_any_length_equal_the_twin() {
     let mut random = random();

@@ -1,7 +1,7 @@
-//! The kernels that make packets of rays and those that leave out what no ray of a packet meets:
-//! against their twins bit for bit, on rays as tracing makes them and on any bits at all, in lists
-//! of every kind of length; and against f64 where they promise to leave out nothing that a ray
-//! meets.
+//! The kernels that make packets of rays, and those that cull objects that no ray of a packet can
+//! hit. They are compared with their twins bit for bit, on rays like those of frames and on random
+//! bits, in lists of every relevant length. Kernels that guarantee to keep everything that a ray
+//! meets are also compared with f64.
 
 mod bound;
 mod conservative;
@@ -10,5 +10,5 @@ mod cull_nodes;
 mod load_rays;
 mod primary_rays;
 
-/// Lengths of lists: a scheduled loop takes other paths for the short ones.
+/// Lengths of lists. A scheduled loop takes other paths for the short ones.
 const COUNTS: [usize; 6] = [1, 2, 3, 7, 16, 40];

@@ -10,7 +10,7 @@ use twins::ray_setup::Basis;
 
 use super::COUNTS;
 
-/// First column and row from which single-precision pixel numbers are no longer exact.
+/// The first column and row whose pixel numbers are not exact in single precision.
 const PIXELS_END: u32 = 1 << 23;
 
 fn check(bench: &mut Bench, view: &View, corners: &[[u32; 2]], pixels: u32) {

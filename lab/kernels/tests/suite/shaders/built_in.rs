@@ -1,5 +1,5 @@
-//! `shader_depth` and `shader_checker`: against their twins bit for bit, and what they leave
-//! alone.
+//! `shader_depth` and `shader_checker`: compared with their twins bit for bit, and checked for
+//! changes outside their outputs.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::whitted::shaders::Call;
@@ -10,7 +10,7 @@ use spu_emulator::float::single::{from_f64, to_f64};
 use twins::shader;
 use zerocopy::IntoBytes as _;
 
-/// Calls a shader, and compares all of the surfaces with what `expected` makes of a lane.
+/// Calls a shader, and compares all surfaces with the lanes that `expected` computes.
 fn check(
     bench: &mut Bench,
     kernel: &str,
@@ -93,7 +93,7 @@ fn any_bits_at_all_equal_their_twins() {
     }
 }
 
-/// The rule of the cubes in f64, and that a side at a whole number is within one of them.
+/// The rule of the cubes in f64. A side at an integer must belong to one of its two cubes.
 #[test]
 fn the_checker_follows_its_rule() {
     let mut random = random();
@@ -108,7 +108,7 @@ fn the_checker_follows_its_rule() {
         call.eye = [1.0, 2.0, 3.0].map(from_f64);
         call.parameters = [9.0, 9.0, 9.0, scale].map(from_f64);
         for lane in 0..16 {
-            // In the plane x = 2 / scale but for rounding, either way.
+            // In the plane x = 2 / scale, except for rounding in either direction.
             let off = random.random_range(-1e-5..1e-5);
             call.surfaces.point_x[lane] = single(from_f64(2.0 / scale - 1.0 + off));
         }
@@ -122,7 +122,7 @@ fn the_checker_follows_its_rule() {
                 to_f64(bits(call.surfaces.point_z[lane])) + 3.0,
             ];
             let within = |place: f64| (place * scale + 1.0 / 1024.0).floor();
-            // Too near to a side to be sure.
+            // Too close to a side to be sure.
             let near = |place: f64| {
                 let place = place * scale + 1.0 / 1024.0;
                 (place - place.round()).abs() < 1e-4

@@ -1,4 +1,4 @@
-//! The shaders that the program comes with, and `shaders_run`, which calls shaders.
+//! The built-in shaders, and `shaders_run`, which calls shaders.
 
 mod built_in;
 mod run;

@@ -1,5 +1,5 @@
-//! `shaders_run` of the driver, in a program of its own: which shader is called for which lanes,
-//! and what its check finds.
+//! The driver's `shaders_run` in a program of its own: the shader that it calls for each lane, and
+//! the faults that its check finds.
 
 use std::fs;
 use std::path::Path;
@@ -28,7 +28,7 @@ const MATERIALS: u32 = 0x32000;
 const STACK: u32 = 0x3ff00;
 const LIMIT: u64 = 100_000;
 
-/// The shaders of `program/shaders.s` and of the example, as the table sorts them.
+/// The shaders of `program/shaders.s` and of the example, in the order of the table.
 const GOOD: u32 = 0;
 const LANES: u32 = 1;
 const POINTER: u32 = 2;
@@ -36,7 +36,7 @@ const REGISTER: u32 = 3;
 const RINGS: u32 = 4;
 const STACKED: u32 = 5;
 
-/// The program, loaded.
+/// The loaded program.
 struct Machine {
     elf: Vec<u8>,
     store: LocalStore,
@@ -46,7 +46,7 @@ struct Machine {
 }
 
 impl Machine {
-    /// All lanes are of the first material.
+    /// All lanes have the first material.
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -89,7 +89,7 @@ impl Machine {
         self.store.write(address, record.as_bytes());
     }
 
-    /// Calls `shaders_run`; checks that it leaves what the driver has, and gives its answer.
+    /// Calls `shaders_run`, checks that it preserves the driver's state, and returns its result.
     fn run(&mut self, features: u32) -> u32 {
         let image = elf::Image::parse(&self.elf).unwrap();
         let mut frame = Frame::new_zeroed();
@@ -173,10 +173,10 @@ fn nothing_is_called_where_no_lane_has_a_shader() {
 
 #[test]
 fn a_shader_that_is_not_there_is_refused() {
-    for (shader, told) in [(6, 6), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
+    for (shader, expected) in [(6, 6), (254, 254), (1 << 20, 255), (u32::MAX, 255)] {
         let mut machine = Machine::new();
         machine.material(0, MATERIAL_SHADED, shader, 1);
-        assert_eq!(machine.run(0), refused(RULE_KNOWN, 0, told));
+        assert_eq!(machine.run(0), refused(RULE_KNOWN, 0, expected));
     }
 }
 
@@ -192,7 +192,7 @@ fn a_check_names_what_a_shader_breaks() {
         let mut machine = Machine::new();
         machine.material(0, MATERIAL_SHADED, shader, 1);
         machine.material(1, 0, 0, 0);
-        // Lane 10 is one that none of them may shade.
+        // Lane 10 is one that no shader may shade.
         machine.surfaces.material[10] = address(1).into();
         let answer = machine.run(FEATURE_CHECK_SHADERS);
         assert_eq!(answer, refused(rule, register, shader), "{answer:#x}");
@@ -202,7 +202,7 @@ fn a_check_names_what_a_shader_breaks() {
     }
 }
 
-/// With all lanes its own, the shader that breaks in elsewhere breaks nothing.
+/// If all lanes belong to the shader that writes to other lanes, it breaks no rule.
 #[test]
 fn lanes_that_are_a_shaders_own_are_not_checked() {
     let mut machine = Machine::new();

@@ -14,7 +14,7 @@ use twins::surfaces::{Material, Object, Ray, Surface, same_objects, surface};
 
 use super::{COUNTS, assert_same, vector};
 
-/// Compares with the twin; gives the twin's surfaces.
+/// Compares with the twin, and returns the twin's surfaces.
 fn check(
     bench: &mut Bench,
     kernel: &str,
@@ -42,7 +42,7 @@ fn check(
     all
 }
 
-/// The ray of a hit, or one that is not there.
+/// The ray of a hit, or an absent ray.
 fn perhaps(hit: Hit, random: &mut ChaCha8Rng) -> Hit {
     let mut hit = hit;
     match random.random_range(0..8) {
@@ -69,7 +69,7 @@ fn scenes_equal_the_twin_in_lists_of_any_length() {
                 .map(|_| first.map(|hit| perhaps(hit, &mut random)))
                 .collect();
             check(&mut bench, "surfaces_r16", &hits, &objects, &materials);
-            // Both kernels give the same of packets that both may be given.
+            // Both kernels give the same results for packets that are valid for both.
             let object = random.random_range(0..objects.len());
             let mut hits = hits;
             for hit in hits.iter_mut().flatten() {
@@ -182,7 +182,7 @@ fn normals_are_the_shapes_on_the_rays_side() {
                     material.index
                 };
                 assert_eq!(found.ratio, ratio, "{hit:x?}");
-                // What the singles of the coordinates leave open, seen from the centre.
+                // The error that the singles of the coordinates leave, as seen from the centre.
                 let leave = to_f64(found.leave);
                 let radius = if shape.gain == 0.0 {
                     f64::INFINITY

@@ -1,5 +1,5 @@
-//! How far off a surface a ray starts: enough that it does not meet the same object again, by the
-//! steps of the kernels that look for hits.
+//! The origin offset of rays that leave a surface: it must be large enough that the ray does not
+//! hit the same object again, with the steps of the kernels that look for hits.
 
 use kernels::bench::random;
 use kernels::cases::sphere_ray::any_direction;
@@ -17,10 +17,10 @@ use twins::{FARTHEST, Single};
 
 use super::vector;
 
-/// The number of what rays leave.
+/// The number of the object that rays leave.
 const OBJECT: u32 = 7;
 
-/// Where a ray starts that leaves on the side of the normal, and one that goes through.
+/// The origins of a ray that leaves on the side of the normal and of one that goes through.
 fn starts(surface: &Surface, leave: Single) -> [[Single; 3]; 2] {
     let Surface { point, plane, .. } = *surface;
     [
@@ -52,8 +52,9 @@ fn rays_start_on_the_side_that_they_go_to() {
 /// Whether a ray meets a shape that it may have left.
 type Meets = fn(&Shape, [Single; 3], Vector) -> bool;
 
-/// What rays do that start this share of `leave` off a shape: of those that leave it, how many
-/// meet it again; of those that go on within it, both ways, how many do other than `within` says.
+/// Starts rays at this share of `leave` from a shape. Counts the rays that leave it and meet it
+/// again, and the rays that continue inside it, in both directions, and do not do what `within`
+/// says.
 fn lost_rays(
     share: f64,
     shape: fn(&mut ChaCha8Rng) -> Shape,
@@ -70,7 +71,7 @@ fn lost_rays(
         let (_, outwards) = shape.at(vector(found.point));
         let mut leaving = any_direction(&mut random);
         if random.random() {
-            // Along the surface, but for a little.
+            // Almost parallel to the surface.
             let rise = magnitude(1e-6..0.1, &mut random);
             let along = unit(cross(leaving, outwards));
             leaving = unit(std::array::from_fn(|k| along[k] + rise * outwards[k]));
@@ -94,7 +95,7 @@ fn lost_rays(
     lost
 }
 
-/// Holds half of `leave` to be enough, and says when it is not.
+/// Checks that half of `leave` is enough, and prints which share is not.
 fn check(shape: fn(&mut ChaCha8Rng) -> Shape, meets: Meets, within: [bool; 2]) {
     for power in 0..6 {
         let share = 0.5_f64.powi(power);
@@ -104,7 +105,7 @@ fn check(shape: fn(&mut ChaCha8Rng) -> Shape, meets: Meets, within: [bool; 2]) {
     }
 }
 
-/// A place as a record says it, nearer than 1000.
+/// A position nearer than 1000 that a record can represent.
 fn any_place(random: &mut ChaCha8Rng) -> Vector {
     let distance = magnitude(0.1..1000.0, random);
     any_direction(random).map(|x| to_f64(from_f64(distance * x)))

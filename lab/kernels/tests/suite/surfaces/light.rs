@@ -15,7 +15,7 @@ use twins::{FARTHEST, Single};
 
 use super::{COUNTS, any_bits_of_a_surface, assert_same};
 
-/// The material addresses that calls give.
+/// The material addresses that the calls pass.
 const MATERIALS: [u32; 16] = [0x5555_5555; 16];
 
 fn check_shadow_rays(bench: &mut Bench, sites: &[Site], place: &Place) -> u32 {
@@ -37,7 +37,7 @@ fn check_shadow_rays(bench: &mut Bench, sites: &[Site], place: &Place) -> u32 {
     counts.iter().sum()
 }
 
-/// Compares the whole records: nothing but what is sent back may change.
+/// Compares whole records: only the light that is sent back may change.
 fn check_lit(found: &[Surfaces], sites: &[Site], expected: impl Fn(&Site, usize) -> [Single; 3]) {
     for (site, found) in sites.iter().zip(found) {
         let lanes = std::array::from_fn(|lane| Surface {
@@ -132,7 +132,7 @@ fn any_bits_at_all_equal_the_twins() {
     }
 }
 
-/// A surface in the eye's way that faces it.
+/// A surface in front of the eye that faces it.
 fn facing() -> Surface {
     Surface {
         point: [0.0, 0.0, -4.0].map(from_f64),
@@ -226,7 +226,7 @@ fn highlights_are_powers_of_the_cosine() {
     let normal = [0.0, 0.0, 1.0].map(from_f64);
     let eye = [0.0, 0.0, -1.0];
     let power = |cosine: f64, exponent: f64| {
-        // H halves the angle between the light and the eye.
+        // H bisects the angle between the light and the eye.
         let (sin, cos) = libm::sincos(2.0 * libm::acos(cosine));
         let to = [sin, 0.0, cos].map(from_f64);
         to_f64(highlight(normal, eye.map(from_f64), to, from_f64(exponent)))
@@ -239,7 +239,7 @@ fn highlights_are_powers_of_the_cosine() {
             assert!(error <= bound, "{cosine}^{exponent}: {error}");
         }
     }
-    // 0^0 = 1, and what lies behind the normal has a cosine of 0.
+    // 0^0 = 1. A direction behind the normal has a cosine of 0.
     let behind = [0.0, 0.0, -1.0].map(from_f64);
     let of = |exponent: f64| {
         let power = highlight(behind, eye.map(from_f64), normal, from_f64(exponent));

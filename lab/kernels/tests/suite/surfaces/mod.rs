@@ -1,5 +1,5 @@
-//! The kernels from hits to pixels: against their twins bit for bit, on inputs as frames have them
-//! and on any bits at all, in lists of every kind of length; and against f64.
+//! The kernels from hits to pixels. They are compared with their twins bit for bit, on inputs like
+//! those of frames and on random bits, in lists of every relevant length, and with f64.
 
 mod gather;
 mod leave;
@@ -15,7 +15,7 @@ use twins::Single;
 use twins::surfaces::Surface;
 use zerocopy::IntoBytes as _;
 
-/// Lengths of lists: a scheduled loop takes other paths for the short ones.
+/// Lengths of lists. A scheduled loop takes other paths for the short ones.
 const COUNTS: [usize; 5] = [1, 2, 3, 5, 8];
 
 /// Compares field by field.

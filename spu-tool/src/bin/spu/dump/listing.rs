@@ -12,20 +12,20 @@ use spu_scheduler::code::{Code, CodeError};
 
 use crate::image::{instruction_text, place};
 
-/// Column of a branch's target.
+/// Column of the instruction's text.
 const TEXT: usize = 32;
 
-/// The words to list, and the source line of each of which it is known.
+/// The words to list, and their source lines where they are known.
 struct Words {
     words: Vec<(u32, u32)>,
     sources: BTreeMap<u32, String>,
 }
 
-/// Writes the code; the error says what is wrong with the file.
+/// Writes the code. The error says what is wrong with the file.
 pub fn write(bytes: &[u8], image: &Image<'_>, text: &mut String) -> Result<(), String> {
     let Words { words, sources } = match Code::parse(bytes) {
         Ok(code) => of_sections(&code),
-        // Without sections nobody knows what is code: everything that is loaded may be.
+        // Without sections it is unknown what is code, so everything that is loaded is listed.
         Err(CodeError::Empty) => of_segments(image),
         Err(error) => return Err(error.to_string()),
     };
@@ -87,7 +87,7 @@ fn of_segments(image: &Image<'_>) -> Words {
     }
 }
 
-/// Where an instruction's address operand points.
+/// The address that an instruction's operand refers to.
 fn target(word: u32, pc: u32) -> Option<u32> {
     let instruction = Instruction::decode(word)?;
     instruction

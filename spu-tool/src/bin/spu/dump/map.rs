@@ -1,4 +1,4 @@
-//! Where segments and sections lie in local store, what is free, and the notes.
+//! Prints where segments and sections are in local store, what is free, and the notes.
 
 use std::fmt::Write as _;
 
@@ -11,10 +11,11 @@ use spu_emulator::local_store::SIZE;
 
 type Header = elf::FileHeader32<BigEndian>;
 
-/// The linker aligns the section of the notes on 16, which says nothing of its entries.
+/// Alignment of a note. The linker aligns the whole section to 16, but the entries in it only to
+/// 4.
 const NOTE_ALIGNMENT: u32 = 4;
 
-/// Bytes at an address with a name; `file` of them are in the file.
+/// A named range of bytes at an address. The first `file` bytes of it are in the file.
 struct Area {
     name: String,
     start: u32,
@@ -101,7 +102,7 @@ impl Map {
             let zeros = segment.size.saturating_sub(segment.file);
             let what = match zeros {
                 0 => format!("segment {}", segment.name),
-                zeros => format!("segment {}, {zeros} bytes of it zeros", segment.name),
+                zeros => format!("segment {}, {zeros} of its bytes are zeros", segment.name),
             };
             line(start, segment.end(), "", &what);
             for section in &self.sections {
@@ -132,7 +133,7 @@ fn access(flags: u32) -> String {
         .collect()
 }
 
-/// The SPU's notes are a name, or words: revision, local-store size, stack size, flags.
+/// The SPU's notes contain a name, or these words: revision, local-store size, stack size, flags.
 fn note_text(owner: &str, contents: &[u8]) -> String {
     if owner == "SPUNAME" {
         let name = contents.split(|&byte| byte == 0).next().unwrap_or_default();

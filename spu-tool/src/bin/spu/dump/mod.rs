@@ -1,4 +1,4 @@
-//! `spu dump`: what an SPU program is made of.
+//! `spu dump`: shows the parts of an SPU program.
 
 mod listing;
 mod map;
@@ -19,15 +19,15 @@ Examples:
   spu dump --map program.elf     without the disassembly
   spu dump program.elf | less";
 
-/// Show an SPU program: entry, map of local store, notes, disassembly.
+/// Show an SPU program: entry point, map of local store, notes, disassembly
 ///
-/// Labels come from the symbols, source lines from the line table, as far as the file has them.
+/// Labels come from the symbols and source lines from the line table, if the file has them.
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub struct Options {
     /// SPU ELF executable
     program: PathBuf,
-    /// Only entry, map and notes
+    /// Show only the entry point, map and notes
     #[arg(long)]
     map: bool,
 }
@@ -49,7 +49,7 @@ pub fn dump(options: &Options) -> Result<ExitCode, Failure> {
         })?;
     }
     match io::stdout().write_all(text.as_bytes()) {
-        // Whoever closed the pipe has seen enough.
+        // A closed pipe is no error: its reader has read enough.
         Err(error) if error.kind() != io::ErrorKind::BrokenPipe => Err(Failure::Output(error)),
         _ => Ok(ExitCode::SUCCESS),
     }

@@ -10,13 +10,14 @@ use super::error::RunError;
 use super::map::ARGUMENTS_EA;
 use super::options::{Options, Register, Start};
 
-/// What libspe2 gives a program as its own handle; any number will do that is not 0.
+/// The handle that libspe2 passes to a program. Any number except 0 will do.
 const SPE_ID: u64 = 1;
-/// Most bytes that elfspe's start code copies: one transfer, and room must stay for the program.
+/// The largest size in bytes of the arguments that elfspe's start code copies: one transfer, so
+/// that room remains for the program.
 const MOST: usize = 16 << 10;
 const QUADWORD: usize = 16;
 
-/// Puts the arguments into memory and gives the registers from $3 on.
+/// Puts the arguments into memory and returns the registers from $3 on.
 pub fn prepare(options: &Options, memory: &RegisteredMemory) -> Result<Vec<Quad>, RunError> {
     if !options.registers.is_empty() {
         let quad = |register: &Register| match *register {
@@ -42,7 +43,7 @@ pub fn prepare(options: &Options, memory: &RegisteredMemory) -> Result<Vec<Quad>
     Ok(registers)
 }
 
-/// 64-bit effective addresses with a 0 after the last, then the strings.
+/// 64-bit effective addresses with a 0 after the last, followed by the strings.
 fn vector_of_addresses(strings: &[Vec<u8>]) -> (Vec<u8>, Vec<Quad>) {
     const POINTER: usize = 8;
     let mut text: Vec<u8> = Vec::new();
@@ -59,8 +60,8 @@ fn vector_of_addresses(strings: &[Vec<u8>]) -> (Vec<u8>, Vec<Quad>) {
     (block, vec![quad(SPE_ID), quad(ARGUMENTS_EA), Quad::ZERO])
 }
 
-/// What crt2.o copies to the top of local store: 32-bit addresses there with a 0 after the last,
-/// then the strings. $4 says where to, from where, and how much.
+/// The data that crt2.o copies to the top of local store: 32-bit addresses in local store with a 0
+/// after the last, followed by the strings. $4 holds the destination, the source and the size.
 fn copy_for_local_store(strings: &[Vec<u8>]) -> Result<(Vec<u8>, Vec<Quad>), RunError> {
     const POINTER: usize = 4;
     let texts = (strings.len() + 1) * POINTER;

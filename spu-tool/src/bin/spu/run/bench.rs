@@ -1,4 +1,5 @@
-//! What watches the program run: mailboxes, trace, statistics, and the look-out for endless sleep.
+//! The observers of the program's run: mailboxes, trace, statistics, and a watchdog for programs
+//! that sleep for ever.
 
 use std::sync::Arc;
 
@@ -44,7 +45,7 @@ impl<'a> Bench<'a> {
         })
     }
 
-    /// The SPU stopped: what its last instruction did can be seen.
+    /// Called when the SPU has stopped, so that the effects of its last instruction are visible.
     pub fn stopped(&mut self, spu: &Spu) {
         self.watchdog.awake();
         if let Some(trace) = &mut self.trace {
@@ -55,7 +56,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// A library call is about to be served.
+    /// Called before a library call is carried out.
     pub fn called(&mut self, function: &str) {
         if let Some(trace) = &mut self.trace {
             trace.called(function);
@@ -73,7 +74,7 @@ impl<'a> Bench<'a> {
         }
     }
 
-    /// Writes what is left to write.
+    /// Writes the remaining output.
     pub fn finish(mut self) -> Result<(), Failure> {
         self.mailboxes.exchange(self.spe);
         self.mailboxes.finish()?;

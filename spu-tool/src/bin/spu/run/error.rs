@@ -1,4 +1,4 @@
-//! What can be wrong with the bench that was asked for.
+//! Errors in the test bench that the command line asks for.
 
 use std::io;
 use std::path::PathBuf;
@@ -20,14 +20,14 @@ pub enum RunError {
         address: u64,
         size: usize,
     },
-    #[error("the arguments take {0} bytes, for which local store has no room")]
+    #[error("the arguments take {0} bytes; there is no room for them in local store")]
     Arguments(usize),
-    #[error("no thread to watch the program: {0}")]
+    #[error("can't start the thread that watches the program: {0}")]
     Thread(io::Error),
 }
 
 impl From<RunError> for Failure {
     fn from(error: RunError) -> Self {
-        Self::verb(error)
+        Self::command(error)
     }
 }

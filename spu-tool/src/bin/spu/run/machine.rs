@@ -1,4 +1,4 @@
-//! The machine of `spu run`: one SPE, main memory, and who answers the program.
+//! The machine of `spu run`: one SPE, main memory, and the code that answers the program.
 
 use std::fs;
 use std::io::{self, Write as _};
@@ -27,7 +27,7 @@ use super::status::Status;
 use crate::failure::Failure;
 use crate::image::{instruction_text, place};
 
-/// Where libspe2 leaves the zero back chain, and so the first stack pointer.
+/// Where libspe2 puts the zero back chain: the initial stack pointer.
 const STACK_TOP: u32 = SIZE - 16;
 const FIRST_ARGUMENT: u8 = 3;
 
@@ -35,13 +35,13 @@ const FIRST_ARGUMENT: u8 = 3;
 pub enum End {
     /// `stop 0x20xx`
     Exit(u8),
-    /// Something that the program should not have done.
+    /// The program did something invalid.
     Fault(Stopped),
-    /// A library call that nobody serves, and where.
+    /// A library call without a handler, and its address.
     Call(CallError, u32),
-    /// The instruction limit was reached here.
+    /// The instruction limit was reached at this address.
     Limit(u32),
-    /// It sleeps here and nobody will wake it.
+    /// The program sleeps at this address, and nothing will wake it.
     Asleep(u32, &'static str),
     /// The two ways of running it, or of counting its cycles, differ, and where.
     Differs(String, u32),
@@ -56,7 +56,7 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// A machine with the program loaded and everything in place that the options name.
+    /// Creates a machine with the program loaded and everything set up that the options ask for.
     pub fn new(options: &Options, bytes: &[u8], image: &Image<'_>) -> Result<Self, Failure> {
         let memory = Arc::new(RegisteredMemory::new());
         let register = |what: &str, ea, bytes, access| {
@@ -146,7 +146,7 @@ impl Machine {
         Ok(())
     }
 
-    /// The registers as libspe2 leaves them; the top of local store holds the zero back chain.
+    /// Sets the registers as libspe2 does. The top of local store holds the zero back chain.
     fn prepare(&self, spu: &mut Spu) {
         self.local_store().write(STACK_TOP, &[0; 16]);
         spu.set_register(1, Quad::scalar(STACK_TOP));
@@ -157,7 +157,7 @@ impl Machine {
         }
     }
 
-    /// Runs until the program ends, serving its library calls.
+    /// Runs until the program ends, and handles its library calls.
     pub fn run(&mut self, options: &Options, image: &Image<'_>) -> Result<End, Failure> {
         let spe = Arc::clone(&self.spe);
         let mut bench = Bench::new(options, image, &spe)?;
@@ -211,7 +211,7 @@ impl Machine {
             .serve(number, spe.local_store().as_ref(), address)
     }
 
-    /// Writes what is asked for at the end.
+    /// Writes the output that the options ask for at the end.
     pub fn dump(&self, options: &Options) -> Result<(), Failure> {
         if let Some(path) = &options.dump_ls {
             let mut bytes = vec![0; SIZE as usize];
@@ -247,7 +247,7 @@ impl Machine {
     }
 }
 
-/// Each register's four words; program counter and FPSCR first.
+/// The program counter, the FPSCR, and the four words of each register.
 fn registers(spu: &Spu) -> String {
     let mut text = format!("pc    {:#07x}\n", spu.pc());
     for (number, quad) in spu.registers.iter().enumerate() {
@@ -258,7 +258,7 @@ fn registers(spu: &Spu) -> String {
 }
 
 impl End {
-    /// Names a fault on standard error; the status to exit with.
+    /// Reports a fault on standard error and returns the exit status.
     pub fn tell(&self, image: &Image<'_>, store: &LocalStore) -> ExitCode {
         let (message, at, status) = match self {
             Self::Exit(code) => return (*code).into(),
@@ -274,7 +274,7 @@ impl End {
         };
         let instruction = instruction_text(store.load_word(at), at);
         let place = place(image, at);
-        // Who closed standard error sees the status.
+        // If standard error is closed, the exit status still reports the fault.
         let _ = writeln!(
             io::stderr(),
             "spu: {message}\n     at {place}: {instruction}"

@@ -1,7 +1,7 @@
-//! The PPE's side of the mailboxes, played from files.
+//! The PPE's side of the mailboxes, which files provide.
 //!
-//! Words are exchanged before each channel instruction, on the SPU's own thread: the program finds
-//! the same words at the same instructions in every run.
+//! Words are exchanged before each channel instruction, on the SPU's own thread. The program
+//! therefore finds the same words at the same instructions in every run.
 
 use std::collections::VecDeque;
 use std::fs::{self, File};
@@ -17,7 +17,7 @@ use crate::failure::Failure;
 
 const IN_MBOX: u8 = 29;
 
-/// A file of outbound words, and the first failure to write it.
+/// A file of outbound words, and the first error in writing it.
 struct Output {
     path: PathBuf,
     file: BufWriter<File>,
@@ -51,8 +51,8 @@ pub struct Mailboxes {
     outbound: Option<Output>,
     interrupt: Option<Output>,
     starved: bool,
-    /// In simulated time the PPE's calls have a place in it, which the SPU's own thread can't wait
-    /// for: nothing is exchanged, and the options exclude each other.
+    /// In simulated time, the PPE's calls happen at simulated times for which the SPU's own thread
+    /// can't wait. No words are then exchanged, and the options exclude each other.
     closed: bool,
 }
 
@@ -71,7 +71,8 @@ impl Mailboxes {
         })
     }
 
-    /// Fills the inbound mailbox and empties the others. Words that no file is for are dropped.
+    /// Fills the inbound mailbox and empties the outbound ones. Outbound words without a file are
+    /// dropped.
     pub fn exchange(&mut self, spe: &Spe) {
         if self.closed {
             return;
@@ -94,7 +95,7 @@ impl Mailboxes {
         }
     }
 
-    /// Exchanges words. A read that could only wait for ever ends the run.
+    /// Exchanges words. Ends the run if the instruction is a read that would wait for ever.
     pub fn before_channel(&mut self, spe: &Spe, instruction: Instruction) {
         self.exchange(spe);
         let waits = instruction.op == Op::Rdch && instruction.ra == IN_MBOX;
@@ -104,7 +105,7 @@ impl Mailboxes {
         }
     }
 
-    /// Whether the run ended for want of inbound words.
+    /// Whether the run ended because it ran out of inbound words.
     pub fn starved(&self) -> bool {
         self.starved
     }
@@ -124,7 +125,7 @@ fn words(path: &Path) -> Result<VecDeque<u32>, Failure> {
         let line = line.split('#').next().unwrap_or_default();
         for word in line.split_whitespace() {
             let value = number(word).and_then(|value| {
-                u32::try_from(value).map_err(|_| format!("`{word}` has more than 32 bits"))
+                u32::try_from(value).map_err(|_| format!("`{word}` does not fit in 32 bits"))
             });
             words.push_back(value.map_err(|what| Failure::Contents {
                 path: path.to_path_buf(),

@@ -1,4 +1,4 @@
-//! `spu run`: one SPU program on an emulated SPE, with a test bench round it.
+//! `spu run`: runs one SPU program on an emulated SPE with a test bench around it.
 
 mod arguments;
 mod bench;
@@ -20,8 +20,8 @@ use crate::image;
 use machine::Machine;
 pub use options::Options;
 
-/// Runs the program to its end. The answer is the status to exit with; what was asked for besides
-/// is written whatever end it was.
+/// Runs the program to its end and returns the exit status. The output that the options ask for is
+/// written however the program ends.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
     let bytes = image::read(&options.program)?;
     let image = image::parse(&options.program, &bytes)?;

@@ -25,12 +25,12 @@ are text: numbers, comments after #.
 
 Effective addresses:";
 
-/// Run an SPU program.
+/// Run an SPU program
 ///
 /// Library calls of the C run time (stop 0x2100, 0x2101, 0x2105: printf, files, memory in
-/// effective address space) are served; files that the program opens are this computer's. Traces,
-/// statistics and registers go to standard error unless a file is named, since standard output is
-/// the program's.
+/// effective address space) are handled. Files that the program opens are this computer's.
+/// Standard output belongs to the program, so traces, statistics and registers go to standard
+/// error unless a file is named.
 #[derive(Args)]
 #[command(after_help = after_help(), group(ArgGroup::new("report").multiple(true)))]
 pub struct Options {
@@ -40,27 +40,27 @@ pub struct Options {
     #[arg(trailing_var_arg = true, allow_hyphen_values = true)]
     pub arguments: Vec<OsString>,
 
-    /// How arguments reach the program
+    /// How the program receives its arguments
     #[arg(long, value_enum, default_value_t = Start::Spe, help_heading = "Start")]
     pub start: Start,
-    /// Entry registers from $3 on, instead of arguments: a word in the preferred slot, or with :64
-    /// a doubleword
+    /// Initial registers from $3 on, instead of arguments: a word in the preferred slot, or with
+    /// :64 a doubleword
     #[arg(long = "arg", value_name = "VALUE[:64]", help_heading = "Start", conflicts_with_all = ["arguments", "start"])]
     pub registers: Vec<Register>,
-    /// Put a file into local store before the start
+    /// Load a file into local store before the start
     #[arg(long, value_name = "FILE@ADDRESS", help_heading = "Start")]
     pub load_ls: Vec<FileAt>,
 
-    /// A region of main memory, all 0
+    /// Add a region of main memory, filled with 0
     #[arg(long, value_name = "SIZE@EA", help_heading = "Main memory")]
     pub main_memory: Vec<Region>,
-    /// Put a file into main memory before the start
+    /// Load a file into main memory before the start
     #[arg(long, value_name = "FILE@EA", help_heading = "Main memory")]
     pub load_mem: Vec<FileAt>,
-    /// Write a piece of main memory to a file at the end
+    /// Write part of main memory to a file at the end
     #[arg(long, value_name = "FILE@EA:SIZE", help_heading = "Main memory")]
     pub dump_mem: Vec<FileOf>,
-    /// Room for malloc_ea and mmap_ea
+    /// Size of the heap for malloc_ea and mmap_ea
     #[arg(
         long,
         value_name = "SIZE",
@@ -69,18 +69,18 @@ pub struct Options {
     )]
     pub heap: Size,
 
-    /// Words for the inbound mailbox
+    /// File with words for the inbound mailbox
     #[arg(long, value_name = "FILE", help_heading = "Mailboxes")]
     pub in_mbox: Option<PathBuf>,
-    /// Where words of the outbound mailbox go
+    /// File that receives the words of the outbound mailbox
     #[arg(long, value_name = "FILE", help_heading = "Mailboxes")]
     pub out_mbox: Option<PathBuf>,
-    /// Where words of the outbound interrupt mailbox go
+    /// File that receives the words of the outbound interrupt mailbox
     #[arg(long, value_name = "FILE", help_heading = "Mailboxes")]
     pub out_intr_mbox: Option<PathBuf>,
 
-    /// What runs the instructions, with the same results; in simulated time, and where each
-    /// instruction is watched, it is the interpreter
+    /// What runs the instructions, with the same results. Where each instruction is watched, it is
+    /// the interpreter
     #[arg(long, value_enum, default_value_t = EngineName::Compiler, help_heading = "Engine")]
     pub engine: EngineName,
     /// Run the program compiled and interpreted, block by block, and fail at the first difference;
@@ -88,10 +88,10 @@ pub struct Options {
     #[arg(long, conflicts_with_all = ["engine", "trace", "stats"], help_heading = "Engine")]
     pub check: bool,
 
-    /// Stop after so many instructions
+    /// Stop after this many instructions
     #[arg(long, value_name = "N", help_heading = "Limits")]
     pub max_instructions: Option<u64>,
-    /// Give up a program that sleeps in a channel for longer
+    /// Stop a program that sleeps in a channel for longer than this
     #[arg(
         long,
         value_name = "SECONDS",
@@ -106,11 +106,11 @@ pub struct Options {
     /// Count instructions by class and name, loads, stores, branches, DMA commands
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub stats: Option<Option<PathBuf>>,
-    /// Run in simulated time: cycles, dual issue, stalls by cause; the decrementer counts it too.
-    /// For programs that do without mailboxes
+    /// Run in simulated time, which the decrementer also counts, and report cycles, dual issue and
+    /// stalls by cause. Only for programs that use no mailboxes
     #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub timing: Option<Option<PathBuf>>,
-    /// Statistics and timing as JSON
+    /// Write statistics and timing as JSON
     #[arg(long, requires = "report", help_heading = "Output")]
     pub json: bool,
     /// Write all registers at the end
@@ -146,18 +146,19 @@ impl Options {
     }
 }
 
-/// What the program finds in its registers and memory.
+/// What the program finds in its registers and memory at the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 pub enum Start {
     /// As libspe2 starts it: main(id, argp, envp); argp is the effective address of the arguments'
     /// addresses (64 bits each, a 0 after the last), envp is 0
     Spe,
-    /// As elfspe starts it: $3 is the number of arguments, $4 describes their copy, which crt2.o
-    /// gets to the top of local store for main(argc, argv); `argv[0]` is the program's path
+    /// As elfspe starts it: $3 is the number of arguments and $4 describes a copy of them, which
+    /// crt2.o moves to the top of local store for main(argc, argv); `argv[0]` is the program's
+    /// path
     Elfspe,
 }
 
-/// A number: decimal, or hexadecimal after `0x`.
+/// Parses a number: decimal, or hexadecimal after `0x`.
 pub fn number(text: &str) -> Result<u64, String> {
     let parsed = match text.strip_prefix("0x").or_else(|| text.strip_prefix("0X")) {
         Some(digits) => u64::from_str_radix(digits, 16),
@@ -170,7 +171,7 @@ pub fn number(text: &str) -> Result<u64, String> {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Size(pub usize);
 
-/// What a size option takes at most: the emulator keeps it in memory.
+/// The largest size that an option accepts, because the emulator keeps the data in memory.
 const MOST: u64 = 4 << 30;
 
 impl FromStr for Size {
@@ -221,7 +222,7 @@ impl FromStr for FileAt {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        // A path may hold the sign too, an address can't.
+        // A path may contain an `@`, but an address can't.
         let (path, address) = text.rsplit_once('@').ok_or("expected FILE@ADDRESS")?;
         Ok(Self {
             path: path.into(),
@@ -252,7 +253,7 @@ impl FromStr for FileOf {
     }
 }
 
-/// An entry register's value.
+/// The initial value of a register.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Register {
     Word(u32),

@@ -1,4 +1,4 @@
-//! Where what was asked for besides is written.
+//! Writes the output that the options ask for.
 
 use std::fs;
 use std::io::{self, Write as _};
@@ -8,12 +8,12 @@ use serde::Serialize;
 
 use crate::failure::Failure;
 
-/// Into a file.
+/// Writes to a file.
 pub fn write_file(path: &Path, bytes: &[u8]) -> Result<(), Failure> {
     fs::write(path, bytes).map_err(Failure::file(path))
 }
 
-/// Into a file, or to standard error.
+/// Writes to a file, or else to standard error.
 pub fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     match path {
         Some(path) => write_file(path, text.as_bytes()),
@@ -26,7 +26,8 @@ pub fn write_text(path: Option<&Path>, text: &str) -> Result<(), Failure> {
     }
 }
 
-/// Pretty JSON with an end of line. Maps with text keys and numbers can always be written.
+/// Pretty-printed JSON with a newline at the end. Maps with text keys and numbers can always be
+/// written.
 pub fn json(value: &impl Serialize) -> String {
     let json = serde_json::to_string_pretty(value).unwrap_or_default();
     format!("{json}\n")

@@ -1,4 +1,4 @@
-//! Ends a program that sleeps in a channel for longer than anybody will wait.
+//! Ends a program that sleeps in a channel for longer than the allowed time.
 
 use std::io;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
@@ -15,9 +15,10 @@ use super::error::RunError;
 const AWAKE: u64 = u64::MAX;
 const LOOK_EVERY: Duration = Duration::from_millis(100);
 
-/// A thread that looks now and then; it ends with this value.
+/// A thread that checks the SPU now and then. Dropping this value ends the thread.
 pub struct Watchdog {
-    /// Milliseconds from `started` to the last channel instruction's start, while that runs.
+    /// Milliseconds from `started` to the start of the channel instruction that is running, if one
+    /// is.
     since: Arc<AtomicU64>,
     started: Instant,
     in_channel: bool,

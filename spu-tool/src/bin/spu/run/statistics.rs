@@ -1,4 +1,4 @@
-//! What a program did, counted.
+//! Counts what a program did.
 
 use std::collections::BTreeMap;
 use std::fmt::Write as _;
@@ -14,7 +14,7 @@ use super::output::{json, write_text};
 use crate::failure::Failure;
 
 const LIST_ELEMENT: u32 = 8;
-/// Bits of a list element's first word that are its size.
+/// The bits in a list element's first word that hold its size.
 const ELEMENT_SIZE: u32 = 0x7fff;
 const LINE: u64 = 128;
 
@@ -57,12 +57,12 @@ pub struct Statistics {
     by_op: Vec<u64>,
     counts: Counts,
     parameters: Parameters,
-    /// A branch, and where it stood: where it went shows at the next instruction.
+    /// The last branch and its address. Its target is known only at the next instruction.
     branch: Option<u32>,
 }
 
 impl Statistics {
-    /// Written to a file or to standard error in the end.
+    /// The counts are written at the end to a file or to standard error.
     pub fn new(path: Option<PathBuf>, json: bool) -> Self {
         Self {
             path,
@@ -132,7 +132,7 @@ impl Statistics {
         commands.bytes += bytes;
     }
 
-    /// Writes the counts; `executed` is the SPU's own count of instructions that were completed.
+    /// Writes the counts. `executed` is the SPU's own count of completed instructions.
     pub fn write(mut self, executed: u64) -> Result<(), Failure> {
         self.summarise(executed);
         let text = if self.json {
@@ -195,13 +195,13 @@ impl Statistics {
     }
 }
 
-/// Whether the next instruction may be another than the following one.
+/// Whether the instruction may continue at another address than the next one.
 fn is_branch(op: Op) -> bool {
     let row = op.row();
     row.class == Class::Br && !matches!(op, Op::Stop | Op::Stopd | Op::Sync | Op::Dsync)
 }
 
-/// Bytes that a list asks for when it is given.
+/// The number of bytes that a list asks for at the time when the command is issued.
 fn list_bytes(list: u32, size: u32, store: &LocalStore) -> u64 {
     (0..size.min(0x4000) / LIST_ELEMENT)
         .map(|n| store.load_word(list.wrapping_add(n * LIST_ELEMENT)) & ELEMENT_SIZE)

@@ -1,4 +1,4 @@
-//! Exit statuses of programs that go wrong.
+//! Exit statuses for programs that fail.
 
 use std::process::ExitCode;
 
@@ -6,7 +6,7 @@ use spu_emulator::stop::Stop;
 
 use crate::failure::{BAD_ELF, USAGE};
 
-/// Numbers that no well-behaved program uses for itself.
+/// Numbers that no well-behaved program uses itself.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Status {
@@ -38,12 +38,12 @@ impl From<&Stop> for Status {
     }
 }
 
-/// The table for `--help`.
+/// The table of exit statuses for `--help`.
 pub fn help() -> String {
     let meanings = [
         (
             Status::Differs as u8,
-            "--check has found the two ways of counting cycles to differ",
+            "--check found that the two ways of counting cycles differ",
         ),
         (Status::Halt as u8, "halt"),
         (Status::InvalidInstruction as u8, "invalid instruction"),
@@ -51,7 +51,7 @@ pub fn help() -> String {
         (Status::Dma as u8, "DMA error"),
         (
             Status::UnknownStop as u8,
-            "stop code that means nothing, or library call that nobody serves",
+            "unknown stop code, or library call without a handler",
         ),
         (
             Status::Limit as u8,
@@ -65,8 +65,8 @@ pub fn help() -> String {
     ];
     let lines = meanings.map(|(status, meaning)| format!("  {status}    {meaning}\n"));
     format!(
-        "Exit status:\n  0-255  of the program: the low byte of its stop 0x20xx\n{}\
-         Those from 119 on that are not the program's own are named on standard error.",
+        "Exit status:\n  0-255  the program's own: the low byte of its stop 0x20xx\n{}\
+         A status from 119 on that is not the program's own comes with a message on standard error.",
         lines.concat()
     )
 }

@@ -1,4 +1,5 @@
-//! A line an instruction: address, symbol, text, and the register that it wrote.
+//! The trace: one line for each instruction with its address, symbol, text, and the register that
+//! it wrote.
 
 use std::fs::File;
 use std::io::{self, BufWriter, Write};
@@ -19,13 +20,13 @@ pub struct Trace<'a> {
     image: &'a Image<'a>,
     path: PathBuf,
     output: BufWriter<Box<dyn Write>>,
-    /// The last instruction, whose result can be seen when it has run.
+    /// The last instruction. Its result can be seen once it has run.
     line: Option<(String, Instruction)>,
     result: io::Result<()>,
 }
 
 impl<'a> Trace<'a> {
-    /// Into a file, or to standard error.
+    /// Opens a file, or else standard error.
     pub fn open(path: Option<&Path>, image: &'a Image<'a>) -> Result<Self, Failure> {
         let output: Box<dyn Write> = match path {
             Some(path) => Box::new(File::create(path).map_err(Failure::file(path))?),

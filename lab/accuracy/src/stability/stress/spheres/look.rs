@@ -1,4 +1,5 @@
-//! A ray, a sphere, what is so of them and what a kernel says: in what its header counts errors.
+//! A ray and a sphere, the exact result and the kernel's result, in the units of its header's
+//! errors.
 
 use crate::families::Form;
 use crate::space::{length, less};
@@ -7,54 +8,56 @@ use crate::subject::{ANY_LENGTH, Subject};
 use crate::truth::sphere::{Passing, Sphere};
 use crate::truth::{Line, spacing};
 
-/// The formulation that takes the square of the radius off that of the distance.
+/// The formulation that subtracts the square of the radius from that of the distance.
 const PAPER: &str = "paper";
-/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius
-/// (and by the paper's formula, times the distance in radii): of the radius and of the
-/// perpendicular each coordinate is rounded, and so is each of the discriminant's sums.
+/// How far from a tangent the verdict may be wrong, in ulps of the larger of distance and radius.
+/// With the paper's formula, this is multiplied by the distance in radii. The causes are the
+/// rounding of the radius, of each coordinate of the perpendicular, and of each sum in the
+/// discriminant.
 pub const TANGENT: f64 = 8.0;
-/// How far from the surface, in ulps of the radius, the side of the origin may be taken for the
-/// other: the square of the distance less that of the radius is rounded once in each of its sums.
+/// How far from the surface, in ulps of the radius, the origin may be taken to be on the wrong
+/// side. The cause is the rounding of each sum in the difference of the squares of distance and
+/// radius.
 const SURFACE: f64 = 8.0;
-/// The part of what decides a tangent beyond which the discriminant has digits for the root.
+/// The share of the tangent's bound above which the discriminant has enough digits for the root.
 const ROOT: f64 = 0.25;
-/// What a header says of a kernel's error.
+/// What a header states about a kernel's error.
 #[derive(Clone, Copy, Debug)]
 pub struct Stated {
-    /// In ulps.
+    /// The error in ulps.
     pub error: f64,
-    /// Of the larger of t and r; else of t.
+    /// Whether these are ulps of the larger of t and r, and not of t.
     pub of_larger: bool,
-    /// How near to the centre, in radii, the eye may be.
+    /// The least distance of the eye from the centre, in radii.
     pub nearest: f64,
-    /// How far from the centre, in radii, the origin may be.
+    /// The greatest distance of the origin from the centre, in radii.
     pub radii: f64,
-    /// How far from the centre, in radii, the ray may pass.
+    /// The greatest distance from the centre, in radii, at which the ray may pass.
     pub within: f64,
 }
 
-/// One ray, one sphere, what is so and what the kernel says.
+/// One ray, one sphere, the exact result and the kernel's.
 pub struct Look {
     /// The kernel.
     pub subject: Subject,
-    /// What it says of its error.
+    /// What its header states about its error.
     pub stated: Stated,
     /// How the ray passes the sphere.
     pub passing: Passing,
-    /// Distance of the origin from the centre.
+    /// The distance of the origin from the centre.
     pub distance: f64,
     /// The radius.
     pub radius: f64,
-    /// How far from 1 the direction's length is.
+    /// The difference of the direction's length from 1.
     off_length: f64,
-    /// What is first seen.
+    /// The exact distance of the visible hit.
     pub exact: Option<f64>,
-    /// What the kernel says.
+    /// The kernel's result.
     pub found: Option<f64>,
 }
 
 impl Stated {
-    /// What the header of a kernel says.
+    /// Reads a kernel's header.
     pub fn of(subject: &Subject) -> Result<Self, StatementError> {
         let kernel = subject.kernel;
         Ok(Self {
@@ -69,16 +72,16 @@ impl Stated {
         })
     }
 
-    /// How far from the surface, in ulps of the radius, the side of the origin may be taken for
-    /// the other, or a hit be lost because its distance, being less than its error, is not above
-    /// 0.
+    /// How far from the surface, in ulps of the radius, the origin may be taken to be on the wrong
+    /// side. Also how far a hit may be lost because its distance is less than its error and
+    /// therefore not above 0.
     pub fn surface(&self) -> f64 {
         SURFACE + self.error
     }
 }
 
 impl Look {
-    /// A ray and a sphere, and the distance or parameter that a kernel says.
+    /// A ray, a sphere, and the distance or parameter that a kernel found.
     pub fn new(
         subject: Subject,
         stated: Stated,
@@ -107,17 +110,17 @@ impl Look {
         }
     }
 
-    /// Whether hit or miss is right.
+    /// Whether the verdict, hit or miss, is right.
     pub fn agrees(&self) -> bool {
         self.exact.is_some() == self.found.is_some()
     }
 
-    /// Whether the kernel takes the square of the radius off that of the distance.
+    /// Whether the kernel subtracts the square of the radius from that of the distance.
     fn squares(&self) -> bool {
         self.subject.formulation.name == PAPER
     }
 
-    /// How far the ray passes from a tangent, in what decides it.
+    /// How far the ray passes from a tangent, in units of the tangent's bound.
     pub fn off_tangent(&self) -> f64 {
         let larger = self.distance.max(self.radius);
         let grown = if self.squares() {
@@ -128,18 +131,19 @@ impl Look {
         self.passing.beyond.abs() * self.radius / (spacing(larger) * grown)
     }
 
-    /// How far the origin is from the surface, in ulps of the radius.
+    /// The distance of the origin from the surface, in ulps of the radius.
     pub fn off_surface(&self) -> f64 {
         (self.distance - self.radius).abs() / spacing(self.radius)
     }
 
-    /// By how much more than in the stated domain rounding moves the distance.
+    /// By how much more rounding moves the distance here than in the stated domain.
     fn condition(&self) -> f64 {
         let edge = 1.0 / (1.0 - self.stated.within * self.stated.within).sqrt();
         // beyond = -root^2 / 2 r^2.
         let steepness = 1.0 / (-2.0 * self.passing.beyond).max(0.0).sqrt();
         if self.squares() {
-            // An ulp of a square may be twice as large a part of it as one of the distance.
+            // Relative to its number, an ulp of a square may be twice as large as an ulp of the
+            // distance.
             let chords = 2.0 * (self.distance / self.radius).max(1.0) * steepness;
             (chords / (self.stated.radii * edge)).max(1.0)
         } else {
@@ -147,24 +151,25 @@ impl Look {
         }
     }
 
-    /// Whether hit or miss is decided by more than rounding, where the kernel is for.
+    /// Whether the verdict is decided by more than rounding, in the domain of the kernel.
     pub fn is_sure(&self) -> bool {
         self.distance >= self.stated.nearest * self.radius
             && self.off_tangent() >= TANGENT
             && self.off_surface() >= self.stated.surface()
     }
 
-    /// Whether the discriminant has digits for the root, too.
+    /// Whether the discriminant also has enough digits for the root.
     pub fn has_root(&self) -> bool {
         self.is_sure() && self.off_tangent() * ROOT > TANGENT
     }
 
-    /// The same of a hit; a sure miss needs no root.
+    /// The same for a hit. A clear miss needs no root.
     pub fn has_root_or_misses(&self) -> bool {
         self.is_sure() && (self.exact.is_none() || self.has_root())
     }
 
-    /// What the header counts the error of this distance in, at the condition of its domain.
+    /// The unit in which the header states the error of this distance, under the condition of its
+    /// domain.
     pub fn unit(&self, exact: f64) -> f64 {
         let least = if self.stated.of_larger {
             self.radius
@@ -174,8 +179,8 @@ impl Look {
         spacing(exact.max(least)) * self.condition()
     }
 
-    /// What the direction's own length moves of a distance. Where less than an ulp is stated, it
-    /// is not in it: the direction is taken to be of length 1 as it is given.
+    /// By how much the direction's length moves a distance. Headers that state less than an ulp
+    /// exclude this: they treat the given direction as having length 1.
     pub fn given(&self) -> f64 {
         if self.stated.error < 1.0 {
             self.off_length * self.distance
@@ -184,7 +189,7 @@ impl Look {
         }
     }
 
-    /// Ulps of the header that the distance is off, at the condition of its domain.
+    /// The error of the distance in the header's ulps, under the condition of its domain.
     pub fn ulps(&self, found: f64, exact: f64) -> f64 {
         ((found - exact).abs() - self.given()).max(0.0) / self.unit(exact)
     }

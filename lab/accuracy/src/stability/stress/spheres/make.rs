@@ -1,4 +1,4 @@
-//! Spheres and rays that are hard to tell apart from others.
+//! Spheres and rays that are difficult to intersect.
 
 use crate::generator::Generator;
 use rand::Rng as _;
@@ -9,12 +9,13 @@ use crate::space::{along, direction, fresh, unit};
 use crate::stability::random::{across, either_side, magnitude, rounded, towards};
 use crate::truth::{Vector, spacing};
 
-/// Packets of a sphere.
+/// The number of packets for a sphere.
 const PACKETS: usize = 2;
-/// The direction to what is where one starts.
+/// The direction used if the target is at the origin of the ray.
 pub const ANYWHERE: Vector = [0.0, 0.0, -1.0];
 
-/// A sphere about a place that singles have, and the rays that `make` makes of origin and centre.
+/// A sphere at a position that is rounded to singles, and the rays that `make` creates from origin
+/// and centre.
 fn shot(
     centre: Vector,
     radius: f64,
@@ -32,15 +33,15 @@ fn shot(
     }
 }
 
-/// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, rays to all of the sphere
-/// and past it.
+/// Radii from 1e-6 to 1e6, origins from the surface to 1e6 radii away, and rays to all parts of
+/// the sphere and past it.
 pub fn scales(random: &mut Generator, form: Form) -> Shot {
     let radius = magnitude(-20, 20, random);
-    // The eye is outside, and of its header's domain at least.
+    // The eye is outside, and at least at the smallest distance of its header's domain.
     let distance = radius * if form == Form::Eye { 1.5 } else { 1.001 } * magnitude(0, 20, random);
     let centre = match form {
         Form::Eye => rounded(direction(random).map(|x| distance * x)),
-        // As far off the world's origin as that lets the ray's begin on singles.
+        // As far from the world's origin as possible with the rays' origins on singles.
         Form::General => rounded(direction(random).map(|x| magnitude(-20, 20, random) * x)),
     };
     shot(centre, radius, random, |random| {
@@ -71,7 +72,8 @@ pub fn grazing(random: &mut Generator, form: Form) -> Shot {
     let [out, _] = across(way, random);
     let before = (distance * distance - radius * radius).sqrt();
     let centre = match form {
-        // Where the ray from 0 along the way passes it at the radius.
+        // The point where the ray from 0 along the direction passes the sphere at the distance of
+        // its radius.
         Form::Eye => along(way.map(|x| before * x), radius, out),
         Form::General => direction(random).map(|x| distance * x),
     };
@@ -91,7 +93,7 @@ pub fn grazing(random: &mut Generator, form: Form) -> Shot {
     })
 }
 
-/// Origins on the surface and some ulps to either side of it, and farther by powers of two.
+/// Origins on the surface, some ulps to either side of it, and farther away by powers of two.
 pub fn surface(random: &mut Generator, _: Form) -> Shot {
     let radius = to_f64(from_f64(magnitude(-20, 20, random)));
     let centre = rounded(direction(random).map(|x| radius * random.random_range(0.0..4.0) * x));

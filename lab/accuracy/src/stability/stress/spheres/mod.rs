@@ -1,10 +1,11 @@
-//! Spheres under stress, by all formulations: any scale and distance, rays within ulps of a
-//! tangent, eyes within ulps of a surface.
+//! Spheres with difficult inputs, for all formulations: any scale and distance, rays within ulps
+//! of a tangent, and eyes within ulps of a surface.
 //!
-//! A header states the error of a domain. Beyond it the error grows as the formulation's rounding
-//! does: by how steeply the distance changes with the sphere's place, which is one over the cosine
-//! of the ray's incidence; and for the square of the distance less that of the radius, by the
-//! distance in chords besides. Bounds are scaled by that, and only by that.
+//! A header states the error in a domain. Outside it, the error grows like the formulation's
+//! rounding. One factor is how strongly the distance depends on the sphere's position, which is
+//! one over the cosine of the ray's incidence. For the difference of the squares of distance and
+//! radius, the distance in chords is another factor. Bounds are scaled by these factors and by
+//! nothing else.
 
 mod look;
 mod make;
@@ -24,7 +25,7 @@ use look::{Look, Stated};
 
 pub use look::TANGENT;
 
-/// Spheres of a round.
+/// The number of spheres in a round.
 const SPHERES: u32 = 16;
 
 /// A kind of cases.
@@ -37,7 +38,7 @@ struct Kind {
     bound: fn(&Subject, &Stated) -> Bound,
 }
 
-/// A kind of cases on a formulation.
+/// A kind of cases for a formulation.
 struct Spheres {
     kind: &'static Kind,
     subject: Subject,
@@ -80,7 +81,7 @@ const KINDS: &[Kind] = &[
     },
 ];
 
-/// All kinds on all formulations whose kernels there are.
+/// All kinds for all formulations whose kernels exist.
 pub fn families() -> Families {
     let mut families = Vec::new();
     for kind in KINDS {
@@ -105,7 +106,7 @@ pub fn families() -> Families {
     Ok(families)
 }
 
-/// Hits where they are and only there, and their distances.
+/// Judges whether hits are found exactly where they exist, and the error of their distances.
 fn distance_error(look: &Look) -> Judgement {
     match (look.found, look.exact) {
         _ if !look.is_sure() => Judgement::Uncounted,
@@ -116,7 +117,7 @@ fn distance_error(look: &Look) -> Judgement {
     }
 }
 
-/// How far from where rounding may decide it the wrong wall is taken, or none.
+/// If the wrong wall or none is hit, how far this is from where rounding may decide it.
 fn side_error(look: &Look) -> Judgement {
     let right = match (look.found, look.exact) {
         (Some(found), Some(exact)) => {

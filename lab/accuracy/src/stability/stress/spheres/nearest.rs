@@ -1,5 +1,5 @@
-//! Two spheres that are hard to tell which is nearer: about one centre, touching, within one
-//! another, or one ten million times as large as the other.
+//! Two spheres of which it is difficult to tell the nearer one: they have one centre, touch, or
+//! are nested, or one is ten million times as large as the other.
 
 use crate::generator::Generator;
 use kernels::Bench;
@@ -23,7 +23,7 @@ use crate::subject::{self, Subject, sphere};
 use crate::truth::sphere::Sphere;
 use crate::truth::{Line, spacing};
 
-/// Pairs of a round.
+/// The number of pairs in a round.
 const PAIRS: u32 = 16;
 
 struct Nearest {
@@ -31,10 +31,10 @@ struct Nearest {
     stated: Stated,
 }
 
-/// Centre and radius of each.
+/// The centre and radius of each sphere.
 type Pair = [([Single; 3], Single); 2];
 
-/// For all formulations whose kernels there are.
+/// A family for each formulation whose kernels exist.
 pub fn families() -> Families {
     let general = subject::all().filter(|subject| subject.form == Form::General);
     let there = general.filter(|subject| Source::find(subject.kernel).is_some());
@@ -55,7 +55,7 @@ pub fn families() -> Families {
     there.map(family).collect()
 }
 
-/// Two spheres, near one another.
+/// Two spheres close to each other.
 fn pair(random: &mut Generator) -> Pair {
     let radius = to_f64(from_f64(magnitude(-10, 10, random)));
     let place = rounded(direction(random).map(|x| radius * random.random_range(0.0..4.0) * x));
@@ -80,7 +80,7 @@ fn pair(random: &mut Generator) -> Pair {
         .map(|(centre, radius)| (centre.map(from_f64), from_f64(radius)))
 }
 
-/// A ray to the region that both spheres are in, from outside or from between.
+/// A ray to the region of both spheres, from outside or from between.
 fn aimed(pair: &Pair, random: &mut Generator) -> Ray {
     let (centre, radius) = (pair[0].0.map(to_f64), to_f64(pair[0].1));
     let off = direction(random).map(|x| radius * random.random_range(0.0..1.2) * x);
@@ -94,7 +94,7 @@ fn aimed(pair: &Pair, random: &mut Generator) -> Ray {
 
 impl Nearest {
     fn shoot(&self, bench: &mut Bench, pair: &Pair, rays: &[Ray; 16], tally: &mut Tally) {
-        // The record is that of all formulations.
+        // All formulations use the same record.
         let objects =
             pair.map(|(centre, radius)| By::<Perpendicular>::from(sphere(centre, radius)));
         bench.reset();
@@ -129,7 +129,8 @@ impl Nearest {
                 Some(chosen) => match looks[chosen].exact {
                     None => tally.wrong(input),
                     Some(exact) if exact == nearest => tally.error(0.0, input),
-                    // By the rounding of each, in what is the larger of their units.
+                    // The difference is compared with the rounding of each, in the larger of their
+                    // units.
                     Some(exact) => {
                         let units = looks.iter().map(|look| look.unit(exact));
                         let given: f64 = looks.iter().map(Look::given).sum();

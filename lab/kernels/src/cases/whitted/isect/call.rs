@@ -1,4 +1,4 @@
-//! Calls of the kernels that run through candidates, with what their twins take.
+//! Calls the kernels that intersect candidates with the inputs of their twins.
 
 use twins::sphere_ray::Ray;
 use zerocopy::FromZeros as _;
@@ -10,7 +10,7 @@ use crate::cases::eye::call::{address, put};
 use crate::single::{bits, single};
 use protocol::layout::{Candidate, RayPacket, Shear};
 
-/// The packet of these rays; `anything` fills what no intersector looks at.
+/// The packet of these rays. `anything` fills the fields that no intersector reads.
 #[must_use]
 pub fn packet(rays: &[Ray; 16], anything: u32) -> RayPacket {
     let mut packet = RayPacket::new_zeroed();
@@ -46,19 +46,20 @@ pub fn rays(packet: &RayPacket) -> [Ray; 16] {
     })
 }
 
-/// What a kernel is called with, in local store.
+/// The inputs of a kernel in local store.
 pub struct Placed {
-    /// The packets, one behind the other.
+    /// The packets, one after the other.
     pub packets: bench::Place,
-    /// Their shears likewise, if there are triangles.
+    /// Their shears in the same order, for triangles.
     pub shears: Option<bench::Place>,
-    /// Addresses of the objects' records.
+    /// The addresses of the objects' records.
     pub objects: Vec<u32>,
-    /// Address of the candidates.
+    /// The address of the candidates.
     pub candidates: u32,
 }
 
-/// Places packets, objects and candidates: of an object and a packet each, by number.
+/// Puts packets, objects and candidates into local store. Each candidate is an object and a
+/// packet, given by number.
 pub fn place<S: Shape>(
     bench: &mut Bench,
     packets: &[RayPacket],
@@ -102,7 +103,7 @@ pub fn place<S: Shape>(
     }
 }
 
-/// The shape's kernel on candidates; gives the packets as they are then, and the objects'
+/// Calls the shape's kernel on candidates. Returns the packets after the call, and the objects'
 /// addresses.
 pub fn pairs<S: Shape>(
     bench: &mut Bench,

@@ -1,7 +1,7 @@
 //! Cones and cylinders as objects of a scene.
 //!
-//! What is sure of a ray and a cone, and how well its t is known, is asked of cones a little
-//! larger and smaller: that finds outlines, ends, apexes and grazing rays alike.
+//! Whether the verdict for a ray is certain, and how precisely its t is known, is determined with
+//! slightly larger and smaller cones. This detects outlines, ends, apexes and grazing rays.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -19,30 +19,31 @@ use crate::single::single;
 use crate::vector::{Vector, cross, dot, less, magnitude, unit};
 use protocol::layout;
 
-/// How much larger and smaller, in shares of the radius and of the distance.
+/// How much larger and smaller they are, relative to the radius and to the distance.
 const LARGER: [f64; 2] = [1e-4, 2e-6];
-/// How much t may change with the surface's place: one over the cosine of the ray's incidence.
+/// The most that t may change with the surface's position: one over the cosine of the ray's
+/// incidence.
 const STEEPEST: f64 = 10.0;
 
 /// A cone in f64.
 #[derive(Clone, Copy, Debug)]
 pub struct Exact {
-    /// Centre of the base.
+    /// The centre of the base.
     pub base: Vector,
-    /// Unit axis.
+    /// The unit axis.
     pub axis: Vector,
-    /// Radius at the base.
+    /// The radius at the base.
     pub radius: f64,
-    /// Growth of the radius with the height.
+    /// The growth of the radius with the height.
     pub growth: f64,
-    /// From this height to this.
+    /// The lower and the upper end.
     pub heights: [f64; 2],
-    /// From where it is seen.
+    /// The sides from which it is visible.
     pub sides: Sides,
 }
 
 impl Exact {
-    /// Where a ray hits it first.
+    /// The first hit of a ray.
     fn hit(&self, origin: Vector, direction: Vector) -> Option<f64> {
         let from_base = less(origin, self.base);
         let split = |vector: Vector| {
@@ -126,7 +127,7 @@ impl Shape for ConeObject {
             t,
             unit: libm::exp2(libm::log2(size).floor() - 23.0),
             counts,
-            // Where t is that of another crossing of a cone a little larger.
+            // Here t belongs to another crossing of a slightly larger cone.
             sure: sure && counts,
         }
     }
@@ -188,7 +189,7 @@ impl Shape for ConeObject {
                 _ => {
                     let away = size * magnitude(0.1..30.0, random);
                     let from = match lane {
-                        // Along the axis, and along a side.
+                        // One ray along the axis and one along a side.
                         1 => exact.axis,
                         2 => {
                             let out = unit(cross(any_direction(random), exact.axis));
@@ -217,7 +218,7 @@ impl Shape for ConeObject {
     }
 }
 
-/// The cone, with its heights from 0.
+/// The cone as an object, with heights from 0.
 #[must_use]
 pub fn cone(exact: &Exact) -> ConeObject {
     ConeObject {

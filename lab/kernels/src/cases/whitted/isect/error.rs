@@ -1,4 +1,4 @@
-//! Errors of the intersectors of candidates against f64.
+//! Errors of the kernels that intersect candidates, against f64.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -11,13 +11,13 @@ use crate::bench::Bench;
 use crate::cases::flat::error::error_of_shear;
 use crate::flat_records::{self, Shears};
 
-/// Packets of each size that an error is measured over.
+/// The number of packets of each size over which an error is measured.
 const PACKETS: u32 = 600;
 
-/// Sizes of scenes.
+/// The sizes of scenes.
 pub const SCALES: [f64; 4] = [1e-4, 1.0, 1e3, 1e6];
 
-/// Largest error of t, in what the header counts it in; infinite if a hit is missed or made up.
+/// The largest error of t, in the header's unit. Infinite for a missed or a false hit.
 pub fn nearest<S: Shape>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -42,7 +42,7 @@ pub fn nearest<S: Shape>(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Largest error of a slope in ulps of 1, or of 1 / direction z in its own.
+/// The largest error of a slope in ulps of 1, or of 1 / direction z in its own ulps.
 pub fn shear_packets(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {

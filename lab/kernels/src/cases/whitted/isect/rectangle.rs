@@ -15,9 +15,9 @@ use crate::flat_records::{self, quad};
 use crate::vector::{dot, less};
 use protocol::layout;
 
-/// How near to an edge, in u and v, a point may be on either side.
+/// The least distance of a point from an edge, in u and v, on either side.
 const EDGE: f64 = 5e-4;
-/// How far along the plane a ray may go: the cosine of its incidence.
+/// The least cosine of a ray's incidence, which limits how parallel to the plane it may be.
 const INCIDENCE: f64 = 0.1;
 
 impl Shape for RectangleObject {
@@ -75,7 +75,7 @@ impl Shape for RectangleObject {
         rectangle.point = scaled(rectangle.point, scale);
         rectangle.dual_u = scaled(rectangle.dual_u, 1.0 / scale);
         rectangle.dual_v = scaled(rectangle.dual_v, 1.0 / scale);
-        // A quarter of the rays goes away from it.
+        // A quarter of the rays points away from it.
         let rays = std::array::from_fn(|lane| Ray {
             origin: scaled(rays[lane].origin, scale),
             direction: scaled(rays[lane].direction, if lane % 4 == 3 { -1.0 } else { 1.0 }),

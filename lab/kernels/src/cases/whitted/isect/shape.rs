@@ -1,4 +1,4 @@
-//! What the shapes' kernels have in common: a record, a twin, and a truth.
+//! What the kernels of all shapes have: a record, a twin and an exact result.
 
 use std::fmt::Debug;
 
@@ -13,45 +13,45 @@ use zerocopy::{Immutable, IntoBytes};
 use crate::single::single;
 use protocol::layout::{Object, SIDES_BOTH, SIDES_EXIT};
 
-/// A shape that has a kernel for candidates.
+/// A shape with a kernel that intersects candidates.
 pub trait Shape: Copy + Debug {
     /// The kernel.
     const KERNEL: &'static str;
-    /// Whether it takes shears.
+    /// Whether the kernel takes shears.
     const SHEARED: bool = false;
     /// The record in local store.
     type Record: IntoBytes + Immutable;
 
-    /// The record; `anything` fills what has no meaning for the kernel.
+    /// The record. `anything` fills the fields that the kernel ignores.
     fn record(&self, anything: u32) -> Self::Record;
-    /// The ray after its test with the object whose record is at `object`.
+    /// The ray after it was tested with the object whose record is at `object`.
     fn twin(&self, ray: Ray, object: u32) -> Ray;
-    /// What is so, in f64 for the very singles that the kernel is given.
+    /// The exact result in f64, from the same singles that the kernel gets.
     fn truth(&self, ray: &Ray) -> Truth;
-    /// About 1 wide, with its middle at this x and so far ahead of the rays of the cases, seen
-    /// from there.
+    /// An object that is about 1 wide, with its centre at this x and at this distance in front of
+    /// the rays of the cases, and visible from there.
     fn ahead(x: f64, distance: f64) -> Self;
-    /// An object of the stated domain and rays towards it, past it and from within, so many times
-    /// as large.
+    /// An object from the stated domain, and rays towards it, past it and from inside, multiplied
+    /// by `scale`.
     fn around(random: &mut ChaCha8Rng, scale: f64) -> (Self, [Ray; 16]);
-    /// Any bits at all.
+    /// Random bits.
     fn junk(random: &mut ChaCha8Rng) -> Self;
 }
 
-/// What is so of a ray and an object.
+/// The exact result for a ray and an object.
 #[derive(Clone, Copy, Debug)]
 pub struct Truth {
-    /// Where it hits first, if it does.
+    /// The distance of the first hit, if the ray hits.
     pub t: Option<f64>,
-    /// What the error of `t` is counted in.
+    /// The unit of the error of `t`.
     pub unit: f64,
-    /// Whether the error of `t` counts: not where the header excludes it.
+    /// Whether the error of `t` counts. It does not where the header excludes it.
     pub counts: bool,
-    /// Whether there is a hit or none for sure: not where roundings of what is given decide.
+    /// Whether the verdict is certain. It is not where the rounding of the inputs decides.
     pub sure: bool,
 }
 
-/// Any sides.
+/// A random combination of sides.
 pub fn any_sides(random: &mut ChaCha8Rng) -> Sides {
     Sides {
         both: random.random(),
@@ -59,7 +59,7 @@ pub fn any_sides(random: &mut ChaCha8Rng) -> Sides {
     }
 }
 
-/// The word of sides; its other bits are those of `anything`.
+/// The word of the sides. Its other bits come from `anything`.
 fn sides_word(sides: Sides, anything: u32) -> u32 {
     let bit = |set: bool, bit: u32| if set { bit } else { 0 };
     anything & !(SIDES_BOTH | SIDES_EXIT)
@@ -67,7 +67,7 @@ fn sides_word(sides: Sides, anything: u32) -> u32 {
         | bit(sides.exit, SIDES_EXIT)
 }
 
-/// The sides of what has no inside: all but `both` is anything.
+/// The sides of a shape without an inside. Everything except `both` is arbitrary.
 #[must_use]
 pub fn one_sided(both: bool, anything: u32) -> Sides {
     Sides {
@@ -97,7 +97,7 @@ pub fn head(
     }
 }
 
-/// The same, as other records hold it.
+/// The same head in the form that other records use.
 #[must_use]
 pub fn head_words(
     centre: [Single; 3],

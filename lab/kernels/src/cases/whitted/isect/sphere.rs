@@ -1,4 +1,4 @@
-//! Spheres as objects of a scene, by the kernels of all formulations.
+//! Spheres as objects of a scene, with the kernels of all formulations.
 
 use std::marker::PhantomData;
 
@@ -17,10 +17,11 @@ use crate::cases::sphere_ray::{any_direction, ray, ulp};
 use crate::vector::{Vector, dot, magnitude, unit};
 use protocol::layout::Object;
 
-/// How near to its outline a sphere may be passed, as disc / r^2, for a hit or a miss that counts.
+/// The least distance between a ray and the sphere's outline, as disc / r^2, for which the verdict
+/// counts.
 const TANGENT: f64 = 1e-4;
 
-/// A sphere that is intersected by a formulation.
+/// A sphere that a formulation intersects.
 #[derive(Clone, Copy, Debug)]
 pub struct By<F> {
     /// The sphere.
@@ -70,7 +71,7 @@ impl<F: ForAnyRay> Shape for By<F> {
         let t = if leaves { b + root } else { b - root };
         let t = (disc >= 0.0 && t > 0.0).then_some(t);
         let clear = (distance / radius - 1.0).abs() > F::DOMAIN.surface;
-        // Where directions have any length, t is in parts of it.
+        // With directions of any length, t is a multiple of the length.
         let part = if F::DOMAIN.lengths.is_empty() {
             1.0
         } else {
@@ -129,7 +130,7 @@ impl<F: ForAnyRay> Shape for By<F> {
     }
 }
 
-/// Seen from the front alone: of a sphere where a ray enters it.
+/// Visible only from the front, which is where a ray enters a sphere.
 pub const FRONT: Sides = Sides {
     both: false,
     exit: false,
@@ -145,7 +146,7 @@ pub fn sphere(centre: Vector, radius: f64, sides: Sides) -> SphereObject {
     }
 }
 
-/// The record of a sphere; `anything` fills what no intersector looks at.
+/// The record of a sphere. `anything` fills the fields that no intersector reads.
 #[must_use]
 pub fn record(sphere: &SphereObject, anything: u32) -> Object {
     let axis = [anything; 3];

@@ -16,13 +16,14 @@ use crate::flat_records::{self, point, quad};
 use crate::vector::{Vector, cross, dot, less, unit};
 use protocol::layout::{self, RayPacket};
 
-/// How near to an edge, in barycentric coordinates, a point may be on either side.
+/// The least distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 8e-5;
-/// Twice the area across the ray, by the square of the longest edge, that is large enough.
+/// The smallest area that counts: twice the area across the ray, relative to the square of the
+/// longest edge.
 const AREA: f64 = 0.1;
 
-/// What is so of a ray and a triangle, where a kernel may be wrong about points as near to an edge
-/// as this on either side.
+/// The exact result for a ray and a triangle. The verdict is not certain for points within `edge`
+/// of an edge, on either side.
 pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
     let flat = flat_records::Ray::new(ray.origin, ray.direction);
     let [t, u, v] = on_triangle(&flat, &shape.vertices);
@@ -42,14 +43,13 @@ pub(super) fn truth(shape: &TriangleObject, ray: &Ray, edge: f64) -> Truth {
     }
 }
 
-/// Calls a kernel that runs through candidates of triangles, by its name, with one triangle and
-/// each of the packets; gives the packets as they are then, and the address of the triangle's
-/// record, which is the object of the rays that hit it. `anything` fills what has no meaning for a
-/// kernel.
+/// Calls a kernel that intersects candidates of triangles, by name, with one triangle and each of
+/// the packets. Returns the packets after the call, and the address of the triangle's record,
+/// which is the object of the rays that hit it. `anything` fills the fields that kernels ignore.
 ///
 /// # Panics
 ///
-/// If there is no such kernel, or there are more packets than there is room for; there is for 40.
+/// Panics if there is no such kernel, or if the packets do not fit; there is room for 40.
 pub fn pairs_by(
     bench: &mut Bench,
     kernel: &str,
@@ -110,7 +110,7 @@ impl Shape for TriangleObject {
                     .sum()
             });
             let towards = unit(less(target, origin.map(to_f64)));
-            // A quarter of the rays goes away from it.
+            // A quarter of the rays points away from it.
             let way = if lane % 4 == 3 { -1.0 } else { 1.0 };
             Ray {
                 origin,

@@ -1,4 +1,4 @@
-//! Triangles as objects of a scene, for the kernel that meets them Möller and Trumbore's way.
+//! Triangles as objects of a scene, for the kernel with Möller and Trumbore's test.
 
 use rand_chacha::ChaCha8Rng;
 use twins::sphere_ray::Ray;
@@ -8,10 +8,10 @@ use super::shape::{Shape, Truth};
 use super::triangle::{TriangleObject, truth};
 use protocol::layout;
 
-/// How near to an edge, in barycentric coordinates, a point may be on either side.
+/// The least distance of a point from an edge, in barycentric coordinates, on either side.
 const EDGE: f64 = 2e-4;
 
-/// A triangle, met Möller and Trumbore's way.
+/// A triangle for Möller and Trumbore's test.
 #[derive(Clone, Copy, Debug)]
 pub struct MoellerTrumbore(pub TriangleObject);
 

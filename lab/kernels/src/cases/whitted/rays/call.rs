@@ -1,4 +1,4 @@
-//! Calls of these kernels with what their twins take.
+//! Calls these kernels with the inputs of their twins.
 
 use twins::bound::Bound;
 use twins::load_rays::Queued;
@@ -13,24 +13,24 @@ use crate::eye_records;
 use crate::single::{bits, single};
 use protocol::layout::{self, Candidate, Node, QueuedRay, RayPacket};
 
-/// Fills what has no meaning.
+/// Fills the fields without meaning.
 const ANYTHING: u32 = 0x7fff_ffff;
 
 /// A bounding sphere.
 #[derive(Clone, Copy, Debug)]
 pub struct BareSphere {
-    /// Its centre.
+    /// The centre.
     pub centre: [Single; 3],
-    /// Its radius, with the rounding of the test.
+    /// The radius, including the margin for the test's rounding.
     pub radius: Single,
 }
 
 /// A child of a node.
 #[derive(Clone, Copy, Debug)]
 pub struct Child {
-    /// What it is within.
+    /// Its bounding sphere.
     pub sphere: BareSphere,
-    /// Address of its record.
+    /// The address of its record.
     pub address: u32,
 }
 
@@ -78,7 +78,7 @@ fn splat(value: Single) -> [F32; 4] {
     [single(value); 4]
 }
 
-/// The record of a bound; `anything` fills what has no meaning.
+/// The record of a bound. `anything` fills the fields without meaning.
 #[must_use]
 pub fn bound_record(bound: &Bound, anything: u32) -> layout::Bound {
     let [apex_x, apex_y, apex_z] = bound.apex.map(splat);
@@ -100,16 +100,16 @@ pub fn bound_record(bound: &Bound, anything: u32) -> layout::Bound {
     }
 }
 
-/// A quadword of three words and anything.
+/// A quadword of three words and an arbitrary one.
 fn first_words([x, y, z]: [Single; 3], anything: u32) -> [F32; 4] {
     [x, y, z, anything].map(single)
 }
 
-/// The bound of a record.
+/// The bound in a record.
 ///
 /// # Panics
 ///
-/// If its lanes differ, or what it has twice.
+/// Panics if its lanes differ, or the fields that it contains twice.
 #[must_use]
 pub fn bound(record: &layout::Bound) -> Bound {
     let one = |lanes: [F32; 4]| {
@@ -145,8 +145,9 @@ pub fn node(children: &[Child; 4]) -> Node {
     }
 }
 
-/// Places what `primary_rays_r16` takes: packets whose top left pixels are at `corners`, each with
-/// its sum a tile's row from the one before; gives the packets and the arguments.
+/// Puts the inputs of `primary_rays_r16` into local store: packets whose top left pixels are at
+/// `corners`. The sum of each packet is a tile's row after that of the one before. Returns the
+/// packets and the arguments.
 pub fn put_primary_rays(
     bench: &mut Bench,
     view: &View,
@@ -170,13 +171,13 @@ pub fn put_primary_rays(
     (packets, arguments)
 }
 
-/// The address of the sum of a packet's top left pixel, as [`put_primary_rays`] has it.
+/// The address of the sum of a packet's top left pixel, as placed by [`put_primary_rays`].
 #[must_use]
 pub fn sum_of(pixels: u32, packet: usize) -> u32 {
     pixels.wrapping_add(packet as u32 * 1024)
 }
 
-/// `primary_rays_r16`.
+/// Calls `primary_rays_r16`.
 pub fn primary_rays(
     bench: &mut Bench,
     view: &View,
@@ -190,8 +191,8 @@ pub fn primary_rays(
     packets.collect()
 }
 
-/// Places what `load_rays_r16` takes: `count` rays, and in `queue` also what is behind them; gives
-/// the packets and the arguments.
+/// Puts the inputs of `load_rays_r16` into local store: `count` rays, and the rest of `queue`
+/// after them. Returns the packets and the arguments.
 pub fn put_queue(
     bench: &mut Bench,
     queue: &[Queued],
@@ -215,7 +216,7 @@ pub fn put_queue(
     (packets, arguments)
 }
 
-/// `load_rays_r16`.
+/// Calls `load_rays_r16`.
 pub fn load_rays(
     bench: &mut Bench,
     queue: &[Queued],
@@ -229,18 +230,19 @@ pub fn load_rays(
     bench.read_all(packets).iter().map(rays).collect()
 }
 
-/// A point that rays start or end at.
+/// A point where rays start or end.
 #[derive(Clone, Copy, Debug)]
 pub struct Point {
-    /// Where it is.
+    /// The position.
     pub place: [Single; 3],
-    /// How near to it the rays' ends are.
+    /// The greatest distance of the rays' ends from it.
     pub near: Single,
-    /// 1 if they start there, -1 if they end there.
+    /// 1 if rays start there, -1 if they end there.
     pub along: Single,
 }
 
-/// Places packets and bounds; gives the bounds' place and the arguments of `bound_origins_r16`.
+/// Puts packets and bounds into local store. Returns the bounds' buffer and the arguments of
+/// `bound_origins_r16`.
 pub fn put_for_bounds(
     bench: &mut Bench,
     packets: &[[Ray; 16]],
@@ -257,7 +259,8 @@ pub fn put_for_bounds(
     (bounds, arguments)
 }
 
-/// Places what `bound_fan_r16` takes; gives the bounds' place and the arguments.
+/// Puts the inputs of `bound_fan_r16` into local store. Returns the bounds' buffer and the
+/// arguments.
 pub fn put_for_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> (Place, Vec<u32>) {
     let records: Vec<RayPacket> = packets.iter().map(packet).collect();
     let records = put(bench, &records);
@@ -279,7 +282,7 @@ pub fn put_for_fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> 
     (bounds, arguments)
 }
 
-/// `bound_fan_r16`.
+/// Calls `bound_fan_r16`.
 pub fn fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Bound> {
     bench.reset();
     let (bounds, arguments) = put_for_fans(bench, packets, point);
@@ -287,7 +290,7 @@ pub fn fans(bench: &mut Bench, packets: &[[Ray; 16]], point: &Point) -> Vec<Boun
     bench.read_all(bounds).iter().map(bound).collect()
 }
 
-/// `bound_fan_r16` of any point, then `bound_origins_r16`.
+/// Calls `bound_fan_r16` with any point, and then `bound_origins_r16`.
 pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
     let point = Point {
         place: [ANYTHING; 3],
@@ -301,17 +304,18 @@ pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
     bench.read_all(bounds).iter().map(bound).collect()
 }
 
-/// What `cull_nodes` is given.
+/// The inputs of `cull_nodes`.
 pub struct Candidates {
-    /// Its arguments.
+    /// The arguments.
     pub arguments: Vec<u32>,
     /// The candidates.
     pub given: Vec<Candidate>,
-    /// Where the list goes.
+    /// The buffer for the list.
     pub room: Place,
 }
 
-/// Places what `cull_nodes` takes: the pairs of a node and a bound, both by number.
+/// Puts the inputs of `cull_nodes` into local store. Each pair is a node and a bound, given by
+/// number.
 pub fn put_candidates(
     bench: &mut Bench,
     nodes: &[[Child; 4]],
@@ -353,11 +357,11 @@ pub fn words(candidate: &Candidate) -> [u32; 4] {
     [object, packet, bound, shear].map(zerocopy::big_endian::U32::get)
 }
 
-/// `cull_nodes`: what it was given, and the words of what it listed.
+/// Calls `cull_nodes`. Returns its inputs, and the words of its list.
 ///
 /// # Panics
 ///
-/// If the end is none of a list.
+/// Panics if the returned end is not a possible end of a list.
 pub fn cull_nodes(
     bench: &mut Bench,
     nodes: &[[Child; 4]],

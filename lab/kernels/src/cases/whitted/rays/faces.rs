@@ -1,4 +1,4 @@
-//! Calls of `cull_faces` with what its twin takes.
+//! Calls `cull_faces` with the inputs of its twin.
 
 use twins::bound::Bound;
 use twins::cull_faces::Face;
@@ -12,7 +12,7 @@ use crate::cases::whitted::isect::shape;
 use crate::single::single;
 use protocol::layout::{self, Candidate, Object};
 
-/// The record of a face; `anything` fills what has no meaning.
+/// The record of a face. `anything` fills the fields without meaning.
 #[must_use]
 pub fn record(face: &Face, anything: u32) -> Object {
     let sides = Sides {
@@ -25,8 +25,8 @@ pub fn record(face: &Face, anything: u32) -> Object {
     }
 }
 
-/// Places what `cull_faces` takes: the pairs of a face and a bound, both by number. The list goes
-/// over the candidates.
+/// Puts the inputs of `cull_faces` into local store. Each pair is a face and a bound, given by
+/// number. The list overwrites the candidates.
 pub fn put(
     bench: &mut Bench,
     faces: &[Face],
@@ -59,11 +59,12 @@ pub fn put(
     }
 }
 
-/// `cull_faces`: the words of what it was given, and of what it listed.
+/// Calls `cull_faces`. Returns the words of its inputs, and of its list.
 ///
 /// # Panics
 ///
-/// If the end is none of a list, or something behind the candidates has changed.
+/// Panics if the returned end is not a possible end of a list, or if memory after the candidates
+/// has changed.
 pub fn cull_faces(
     bench: &mut Bench,
     faces: &[Face],

@@ -1,4 +1,4 @@
-//! Packets of rays as tracing makes them, and as it never would.
+//! Packets of rays that occur in tracing, and packets that never would.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -13,25 +13,25 @@ use crate::vector::{Vector, dot, in_cube, less, magnitude, unit};
 /// How the rays of a packet are related.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fan {
-    /// All through the eye, nearly parallel.
+    /// All through the eye and almost parallel.
     Eye,
-    /// From points of a small surface, nearly parallel: mirrored or refracted.
+    /// From points of a small surface and almost parallel: reflected or refracted.
     Coherent,
-    /// From points of a surface to one light, no farther than that.
+    /// From points of a surface to one light, and no farther.
     Shadow,
-    /// From about one place to anywhere.
+    /// From about one place in any direction.
     Incoherent,
-    /// From anywhere to anywhere.
+    /// From anywhere in any direction.
     Any,
-    /// Coherent, but one ray of sixteen.
+    /// Coherent except for one ray of sixteen.
     One,
-    /// Coherent, but in about half of the lanes.
+    /// Coherent, but only in about half of the lanes.
     Half,
-    /// Coherent, about as wide as a cone may be.
+    /// Coherent, and about as wide as a cone may be.
     Wide,
 }
 
-/// All of them.
+/// All relations.
 pub const FANS: [Fan; 8] = [
     Fan::Eye,
     Fan::Coherent,
@@ -50,7 +50,7 @@ fn moved(from: Vector, direction: Vector, distance: f64) -> Vector {
     std::array::from_fn(|axis| from[axis] + direction[axis] * distance)
 }
 
-/// Any bits.
+/// A ray of random bits.
 pub fn junk(random: &mut ChaCha8Rng) -> Ray {
     Ray {
         origin: random.random(),
@@ -62,7 +62,7 @@ pub fn junk(random: &mut ChaCha8Rng) -> Ray {
     }
 }
 
-/// A packet of a scene of this scale. In lanes where there is no ray is any junk.
+/// A packet of a scene of this scale. Lanes without a ray contain junk.
 pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     let far = if random.random() { 1.0 } else { 100.0 };
     let place = in_cube(far * scale, random);
@@ -108,8 +108,8 @@ pub fn packet(fan: Fan, scale: f64, random: &mut ChaCha8Rng) -> [Ray; 16] {
     })
 }
 
-/// A packet of shadow rays to a light, and the light: they start as far off as they may, and some
-/// are not there.
+/// A packet of shadow rays to a light, and the light. The rays start at the greatest allowed
+/// distance from surfaces, and some are absent.
 pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let far = if random.random() { 1.0 } else { 100.0 };
     let place = in_cube(far * scale, random);
@@ -118,7 +118,7 @@ pub fn to_light(scale: f64, random: &mut ChaCha8Rng) -> ([Ray; 16], Point) {
     let light = light.map(|component| to_f64(from_f64(component)));
     let size = scale * magnitude(1e-5..1.0, random);
     let taxicab = |vector: Vector| vector.iter().map(|component| component.abs()).sum::<f64>();
-    // As an object of this reach has it, around the place.
+    // The value that an object with this reach around the place would have.
     let leave = (taxicab(place) + 3.0 * size) / f64::from(1 << 20);
     let rays = std::array::from_fn(|_| {
         let point = moved(place, in_cube(1.0, random), size);

@@ -1,4 +1,4 @@
-//! Calls of the surface kernels with what their twins take.
+//! Calls the surface kernels with the inputs of their twins.
 
 use twins::accumulate::Share;
 use twins::surfaces::{Material, Object, Ray, Surface};
@@ -13,7 +13,7 @@ use crate::eye_records::pixel_shuffle;
 use crate::single::{bits, single};
 use protocol::layout::{self, RayPacket, Surfaces, TILE_WIDTH};
 
-/// What a lane's ray has hit: number of an object, of which the first is the background's.
+/// The hit of a lane's ray. The object is a number, of which the first is the background.
 #[derive(Clone, Copy, Debug)]
 pub struct Hit {
     /// The ray.
@@ -22,8 +22,9 @@ pub struct Hit {
     pub object: usize,
 }
 
-/// `kernel` on packets of hits of these objects, each of the material of that number; gives the
-/// surfaces, the materials' addresses and the count of rays that hit something in each lane.
+/// Calls `kernel` on packets of hits of these objects. Each object has the material with the given
+/// number. Returns the surfaces, the materials' addresses, and the number of rays in each lane
+/// that hit something.
 pub fn surfaces(
     bench: &mut Bench,
     kernel: &str,
@@ -48,7 +49,7 @@ pub fn surfaces(
             records::rays(&packet.map(|hit| PacketRay {
                 ray: hit.ray,
                 object: address::<layout::Object>(objects, hit.object),
-                // No part of it.
+                // It has no effect.
                 weight: u32::MAX,
                 pixel: u32::MAX,
             }))
@@ -62,16 +63,16 @@ pub fn surfaces(
     (bench.read_all(found), materials, bench.returned_vector())
 }
 
-/// Sixteen hits that are to be lit.
+/// Sixteen hits to be lit.
 #[derive(Clone, Debug)]
 pub struct Site {
     /// The surfaces.
     pub surfaces: [Surface; 16],
-    /// The normals that shade.
+    /// The shading normals.
     pub normals: [[Single; 3]; 16],
-    /// Directions of the rays that see them.
+    /// The directions of the rays that see them.
     pub directions: [[Single; 3]; 16],
-    /// Shadow rays, and whether something has blocked each.
+    /// The shadow rays, and whether each is blocked.
     pub shadow: [(Ray, bool); 16],
 }
 
@@ -83,7 +84,7 @@ pub struct PlacedSites {
     background: bench::Place,
 }
 
-/// What is no part of a record's meaning here.
+/// Fills the fields that have no meaning here.
 const ANYTHING: u32 = 0x5555_5555;
 
 fn packet_ray(ray: Ray, object: u32) -> PacketRay {
@@ -150,7 +151,7 @@ pub fn light_record(place: &shadow_rays::Place, brightness: [Single; 3]) -> layo
     }
 }
 
-/// The arguments of the kernels that go through sites with a light.
+/// The arguments of the kernels that process sites with a light.
 pub fn site_arguments(
     bench: &mut Bench,
     placed: &PlacedSites,
@@ -163,11 +164,11 @@ pub fn site_arguments(
     vec![placed.list.address, count, light.address, background]
 }
 
-/// `shadow_rays_r16`: the rays to a light, and the count of them in each lane.
+/// `shadow_rays_r16`: returns the rays to a light, and their number in each lane.
 ///
 /// # Panics
 ///
-/// If a ray's object is not the background's, or its weight or pixel were changed.
+/// Panics if a ray's object is not the background, or if its weight or pixel has changed.
 pub fn shadow_rays(
     bench: &mut Bench,
     sites: &[Site],
@@ -189,7 +190,8 @@ pub fn shadow_rays(
     (rays.collect(), bench.returned_vector())
 }
 
-/// `kernel`, `light_r16` or `lambert_r16`: the surfaces after a light of this brightness.
+/// `kernel`, which is `light_r16` or `lambert_r16`: returns the surfaces after a light of this
+/// brightness.
 pub fn light(
     bench: &mut Bench,
     kernel: &str,
@@ -208,7 +210,7 @@ pub fn light(
     surfaces.collect()
 }
 
-/// `ambient_r16`: the surfaces after light of this brightness from everywhere.
+/// `ambient_r16`: returns the surfaces after ambient light of this brightness.
 pub fn ambient(bench: &mut Bench, sites: &[Site], [x, y, z]: [Single; 3]) -> Vec<Surfaces> {
     bench.reset();
     let records: Vec<Surfaces> = sites
@@ -223,7 +225,7 @@ pub fn ambient(bench: &mut Bench, sites: &[Site], [x, y, z]: [Single; 3]) -> Vec
     bench.read_all(surfaces)
 }
 
-/// `accumulate_r16` on packets of shares; the sums before and after.
+/// `accumulate_r16` on packets of shares: returns the sums before and after.
 pub fn accumulate(
     bench: &mut Bench,
     packets: &[[Share; 16]],
@@ -260,11 +262,12 @@ pub fn accumulate(
     colours.collect()
 }
 
-/// `pack_sums`: the words of rows of sums, each of as many pixels, a multiple of four.
+/// `pack_sums`: returns the words of rows of sums, all of the same length, which is a multiple of
+/// four.
 ///
 /// # Panics
 ///
-/// If a row is longer than a tile.
+/// Panics if a row is longer than a tile.
 pub fn pack_sums(bench: &mut Bench, rows: &[Vec<[Single; 3]>], shifts: [u32; 3]) -> Vec<u32> {
     bench.reset();
     let mut sums = vec![[single(ANYTHING); 4]; rows.len() * TILE_WIDTH as usize];
@@ -290,7 +293,7 @@ pub fn pack_sums(bench: &mut Bench, rows: &[Vec<[Single; 3]>], shifts: [u32; 3])
     words.iter().map(|word| word.get()).collect()
 }
 
-/// `same_objects_r16`: its bits for packets with these objects.
+/// `same_objects_r16`: returns its bits for packets with these objects.
 pub fn same_objects(bench: &mut Bench, packets: &[[u32; 16]]) -> u32 {
     bench.reset();
     let ray = Ray {

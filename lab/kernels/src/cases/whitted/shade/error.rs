@@ -1,4 +1,4 @@
-//! Errors of the surface kernels against f64, over random inputs of their domains.
+//! Errors of the surface kernels against f64, over random inputs from their domains.
 
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
@@ -17,10 +17,10 @@ use crate::single::bits;
 use crate::vector::{dot, less, magnitude, ulps, unit};
 use protocol::layout::Surfaces;
 
-/// Packets that an error is measured over.
+/// The number of packets over which an error is measured.
 const PACKETS: u32 = 1000;
 
-/// A material of anything that a scene may ask for.
+/// A random material of any kind that a scene may contain.
 pub fn any_material(random: &mut ChaCha8Rng) -> Material {
     let mut share = || from_f64(random.random_range(0.0..1.0));
     let colour = [(); 3].map(|()| share());
@@ -43,7 +43,7 @@ pub fn any_material(random: &mut ChaCha8Rng) -> Material {
     }
 }
 
-/// Sixteen shapes and their objects behind the background's, and a packet of rays that hit them.
+/// Sixteen shapes with their objects after the background's, and a packet of rays that hit them.
 pub fn any_hits(random: &mut ChaCha8Rng) -> ([Shape; 16], Vec<(Object, usize)>, [Hit; 16]) {
     let shapes: [Shape; 16] = std::array::from_fn(|_| Shape::any(random));
     let background = Shape::plane([0.0; 3], [0.0, 0.0, 1.0]);
@@ -56,7 +56,8 @@ pub fn any_hits(random: &mut ChaCha8Rng) -> ([Shape; 16], Vec<(Object, usize)>, 
     (shapes, objects, hits)
 }
 
-/// Largest distance of a point from its surface, against what it says a ray has to leave it by.
+/// The largest distance of a point from its surface, relative to the origin offset that the
+/// surface states.
 pub fn surfaces(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -84,8 +85,8 @@ pub fn any_light(random: &mut ChaCha8Rng) -> Place {
     }
 }
 
-/// Hits of any shapes, with the normals that shade turned off the surfaces', and their shadow rays
-/// to a light, half of them blocked. Exponents are below the one given.
+/// Hits on random shapes, with shading normals that differ from the surfaces' normals, and their
+/// shadow rays to a light, half of them blocked. Exponents are below the given one.
 pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
     let (_, objects, hits) = any_hits(random);
     let surfaces: [Surface; 16] = std::array::from_fn(|lane| {
@@ -120,8 +121,8 @@ pub fn any_site(random: &mut ChaCha8Rng, light: &Place, exponent: f64) -> Site {
     }
 }
 
-/// The same, of which half are to shine as much as can be: the light stands nearly in the mirror's
-/// direction.
+/// The same, but half of the highlights are as bright as possible: the light is almost in the
+/// direction of reflection.
 pub fn any_shining_site(random: &mut ChaCha8Rng, exponent: f64) -> Site {
     let light = any_light(random);
     let mut site = any_site(random, &light, exponent);
@@ -144,8 +145,8 @@ pub fn any_shining_site(random: &mut ChaCha8Rng, exponent: f64) -> Site {
     site
 }
 
-/// Largest error of a component of a direction to a light, in ulps of 1; infinite if t is off by
-/// more than the header says.
+/// The largest error of a component of a direction to a light, in ulps of 1. Infinite if the error
+/// of t exceeds the header's.
 pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -174,7 +175,7 @@ pub fn shadow_rays(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// What a surface sends back, in f64 by the model's own formula.
+/// The light that a surface sends back, in f64 by the model's own formula.
 fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> [f64; 3] {
     let surface = &site.surfaces[lane];
     let (ray, blocked) = &site.shadow[lane];
@@ -195,8 +196,8 @@ fn exact_light(site: &Site, lane: usize, brightness: [f64; 3], shines: bool) -> 
     std::array::from_fn(|k| lit[k] + brightness[k] * (diffuse * to_f64(surface.colour[k]) + shine))
 }
 
-/// Largest error of a channel that a light of brightness 1 has added to, exponents up to the one
-/// given.
+/// The largest error of a channel after adding a light of brightness 1, with exponents up to the
+/// given one.
 pub fn light_up_to(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, exponent: f64) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -213,17 +214,17 @@ pub fn light_up_to(bench: &mut Bench, random: &mut ChaCha8Rng, kernel: &str, exp
     worst
 }
 
-/// Largest error of a channel, in thousandths of a brightness of 1, exponents up to 1000.
+/// The largest error of a channel, in thousandths of a brightness of 1, with exponents up to 1000.
 pub fn light(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     1e3 * light_up_to(bench, random, "light_r16", 1000.0)
 }
 
-/// Largest error of a channel, in ulps of a brightness of 1.
+/// The largest error of a channel, in ulps of a brightness of 1.
 pub fn lambert(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     light_up_to(bench, random, "lambert_r16", 1.0) * 2_f64.powi(23)
 }
 
-/// The same.
+/// The same for ambient light.
 pub fn ambient(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -241,7 +242,7 @@ pub fn ambient(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Packets of shares of so many pixels, any two of which may be of the same one.
+/// Packets of shares for this many pixels. Any two shares may belong to the same pixel.
 pub fn any_shares(random: &mut ChaCha8Rng, packets: usize, pixels: usize) -> Vec<[Share; 16]> {
     let mut share = || Share {
         pixel: random.random_range(0..pixels),
@@ -253,7 +254,7 @@ pub fn any_shares(random: &mut ChaCha8Rng, packets: usize, pixels: usize) -> Vec
         .collect()
 }
 
-/// Largest error of a sum, in ulps of it, an addition.
+/// The largest error of a sum for each addition, in ulps of the sum.
 pub fn accumulate(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -277,7 +278,7 @@ pub fn accumulate(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Largest error of a pixel's channel, of 255.
+/// The largest error of a pixel's channel, of 255.
 pub fn pack_sums(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for shifts in [[16_u32, 8, 0], [8, 16, 24]] {
@@ -296,7 +297,7 @@ pub fn pack_sums(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// As [`surfaces`], of packets whose rays have all hit the same object.
+/// Like [`surfaces`], for packets whose rays have all hit the same object.
 pub fn surfaces_same(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     let mut worst = 0.0_f64;
     for _ in 0..PACKETS {
@@ -315,7 +316,7 @@ pub fn surfaces_same(bench: &mut Bench, random: &mut ChaCha8Rng) -> f64 {
     worst
 }
 
-/// Distance of a point from its surface, against its `leave`.
+/// The distance of a point from its surface, relative to its `leave`.
 fn off_surface(found: &Surfaces, lane: usize, shape: &Shape) -> f64 {
     let point = [found.point_x, found.point_y, found.point_z];
     let (height, _) = shape.at(point.map(|row| to_f64(bits(row[lane]))));

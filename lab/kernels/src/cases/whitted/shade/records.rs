@@ -1,5 +1,5 @@
-//! Records of the surface kernels, made of what their twins take and taken apart into what they
-//! give.
+//! Converts the inputs of the surface kernels' twins to records, and records to the twins'
+//! results.
 
 use twins::Single;
 use twins::surfaces::{Material, Object, Ray, Surface};
@@ -12,13 +12,13 @@ use protocol::layout::{self, RayPacket, Surfaces};
 /// A ray of a packet.
 #[derive(Clone, Copy, Debug)]
 pub struct PacketRay {
-    /// The ray, and how far its hit is.
+    /// The ray and the distance of its hit.
     pub ray: Ray,
-    /// Address of the object hit.
+    /// The address of the object that it hit.
     pub object: u32,
-    /// Share of its colour in its pixel's.
+    /// The share of its colour in its pixel.
     pub weight: Single,
-    /// Address of its pixel's sum.
+    /// The address of its pixel's sum.
     pub pixel: u32,
 }
 
@@ -93,7 +93,7 @@ pub fn material(material: &Material) -> layout::Material {
     }
 }
 
-/// A packet of surfaces, the normals that shade being `normals`, and its flags those of all lanes.
+/// A packet of surfaces with `normals` as shading normals and the flags of all lanes.
 #[must_use]
 pub fn surfaces(
     lanes: &[Surface; 16],
@@ -136,13 +136,13 @@ pub fn surfaces(
     }
 }
 
-/// What is sent back by each lane.
+/// The light that each lane sends back.
 #[must_use]
 pub fn lit(surfaces: &Surfaces) -> [[Single; 3]; 16] {
     vectors([surfaces.lit_red, surfaces.lit_green, surfaces.lit_blue])
 }
 
-/// Surfaces of which nothing is known but what they send back.
+/// Surfaces of which only the light that they send back is set.
 #[must_use]
 pub fn lit_surfaces(lit: &[[Single; 3]; 16]) -> Surfaces {
     let [lit_red, lit_green, lit_blue] = components(lit);

@@ -1,4 +1,4 @@
-//! Spheres, cones and planes in f64 with the `OBJECT`s that they become, and rays that hit them.
+//! Spheres, cones and planes in f64, the `OBJECT`s for them, and rays that hit them.
 
 use std::f64::consts::TAU;
 
@@ -10,29 +10,31 @@ use twins::surfaces::{Object, Ray};
 use crate::cases::sphere_ray::any_direction;
 use crate::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 
-/// What the numbers of an object, and the coordinates of a point, add to how far off the surface a
-/// ray starts, against their magnitude.
+/// How much the numbers of an object, and the coordinates of a point, add to the origin offset of
+/// a ray, relative to their magnitude.
 pub const LEAVE: f64 = 1.0 / (1 << 20) as f64;
-/// Roundings by which the distance of a hit is off, of the larger of it and the object's size.
+/// The error of a hit's distance, in roundings of the larger of the distance and the object's
+/// size.
 const ROUNDINGS: f64 = 16.0;
 
-/// A surface: gain |a| + slope h = offset, for h along the axis and a off it, from the centre.
+/// A surface: gain |a| + slope h = offset, where h is along the axis and a is across it, both from
+/// the centre.
 #[derive(Clone, Copy, Debug)]
 pub struct Shape {
-    /// Centre, base, or a point of the plane.
+    /// The centre, the base, or a point of the plane.
     pub centre: Vector,
-    /// As in `OBJECT`.
+    /// The same as in `OBJECT`.
     pub gain: f64,
-    /// Unit, or 0.
+    /// A unit vector or 0.
     pub axis: Vector,
-    /// As in `OBJECT`.
+    /// The same as in `OBJECT`.
     pub slope: f64,
-    /// As in `OBJECT`.
+    /// The same as in `OBJECT`.
     pub offset: f64,
 }
 
 impl Shape {
-    /// A sphere; seen from inside for a radius below 0.
+    /// A sphere. With a radius below 0, it is visible from inside.
     #[must_use]
     pub fn sphere(centre: Vector, radius: f64) -> Self {
         Self {
@@ -44,7 +46,7 @@ impl Shape {
         }
     }
 
-    /// A cone, or a cylinder without growth.
+    /// A cone, or a cylinder if the growth is 0.
     #[must_use]
     pub fn cone(base: Vector, axis: Vector, radius: f64, growth: f64) -> Self {
         let gain = 1.0 / libm::hypot(growth, 1.0);
@@ -69,9 +71,9 @@ impl Shape {
         }
     }
 
-    /// Any of them, of any size, within 100 of the eye.
+    /// A random shape of any size, within 100 of the eye.
     pub fn any(random: &mut ChaCha8Rng) -> Self {
-        // What a record can say exactly.
+        // Values that a record can represent exactly.
         let centre = in_cube(100.0, random).map(|x| to_f64(from_f64(x)));
         let radius = to_f64(from_f64(magnitude(0.01..30.0, random)));
         match random.random_range(0..4) {
@@ -85,7 +87,7 @@ impl Shape {
         }
     }
 
-    /// Its record.
+    /// The shape's record.
     #[must_use]
     pub fn object(&self) -> Object {
         let magnitude: f64 = self.centre.iter().map(|x| x.abs()).sum();
@@ -100,7 +102,7 @@ impl Shape {
         }
     }
 
-    /// Height above the surface, and the normal there.
+    /// The height above the surface, and the normal there.
     #[must_use]
     pub fn at(&self, point: Vector) -> (f64, Vector) {
         let from = less(point, self.centre);
@@ -117,7 +119,7 @@ impl Shape {
         (height, normal)
     }
 
-    /// A point of the surface.
+    /// A random point of the surface.
     pub fn any_point(&self, random: &mut ChaCha8Rng) -> Vector {
         let size = if self.gain == 0.0 {
             50.0
@@ -129,7 +131,7 @@ impl Shape {
         } else if self.gain == 0.0 {
             (0.0, magnitude(0.01..size, random))
         } else {
-            // A tenth of the radius at least, where it becomes less.
+            // Where the radius shrinks, at least a tenth of it remains.
             let growth = -self.slope / self.gain;
             let height = size * random.random_range(0.0..0.9);
             (height, size + growth * height)
