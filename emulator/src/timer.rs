@@ -1,7 +1,7 @@
 //! Feeds a [`Pipeline`] from the interpreter.
 
 use crate::interp::{Observer, Spu};
-use spu_isa::timing::{Issue, Passage, Pipeline, State};
+use spu_isa::timing::{AccountDelta, Issue, Pipeline, State};
 use spu_isa::{Class, Instruction, LIMIT_MASK, Op};
 
 /// Times what an [`Spu`] runs.
@@ -121,11 +121,11 @@ impl Timer {
         })
     }
 
-    /// Goes on from `state`, which a timer of the same rules had, as though `passage` had issued
+    /// Goes on from `state`, which a timer of the same rules had, as though `delta` had issued
     /// in between.
-    pub(crate) fn resume(&mut self, state: &TimerState, passage: &Passage) {
+    pub(crate) fn resume(&mut self, state: &TimerState, delta: &AccountDelta) {
         self.previous = Some(state.previous);
-        self.pipeline.resume(&state.pipeline, passage);
+        self.pipeline.resume(&state.pipeline, delta);
     }
 }
 

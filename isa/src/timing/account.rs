@@ -236,11 +236,11 @@ impl Account {
         }
     }
 
-    pub(super) fn pass(&mut self, passage: &Passage) {
+    pub(super) fn pass(&mut self, delta: &AccountDelta) {
         // An instruction that joins makes a dual cycle of one that was counted as single.
-        self.single = self.single + passage.instructions - 2 * passage.joined;
-        self.dual += passage.joined;
-        self.stalls.extend(&passage.stalls);
+        self.single = self.single + delta.instructions - 2 * delta.joined;
+        self.dual += delta.joined;
+        self.stalls.extend(&delta.stalls);
     }
 
     #[inline]
@@ -263,7 +263,7 @@ impl Account {
 
 /// What stretches of the executed stream add to an account.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Passage {
+pub struct AccountDelta {
     /// Instructions issued.
     pub instructions: u64,
     /// Those of them that joined the instruction before them in its cycle.
@@ -272,7 +272,7 @@ pub struct Passage {
     pub stalls: Stalls,
 }
 
-impl Passage {
+impl AccountDelta {
     /// All cycles.
     #[must_use]
     pub fn cycles(&self) -> u64 {

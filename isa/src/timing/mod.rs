@@ -19,7 +19,7 @@ mod recurrence;
 pub mod rules;
 mod schedule;
 
-pub use account::{Account, Cause, Passage, Stalls};
+pub use account::{Account, AccountDelta, Cause, Stalls};
 pub use hint::hinted_branch;
 pub use hint_distance::{HintDistance, Verdict, hint_distances};
 pub use loops::{Loop, Steady, find_loops};

@@ -1,7 +1,7 @@
 //! A pipeline that goes on from another's state goes on as that one does.
 
 use proptest::prelude::*;
-use spu_isa::timing::{Account, Cause, Issue, Passage, Pipeline, Rules};
+use spu_isa::timing::{Account, AccountDelta, Cause, Issue, Pipeline, Rules};
 use spu_isa::{Instruction, Op};
 
 use super::sequences::{hint, i};
@@ -115,8 +115,8 @@ proptest! {
         // The other one is somewhere else, with its own account and with registers to wait for.
         let mut other = Stream(Pipeline::new(rules), first.1);
         other.0.issue(0, Instruction { op: Op::Dfm, ..i("dfm", 5, &[1, 2]) });
-        let passage = Passage { instructions: 1 << 40, ..Passage::default() };
-        other.0.resume(&first.0.state(), &passage);
+        let delta = AccountDelta { instructions: 1 << 40, ..AccountDelta::default() };
+        other.0.resume(&first.0.state(), &delta);
         prop_assert_eq!(other.0.state(), first.0.state());
         prop_assert_eq!(other.0.account().cycles(), other.0.clock());
         let (clock, other_clock) = (first.0.clock(), other.0.clock());

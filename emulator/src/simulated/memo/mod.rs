@@ -25,7 +25,7 @@ use crate::local_store::LocalStore;
 use crate::profile::Recording;
 use crate::timer::{Timer, TimerState};
 use hasher::Mixing;
-use spu_isa::timing::{Passage, Rules};
+use spu_isa::timing::{AccountDelta, Rules};
 use transition::Transition;
 
 /// States and transitions that are kept at most, each. Programs have some hundreds; one that
@@ -219,17 +219,17 @@ impl Memo {
         timer: &mut Timer,
         mut recording: Option<&mut Recording>,
     ) {
-        let mut passage = Passage::default();
+        let mut delta = AccountDelta::default();
         for at in self.happened.drain(..) {
             let transition = &mut self.transitions[at.0 as usize];
             let count = std::mem::take(&mut transition.count);
-            transition.pass(count, &mut passage);
+            transition.pass(count, &mut delta);
             if let Some(recording) = &mut recording {
                 transition.charge(count, recording);
             }
         }
         let state = &self.states[state.0 as usize].state;
-        timer.resume(state, &passage);
+        timer.resume(state, &delta);
         if let Some(recording) = recording {
             recording.catch_up(state.previous, &timer.pipeline);
         }

@@ -7,11 +7,11 @@ use crate::interp::{Block, hints_by_register};
 use crate::profile::Recording;
 use crate::timer::{Recorder, Timer, TimerState};
 use spu_isa::Instruction;
-use spu_isa::timing::{Cause, Issue, Passage, Pipeline, Rules, Stalls};
+use spu_isa::timing::{AccountDelta, Cause, Issue, Pipeline, Rules, Stalls};
 
 /// What has issued before, when a transition is worked out: so much that everything in a state has
 /// happened in some cycle.
-const BEFORE: Passage = Passage {
+const BEFORE: AccountDelta = AccountDelta {
     instructions: 1 << 60,
     joined: 0,
     stalls: Stalls::NONE,
@@ -26,7 +26,7 @@ struct Charge {
     cycles: u64,
 }
 
-/// A block from a state on. What each passage of the block asks for lies in one cache line.
+/// A block from a state on. What each run of the block asks for lies in one cache line.
 #[derive(Debug)]
 pub(in super::super) struct Transition {
     /// [`Spu::rewritings`](crate::interp::Spu::rewritings) when the block was last compared.
@@ -87,11 +87,11 @@ impl Transition {
     }
 
     /// Adds what it does in `count` times.
-    pub(super) fn pass(&self, count: u64, passage: &mut Passage) {
-        passage.instructions += count * u64::from(self.length);
-        passage.joined += count * u64::from(self.details.joined.count_ones());
+    pub(super) fn pass(&self, count: u64, delta: &mut AccountDelta) {
+        delta.instructions += count * u64::from(self.length);
+        delta.joined += count * u64::from(self.details.joined.count_ones());
         for charge in &self.details.charges {
-            passage.stalls.add(charge.cause, count * charge.cycles);
+            delta.stalls.add(charge.cause, count * charge.cycles);
         }
     }
 

@@ -1,6 +1,6 @@
 //! A pipeline's state apart from the cycle in which it came about.
 
-use super::super::account::Passage;
+use super::super::account::AccountDelta;
 use super::super::fetch::InlineBuffer;
 use super::super::hint::{Hint, Prediction};
 use super::Pipeline;
@@ -70,13 +70,13 @@ impl Pipeline {
         }
     }
 
-    /// Goes on from `state`, which a pipeline of the same rules had, as though `passage` had
+    /// Goes on from `state`, which a pipeline of the same rules had, as though `delta` had
     /// issued in between.
-    pub fn resume(&mut self, state: &State, passage: &Passage) {
+    pub fn resume(&mut self, state: &State, delta: &AccountDelta) {
         let phase = &state.phase;
-        self.account.pass(passage);
-        self.clock += passage.cycles();
-        self.issued += passage.instructions;
+        self.account.pass(delta);
+        self.clock += delta.cycles();
+        self.issued += delta.instructions;
         self.partner = phase.partner;
         let floor = self.floor();
         self.ready.fill(0);
