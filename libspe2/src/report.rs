@@ -69,7 +69,7 @@ struct Report {
     cycles: u64,
     seconds: f64,
     /// Times that the SPEs did not wait for the PPE any longer.
-    absences: u64,
+    timeouts: u64,
     constants: BTreeMap<&'static str, u64>,
     totals: Figures,
     spes: Vec<Spe>,
@@ -105,7 +105,7 @@ impl Report {
             timebase_per_second: TICKS_PER_SECOND,
             cycles: report.clock(),
             seconds: report.clock() as f64 / CYCLES_PER_SECOND as f64,
-            absences: report.absences,
+            timeouts: report.timeouts,
             constants: simulation.timing().named().collect(),
             totals,
             spes: report.spes.iter().map(spe).collect(),

@@ -1,8 +1,9 @@
-//! Basic blocks: straight-line code as the interpreter has decoded it.
+//! Basic blocks of decoded instructions.
 //!
-//! A block begins wherever the SPU goes and ends with the first instruction behind which the
-//! stream depends on more than the code: a branch, a stop or a halt, a channel instruction, a hint
-//! whose target is a register's value. It also ends at the end of local store and at [`LONGEST`].
+//! A block begins wherever the SPU branches to. It ends with the first instruction after which
+//! execution depends on more than the code: a branch, a stop or halt, a channel instruction, or a
+//! hint whose target is in a register. It also ends at the end of local store and after
+//! [`LONGEST`] instructions.
 
 use super::flow::next;
 use super::spu::Spu;
@@ -10,7 +11,7 @@ use crate::local_store::LocalStore;
 use spu_isa::timing::hinted_branch;
 use spu_isa::{Class, Instruction, Op};
 
-/// Most instructions of a block.
+/// The largest number of instructions in a block.
 pub(crate) const LONGEST: usize = 64;
 
 /// A basic block.
@@ -18,11 +19,11 @@ pub(crate) const LONGEST: usize = 64;
 pub(crate) struct Block {
     /// Address of its first instruction.
     pub start: u32,
-    /// At least one.
+    /// The instructions, at least one.
     pub instructions: Box<[Instruction]>,
 }
 
-/// Whether the instruction hints a branch to where a register says.
+/// Whether the instruction is a hint whose target is in a register.
 pub(crate) fn hints_by_register(i: Instruction) -> bool {
     i.op == Op::Hbr && hinted_branch(0, i).is_some()
 }
@@ -45,22 +46,22 @@ impl Block {
         addresses.zip(self.instructions.iter().copied())
     }
 
-    /// One of them with its address.
+    /// One of the instructions with its address.
     pub fn instruction(&self, at: usize) -> (u32, Instruction) {
         (self.start + 4 * at as u32, self.instructions[at])
     }
 
-    /// The one that ends it.
+    /// The last instruction.
     pub fn last(&self) -> Instruction {
         self.instructions[self.instructions.len() - 1]
     }
 }
 
 impl Spu {
-    /// The block at the program counter, as it stands in local store now; `None` if what stands
-    /// there is no instruction of this machine.
+    /// The block at the program counter, as it is in local store now. `None` if this machine has
+    /// no such instruction as the one at the program counter.
     ///
-    /// From now on [`rewritings`](Self::rewritings) counts if it is found changed.
+    /// From now on [`rewritings`](Self::rewritings) counts changes of this block.
     pub(crate) fn block(&mut self, local_store: &LocalStore) -> Option<Block> {
         let start = self.pc;
         let mut instructions = Vec::new();
@@ -83,14 +84,14 @@ impl Spu {
     }
 
     /// How often an instruction of a [`block`](Self::block) was found changed. While the number
-    /// stays, no block has to be compared.
+    /// stays the same, no block has to be compared.
     #[inline]
     pub(crate) fn rewritings(&self) -> u64 {
         self.decoded.rewritings()
     }
 
     /// Whether the block's instructions are those that the interpreter has decoded. Local store
-    /// may hold others already: [`run_spell`](Self::run_spell) ends before it would run one.
+    /// may already hold others: [`run_spell`](Self::run_spell) ends before it runs one of those.
     pub(crate) fn has_decoded(&mut self, block: &Block) -> bool {
         let decoded = &mut self.decoded;
         block
@@ -98,8 +99,8 @@ impl Spu {
             .all(|(pc, instruction)| decoded.has_for_block(pc, instruction))
     }
 
-    /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter:
-    /// the word there is the one that was decoded last.
+    /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter,
+    /// because its word is the one that was decoded last.
     pub(crate) fn is_decoded(&self, local_store: &LocalStore) -> bool {
         self.decoded
             .is_current(self.pc, local_store.load_word(self.pc))
