@@ -141,3 +141,18 @@ proptest! {
         );
     }
 }
+
+/// The result of a channel instruction is there when the state is taken; then the instruction
+/// stalls, so that it is not there again.
+#[test]
+fn a_stall_behind_a_state_has_its_cause() {
+    let mut first = Pipeline::default();
+    first.issue(0, i("rdch", 7, &[0]));
+    first.branched(0, Some(64));
+    let mut other = Pipeline::default();
+    other.resume(&first.state(), &AccountDelta::default());
+    for pipeline in [&mut first, &mut other] {
+        pipeline.stall_until(pipeline.clock() + 1, Cause::Channel);
+    }
+    assert_eq!(other.state(), first.state());
+}

@@ -80,6 +80,10 @@ impl Pipeline {
         self.partner = phase.partner;
         let floor = self.floor();
         self.ready.fill(0);
+        // It may not be pending now, but a stall of its instruction would make it so.
+        if let Some(register) = state.channel_result {
+            self.producer[usize::from(register)] = Class::Spr;
+        }
         for (&(register, ready), &producer) in phase.pending.iter().zip(&state.producers) {
             self.ready[usize::from(register)] = floor + ready;
             self.producer[usize::from(register)] = producer;
