@@ -1,7 +1,8 @@
-//! Instructions a second, interpreted and compiled, on the wall clock: recorded, not gated.
+//! Measures how many instructions a second run, interpreted and compiled, by the wall clock. The
+//! figures are recorded, not checked.
 //!
 //! Each loop is a mix of one kind of instruction, a counter and a branch. A figure is the best of
-//! several runs: what else the host does only ever takes time.
+//! several runs, because other activity on the host can only slow a run down.
 
 use spu_emulator::channel::Channels;
 use spu_emulator::compiled::{Runner, Translations};
@@ -15,7 +16,7 @@ const ROUNDS: u32 = 1_000_000;
 const RUNS: u32 = 12;
 const COUNTER: u8 = 2;
 
-/// Channels that no loop here uses.
+/// Channels for loops that use none.
 struct Unused;
 
 impl Channels for Unused {
@@ -41,7 +42,7 @@ impl Channels for Unused {
     fn set_srr0(&mut self, _: u32) {}
 }
 
-/// An instruction on registers that start as 16 and up: `operands` are rt, ra, rb, rc.
+/// An instruction. `operands` are the numbers of rt, ra, rb, rc.
 fn instruction(op: Op, operands: [u8; 4], immediate: i32) -> Instruction {
     let [rt, ra, rb, rc] = operands;
     Instruction {

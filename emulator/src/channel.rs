@@ -1,30 +1,31 @@
-//! The seam between the SPU's instructions and what its channels lead to.
+//! The interface between the SPU's instructions and its channels.
 
 use crate::stop::{ChannelAccess, Stop};
 
-/// What `rdch`, `wrch`, `rchcnt` and `bisled` reach: the MFC, mailboxes, signals, events, the
-/// decrementer. The interpreter is generic over it, so that instructions are tested without an
-/// MFC.
+/// The channels as the instructions `rdch`, `wrch`, `rchcnt` and `bisled` use them. Behind them
+/// are the MFC, mailboxes, signals, events and the decrementer. The interpreter is generic over
+/// this trait, so that instructions can be tested without an MFC.
 pub trait Channels {
-    /// `rdch`: the channel's value; sleeps while its count is 0.
+    /// `rdch`: returns the channel's value. Sleeps while the channel's count is 0.
     fn read(&mut self, channel: u8) -> Result<u32, Stop>;
-    /// `wrch`: sleeps while the channel has no room.
+    /// `wrch`: writes the channel. Sleeps while the channel has no room.
     fn write(&mut self, channel: u8, value: u32) -> Result<(), Stop>;
-    /// `rchcnt`: how many reads or writes would not sleep.
+    /// `rchcnt`: how many reads or writes would succeed without sleeping.
     fn count(&mut self, channel: u8) -> Result<u32, Stop>;
-    /// The external condition of `bisled` and of interrupts: the count of channel 0 is not 0.
+    /// The condition that `bisled` and interrupts test: whether the count of channel 0 is not 0.
     fn external_condition(&mut self) -> bool;
-    /// Whether somebody outside wants the SPU to stop. Asked at every taken branch: must be cheap.
+    /// Whether another thread has asked the SPU to stop. The interpreter asks at every taken
+    /// branch, so this must be cheap.
     fn stop_requested(&self) -> bool;
-    /// Tells the channels whether the SPU's interrupts are enabled (`SPU_RdMachStat`).
+    /// Informs the channels whether the SPU's interrupts are enabled (`SPU_RdMachStat`).
     fn set_interrupts_enabled(&mut self, enabled: bool);
-    /// `SRR0`, which channels 14 and 15 reach too, is kept here.
+    /// The value of `SRR0`. It is kept here because channels 14 and 15 access it too.
     fn srr0(&self) -> u32;
-    /// Sets `SRR0` when an interrupt is taken.
+    /// Sets `SRR0`, as taking an interrupt does.
     fn set_srr0(&mut self, address: u32);
 }
 
-/// No channel at all: for programs that are nothing but arithmetic.
+/// An SPU without channels, for programs that only compute.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct NoChannels;
 

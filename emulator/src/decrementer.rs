@@ -1,4 +1,4 @@
-//! The decrementer, and the clock that it counts.
+//! The decrementer, and the clock that drives it.
 
 use std::sync::LazyLock;
 use std::time::{Duration, Instant};
@@ -8,11 +8,11 @@ pub const TICKS_PER_SECOND: u64 = 79_800_000;
 
 const NANOS_PER_SECOND: u128 = 1_000_000_000;
 
-/// A time base: the host's time, or one that a simulation advances.
+/// A time base: the host's time, or a simulated time.
 pub trait Clock: Send + Sync {
     /// Ticks of 79.8 MHz since some fixed moment.
     fn ticks(&self) -> u64;
-    /// How long a sleeper should let the host sleep before `ticks` may have passed.
+    /// How long a thread should sleep on the host before `ticks` may have passed.
     fn host_time(&self, ticks: u64) -> Duration;
 }
 
@@ -30,18 +30,18 @@ impl Clock for HostClock {
 
     fn host_time(&self, ticks: u64) -> Duration {
         let nanos = u128::from(ticks) * NANOS_PER_SECOND / u128::from(TICKS_PER_SECOND);
-        // A tick more, so that a sleeper does not wake just before the event.
+        // 13 ns, about one tick, are added so that a sleeper does not wake just before the event.
         Duration::from_nanos(u64::try_from(nanos).unwrap_or(u64::MAX).saturating_add(13))
     }
 }
 
-/// Ticks after which a 32-bit decrementer shows the same value again.
+/// Ticks after which a 32-bit decrementer has the same value again.
 const PERIOD: u64 = 1 << 32;
 
-/// Counts down from the value written last; stands still until the first write.
+/// Counts down from the value written last. Stands still until the first write.
 #[derive(Debug, Default)]
 pub(crate) struct Decrementer {
-    /// The value at `since`; it is the value for good while `since` is `None`.
+    /// The value at `since`. While `since` is `None`, the decrementer stands still at this value.
     value: u32,
     since: Option<u64>,
     next_event: u64,
@@ -61,13 +61,13 @@ impl Decrementer {
         }
     }
 
-    /// Stops counting until the next write: what acknowledging the masked event does.
+    /// Stops counting until the next write. Acknowledging the masked event does this.
     pub(crate) fn freeze(&mut self, now: u64) {
         self.value = self.value(now);
         self.since = None;
     }
 
-    /// Whether the value has passed from 0 to negative since the last question.
+    /// Whether the value has passed from 0 to negative since the last call.
     pub(crate) fn expired(&mut self, now: u64) -> bool {
         let expired = self.since.is_some() && now >= self.next_event;
         if expired {
@@ -76,7 +76,7 @@ impl Decrementer {
         expired
     }
 
-    /// Ticks to the next event, if it runs.
+    /// Ticks until the next event, if the decrementer is running.
     pub(crate) fn until_event(&self, now: u64) -> Option<u64> {
         self.since.map(|_| self.next_event.saturating_sub(now))
     }

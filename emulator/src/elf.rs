@@ -1,8 +1,8 @@
-//! SPU programs: checking an ELF image, loading it, and its symbols.
+//! SPU programs: checking an ELF image, loading it, and looking up its symbols.
 //!
-//! The checks are those of libspe2 (an SPU executable, at most one 16-byte `.toe`, no `_EAR_`
-//! symbol but the plain one), plus bounds: nothing is read outside the image or written outside
-//! local store.
+//! The checks are those of libspe2: the file must be an SPU executable with at most one 16-byte
+//! `.toe`, and the only `_EAR_` symbol is the plain one. In addition, nothing is read outside the
+//! image or written outside local store.
 
 use std::collections::BTreeMap;
 
@@ -17,30 +17,30 @@ use thiserror::Error;
 
 use crate::local_store::{LocalStore, SIZE};
 
-/// Bytes of a `.toe` entry, and of the one `.toe` that is allowed.
+/// Size in bytes of a `.toe` entry, and of the only `.toe` that is allowed.
 pub const TOE_SIZE: u32 = 16;
 
-/// Largest image whose length [`file_length`] accepts: a damaged header should not make a caller
+/// The largest length that [`file_length`] accepts, so that a damaged header can't make a caller
 /// read gigabytes.
 const MAX_FILE: u64 = 64 << 20;
 
 const R_SPU_PPU32: RelocationType = RelocationType(15);
 const R_SPU_PPU64: RelocationType = RelocationType(16);
 
-/// Why an image is no SPU program.
+/// Why an image is not an SPU program.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum ElfError {
     /// The magic number is missing.
     #[error("not an ELF file")]
     NotElf,
-    /// Class, encoding, version, OS ABI or ABI version are not an SPU program's.
-    #[error("ELF identification byte {index} is {found}, for an SPU program it is {expected}")]
+    /// The class, encoding, version, OS ABI or ABI version is not that of an SPU program.
+    #[error("ELF identification byte {index} is {found}, but {expected} in an SPU program")]
     Identification {
         /// Index in `e_ident`.
         index: usize,
-        /// What an SPU program has there.
+        /// The value in an SPU program.
         expected: u8,
-        /// What this file has.
+        /// The value in this file.
         found: u8,
     },
     /// `e_machine` is not 23.
@@ -49,40 +49,40 @@ pub enum ElfError {
     /// `e_type` is not `ET_EXEC`.
     #[error("ELF type {0} is not an executable (2)")]
     Type(u16),
-    /// A table or its contents lie outside the image or contradict each other.
+    /// A table or its contents are outside the image, or contradict each other.
     #[error("damaged ELF file: {0}")]
     Malformed(&'static str),
     /// A segment does not fit into local store.
     #[error("segment at {address:#x} with {size:#x} bytes does not fit into local store")]
     OutsideLocalStore {
-        /// Its address.
+        /// The segment's address.
         address: u32,
-        /// Its bytes in memory.
+        /// The segment's size in local store, in bytes.
         size: u32,
     },
-    /// Effective-address references beyond what libspe2 knows.
+    /// Effective-address references that libspe2 does not support.
     #[error("effective-address references: {0}")]
     UnsupportedToe(&'static str),
 }
 
 impl From<object::read::Error> for ElfError {
     fn from(_: object::read::Error) -> Self {
-        Self::Malformed("a table lies outside the file")
+        Self::Malformed("a table is outside the file")
     }
 }
 
-/// What is copied to local store.
+/// A part of the image that is copied to local store.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Segment<'data> {
     /// Local-store address.
     pub address: u32,
-    /// The bytes that the file has.
+    /// The bytes that the file contains.
     pub bytes: &'data [u8],
-    /// Bytes in local store; those after `bytes` are 0.
+    /// Size in local store, in bytes. Those after `bytes` are 0.
     pub memory_size: u32,
 }
 
-/// A word or doubleword that holds an address in the image itself.
+/// A word or doubleword that the loader fills with an address in the image.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct ImageReference {
     address: u32,
@@ -90,7 +90,7 @@ struct ImageReference {
     offset: i32,
 }
 
-/// A checked SPU program.
+/// An SPU program that has passed the checks.
 #[derive(Clone, Debug)]
 pub struct Image<'data> {
     segments: Vec<Segment<'data>>,
@@ -117,8 +117,8 @@ fn check_header(bytes: &[u8]) -> Result<&Header, ElfError> {
             });
         }
     }
-    let (header, _) =
-        from_bytes::<Header>(bytes).map_err(|()| ElfError::Malformed("no whole header"))?;
+    let (header, _) = from_bytes::<Header>(bytes)
+        .map_err(|()| ElfError::Malformed("the header is incomplete"))?;
     if header.e_machine(BigEndian) != EM_SPU {
         return Err(ElfError::Machine(header.e_machine(BigEndian).0));
     }
@@ -129,7 +129,7 @@ fn check_header(bytes: &[u8]) -> Result<&Header, ElfError> {
 }
 
 impl<'data> Image<'data> {
-    /// Checks an image.
+    /// Checks an image, and returns the program.
     pub fn parse(data: &'data [u8]) -> Result<Self, ElfError> {
         let header = check_header(data)?;
         let segments = segments(header, data)?;
@@ -153,27 +153,27 @@ impl<'data> Image<'data> {
         })
     }
 
-    /// Where the program starts.
+    /// The address at which the program starts.
     #[must_use]
     pub fn entry(&self) -> u32 {
         self.entry
     }
 
-    /// The segments that are loaded, in the file's order.
+    /// The segments to load, in the file's order.
     #[must_use]
     pub fn segments(&self) -> &[Segment<'data>] {
         &self.segments
     }
 
-    /// Local-store address of the 16-byte `.toe` section.
+    /// The local-store address of the 16-byte `.toe` section, if there is one.
     #[must_use]
     pub fn toe(&self) -> Option<u32> {
         self.toe
     }
 
-    /// Copies the program into local store, which keeps its other bytes. `image_ea` is the
-    /// effective address of the image: words that the linker meant to hold addresses in it are set
-    /// to them.
+    /// Copies the program into local store and leaves all other bytes as they are. `image_ea` is
+    /// the effective address of the image. The program's references to addresses in the image are
+    /// set from it.
     pub fn load(&self, store: &LocalStore, image_ea: u64) {
         for segment in &self.segments {
             store.write(segment.address, segment.bytes);
@@ -191,13 +191,13 @@ impl<'data> Image<'data> {
         }
     }
 
-    /// A symbol's value.
+    /// A symbol's value, if the program has the symbol.
     #[must_use]
     pub fn symbol(&self, name: &str) -> Option<u32> {
         self.by_name.get(name).copied()
     }
 
-    /// The last symbol at or before `address`, and how far before.
+    /// The last symbol at or before `address`, and the distance from it in bytes.
     #[must_use]
     pub fn nearest_symbol(&self, address: u32) -> Option<(&'data str, u32)> {
         let (&at, &name) = self.by_address.range(..=address).next_back()?;
@@ -213,7 +213,7 @@ fn segments<'data>(header: &Header, data: &'data [u8]) -> Result<Vec<Segment<'da
         }
         let address = program_header.p_vaddr(BigEndian);
         let memory_size = program_header.p_memsz(BigEndian);
-        // An overlay: the program itself brings it in later.
+        // This is an overlay, which the program itself loads later.
         if let Some(before) = segments.last()
             && (before.address..before.address + before.memory_size).contains(&address)
         {
@@ -221,7 +221,7 @@ fn segments<'data>(header: &Header, data: &'data [u8]) -> Result<Vec<Segment<'da
         }
         let bytes = program_header
             .data(BigEndian, data)
-            .map_err(|()| ElfError::Malformed("a segment lies outside the file"))?;
+            .map_err(|()| ElfError::Malformed("a segment is outside the file"))?;
         if bytes.len() as u64 > u64::from(memory_size) {
             return Err(ElfError::Malformed(
                 "a segment has more bytes in the file than in memory",
@@ -240,7 +240,7 @@ fn segments<'data>(header: &Header, data: &'data [u8]) -> Result<Vec<Segment<'da
         });
     }
     if segments.is_empty() {
-        return Err(ElfError::Malformed("there is nothing to load"));
+        return Err(ElfError::Malformed("no segment can be loaded"));
     }
     Ok(segments)
 }
@@ -261,7 +261,7 @@ fn symbols<'data>(
             continue;
         }
         let name = std::str::from_utf8(symbol.name(BigEndian, table.strings())?)
-            .map_err(|_| ElfError::Malformed("a symbol's name is no text"))?;
+            .map_err(|_| ElfError::Malformed("a symbol's name is not UTF-8"))?;
         if !name.is_empty() {
             by_name.insert(name, symbol.st_value(BigEndian));
             by_address.entry(symbol.st_value(BigEndian)).or_insert(name);
@@ -321,12 +321,12 @@ fn references(
     Ok(references)
 }
 
-/// The length of the ELF file that starts at offset 0 of what `fetch` reads (it fills the slice
-/// from an offset and says whether it could): for an image of which only the address is known.
+/// The length of the ELF file that starts at offset 0, for an image of which only the address is
+/// known. `fetch` fills the slice with the bytes at an offset, and returns whether it could.
 pub fn file_length(mut fetch: impl FnMut(u64, &mut [u8]) -> bool) -> Result<u64, ElfError> {
     let mut bytes = [0; size_of::<Header>()];
     if !fetch(0, &mut bytes) {
-        return Err(ElfError::Malformed("no whole header"));
+        return Err(ElfError::Malformed("the header is incomplete"));
     }
     let header = check_header(&bytes)?;
     let mut end = bytes.len() as u64;
@@ -364,9 +364,9 @@ fn fetch_entry<T: Pod>(
 ) -> Result<T, ElfError> {
     let mut bytes = vec![0; size_of::<T>()];
     if !fetch(at, &mut bytes) {
-        return Err(ElfError::Malformed("a table lies outside the file"));
+        return Err(ElfError::Malformed("a table is outside the file"));
     }
     from_bytes::<T>(&bytes)
         .map(|(entry, _)| *entry)
-        .map_err(|()| ElfError::Malformed("a table lies outside the file"))
+        .map_err(|()| ElfError::Malformed("a table is outside the file"))
 }

@@ -1,17 +1,17 @@
 //! SPU events: pending bits, the mask, and the count of channel 0.
 //!
-//! An event is an edge (a count that rises from 0), kept pending until the SPU acknowledges it.
+//! An event is an edge: a count that rises from 0. It stays pending until the SPU acknowledges it.
 //! Invariant: the count of channel 0 rises only when an enabled event is pending, and falls only
-//! when the channel is read; so an event that is acknowledged or masked unread leaves a "phantom",
-//! a read that yields 0, as on hardware.
+//! when the channel is read. So an event that is acknowledged or masked before it is read leaves a
+//! "phantom", a read that yields 0, as on hardware.
 
-/// Multisource synchronisation done.
+/// A multisource synchronisation is complete.
 pub const MULTISOURCE_SYNC: u32 = 0x1000;
-/// Lock-line reservation lost.
+/// The lock-line reservation is lost.
 pub const RESERVATION_LOST: u32 = 0x0400;
-/// Signal notification 1 available.
+/// Signal-notification register 1 has a value.
 pub const SIGNAL_1: u32 = 0x0200;
-/// Signal notification 2 available.
+/// Signal-notification register 2 has a value.
 pub const SIGNAL_2: u32 = 0x0100;
 /// The outbound mailbox has room again.
 pub const OUTBOUND_ROOM: u32 = 0x0080;
@@ -23,7 +23,7 @@ pub const DECREMENTER: u32 = 0x0020;
 pub const INBOUND_DATA: u32 = 0x0010;
 /// The MFC queue has room again.
 pub const QUEUE_ROOM: u32 = 0x0008;
-/// A list stalled.
+/// A list command has stalled.
 pub const LIST_STALL: u32 = 0x0002;
 /// A tag status can be read.
 pub const TAG_STATUS: u32 = 0x0001;
@@ -60,7 +60,7 @@ impl Events {
         self.count
     }
 
-    /// What channel 0 reads, if its count is not 0.
+    /// The value that channel 0 reads, if its count is not 0.
     pub(crate) fn read(&mut self) -> Option<u32> {
         std::mem::take(&mut self.count).then_some(self.pending & self.mask)
     }

@@ -1,27 +1,27 @@
 //! Bit-exact emulator of the SPU, the Cell Broadband Engine's synergistic processor, as a library.
 //!
-//! It knows the SPU alone: local store, registers, channels, MFC, and what an SPE shows to the
-//! PPE. It knows nothing of libspe2, which is one user of it, nor of any program. The instruction
-//! set and the pipelines are [`spu_isa`]'s.
+//! The library models the SPU alone: local store, registers, channels, MFC, and what an SPE shows
+//! to the PPE. It depends neither on libspe2, which is one of its users, nor on any program. The
+//! instruction set and the pipelines are in [`spu_isa`].
 //!
 //! | to | use |
 //! |---|---|
 //! | run instructions and nothing else | [`interp::Spu`] on a [`local_store::LocalStore`] |
-//! | run a program that talks with a PPE and moves data | [`spe::Spe`] on a [`machine::Machine`] |
+//! | run a program that uses a PPE and moves data | [`spe::Spe`] on a [`machine::Machine`] |
 //! | load an SPU program's ELF file | [`elf::Image`] |
 //! | watch each instruction | [`interp::Observer`] |
 //! | count the cycles of one SPU's code | [`timer::Timer`] |
-//! | count those of whole programs, DMA and other SPEs included | [`machine::Machine::simulated`] |
-//! | compute as an SPU does | [`float`] |
+//! | count the cycles of whole programs, DMA and SPEs | [`machine::Machine::simulated`] |
+//! | compute as an SPU computes | [`float`] |
 //! | choose whether code is interpreted or compiled | [`engine::Engine`] |
-//! | serve what an SPU program calls on the PPE | [`ppe_call`] |
+//! | serve an SPU program's PPE-assisted calls | [`ppe_call`] |
 //!
-//! A fault of the program is a [`stop::Stop`], never a panic.
+//! A fault of the program is reported as a [`stop::Stop`]. It never panics.
 //!
 //! # Run an SPU program
 //!
-//! It brings a quadword in by DMA, adds 1 to its words, and sends the first one to the PPE. The
-//! words are what the assembler makes; a file's are loaded by [`elf::Image::load`].
+//! The program gets a quadword by DMA, adds 1 to its words, and sends the first one to the PPE.
+//! The words below are an assembler's output. [`elf::Image::load`] loads a program from a file.
 //!
 //! ```
 //! use std::sync::Arc;
@@ -71,8 +71,8 @@
 //!
 //! # With timing
 //!
-//! The same on a machine in simulated time: each cycle of the SPE's clock has one cause. The
-//! figures are the console's unless a [`simulated::Timing`] says otherwise.
+//! The same program on a machine with simulated time. Each cycle of the SPE's clock has one cause.
+//! The latencies are the console's unless a [`simulated::Timing`] changes them.
 //!
 //! ```
 //! # use std::sync::Arc;

@@ -1,16 +1,16 @@
 //! The 256 KB local store.
 //!
-//! Other threads reach it while the SPU runs: the MFC of another SPE, and the PPE through its
-//! mapping. So it is made of relaxed 64-bit atomics, which cost what plain loads cost and make
-//! every race between a guest and its peers a guest's bug, never the host's undefined behaviour.
-//! Bytes lie in memory in the guest's order (big-endian), so that the mapping shows what the SPU
-//! sees.
+//! Other threads access it while the SPU runs: another SPE's MFC, and the PPE through its mapping.
+//! So it consists of relaxed 64-bit atomics. They cost as much as plain loads and stores, and a
+//! race between a guest and its peers is only a bug of the guest, never undefined behaviour of the
+//! host. The bytes are stored in the guest's order (big-endian), so that the mapping shows the
+//! same bytes as the SPU sees.
 
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
 use spu_isa::LOCAL_STORE_SIZE;
 
-/// Bytes of local store.
+/// Size of local store in bytes.
 pub const SIZE: u32 = LOCAL_STORE_SIZE;
 
 const DOUBLEWORDS: usize = SIZE as usize / 8;
@@ -29,7 +29,7 @@ impl Default for LocalStore {
 }
 
 impl LocalStore {
-    /// A local store of zeros.
+    /// A local store that is filled with zeros.
     #[must_use]
     pub fn new() -> Self {
         // SAFETY: all-zero bytes are valid `AtomicU64`s, and `Doublewords` holds nothing else.
@@ -40,7 +40,8 @@ impl LocalStore {
         &self.0.0[(address as usize >> 3) & DOUBLEWORD_MASK]
     }
 
-    /// The quadword that holds `address`, as four words, the preferred one first.
+    /// The quadword at `address` as four words, beginning with the preferred one. The low bits of
+    /// the address are ignored.
     #[inline]
     #[must_use]
     pub fn load_quadword(&self, address: u32) -> [u32; 4] {
@@ -54,7 +55,7 @@ impl LocalStore {
         ]
     }
 
-    /// Replaces the quadword that holds `address`.
+    /// Replaces the quadword at `address`.
     #[inline]
     pub fn store_quadword(&self, address: u32, words: [u32; 4]) {
         let high = u64::from(words[0]) << 32 | u64::from(words[1]);
@@ -63,7 +64,7 @@ impl LocalStore {
         self.doubleword(address | 8).store(low.to_be(), Relaxed);
     }
 
-    /// The word that holds `address`: an instruction, or a word of a stop's parameters.
+    /// The word at `address`: an instruction, or a word of a stop's parameters.
     #[inline]
     #[must_use]
     pub fn load_word(&self, address: u32) -> u32 {
@@ -75,7 +76,7 @@ impl LocalStore {
         }
     }
 
-    /// Copies from local store; the address wraps at the limit.
+    /// Copies bytes out of local store. The address wraps at the limit.
     pub fn read(&self, address: u32, into: &mut [u8]) {
         let mut at = address;
         let mut rest = into;
@@ -90,10 +91,11 @@ impl LocalStore {
         }
     }
 
-    /// Copies into local store; the address wraps at the limit.
+    /// Copies bytes into local store. The address wraps at the limit.
     ///
-    /// A doubleword that is only partly written is read, changed and written back: the hardware's
-    /// partial transfers and a store of the SPU to the same doubleword are not atomic here either.
+    /// A doubleword that is only partly written is read, changed and written back. So a partial
+    /// transfer and a store of the SPU to the same doubleword are not atomic, and neither are they
+    /// in hardware.
     pub fn write(&self, address: u32, from: &[u8]) {
         let mut at = address;
         let mut rest = from;
@@ -114,8 +116,8 @@ impl LocalStore {
         }
     }
 
-    /// Where the bytes lie in the host's memory: [`SIZE`] of them, for as long as `self` lives.
-    /// Whoever writes there does so as the PPE writes through its mapping.
+    /// The address of local store in the host's memory: [`SIZE`] bytes that live as long as
+    /// `self`. Writing there has the effect of a write that the PPE makes through its mapping.
     #[must_use]
     pub fn as_ptr(&self) -> *mut u8 {
         self.0.0.as_ptr().cast_mut().cast()

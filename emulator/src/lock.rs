@@ -1,5 +1,5 @@
-//! Locks that stay usable when a thread died holding them: each critical section of the machine
-//! leaves its data consistent at every step, so a poisoned lock has nothing to warn of.
+//! Locks that stay usable after a thread has panicked while holding them. Each critical section in
+//! this crate keeps its data consistent at every step, so a poisoned lock is harmless.
 
 use std::sync::{Mutex, MutexGuard, PoisonError, RwLock, RwLockReadGuard, RwLockWriteGuard};
 

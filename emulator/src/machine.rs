@@ -1,4 +1,4 @@
-//! A machine: main memory, a time base, and what its SPEs share.
+//! A machine: main memory, a time base, and everything else that its SPEs share.
 
 use std::sync::Arc;
 
@@ -7,10 +7,10 @@ use crate::decrementer::{Clock, HostClock};
 use crate::engine::Engine;
 use crate::memory::MainMemory;
 use crate::mfc::interconnect::Interconnect;
-use crate::mfc::timing::UnderWay;
+use crate::mfc::timing::InFlight;
 use crate::simulated::{Keep, Simulation, Timing};
 
-/// What every [`Spe`](crate::spe::Spe) is made on.
+/// The machine on which [`Spe`](crate::spe::Spe)s are created.
 pub struct Machine {
     interconnect: Interconnect,
     clock: Arc<dyn Clock>,
@@ -27,7 +27,7 @@ fn translations(engine: Engine, timed: bool) -> Option<Arc<Translations>> {
 }
 
 impl Machine {
-    /// A machine with this memory, whose time base is the host's time.
+    /// A machine with this memory. Its time base is the host's time.
     #[must_use]
     pub fn new(memory: Arc<dyn MainMemory>) -> Arc<Self> {
         Self::with_clock(memory, Arc::new(HostClock))
@@ -59,18 +59,18 @@ impl Machine {
         })
     }
 
-    /// A machine with this memory, in simulated time of these figures.
+    /// A machine with this memory, in simulated time with these latencies and rates.
     ///
     /// # Panics
     ///
-    /// If by these figures no transfer would ever end: without cycles for a line, or without a
-    /// line under way.
+    /// If no transfer could ever end, because `timing` has no cycles for a line or allows no line
+    /// in flight.
     #[must_use]
     pub fn simulated(memory: Arc<dyn MainMemory>, timing: Timing) -> Arc<Self> {
         Self::keeping(memory, timing, Keep::default())
     }
 
-    /// The same that keeps the [profile](Simulation::profile).
+    /// As [`simulated`](Self::simulated), and records the [profile](Simulation::profile).
     ///
     /// # Panics
     ///
@@ -84,7 +84,7 @@ impl Machine {
         Self::keeping(memory, timing, keep)
     }
 
-    /// The same that keeps and counts as `keep` says.
+    /// As [`simulated`](Self::simulated). `keep` selects the records and the method of counting.
     ///
     /// # Panics
     ///
@@ -92,9 +92,9 @@ impl Machine {
     #[must_use]
     pub fn keeping(memory: Arc<dyn MainMemory>, timing: Timing, keep: Keep) -> Arc<Self> {
         let simulation = Simulation::new(timing, keep);
-        let under_way: Arc<dyn UnderWay> = simulation.clone();
+        let in_flight: Arc<dyn InFlight> = simulation.clone();
         Arc::new(Self {
-            interconnect: Interconnect::new(memory, Some(under_way)),
+            interconnect: Interconnect::new(memory, Some(in_flight)),
             clock: Arc::new(HostClock),
             simulation: Some(simulation),
             translations: translations(keep.engine, true),

@@ -1,4 +1,5 @@
-//! A mailbox: a short queue of words. It neither sleeps nor wakes; the problem state does that.
+//! A mailbox: a short queue of words. It neither puts threads to sleep nor wakes them; the problem
+//! state does that.
 
 use std::collections::VecDeque;
 
@@ -21,7 +22,7 @@ impl Mailbox {
         }
     }
 
-    /// Appends a word if there is room; says whether there was.
+    /// Appends a word if there is room. Returns whether there was.
     pub(crate) fn write(&mut self, word: u32) -> bool {
         let room = self.room() > 0;
         if room {

@@ -1,8 +1,8 @@
-//! Main memory as the MFC sees it: a trait, and memory in which nothing unregistered can be
-//! touched.
+//! Main memory as the MFC sees it: a trait, and an implementation in which only registered regions
+//! can be accessed.
 //!
-//! Effective addresses are plain 64-bit numbers. Nothing here knows of reservations: who may write
-//! a line while another holds it reserved is the interconnect's affair.
+//! Effective addresses are plain 64-bit numbers. This module does not handle reservations: the
+//! interconnect decides who may write a line while another SPE has it reserved.
 
 use std::collections::BTreeMap;
 use std::sync::{Arc, RwLock};
@@ -12,28 +12,29 @@ use thiserror::Error;
 use crate::local_store::{LocalStore, SIZE};
 use crate::lock::{read_lock, write_lock};
 
-/// Bytes of a line: what a reservation covers and an atomic command moves.
+/// Bytes of a line, the unit of reservations and atomic commands.
 pub const LINE: usize = 128;
 
-/// An effective address that is not there, or not for this access.
+/// An effective address that does not exist, or does not allow this access.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 #[error("no main memory for this access at effective address {ea:#x}")]
 pub struct MemoryFault {
-    /// The first address that could not be used, as far as known.
+    /// The first address that could not be accessed, if that is known.
     pub ea: u64,
 }
 
-/// What `get` reads and `put` writes.
+/// The memory that `get` reads and `put` writes.
 ///
-/// Accesses of several threads may overlap: an implementation must keep that memory safe, and need
-/// not make it atomic, except for [`compare_exchange_line`](MainMemory::compare_exchange_line).
+/// Several threads may access the same bytes at once. An implementation must be memory-safe then,
+/// but its accesses need not be atomic, except for
+/// [`compare_exchange_line`](MainMemory::compare_exchange_line).
 pub trait MainMemory: Send + Sync {
     /// Copies `into.len()` bytes from `ea`.
     fn read(&self, ea: u64, into: &mut [u8]) -> Result<(), MemoryFault>;
-    /// Copies `from` to `ea`. After a fault a part may have been written.
+    /// Copies `from` to `ea`. If it fails, a part may have been written.
     fn write(&self, ea: u64, from: &[u8]) -> Result<(), MemoryFault>;
-    /// Writes `new` to the line at `ea` (a multiple of [`LINE`]) if it holds `expected`; says
-    /// whether it did.
+    /// Writes `new` to the line at `ea` (a multiple of [`LINE`]) if the line equals `expected`.
+    /// Returns whether it did.
     fn compare_exchange_line(
         &self,
         ea: u64,
@@ -45,22 +46,22 @@ pub trait MainMemory: Send + Sync {
 /// Whether a region may be written.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Access {
-    /// `put` to it is a storage fault.
+    /// A `put` to the region is a storage fault.
     ReadOnly,
-    /// Everything is allowed.
+    /// The region can be read and written.
     ReadWrite,
 }
 
 /// Why a region could not be registered.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum RegionError {
-    /// A region needs at least one byte.
+    /// The region has no bytes.
     #[error("a region at {0:#x} has no bytes")]
     Empty(u64),
     /// The region runs past the last effective address.
     #[error("a region at {0:#x} runs past the end of the address space")]
     PastEnd(u64),
-    /// Another region has some of its addresses.
+    /// The region overlaps another one.
     #[error("a region at {0:#x} overlaps the one at {1:#x}")]
     Overlap(u64, u64),
 }
@@ -99,7 +100,7 @@ impl Backing {
     }
 }
 
-/// Main memory made of registered regions: for tests and fuzzing.
+/// Main memory that consists of registered regions, for tests and fuzzing.
 #[derive(Default)]
 pub struct RegisteredMemory {
     regions: RwLock<BTreeMap<u64, Backing>>,
@@ -107,18 +108,18 @@ pub struct RegisteredMemory {
 }
 
 impl RegisteredMemory {
-    /// Memory without any region.
+    /// Memory without regions.
     #[must_use]
     pub fn new() -> Self {
         Self::default()
     }
 
-    /// Makes `bytes` appear at `ea`.
+    /// Maps `bytes` at `ea`.
     pub fn register(&self, ea: u64, bytes: Vec<u8>, access: Access) -> Result<(), RegionError> {
         self.insert(ea, Backing::Bytes(RwLock::new(bytes), access))
     }
 
-    /// Makes an SPE's local store appear at `ea`, as Linux maps it into a process.
+    /// Maps an SPE's local store at `ea`, as Linux maps it into a process.
     pub fn register_local_store(&self, ea: u64, store: Arc<LocalStore>) -> Result<(), RegionError> {
         self.insert(ea, Backing::LocalStore(store))
     }
@@ -139,8 +140,9 @@ impl RegisteredMemory {
         Ok(())
     }
 
-    /// Calls `each` with the pieces of `length` bytes at `ea`: backing, offset in it, range in the
-    /// caller's slice. `each` answers whether the access is allowed.
+    /// Calls `each` for every piece of the `length` bytes at `ea`, with the piece's backing, its
+    /// offset in the backing, and its range in the caller's slice. `each` returns whether the
+    /// access is allowed.
     fn pieces(
         &self,
         ea: u64,

@@ -1,16 +1,16 @@
 //! A signal-notification register.
 
-/// What a write does to bits that were not read yet.
+/// What a write does to bits that have not been read yet.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SignalMode {
     /// The new word replaces them.
     #[default]
     Overwrite,
-    /// The new word is ORed to them: many senders, one bit each.
+    /// The new word is ORed into them, so that each of many senders can have a bit.
     Or,
 }
 
-/// One of an SPE's two signal-notification registers.
+/// Selects one of an SPE's two signal-notification registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SignalRegister {
     /// Channel 3.
@@ -30,7 +30,7 @@ impl Signal {
         Self { mode, word: None }
     }
 
-    /// Takes a word; says whether the register was empty before.
+    /// Writes a word. Returns whether the register was empty before.
     pub(crate) fn write(&mut self, word: u32) -> bool {
         let before = self.word;
         self.word = Some(match (self.mode, before) {
@@ -40,7 +40,7 @@ impl Signal {
         before.is_none()
     }
 
-    /// Reads and clears.
+    /// Returns the word and clears the register.
     pub(crate) fn read(&mut self) -> Option<u32> {
         self.word.take()
     }

@@ -1,8 +1,8 @@
-//! Why an SPU stopped: a value, never a panic.
+//! Why an SPU stopped.
 
 use std::fmt;
 
-/// Whether a channel was read, written, or asked for its count.
+/// The kind of access to a channel: read, write, or query of the count.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ChannelAccess {
     /// `rdch`
@@ -13,7 +13,7 @@ pub enum ChannelAccess {
     Count,
 }
 
-/// What ended the instruction at [`Stopped::pc`].
+/// Why the SPU stopped at [`Stopped::pc`].
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Stop {
     /// `stop` or `stopd` (which reports 0x3fff), with its 14-bit code.
@@ -22,23 +22,23 @@ pub enum Stop {
     Halt,
     /// No instruction has this word's opcode.
     InvalidInstruction(u32),
-    /// The channel does not exist, or not in this direction.
+    /// The channel does not exist, or does not allow this access.
     InvalidChannel(u8, ChannelAccess),
-    /// The MFC refused or could not finish a command.
+    /// The MFC refused a command or could not complete it.
     Dma(crate::mfc::DmaError),
-    /// Somebody outside asked the SPU to stop.
+    /// Another thread asked the SPU to stop.
     Requested,
 }
 
-/// A stop and where it happened.
+/// Why and where an SPU stopped.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Stopped {
-    /// What happened.
+    /// The reason.
     pub reason: Stop,
-    /// Address of the instruction that stopped the SPU (for [`Stop::Requested`] and
-    /// [`Stop::Dma`], which are not precise: of the next one).
+    /// Address of the instruction that stopped the SPU. For [`Stop::Requested`] and [`Stop::Dma`],
+    /// which are not precise, it is the address of the next instruction.
     pub pc: u32,
-    /// Where the SPU goes on when it is run again.
+    /// Address at which the SPU continues when it is run again.
     pub npc: u32,
 }
 
@@ -59,11 +59,11 @@ impl fmt::Display for Stopped {
                 };
                 write!(
                     f,
-                    "{access} of channel {channel}, which has no such access, at {pc:#07x}"
+                    "{access} is not possible on channel {channel} at {pc:#07x}"
                 )
             }
             Stop::Dma(error) => write!(f, "{error} (near {pc:#07x})"),
-            Stop::Requested => write!(f, "stopped from outside at {pc:#07x}"),
+            Stop::Requested => write!(f, "stopped by request at {pc:#07x}"),
         }
     }
 }

@@ -1,23 +1,23 @@
-//! Feeds a [`Pipeline`] from the interpreter.
+//! Drives a [`Pipeline`] with the instructions that the interpreter runs.
 
 use crate::interp::{Observer, Spu};
-use spu_isa::timing::{Issue, Passage, Pipeline, State};
+use spu_isa::timing::{AccountDelta, Issue, Pipeline, State};
 use spu_isa::{Class, Instruction, LIMIT_MASK, Op};
 
-/// Times what an [`Spu`] runs.
+/// Times the instructions that an [`Spu`] runs.
 ///
-/// Where a branch went shows when the next instruction comes, so the last one's outcome is missing
-/// until then.
+/// The outcome of a branch is known only when the next instruction comes. Until then the pipeline
+/// lacks the outcome of the last instruction.
 #[derive(Clone, Debug, Default)]
 pub struct Timer {
-    /// What it drives.
+    /// The pipeline model that the timer drives.
     pub pipeline: Pipeline,
-    /// The instruction that issued last, and its address.
+    /// The instruction that issued last, with its address.
     previous: Option<(u32, Instruction)>,
 }
 
 impl Timer {
-    /// A timer that goes on from the state of `pipeline`.
+    /// A timer that continues from the state of `pipeline`.
     #[must_use]
     pub const fn new(pipeline: Pipeline) -> Self {
         Self {
@@ -27,14 +27,14 @@ impl Timer {
     }
 }
 
-/// Everything in a timer that bears on the future, wherever its clock stands.
+/// The part of a timer's state on which its future depends, independent of its clock.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct TimerState {
     pipeline: State,
     pub previous: (u32, Instruction),
 }
 
-/// Learns of each instruction as it is timed. The unit type records nothing, and costs nothing.
+/// Receives each instruction as it is timed. The unit type records nothing and costs nothing.
 pub(crate) trait Recorder {
     /// The instruction at `pc` has issued.
     #[inline]
@@ -42,7 +42,7 @@ pub(crate) trait Recorder {
         let _ = (pc, instruction, issue, pipeline);
     }
 
-    /// It is known where the instruction that issued last went, which is a branch or a stop.
+    /// The last instruction is a branch or a stop, and its successor is now known.
     #[inline]
     fn branched(&mut self, pipeline: &Pipeline) {
         let _ = pipeline;
@@ -52,8 +52,8 @@ pub(crate) trait Recorder {
 impl Recorder for () {}
 
 impl Timer {
-    /// [`before_instruction`](Observer::before_instruction), written down by `recorder`.
-    // Of itself the compiler does not inline it into all loops that time SPUs.
+    /// [`before_instruction`](Observer::before_instruction), with a recorder.
+    // Without the attribute, the compiler does not inline this into all loops that time SPUs.
     #[inline(always)]
     pub(crate) fn record<R: Recorder>(
         &mut self,
@@ -71,8 +71,8 @@ impl Timer {
         }
     }
 
-    /// Whether the instruction at `pc` is a channel instruction that had to wait and is run again:
-    /// it has issued already.
+    /// Whether the instruction at `pc` is a channel instruction that had to wait and is now run
+    /// again. It has issued already.
     #[inline]
     pub(crate) fn waits_at(&self, pc: u32) -> bool {
         let channel = |i: Instruction| i.op.row().class == Class::Spr;
@@ -80,8 +80,8 @@ impl Timer {
             .is_some_and(|(previous, instruction)| previous == pc && channel(instruction))
     }
 
-    /// Issues the next instruction of the executed stream, which stands at `pc`. What a hint by a
-    /// register says is told by [`hint_target`](Self::hint_target).
+    /// Issues the next executed instruction, which is at `pc`. If it is a hint by register,
+    /// [`hint_target`](Self::hint_target) must follow.
     #[inline(always)]
     pub(crate) fn issue<R: Recorder>(
         &mut self,
@@ -105,14 +105,15 @@ impl Timer {
         recorder.issued(pc, instruction, &issue, &self.pipeline);
     }
 
-    /// Tells what the hint says that issued last; the SPU's registers are those of its issue.
+    /// Passes on the target of the hint that issued last. The SPU's registers must be those at its
+    /// issue.
     #[inline]
     pub(crate) fn hint_target(&mut self, spu: &Spu, hint: Instruction) {
         let target = spu.register(hint.ra).preferred();
         self.pipeline.hint_target(target);
     }
 
-    /// The state as it is; `None` before the first instruction.
+    /// The current state, or `None` before the first instruction.
     pub(crate) fn state(&self) -> Option<TimerState> {
         let previous = self.previous?;
         Some(TimerState {
@@ -121,11 +122,11 @@ impl Timer {
         })
     }
 
-    /// Goes on from `state`, which a timer of the same rules had, as though `passage` had issued
-    /// in between.
-    pub(crate) fn resume(&mut self, state: &TimerState, passage: &Passage) {
+    /// Continues from `state`, as though the instructions of `delta` had issued in between. The
+    /// state must come from a timer with the same rules.
+    pub(crate) fn resume(&mut self, state: &TimerState, delta: &AccountDelta) {
         self.previous = Some(state.previous);
-        self.pipeline.resume(&state.pipeline, passage);
+        self.pipeline.resume(&state.pipeline, delta);
     }
 }
 

@@ -1,6 +1,8 @@
-//! Instructions a second of the pipeline model alone, on the wall clock: recorded, not gated.
+//! Measures how many instructions a second the pipeline model processes, by the wall clock. The
+//! figures are recorded, not checked.
 //!
-//! Streams of one loop each, fed as the interpreter would: a branch every sixteen instructions.
+//! Each stream is a loop, fed as the interpreter feeds it, with a branch every sixteen
+//! instructions.
 
 use spu_isa::timing::{Pipeline, Rules};
 use spu_isa::{Instruction, Op};
@@ -8,7 +10,7 @@ use std::time::Instant;
 
 const ROUNDS: u32 = 2_000_000;
 
-/// An instruction on a few registers, so that some have to wait.
+/// An instruction on a few registers, so that some instructions have to wait.
 fn instruction(op: Op, number: u8) -> Instruction {
     Instruction {
         op,

@@ -1,6 +1,6 @@
-//! Addresses: an SPU has 18 bits of them.
+//! Local-store addresses. They have 18 bits.
 
-/// Bytes that an address reaches: the local store.
+/// Size of the address space, which is that of local store, in bytes.
 pub const LOCAL_STORE_SIZE: u32 = 256 * 1024;
-/// The local-store limit register's value: every address is ANDed with it.
+/// The value of the local-store limit register. Every address is ANDed with it.
 pub const LIMIT_MASK: u32 = LOCAL_STORE_SIZE - 1;

@@ -1,11 +1,11 @@
 //! The instruction set of the Cell's SPU, and the pipelines that issue it.
 //!
-//! [`Instruction::decode`] takes a word apart, [`Instruction::encode`] puts it together again, and
-//! [`disassemble`] writes it as the assembler reads it. All three are expansions of one table,
-//! whose rows [`Op::row`] gives; [`for_each_instruction`] hands the table itself to a macro.
-//! [`timing`] says in which cycle each instruction issues, and why not before.
+//! [`Instruction::decode`] decodes a word, [`Instruction::encode`] encodes it again, and
+//! [`disassemble`] writes it in assembly syntax. All three are expansions of one table.
+//! [`Op::row`] returns a row of it, and [`for_each_instruction`] passes the whole table to a
+//! macro. [`timing`] computes the cycle in which each instruction issues, and what delays it.
 //!
-//! Nothing here knows a machine: no registers, no memory, no files.
+//! Nothing here depends on a machine: there are no register values, no memory, no files.
 //!
 //! ```
 //! use spu_isa::timing::{Cause, Rules, straight_line};

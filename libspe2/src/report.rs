@@ -69,8 +69,8 @@ struct Report {
     /// The greatest of the SPEs' clocks.
     cycles: u64,
     seconds: f64,
-    /// How often the SPEs stopped waiting for the PPE.
-    absences: u64,
+    /// Times that the SPEs did not wait for the PPE any longer.
+    timeouts: u64,
     constants: BTreeMap<&'static str, u64>,
     totals: Figures,
     spes: Vec<Spe>,
@@ -106,7 +106,7 @@ impl Report {
             timebase_per_second: TICKS_PER_SECOND,
             cycles: report.clock(),
             seconds: report.clock() as f64 / CYCLES_PER_SECOND as f64,
-            absences: report.absences,
+            timeouts: report.timeouts,
             constants: simulation.timing().named().collect(),
             totals,
             spes: report.spes.iter().map(spe).collect(),

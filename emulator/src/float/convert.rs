@@ -1,7 +1,8 @@
-//! Conversions between 32-bit integers and singles, with a power of two.
+//! Conversions between 32-bit integers and singles, scaled by a power of two.
 //!
-//! The architecture defines scales 0 to 127. Others, which the instruction words can hold, go the
-//! same way; scales that no word can hold act as the nearest that one can.
+//! The architecture defines scales from 0 to 127. The other scales that instruction words can hold
+//! work in the same way. A scale that no instruction word can hold acts as the nearest one that
+//! can be held.
 
 use super::fpscr::Flags;
 use super::single::{finish, to_f64};
@@ -9,7 +10,7 @@ use super::single::{finish, to_f64};
 /// 2^scale, exactly.
 #[inline]
 pub(super) fn power_of_two(scale: i32) -> f64 {
-    // The widest range of the two encodings, 155 - I8 and 173 - I8.
+    // The combined range of the two encodings, 155 - I8 and 173 - I8.
     let scale = scale.clamp(-173, 173);
     f64::from_bits(((1023 + scale) as u64) << 52)
 }
@@ -48,14 +49,15 @@ pub fn cuflt_flagged(x: u32, scale: i32) -> (u32, Flags) {
     converted(f64::from(x), scale)
 }
 
-/// A single times 2^scale as a signed integer: truncated, saturated.
+/// A single times 2^scale as a signed integer, truncated and saturated.
 #[inline]
 #[must_use]
 pub fn cflts(x: u32, scale: i32) -> u32 {
     (to_f64(x) * power_of_two(scale)) as i32 as u32
 }
 
-/// A single times 2^scale as an unsigned integer: truncated, saturated; 0 if negative.
+/// A single times 2^scale as an unsigned integer, truncated and saturated. A negative single gives
+/// 0.
 #[inline]
 #[must_use]
 pub fn cfltu(x: u32, scale: i32) -> u32 {

@@ -1,9 +1,10 @@
-//! Double precision: IEEE with four rounding modes, denormal operands taken as zero.
+//! Double precision: IEEE arithmetic with four rounding modes, in which denormal operands count as
+//! zero.
 //!
-//! Denormal results are produced. Every NaN result is the default one. Functions take and give bit
-//! patterns, and give the flags that the instruction raises in its slice. Compares and `dftsv`
-//! belong to the double-precision extension, of whose flags and denormals no text was at hand:
-//! here they treat operands as the other instructions do.
+//! Denormal results are produced. Every NaN result is the default NaN. Functions take and return
+//! bit patterns, and also return the flags that the instruction raises in its slice. Compares and
+//! `dftsv` belong to the double-precision extension. No text about their flags and denormals was
+//! available, so here they treat operands as the other instructions do.
 
 use super::fpscr::{Flags, Rounding};
 use super::softfloat::{DOUBLE, Format, Number, SINGLE, Value, unpack};
@@ -12,10 +13,10 @@ use std::cmp::Ordering;
 const SIGN: u64 = 1 << 63;
 const DEFAULT_NAN: u64 = DOUBLE.default_nan();
 
-/// An invalid operation on operands that are no NaNs.
+/// An invalid operation on operands that are not NaNs.
 const INVALID: (u64, Flags) = (DEFAULT_NAN, Flags::DOUBLE_INVALID);
 
-/// Unpacks, and raises the flags that operands raise whatever the operation.
+/// Unpacks the operands, and raises the flags that they raise in every operation.
 fn operand(format: Format, bits: u64, flags: &mut Flags) -> Value {
     let value = unpack(format, bits, flags);
     if let Value::Nan { signalling } = value {
@@ -32,7 +33,7 @@ const fn zero(negative: bool) -> (u64, Flags) {
     (DOUBLE.signed(negative, 0), Flags::NONE)
 }
 
-/// The product of two operands, exact and of unlimited range; `None` if it is invalid.
+/// The exact product of two operands, with unlimited range. `None` if the operation is invalid.
 fn product(x: Value, y: Value) -> Option<Value> {
     use Value::{Finite, Infinity, Nan, Zero};
     Some(match (x, y) {
@@ -59,7 +60,7 @@ const fn is_negative(value: Value) -> bool {
 /// `x + y`, rounded once.
 fn sum(x: Value, y: Value, rounding: Rounding) -> (u64, Flags) {
     use Value::{Finite, Infinity, Nan, Zero};
-    // An exact zero is negative only if both terms are, or if rounding goes down.
+    // An exact zero is negative only if both terms are, or if the mode rounds down.
     let cancelled = zero(rounding == Rounding::Down);
     match (x, y) {
         (Nan { .. }, _) | (_, Nan { .. }) => (DEFAULT_NAN, Flags::NONE),
@@ -140,14 +141,14 @@ pub fn dfms(a: u64, b: u64, t: u64, rounding: Rounding) -> (u64, Flags) {
     dfma(a, b, t ^ SIGN, rounding)
 }
 
-/// `-(a * b - t)`; the sign changes after rounding.
+/// `-(a * b - t)`. The sign changes after rounding.
 #[must_use]
 pub fn dfnms(a: u64, b: u64, t: u64, rounding: Rounding) -> (u64, Flags) {
     let (value, flags) = dfms(a, b, t, rounding);
     (negated(value), flags)
 }
 
-/// `-(a * b + t)`; the sign changes after rounding.
+/// `-(a * b + t)`. The sign changes after rounding.
 #[must_use]
 pub fn dfnma(a: u64, b: u64, t: u64, rounding: Rounding) -> (u64, Flags) {
     let (value, flags) = dfma(a, b, t, rounding);
@@ -162,7 +163,7 @@ pub fn fesd(single: u32) -> (u64, Flags) {
         Value::Nan { .. } => (DEFAULT_NAN, Flags::NONE),
         Value::Infinity { negative } => infinity(negative),
         Value::Zero { negative } => zero(negative),
-        // Every single is a double: the rounding mode has nothing to do.
+        // A double can represent every single, so the rounding mode has no effect.
         Value::Finite(number) => number.round(DOUBLE, Rounding::NearestEven),
     };
     raise(result, flags)
@@ -182,7 +183,7 @@ pub fn frds(double: u64, rounding: Rounding) -> (u32, Flags) {
     (bits as u32, flags)
 }
 
-/// How two operands compare; `None` with a NaN.
+/// The order of two operands. `None` if one is a NaN.
 fn compare(a: u64, b: u64) -> (Option<Ordering>, Flags) {
     let mut flags = Flags::NONE;
     let mut order = |bits: u64| match operand(DOUBLE, bits, &mut flags) {
@@ -227,8 +228,9 @@ pub fn dfcmgt(a: u64, b: u64) -> (u64, Flags) {
     dfcgt(a & !SIGN, b & !SIGN)
 }
 
-/// All ones if the pattern is of a class that `classes` selects: 0x40 NaN, 0x20 and 0x10 positive
-/// and negative infinity, 0x08 and 0x04 zero, 0x02 and 0x01 denormal. Raises nothing.
+/// All ones if the pattern belongs to a class that `classes` selects: 0x40 NaN, 0x20 and 0x10
+/// positive and negative infinity, 0x08 and 0x04 positive and negative zero, 0x02 and 0x01
+/// positive and negative denormal. Raises no flags.
 #[must_use]
 pub fn dftsv(bits: u64, classes: u32) -> u64 {
     let magnitude = bits & !SIGN;

@@ -1,9 +1,10 @@
 //! The estimates and their interpolation.
 //!
-//! An estimate is a word with a sign, an exponent, 13 bits of base and 10 bits of step; `fi` moves
-//! from the base by a part of the step that the operand's low bits give. The architecture leaves
-//! the tables to the machine; these are the Cell's. Known weakness: prints of the hardware cover
-//! 10 of the 32 and 13 of the 64 entries, the rest agrees with one other emulator.
+//! An estimate is a word with a sign, an exponent, 13 bits of base and 10 bits of step. `fi`
+//! subtracts from the base a part of the step, which the operand's low bits select. The
+//! architecture leaves the tables to the machine. These are the Cell's. Known weakness: output
+//! printed on hardware covers 10 of the 32 and 13 of the 64 entries. The rest agrees with one
+//! other emulator.
 
 use super::fpscr::Flags;
 use super::single::{EXPONENT, SIGN};
@@ -11,7 +12,7 @@ use super::single::{EXPONENT, SIGN};
 const FRACTION: u32 = 0x007f_ffff;
 const STEP_BITS: u32 = 10;
 
-/// Base and step.
+/// Base and step of an entry.
 type Entry = (u16, u16);
 
 #[rustfmt::skip]
@@ -22,7 +23,7 @@ const RECIPROCAL: [Entry; 32] = [
     (1169, 323), (1169, 323), ( 846, 301), ( 846, 301), ( 545, 282), ( 545, 282), ( 263, 263), ( 263, 263),
 ];
 
-/// The first half serves even exponent fields, the second half odd ones.
+/// The first half is for even exponent fields, the second half for odd ones.
 #[rustfmt::skip]
 const RECIPROCAL_ROOT: [Entry; 64] = [
     (3392, 352), (3386, 340), (3046, 317), (3046, 317), (2729, 291), (2729, 291), (2438, 269), (2438, 269),
@@ -35,7 +36,7 @@ const RECIPROCAL_ROOT: [Entry; 64] = [
     (4192, 215), (4192, 215), (3977, 204), (3977, 204), (3773, 195), (3773, 195), (3578, 186), (3578, 186),
 ];
 
-/// The entries as they stand in an estimate word.
+/// The entries, packed as in an estimate word.
 const fn packed<const N: usize>(table: [Entry; N]) -> [u32; N] {
     let mut words = [0; N];
     let mut n = 0;
@@ -67,7 +68,7 @@ const fn exponent(x: u32) -> u32 {
     (x & EXPONENT) >> 23
 }
 
-/// Whether `frest` and `frsqest` of `x` raise divide-by-zero: its exponent field is 0.
+/// Whether `frest` and `frsqest` of `x` raise divide-by-zero, because the exponent field is 0.
 #[inline]
 #[must_use]
 pub const fn divides_by_zero(x: u32) -> bool {
@@ -96,8 +97,8 @@ pub fn frsqest(x: u32) -> u32 {
     exponent << 23 | RECIPROCAL_ROOT_WORDS[(x >> 18 & 63) as usize]
 }
 
-/// What `fi` subtracts from one plus what, in units of 2^-32: base of the estimate word, and the
-/// part of its step where `a` is.
+/// The base of the estimate word and the part of its step that `a` selects, in units of 2^-32.
+/// `fi` computes one plus the base minus the part.
 #[inline]
 pub(super) const fn base_and_part(a: u32, estimate: u32) -> (u32, u32) {
     let base = (estimate >> STEP_BITS & 0x1fff) << 19;
@@ -106,15 +107,15 @@ pub(super) const fn base_and_part(a: u32, estimate: u32) -> (u32, u32) {
     (base, step * position)
 }
 
-/// The single that the estimate word `estimate` means for operand `a`.
+/// The single that the estimate word `estimate` represents for operand `a`.
 #[inline]
 #[must_use]
 pub fn fi(a: u32, estimate: u32) -> u32 {
     fi_flagged(a, estimate).0
 }
 
-/// [`fi`] with its exceptions. `a` is no number here but a position in the step, so it raises
-/// none.
+/// [`fi`] with its exceptions. Here `a` is not a number but a position within the step, so it
+/// raises no flags.
 #[inline]
 #[must_use]
 pub fn fi_flagged(a: u32, estimate: u32) -> (u32, Flags) {

@@ -1,10 +1,10 @@
 //! The floating-point status and control register.
 //!
-//! Flags are sticky: they stay until `fscrwr` writes them. Unused bits are always 0.
+//! Flags are sticky: they stay set until `fscrwr` writes them. Unused bits are always 0.
 
 use std::ops::{BitOr, BitOrAssign};
 
-/// Exceptions of one slice, as they stand in the slice's word of the register.
+/// The exceptions of one slice, with the bit positions of the slice's word in the register.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Flags(u32);
 
@@ -14,9 +14,9 @@ impl Flags {
 
     /// Single: the result before rounding was above the largest number.
     pub const OVERFLOW: Self = Self(0x4);
-    /// Single: a result other than zero was below the smallest number.
+    /// Single: a nonzero result was below the smallest number.
     pub const UNDERFLOW: Self = Self(0x2);
-    /// Single: IEEE arithmetic would have come out differently, or might have.
+    /// Single: IEEE arithmetic would have given a different result, or might have.
     pub const DIFFERENT: Self = Self(0x1);
 
     /// Double: overflow.
@@ -29,10 +29,10 @@ impl Flags {
     pub const DOUBLE_INVALID: Self = Self(0x400);
     /// Double: an operand was a NaN.
     pub const DOUBLE_NAN: Self = Self(0x200);
-    /// Double: an operand was denormal and taken as zero.
+    /// Double: an operand was denormal and was treated as zero.
     pub const DOUBLE_DENORMAL: Self = Self(0x100);
 
-    /// These flags where `condition` holds, else none; without a branch.
+    /// These flags if `condition` holds, else no flags. Does not branch.
     #[inline]
     #[must_use]
     pub const fn when(self, condition: bool) -> Self {
@@ -45,7 +45,7 @@ impl Flags {
         self.0 & other.0 == other.0
     }
 
-    /// The bits within the slice's word.
+    /// The bits in the slice's word.
     #[must_use]
     pub const fn bits(self) -> u32 {
         self.0
@@ -67,7 +67,7 @@ impl BitOrAssign for Flags {
     }
 }
 
-/// Rounding of a double-precision slice.
+/// Rounding mode of a double-precision slice.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Rounding {
     /// To the nearest, ties to even.
@@ -81,10 +81,10 @@ pub enum Rounding {
     Down,
 }
 
-/// Implemented bits, a word each.
+/// The implemented bits of each word.
 const MASK: [u32; 4] = [0x0f07, 0x3f07, 0x3f07, 0x0f07];
 
-/// Bits of the last word that say a reciprocal estimate of zero was asked for, by word slice.
+/// For each word slice, the bit of the last word that records a reciprocal estimate of zero.
 const DIVIDE_BY_ZERO: [u32; 4] = [0x800, 0x400, 0x200, 0x100];
 
 /// The register: rounding modes and sticky flags.
@@ -92,13 +92,13 @@ const DIVIDE_BY_ZERO: [u32; 4] = [0x800, 0x400, 0x200, 0x100];
 pub struct Fpscr([u32; 4]);
 
 impl Fpscr {
-    /// The register after `fscrwr` of these words: unused bits are dropped.
+    /// The register after `fscrwr` writes these words. Unused bits are dropped.
     #[must_use]
     pub fn from_words(words: [u32; 4]) -> Self {
         Self(std::array::from_fn(|word| words[word] & MASK[word]))
     }
 
-    /// What `fscrrd` reads.
+    /// The words that `fscrrd` reads.
     #[must_use]
     pub const fn words(self) -> [u32; 4] {
         self.0
@@ -115,7 +115,7 @@ impl Fpscr {
         }
     }
 
-    /// Sets single-precision flags, one set a word slice.
+    /// Sets single-precision flags, one set for each word slice.
     #[inline]
     pub fn raise_single(&mut self, flags: [Flags; 4]) {
         for (word, flags) in self.0.iter_mut().zip(flags) {
@@ -123,13 +123,13 @@ impl Fpscr {
         }
     }
 
-    /// Sets double-precision flags, one set a doubleword slice.
+    /// Sets double-precision flags, one set for each doubleword slice.
     pub fn raise_double(&mut self, flags: [Flags; 2]) {
         self.0[1] |= flags[0].0;
         self.0[2] |= flags[1].0;
     }
 
-    /// Sets the divide-by-zero flags of those word slices that are true.
+    /// Sets the divide-by-zero flags of the word slices that are `true`.
     #[inline]
     pub fn raise_divide_by_zero(&mut self, slices: [bool; 4]) {
         for (flag, raised) in DIVIDE_BY_ZERO.into_iter().zip(slices) {

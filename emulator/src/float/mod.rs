@@ -1,9 +1,10 @@
 //! The SPU's floating-point arithmetic, as pure functions on bit patterns.
 //!
-//! It knows nothing of registers or instructions words; the interpreter calls it, and so may any
-//! test or twin of a kernel that has to agree with the SPU bit for bit. Nothing here depends on
-//! the host's rounding mode or on its treatment of NaN payloads; of the host's `f32` and `f64`
-//! only correctly rounded sums, exact products and exact conversions are used.
+//! These functions know neither registers nor instruction words. The interpreter calls them, and
+//! so may any test or twin of a kernel that has to agree with the SPU bit for bit. Nothing here
+//! depends on the host's rounding mode or on its treatment of NaN payloads. Of the host's `f32`
+//! and `f64` arithmetic, only correctly rounded sums, exact products and exact conversions are
+//! used.
 
 pub mod convert;
 pub mod double;

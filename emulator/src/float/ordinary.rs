@@ -1,14 +1,14 @@
-//! Single precision for four lanes in which nothing special happens, as fast as the host allows.
+//! Fast single precision for four lanes of ordinary values.
 //!
-//! A word is ordinary if it is a zero or has an exponent field of 1 to 254. Where all operands and
-//! results are, the host's IEEE arithmetic reads and writes them as the SPU does and no exception
-//! is raised; what is left to do is truncation, for which errors of the host's rounding are found
-//! exactly. A function gives `None` if a lane is not ordinary, and may do so in some rare lanes
-//! that are: the answer then has to come from [`super::single`], [`super::estimate`] or
-//! [`super::convert`]. Where it gives words, they are those that the full functions give, and the
-//! flags are none.
+//! A word is ordinary if it is a zero or has an exponent field of 1 to 254. If all operands and
+//! results are ordinary, the host's IEEE arithmetic interprets them as the SPU does, and no
+//! exception is raised. Only truncation remains to be done, and for it the rounding errors of the
+//! host are computed exactly. A function returns `None` if a lane is not ordinary, and may do so
+//! for a few rare lanes that are. The result then has to come from [`super::single`],
+//! [`super::estimate`] or [`super::convert`]. If a function returns words, they equal those of the
+//! full functions, and no flags are raised.
 //!
-//! The lanes of each step are written without branches, for the host's vector unit.
+//! Each step treats its lanes without branches, for the host's vector unit.
 
 use super::convert::power_of_two;
 use super::estimate::base_and_part;
@@ -22,15 +22,15 @@ type Words = [u32; 4];
 
 /// The low bits of a double that the truncation to a single drops.
 const DROPPED: u64 = (1 << (32 - SHIFT)) - 1;
-/// 2^128, the first single that IEEE lacks.
+/// 2^128, the first single that IEEE does not have.
 const INFINITY: u32 = EXPONENT;
-/// 2^127. Sums below it have rounding errors that no step of finding them can overflow.
+/// 2^127. For sums below it, no step that computes the rounding error can overflow.
 const LARGE: u32 = 0x7f00_0000;
-/// Scales at which every 32-bit integer other than 0 converts to an ordinary single.
+/// Scales at which every nonzero 32-bit integer converts to an ordinary single.
 const SCALES: RangeInclusive<i32> = -90..=126;
 
-/// Ones where `x` is in `from..from + count`: a signed compare, as unsigned ones are rare in
-/// lanes.
+/// Ones where `x` is in `from..from + count`. It uses a signed compare, because few hosts have
+/// unsigned ones for lanes.
 #[inline(always)]
 const fn within(x: u32, from: u32, count: u32) -> u32 {
     let lowest = i32::MIN as u32;
@@ -66,27 +66,27 @@ fn singles(x: Words) -> [f32; 4] {
     x.map(f32::from_bits)
 }
 
-/// The operands, widened exactly.
+/// The operands, converted exactly to doubles.
 #[inline(always)]
 fn widened(x: Words) -> [f64; 4] {
     x.map(|x| f64::from(f32::from_bits(x)))
 }
 
-/// The words of doubles within the ordinary range, truncated.
+/// Doubles within the ordinary range as words of singles, truncated.
 #[inline(always)]
 fn narrowed(x: [f64; 4]) -> Words {
     let truncated = x.map(|x| f64::from_bits(x.to_bits() & !DROPPED));
     truncated.map(|x| (x as f32).to_bits())
 }
 
-/// The upper words of doubles without their signs.
+/// The upper words of doubles, without their signs.
 #[inline(always)]
 fn magnitudes(x: [f64; 4]) -> Words {
     x.map(|x| (x.to_bits() >> 32) as u32 & MAGNITUDE)
 }
 
-/// [`narrowed`], with every zero +0; `None` if that is not ordinary or the operands are `special`.
-/// Doubles that are no zeros have at least 2^-300.
+/// As [`narrowed`], with every zero as +0. `None` if a result is not ordinary or the operands are
+/// `special`. The magnitude of nonzero doubles must be at least 2^-300.
 #[inline(always)]
 fn finished(x: [f64; 4], special: Words) -> Option<Words> {
     const FROM: u32 = REBIAS + (SMALLEST >> SHIFT);
@@ -110,7 +110,7 @@ pub fn fa(a: Words, b: Words) -> Option<Words> {
         let y_part = sum[n] - x[n];
         (x[n] - (sum[n] - y_part)) + (y[n] - y_part)
     });
-    // Rounded away from zero: one step back.
+    // The host rounded away from zero, so go one step back.
     let truncated: Words = from_fn(|n| {
         let sum = sum[n].to_bits();
         let opposite = (sum ^ error[n].to_bits()) >> 31;
@@ -122,7 +122,7 @@ pub fn fa(a: Words, b: Words) -> Option<Words> {
     if any(special) {
         return None;
     }
-    // A zero of the host's may be negative.
+    // A zero from the host may be negative.
     Some(from_fn(|n| truncated[n] & not_zero(magnitudes[n])))
 }
 
@@ -152,7 +152,7 @@ pub fn fm(a: Words, b: Words) -> Option<Words> {
 pub fn fma(a: Words, b: Words, c: Words) -> Option<Words> {
     let (x, y) = (products(a, b), widened(c));
     let sum: [f64; 4] = from_fn(|n| x[n] + y[n]);
-    // Truncation makes good what rounding did, unless that took the sum onto a single.
+    // Truncation corrects the rounding, unless the rounded sum is itself a single.
     let dropped = sum.map(|sum| sum.to_bits() as u32 & DROPPED as u32);
     if any(dropped.map(|bits| mask(bits == 0))) {
         let rounded: Words = from_fn(|n| {
@@ -183,7 +183,7 @@ pub fn fnms(a: Words, b: Words, c: Words) -> Option<Words> {
     fma(negated(a), b, c)
 }
 
-/// The single that an estimate word means for operand `a`.
+/// The single that an estimate word represents for operand `a`.
 #[inline(always)]
 #[must_use]
 pub fn fi(a: Words, estimate: Words) -> Option<Words> {

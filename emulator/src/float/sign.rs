@@ -1,4 +1,4 @@
-//! Signs of lanes, on hosts of any kind.
+//! The signs of lanes, for every host.
 
 /// Whether the top bit of any lane is set.
 #[inline(always)]

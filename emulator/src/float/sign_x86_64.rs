@@ -1,4 +1,4 @@
-//! Signs of lanes, by the host's instruction for them.
+//! The signs of lanes, with the x86-64 instruction for them.
 
 use std::arch::x86_64::{_mm_castsi128_ps, _mm_movemask_ps, _mm_set_epi32};
 
@@ -6,7 +6,7 @@ use std::arch::x86_64::{_mm_castsi128_ps, _mm_movemask_ps, _mm_set_epi32};
 #[inline(always)]
 pub(super) fn any(lanes: [u32; 4]) -> bool {
     let [a, b, c, d] = lanes.map(|lane| lane as i32);
-    // SAFETY: these need SSE2, which every x86-64 has.
+    // SAFETY: the intrinsics need SSE2, which every x86-64 has.
     let signs = unsafe { _mm_movemask_ps(_mm_castsi128_ps(_mm_set_epi32(d, c, b, a))) };
     signs != 0
 }

@@ -1,13 +1,13 @@
 //! Single precision: extended range, no NaN, no infinity, truncation, saturation, flush to zero.
 //!
-//! Operands widen to `f64`, where every product of two singles is exact. A sum is rounded there,
-//! but its rounding error is known exactly (Knuth's two-sum), so the sum can be turned into the
-//! truncated one; truncating that again to 24 bits is one truncation of the exact value. Widened
-//! values and their errors stay between 2^-310 and 2^260, so `f64` itself neither overflows nor
-//! underflows.
+//! Operands are converted to `f64`, where every product of two singles is exact. A sum is rounded
+//! there, but its rounding error is computed exactly (Knuth's two-sum), which turns the sum into a
+//! truncated one. Truncating that again to 24 bits amounts to one truncation of the exact value.
+//! Converted values and their errors stay between 2^-310 and 2^260, so `f64` itself neither
+//! overflows nor underflows.
 //!
-//! Rules: SPU ISA 1.2. That a sum is truncated exactly, whatever the distance of its operands, is
-//! inferred; no print of the hardware for that case is known.
+//! The rules are from SPU ISA 1.2. One of them is inferred: that a sum is truncated exactly,
+//! however far apart its operands are. No output from hardware for that case is known.
 
 use super::fpscr::Flags;
 use std::array::from_fn;
@@ -21,19 +21,20 @@ pub const SMALLEST: u32 = 0x0080_0000;
 /// The largest number, (2 - 2^-23) * 2^128.
 pub const LARGEST: u32 = MAGNITUDE;
 
-// A double is handled as its two words: four lanes of 32 bits are what hosts shuffle best.
+// A double is handled as two words, because hosts shuffle four lanes of 32 bits best.
 
-/// Difference of the exponent biases, where a double's upper word has its exponent.
+/// The difference between the exponent biases, at the position of the exponent in a double's upper
+/// word.
 pub(super) const REBIAS: u32 = (1023 - 127) << 20;
-/// How much further right fraction and exponent stand in a double than in a single.
+/// How many bits further right fraction and exponent are in a double than in a single.
 pub(super) const SHIFT: u32 = 3;
-/// Upper words of the smallest and the largest single, widened.
+/// Upper words of the smallest and the largest single as doubles.
 const SMALLEST_UPPER: u32 = (SMALLEST >> SHIFT) + REBIAS;
 const LARGEST_UPPER: u32 = (LARGEST >> SHIFT) + REBIAS;
-/// Lower word of the largest single, widened.
+/// Lower word of the largest single as a double.
 const LARGEST_LOWER: u32 = LARGEST << (32 - SHIFT);
 
-/// The value of a single, exactly. Exponent 0 is zero, exponent 255 an ordinary exponent.
+/// The exact value of a single. Exponent 0 means zero, and exponent 255 is an ordinary exponent.
 #[inline]
 #[must_use]
 pub fn to_f64(x: u32) -> f64 {
@@ -44,8 +45,8 @@ pub fn to_f64(x: u32) -> f64 {
     f64::from_bits(u64::from(upper & not_zero) << 32 | u64::from(lower & not_zero))
 }
 
-/// The single nearest to `value` toward zero: above the largest the largest, below the smallest
-/// +0. An infinity or a NaN gives the largest with its sign.
+/// The nearest single to `value` toward zero. Values above the largest single give the largest,
+/// values below the smallest give +0. An infinity or a NaN gives the largest with its sign.
 #[inline]
 #[must_use]
 pub fn from_f64(value: f64) -> u32 {
@@ -53,29 +54,30 @@ pub fn from_f64(value: f64) -> u32 {
     narrow((bits >> 32) as u32, bits as u32)
 }
 
-/// [`from_f64`] on the two words.
+/// [`from_f64`] on the double's two words.
 #[inline]
 const fn narrow(upper: u32, lower: u32) -> u32 {
     let magnitude = upper & MAGNITUDE;
     let fits = magnitude.wrapping_sub(REBIAS) << SHIFT | lower >> (32 - SHIFT);
-    // Both are below 2^31: signed compares, which every host has in lanes, order them as well.
+    // Both are below 2^31, so signed compares order them correctly. Every host has those for
+    // lanes.
     let above = mask(magnitude as i32 > LARGEST_UPPER as i32);
     let below = mask((magnitude as i32) < SMALLEST_UPPER as i32);
     (upper & SIGN | (fits | above) & MAGNITUDE) & !below
 }
 
-/// Whether IEEE arithmetic would read the operand or result differently.
+/// Whether IEEE arithmetic would interpret the operand or result differently.
 #[inline]
 const fn differs_from_ieee(x: u32) -> bool {
     let exponent = x & EXPONENT;
     (exponent == EXPONENT) | (exponent == 0) & (x & MAGNITUDE != 0)
 }
 
-/// What an operation gives in each of `N` lanes.
+/// The result and the flags of an operation in each of `N` lanes.
 pub type Lanes<const N: usize> = ([u32; N], [Flags; N]);
 
-/// Results from doubles that hold the exact values truncated to 53 bits, and whether that
-/// truncation lost anything. Operands' own reasons for `DIFFERENT` are not in the flags.
+/// Converts doubles that hold the exact results truncated to 53 bits. `inexact` tells whether that
+/// truncation dropped anything. The flags do not include a `DIFFERENT` that the operands cause.
 #[inline]
 pub(super) fn finish<const N: usize>(truncated: [f64; N], inexact: [bool; N]) -> Lanes<N> {
     let upper = truncated.map(|value| (value.to_bits() >> 32) as u32);
@@ -86,7 +88,7 @@ pub(super) fn finish<const N: usize>(truncated: [f64; N], inexact: [bool; N]) ->
         let largest = results[n] & MAGNITUDE == LARGEST;
         let beyond = (magnitude != LARGEST_UPPER) | (lower[n] != LARGEST_LOWER) | inexact[n];
         let overflow = largest & beyond;
-        // Values other than zero are far from having an upper word of 0.
+        // Nonzero values are so large that their upper word is never 0.
         let underflow = ((magnitude as i32) < SMALLEST_UPPER as i32) & (magnitude != 0);
         Flags::OVERFLOW.when(overflow)
             | Flags::UNDERFLOW.when(underflow)
@@ -215,7 +217,7 @@ pub fn fnms(a: u32, b: u32, c: u32) -> u32 {
     fnms_lanes([a], [b], [c]).0[0]
 }
 
-/// An integer that orders as the single does; all zeros are 0.
+/// An integer with the same order as the single. All zeros map to 0.
 #[inline]
 const fn order(x: u32) -> i32 {
     let magnitude = (x & MAGNITUDE) as i32;

@@ -1,21 +1,21 @@
-//! IEEE numbers in integers: unpacking, exact products and sums, one rounding.
+//! IEEE numbers in integer arithmetic: unpacking, exact products and sums, and one rounding.
 //!
-//! Invariant of [`Number`]: the significand's highest bit is bit 125; bit 0 may be sticky,
-//! standing for anything that was shifted out below. Sticky bits only come from aligning operands
-//! more than 20 exponents apart, so a subtraction cancels one bit at most and the rounding sees
-//! what it needs.
+//! Invariant of [`Number`]: the significand's highest bit is bit 125. Bit 0 may be sticky and then
+//! represents everything that was shifted out below it. Sticky bits come only from aligning
+//! operands whose exponents differ by more than 20. So a subtraction cancels one bit at most, and
+//! enough bits remain for rounding.
 
 use super::fpscr::{Flags, Rounding};
 
-/// Where a [`Number`]'s significand has its highest bit.
+/// Position of the highest bit of a [`Number`]'s significand.
 const TOP: u32 = 125;
 
 /// An IEEE binary format.
 #[derive(Clone, Copy)]
 pub(super) struct Format {
-    /// Bits of fraction.
+    /// Number of fraction bits.
     pub fraction_bits: u32,
-    /// Exponent of the largest numbers; 1 - it is that of the smallest normal ones.
+    /// Exponent of the largest numbers. The smallest normal numbers have 1 minus this exponent.
     pub largest_exponent: i32,
 }
 
@@ -53,7 +53,8 @@ impl Format {
         self.signed(negative, self.exponent_field() << self.fraction_bits)
     }
 
-    /// The quiet NaN that every operation gives: sign 0, fraction's first bit alone.
+    /// The quiet NaN that is every operation's NaN result: sign 0, and only the first fraction bit
+    /// set.
     pub const fn default_nan(self) -> u64 {
         self.infinity(false) | 1 << (self.fraction_bits - 1)
     }
@@ -68,7 +69,7 @@ pub(super) struct Number {
     significand: u128,
 }
 
-/// What a bit pattern means.
+/// The value of a bit pattern.
 #[derive(Clone, Copy)]
 pub(super) enum Value {
     Nan { signalling: bool },
@@ -77,7 +78,7 @@ pub(super) enum Value {
     Finite(Number),
 }
 
-/// The meaning of a pattern. A denormal is a zero of its sign, and raises its flag.
+/// Decodes a bit pattern. A denormal becomes a zero with its sign, and raises its flag.
 pub(super) fn unpack(format: Format, bits: u64, flags: &mut Flags) -> Value {
     let negative = bits >> format.sign_shift() & 1 != 0;
     let field = bits >> format.fraction_bits & format.exponent_field();
@@ -113,7 +114,7 @@ const fn shift_right_sticky(x: u128, count: u32) -> u128 {
 }
 
 impl Number {
-    /// From any significand with at least one bit set.
+    /// A number from any nonzero significand.
     fn normalised(negative: bool, exponent: i32, significand: u128) -> Self {
         let highest = 127 - significand.leading_zeros();
         let significand = if highest > TOP {
@@ -130,7 +131,7 @@ impl Number {
 
     /// The exact product of two unpacked numbers.
     pub fn times(self, other: Self) -> Self {
-        // Unpacked significands have 53 bits at most.
+        // Unpacked significands have at most 53 bits.
         const SHIFT: u32 = TOP - DOUBLE.fraction_bits;
         let product = (self.significand >> SHIFT) * (other.significand >> SHIFT);
         Self::normalised(
@@ -140,7 +141,7 @@ impl Number {
         )
     }
 
-    /// The sum, exact but for the sticky bit; `None` if it is zero.
+    /// The sum, exact except for the sticky bit. `None` if it is zero.
     pub fn plus(self, other: Self) -> Option<Self> {
         let (high, low) =
             if (self.exponent, self.significand) >= (other.exponent, other.significand) {
@@ -158,7 +159,7 @@ impl Number {
         (sum != 0).then(|| Self::normalised(high.negative, high.exponent, sum))
     }
 
-    /// The number in a format, rounded once.
+    /// Converts the number to a format, with one rounding.
     pub fn round(self, format: Format, rounding: Rounding) -> (u64, Flags) {
         let tiny = self.exponent < format.smallest_exponent();
         let below = format
@@ -177,7 +178,7 @@ impl Number {
             Rounding::Down => inexact && self.negative,
         };
         let kept = kept + u64::from(away);
-        // A leading bit in `kept` counts as one exponent, so the field starts one lower.
+        // The leading bit in `kept` adds one to the exponent, so the field starts one lower.
         let field = if tiny {
             0
         } else {

@@ -1,8 +1,9 @@
-//! Basic blocks: straight-line code as the interpreter has decoded it.
+//! Basic blocks of decoded instructions.
 //!
-//! A block begins wherever the SPU goes and ends with the first instruction behind which the
-//! stream depends on more than the code: a branch, a stop or a halt, a channel instruction, a hint
-//! whose target is a register's value. It also ends at the end of local store and at [`LONGEST`].
+//! A block begins wherever the SPU branches to. It ends with the first instruction after which
+//! execution depends on more than the code: a branch, a stop or halt, a channel instruction, or a
+//! hint whose target is in a register. It also ends at the end of local store and after
+//! [`LONGEST`] instructions.
 
 use super::flow::next;
 use super::spu::Spu;
@@ -10,7 +11,7 @@ use crate::local_store::LocalStore;
 use spu_isa::timing::hints_by_register;
 use spu_isa::{Class, Instruction, Op};
 
-/// Most instructions of a block.
+/// The largest number of instructions in a block.
 pub(crate) const LONGEST: usize = 64;
 
 /// A basic block.
@@ -18,7 +19,7 @@ pub(crate) const LONGEST: usize = 64;
 pub(crate) struct Block {
     /// Address of its first instruction.
     pub start: u32,
-    /// At least one.
+    /// The instructions, at least one.
     pub instructions: Box<[Instruction]>,
 }
 
@@ -40,12 +41,12 @@ impl Block {
         addresses.zip(self.instructions.iter().copied())
     }
 
-    /// One of them with its address.
+    /// One of the instructions with its address.
     pub fn instruction(&self, at: usize) -> (u32, Instruction) {
         (self.start + 4 * at as u32, self.instructions[at])
     }
 
-    /// The one that ends it.
+    /// The last instruction.
     pub fn last(&self) -> Instruction {
         self.instructions[self.instructions.len() - 1]
     }
@@ -53,10 +54,10 @@ impl Block {
 
 impl Spu {
     /// The block at `start`, of which `ran` instructions have run: these as they were decoded, the
-    /// others as they stand in local store now. `None` if what stands there is no instruction of
-    /// this machine.
+    /// others as they are in local store now. `None` if this machine has no such instruction as the
+    /// first one.
     ///
-    /// From now on [`rewritings`](Self::rewritings) counts if it is found changed.
+    /// From now on [`rewritings`](Self::rewritings) counts changes of this block.
     pub(crate) fn block(
         &mut self,
         start: u32,
@@ -87,14 +88,14 @@ impl Spu {
     }
 
     /// How often an instruction of a [`block`](Self::block) was found changed. While the number
-    /// stays, no block has to be compared.
+    /// stays the same, no block has to be compared.
     #[inline]
     pub(crate) fn rewritings(&self) -> u64 {
         self.decoded.rewritings()
     }
 
     /// Whether the block's instructions are those that the interpreter has decoded. Local store
-    /// may hold others already: [`run_spell`](Self::run_spell) ends before it would run one.
+    /// may already hold others: [`run_spell`](Self::run_spell) ends before it runs one of those.
     pub(crate) fn has_decoded(&mut self, block: &Block) -> bool {
         let decoded = &mut self.decoded;
         block
@@ -107,15 +108,15 @@ impl Spu {
         self.decoded.latest(pc)
     }
 
-    /// Decodes these words, each at its address, as though the interpreter had come to them.
+    /// Decodes these words, each at its address, as the interpreter does when it fetches them.
     pub(crate) fn decode(&mut self, words: &[(u32, u32)]) {
         for &(pc, word) in words {
             self.decoded.get_for_block(pc, word);
         }
     }
 
-    /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter:
-    /// the word there is the one that was decoded last.
+    /// Whether [`run_spell`](Self::run_spell) would run the instruction at the program counter,
+    /// because its word is the one that was decoded last.
     pub(crate) fn is_decoded(&self, local_store: &LocalStore) -> bool {
         self.decoded
             .is_current(self.pc, local_store.load_word(self.pc))

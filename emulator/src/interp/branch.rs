@@ -26,7 +26,8 @@ fn relative_if(condition: bool, pc: u32, i: Instruction) -> Flow {
     }
 }
 
-/// To `target`, with what the d and e bits ask for. Both at once are undefined; here d wins.
+/// Branches to `target`, and obeys the d and e bits. The architecture does not define both bits at
+/// once; here d wins.
 #[inline]
 fn indirect(spu: &mut Spu, channels: &mut impl Channels, i: Instruction, target: u32) -> Flow {
     if i.immediate & feature::DISABLE != 0 {

@@ -1,7 +1,7 @@
 //! Decoded instructions, by address.
 //!
-//! Invariant: an entry's instruction is what its word decodes to. The word is compared with local
-//! store on every fetch, so code that was rewritten or brought by DMA is never run stale.
+//! Invariant: an entry's instruction is the decoding of its word. Every fetch compares the word
+//! with local store, so code that was rewritten or loaded by DMA never runs stale.
 
 use crate::local_store::SIZE;
 use spu_isa::{Instruction, Machine};
@@ -17,9 +17,9 @@ struct Entry {
 pub(super) struct DecodeCache {
     entries: Box<[Entry; ENTRIES]>,
     double_extension: bool,
-    /// Which entries are in blocks that somebody remembers, a bit each.
+    /// One bit for each entry: whether it is in a block that is in use elsewhere.
     in_blocks: Box<[u64]>,
-    /// How often such an entry has changed.
+    /// How often one of these entries has changed.
     rewritings: u64,
 }
 
@@ -43,13 +43,14 @@ impl DecodeCache {
         }
     }
 
-    /// Whether `word` is what was decoded at `pc` last.
+    /// Whether `word` is the word that was decoded last at `pc`.
     #[inline]
     pub fn is_current(&self, pc: u32, word: u32) -> bool {
         self.entries[index(pc)].word == word
     }
 
-    /// What was decoded at `pc` last; `None` if this machine has no such instruction.
+    /// The instruction that was decoded last at `pc`. `None` if this machine has no such
+    /// instruction.
     #[inline]
     pub fn latest(&self, pc: u32) -> Option<Instruction> {
         self.entries[index(pc)].instruction
@@ -67,7 +68,7 @@ impl DecodeCache {
         }
     }
 
-    /// The instruction in `word` at `pc`, which somebody remembers from now on.
+    /// The instruction in `word` at `pc`. From now on it counts as part of a block.
     pub fn get_for_block(&mut self, pc: u32, word: u32) -> Option<Instruction> {
         if !self.is_current(pc, word) {
             self.decode(pc, word);
@@ -82,7 +83,8 @@ impl DecodeCache {
         Some(instruction)
     }
 
-    /// Whether `instruction` is what was decoded at `pc` last. Then it is remembered again.
+    /// Whether `instruction` is the one that was decoded last at `pc`. If so, it counts as part of
+    /// a block again.
     pub fn has_for_block(&mut self, pc: u32, instruction: Instruction) -> bool {
         let same = self.latest(pc) == Some(instruction);
         if same {

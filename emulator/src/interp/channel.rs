@@ -7,7 +7,7 @@ use crate::channel::Channels;
 use crate::stop::{Stop, Stopped};
 use spu_isa::Instruction;
 
-/// A stop of an instruction that did nothing and is to be run again.
+/// Stops before an instruction that has had no effect and is to be run again.
 #[inline]
 fn stop_before(pc: u32, reason: Stop) -> Flow {
     let npc = pc;
@@ -39,7 +39,7 @@ pub(super) fn rchcnt(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: In
 pub(super) fn wrch(spu: &mut Spu, channels: &mut impl Channels, pc: u32, i: Instruction) -> Flow {
     match channels.write(i.ra, spu.rt(i).preferred()) {
         Ok(()) => Flow::Next,
-        // The MFC looks at a command after it was enqueued: the write itself is done.
+        // The MFC checks a command after it was enqueued, so the write itself is complete.
         Err(reason @ Stop::Dma(_)) => {
             let next = next(pc);
             Flow::Stop(Stopped {

@@ -1,4 +1,4 @@
-//! Integer compares: a lane of ones where true, of zeros where false.
+//! Integer compares. A lane of the result is all ones if true, all zeros if false.
 
 use super::spu::Spu;
 use spu_isa::Instruction;

@@ -20,7 +20,7 @@ pub(super) fn stopd(_: &mut Spu, pc: u32, _: Instruction) -> Flow {
     Flow::stop_after(pc, Stop::Signal(STOPD_CODE))
 }
 
-/// Fetches always see the newest code, so that only the order of accesses is left to do.
+/// Fetches always see the newest code, so only the order of memory accesses remains to be kept.
 #[inline]
 pub(super) fn sync(_: &mut Spu, _: u32, _: Instruction) {
     fence(Ordering::SeqCst);
@@ -31,7 +31,7 @@ pub(super) fn dsync(_: &mut Spu, _: u32, _: Instruction) {
     fence(Ordering::SeqCst);
 }
 
-/// The architecture defines no special-purpose register, and undefined ones read 0.
+/// The architecture defines no special-purpose registers. Undefined ones read as 0.
 #[inline]
 pub(super) fn mfspr(spu: &mut Spu, _: u32, i: Instruction) {
     spu.set_rt(i, Quad::ZERO);

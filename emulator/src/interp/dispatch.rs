@@ -1,4 +1,4 @@
-//! From an instruction to the function that has its semantics, by the instruction table.
+//! Calls the function that implements an instruction, by the instruction table.
 
 use super::flow::Flow;
 use super::spu::Spu;
@@ -9,7 +9,7 @@ use crate::channel::Channels;
 use crate::local_store::LocalStore;
 use spu_isa::{Instruction, Op, for_each_instruction};
 
-/// Calls a function with what the functions of its part take.
+/// Calls a function with the arguments that the functions of its group take.
 macro_rules! call {
     (load_store $name:ident $spu:ident $ls:ident $channels:ident $pc:ident $i:ident) => {
         load_store::$name($spu, $ls, $pc, $i)
@@ -41,7 +41,7 @@ macro_rules! match_op {
     };
 }
 
-/// Runs the instruction, which stands at `pc`.
+/// Runs the instruction at `pc`.
 #[inline(always)]
 pub(super) fn execute<C: Channels>(
     spu: &mut Spu,

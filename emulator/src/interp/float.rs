@@ -1,4 +1,5 @@
-//! Floating point: registers to the functions of [`crate::float`], flags to the FPSCR.
+//! Floating point: calls the functions of [`crate::float`] on registers, and raises their flags in
+//! the FPSCR.
 
 use super::quad::Quad;
 use super::spu::Spu;
@@ -8,7 +9,8 @@ use crate::float::{convert, double, estimate, ordinary, single};
 use spu_isa::Instruction;
 use std::array::from_fn;
 
-/// The fields that instructions on singles have: few enough to be passed in a register.
+/// The register fields of the single-precision instructions: few enough to be passed in a
+/// register.
 #[derive(Clone, Copy)]
 struct Fields {
     rt: u8,
@@ -31,8 +33,8 @@ impl From<Instruction> for Fields {
     }
 }
 
-/// What an instruction does when an operand or a result is special: kept out of the run loop, and
-/// given nothing that the loop would have to hold in memory.
+/// Runs an instruction that has a special operand or result. It is kept out of the run loop, and
+/// gets no argument that the loop would have to hold in memory.
 #[cold]
 #[inline(never)]
 fn specially(spu: &mut Spu, i: Fields, f: impl FnOnce(&mut Spu, Fields)) {
@@ -45,7 +47,7 @@ impl Spu {
         self.set_register(rt, Quad(values));
     }
 
-    /// rt = f(ra, immediate): by `ordinary` if it has an answer, else by `full`.
+    /// rt = f(ra, immediate). `ordinary` computes it if it can, else `full`.
     #[inline]
     fn single_unary(
         &mut self,
@@ -61,7 +63,7 @@ impl Spu {
         }
     }
 
-    /// rt = f(ra, rb), as [`single_unary`](Self::single_unary).
+    /// rt = f(ra, rb). Works as [`single_unary`](Self::single_unary).
     #[inline]
     fn single_binary(
         &mut self,
@@ -77,7 +79,7 @@ impl Spu {
         }
     }
 
-    /// rt = f(ra, rb, rc), as [`single_unary`](Self::single_unary).
+    /// rt = f(ra, rb, rc). Works as [`single_unary`](Self::single_unary).
     #[inline]
     fn single_ternary(
         &mut self,

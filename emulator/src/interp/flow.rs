@@ -1,25 +1,25 @@
-//! Where the SPU goes after an instruction.
+//! Where the SPU continues after an instruction.
 
 use crate::stop::{Stop, Stopped};
 
 pub(super) enum Flow {
-    /// To the next instruction.
+    /// Continue with the next instruction.
     Next,
-    /// To another; the address is masked by whoever makes this.
+    /// Continue at this address, which is already masked.
     Jump(u32),
-    /// Nowhere.
+    /// The SPU stops.
     Stop(Stopped),
 }
 
 impl Flow {
-    /// A stop after an instruction that was completed.
+    /// A stop after an instruction that has completed.
     pub fn stop_after(pc: u32, reason: Stop) -> Self {
         let npc = next(pc);
         Self::Stop(Stopped { reason, pc, npc })
     }
 }
 
-/// What most instructions give.
+/// Most instructions continue with the next one.
 impl From<()> for Flow {
     #[inline]
     fn from((): ()) -> Self {
@@ -33,7 +33,7 @@ pub(crate) const fn next(pc: u32) -> u32 {
     code_address(pc + 4)
 }
 
-/// An address as the SPU fetches from it.
+/// The address as the SPU uses it for fetching.
 #[inline]
 pub(super) const fn code_address(address: u32) -> u32 {
     address & spu_isa::LIMIT_MASK & !3

@@ -50,7 +50,7 @@ pub(super) fn addx(spu: &mut Spu, i: Instruction) {
     spu.word_accumulate(i, |a, b, t| a.wrapping_add(b).wrapping_add(t & 1));
 }
 
-/// Carry out of `a + b + carry`.
+/// The carry out of `a + b + carry`.
 #[inline]
 const fn carry(a: u32, b: u32, carry: u32) -> u32 {
     ((a as u64 + b as u64 + carry as u64) >> 32) as u32
@@ -245,13 +245,13 @@ pub(super) fn orc(spu: &mut Spu, i: Instruction) {
     spu.word_binary(i, |a, b| a | !b);
 }
 
-/// The constant as a word of halfwords.
+/// The immediate in both halves of a word.
 #[inline]
 const fn halfwords(i: Instruction) -> u32 {
     i.immediate as u16 as u32 * 0x0001_0001
 }
 
-/// The constant as a word of bytes.
+/// The immediate in all bytes of a word.
 #[inline]
 const fn bytes(i: Instruction) -> u32 {
     i.immediate as u8 as u32 * 0x0101_0101
@@ -313,7 +313,7 @@ pub(super) fn selb(spu: &mut Spu, i: Instruction) {
     spu.word_ternary(i, |a, b, c| b & c | a & !c);
 }
 
-/// Which word of eight a control selects, if it selects one as a whole.
+/// Which of eight words a control selects, and whether it selects a whole word.
 #[inline]
 const fn selected_word(control: u32) -> (usize, bool) {
     const FIRST: u32 = 0x0001_0203;
@@ -323,7 +323,7 @@ const fn selected_word(control: u32) -> (usize, bool) {
     (first_byte as usize / 4, whole)
 }
 
-/// Most controls select whole words: the others are worth a call.
+/// Most controls select whole words. The others go to a separate function.
 #[inline]
 pub(super) fn shufb(spu: &mut Spu, i: Instruction) {
     let (Quad([a, b, c, d]), Quad([e, f, g, h])) = (spu.ra(i), spu.rb(i));
@@ -339,7 +339,7 @@ pub(super) fn shufb(spu: &mut Spu, i: Instruction) {
 }
 
 fn shuffled_bytes(source: [u32; 8], control: Quad) -> Quad {
-    // The bytes that controls from 0x80 on give follow those of the source.
+    // Controls from 0x80 on yield constants. Those bytes come after the bytes of the source.
     const CONSTANTS: u32 = 0x0000_ff80;
     const FIRST_CONSTANT: u32 = 0x2020_2020;
     let mut bytes = [0; 64];
@@ -376,7 +376,7 @@ pub(super) fn fsmh(spu: &mut Spu, i: Instruction) {
     spu.set_rt(i, Quad::from_halfwords(halfwords));
 }
 
-/// The lowest sixteen bits, the left one first, each over a byte.
+/// Spreads each of the lowest sixteen bits over a byte, the leftmost bit first.
 #[inline]
 pub(super) fn spread_over_bytes(bits: u32) -> Quad {
     let bytes = from_fn(|lane| ((bits >> (15 - lane) & 1) as u8).wrapping_neg());
@@ -388,7 +388,7 @@ pub(super) fn fsmb(spu: &mut Spu, i: Instruction) {
     spu.set_rt(i, spread_over_bytes(spu.ra(i).preferred()));
 }
 
-/// The lanes' lowest bits as a number, the left lane first.
+/// The lowest bits of the lanes as a number, the leftmost lane first.
 #[inline]
 fn gather(lanes: impl IntoIterator<Item = u32>) -> Quad {
     let bits = lanes.into_iter().fold(0, |bits, lane| bits << 1 | lane & 1);

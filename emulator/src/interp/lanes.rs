@@ -1,4 +1,4 @@
-//! The shapes that most instructions have: sources to target, lane by lane.
+//! The common forms of instructions: a function of the source registers, lane by lane.
 
 use super::quad::Quad;
 use super::spu::Spu;
@@ -87,14 +87,14 @@ impl Spu {
         self.set_rt(i, Quad::from_bytes(from_fn(|n| f(a[n], b[n]))));
     }
 
-    /// rt = f(ra), the quadword as a number.
+    /// rt = f(ra), with the quadword as a number.
     #[inline]
     pub(super) fn quadword_unary(&mut self, i: Instruction, f: impl Fn(u128) -> u128) {
         let a = self.ra(i).to_u128();
         self.set_rt(i, Quad::from_u128(f(a)));
     }
 
-    /// rt = f(ra, preferred word of rb), the quadword as a number.
+    /// rt = f(ra, preferred word of rb), with the quadword as a number.
     #[inline]
     pub(super) fn quadword_by_scalar(&mut self, i: Instruction, f: impl Fn(u128, u32) -> u128) {
         let (a, b) = (self.ra(i).to_u128(), self.rb(i).preferred());

@@ -1,4 +1,4 @@
-//! Loads, stores, and the controls with which `shufb` inserts into a quadword.
+//! Loads, stores, and the instructions that generate controls for insertion by `shufb`.
 //!
 //! Local store masks addresses to its size and to whole quadwords.
 
@@ -75,13 +75,13 @@ pub(super) fn stqr(spu: &mut Spu, ls: &LocalStore, pc: u32, i: Instruction) {
     store(spu, ls, i, relative(pc, i));
 }
 
-/// Controls that keep rb's bytes but for `size` bytes at `address`, which come from where a scalar
-/// of that size lies in ra.
+/// A `shufb` control that keeps rb's bytes except the `size` bytes at `address`. Those come from
+/// the position in ra where a scalar of that size is kept.
 #[inline]
 fn insertion(address: u32, size: u32) -> Quad {
     const KEEP: u128 = 0x1011_1213_1415_1617_1819_1a1b_1c1d_1e1f;
     const SCALAR: u64 = 0x0001_0203_0405_0607;
-    // A doubleword fills bytes 0-7 of its register, a smaller scalar ends at byte 3.
+    // A doubleword scalar is in bytes 0-7 of its register. A smaller scalar ends at byte 3.
     let (scalar, ones) = match size {
         8 => (SCALAR, u64::MAX),
         _ => {

@@ -1,9 +1,10 @@
-//! The interpreter: the definition of what each instruction does.
+//! The interpreter. It defines the effect of each instruction.
 //!
-//! One short function an instruction, grouped as the architecture's chapters are; the dispatch is
-//! generated from the instruction table. It knows local store and the [`Channels`] trait, and
-//! nothing of what answers behind the channels. It counts instructions, not cycles. No guest
-//! program can make it panic or loop without asking [`Channels::stop_requested`].
+//! Each instruction has one short function, and the functions are grouped as the architecture's
+//! chapters are. The dispatch is generated from the instruction table. The interpreter uses local
+//! store and the [`Channels`] trait, and does not know what is behind the channels. It counts
+//! instructions, not cycles. No guest program can make it panic, or loop without a call of
+//! [`Channels::stop_requested`].
 
 mod block;
 mod branch;

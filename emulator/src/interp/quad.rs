@@ -1,7 +1,7 @@
-//! The value of a register, and its views.
+//! The value of a register, as lanes of each size.
 //!
-//! Lanes count from the left, as the architecture does: word 0 is the preferred one and holds the
-//! most significant bytes, on every host.
+//! Lanes count from the left, as in the architecture. On every host, word 0 is the preferred word
+//! and holds the most significant bytes.
 
 /// 128 bits as four words.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -19,7 +19,7 @@ impl Quad {
         Self([word; 4])
     }
 
-    /// A value in the preferred word, the other words 0.
+    /// A value in the preferred word. The other words are 0.
     #[inline]
     #[must_use]
     pub const fn scalar(word: u32) -> Self {
@@ -40,7 +40,7 @@ impl Quad {
         std::array::from_fn(|lane| (self.0[lane / 2] >> (16 - lane % 2 * 16)) as u16)
     }
 
-    /// From eight halfwords.
+    /// Converts from eight halfwords.
     #[inline]
     #[must_use]
     pub fn from_halfwords(lanes: [u16; 8]) -> Self {
@@ -56,7 +56,7 @@ impl Quad {
         self.to_u128().to_be_bytes()
     }
 
-    /// From sixteen bytes.
+    /// Converts from sixteen bytes.
     #[inline]
     #[must_use]
     pub const fn from_bytes(lanes: [u8; 16]) -> Self {
@@ -71,7 +71,7 @@ impl Quad {
         [(all >> 64) as u64, all as u64]
     }
 
-    /// From two doublewords.
+    /// Converts from two doublewords.
     #[inline]
     #[must_use]
     pub const fn from_doublewords(lanes: [u64; 2]) -> Self {
@@ -86,7 +86,7 @@ impl Quad {
         (a as u128) << 96 | (b as u128) << 64 | (c as u128) << 32 | d as u128
     }
 
-    /// From a number.
+    /// Converts from a number.
     #[inline]
     #[must_use]
     pub const fn from_u128(all: u128) -> Self {

@@ -8,10 +8,10 @@ use crate::local_store::LocalStore;
 use crate::stop::{Stop, Stopped};
 use spu_isa::Instruction;
 
-/// Watches a program run: traces, memory logs, timing. The unit type watches nothing, and costs
-/// nothing.
+/// Observes a program as it runs: traces, memory logs, timing. The unit type observes nothing and
+/// costs nothing.
 pub trait Observer {
-    /// The instruction at `spu.pc()` is about to run. Not called for an invalid one.
+    /// The instruction at `spu.pc()` is about to run. Not called for an invalid instruction.
     #[inline]
     fn before_instruction(&mut self, spu: &Spu, instruction: Instruction) {
         let _ = (spu, instruction);
@@ -36,15 +36,15 @@ impl Observer for () {
     }
 }
 
-/// Why [`Spu::run_spell`] has ended.
+/// Why [`Spu::run_spell`] returned.
 pub(crate) enum Ended {
-    /// So many instructions have run.
+    /// The given number of instructions has run.
     AtLimit,
     /// A branch was taken, and this was wanted.
     Branched,
     /// The SPU has stopped.
     Stopped(Stopped),
-    /// The instruction at the program counter was decoded, and has not run yet.
+    /// The instruction at the program counter was just decoded, and has not run yet.
     Decoded,
 }
 
@@ -58,7 +58,7 @@ impl Spu {
         }
     }
 
-    /// Runs one instruction; `None` if the SPU goes on.
+    /// Runs one instruction. Returns `None` if the SPU can continue.
     pub fn step(
         &mut self,
         local_store: &LocalStore,
@@ -67,7 +67,7 @@ impl Spu {
         self.run_limited(local_store, channels, 1)
     }
 
-    /// Runs at most `limit` instructions; `None` if the SPU would go on.
+    /// Runs at most `limit` instructions. Returns `None` if the SPU can continue.
     pub fn run_limited(
         &mut self,
         local_store: &LocalStore,
@@ -77,7 +77,7 @@ impl Spu {
         self.run_observed(local_store, channels, limit, &mut ())
     }
 
-    /// [`run_limited`](Self::run_limited) under the eyes of `observer`.
+    /// As [`run_limited`](Self::run_limited), with calls to `observer`.
     pub fn run_observed<C: Channels, O: Observer>(
         &mut self,
         local_store: &LocalStore,
@@ -96,13 +96,13 @@ impl Spu {
         }
     }
 
-    /// Like [`run_observed`](Self::run_observed), but ends when it comes to a word that was not
-    /// yet decoded, before it runs, if interrupts are not enabled. Up to there it has run what was
-    /// decoded when it began. If so wanted it also ends behind a taken branch.
+    /// As [`run_observed`](Self::run_observed), but while interrupts are disabled, it returns
+    /// before it runs a word that was not decoded yet. Until then it has run only instructions
+    /// that were decoded when it began. With `to_branch` it also returns after a taken branch.
     ///
-    /// This loop is to exist once in a program: beside a second one, for another observer or other
-    /// channels, the compiler no longer inlines the arithmetic into either, and without simulated
-    /// time the tracer takes 1.4 times as long.
+    /// A program should contain only one instance of this loop. With a second one, for another
+    /// observer or other channels, the compiler no longer inlines the arithmetic into either, and
+    /// the ray tracer takes 1.4 times as long without simulated time.
     pub(crate) fn run_spell<C: Channels, O: Observer>(
         &mut self,
         local_store: &LocalStore,
@@ -126,7 +126,8 @@ impl Spu {
             let word = local_store.load_word(pc);
             if !self.decoded.is_current(pc, word) {
                 self.decoded.decode(pc, word);
-                // With interrupts enabled, whoever came here again would ask for one twice.
+                // With interrupts enabled, a caller that comes back here would request an
+                // interrupt twice.
                 if !self.interrupts_enabled {
                     break Ended::Decoded;
                 }
@@ -144,7 +145,8 @@ impl Spu {
                 Flow::Next => {
                     left -= 1;
                     pc = next(pc);
-                    // Code without a branch comes round too.
+                    // At address 0 straight-line code has wrapped around, so it must look for a
+                    // stop request too.
                     if pc != 0 {
                         continue;
                     }

@@ -1,8 +1,8 @@
 //! Shifts and rotates.
 //!
-//! Every count is masked, never checked: what lies past the lane's width gives zeros (or signs),
-//! and the right shifts take the count negated. Lanes are shifted within a type twice as wide, so
-//! that no count is too large for the host.
+//! Every count is masked, never checked. Counts beyond the lane's width give zeros (or signs), and
+//! the right shifts take the negated count. Lanes are shifted within a type twice as wide, so no
+//! count is too large for the host.
 
 use super::spu::Spu;
 use spu_isa::Instruction;
@@ -132,7 +132,8 @@ const fn left_bits(a: u128, count: u32) -> u128 {
     a << (count & 7)
 }
 
-/// Shifts by up to 31 bytes in two steps that the host can do, so that 16 and more leave nothing.
+/// Shifts by up to 31 bytes, in two halves, because counts of the host's shift must be below 128
+/// bits. Shifts of 16 bytes and more leave only zeros.
 #[inline]
 const fn left_bytes(a: u128, count: u32) -> u128 {
     let half = (count & 31) * 4;
@@ -161,7 +162,7 @@ const fn right_bytes(a: u128, negated: u32) -> u128 {
     a >> half >> half
 }
 
-/// The bytes in a count of bits.
+/// The whole bytes in a count of bits.
 #[inline]
 const fn bytes_of(bits: u32) -> u32 {
     bits >> 3
@@ -237,7 +238,7 @@ pub(super) fn rotqmbyi(spu: &mut Spu, i: Instruction) {
     spu.quadword_unary(i, |a| right_bytes(a, i.immediate as u32));
 }
 
-/// The field of bytes is negated, not the count of bits: -12 bits are 2 bytes, not 1.
+/// The instruction negates the field of bytes, not the count of bits: -12 bits are 2 bytes, not 1.
 #[inline]
 pub(super) fn rotqmbybi(spu: &mut Spu, i: Instruction) {
     spu.quadword_by_scalar(i, |a, b| right_bytes(a, bytes_of(b)));

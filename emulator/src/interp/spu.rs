@@ -6,7 +6,7 @@ use super::quad::Quad;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 
-/// One SPU without what is behind its channels.
+/// One SPU, without the units behind its channels.
 ///
 /// Registers, program counter, FPSCR and interrupt state start as 0.
 pub struct Spu {
@@ -50,14 +50,14 @@ impl Spu {
         }
     }
 
-    /// A register's value; only the low seven bits of the number count.
+    /// A register's value. Only the low seven bits of the number are used.
     #[inline]
     #[must_use]
     pub fn register(&self, number: u8) -> Quad {
         self.registers[usize::from(number & 127)]
     }
 
-    /// Sets a register; only the low seven bits of the number count.
+    /// Sets a register. Only the low seven bits of the number are used.
     #[inline]
     pub fn set_register(&mut self, number: u8, value: Quad) {
         self.registers[usize::from(number & 127)] = value;
@@ -69,26 +69,26 @@ impl Spu {
         self.pc
     }
 
-    /// Sets the address of the next instruction; it wraps at the end of local store, and its two
-    /// low bits are dropped.
+    /// Sets the address of the next instruction. The address wraps at the end of local store, and
+    /// its two low bits are dropped.
     pub fn set_pc(&mut self, address: u32) {
         self.pc = code_address(address);
     }
 
-    /// Whether the external condition interrupts the program.
+    /// Whether the external condition can interrupt the program.
     #[must_use]
     pub const fn interrupts_enabled(&self) -> bool {
         self.interrupts_enabled
     }
 
-    /// Enables or disables interrupts, and tells the channels so.
+    /// Enables or disables interrupts, and informs the channels.
     pub fn set_interrupts_enabled(&mut self, enabled: bool, channels: &mut impl Channels) {
         self.interrupts_enabled = enabled;
         channels.set_interrupts_enabled(enabled);
     }
 
-    /// How many instructions were run since the SPU was made, the one that stopped it included
-    /// unless it was invalid or is to be run again.
+    /// How many instructions have run since the SPU was created. The instruction that stopped the
+    /// SPU counts too, unless it was invalid or is to be run again.
     #[must_use]
     pub const fn executed(&self) -> u64 {
         self.executed

@@ -1,21 +1,21 @@
-//! MFC commands: opcodes, and the rules that a command must keep before it is carried out.
+//! MFC commands: opcodes, and the rules that a command must obey to be carried out.
 //!
-//! What breaks a rule becomes a [`DmaError`] here and nowhere else. The result hint of the `putr`
-//! forms has no effect that a program could see.
+//! This is the only place that turns a broken rule into a [`DmaError`]. The result hint of the
+//! `putr` forms has no effect that a program could see.
 
 use super::error::DmaError;
 use crate::memory::LINE;
 
-/// Most bytes of one transfer, and of one list.
+/// The largest size in bytes of one transfer, and of one list.
 pub const MAX_TRANSFER: u32 = 16 * 1024;
-/// Tag groups.
+/// Number of tag groups.
 pub const TAGS: u32 = 32;
-/// Bytes of a list element.
+/// Size of a list element in bytes.
 pub(crate) const ELEMENT: u32 = 8;
-/// What `sndsig` sends.
+/// Size in bytes of the word that `sndsig` sends.
 const SIGNAL_SIZE: u32 = 4;
 
-/// What orders a command after earlier ones of its tag group.
+/// How a command is ordered after earlier ones of its tag group.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Order {
     Free,
@@ -40,7 +40,7 @@ pub(crate) enum Operation {
     QueueBarrier,
     /// `mfcsync` and `mfceieio`.
     Sync,
-    /// Cache hints: this machine has no cache that they could reach.
+    /// Cache hints. They have no effect, because the emulated machine has no cache.
     CacheHint,
     /// `sdcrz`
     ZeroRange,
@@ -51,7 +51,7 @@ impl Operation {
         matches!(self, Self::PutList | Self::GetList)
     }
 
-    /// Atomic commands that bypass the queue.
+    /// Whether this is an atomic command that bypasses the queue.
     pub(crate) fn is_immediate(self) -> bool {
         matches!(
             self,
@@ -60,7 +60,7 @@ impl Operation {
     }
 }
 
-/// Who gives a command.
+/// The source of a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     /// The SPU, through its channels.
@@ -69,7 +69,7 @@ pub(crate) enum Side {
     Proxy,
 }
 
-/// The parameters as written, unchecked.
+/// The parameters as the program wrote them, unchecked.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Parameters {
     pub lsa: u32,
@@ -78,7 +78,8 @@ pub(crate) struct Parameters {
     pub tag: u32,
 }
 
-/// A command that keeps every rule that can be checked before it runs (a list's elements can't).
+/// A command that obeys all rules that can be checked before it runs. The elements of a list can
+/// be checked only later.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Command {
     pub operation: Operation,
@@ -90,13 +91,13 @@ pub(crate) struct Command {
     pub tag: u8,
 }
 
-/// Operation, order, and whether the start modifier is set.
+/// The operation, its order, and whether the start modifier is set.
 fn decode(opcode: u8) -> Option<(Operation, Order, bool)> {
     let plain = |operation| Some((operation, Order::Free, false));
     match opcode {
         0xb0 => return plain(Operation::PutLineUnconditional),
         0xb4 => return plain(Operation::PutLineConditional),
-        // It publishes what was put before: its fence is implied.
+        // The command publishes earlier puts, so it implies a fence.
         0xb8 => return Some((Operation::PutLineQueued, Order::Fence, false)),
         0xc0 => return plain(Operation::QueueBarrier),
         0xc8 | 0xcc => return plain(Operation::Sync),
@@ -139,7 +140,7 @@ impl Command {
             decode(opcode).ok_or_else(|| invalid("no command has this opcode"))?;
         match side {
             Side::Spu if start => {
-                return Err(invalid("only the proxy queue takes the start modifier"));
+                return Err(invalid("only the proxy queue accepts the start modifier"));
             }
             Side::Proxy if start => {
                 return Err(invalid(
@@ -147,16 +148,16 @@ impl Command {
                 ));
             }
             Side::Proxy if operation.is_list() => {
-                return Err(invalid("the proxy queue takes no list command"));
+                return Err(invalid("the proxy queue accepts no list commands"));
             }
             Side::Proxy if operation.is_immediate() || operation == Operation::PutLineQueued => {
-                return Err(invalid("the proxy queue takes no atomic command"));
+                return Err(invalid("the proxy queue accepts no atomic commands"));
             }
             _ => {}
         }
         let Parameters { lsa, ea, size, tag } = parameters;
         if tag >= TAGS && !operation.is_immediate() {
-            return Err(invalid("a tag is 0 to 31"));
+            return Err(invalid("the tag is not in 0 to 31"));
         }
         let mut command = Self {
             operation,
@@ -232,8 +233,12 @@ impl Command {
             _ if !size.is_multiple_of(16) => {
                 Err(self.alignment("the size is not 1, 2, 4, 8 or n times 16"))
             }
-            _ if lsa & 15 != 0 => Err(self.alignment("the local-store address is not on 16 bytes")),
-            _ if ea_low != 0 => Err(self.alignment("the effective address is not on 16 bytes")),
+            _ if lsa & 15 != 0 => {
+                Err(self.alignment("the local-store address is not a multiple of 16"))
+            }
+            _ if ea_low != 0 => {
+                Err(self.alignment("the effective address is not a multiple of 16"))
+            }
             _ => Ok(()),
         }
     }
@@ -244,14 +249,14 @@ impl Command {
         } else if !self.size.is_multiple_of(ELEMENT) {
             Err(self.alignment("the list size is not a multiple of 8"))
         } else if !(self.ea as u32).is_multiple_of(ELEMENT) {
-            Err(self.alignment("the list is not on 8 bytes"))
+            Err(self.alignment("the list's address is not a multiple of 8"))
         } else {
             Ok(())
         }
     }
 
-    /// The transfer that one element of this list asks for, its local-store address at `lsa` or in
-    /// the quadword there; the second value says whether the list stalls after it.
+    /// The transfer of one element of this list. `lsa` is its local-store address, or an address
+    /// in the same quadword. The second value tells whether the list stalls after the element.
     pub(crate) fn element(&self, words: [u32; 2], lsa: u32) -> Result<(Self, bool), DmaError> {
         const STALL: u32 = 0x8000_0000;
         const SIZE: u32 = 0x7fff;
@@ -372,7 +377,7 @@ mod tests {
         assert!(refused(0x44, 0, Side::Proxy));
         assert!(refused(0xd0, 0, Side::Proxy));
         assert!(refused(0xb8, 0, Side::Proxy));
-        // Class identifiers are no part of the opcode.
+        // Class identifiers are not part of the opcode.
         assert!(!refused(0x0102_0040, 31, Side::Spu));
     }
 

@@ -1,47 +1,47 @@
-//! Why a command fails.
+//! Errors of MFC commands.
 
 use thiserror::Error;
 
-/// Why the MFC refused or could not finish a command. The kinds are those that Linux tells a
-/// program (alignment, invalid command, storage); the fields say which command it was.
+/// Why the MFC refused a command or could not complete it. The variants are the kinds that Linux
+/// reports to a program (alignment, invalid command, storage). The fields identify the command.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DmaError {
-    /// Sizes or addresses that the architecture does not allow.
+    /// A size or address that the architecture does not allow.
     #[error(
         "DMA alignment: {what} (command {command:#04x}, local store {lsa:#07x}, effective address {ea:#x}, {size} bytes)"
     )]
     Alignment {
-        /// Which rule was broken.
+        /// The broken rule.
         what: &'static str,
-        /// Command opcode.
+        /// The command's opcode.
         command: u8,
         /// Local-store address.
         lsa: u32,
         /// Effective address.
         ea: u64,
-        /// Bytes asked for.
+        /// Size in bytes.
         size: u32,
     },
-    /// An opcode or tag that does not exist, or a command that this queue does not take.
+    /// An opcode or tag that does not exist, or a command that this queue does not accept.
     #[error("invalid DMA command {command:#x}: {what}")]
     InvalidCommand {
-        /// Which rule was broken.
+        /// The broken rule.
         what: &'static str,
-        /// Command opcode, with whatever stood in its upper bits.
+        /// The command's opcode, with the upper bits as written.
         command: u32,
     },
-    /// Main memory that is not there, or may not be read or written.
+    /// Main memory that does not exist, or does not allow the access.
     #[error(
         "DMA storage fault at effective address {ea:#x} (command {command:#04x}, local store {lsa:#07x}, {size} bytes)"
     )]
     Storage {
-        /// Command opcode.
+        /// The command's opcode.
         command: u8,
         /// Local-store address.
         lsa: u32,
         /// Effective address.
         ea: u64,
-        /// Bytes asked for.
+        /// Size in bytes.
         size: u32,
     },
 }

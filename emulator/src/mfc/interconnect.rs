@@ -1,24 +1,25 @@
-//! What SPEs share: main memory, reservations, and the addresses of signal registers.
+//! The interconnect that SPEs share: main memory, reservations, and the addresses of signal
+//! registers and local stores.
 //!
-//! Invariant: an atomic line command excludes every transfer (it holds the lock alone), so it sees
-//! a line before or after another unit's `put`, never half of it; and whoever writes a line breaks
-//! every reservation on it before the lock is free. Plain transfers run side by side. A line that
-//! the PPE writes by itself breaks no reservation, but the conditional put still fails, since it
-//! compares the line with what was read under the reservation.
+//! Invariant: an atomic command excludes every transfer, because it holds the lock alone. So it
+//! sees a line before or after another unit's `put`, never in between. A unit that writes a line
+//! ends every reservation on it before it releases the lock. Plain transfers run concurrently. If
+//! the PPE itself writes a line, no reservation ends, but the conditional put still fails, because
+//! it compares the line with the bytes that were read under the reservation.
 
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, RwLock, Weak};
 
-use super::timing::{Parcel, Peer, UnderWay};
+use super::timing::{InFlight, Peer, PendingWrite};
 use crate::local_store::{LocalStore, SIZE};
 use crate::lock::{read_lock, write_lock};
 use crate::memory::{LINE, MainMemory, MemoryFault};
 use crate::signal::SignalRegister;
 
-/// No line has this address: it is not a multiple of 128.
+/// Stands for "no line". It is not a multiple of 128, so no line has this address.
 const NO_LINE: u64 = u64::MAX;
 
-/// The line that a unit holds reserved.
+/// The line that a unit has reserved.
 #[derive(Debug)]
 pub(crate) struct Reservation(AtomicU64);
 
@@ -39,7 +40,7 @@ impl Reservation {
         self.0.store(NO_LINE, SeqCst);
     }
 
-    /// Ends the reservation if it is on a line of `first..=last`; says whether it was.
+    /// Ends the reservation if it is on a line of `first..=last`. Returns whether it was.
     fn break_within(&self, first: u64, last: u64) -> bool {
         let held = self.0.load(SeqCst);
         (first..=last).contains(&held)
@@ -49,20 +50,20 @@ impl Reservation {
                 .is_ok()
     }
 
-    /// The reserved line's address.
+    /// The address of the reserved line, if any.
     pub(crate) fn line(&self) -> Option<u64> {
         let held = self.0.load(SeqCst);
         (held != NO_LINE).then_some(held)
     }
 }
 
-/// A unit on the interconnect, as the others see it.
+/// A unit on the interconnect, as the other units see it.
 pub(crate) trait Unit: Send + Sync {
     fn reservation(&self) -> &Reservation;
-    /// Somebody wrote the reserved line; the reservation is gone already.
+    /// Another unit wrote the reserved line. The reservation has already ended.
     fn reservation_lost(&self);
     fn signal(&self, register: SignalRegister, word: u32);
-    /// In simulated time: the word that was just sent is there from `cycle` on.
+    /// In simulated time: the signal word that was just sent arrives in `cycle`.
     fn signal_arrives(&self, register: SignalRegister, cycle: u64);
 }
 
@@ -74,7 +75,7 @@ struct Members {
 }
 
 impl Members {
-    /// The local store that all of `length` bytes at `ea` lie in, and where in it.
+    /// The local store that contains all `length` bytes at `ea`, and their offset in it.
     fn local_store(&self, ea: u64, length: usize) -> Option<(Arc<LocalStore>, u32)> {
         self.local_stores.iter().find_map(|(start, store)| {
             let at = ea.checked_sub(*start)?;
@@ -102,16 +103,16 @@ impl Members {
 /// The interconnect of one machine.
 pub(crate) struct Interconnect {
     memory: Arc<dyn MainMemory>,
-    /// Where data takes time from one local store to another.
-    under_way: Option<Arc<dyn UnderWay>>,
+    /// Data in flight between local stores, in simulated time.
+    in_flight: Option<Arc<dyn InFlight>>,
     members: RwLock<Members>,
 }
 
 impl Interconnect {
-    pub(crate) fn new(memory: Arc<dyn MainMemory>, under_way: Option<Arc<dyn UnderWay>>) -> Self {
+    pub(crate) fn new(memory: Arc<dyn MainMemory>, in_flight: Option<Arc<dyn InFlight>>) -> Self {
         Self {
             memory,
-            under_way,
+            in_flight,
             members: RwLock::default(),
         }
     }
@@ -133,41 +134,43 @@ impl Interconnect {
         members.units.push(unit);
     }
 
-    /// From now on a word written to `ea` by an MFC is a signal.
+    /// From now on, a word that an MFC writes to `ea` is a signal.
     pub(crate) fn map_signal(&self, ea: u64, unit: Weak<dyn Unit>, register: SignalRegister) {
         write_lock(&self.members).signals.push((ea, unit, register));
     }
 
-    /// From now on transfers to and from the addresses at `ea` count as such between local stores.
+    /// From now on, transfers to and from the addresses at `ea` count as transfers between local
+    /// stores.
     pub(crate) fn map_local_store(&self, ea: u64, store: Weak<LocalStore>) {
         write_lock(&self.members).local_stores.push((ea, store));
     }
 
-    /// In simulated time: what an MFC sends to a local store, for delivery at its time; `None` if
-    /// there is none at `ea`. Reservations break as the command is given, as those on memory do.
-    pub(crate) fn send_to_local_store(&self, ea: u64, from: &[u8]) -> Option<Parcel> {
+    /// In simulated time: prepares the data that an MFC sends to a local store for later delivery.
+    /// `None` if there is no local store at `ea`. As with main memory, reservations end when the
+    /// command is given.
+    pub(crate) fn send_to_local_store(&self, ea: u64, from: &[u8]) -> Option<PendingWrite> {
         let members = read_lock(&self.members);
         let (store, address) = members.local_store(ea, from.len())?;
         members.broken(ea, from.len(), None);
         let bytes = from.into();
-        Some(Parcel {
+        Some(PendingWrite {
             store,
             address,
             bytes,
         })
     }
 
-    /// In simulated time: what is under way to these addresses is there now.
+    /// In simulated time: delivers data in flight to these addresses at once.
     fn await_parcels(&self, members: &Members, ea: u64, length: usize) {
-        if let Some(under_way) = &self.under_way
-            && !under_way.is_empty()
+        if let Some(in_flight) = &self.in_flight
+            && !in_flight.is_empty()
             && let Some((store, address)) = members.local_store(ea, length)
         {
-            under_way.deliver_early(&store, address, length);
+            in_flight.deliver_early(&store, address, length);
         }
     }
 
-    /// In simulated time: when the signal that was just sent to `ea` is there.
+    /// In simulated time: sets the cycle in which the signal that was just sent to `ea` arrives.
     pub(crate) fn signal_arrives(&self, ea: u64, cycle: u64) {
         let members = read_lock(&self.members);
         let target = members.signals.iter().find(|(at, ..)| *at == ea);
@@ -178,7 +181,7 @@ impl Interconnect {
         }
     }
 
-    /// What lies at `ea`, as far as time is concerned.
+    /// What is at `ea`, for the timing of a transfer.
     pub(crate) fn peer(&self, ea: u64) -> Peer {
         let members = read_lock(&self.members);
         let within = |start: u64| (start..start.saturating_add(u64::from(SIZE))).contains(&ea);
@@ -212,7 +215,7 @@ impl Interconnect {
         written
     }
 
-    /// `getllar`: the line, which `own` reserves from now on.
+    /// `getllar`: reads the line and reserves it for `own`.
     pub(crate) fn get_line(&self, ea: u64, own: &Reservation) -> Result<[u8; LINE], MemoryFault> {
         let alone = write_lock(&self.members);
         own.clear();
@@ -223,7 +226,8 @@ impl Interconnect {
         Ok(line)
     }
 
-    /// `putllc`: says whether the line was still reserved and as `seen`, and so was written.
+    /// `putllc`: writes the line if it is still reserved and equal to `seen`. Returns whether it
+    /// was written.
     pub(crate) fn put_line_conditional(
         &self,
         ea: u64,
@@ -242,7 +246,7 @@ impl Interconnect {
         Ok(true)
     }
 
-    /// `putlluc` and `putqlluc`: an own reservation on the line ends without an event.
+    /// `putlluc` and `putqlluc`: writes the line. An own reservation on it ends without an event.
     pub(crate) fn put_line(
         &self,
         ea: u64,

@@ -1,7 +1,7 @@
-//! The memory flow controller: queues, tags, lists, atomic lines.
+//! The memory flow controller: queues, tags, list commands, atomic commands.
 //!
-//! Data moves when the queue's order and the [`Policy`] let it. How long that takes is not known
-//! here: in simulated time, whoever knows it stands behind the two traits of `timing.rs`.
+//! Data moves when the queue's order and the [`Policy`] allow it. This module does not know how
+//! long that takes. In simulated time, an implementation of the two traits in `timing.rs` does.
 
 pub(crate) mod command;
 mod error;

@@ -1,7 +1,7 @@
-//! A command queue: which command may run, and running it.
+//! A command queue: it decides which command may run, and runs it.
 //!
-//! Invariant: an entry leaves the queue when it is complete, so the entries are exactly what is
-//! outstanding, oldest first. Ordering is decided from the entries alone.
+//! Invariant: an entry leaves the queue when it is complete, so the entries are exactly the
+//! outstanding commands, oldest first. Ordering is decided from the entries alone.
 
 use std::collections::VecDeque;
 use std::sync::Mutex;
@@ -9,62 +9,62 @@ use std::sync::Mutex;
 use super::command::{Command, ELEMENT, MAX_TRANSFER, Operation, Order};
 use super::error::DmaError;
 use super::interconnect::{Interconnect, Unit};
-use super::timing::{Movement, Parcel, Piece};
+use super::timing::{Movement, PendingWrite, Piece};
 use crate::local_store::LocalStore;
 use crate::lock::lock;
 use crate::memory::{LINE, MemoryFault};
 
-/// Commands that the SPU's queue holds.
+/// Number of commands that the SPU's queue holds.
 pub const SPU_QUEUE_DEPTH: usize = 16;
-/// Commands that the proxy queue holds.
+/// Number of commands that the proxy queue holds.
 pub const PROXY_QUEUE_DEPTH: usize = 8;
 
-/// When a queued command is carried out, of all the moments that the architecture allows.
+/// When a queued command is carried out. The architecture allows each of these policies.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Policy {
-    /// As soon as its ordering lets it, oldest first.
+    /// As soon as its ordering allows, oldest first.
     #[default]
     AtOnce,
-    /// An adversary, which shows missing waits, fences and parameters: only when the program waits
-    /// for a tag (or asks a second time for its status), when the queue is full, when the SPU has
-    /// slept for some milliseconds, or when it stops; newest first where the order is free; and
-    /// the command's parameters don't outlive it.
+    /// As late as possible, to reveal missing waits, fences and parameters. Commands run only when
+    /// the program waits for a tag (or asks a second time for its status), when the queue is full,
+    /// when the SPU has slept for some milliseconds, or when it stops. Where the order is free,
+    /// the newest runs first. The command's parameters don't outlive it.
     AtLast,
 }
 
-/// What commands move between.
+/// The units between which commands move data.
 #[derive(Clone, Copy)]
 pub(crate) struct Path<'a> {
     pub local_store: &'a LocalStore,
     pub interconnect: &'a Interconnect,
     pub unit: &'a dyn Unit,
-    /// Where movements are noted, in simulated time.
+    /// In simulated time: records the movements.
     pub moved: Option<&'a Mutex<Vec<Movement>>>,
 }
 
 impl Path<'_> {
-    /// Notes what a command moved.
+    /// Records what a command moved.
     pub(crate) fn note(&self, movement: impl FnOnce() -> Movement) {
         if let Some(moved) = self.moved {
             lock(moved).push(movement());
         }
     }
 
-    fn piece(&self, command: &Command, parcel: Option<Parcel>) -> Piece {
+    fn piece(&self, command: &Command, pending: Option<PendingWrite>) -> Piece {
         Piece {
             ea: command.ea,
             size: command.size,
             peer: self.interconnect.peer(command.ea),
-            parcel,
+            pending,
         }
     }
 
-    /// Moves bytes out, or gives them back as what is still to be delivered.
-    fn send(&self, ea: u64, bytes: &[u8]) -> Result<Option<Parcel>, MemoryFault> {
+    /// Writes the bytes, or returns them if they are to be delivered later.
+    fn send(&self, ea: u64, bytes: &[u8]) -> Result<Option<PendingWrite>, MemoryFault> {
         if self.moved.is_some()
-            && let Some(parcel) = self.interconnect.send_to_local_store(ea, bytes)
+            && let Some(pending) = self.interconnect.send_to_local_store(ea, bytes)
         {
-            return Ok(Some(parcel));
+            return Ok(Some(pending));
         }
         self.interconnect.write(ea, bytes).map(|()| None)
     }
@@ -72,17 +72,17 @@ impl Path<'_> {
 
 struct Entry {
     command: Command,
-    /// Bytes of the list that are done, and where its next element goes.
+    /// Bytes of the list that are done, and the local-store address of its next element.
     list_done: u32,
     list_lsa: u32,
     stalled: bool,
 }
 
-/// What became of a command that was run.
+/// The outcome of running a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Ran {
+pub(crate) enum RunOutcome {
     Complete,
-    /// A list of this tag stalls until it is resumed.
+    /// A list with this tag stalls until it is resumed.
     Stalled(u8),
 }
 
@@ -111,7 +111,7 @@ impl Queue {
         self.depth - self.entries.len()
     }
 
-    /// Appends a command. The caller has made room.
+    /// Appends a command. There must be room.
     pub(crate) fn push(&mut self, command: Command) {
         debug_assert!(self.room() > 0);
         self.entries.push_back(Entry {
@@ -122,14 +122,14 @@ impl Queue {
         });
     }
 
-    /// Tags with something outstanding.
+    /// Tags that have outstanding commands.
     pub(crate) fn busy_tags(&self) -> u32 {
         self.entries
             .iter()
             .fold(0, |tags, entry| tags | entry.command.tag_bit())
     }
 
-    /// Lets the stalled lists of a tag go on.
+    /// Resumes the stalled lists of a tag.
     pub(crate) fn resume(&mut self, tag: u32) {
         for entry in &mut self.entries {
             if u32::from(entry.command.tag) == tag {
@@ -138,7 +138,7 @@ impl Queue {
         }
     }
 
-    /// Whether ordering lets entry `at` run.
+    /// Whether the ordering rules allow entry `at` to run.
     fn ready(&self, at: usize) -> bool {
         let own = &self.entries[at];
         if own.stalled {
@@ -167,8 +167,8 @@ impl Queue {
         }
     }
 
-    /// The command to run next, one of `tags` before others. The adversary takes the newest, so
-    /// that commands that need an order and did not ask for it come in the wrong one.
+    /// The next command to run, with those of `tags` before others. [`Policy::AtLast`] takes the
+    /// newest, so that commands that need an order but did not request it run in the wrong one.
     fn next(&self, tags: u32) -> Option<usize> {
         let pick = |mask: u32| {
             let mut candidates = (0..self.entries.len())
@@ -181,8 +181,12 @@ impl Queue {
         pick(tags).or_else(|| pick(!tags))
     }
 
-    /// Runs one command if any may run. A command that fails leaves the queue.
-    pub(crate) fn run_one(&mut self, tags: u32, path: Path<'_>) -> Result<Option<Ran>, DmaError> {
+    /// Runs one command, if one may run. A command that fails leaves the queue.
+    pub(crate) fn run_one(
+        &mut self,
+        tags: u32,
+        path: Path<'_>,
+    ) -> Result<Option<RunOutcome>, DmaError> {
         let Some(at) = self.next(tags) else {
             return Ok(None);
         };
@@ -192,32 +196,32 @@ impl Queue {
         let ran = if entry.command.operation.is_list() {
             run_list(entry, &mut self.buffer, path)
         } else {
-            run_simple(&entry.command, &mut self.buffer, path).map(|parcel| {
+            run_simple(&entry.command, &mut self.buffer, path).map(|pending| {
                 path.note(|| Movement {
                     command: entry.command,
-                    pieces: pieces_of(&entry.command, parcel, path),
+                    pieces: pieces_of(&entry.command, pending, path),
                     stalled: false,
                 });
-                Ran::Complete
+                RunOutcome::Complete
             })
         };
-        if !matches!(ran, Ok(Ran::Stalled(_))) {
+        if !matches!(ran, Ok(RunOutcome::Stalled(_))) {
             self.entries.remove(at);
         }
         ran.map(Some)
     }
 }
 
-fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<Ran, DmaError> {
+fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunOutcome, DmaError> {
     let list = entry.command;
     let mut pieces = Vec::new();
     while entry.list_done < list.size {
         let address = (list.ea as u32).wrapping_add(entry.list_done);
         let words = [0, 4].map(|n| path.local_store.load_word(address.wrapping_add(n)));
         let (element, stall) = list.element(words, entry.list_lsa)?;
-        let parcel = run_simple(&element, buffer, path)?;
+        let pending = run_simple(&element, buffer, path)?;
         if path.moved.is_some() {
-            pieces.push(path.piece(&element, parcel));
+            pieces.push(path.piece(&element, pending));
         }
         entry.list_done += ELEMENT;
         entry.list_lsa = entry
@@ -230,7 +234,7 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<Ran,
                 pieces,
                 stalled: true,
             });
-            return Ok(Ran::Stalled(list.tag));
+            return Ok(RunOutcome::Stalled(list.tag));
         }
     }
     path.note(|| Movement {
@@ -238,23 +242,23 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<Ran,
         pieces,
         stalled: false,
     });
-    Ok(Ran::Complete)
+    Ok(RunOutcome::Complete)
 }
 
-/// What a command that is no list moves over the bus.
-fn pieces_of(command: &Command, parcel: Option<Parcel>, path: Path<'_>) -> Vec<Piece> {
+/// What a command other than a list moves over the bus.
+fn pieces_of(command: &Command, pending: Option<PendingWrite>, path: Path<'_>) -> Vec<Piece> {
     match command.operation {
         Operation::QueueBarrier | Operation::Sync | Operation::CacheHint => Vec::new(),
-        _ => vec![path.piece(command, parcel)],
+        _ => vec![path.piece(command, pending)],
     }
 }
 
-/// Runs a command that is no list; gives what of it is still to be delivered.
+/// Runs a command other than a list. Returns the bytes that are to be delivered later.
 fn run_simple(
     command: &Command,
     buffer: &mut [u8],
     path: Path<'_>,
-) -> Result<Option<Parcel>, DmaError> {
+) -> Result<Option<PendingWrite>, DmaError> {
     let Command { lsa, ea, size, .. } = *command;
     let bytes = &mut buffer[..size.min(MAX_TRANSFER) as usize];
     let moved = match command.operation {
@@ -287,7 +291,7 @@ mod tests {
     use super::*;
     use crate::mfc::command::{Parameters, Side};
 
-    /// A queue with these (opcode, tag) in it.
+    /// A queue that holds these (opcode, tag) pairs.
     fn queue(commands: &[(u32, u32)]) -> Queue {
         let mut queue = Queue::new(16, Policy::AtLast);
         for &(word, tag) in commands {

@@ -1,11 +1,11 @@
 //! The SPU's side of the MFC: parameters, tag status, stalled lists, atomic status.
 //!
-//! Only the thread that runs the SPU touches it. Where a channel would sleep, a method answers
-//! `None` and the caller sleeps. Events are returned as bits for the caller to raise.
+//! Only the thread that runs the SPU uses it. Where a channel would sleep, a method returns `None`
+//! and the caller sleeps. Events are returned as bits, for the caller to raise.
 
 use super::command::{Command, Operation, Parameters, Side};
 use super::error::DmaError;
-use super::queue::{Path, Policy, Queue, Ran, SPU_QUEUE_DEPTH};
+use super::queue::{Path, Policy, Queue, RunOutcome, SPU_QUEUE_DEPTH};
 use super::timing::{Movement, TransferTimes};
 use crate::event;
 use crate::memory::LINE;
@@ -15,7 +15,7 @@ const PUT_CONDITIONAL_FAILED: u32 = 1;
 const PUT_UNCONDITIONAL_DONE: u32 = 2;
 const GET_LINE_DONE: u32 = 4;
 
-/// What a program finds in parameters that it did not write: no command accepts it.
+/// The value of parameters that a program did not write. No command accepts it.
 const STALE: Parameters = Parameters {
     lsa: 0xdead_beef,
     ea: 0xdead_beef_dead_beef,
@@ -32,16 +32,16 @@ enum Condition {
 pub(crate) struct SpuSide {
     pub parameters: Parameters,
     queue: Queue,
-    /// What is not yet complete in simulated time, where there is such.
+    /// In simulated time: the commands that are not complete yet.
     transfers: Option<Box<dyn TransferTimes>>,
     tag_mask: u32,
     awaited: Option<Condition>,
     tag_status: Option<u32>,
     stalled_tags: u32,
     atomic_status: Option<u32>,
-    /// The line as `getllar` brought it.
+    /// The line that `getllar` read.
     seen: [u8; LINE],
-    /// Events that came up since they were last taken.
+    /// Events that occurred since they were last taken.
     events: u32,
 }
 
@@ -70,7 +70,8 @@ impl SpuSide {
         &self.seen
     }
 
-    /// Channel 21. `None`: the queue is full and nothing in it may run; the command was not taken.
+    /// Channel 21. Returns `None` if the queue is full and none of its commands may run. The new
+    /// command is not accepted then.
     pub(crate) fn command(&mut self, word: u32, path: Path<'_>) -> Result<Option<()>, DmaError> {
         let command = Command::new(word, self.parameters, Side::Spu)?;
         if command.operation.is_immediate() {
@@ -126,12 +127,12 @@ impl SpuSide {
         Ok(())
     }
 
-    /// The simulated side of the commands, where there is one.
+    /// The timing of the commands, in simulated time.
     pub(crate) fn transfers(&self) -> Option<&dyn TransferTimes> {
         self.transfers.as_deref()
     }
 
-    /// Lets `body` change the simulated side; tags and room may come of it.
+    /// Lets `body` change the timing of the commands. This may complete tags and free room.
     pub(crate) fn change_transfers(&mut self, body: impl FnOnce(&mut dyn TransferTimes)) {
         let was_full = self.free_places() == 0;
         if let Some(transfers) = &mut self.transfers {
@@ -150,27 +151,27 @@ impl SpuSide {
         self.queue.room().saturating_sub(incomplete)
     }
 
-    /// Runs one command, one of `tags` before others; says whether one could run.
+    /// Runs one command, with those of `tags` before others. Returns whether one could run.
     fn step(&mut self, tags: u32, path: Path<'_>) -> Result<bool, DmaError> {
         let was_full = self.free_places() == 0;
         let ran = self.queue.run_one(tags, path);
         if was_full && self.free_places() > 0 && self.transfers.is_none() {
             self.events |= event::QUEUE_ROOM;
         }
-        if let Ok(Some(Ran::Stalled(tag))) = ran {
+        if let Ok(Some(RunOutcome::Stalled(tag))) = ran {
             if self.stalled_tags == 0 {
                 self.events |= event::LIST_STALL;
             }
             self.stalled_tags |= 1 << tag;
         }
-        // In simulated time nothing is complete because its data has moved.
+        // In simulated time, a command is not complete when its data has moved.
         if self.transfers.is_none() {
             self.evaluate();
         }
         ran.map(|ran| ran.is_some())
     }
 
-    /// Runs whatever may run.
+    /// Runs all commands that may run.
     pub(crate) fn run_ready(&mut self, path: Path<'_>) -> Result<(), DmaError> {
         while self.step(u32::MAX, path)? {}
         Ok(())
@@ -228,7 +229,7 @@ impl SpuSide {
         self.tag_mask
     }
 
-    /// Channel 23. A condition replaces one that is still awaited; a status that was not read
+    /// Channel 23. A new condition replaces one that is still pending. A status that was not read
     /// stays.
     pub(crate) fn request_tag_status(
         &mut self,

@@ -1,34 +1,34 @@
-//! What the MFC tells of its transfers, and what it asks of whoever times them.
+//! The interface between the MFC and the timing of its transfers.
 //!
-//! An MFC without time needs neither trait: what has moved is complete.
+//! Without simulated time neither trait is needed: a transfer is complete when its data has moved.
 
 use std::sync::Arc;
 
 use super::command::Command;
 use crate::local_store::LocalStore;
 
-/// What lies at the other end of a transfer.
+/// The other end of a transfer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Peer {
     Memory,
-    /// The SPE whose local store or signal register is there, by the address where it begins.
+    /// The local store or signal register of the SPE that begins at this address.
     LocalStore(u64),
 }
 
-/// Bytes for a local store.
-pub(crate) struct Parcel {
+/// Bytes that are to be written to a local store.
+pub(crate) struct PendingWrite {
     pub store: Arc<LocalStore>,
     pub address: u32,
     pub bytes: Box<[u8]>,
 }
 
-impl Parcel {
+impl PendingWrite {
     pub fn deliver(&self) {
         self.store.write(self.address, &self.bytes);
     }
 
-    /// Whether some of its bytes go to `length` bytes at `address` of a store.
-    pub fn meets(&self, store: &LocalStore, address: u32, length: usize) -> bool {
+    /// Whether some of its bytes go to the `length` bytes at `address` of a store.
+    pub fn overlaps(&self, store: &LocalStore, address: u32, length: usize) -> bool {
         let (first, end) = (
             self.address as usize,
             self.address as usize + self.bytes.len(),
@@ -38,28 +38,28 @@ impl Parcel {
     }
 }
 
-/// One contiguous piece of what a command moved.
+/// One contiguous piece of the data that a command moved.
 pub(crate) struct Piece {
     pub ea: u64,
     pub size: u32,
     pub peer: Peer,
-    /// The bytes, if they are still to be delivered.
-    pub parcel: Option<Parcel>,
+    /// The bytes, if they are to be delivered later.
+    pub pending: Option<PendingWrite>,
 }
 
-/// What a command moved, or a list until it stalled.
+/// The data that a command moved, or that a list moved until it stalled.
 pub(crate) struct Movement {
     pub command: Command,
     pub pieces: Vec<Piece>,
     pub stalled: bool,
 }
 
-/// MFC commands that an SPU gave, and bytes that they moved.
+/// Number of MFC commands that an SPU gave, and of bytes that they moved.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Commands {
-    /// Commands through the queue.
+    /// Commands that went through the queue.
     pub queued: u64,
-    /// Atomic commands, which bypass it.
+    /// Atomic commands, which bypass the queue.
     pub atomic: u64,
     /// Bytes into local store by queued commands.
     pub bytes_in: u64,
@@ -67,31 +67,31 @@ pub struct Commands {
     pub bytes_out: u64,
 }
 
-/// Times the commands of one SPU: those whose data has moved and that are not complete yet.
+/// Times the commands of one SPU whose data has moved but that are not complete yet.
 pub(crate) trait TransferTimes: Send {
-    /// Times what was moved at `now`, and sends off what is to be delivered; says when it is
-    /// complete.
+    /// Times a movement that was made at `now`, and sends the data that is to be delivered later.
+    /// Returns when the movement is complete.
     fn add(&mut self, movement: Movement, now: u64) -> u64;
-    /// Forgets what is complete at `now`.
+    /// Removes the commands that are complete at `now`.
     fn advance(&mut self, now: u64);
-    /// Commands that are not complete.
+    /// Number of commands that are not complete.
     fn incomplete(&self) -> usize;
-    /// Their tags.
+    /// The tags of these commands.
     fn busy_tags(&self) -> u32;
     /// When the next command will be complete.
     fn next(&self) -> Option<u64>;
-    /// When the SPU can be told of the lists that stall.
+    /// When the SPU may learn of the lists that have stalled.
     fn stalled_at(&self) -> u64;
     /// When the status of the last atomic command can be read.
     fn atomic_at(&self) -> u64;
-    /// All commands so far.
+    /// Counts of all commands so far.
     fn commands(&self) -> Commands;
 }
 
-/// The data that is under way between the local stores of one machine.
-pub(crate) trait UnderWay: Send + Sync {
-    /// Whether there is none.
+/// The data in flight between the local stores of one machine.
+pub(crate) trait InFlight: Send + Sync {
+    /// Whether no data is in flight.
     fn is_empty(&self) -> bool;
-    /// What goes to these bytes of a local store is there at once, whatever its time.
+    /// Delivers data in flight to these bytes of a local store at once, whatever its arrival time.
     fn deliver_early(&self, store: &LocalStore, address: u32, length: usize);
 }

@@ -1,15 +1,15 @@
 //! A heap in a region of emulated main memory.
 //!
-//! Invariant: `used` and `free` together tile the region without overlap, and no two free pieces
-//! touch.
+//! Invariant: `used` and `free` together cover the region without gaps or overlaps, and no two
+//! free pieces are adjacent.
 
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::outside::Heap;
+use super::host::Heap;
 use crate::memory::{Access, MainMemory, RegionError, RegisteredMemory};
 
-/// What the smallest allocation takes: a quadword, so that every one can be transferred.
+/// The size of the smallest allocation: a quadword, so that every allocation can be transferred.
 const GRAIN: u64 = 16;
 
 /// First-fit allocation in one registered region.
@@ -114,7 +114,7 @@ mod tests {
         let mut arena = arena(256);
         let all: Vec<u64> = (0..16).map(|_| arena.allocate(16, 1).unwrap()).collect();
         assert_eq!(arena.allocate(1, 1), None);
-        // Odd ones first, so that pieces are joined on both sides.
+        // The odd ones go first, so that pieces are joined on both sides.
         for ea in all.iter().skip(1).step_by(2).chain(all.iter().step_by(2)) {
             assert!(arena.release(*ea));
         }

@@ -4,7 +4,7 @@ use std::ffi::CString;
 
 use super::errno::check;
 use super::guest::{Block, Reply};
-use super::outside::Outside;
+use super::host::Host;
 use super::print::print;
 use super::scan::{Text, scan};
 use super::stream::{Buffering, Stream, StreamInput, c_path};
@@ -13,14 +13,14 @@ use super::{Call, Errno, Library, calls};
 use crate::local_store::SIZE;
 use spu_isa::LIMIT_MASK;
 
-/// Handles are 1 to 3 for the standard streams, and up to 16 for those that are opened.
+/// Handles 1 to 3 are the standard streams. Handles up to 16 are for streams that are opened.
 const HANDLES: usize = 17;
 const FIRST_OPENED: usize = 4;
 const STDIN: u32 = 1;
 const STDOUT: u32 = 2;
 const STDERR: u32 = 3;
 const EOF: i32 = -1;
-/// What the guest's `stdio.h` calls `_IOFBF`, `_IOLBF`, `_IONBF`.
+/// The values of `_IOFBF`, `_IOLBF` and `_IONBF` in the guest's `stdio.h`.
 const BUFFERING: [Buffering; 3] = [Buffering::Full, Buffering::Line, Buffering::None];
 
 pub(super) const CALLS: &[Call] = calls! {
@@ -62,7 +62,7 @@ pub(super) const CALLS: &[Call] = calls! {
     rename => |_, block| rename(block).into(),
     rewind => |library, block| {
         let stream = block.word(0);
-        // C gives no answer, so that there is nobody to tell of a failure.
+        // This C function returns nothing, so a failure can't be reported.
         let _ = library.seek(stream, 0, libc::SEEK_SET);
         if let Ok((stream, _)) = library.stream(stream) {
             stream.failed = false;
@@ -79,7 +79,7 @@ pub(super) const CALLS: &[Call] = calls! {
     setvbuf => |library, block| library.setvbuf(block).into(),
     system => |_, block| system(block).into(),
     tmpfile => |library, _| handle(library.tmpfile()),
-    // A name that somebody else may take before it is used: libspe2 refuses, and so do we.
+    // Another program could use the name first. libspe2 refuses this call, and so do we.
     tmpnam => |_, _| 0.into(),
     ungetc => |library, block| library.ungetc(block),
     vfprintf => |library, block| library.printf(block, block.word(0), 1).into(),
@@ -91,15 +91,15 @@ pub(super) const CALLS: &[Call] = calls! {
     vsscanf => |_, block| scan_string(block).into(),
 };
 
-/// The open streams, by handle.
+/// The open streams by handle.
 pub(super) struct Streams {
     open: [Option<Stream>; HANDLES],
 }
 
 impl Streams {
-    pub fn new(outside: &mut dyn Outside) -> Self {
+    pub fn new(host: &mut dyn Host) -> Self {
         let mut open = [const { None }; HANDLES];
-        let output = if outside.is_terminal(libc::STDOUT_FILENO) {
+        let output = if host.is_terminal(libc::STDOUT_FILENO) {
             Buffering::Line
         } else {
             Buffering::Full
@@ -116,11 +116,11 @@ impl Streams {
         Self { open }
     }
 
-    /// Flushes every stream; the first failure is told.
-    pub fn flush_all(&mut self, outside: &mut dyn Outside) -> Result<(), Errno> {
+    /// Flushes every stream. Returns the first failure.
+    pub fn flush_all(&mut self, host: &mut dyn Host) -> Result<(), Errno> {
         let mut result = Ok(());
         for stream in self.open.iter_mut().flatten() {
-            result = result.and(stream.flush(outside));
+            result = result.and(stream.flush(host));
         }
         result
     }
@@ -130,8 +130,8 @@ impl Streams {
         slot.filter(|_| handle != 0).ok_or(Errno(libc::EBADF))
     }
 
-    /// A free place for a stream that is opened.
-    fn vacancy(&mut self) -> Result<usize, Errno> {
+    /// A free slot for a stream that is to be opened.
+    fn free_slot(&mut self) -> Result<usize, Errno> {
         (FIRST_OPENED..HANDLES)
             .find(|&handle| self.open[handle].is_none())
             .ok_or(Errno(libc::EMFILE))
@@ -146,7 +146,7 @@ fn handle(opened: Result<usize, Errno>) -> Reply {
     }
 }
 
-/// A pointer that came back, or the null pointer.
+/// The pointer on success, or the null pointer.
 fn pointer(address: u32, found: Result<bool, Errno>) -> Reply {
     match found {
         Ok(true) => Reply::Word(address, 0),
@@ -156,42 +156,42 @@ fn pointer(address: u32, found: Result<bool, Errno>) -> Reply {
 }
 
 impl Library {
-    fn stream(&mut self, handle: u32) -> Result<(&mut Stream, &mut dyn Outside), Errno> {
+    fn stream(&mut self, handle: u32) -> Result<(&mut Stream, &mut dyn Host), Errno> {
         let stream = self.streams.slot(handle)?.as_mut();
         let stream = stream.ok_or(Errno(libc::EBADF))?;
-        Ok((stream, self.outside.as_mut()))
+        Ok((stream, self.host.as_mut()))
     }
 
     fn fclose(&mut self, block: Block<'_>) -> Result<(), Errno> {
         let stream = self.streams.slot(block.word(0))?.take();
         let stream = stream.ok_or(Errno(libc::EBADF))?;
-        stream.close(self.outside.as_mut())
+        stream.close(self.host.as_mut())
     }
 
     fn fflush(&mut self, handle: u32) -> Result<(), Errno> {
         if handle == 0 {
             return self.flush();
         }
-        let (stream, outside) = self.stream(handle)?;
-        stream.flush(outside)
+        let (stream, host) = self.stream(handle)?;
+        stream.flush(host)
     }
 
     fn get_byte(&mut self, handle: u32) -> Reply {
-        // Who waits for an answer wants to see the question.
+        // A user who is to answer a question must see it first.
         if handle == STDIN
-            && let Ok((stdout, outside)) = self.stream(STDOUT)
+            && let Ok((stdout, host)) = self.stream(STDOUT)
         {
-            stdout.flush_if_line_buffered(outside);
+            stdout.flush_if_line_buffered(host);
         }
         self.stream(handle)
-            .and_then(|(stream, outside)| stream.read_byte(outside))
+            .and_then(|(stream, host)| stream.read_byte(host))
             .map(|byte| byte.map_or(EOF, i32::from))
             .into()
     }
 
     fn put(&mut self, handle: u32, bytes: &[u8]) -> Result<(), Errno> {
-        let (stream, outside) = self.stream(handle)?;
-        stream.write(bytes, outside)
+        let (stream, host) = self.stream(handle)?;
+        stream.write(bytes, host)
     }
 
     fn put_byte(&mut self, character: u32, handle: u32) -> Reply {
@@ -206,12 +206,12 @@ impl Library {
 
     fn fgets(&mut self, block: Block<'_>) -> Reply {
         let (address, size) = (block.word(0), block.int(1));
-        let line = self.stream(block.word(2)).and_then(|(stream, outside)| {
+        let line = self.stream(block.word(2)).and_then(|(stream, host)| {
             let most = usize::try_from(size)
                 .ok()
                 .and_then(|size| size.checked_sub(1));
             let most = most.ok_or(Errno(libc::EINVAL))?;
-            stream.read_line(most.min(SIZE as usize - 1), outside)
+            stream.read_line(most.min(SIZE as usize - 1), host)
         });
         let found = line.map(|line| {
             if let Some(line) = &line {
@@ -224,11 +224,11 @@ impl Library {
 
     fn gets(&mut self, block: Block<'_>) -> Reply {
         let address = block.word(0);
-        // As much as there is up to the end of local store, one byte of it for the 0.
+        // The limit is the rest of local store, less one byte for the terminating 0.
         let most = (SIZE - (address & LIMIT_MASK) - 1) as usize;
         let line = self
             .stream(STDIN)
-            .and_then(|(stream, outside)| stream.read_line(most, outside));
+            .and_then(|(stream, host)| stream.read_line(most, host));
         let found = line.map(|line| {
             if let Some(line) = &line {
                 let line = line.strip_suffix(b"\n").unwrap_or(line);
@@ -240,39 +240,39 @@ impl Library {
     }
 
     fn fopen(&mut self, block: Block<'_>) -> Result<usize, Errno> {
-        let handle = self.streams.vacancy()?;
+        let handle = self.streams.free_slot()?;
         let (Some(path), Some(mode)) = (block.optional_string(0), block.optional_string(1)) else {
             return Err(Errno(libc::EFAULT));
         };
-        let stream = Stream::open(path, &mode, self.outside.as_mut())?;
+        let stream = Stream::open(path, &mode, self.host.as_mut())?;
         self.streams.open[handle] = Some(stream);
         Ok(handle)
     }
 
-    /// The old file is closed whatever becomes of the new one.
+    /// The old file is closed even if the new one can't be opened.
     fn freopen(&mut self, block: Block<'_>) -> Result<usize, Errno> {
         let handle = block.word(2);
         let old = self.streams.slot(handle)?.take();
         if let Some(old) = old {
-            // C has it that a failure to close does not matter here.
-            let _ = old.close(self.outside.as_mut());
+            // C says that a failure to close does not matter here.
+            let _ = old.close(self.host.as_mut());
         }
         let (Some(path), Some(mode)) = (block.optional_string(0), block.optional_string(1)) else {
             return Err(Errno(libc::EBADF));
         };
-        let stream = Stream::open(path, &mode, self.outside.as_mut())?;
+        let stream = Stream::open(path, &mode, self.host.as_mut())?;
         *self.streams.slot(handle)? = Some(stream);
         Ok(handle as usize)
     }
 
     fn tmpfile(&mut self) -> Result<usize, Errno> {
-        let handle = self.streams.vacancy()?;
+        let handle = self.streams.free_slot()?;
         let template = std::env::temp_dir().join("spuXXXXXX").into_os_string();
         let template = c_path(std::os::unix::ffi::OsStringExt::into_vec(template))?;
         let mut path = template.into_bytes_with_nul();
-        // SAFETY: the template ends in 0 and is ours to change.
+        // SAFETY: the template ends in 0, and it is our own buffer.
         let descriptor = check(unsafe { libc::mkstemp(path.as_mut_ptr().cast()) })?;
-        // SAFETY: the path ends in 0. Without its name the file goes when it is closed.
+        // SAFETY: the path ends in 0. The unlinked file is deleted when it is closed.
         check(unsafe { libc::unlink(path.as_ptr().cast()) })?;
         self.streams.open[handle] = Some(Stream::new(descriptor, true, true, Buffering::Full));
         Ok(handle)
@@ -287,8 +287,8 @@ impl Library {
     }
 
     fn seek(&mut self, handle: u32, offset: i32, whence: i32) -> Result<(), Errno> {
-        let (stream, outside) = self.stream(handle)?;
-        stream.seek(offset.into(), whence, outside)
+        let (stream, host) = self.stream(handle)?;
+        stream.seek(offset.into(), whence, host)
     }
 
     fn ftell(&mut self, handle: u32) -> Result<i32, Errno> {
@@ -302,13 +302,14 @@ impl Library {
         Ok(())
     }
 
-    /// Bytes of `nmemb` items, at most what local store holds, and how many whole items that is.
+    /// Reads `nmemb` items, at most as many bytes as local store has. The result is the number of
+    /// whole items.
     fn fread(&mut self, block: Block<'_>) -> Reply {
         let [address, size, count] = [0, 1, 2].map(|n| block.word(n));
         let most = (u64::from(size) * u64::from(count)).min(SIZE.into());
         let read = self
             .stream(block.word(3))
-            .and_then(|(stream, outside)| stream.read(most as usize, outside));
+            .and_then(|(stream, host)| stream.read(most as usize, host));
         match read {
             Ok(bytes) => {
                 block.guest.write(address, &bytes);
@@ -348,12 +349,13 @@ impl Library {
         }
         line.extend(Errno(block.int(1)).text().into_bytes());
         line.push(b'\n');
-        // There is nowhere to tell that standard error can't be written.
+        // If standard error can't be written, the failure can't be reported.
         let _ = self.put(STDERR, &line);
         Reply::Nothing
     }
 
-    /// `format` is the number of the cell that points to it; the variadic list follows.
+    /// `format` is the number of the cell that points to the format string. The variadic list
+    /// follows it.
     fn printf(&mut self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
         let text = print_arguments(block, format)?;
         self.put(handle, &text).map(|()| text.len() as i32)
@@ -361,8 +363,8 @@ impl Library {
 
     fn scanf(&mut self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
         let arguments = VaList::at(block.guest, block.cell(format + 1));
-        let (stream, outside) = self.stream(handle)?;
-        let mut input = StreamInput { stream, outside };
+        let (stream, host) = self.stream(handle)?;
+        let mut input = StreamInput { stream, host };
         scan(block.guest, &block.string(format), arguments, &mut input)
     }
 }
@@ -372,7 +374,7 @@ fn print_arguments(block: Block<'_>, format: u32) -> Result<Vec<u8>, Errno> {
     print(block.guest, &block.string(format), arguments)
 }
 
-/// Into the string of cell 0, of which there are `size` bytes; answers how long the text is.
+/// Prints into the string of cell 0, which has `size` bytes. Returns the length of the text.
 fn print_string(block: Block<'_>, size: u32, format: u32) -> Result<i32, Errno> {
     let text = print_arguments(block, format)?;
     let most = size.min(SIZE) as usize;
@@ -405,7 +407,7 @@ fn rename(block: Block<'_>) -> Result<i32, Errno> {
     check(unsafe { libc::rename(from.as_ptr(), to.as_ptr()) })
 }
 
-/// A null pointer asks whether there is a command processor.
+/// A null pointer queries whether there is a command processor.
 fn system(block: Block<'_>) -> Result<i32, Errno> {
     let command: Option<CString> = block.optional_string(0).map(c_path).transpose()?;
     let command = command

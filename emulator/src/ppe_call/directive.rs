@@ -1,13 +1,13 @@
 //! Conversion specifications of `printf` and `scanf` formats: `%-08.3lld`.
 
-/// What the length modifier says about an argument; the types are the SPU's.
+/// The size of an argument by its length modifier. The types are the SPU's.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Length {
     /// `hh`
     Char,
     /// `h`
     Short,
-    /// None, `l`, `z`, `t`: all 32 bits.
+    /// No modifier, `l`, `z` or `t`: 32 bits.
     Word,
     /// `ll`, `j`
     Long,
@@ -16,13 +16,13 @@ pub(super) enum Length {
 }
 
 impl Length {
-    /// Bytes of an integer of this length.
+    /// Size in bytes of an integer of this length.
     pub fn bytes(self) -> usize {
         match self {
             Self::Char => 1,
             Self::Short => 2,
             Self::Word => 4,
-            // glibc takes `L` before an integer conversion for `ll`.
+            // glibc treats `L` before an integer conversion as `ll`.
             Self::Long | Self::LongDouble => 8,
         }
     }
@@ -31,7 +31,7 @@ impl Length {
 /// A width or precision.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Count {
-    /// The next argument.
+    /// The next argument holds the number.
     Argument,
     Number(usize),
 }
@@ -68,7 +68,7 @@ impl<'a> Format<'a> {
         found
     }
 
-    /// A number; one that is too large is as large as can be.
+    /// A number. If it is too large, the largest possible value.
     pub fn number(&mut self) -> Option<usize> {
         let mut number = None;
         while let Some(digit @ b'0'..=b'9') = self.peek() {
@@ -90,7 +90,7 @@ impl<'a> Format<'a> {
         self.number().map(Count::Number)
     }
 
-    /// The length modifier, and whether it was an `l`, which makes characters wide.
+    /// The length modifier, and whether it was an `l`, which selects wide characters.
     pub fn length(&mut self) -> (Length, bool) {
         match self.peek() {
             Some(b'h') => {

@@ -1,6 +1,7 @@
-//! Error numbers, as they go back to the guest.
+//! Error numbers that are returned to the guest.
 //!
-//! They are the host's: newlib's numbers and Linux's agree in what these calls can give.
+//! They are the host's numbers. newlib's and Linux's numbers agree for all errors that these calls
+//! can return.
 
 use std::io;
 
@@ -9,12 +10,12 @@ use std::io;
 pub struct Errno(pub i32);
 
 impl Errno {
-    /// What the last system call of this thread left.
+    /// The error number of this thread's last system call.
     pub(super) fn last() -> Self {
         io::Error::last_os_error().into()
     }
 
-    /// The system's text for it, as `perror` prints it.
+    /// The system's text for the error, as `perror` prints it.
     pub(super) fn text(self) -> String {
         let text = io::Error::from_raw_os_error(self.0).to_string();
         // The standard library appends the number, which C does not.
@@ -31,7 +32,7 @@ impl From<io::Error> for Errno {
     }
 }
 
-/// A system call's answer, of which a negative one means that it failed.
+/// The result of a system call. A negative one means that the call failed.
 pub(super) fn check<T: Copy + PartialOrd + From<i8>>(answer: T) -> Result<T, Errno> {
     if answer < T::from(0) {
         Err(Errno::last())

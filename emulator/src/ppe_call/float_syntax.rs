@@ -1,6 +1,6 @@
-//! How C writes floating-point numbers: for `scanf`.
+//! The syntax of floating-point numbers in C, for `scanf`.
 
-/// Where a reader of a number stands.
+/// How far a number has been read.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum State {
     Start,
@@ -18,14 +18,14 @@ enum State {
     Exponent,
     ExponentSigned,
     ExponentDigits,
-    /// In one of the words, so many letters of it read.
+    /// In one of the words, after this many letters of it.
     Infinity(usize),
     Nan(usize),
 }
 
 const INFINITY: &[u8] = b"infinity";
 const NAN: &[u8] = b"nan";
-/// Letters of the short form of infinity.
+/// Number of letters of the short form of infinity.
 const INF: usize = 3;
 
 impl State {
@@ -102,12 +102,12 @@ fn state(text: &[u8]) -> Option<State> {
         .try_fold(State::Start, |state, &byte| state.after(byte))
 }
 
-/// Whether a number can start like this.
+/// Whether a number can start with `text`.
 pub(super) fn is_prefix(text: &[u8]) -> bool {
     state(text).is_some()
 }
 
-/// The number, if it is a whole one.
+/// The value of `text`, if it is a complete number.
 pub(super) fn value(text: &[u8]) -> Option<f64> {
     state(text).filter(|state| state.is_whole_number())?;
     let text = std::str::from_utf8(text).ok()?.to_ascii_lowercase();
@@ -122,10 +122,11 @@ pub(super) fn value(text: &[u8]) -> Option<f64> {
     Some(if negative { -value } else { value })
 }
 
-/// Digits beyond those that fit only tell whether there is a rest.
+/// The value of a hexadecimal number. Digits beyond those that fit only determine whether there is
+/// a remainder.
 fn hexadecimal(text: &str) -> f64 {
     let (digits, exponent) = text.split_once('p').unwrap_or((text, "0"));
-    // An exponent that does not fit is too large for any digits that do.
+    // An exponent that does not fit is too large for any number of digits that fits.
     let limit = if exponent.starts_with('-') {
         -(1 << 20)
     } else {
@@ -151,7 +152,7 @@ fn hexadecimal(text: &str) -> f64 {
     scale(mantissa, exponent)
 }
 
-/// `mantissa * 2^exponent`, rounded once, to even.
+/// `mantissa * 2^exponent`, rounded once, with ties to even.
 fn scale(mantissa: u64, exponent: i64) -> f64 {
     if mantissa == 0 {
         return 0.0;
@@ -163,7 +164,7 @@ fn scale(mantissa: u64, exponent: i64) -> f64 {
     if top > 1023 {
         return f64::INFINITY;
     }
-    // A normal number keeps 53 bits, a subnormal one as many as are left.
+    // A normal number keeps 53 bits, a subnormal one as many as remain.
     let kept = (top + 1075).clamp(0, 53);
     if kept == 0 && top < -1075 {
         return 0.0;
@@ -176,7 +177,7 @@ fn scale(mantissa: u64, exponent: i64) -> f64 {
     if rest > half || (rest == half && rounded & 1 == 1) {
         rounded += 1;
     }
-    // The implicit bit adds one to the exponent field by itself, as does a carry.
+    // The implicit bit adds one to the exponent field, and so does a carry.
     let field = (top + 1022).max(0) as u64;
     if top >= -1022 {
         f64::from_bits((field << 52) + rounded as u64)

@@ -1,19 +1,19 @@
-//! The guest's memory as calls see it: words, strings, argument blocks.
+//! The guest's memory as calls use it: words, strings, argument blocks.
 //!
-//! Invariant: no access leaves local store or takes unbounded time; addresses wrap, and no length
+//! Invariant: no access leaves local store or takes unbounded time. Addresses wrap, and no length
 //! exceeds local store.
 
 use crate::local_store::{LocalStore, SIZE};
 use spu_isa::LIMIT_MASK;
 
-/// Bytes of an argument cell: a register's image.
+/// Size in bytes of an argument cell, which has the layout of a register.
 pub(super) const CELL: u32 = 16;
 
-/// Local store, however it is reached. Addresses wrap at its end.
+/// Access to local store. Addresses wrap at its end.
 pub trait GuestMemory {
-    /// Copies from local store.
+    /// Copies bytes out of local store.
     fn read(&self, address: u32, into: &mut [u8]);
-    /// Copies into local store.
+    /// Copies bytes into local store.
     fn write(&self, address: u32, from: &[u8]);
 }
 
@@ -27,7 +27,7 @@ impl GuestMemory for LocalStore {
     }
 }
 
-/// Local store with the accesses that calls make.
+/// Local store with the accesses that calls need.
 #[derive(Clone, Copy)]
 pub(super) struct Guest<'a>(pub &'a dyn GuestMemory);
 
@@ -46,7 +46,7 @@ impl Guest<'_> {
         u64::from_be_bytes(self.array(address))
     }
 
-    /// At most local store's size: more than that the guest cannot mean.
+    /// `length` bytes, but at most the size of local store.
     pub fn bytes(self, address: u32, length: u32) -> Vec<u8> {
         let mut bytes = vec![0; length.min(SIZE) as usize];
         self.0.read(address & LIMIT_MASK, &mut bytes);
@@ -62,13 +62,13 @@ impl Guest<'_> {
         self.write(address, &word.to_be_bytes());
     }
 
-    /// Words one after the other, as the structures of the calls are laid out.
+    /// Writes consecutive words. The structures of the calls consist of such words.
     pub fn set_words(self, address: u32, words: &[u32]) {
         let bytes: Vec<u8> = words.iter().flat_map(|word| word.to_be_bytes()).collect();
         self.write(address, &bytes);
     }
 
-    /// The bytes before the first 0, of which there are at most `most`.
+    /// The bytes before the first 0, but at most `most` of them.
     pub fn string_of_at_most(self, address: u32, most: u32) -> Vec<u8> {
         const STEP: u32 = 256;
         let mut text = Vec::new();
@@ -89,14 +89,14 @@ impl Guest<'_> {
         self.string_of_at_most(address, SIZE)
     }
 
-    /// Writes bytes and the 0 after them.
+    /// Writes bytes and a terminating 0.
     pub fn set_string(self, address: u32, text: &[u8]) {
         self.write(address, text);
         self.write(address.wrapping_add(text.len() as u32), &[0]);
     }
 }
 
-/// The block of 16-byte cells that holds a call's arguments, and then its result.
+/// The block of 16-byte cells that holds a call's arguments and then its result.
 #[derive(Clone, Copy)]
 pub(super) struct Block<'a> {
     pub guest: Guest<'a>,
@@ -127,12 +127,12 @@ impl Block<'_> {
         self.guest.string(self.word(index))
     }
 
-    /// The string that a cell points to, `None` for a null pointer.
+    /// The string that a cell points to, or `None` for a null pointer.
     pub fn optional_string(self, index: u32) -> Option<Vec<u8>> {
         (self.word(index) != 0).then(|| self.string(index))
     }
 
-    /// Puts a reply into cell 0, where the guest looks for it.
+    /// Writes a reply to cell 0, where the guest expects it.
     pub fn put(self, reply: Reply) {
         let (high, low, errno) = match reply {
             Reply::Nothing => return,
@@ -144,10 +144,10 @@ impl Block<'_> {
     }
 }
 
-/// What a call gives back, with an error number or 0.
+/// The result of a call, with an error number or 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Reply {
-    /// The cell stays as it is.
+    /// The cell remains unchanged.
     Nothing,
     Word(u32, i32),
     Doubleword(u64, i32),
@@ -159,7 +159,7 @@ impl From<i32> for Reply {
     }
 }
 
-/// A failure is -1 and the error number.
+/// A failure returns -1 and the error number.
 impl From<Result<i32, super::Errno>> for Reply {
     fn from(result: Result<i32, super::Errno>) -> Self {
         match result {

@@ -3,7 +3,7 @@
 use super::guest::{Block, Reply};
 use super::{Call, Errno, Library, calls};
 
-/// Every allocation can be moved by whole quadwords.
+/// The alignment of allocations, so that all can be transferred in whole quadwords.
 const ALIGNMENT: u64 = 16;
 
 pub(super) const CALLS: &[Call] = calls! {
@@ -12,7 +12,7 @@ pub(super) const CALLS: &[Call] = calls! {
         address(size.and_then(|size| library.heap.allocate(size, ALIGNMENT)))
     },
     free => |library, block| {
-        // C leaves it open what freeing something else does: here nothing.
+        // C does not define freeing anything else. Here it has no effect.
         library.heap.release(block.doubleword(0));
         Reply::Nothing
     },
@@ -30,8 +30,8 @@ fn address(allocated: Option<u64>) -> Reply {
 }
 
 impl Library {
-    /// An allocation of another size with the same contents; what was at `ea` is gone then, and
-    /// stays if there is no room. Size 0 frees.
+    /// Allocates memory of another size with the same contents, and frees the memory at `ea`. If
+    /// there is no room, the old memory remains. Size 0 frees it.
     pub(super) fn reallocate(&mut self, ea: u64, size: u64, alignment: u64) -> Option<u64> {
         const PIECE: u64 = 64 << 10;
         if ea == 0 {
@@ -55,7 +55,8 @@ impl Library {
         Some(after)
     }
 
-    /// The result is the error number, not -1. The address goes to local store as a doubleword.
+    /// The result is the error number, not -1. The address is written to local store as a
+    /// doubleword.
     fn posix_memalign(&mut self, block: Block<'_>) -> Reply {
         const POINTER: u64 = 8;
         let (alignment, size) = (block.doubleword(1), block.doubleword(2));

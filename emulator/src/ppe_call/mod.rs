@@ -1,13 +1,13 @@
-//! PPE-assisted library calls: what SPU programs ask of the PPE by `stop 0x21xx`.
+//! PPE-assisted library calls, which SPU programs make with `stop 0x21xx`.
 //!
-//! The word after the stop holds an opcode and the address of a block of argument cells;
-//! [`Library`] carries the call out and puts the result into the block's first cell. The calls are
+//! The word after the stop holds an opcode and the address of a block of argument cells.
+//! [`Library`] carries the call out and writes the result to the block's first cell. The calls are
 //! those of libspe2 (C99 streams, POSIX.1, memory in effective address space), which newlib's
-//! functions use. Nothing here knows the SPU: it sees local store, and the host through
-//! [`Outside`] and [`Heap`].
+//! functions use. This module does not depend on the SPU: it uses local store, and it uses the
+//! host through [`Host`] and [`Heap`].
 //!
-//! Where libspe2 takes a guest's mistake for its own (a file handle that is not open, a null
-//! directory), the call fails with an error number instead.
+//! If the guest makes a mistake that libspe2 would not catch (a file handle that is not open, a
+//! null directory), the call fails with an error number instead.
 //!
 //! | classes | in |
 //! |---|---|
@@ -15,8 +15,8 @@
 //! | 0x2101 | `posix` |
 //! | 0x2105 | `libea` |
 //!
-//! [`Library`] and the classes know each other: it finds the function that serves a call in a
-//! class's table, and the function works on what the library holds.
+//! [`Library`] and the classes depend on each other: the library finds the function that serves a
+//! call in a class's table, and the function uses the library's state.
 
 mod arena;
 mod c99;
@@ -24,9 +24,9 @@ mod directive;
 mod errno;
 mod float_syntax;
 mod guest;
+mod host;
 mod libea;
 mod number;
-mod outside;
 mod posix;
 mod print;
 mod scan;
@@ -38,15 +38,16 @@ use thiserror::Error;
 pub use arena::Arena;
 pub use errno::Errno;
 pub use guest::GuestMemory;
-pub use outside::{Heap, Outside, Process};
+pub use host::{Heap, Host, Process};
 
 use guest::{Block, Guest, Reply};
 use spu_isa::LIMIT_MASK;
 
-/// Bytes from the address that a call gets (that after the stop) to where the SPU goes on.
+/// Distance in bytes from the address that a call gets (that after the stop) to the address at
+/// which the SPU continues.
 pub const CALL_WORD: u32 = 4;
 
-/// Which library a call is for: the low byte of its stop code.
+/// The library of a call: the low byte of its stop code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Class {
     /// C99's streams: stop 0x2100.
@@ -58,7 +59,7 @@ pub enum Class {
 }
 
 impl Class {
-    /// The class of a stop code's low byte.
+    /// The class with this low byte of a stop code.
     #[must_use]
     pub fn of(number: u8) -> Option<Self> {
         match number {
@@ -85,31 +86,31 @@ impl Class {
     }
 }
 
-/// A call that nobody serves.
+/// A call that no library serves.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub enum CallError {
     /// No library has this class.
-    #[error("library call of class {0:#04x} (stop {stop:#06x}), which nobody serves", stop = 0x2100 + u16::from(*.0))]
+    #[error("library call of class {0:#04x} (stop {stop:#06x}), which does not exist", stop = 0x2100 + u16::from(*.0))]
     UnknownClass(u8),
     /// The library has no function with this opcode.
     #[error("library call {opcode} of class {class:?}, which has the opcodes 1 to {last}")]
     UnknownOpcode {
         /// The library.
         class: Class,
-        /// What the guest asked for.
+        /// The opcode of the call.
         opcode: u8,
-        /// The last opcode that there is.
+        /// The last opcode of the library.
         last: usize,
     },
 }
 
-/// A function of a library; its opcode is its place in the class's table, counted from 1.
+/// A function of a library. Its opcode is its position in the class's table, counted from 1.
 struct Call {
     name: &'static str,
     serve: fn(&mut Library, Block<'_>) -> Reply,
 }
 
-/// Names a table's functions as C does.
+/// Makes a table of functions with their names in C.
 macro_rules! calls {
     ($($name:ident => $serve:expr,)*) => {
         &[$(super::Call { name: stringify!($name), serve: $serve },)*]
@@ -117,9 +118,10 @@ macro_rules! calls {
 }
 use calls;
 
-/// What serves the calls of one program: its open files, directories and allocations.
+/// The library that serves the calls of one program, with its open files, directories and
+/// allocations.
 pub struct Library {
-    outside: Box<dyn Outside>,
+    host: Box<dyn Host>,
     heap: Box<dyn Heap>,
     streams: c99::Streams,
     directories: posix::Directories,
@@ -128,19 +130,19 @@ pub struct Library {
 impl Library {
     /// A library with the three standard streams open.
     #[must_use]
-    pub fn new(mut outside: Box<dyn Outside>, heap: Box<dyn Heap>) -> Self {
-        let streams = c99::Streams::new(outside.as_mut());
+    pub fn new(mut host: Box<dyn Host>, heap: Box<dyn Heap>) -> Self {
+        let streams = c99::Streams::new(host.as_mut());
         Self {
-            outside,
+            host,
             heap,
             streams,
             directories: posix::Directories::default(),
         }
     }
 
-    /// Carries out the call of class `number` whose opcode word is at `address`: the SPU's next
-    /// program counter, of which the lowest bit (interrupts enabled) does not count. The SPU goes
-    /// on [`CALL_WORD`] bytes further.
+    /// Carries out the call of class `number` whose opcode word is at `address`. The address is
+    /// the SPU's next program counter; its lowest bit (interrupts enabled) is ignored. The SPU
+    /// continues [`CALL_WORD`] bytes further.
     pub fn serve(
         &mut self,
         number: u8,
@@ -168,8 +170,8 @@ impl Library {
         Ok(())
     }
 
-    /// Writes out what the streams still hold, as a program's end does.
+    /// Flushes the streams, as the end of a program does.
     pub fn flush(&mut self) -> Result<(), Errno> {
-        self.streams.flush_all(self.outside.as_mut())
+        self.streams.flush_all(self.host.as_mut())
     }
 }

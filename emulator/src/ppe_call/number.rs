@@ -1,18 +1,19 @@
-//! Text of doubles as C writes it: `%f %e %g %a`.
+//! Doubles as text, as C's `%f %e %g %a` print them.
 //!
-//! Decimal digits are exact for every precision (the standard library's conversion is), rounded to
-//! even in a tie. The text has no sign: whoever pads it puts that before.
+//! Decimal digits are exact for every precision, as the standard library's conversion is, with
+//! ties rounded to even. The text has no sign: the caller adds it with the padding.
 
-/// Letters of a conversion, and whether it keeps its point (the `#` flag).
+/// Whether a conversion uses capital letters, and whether it always prints a decimal point (the
+/// `#` flag).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Style {
     pub upper: bool,
     pub alternate: bool,
 }
 
-/// A double has at most this many digits after the point; all further ones are 0.
+/// A double has at most this many digits after the point. All further digits are 0.
 const FRACTION_DIGITS: usize = 1074;
-/// Digits when no precision is given.
+/// Number of digits if no precision is given.
 const DEFAULT_PRECISION: usize = 6;
 const MANTISSA_DIGITS: usize = 13;
 const MANTISSA_BITS: u32 = 52;
@@ -54,7 +55,7 @@ fn fixed(value: f64, precision: usize, point: bool) -> String {
     text
 }
 
-/// Digits `d.ddd` with `precision` of them after the point, and the power of ten.
+/// Digits `d.ddd`, with `precision` of them after the point, and the power of ten.
 fn decimal(value: f64, precision: usize) -> (String, i32) {
     let exact = precision.min(FRACTION_DIGITS);
     let text = format!("{value:.exact$e}");
@@ -85,7 +86,7 @@ fn without_trailing_zeros(text: &str) -> &str {
     }
 }
 
-/// `%g`: which form depends on the exponent that `%e` would print.
+/// `%g`: the exponent that `%e` would print decides between the two forms.
 fn shorter(value: f64, precision: usize, keep_zeros: bool) -> String {
     let (digits, exponent) = decimal(value, precision - 1);
     let fits = i64::from(exponent) < precision as i64;
@@ -149,7 +150,7 @@ fn hexadecimal(value: f64, precision: Option<usize>, point: bool) -> String {
 mod tests {
     use super::*;
 
-    /// Provenance: C's printf (glibc 2.36), typed in by hand.
+    /// Provenance: typed by hand from the output of C's printf (glibc 2.36).
     #[test]
     fn doubles_print_as_in_c() {
         let plain = Style {

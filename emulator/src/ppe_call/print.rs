@@ -1,7 +1,7 @@
-//! `printf`: formats with the guest's arguments.
+//! `printf`: prints a format with the guest's arguments.
 //!
-//! It follows glibc, which is what serves the calls on the console: `(nil)` for a null `%p`, an
-//! unknown conversion printed as it stands. Positional arguments (`%1$d`) are not known.
+//! It follows glibc, which serves these calls on the console. A null `%p` prints `(nil)`, and an
+//! unknown conversion is printed unchanged. Positional arguments (`%1$d`) are not supported.
 
 use super::Errno;
 use super::directive::{Count, Format, Length};
@@ -9,7 +9,8 @@ use super::guest::Guest;
 use super::number::{self, Style};
 use super::va_list::VaList;
 
-/// Most bytes that one call may print: a width of two billion is an error, as it is in C.
+/// The largest number of bytes that one call may print. A width of two billion is an error, as it
+/// is in C.
 const MOST: usize = 16 << 20;
 const TOO_LONG: Errno = Errno(libc::EOVERFLOW);
 
@@ -32,7 +33,7 @@ impl Flags {
                 b' ' => flags.space = true,
                 b'#' => flags.alternate = true,
                 b'0' => flags.zeros = true,
-                // Grouping: the C locale groups nothing.
+                // The flag requests grouping, but the C locale does not group digits.
                 b'\'' => {}
                 _ => break,
             }
@@ -96,7 +97,7 @@ impl Printer<'_> {
         Ok(())
     }
 
-    /// `prefix` (sign, `0x`) and `body` in a field; zeros go between the two.
+    /// Prints `prefix` (sign, `0x`) and `body` in a field. Zeros go between the two.
     fn field(
         &mut self,
         flags: Flags,
@@ -135,7 +136,7 @@ impl Printer<'_> {
             match format.count() {
                 None => Some(0),
                 Some(Count::Number(precision)) => Some(precision),
-                // A negative precision is as if none were given.
+                // A negative precision counts as none.
                 Some(Count::Argument) => usize::try_from(self.arguments.word() as i32).ok(),
             }
         } else {
@@ -146,7 +147,7 @@ impl Printer<'_> {
             return Err(TOO_LONG);
         }
         let Some(conversion) = format.next() else {
-            // The format ends in the middle.
+            // The format ends within a conversion specification.
             return Err(Errno(libc::EINVAL));
         };
         match conversion {
@@ -237,7 +238,8 @@ impl Printer<'_> {
         digits: &str,
         is_zero: bool,
     ) -> Result<(), Errno> {
-        // A precision is the number of digits, and 0 is printed as nothing if that is 0.
+        // The precision is the minimum number of digits. With precision 0, the value 0 prints
+        // nothing.
         let body = match precision {
             Some(0) if is_zero => String::new(),
             Some(precision) => format!("{digits:0>precision$}"),
@@ -262,7 +264,7 @@ impl Printer<'_> {
             b'X' => ("0X", format!("{value:X}")),
             _ => ("", value.to_string()),
         };
-        // The alternate form of `o` begins with a 0: one more digit, unless there is one already.
+        // The alternate form of `o` begins with a 0, so add one unless there already is one.
         if conversion == b'o' && flags.alternate {
             if is_zero {
                 let precision = precision.map(|digits| digits.max(1));
@@ -306,7 +308,8 @@ impl Printer<'_> {
         self.field(flags, width, prefix.as_bytes(), digits.as_bytes())
     }
 
-    /// 32-bit characters up to a 0, as UTF-8; whole characters only, of at most `precision` bytes.
+    /// Converts 32-bit characters up to a 0 to UTF-8. Only whole characters are converted, of at
+    /// most `precision` bytes in total.
     fn wide_string(&self, address: u32, precision: Option<usize>) -> Result<Vec<u8>, Errno> {
         const CHARACTER: u32 = 4;
         let mut text = Vec::new();

@@ -1,21 +1,21 @@
-//! `scanf`: fields of an input into the guest's memory.
+//! `scanf`: reads fields of an input into the guest's memory.
 //!
-//! Never more than one character is read beyond a field, since no more can be given back.
+//! At most one character is read beyond a field, because no more can be pushed back.
 
 use super::Errno;
 use super::directive::{Format, Length};
 use super::guest::Guest;
 use super::va_list::VaList;
 
-/// What is scanned.
+/// An input to scan.
 pub(super) trait Input {
-    /// The next byte; `None` at the end.
+    /// The next byte, or `None` at the end.
     fn next(&mut self) -> Result<Option<u8>, Errno>;
-    /// Gives back the byte that was read last.
+    /// Pushes back the byte that was read last.
     fn give_back(&mut self, byte: u8);
 }
 
-/// A string.
+/// A string as an input.
 pub(super) struct Text {
     pub bytes: Vec<u8>,
     pub at: usize,
@@ -33,11 +33,11 @@ impl Input for Text {
     }
 }
 
-/// Why scanning ended before the format did.
+/// Why scanning ended before the end of the format.
 enum End {
-    /// The input was at its end.
+    /// The input ended.
     Input,
-    /// It is something else than the format says.
+    /// The input does not match the format.
     Mismatch,
     Failed(Errno),
 }
@@ -57,7 +57,7 @@ struct Scanner<'a> {
     converted: bool,
 }
 
-/// Number of fields that were assigned, or -1 if the input ended before the first.
+/// Returns the number of fields that were assigned, or -1 if the input ended before the first.
 pub(super) fn scan<'a>(
     guest: Guest<'a>,
     format: &[u8],
@@ -80,7 +80,7 @@ pub(super) fn scan<'a>(
     }
 }
 
-/// C's white space, which has one character more than Rust's.
+/// Whether a byte is white space in C, which has one character more than in Rust.
 fn is_space(byte: u8) -> bool {
     byte.is_ascii_whitespace() || byte == 0x0b
 }
@@ -186,7 +186,7 @@ impl Scanner<'_> {
             .write(address, &value.to_be_bytes()[8 - length.bytes()..]);
     }
 
-    /// Bytes for as long as `goes_on` (told what there is so far) takes them.
+    /// Reads bytes as long as `goes_on` accepts them. It receives the bytes read so far.
     fn token(
         &mut self,
         most: usize,
@@ -258,7 +258,7 @@ impl Scanner<'_> {
         store: bool,
         belongs: impl Fn(u8) -> bool,
     ) -> Result<(), End> {
-        // What does not fit into local store is read all the same, as C would.
+        // Bytes that don't fit into local store are still consumed, as in C.
         let token = self.token(most, |_, byte| belongs(byte))?;
         if token.is_empty() {
             return Err(End::Mismatch);
@@ -278,7 +278,7 @@ fn unsigned_part(token: &[u8]) -> &[u8] {
     }
 }
 
-/// The base of the next digit; `%i` takes it from the number's first characters.
+/// The base of the digits. With `%i`, the number's first characters determine it.
 fn actual_base(base: u32, digits: &[u8]) -> u32 {
     match (base, digits) {
         (0, [b'0', b'x' | b'X', ..]) => 16,
@@ -288,13 +288,13 @@ fn actual_base(base: u32, digits: &[u8]) -> u32 {
     }
 }
 
-/// The value in the low 64 bits; one that is too large is the largest, as `strtoll` has it.
+/// The low 64 bits of the value. As with `strtoll`, a value that is too large becomes the largest.
 fn integer_value(token: &[u8], base: u32) -> Option<u64> {
     let negative = token.first() == Some(&b'-');
     let digits = unsigned_part(token);
     let base = actual_base(base, digits);
     let digits = match digits {
-        // As glibc has it: C would call a bare `0x` a mismatch.
+        // This follows glibc. In C a bare `0x` would be a mismatch.
         [b'0', b'x' | b'X'] => b"0",
         [b'0', b'x' | b'X', rest @ ..] if base == 16 => rest,
         _ => digits,

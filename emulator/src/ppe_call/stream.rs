@@ -1,21 +1,21 @@
 //! C's streams: a descriptor with a buffer.
 //!
-//! Invariant: at most one of the two buffers holds something. Whoever turns from writing to
-//! reading finds everything written; whoever turns from reading to writing, the descriptor where
-//! reading stopped (if it can be moved).
+//! Invariant: at most one of the two buffers is in use. Before the stream changes from writing to
+//! reading, everything is written. Before it changes from reading to writing, the descriptor is
+//! moved back to where reading stopped (if it can be moved).
 
 use std::ffi::CString;
 
 use super::Errno;
 use super::errno::check;
-use super::outside::Outside;
+use super::host::Host;
 use super::scan::Input;
 
 const BUFFER: usize = 4096;
-/// Characters that can be pushed back: C promises one.
+/// Number of characters that can be pushed back. C guarantees one.
 const PUSHED_BACK: usize = 8;
 
-/// When written bytes reach the descriptor.
+/// When written bytes are passed to the descriptor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Buffering {
     Full,
@@ -23,7 +23,7 @@ pub(super) enum Buffering {
     None,
 }
 
-/// What `fopen`'s mode string says.
+/// The meaning of `fopen`'s mode string.
 struct Mode {
     flags: i32,
     read: bool,
@@ -64,7 +64,7 @@ pub(super) struct Stream {
     buffering: Buffering,
     capacity: usize,
     unwritten: Vec<u8>,
-    /// Bytes read from the descriptor, of which `taken` were used.
+    /// Bytes read from the descriptor. The first `taken` of them are used.
     ahead: Vec<u8>,
     taken: usize,
     pushed_back: Vec<u8>,
@@ -72,7 +72,7 @@ pub(super) struct Stream {
     pub failed: bool,
 }
 
-/// A path as the system takes it.
+/// A path as a C string.
 pub(super) fn c_path(path: Vec<u8>) -> Result<CString, Errno> {
     CString::new(path).map_err(|_| Errno(libc::EINVAL))
 }
@@ -95,13 +95,13 @@ impl Stream {
     }
 
     /// `fopen`.
-    pub fn open(path: Vec<u8>, mode: &[u8], outside: &mut dyn Outside) -> Result<Self, Errno> {
+    pub fn open(path: Vec<u8>, mode: &[u8], host: &mut dyn Host) -> Result<Self, Errno> {
         const EVERYONE: libc::c_uint = 0o666;
         let mode = Mode::parse(mode)?;
         let path = c_path(path)?;
         // SAFETY: the path ends in 0.
         let descriptor = check(unsafe { libc::open(path.as_ptr(), mode.flags, EVERYONE) })?;
-        let buffering = if outside.is_terminal(descriptor) {
+        let buffering = if host.is_terminal(descriptor) {
             Buffering::Line
         } else {
             Buffering::Full
@@ -113,7 +113,7 @@ impl Stream {
         self.descriptor
     }
 
-    /// `setvbuf`; what is buffered stays.
+    /// `setvbuf`. Bytes that are already buffered stay buffered.
     pub fn set_buffering(&mut self, buffering: Buffering, capacity: usize) {
         self.buffering = buffering;
         if capacity > 0 {
@@ -126,12 +126,12 @@ impl Stream {
         errno
     }
 
-    /// Writes out what is buffered. What could not be written is lost, as in C.
-    pub fn flush(&mut self, outside: &mut dyn Outside) -> Result<(), Errno> {
+    /// Writes the buffered bytes. As in C, bytes that can't be written are lost.
+    pub fn flush(&mut self, host: &mut dyn Host) -> Result<(), Errno> {
         let bytes = std::mem::take(&mut self.unwritten);
         let mut rest = bytes.as_slice();
         while !rest.is_empty() {
-            match outside.write(self.descriptor, rest) {
+            match host.write(self.descriptor, rest) {
                 Ok(0) => return Err(self.fail(Errno(libc::EIO))),
                 Ok(written) => rest = &rest[written..],
                 Err(errno) => return Err(self.fail(errno)),
@@ -140,15 +140,16 @@ impl Stream {
         Ok(())
     }
 
-    /// Before somebody is asked for input: what he is to see has no line end yet.
-    pub fn flush_if_line_buffered(&mut self, outside: &mut dyn Outside) {
+    /// Flushes a line-buffered stream before input is read, because a prompt may not end with a
+    /// line end.
+    pub fn flush_if_line_buffered(&mut self, host: &mut dyn Host) {
         if self.buffering == Buffering::Line {
-            // The failure shows when the stream is written the next time.
-            let _ = self.flush(outside);
+            // The next write to the stream reports the failure.
+            let _ = self.flush(host);
         }
     }
 
-    pub fn write(&mut self, bytes: &[u8], outside: &mut dyn Outside) -> Result<(), Errno> {
+    pub fn write(&mut self, bytes: &[u8], host: &mut dyn Host) -> Result<(), Errno> {
         if !self.writable {
             return Err(self.fail(Errno(libc::EBADF)));
         }
@@ -160,12 +161,13 @@ impl Stream {
             Buffering::Full => false,
         };
         if flush || self.unwritten.len() >= self.capacity {
-            self.flush(outside)?;
+            self.flush(host)?;
         }
         Ok(())
     }
 
-    /// Gives back to the descriptor what was read too much; one that can't be moved keeps it.
+    /// Moves the descriptor back over the bytes that were read ahead. If it can't be moved, they
+    /// are kept.
     fn forget_ahead(&mut self) {
         let unused = (self.ahead.len() - self.taken + self.pushed_back.len()) as i64;
         if unused == 0 {
@@ -174,27 +176,28 @@ impl Stream {
         self.pushed_back.clear();
         self.ahead.clear();
         self.taken = 0;
-        // SAFETY: it takes any numbers. A pipe can't be moved, which is no failure of the call.
+        // SAFETY: `lseek` accepts any numbers. A pipe can't be moved, and that is not a failure of
+        // this call.
         let _ = unsafe { libc::lseek(self.descriptor, -unused, libc::SEEK_CUR) };
     }
 
-    pub fn read_byte(&mut self, outside: &mut dyn Outside) -> Result<Option<u8>, Errno> {
+    pub fn read_byte(&mut self, host: &mut dyn Host) -> Result<Option<u8>, Errno> {
         if let Some(byte) = self.pushed_back.pop() {
             return Ok(Some(byte));
         }
-        if self.taken == self.ahead.len() && !self.fill(outside)? {
+        if self.taken == self.ahead.len() && !self.fill(host)? {
             return Ok(None);
         }
         self.taken += 1;
         Ok(Some(self.ahead[self.taken - 1]))
     }
 
-    fn fill(&mut self, outside: &mut dyn Outside) -> Result<bool, Errno> {
+    fn fill(&mut self, host: &mut dyn Host) -> Result<bool, Errno> {
         if !self.readable {
             return Err(self.fail(Errno(libc::EBADF)));
         }
-        self.flush(outside)?;
-        // C11: the end is sticky until it is cleared.
+        self.flush(host)?;
+        // In C11, the end-of-file state stays until it is cleared.
         if self.at_end {
             return Ok(false);
         }
@@ -205,7 +208,7 @@ impl Stream {
         };
         self.ahead.resize(wanted, 0);
         self.taken = 0;
-        let read = outside.read(self.descriptor, &mut self.ahead);
+        let read = host.read(self.descriptor, &mut self.ahead);
         self.ahead.truncate(read.unwrap_or(0));
         match read {
             Ok(0) => {
@@ -217,12 +220,12 @@ impl Stream {
         }
     }
 
-    /// Reads until the slice is full or the input ends; a failure after some bytes shows the next
-    /// time.
-    pub fn read(&mut self, most: usize, outside: &mut dyn Outside) -> Result<Vec<u8>, Errno> {
+    /// Reads until `most` bytes are read or the input ends. A failure after some bytes is reported
+    /// by the next call.
+    pub fn read(&mut self, most: usize, host: &mut dyn Host) -> Result<Vec<u8>, Errno> {
         let mut bytes = Vec::new();
         while bytes.len() < most {
-            match self.read_byte(outside) {
+            match self.read_byte(host) {
                 Ok(Some(byte)) => bytes.push(byte),
                 Ok(None) => break,
                 Err(errno) if bytes.is_empty() => return Err(errno),
@@ -232,15 +235,15 @@ impl Stream {
         Ok(bytes)
     }
 
-    /// A line with its end, of at most `most` bytes; `None` if there is nothing left.
+    /// A line with its line end, of at most `most` bytes. `None` if no bytes are left.
     pub fn read_line(
         &mut self,
         most: usize,
-        outside: &mut dyn Outside,
+        host: &mut dyn Host,
     ) -> Result<Option<Vec<u8>>, Errno> {
         let mut line = Vec::new();
         while line.len() < most {
-            let Some(byte) = self.read_byte(outside)? else {
+            let Some(byte) = self.read_byte(host)? else {
                 break;
             };
             line.push(byte);
@@ -251,7 +254,7 @@ impl Stream {
         Ok((!line.is_empty()).then_some(line))
     }
 
-    /// `ungetc`; says whether there was room.
+    /// `ungetc`. Returns whether there was room.
     pub fn push_back(&mut self, byte: u8) -> bool {
         let room = self.readable && self.pushed_back.len() < PUSHED_BACK;
         if room {
@@ -263,50 +266,45 @@ impl Stream {
 
     /// `ftell`.
     pub fn position(&mut self) -> Result<i64, Errno> {
-        // SAFETY: it takes any numbers.
+        // SAFETY: `lseek` accepts any numbers.
         let at = check(unsafe { libc::lseek(self.descriptor, 0, libc::SEEK_CUR) })?;
         let ahead = self.ahead.len() - self.taken + self.pushed_back.len();
         Ok(at + self.unwritten.len() as i64 - ahead as i64)
     }
 
     /// `fseek`.
-    pub fn seek(
-        &mut self,
-        offset: i64,
-        whence: i32,
-        outside: &mut dyn Outside,
-    ) -> Result<(), Errno> {
-        self.flush(outside)?;
+    pub fn seek(&mut self, offset: i64, whence: i32, host: &mut dyn Host) -> Result<(), Errno> {
+        self.flush(host)?;
         self.forget_ahead();
-        // SAFETY: it takes any numbers.
+        // SAFETY: `lseek` accepts any numbers.
         check(unsafe { libc::lseek(self.descriptor, offset, whence) })?;
         self.at_end = false;
         Ok(())
     }
 
     /// `fclose`: the descriptor is closed even if the last bytes can't be written.
-    pub fn close(mut self, outside: &mut dyn Outside) -> Result<(), Errno> {
-        let flushed = self.flush(outside);
+    pub fn close(mut self, host: &mut dyn Host) -> Result<(), Errno> {
+        let flushed = self.flush(host);
         self.forget_ahead();
-        // SAFETY: the descriptor is the stream's own.
+        // SAFETY: the descriptor belongs to the stream.
         let closed = check(unsafe { libc::close(self.descriptor) });
         flushed.and(closed.map(|_| ()))
     }
 }
 
-/// A stream as what `scanf` reads.
+/// A stream as an input of `scanf`.
 pub(super) struct StreamInput<'a> {
     pub stream: &'a mut Stream,
-    pub outside: &'a mut dyn Outside,
+    pub host: &'a mut dyn Host,
 }
 
 impl Input for StreamInput<'_> {
     fn next(&mut self) -> Result<Option<u8>, Errno> {
-        self.stream.read_byte(self.outside)
+        self.stream.read_byte(self.host)
     }
 
     fn give_back(&mut self, byte: u8) {
-        // There is room for what was just taken.
+        // There is room for the byte that was just read.
         self.stream.push_back(byte);
     }
 }

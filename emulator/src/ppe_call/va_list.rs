@@ -1,11 +1,12 @@
-//! The SPU's `va_list`: where the variadic arguments of a call lie.
+//! The SPU's `va_list`, which gives access to the variadic arguments of a call.
 //!
-//! Each argument is a register's image in a cell of its own, its value at the cell's start. Those
-//! that came in registers were saved in a row; the rest lies beyond the caller's frame header.
+//! Each argument is a register's image in its own cell, with the value at the start of the cell.
+//! The arguments that were passed in registers are saved one after another. The others are beyond
+//! the caller's frame header.
 
 use super::guest::{CELL, Guest};
 
-/// Bytes of the frame header between the saved registers and the arguments on the stack.
+/// Size in bytes of the frame header between the saved registers and the arguments on the stack.
 const FRAME_HEADER: u32 = 32;
 
 pub(super) struct VaList<'a> {

@@ -1,26 +1,27 @@
-//! A profile as it is shown: charges in the order of addresses.
+//! A profile for reports: charges in the order of addresses.
 
 use super::program::ProgramId;
 use super::table::{Entry, Profile};
 use super::tally::Tally;
 
-/// An instruction's part.
+/// The charges of one instruction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct InstructionProfile {
-    /// Where it stood.
+    /// The instruction's address.
     pub address: u32,
-    /// Its word.
+    /// The instruction's word.
     pub word: u32,
-    /// What it cost.
+    /// What the instruction cost.
     pub tally: Tally,
 }
 
-/// What an SPE ran of one program.
+/// What an SPE executed of one program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct ProgramProfile {
-    /// Which; nothing for what ran before any was [named](crate::spe::Spe::profile_as).
+    /// The program, or `None` for what ran before any program was
+    /// [named](crate::spe::Spe::profile_as).
     pub program: Option<ProgramId>,
-    /// By address and word, each pair once.
+    /// The instructions by address and word, each pair once.
     pub instructions: Vec<InstructionProfile>,
 }
 
@@ -41,15 +42,15 @@ impl ProgramProfile {
     }
 }
 
-/// What one SPE ran.
+/// What one SPE executed.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SpeProfile {
-    /// Its programs, in the order of their loading.
+    /// The programs, in the order in which they were loaded.
     pub programs: Vec<ProgramProfile>,
 }
 
 impl SpeProfile {
-    /// All cycles charged.
+    /// The sum of all charged cycles.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         let instructions = self.programs.iter().flat_map(|it| &it.instructions);

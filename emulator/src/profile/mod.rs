@@ -1,11 +1,11 @@
-//! The profile of a run: each cycle of the account, charged to an instruction.
+//! The profile of a run: each cycle of the account is charged to an instruction.
 //!
-//! The cycles from the issue of the instruction before until an instruction issues are its own;
-//! the second of a dual pair costs nothing. What an instruction holds up behind itself is its own
-//! too: a branch its miss, a double-precision instruction its stall, `sync` its fetch, a channel
-//! instruction the time that it sleeps. What an interrupt or a restart costs goes to the first
-//! instruction behind it. Invariant: after every call the charges add up to the pipelines'
-//! account, cause by cause.
+//! An instruction is charged the cycles from the issue of the previous instruction to its own
+//! issue. The second instruction of a dual pair costs nothing. An instruction is also charged for
+//! delays that it causes after itself: a branch for its miss, a double-precision instruction for
+//! its stall, `sync` for its fetch, a channel instruction for the time that it sleeps. The cost of
+//! an interrupt or a restart is charged to the first instruction after it. Invariant: after every
+//! call the charges add up to the pipelines' account, cause by cause.
 
 mod charges;
 mod program;

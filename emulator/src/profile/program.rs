@@ -1,17 +1,17 @@
-//! Which program it was.
+//! The identity of a program.
 
 use std::fmt;
 use std::str::FromStr;
 
 use thiserror::Error;
 
-/// Tells programs apart: the 64-bit FNV-1a hash of the ELF file. Its text has 16 hexadecimal
-/// digits.
+/// Identifies a program by the 64-bit FNV-1a hash of its ELF file. Its text form has 16
+/// hexadecimal digits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ProgramId(u64);
 
 impl ProgramId {
-    /// Of a whole ELF file.
+    /// The identity of the program in an ELF file, from the whole file.
     #[must_use]
     pub fn of(image: &[u8]) -> Self {
         const OFFSET: u64 = 0xcbf2_9ce4_8422_2325;
@@ -27,9 +27,9 @@ impl fmt::Display for ProgramId {
     }
 }
 
-/// A text that names no program.
+/// A text that is not the identity of a program.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
-#[error("no program {0:?}")]
+#[error("{0:?} is not a program's hash of 16 hexadecimal digits")]
 pub struct NoProgramId(String);
 
 impl FromStr for ProgramId {

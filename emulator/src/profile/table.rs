@@ -1,4 +1,4 @@
-//! Tallies by address while the program runs.
+//! Tallies by address, kept while the program runs.
 
 use super::tally::Tally;
 use crate::local_store::SIZE;
@@ -8,7 +8,7 @@ use spu_isa::{Class, Instruction};
 
 const WORDS: usize = SIZE as usize / 4;
 
-/// What stands at an address may change, so an entry is of an address and an instruction.
+/// A tally. The code at an address may change, so the key is the address and the instruction.
 #[derive(Clone, Debug)]
 pub(crate) struct Entry {
     pub pc: u32,
@@ -16,12 +16,12 @@ pub(crate) struct Entry {
     pub tally: Tally,
 }
 
-/// A profile of one program. Invariant: no two entries have both address and instruction in
-/// common.
+/// The profile of one program. Invariant: no two entries have the same address and the same
+/// instruction.
 #[derive(Clone, Debug)]
 pub(crate) struct Profile {
     entries: Vec<Entry>,
-    /// The entry used last at each address, from 1; 0 if there is none.
+    /// For each address, the index plus 1 of the entry that was used last. 0 if there is none.
     latest: Box<[u32]>,
 }
 
@@ -70,7 +70,7 @@ impl Profile {
         at + 1
     }
 
-    /// Adds what `other` holds, and leaves it empty.
+    /// Adds the contents of `other`, and empties it.
     pub fn take(&mut self, other: &mut Self) {
         for Entry {
             pc,
@@ -88,9 +88,9 @@ impl Profile {
 #[derive(Debug, Default)]
 pub(crate) struct Recording {
     profile: Profile,
-    /// Whom it is charged that the next cannot issue; nobody behind a stop.
+    /// The instruction to charge until the next one issues. `None` after a stop.
     last: Option<(u32, Instruction)>,
-    /// Cycles that are charged, and those of them in which nothing issued.
+    /// Cycles charged so far, and those of them in which nothing issued.
     charged: u64,
     stalls: Stalls,
 }
@@ -114,30 +114,30 @@ impl Recording {
         self.charged = pipeline.clock();
     }
 
-    /// What was charged since it was last handed over.
+    /// What was charged since the last hand-over.
     pub fn profile(&self) -> &Profile {
         &self.profile
     }
 
-    /// The tally of the instruction at `pc`, for charges that were worked out elsewhere.
+    /// The tally of the instruction at `pc`, for charges that were computed elsewhere.
     pub fn tally(&mut self, pc: u32, instruction: Instruction) -> &mut Tally {
         self.profile.tally(pc, instruction)
     }
 
-    /// All is charged up to the pipelines' clock, and `last` issued last.
+    /// Records that everything up to the pipelines' clock is charged, and that `last` issued last.
     pub fn catch_up(&mut self, last: (u32, Instruction), pipeline: &Pipeline) {
         self.last = Some(last);
         self.charged = pipeline.clock();
         self.stalls = pipeline.account().stalls().clone();
     }
 
-    /// Hands over what was charged so far.
+    /// Hands over all charges since the last hand-over.
     pub fn hand_over(&mut self, to: &mut Profile) {
         to.take(&mut self.profile);
     }
 
-    /// The program has stopped: where it goes on is not the stop's affair. A channel instruction
-    /// may still go on sleeping.
+    /// The program has stopped. The restart will not be charged to the stop. A channel instruction
+    /// may still continue to sleep.
     pub fn stopped(&mut self) {
         self.last = self.last.filter(|(_, i)| i.op.row().class != Class::Br);
     }
@@ -170,7 +170,7 @@ mod tests {
         Instruction::decode(word).unwrap()
     }
 
-    /// What each entry issued, in the order of their making.
+    /// How often each entry issued, in the order of creation.
     fn issued(profile: &Profile) -> Vec<(u32, u32, u64)> {
         let entries = profile.entries.iter();
         entries
@@ -205,7 +205,7 @@ mod tests {
         assert_eq!(issued(&all), [(0, NOP, 3), (0, LNOP, 6)]);
     }
 
-    /// Nothing passes uncharged or twice, whatever the pipelines do.
+    /// All cycles are charged exactly once, whatever the pipelines do.
     #[test]
     fn a_stop_leaves_its_restart_to_what_comes_next() {
         let stop = instruction(0);

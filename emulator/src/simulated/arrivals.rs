@@ -1,8 +1,8 @@
-//! Data under way between local stores: sent by MFC commands, and not there yet.
+//! Data in flight between local stores: sent by MFC commands, but not yet arrived.
 //!
-//! It lies in the local store from the cycle on in which its transfer is complete. The MFC, which
-//! could take it either way, finds it from the command on: whoever reads it over the bus, or waits
-//! for it with a synchronisation, has it delivered early. Invariant: what was sent to one place is
+//! The SPU finds the data in its local store from the cycle in which the transfer is complete. The
+//! MFC's operations may see it earlier: a read over the bus or a synchronisation delivers it
+//! early. Both orders are legal for the MFC. Invariant: data that was sent to the same place is
 //! delivered in the order of arrival.
 
 use std::collections::BTreeMap;
@@ -11,14 +11,14 @@ use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 
 use super::time::NEVER;
 use crate::lock::lock;
-use crate::mfc::timing::Parcel;
+use crate::mfc::timing::PendingWrite;
 
-/// What is under way in one machine.
+/// The data in flight in one machine.
 pub(crate) struct Arrivals {
-    /// The cycle of the next one.
+    /// The cycle of the next arrival.
     next: AtomicU64,
-    /// By cycle, then in the order of sending.
-    parcels: Mutex<BTreeMap<(u64, u64), Parcel>>,
+    /// The pending writes by cycle of arrival, then in the order of sending.
+    pending: Mutex<BTreeMap<(u64, u64), PendingWrite>>,
     sent: AtomicU64,
 }
 
@@ -26,58 +26,58 @@ impl Default for Arrivals {
     fn default() -> Self {
         Self {
             next: AtomicU64::new(NEVER),
-            parcels: Mutex::default(),
+            pending: Mutex::default(),
             sent: AtomicU64::new(0),
         }
     }
 }
 
 impl Arrivals {
-    /// When the next parcel is there.
+    /// The cycle of the next arrival.
     pub fn next(&self) -> u64 {
         self.next.load(SeqCst)
     }
 
-    /// Sends a parcel that is there from `cycle` on.
-    pub fn send(&self, cycle: u64, parcel: Parcel) {
-        let mut parcels = lock(&self.parcels);
+    /// Sends data that arrives in `cycle`.
+    pub fn send(&self, cycle: u64, write: PendingWrite) {
+        let mut pending = lock(&self.pending);
         let number = self.sent.fetch_add(1, SeqCst);
-        parcels.insert((cycle, number), parcel);
-        self.note_next(&parcels);
+        pending.insert((cycle, number), write);
+        self.note_next(&pending);
     }
 
-    /// Delivers all that is there at `now`.
+    /// Delivers all data that has arrived at `now`.
     pub fn deliver(&self, now: u64) {
         if self.next() > now {
             return;
         }
-        let mut parcels = lock(&self.parcels);
-        while let Some(entry) = parcels.first_entry()
+        let mut pending = lock(&self.pending);
+        while let Some(entry) = pending.first_entry()
             && entry.key().0 <= now
         {
             entry.remove().deliver();
         }
-        self.note_next(&parcels);
+        self.note_next(&pending);
     }
 
-    /// Delivers at once what is `wanted`.
-    pub fn deliver_early(&self, wanted: impl Fn(&Parcel) -> bool) {
+    /// Delivers the selected data at once.
+    pub fn deliver_early(&self, wanted: impl Fn(&PendingWrite) -> bool) {
         if self.next() == NEVER {
             return;
         }
-        let mut parcels = lock(&self.parcels);
-        parcels.retain(|_, parcel| {
-            let stays = !wanted(parcel);
+        let mut pending = lock(&self.pending);
+        pending.retain(|_, write| {
+            let stays = !wanted(write);
             if !stays {
-                parcel.deliver();
+                write.deliver();
             }
             stays
         });
-        self.note_next(&parcels);
+        self.note_next(&pending);
     }
 
-    fn note_next(&self, parcels: &BTreeMap<(u64, u64), Parcel>) {
-        let next = parcels.first_key_value().map_or(NEVER, |(key, _)| key.0);
+    fn note_next(&self, pending: &BTreeMap<(u64, u64), PendingWrite>) {
+        let next = pending.first_key_value().map_or(NEVER, |(key, _)| key.0);
         self.next.store(next, SeqCst);
     }
 }
@@ -88,8 +88,8 @@ mod tests {
     use crate::local_store::LocalStore;
     use std::sync::Arc;
 
-    fn parcel(store: &Arc<LocalStore>, address: u32, bytes: &[u8]) -> Parcel {
-        Parcel {
+    fn write(store: &Arc<LocalStore>, address: u32, bytes: &[u8]) -> PendingWrite {
+        PendingWrite {
             store: Arc::clone(store),
             address,
             bytes: bytes.into(),
@@ -103,12 +103,12 @@ mod tests {
     }
 
     #[test]
-    fn parcels_lie_there_from_their_cycle_on_and_in_the_order_of_arrival() {
+    fn data_arrives_in_its_cycle_and_in_the_order_of_arrival() {
         let (arrivals, store) = (Arrivals::default(), Arc::new(LocalStore::new()));
         assert_eq!(arrivals.next(), NEVER);
-        arrivals.send(50, parcel(&store, 0x100, &[1, 1]));
-        arrivals.send(30, parcel(&store, 0x101, &[2, 2]));
-        arrivals.send(50, parcel(&store, 0x101, &[3]));
+        arrivals.send(50, write(&store, 0x100, &[1, 1]));
+        arrivals.send(30, write(&store, 0x101, &[2, 2]));
+        arrivals.send(50, write(&store, 0x101, &[3]));
         arrivals.deliver(29);
         assert_eq!((bytes(&store), arrivals.next()), ([0; 4], 30));
         arrivals.deliver(49);
@@ -121,10 +121,10 @@ mod tests {
     fn what_is_wanted_comes_early_and_the_rest_stays() {
         let arrivals = Arrivals::default();
         let (store, other) = (Arc::new(LocalStore::new()), Arc::new(LocalStore::new()));
-        arrivals.send(30, parcel(&store, 0x100, &[1]));
-        arrivals.send(40, parcel(&store, 0x101, &[2, 2]));
-        arrivals.send(20, parcel(&other, 0x101, &[3]));
-        arrivals.deliver_early(|parcel| parcel.meets(&store, 0x102, 16));
+        arrivals.send(30, write(&store, 0x100, &[1]));
+        arrivals.send(40, write(&store, 0x101, &[2, 2]));
+        arrivals.send(20, write(&other, 0x101, &[3]));
+        arrivals.deliver_early(|write| write.overlaps(&store, 0x102, 16));
         assert_eq!((bytes(&store), bytes(&other)), ([0, 2, 2, 0], [0; 4]));
         assert_eq!(arrivals.next(), 20);
         arrivals.deliver(NEVER);

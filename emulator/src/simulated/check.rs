@@ -1,4 +1,5 @@
-//! The check of memoised timing: the model that goes instruction by instruction, beside it.
+//! The check of memoised timing: it runs the timing by instruction in parallel and compares the
+//! two.
 
 use std::fmt;
 
@@ -9,15 +10,14 @@ use crate::timer::{Timer, TimerState};
 use spu_isa::Instruction;
 use spu_isa::timing::{Cause, Pipeline, Rules};
 
-/// Where memoised timing went another way than instruction by instruction: the first place on one
-/// SPE.
+/// The first place on one SPE where memoised timing differs from timing by instruction.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
-    /// Address of the block, or of the instruction for a profile.
+    /// Address of the block. For a difference between profiles, address of the instruction.
     pub address: u32,
-    /// What was memoised.
+    /// The result of memoised timing.
     pub memoised: String,
-    /// What the model that goes by instruction says.
+    /// The result of timing by instruction.
     pub by_instruction: String,
 }
 
@@ -35,12 +35,12 @@ impl fmt::Display for Difference {
     }
 }
 
-/// The model of the check. It stops looking at its first difference.
+/// The timing by instruction. It stops comparing at the first difference.
 #[derive(Debug)]
 pub(super) struct Check {
     timer: Timer,
     recording: Option<Recording>,
-    /// The block that was compared last.
+    /// The address of the block that was compared last.
     address: u32,
     difference: Option<Difference>,
 }
@@ -77,7 +77,7 @@ impl Check {
         }
     }
 
-    /// The instruction at `pc` issues, which is no hint by a register.
+    /// The instruction at `pc` issues, which is not a hint by register.
     pub fn issue_at(&mut self, pc: u32, instruction: Instruction) {
         match &mut self.recording {
             Some(recording) => self.timer.issue(pc, instruction, recording),
@@ -85,12 +85,12 @@ impl Check {
         }
     }
 
-    /// The hint that issued last says this.
+    /// The hint that issued last has this target.
     pub fn hint_target(&mut self, target: u32) {
         self.timer.pipeline.hint_target(target);
     }
 
-    /// The SPU sleeps for so many cycles in the channel instruction that issued last.
+    /// The SPU sleeps for `slept` cycles in the channel instruction that issued last.
     pub fn sleep(&mut self, slept: u64, cause: Cause) {
         let until = self.timer.pipeline.clock() + slept;
         self.timer.pipeline.stall_until(until, cause);
@@ -106,7 +106,7 @@ impl Check {
         }
     }
 
-    /// Compares clock and state behind the block at `address`.
+    /// Compares the clock and the state after the block at `address`.
     pub fn compare_state(&mut self, address: u32, clock: u64, state: Option<TimerState>) {
         self.address = address;
         let (own_clock, own_state) = (self.timer.pipeline.clock(), self.timer.state());
@@ -126,7 +126,7 @@ impl Check {
         }
     }
 
-    /// Compares what is in the profile since the last time.
+    /// Compares what was added to the profile since the last time.
     pub fn compare_profile(&mut self, recording: &Recording) {
         let Some(mut own) = self.recording.take() else {
             return;
@@ -170,7 +170,8 @@ mod tests {
         (Check::new(Rules::default(), keep), Spu::new(), nop)
     }
 
-    /// What is told if the memoised side has issued this often, and the check twice.
+    /// The difference that is reported if the memoised side has issued `issued` times, and the
+    /// check twice.
     fn difference(issued: u32, differs: impl Fn(&mut Check, &Timer, &Recording)) -> String {
         let (mut check, mut spu, nop) = check();
         let (mut timer, mut recording) = (Timer::default(), Recording::default());

@@ -1,23 +1,24 @@
-//! How long DMA takes: latencies, each SPU's port, and the memory that all share.
+//! How long DMA takes: latencies, each SPU's port, and the main memory that all SPUs share.
 //!
-//! A transfer is split into lines of 128 bytes. A line waits for a free place among the lines that
-//! its SPU has outstanding, takes the SPU's port in its direction for the time of a line and, if
-//! it goes to main memory, the memory for as long; it is there a latency later. So one SPU gets at
-//! most what its port or its outstanding lines give, and all together what the memory gives. Not
-//! modelled: the element interconnect's rings and command bus, memory banks and refresh,
-//! read-write turnaround, address translation, the caches of the PPE.
+//! A transfer is split into lines of 128 bytes. A line waits until its SPU may have another line
+//! outstanding. Then it occupies the SPU's port in its direction for the time of a line and, if it
+//! goes to main memory, main memory for the same time. It arrives one latency later. So one SPU
+//! gets at most the bandwidth that its port or its outstanding lines allow, and all SPUs together
+//! get at most the bandwidth of main memory. Not modelled: the element interconnect's rings and
+//! command bus, memory banks and refresh, read-write turnaround, address translation, the caches
+//! of the PPE.
 //!
-//! Every number is in [`MemoryFigures`]. Whoever asks has the turn, so requests come in the order
-//! of simulated time.
+//! All numbers are in [`MemoryFigures`]. Only the actor that has the turn makes requests, so they
+//! come in the order of simulated time.
 
 use std::collections::HashMap;
 
-use super::calendar::Calendar;
 use super::figures::MemoryFigures;
+use super::reservation_table::ReservationTable;
 use crate::memory::LINE;
 use crate::mfc::timing::Peer;
 
-/// Which way data goes, as the SPU sees it.
+/// The direction of a transfer, as the SPU sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
     In,
@@ -27,8 +28,8 @@ pub(crate) enum Direction {
 /// An SPU's part of the memory system.
 #[derive(Debug)]
 pub(crate) struct Port {
-    /// By direction.
-    ways: [Calendar; 2],
+    /// One table for each direction.
+    tables: [ReservationTable; 2],
     line_cycles: u64,
     outstanding_lines: usize,
 }
@@ -36,21 +37,24 @@ pub(crate) struct Port {
 impl Port {
     pub fn new(figures: &MemoryFigures) -> Self {
         Self {
-            ways: [(); 2].map(|()| Calendar::new(figures.line_cycles)),
+            tables: [(); 2].map(|()| ReservationTable::new(figures.line_cycles)),
             line_cycles: figures.line_cycles,
             outstanding_lines: figures.outstanding_lines,
         }
     }
 
-    /// The first slot from `cycle` on in which a line may set out that is under way for `flight`
-    /// cycles.
+    /// The first slot, at or after `cycle`, in which a line can start that is in flight for
+    /// `flight` cycles.
     fn first_free(&self, direction: Direction, cycle: u64, flight: u64) -> u64 {
         let slots = flight.div_ceil(self.line_cycles) - 1;
         let mut begins = cycle;
         loop {
-            begins = self.ways[direction as usize].first_free(begins);
-            let under_way = self.ways.iter().map(|way| way.taken_before(begins, slots));
-            if under_way.sum::<usize>() < self.outstanding_lines {
+            begins = self.tables[direction as usize].first_free(begins);
+            let in_flight = self
+                .tables
+                .iter()
+                .map(|table| table.taken_before(begins, slots));
+            if in_flight.sum::<usize>() < self.outstanding_lines {
                 return begins;
             }
             begins += self.line_cycles;
@@ -61,10 +65,10 @@ impl Port {
 #[derive(Debug)]
 pub(crate) struct MemorySystem {
     figures: MemoryFigures,
-    memory: Calendar,
-    /// Local stores that others reach, by address and direction.
-    stores: HashMap<(u64, u8), Calendar>,
-    /// Until when each line is kept by an atomic command.
+    memory: ReservationTable,
+    /// The local stores that other SPEs access, by address and direction.
+    stores: HashMap<(u64, u8), ReservationTable>,
+    /// The cycle until which an atomic command holds each line.
     lines: HashMap<u64, u64>,
 }
 
@@ -76,14 +80,15 @@ impl MemorySystem {
         );
         Self {
             figures,
-            memory: Calendar::new(figures.line_cycles),
+            memory: ReservationTable::new(figures.line_cycles),
             stores: HashMap::new(),
             lines: HashMap::new(),
         }
     }
 
-    /// Moves `size` bytes at `ea` in a command given at `now` whose first line may be asked for at
-    /// `start`; says when all have arrived. Nothing moves in no time.
+    /// Times a transfer of `size` bytes at `ea`. Its command was given at `now`, and its first
+    /// line may be requested at `start`. Returns when all lines have arrived. A transfer of no
+    /// bytes takes no time.
     pub fn transfer(
         &mut self,
         port: &mut Port,
@@ -97,37 +102,38 @@ impl MemorySystem {
             Peer::Memory => self.figures.memory_latency,
             Peer::LocalStore(_) => self.figures.local_store_latency,
         };
-        let calendar = match peer {
+        let table = match peer {
             Peer::Memory => &mut self.memory,
             Peer::LocalStore(base) => self
                 .stores
                 .entry((base, direction as u8))
-                .or_insert_with(|| Calendar::new(line_cycles)),
+                .or_insert_with(|| ReservationTable::new(line_cycles)),
         };
-        calendar.forget_before(now);
+        table.forget_before(now);
         let flight = line_cycles + latency;
-        for way in &mut port.ways {
-            way.forget_before(now.saturating_sub(flight));
+        for table in &mut port.tables {
+            table.forget_before(now.saturating_sub(flight));
         }
         let mut arrived = start;
         let mut begins = start;
         for _ in 0..lines(ea, size) {
             loop {
                 begins = port.first_free(direction, begins, flight);
-                let free = calendar.first_free(begins);
+                let free = table.first_free(begins);
                 if free == begins {
                     break;
                 }
                 begins = free;
             }
-            port.ways[direction as usize].take(begins);
-            calendar.take(begins);
+            port.tables[direction as usize].take(begins);
+            table.take(begins);
             arrived = begins + flight;
         }
         arrived
     }
 
-    /// An atomic command on a line, given at `now`; says when its status can be read.
+    /// Times an atomic command on a line that is given at `now`. Returns when its status can be
+    /// read.
     pub fn atomic(&mut self, line: u64, now: u64) -> u64 {
         self.lines.retain(|_, kept| *kept > now);
         let kept = self.lines.entry(line).or_insert(now);
@@ -137,7 +143,7 @@ impl MemorySystem {
     }
 }
 
-/// Lines that `size` bytes at `ea` touch.
+/// Number of lines that contain some of the `size` bytes at `ea`.
 fn lines(ea: u64, size: u32) -> u64 {
     let line = LINE as u64;
     (ea % line + u64::from(size)).div_ceil(line)
@@ -172,7 +178,7 @@ mod tests {
     fn one_spu_gets_what_its_outstanding_lines_allow() {
         let (mut system, mut port) = (MemorySystem::new(FIGURES), Port::new(&FIGURES));
         let cycles = get(&mut system, &mut port, 128 * 1600, 0);
-        // 16 lines a round trip, of whole slots.
+        // A round trip takes whole slots, and 16 lines are in flight in it.
         let round_trip = (LINE_CYCLES + MEMORY_LATENCY).next_multiple_of(LINE_CYCLES);
         assert!(cycles.abs_diff(100 * round_trip) < 400, "{cycles}");
     }

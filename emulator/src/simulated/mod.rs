@@ -1,26 +1,26 @@
-//! Simulated time: what several SPEs and the PPE do to each other happens in the order of their
-//! clocks.
+//! Simulated time: SPEs and PPE threads affect each other in the order of their simulated clocks.
 //!
-//! Each SPE has a clock in SPU cycles, which the pipeline model drives; each PPE thread that calls
-//! in has one too. A turnstile lets whoever has the smallest clock act, wherever an act can be
-//! seen by others: a mailbox, a signal, an event, an MFC command, an atomic line. Between acts an
-//! SPE runs freely on its host thread, since its instructions reach its own registers and local
-//! store only. Invariant: acts happen one at a time, in the order of (clock, rank), so that the
-//! same program gives the same cycle counts however the host schedules its threads.
+//! Each SPE has a clock in SPU cycles, which the pipeline model drives. Each PPE thread that calls
+//! the library has one too. They are the actors. An action that other actors can see is an act: on
+//! a mailbox, a signal, an event, an MFC command or an atomic line. A scheduler lets the actor
+//! with the smallest clock act. Between acts an SPE runs freely on its host thread, because its
+//! instructions access only its own registers and local store. Invariant: acts happen one at a
+//! time, in the order of (clock, rank). So the same program takes the same number of cycles,
+//! however the host schedules its threads.
 //!
-//! Once local stores may be reached from outside ([`Simulation::serialise`]), SPEs run in short
-//! spells, one at a time, again the one with the smallest clock first. A spell ends where the next
-//! data from another SPE could lie in the local store, so that the SPU's loads find it from that
-//! very cycle on.
+//! Once local stores can be accessed from outside ([`Simulation::serialise`]), SPEs run in short
+//! time slices, one at a time, the one with the smallest clock first. A time slice ends where data
+//! from another SPE could next arrive in the local store. So the SPU's loads find the data from
+//! exactly that cycle on.
 //!
-//! The PPE's own computing takes no simulated time; each call costs it cycles, and so does being
-//! woken ([`PpeFigures`]). While a PPE thread is between two calls, SPEs run up to its clock and
-//! wait there. What can't be foreseen is a thread that never calls again: see [`absence`]. That,
-//! and what the PPE stores to memory while SPEs read it, are the places where two runs may differ.
+//! The PPE's own computations take no simulated time. Each call costs cycles, and so does each
+//! wake-up ([`PpeFigures`]). While a PPE thread is between two calls, SPEs run up to its clock and
+//! wait there. The scheduler can't foresee that a thread never calls again: see [`timeout`]. Two
+//! runs may differ for that reason, and if the PPE stores to memory that SPEs read at the same
+//! time.
 
-pub mod absence;
+mod actor_table;
 mod arrivals;
-mod calendar;
 mod check;
 mod figures;
 mod memo;
@@ -28,19 +28,20 @@ mod memory_system;
 mod path;
 mod ppe;
 mod published;
-mod race;
 mod report;
+mod reservation_table;
+mod scheduler;
 mod simulation;
 mod spe_side;
 mod spu_clock;
 mod time;
 mod timed;
+pub mod timeout;
 mod transfers;
-mod turnstile;
 
+pub use actor_table::WaitKey;
 pub use check::Difference;
 pub use figures::{Keep, MemoryFigures, Method, PpeFigures, Timing};
-pub use race::WaitKey;
 pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
 pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, cycle_of_tick, ticks};

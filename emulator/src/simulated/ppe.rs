@@ -1,42 +1,42 @@
-//! PPE threads in the race: each host thread that uses the PPE's side of an SPE.
+//! PPE threads as actors: each host thread that uses the PPE's side of an SPE.
 //!
-//! A thread becomes an actor with its first call and leaves when it ends. Calls within a call are
-//! part of it: they cost nothing more and need no turn of their own.
+//! A thread becomes an actor with its first call and stops being one when it ends. Calls within a
+//! call belong to it. They cost nothing extra and need no turn of their own.
 
 use std::cell::{Cell, RefCell};
 use std::rc::Rc;
 use std::sync::{Arc, Weak};
 use std::time::Duration;
 
-use super::race::WaitKey;
+use super::actor_table::WaitKey;
+use super::scheduler::Actor;
 use super::simulation::Simulation;
 use super::time::cycles;
-use super::turnstile::Actor;
 
-/// This thread in one machine's race.
+/// This thread as an actor of one machine.
 pub(super) struct Thread {
     machine: Weak<()>,
     actor: Actor,
-    calls_within: Cell<u32>,
-    /// Cycles that the last call took after its act.
-    owed: Cell<u64>,
+    call_depth: Cell<u32>,
+    /// Cycles that the last call still costs after its act.
+    remaining_cycles: Cell<u64>,
 }
 
 thread_local! {
     static THREADS: RefCell<Vec<Rc<Thread>>> = const { RefCell::new(Vec::new()) };
 }
 
-/// Ends a call, however it is left.
-struct Within<'a>(&'a Cell<u32>);
+/// Ends a call when it is dropped.
+struct CallGuard<'a>(&'a Cell<u32>);
 
-impl<'a> Within<'a> {
+impl<'a> CallGuard<'a> {
     fn enter(calls: &'a Cell<u32>) -> Self {
         calls.set(calls.get() + 1);
         Self(calls)
     }
 }
 
-impl Drop for Within<'_> {
+impl Drop for CallGuard<'_> {
     fn drop(&mut self) {
         self.0.set(self.0.get() - 1);
     }
@@ -47,25 +47,25 @@ impl Thread {
         &self.actor
     }
 
-    /// The thread's clock as it goes on now.
+    /// The clock at which the thread continues now.
     pub fn resume(&self) -> u64 {
-        let clock = self.actor.rejoin() + self.owed.take();
+        let clock = self.actor.rejoin() + self.remaining_cycles.take();
         self.actor.progress(clock);
         clock
     }
 }
 
 impl Simulation {
-    /// This thread; if it is new to the machine, in the race from `from` on.
+    /// This thread's actor. If the thread is new to the machine, it is scheduled from `from` on.
     pub(super) fn this_thread(&self, from: Option<u64>) -> Rc<Thread> {
         let machine = Arc::downgrade(self.alive());
         let own = |thread: &&Rc<Thread>| Weak::ptr_eq(&thread.machine, &machine);
         let new = || {
             Rc::new(Thread {
                 machine: machine.clone(),
-                actor: Actor::ppe(self.turnstile(), from),
-                calls_within: Cell::new(0),
-                owed: Cell::new(0),
+                actor: Actor::ppe(self.scheduler(), from),
+                call_depth: Cell::new(0),
+                remaining_cycles: Cell::new(0),
             })
         };
         THREADS
@@ -79,24 +79,25 @@ impl Simulation {
                 threads.push(Rc::clone(&thread));
                 thread
             })
-            // A call out of a destructor while the thread ends: an actor for this call alone.
+            // A destructor makes a call while the thread ends. It gets an actor for this call
+            // alone.
             .unwrap_or_else(|_| new())
     }
 
-    /// A call of this thread: `body` in its turn.
+    /// A call of this thread. Executes `body` in its turn.
     pub fn act<T>(&self, body: impl FnOnce() -> T) -> T {
         let thread = self.this_thread(None);
-        if thread.calls_within.get() == 0 {
+        if thread.call_depth.get() == 0 {
             thread
                 .actor
                 .turn(thread.resume() + self.timing().ppe.call_cycles);
         }
-        let _within = Within::enter(&thread.calls_within);
+        let _guard = CallGuard::enter(&thread.call_depth);
         body()
     }
 
-    /// A call that sleeps until `poll` yields, or until `limit` of simulated time has passed. It
-    /// looks again when somebody wakes `key`. A limit of no time makes it a look.
+    /// A call that sleeps until `poll` returns a value, or until `limit` of simulated time has
+    /// passed. It polls again when another actor wakes `key`. With a limit of zero it polls once.
     pub fn wait<T>(
         &self,
         key: WaitKey,
@@ -109,13 +110,13 @@ impl Simulation {
         }
         let thread = self.this_thread(None);
         let actor = &thread.actor;
-        let _within = Within::enter(&thread.calls_within);
+        let _guard = CallGuard::enter(&thread.call_depth);
         let end = limit.map(|limit| actor.clock().saturating_add(cycles(limit)));
         loop {
             let now = actor.sleep(key, end, limit);
             let found = poll();
             if found.is_some() {
-                thread.owed.set(self.timing().ppe.wake_cycles);
+                thread.remaining_cycles.set(self.timing().ppe.wake_cycles);
                 return found;
             }
             if end.is_some_and(|end| now >= end) {
@@ -124,7 +125,7 @@ impl Simulation {
         }
     }
 
-    /// This thread does not act before its next call, and nobody need wait for it.
+    /// This thread will not act before its next call, so no other actor waits for it.
     pub fn depart(&self) {
         self.this_thread(None).actor.leave();
     }

@@ -1,21 +1,21 @@
-//! What an SPE shows of itself: the figures and the profile of one moment.
+//! The figures and the profile that an SPE publishes at one moment.
 
 use super::report::SpeReport;
 use super::spu_clock::SpuClock;
 use crate::mfc::Commands;
 use crate::profile::{Profile, ProgramId, ProgramProfile, SpeProfile};
 
-/// Invariant: the profile's cycles are those of the report's account.
+/// Invariant: the profile's cycles add up to the report's account.
 #[derive(Default)]
 pub(super) struct Published {
     report: SpeReport,
     profiles: Option<Profiles>,
 }
 
-/// A profile a program, in the order of their loading.
+/// One profile for each program, in the order in which they were loaded.
 struct Profiles {
     programs: Vec<(Option<ProgramId>, Profile)>,
-    /// The one that is in local store.
+    /// The index of the program that is loaded.
     loaded: usize,
 }
 
@@ -34,7 +34,7 @@ impl Published {
         &self.report
     }
 
-    /// The profiles of the programs that ran.
+    /// The profiles of the programs that have run.
     pub fn profile(&self) -> SpeProfile {
         let programs = self.profiles.iter().flat_map(|profiles| &profiles.programs);
         let ran = programs.filter(|(_, profile)| !profile.entries().is_empty());
@@ -45,7 +45,7 @@ impl Published {
         }
     }
 
-    /// What is published from now on is of this program.
+    /// From now on, figures belong to this program.
     pub fn load(&mut self, id: ProgramId) {
         if let Some(Profiles { programs, loaded }) = &mut self.profiles {
             let known = programs.iter().position(|(known, _)| *known == Some(id));

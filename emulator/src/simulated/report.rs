@@ -1,11 +1,11 @@
-//! Figures of SPEs in simulated time, as they can be read from outside.
+//! The figures of SPEs in simulated time, for reports.
 
 use spu_isa::timing::Account;
 
 use crate::mfc::Commands;
 
-/// Cycles that an SPU slept in its channels, by what it slept for. The pipeline's account has the
-/// same cycles, as those of channels and of DMA.
+/// Cycles for which an SPU slept in its channels, by cause. In the pipeline's account these cycles
+/// are those of channels and DMA.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Waits {
     /// For a mailbox, in either direction.
@@ -16,7 +16,7 @@ pub struct Waits {
     pub event: u64,
     /// For a tag.
     pub tag: u64,
-    /// For a list that stalls.
+    /// For a list that has stalled.
     pub list: u64,
     /// For the status of an atomic command.
     pub atomic: u64,
@@ -25,48 +25,48 @@ pub struct Waits {
 }
 
 impl Waits {
-    /// All of them.
+    /// The sum of all of them.
     #[must_use]
     pub const fn total(&self) -> u64 {
         self.mailbox + self.signal + self.event + self.tag + self.list + self.atomic + self.queue
     }
 }
 
-/// One SPE.
+/// The figures of one SPE.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct SpeReport {
-    /// Its clock, from the machine's start, in cycles.
+    /// The SPE's clock in cycles, from the machine's start.
     pub clock: u64,
-    /// Cycles in which it did not run at all: before its first run and between runs.
+    /// Cycles in which the SPU did not run: before its first run and between runs.
     pub stopped: u64,
-    /// Where the others went: their sum and `stopped` are `clock`.
+    /// The causes of all other cycles. Their sum plus `stopped` is `clock`.
     pub account: Account,
-    /// Cycles asleep in a channel.
+    /// Cycles for which the SPU slept in a channel.
     pub waits: Waits,
-    /// What its MFC did.
+    /// The commands of the SPE's MFC.
     pub commands: Commands,
 }
 
 impl SpeReport {
-    /// Cycles that it ran and did not sleep in a channel.
+    /// Cycles in which the SPU ran and did not sleep in a channel.
     #[must_use]
     pub fn busy(&self) -> u64 {
         self.account.cycles() - self.waits.total()
     }
 }
 
-/// A machine.
+/// The figures of a machine.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Report {
-    /// How often the race went on without a thread or an SPE that might still have acted: more
-    /// than the program's joins, and two runs may differ.
-    pub absences: u64,
-    /// Its SPEs, in the order of their making.
+    /// How often actors stopped waiting for a thread or an SPE that might still have acted. If
+    /// this exceeds the program's number of joins, two runs may differ.
+    pub timeouts: u64,
+    /// The SPEs in the order of creation.
     pub spes: Vec<SpeReport>,
 }
 
 impl Report {
-    /// The furthest clock, in cycles.
+    /// The largest clock, in cycles.
     #[must_use]
     pub fn clock(&self) -> u64 {
         self.spes.iter().map(|spe| spe.clock).max().unwrap_or(0)

@@ -1,24 +1,25 @@
-//! What the SPEs of one machine share: the race, the memory system, the figures that they show.
+//! The state that the SPEs of one machine share: the scheduler, the memory system, the published
+//! figures.
 
 use std::sync::{Arc, Mutex, MutexGuard};
 
+use super::actor_table::WaitKey;
 use super::check::Difference;
 use super::figures::{Keep, Timing};
 use super::memory_system::MemorySystem;
 use super::published::Published;
-use super::race::WaitKey;
 use super::report::Report;
+use super::scheduler::Scheduler;
 use super::time::NEVER;
-use super::turnstile::Turnstile;
 use crate::local_store::LocalStore;
 use crate::lock::lock;
-use crate::mfc::timing::{Parcel, UnderWay};
+use crate::mfc::timing::{InFlight, PendingWrite};
 use crate::profile::SpeProfile;
 
-/// What the SPEs of one machine share in simulated time.
+/// The state that the SPEs of one machine share in simulated time.
 pub struct Simulation {
-    turnstile: Arc<Turnstile>,
-    /// Lives as long as the machine: PPE threads remember the machine by it.
+    scheduler: Arc<Scheduler>,
+    /// Lives as long as the machine. PPE threads identify the machine by it.
     alive: Arc<()>,
     timing: Timing,
     memory: Mutex<MemorySystem>,
@@ -31,7 +32,7 @@ impl Simulation {
     pub(crate) fn new(timing: Timing, keep: Keep) -> Arc<Self> {
         let delay = timing.memory.local_store_delay();
         Arc::new(Self {
-            turnstile: Arc::new(Turnstile::new(delay)),
+            scheduler: Arc::new(Scheduler::new(delay)),
             alive: Arc::default(),
             timing,
             memory: Mutex::new(MemorySystem::new(timing.memory)),
@@ -41,31 +42,31 @@ impl Simulation {
         })
     }
 
-    /// The figures that its cycles come from.
+    /// The latencies and rates of this machine.
     #[must_use]
     pub fn timing(&self) -> &Timing {
         &self.timing
     }
 
-    /// What it keeps, and how it counts.
+    /// What it records, and how it counts cycles.
     #[must_use]
     pub fn keep(&self) -> Keep {
         self.keep
     }
 
-    /// The first difference between the two ways of counting, if an SPE that
+    /// The first difference between the two methods of counting, if an SPE that
     /// [checks](super::Method::Checked) has found one.
     #[must_use]
     pub fn difference(&self) -> Option<Difference> {
         lock(&self.difference).clone()
     }
 
-    pub(super) fn tell_difference(&self, difference: &Difference) {
+    pub(super) fn report_difference(&self, difference: &Difference) {
         lock(&self.difference).get_or_insert_with(|| difference.clone());
     }
 
-    pub(super) fn turnstile(&self) -> &Arc<Turnstile> {
-        &self.turnstile
+    pub(super) fn scheduler(&self) -> &Arc<Scheduler> {
+        &self.scheduler
     }
 
     /// Lives as long as the machine.
@@ -73,12 +74,12 @@ impl Simulation {
         &self.alive
     }
 
-    /// The memory system. Only whoever has the turn may ask it for time.
+    /// The memory system. Only the actor that has the turn may use it.
     pub(super) fn memory(&self) -> MutexGuard<'_, MemorySystem> {
         lock(&self.memory)
     }
 
-    /// A new SPE: its number, and where it publishes its figures.
+    /// Adds an SPE. Returns its number, and the place where it publishes its figures.
     pub(super) fn add_spe(&self) -> (u64, Arc<Mutex<Published>>) {
         let mut spes = lock(&self.spes);
         let published = Arc::new(Mutex::new(Published::new(self.keep.profile)));
@@ -86,30 +87,30 @@ impl Simulation {
         (spes.len() as u64 - 1, published)
     }
 
-    /// A key that nobody else waits on.
+    /// A new key that no other actor waits on.
     #[must_use]
     pub fn new_key(&self) -> WaitKey {
-        self.turnstile.new_key()
+        self.scheduler.new_key()
     }
 
-    /// Has those who wait on `key` look again. Called by whoever acts.
+    /// Makes the actors that sleep on `key` poll again. Only the acting actor calls it.
     pub fn wake(&self, key: WaitKey) {
-        self.turnstile.wake(key);
+        self.scheduler.wake(key);
     }
 
-    /// What was sent to the `wanted` places is there at once, whatever its time.
-    pub(crate) fn deliver_early(&self, wanted: impl Fn(&Parcel) -> bool) {
-        self.turnstile.arrivals.deliver_early(wanted);
+    /// Delivers the selected data in flight at once, whatever its arrival time.
+    pub(crate) fn deliver_early(&self, wanted: impl Fn(&PendingWrite) -> bool) {
+        self.scheduler.arrivals.deliver_early(wanted);
     }
 
-    /// Somebody knows where a local store lies, and may reach into it while its SPU runs: from now
-    /// on SPUs do not run side by side, so that they meet such data at the same time in every run.
+    /// Must be called when a local store can be accessed from outside while its SPU runs. From now
+    /// on SPUs run one at a time, so that they see such data at the same time in every run.
     pub fn serialise(&self) {
-        self.turnstile.serialise();
+        self.scheduler.serialise();
     }
 
-    /// The figures of every SPE so far, in the order of their making: those that they published
-    /// when they last slept in a channel or stopped.
+    /// The figures of every SPE so far, in the order of creation. An SPE publishes them when it
+    /// sleeps in a channel or stops.
     #[must_use]
     pub fn report(&self) -> Report {
         let spes = lock(&self.spes)
@@ -117,13 +118,13 @@ impl Simulation {
             .map(|published| lock(published).report().clone())
             .collect();
         Report {
-            absences: self.turnstile.absences(),
+            timeouts: self.scheduler.timeouts(),
             spes,
         }
     }
 
-    /// The profile of every SPE, of the same moments as the [`report`](Self::report) is; `None`
-    /// unless the machine was made to keep one.
+    /// The profile of every SPE, published at the same moments as the [`report`](Self::report).
+    /// `None` if the machine does not record one.
     #[must_use]
     pub fn profile(&self) -> Option<Vec<SpeProfile>> {
         self.keep.profile.then(|| {
@@ -133,12 +134,12 @@ impl Simulation {
     }
 }
 
-impl UnderWay for Simulation {
+impl InFlight for Simulation {
     fn is_empty(&self) -> bool {
-        self.turnstile.arrivals.next() == NEVER
+        self.scheduler.arrivals.next() == NEVER
     }
 
     fn deliver_early(&self, store: &LocalStore, address: u32, length: usize) {
-        self.deliver_early(|parcel| parcel.meets(store, address, length));
+        self.deliver_early(|write| write.overlaps(store, address, length));
     }
 }

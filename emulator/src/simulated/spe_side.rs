@@ -1,16 +1,16 @@
-//! One SPE in the race: its start and end, its acts, and the figures that it publishes.
+//! One SPE as an actor: its start and end, its acts, and the figures that it publishes.
 
 use std::cell::RefCell;
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
+use super::actor_table::{Rank, WaitKey};
 use super::published::Published;
-use super::race::{Rank, WaitKey};
+use super::scheduler::Actor;
 use super::simulation::Simulation;
 use super::spu_clock::{SpuClock, Wait};
 use super::transfers::SpuTransfers;
-use super::turnstile::Actor;
 use crate::lock::lock;
 use crate::mfc::command::{Command, Operation};
 use crate::mfc::interconnect::Interconnect;
@@ -18,15 +18,16 @@ use crate::mfc::spu_side::SpuSide;
 use crate::mfc::timing::{Movement, Peer, TransferTimes};
 use crate::profile::ProgramId;
 
-/// What an SPE keeps for simulated time beside its clock, which belongs to whoever runs the SPU.
+/// The SPE's state for simulated time, except its clock, which belongs to the thread that runs the
+/// SPU.
 pub(crate) struct SpeSide {
     pub simulation: Arc<Simulation>,
     pub actor: Actor,
-    /// When the SPE was last made ready to run.
+    /// When the SPE last became ready to run.
     ready: AtomicU64,
-    /// Of those who wait for a change of this SPE.
+    /// The key on which actors wait for a change of this SPE.
     key: WaitKey,
-    /// What MFC commands have moved since it was last timed.
+    /// The data that MFC commands have moved since the last timing.
     pub moved: Mutex<Vec<Movement>>,
     published: Arc<Mutex<Published>>,
 }
@@ -36,7 +37,7 @@ impl SpeSide {
         let (number, published) = simulation.add_spe();
         Self {
             simulation: Arc::clone(simulation),
-            actor: Actor::spe(simulation.turnstile(), Rank::spe(number)),
+            actor: Actor::spe(simulation.scheduler(), Rank::spe(number)),
             ready: AtomicU64::new(0),
             key: simulation.new_key(),
             moved: Mutex::default(),
@@ -44,12 +45,12 @@ impl SpeSide {
         }
     }
 
-    /// The SPU's clock at its start.
+    /// A new clock for the SPU.
     pub fn new_clock(&self) -> SpuClock {
         SpuClock::new(self.simulation.timing().rules, self.simulation.keep())
     }
 
-    /// Who times the SPU's MFC commands.
+    /// The timing of the SPU's MFC commands.
     pub fn new_transfers(&self) -> Box<dyn TransferTimes> {
         Box::new(SpuTransfers::new(&self.simulation))
     }
@@ -64,45 +65,48 @@ impl SpeSide {
         self.key
     }
 
-    /// The SPE is to be run soon: nobody's clock passes the first that it could then show.
+    /// The SPE will be run soon. Until then no clock passes the earliest clock at which it could
+    /// start.
     pub fn expect(&self) {
         let ready = self.simulation.this_thread(None).resume();
         let ready = ready.max(self.ready.fetch_max(ready, SeqCst));
         self.actor.expect(ready + self.start_cycles());
     }
 
-    /// This thread becomes the SPU. Its own clock counts, or, if it is new, the time since which
-    /// the SPE has been ready: not the host's time at which the thread happens to come.
+    /// Makes this thread the SPU. It starts at the thread's own clock. If the thread is new, it
+    /// starts at the time at which the SPE became ready, which does not depend on when the host
+    /// starts the thread.
     pub fn start(&self, clock: &RefCell<SpuClock>) {
         let ready = self.ready.load(SeqCst);
         let thread = self.simulation.this_thread(Some(ready));
         let begins = ready.max(thread.resume()) + self.start_cycles();
         clock.borrow_mut().start(begins);
-        thread.actor().give_way_to(&self.actor, begins);
+        thread.actor().hand_over_to(&self.actor, begins);
     }
 
-    /// The SPU has stopped; `announce` tells others so, and the thread is the PPE's again.
+    /// The SPU has stopped. `announce` notifies other threads, and the thread becomes a PPE thread
+    /// again.
     pub fn end(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide, announce: impl FnOnce()) {
         self.turn(clock);
         self.publish(clock, mfc);
         clock.borrow_mut().stop();
         if let Some(difference) = clock.borrow().difference() {
-            self.simulation.tell_difference(difference);
+            self.simulation.report_difference(difference);
         }
         announce();
         let back = self.actor.clock() + self.simulation.timing().ppe.wake_cycles;
         self.ready.store(back, SeqCst);
         let thread = self.simulation.this_thread(Some(back));
-        self.actor.give_way_to(thread.actor(), back);
+        self.actor.hand_over_to(thread.actor(), back);
     }
 
-    /// Waits until the SPU may act.
+    /// Waits for the SPU's turn.
     pub fn turn(&self, clock: &RefCell<SpuClock>) {
         let now = clock.borrow().now();
         self.actor.turn(now);
     }
 
-    /// Sleeps until somebody changes something of this SPE, or until `limit`.
+    /// Sleeps until another actor changes this SPE, or until `limit`.
     pub fn sleep(
         &self,
         clock: &RefCell<SpuClock>,
@@ -114,7 +118,7 @@ impl SpeSide {
         clock.borrow_mut().sleep(now, wait);
     }
 
-    /// Gives the commands that were just carried out their time.
+    /// Times the commands that were just carried out.
     pub fn time_movements(&self, mfc: &mut SpuSide, now: u64, interconnect: &Interconnect) {
         let moved = std::mem::take(&mut *lock(&self.moved));
         if !moved.is_empty() {
@@ -135,14 +139,14 @@ impl SpeSide {
         }
     }
 
-    /// Shows the figures as they are.
+    /// Publishes the current figures.
     pub fn publish(&self, clock: &RefCell<SpuClock>, mfc: &SpuSide) {
         let commands = mfc.transfers().map(|transfers| transfers.commands());
         let commands = commands.unwrap_or_default();
         lock(&self.published).publish(&mut clock.borrow_mut(), commands);
     }
 
-    /// What runs from now on is this program.
+    /// From now on, figures belong to this program.
     pub fn load(&self, program: ProgramId) {
         lock(&self.published).load(program);
     }

@@ -1,4 +1,5 @@
-//! An SPU's clock: what the pipelines count, and the time in which it does not run.
+//! An SPU's clock: the cycles that the pipelines count, and the time in which the SPU does not
+//! run.
 
 use std::sync::Arc;
 
@@ -14,7 +15,7 @@ use crate::timer::Timer;
 use spu_isa::timing::{Account, Cause, Pipeline, Rules};
 use spu_isa::{Instruction, LIMIT_MASK};
 
-/// What an SPU sleeps for in a channel.
+/// The reason for which an SPU sleeps in a channel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Wait {
     Mailbox,
@@ -47,12 +48,12 @@ impl Wait {
     }
 }
 
-/// Invariant: the clock is the timer's, `ahead`, and `stopped`.
+/// Invariant: the clock is the sum of the timer's clock, `ahead` and `stopped`.
 #[derive(Debug, Default)]
 pub(crate) struct SpuClock {
     timer: Timer,
     memo: Memo,
-    /// Where the pipelines are, if blocks have passed that the timer has not seen.
+    /// The state of the pipelines, if blocks have passed that the timer has not seen.
     state: Option<StateId>,
     /// The cycles of these blocks.
     ahead: u64,
@@ -60,13 +61,13 @@ pub(crate) struct SpuClock {
     open: Open,
     stopped: u64,
     waits: Waits,
-    /// If the SPU is profiled.
+    /// Present if the SPU is profiled.
     recording: Option<Recording>,
-    /// If the clock is checked.
+    /// Present if the clock is checked.
     check: Option<Box<Check>>,
 }
 
-/// The first instructions of a block, which compiled code has run, and whose time has not passed
+/// The first instructions of a block that compiled code has run, and that the clock has not passed
 /// yet.
 #[derive(Clone, Copy, Debug, Default)]
 struct Open {
@@ -74,18 +75,18 @@ struct Open {
     length: u32,
 }
 
-/// A block whose time has passed, and the rest of which is to be run.
+/// A block that the clock has passed, and the rest of which has not run yet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Begun {
     from: StateId,
     transition: TransitionId,
-    /// Instructions of it that have run already.
+    /// The number of its instructions that have run already.
     pub ran: u32,
-    /// Instructions that are to be run.
+    /// The number of instructions that have not run yet.
     pub length: u64,
-    /// The address behind it.
+    /// The address after the block.
     pub end: u32,
-    /// The hint by a register that ends it.
+    /// The hint by register that ends the block, if one does.
     pub hint: Option<Instruction>,
 }
 
@@ -105,7 +106,7 @@ impl SpuClock {
         self.stopped + self.timer.pipeline.clock() + self.ahead
     }
 
-    /// Where the cycles went.
+    /// The causes of the cycles.
     pub fn account(&mut self) -> &Account {
         self.settle();
         self.timer.pipeline.account()
@@ -119,12 +120,12 @@ impl SpuClock {
         self.waits
     }
 
-    /// What the check has found, if the clock is checked.
+    /// The first difference that the check has found, if the clock is checked.
     pub fn difference(&self) -> Option<&Difference> {
         self.check.as_ref()?.difference()
     }
 
-    /// The SPU starts at `cycle`, having stood still until then.
+    /// The SPU starts at `cycle`, and did not run until then.
     pub fn start(&mut self, cycle: u64) {
         self.stopped += cycle.saturating_sub(self.now());
     }
@@ -169,7 +170,7 @@ impl SpuClock {
         }
     }
 
-    /// Brings the timer to where the pipelines are.
+    /// Brings the timer to the current state of the pipelines.
     fn settle(&mut self) {
         if let Some(state) = self.state.take() {
             self.settle_at(state);
@@ -185,7 +186,7 @@ impl SpuClock {
         self.ahead = 0;
     }
 
-    /// The instruction at the program counter issues, timed by itself.
+    /// Times one instruction, at the program counter, in the pipeline model.
     pub(super) fn issue(&mut self, spu: &Spu, instruction: Instruction) {
         self.close_by_instruction(spu);
         self.settle();
@@ -196,16 +197,17 @@ impl SpuClock {
         self.issue_beside(spu, instruction);
     }
 
-    /// The instruction at the program counter issues in the model of the check alone.
+    /// Times one instruction, at the program counter, only in the check's model.
     pub(super) fn issue_beside(&mut self, spu: &Spu, instruction: Instruction) {
         if let Some(check) = &mut self.check {
             check.issue(spu, instruction);
         }
     }
 
-    /// The time of the block at the program counter passes. `None`, and nothing has passed, if it
-    /// is to be timed by itself: a block of more than `most` instructions, one whose last
-    /// instruction issues in a cycle that `may_pass` refuses, and what has no block.
+    /// Lets the time of the block at the program counter pass. Returns `None`, without any effect,
+    /// if the next instruction must be timed by itself: if there is no block, if it has more than
+    /// `most` instructions, or if `may_pass` refuses the cycle in which its last instruction
+    /// issues.
     #[inline]
     pub(super) fn begin(
         &mut self,
@@ -382,8 +384,7 @@ impl SpuClock {
         Arc::clone(self.memo.transition(begun.transition).block())
     }
 
-    /// The number of the state that the timer is in; `None` if the instruction at `pc` is one that
-    /// has issued already.
+    /// The number of the timer's state. `None` if the instruction at `pc` has issued already.
     #[cold]
     fn remember(&mut self, pc: u32) -> Option<StateId> {
         self.settle();
@@ -398,7 +399,8 @@ impl SpuClock {
         Some(state)
     }
 
-    /// Only `ran` instructions of the block that began last have run: the next one was rewritten.
+    /// Corrects the time of the last block: only `ran` of its instructions have run, because the
+    /// next one was rewritten.
     #[cold]
     pub(super) fn cut_short(&mut self, begun: Begun, ran: u64) {
         let block = self.block(begun);
@@ -410,7 +412,7 @@ impl SpuClock {
         }
     }
 
-    /// The last instruction was a hint by a register, which says this.
+    /// The last instruction was a hint by register, with this target.
     #[inline]
     pub(super) fn hint_target(&mut self, target: u32) {
         match self.state {
@@ -419,7 +421,7 @@ impl SpuClock {
         }
     }
 
-    /// Compares the pipelines with the model of the check, behind the block at `address`.
+    /// Compares the pipelines with the check's model, after the block at `address`.
     pub(super) fn compare(&mut self, address: u32) {
         if let Some(check) = &mut self.check {
             let clock = self.timer.pipeline.clock() + self.ahead;

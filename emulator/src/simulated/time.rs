@@ -1,13 +1,13 @@
-//! Cycles, ticks and the host's time.
+//! Conversions between cycles, ticks and the host's time.
 
 use std::time::Duration;
 
 use crate::decrementer::TICKS_PER_SECOND;
 
-/// No time at all: of a sleeper that only somebody else can wake.
+/// A time that never comes, for a sleeper that only another actor can wake.
 pub(super) const NEVER: u64 = u64::MAX;
 
-/// Cycles of a decrementer tick. Source: cycle counts that programs print on a PlayStation 3 are
+/// Cycles in a decrementer tick. Source: cycle counts that programs print on a PlayStation 3 are
 /// multiples of it. Firm.
 pub const CYCLES_PER_TICK: u64 = 40;
 
@@ -20,13 +20,13 @@ pub const fn ticks(cycles: u64) -> u64 {
     cycles / CYCLES_PER_TICK
 }
 
-/// The first cycle in which [`ticks`] has reached `ticks`.
+/// The first cycle in which [`ticks`] is `ticks`.
 #[must_use]
 pub const fn cycle_of_tick(ticks: u64) -> u64 {
     ticks.saturating_mul(CYCLES_PER_TICK)
 }
 
-/// Cycles in `time`, to the microsecond; at least one.
+/// Cycles in `time`, to the microsecond, at least one.
 pub(crate) fn cycles(time: Duration) -> u64 {
     let micros = u64::try_from(time.as_micros()).unwrap_or(u64::MAX);
     micros.saturating_mul(CYCLES_PER_SECOND / 1_000_000).max(1)

@@ -3,8 +3,8 @@
 use std::cell::RefCell;
 
 use super::figures::Method;
+use super::scheduler::Actor;
 use super::spu_clock::{Begun, SpuClock};
-use super::turnstile::Actor;
 use crate::channel::Channels;
 use crate::compiled::{Runner, Turn};
 use crate::interp::{Ended, Observer, Spu, ends_block};
@@ -20,16 +20,17 @@ fn requested(pc: u32) -> Stopped {
     }
 }
 
-/// Runs an SPU and its clock.
+/// Runs an SPU and its clock, block by block.
 ///
-/// Block by block: first the clock passes the block, then the interpreter runs it. So the clock is
-/// right for a channel instruction, which ends its block. Other instructions find it ahead of
-/// them, which shows in nothing: where something could reach the local store from outside before
-/// the block's end, the SPU goes instruction by instruction. It also does so while interrupts are
-/// enabled, since one may come before any instruction, and at the start of a run.
+/// First the clock passes the block, then the interpreter runs it. So the clock is correct for a
+/// channel instruction, which ends its block. For other instructions the clock is ahead, but they
+/// can't observe that: if the local store could change from outside before the block's end, the
+/// SPU goes instruction by instruction. It also does so at the start of a run, and while
+/// interrupts are enabled, because one may come before any instruction.
 ///
-/// Compiled code runs first, and writes down which way it went; then the clock passes that. It has
-/// no channel instructions, and only runs where nothing reaches the local store from outside.
+/// Compiled code runs first, and records which way it went; then the clock passes the same blocks.
+/// It contains no channel instructions, and it only runs where nothing reaches the local store from
+/// outside.
 pub(crate) struct Timed<'a> {
     clock: &'a RefCell<SpuClock>,
     actor: &'a Actor,
@@ -53,8 +54,8 @@ impl<'a> Timed<'a> {
         }
     }
 
-    /// Runs at most `limit` instructions, under the eyes of `observer`; `None` if the SPU would go
-    /// on. An interrupt shows one instruction that does not run.
+    /// Runs at most `limit` instructions, with calls to `observer`. Returns `None` if the SPU can
+    /// continue. At an interrupt, the observer sees one instruction that does not run.
     pub fn run<C: Channels, O: Observer>(
         &mut self,
         spu: &mut Spu,
@@ -78,7 +79,8 @@ impl<'a> Timed<'a> {
         observer: &mut O,
     ) -> Option<Stopped> {
         let mut left = limit;
-        // Whether the restart costs the first instruction something is the timer's to say.
+        // The timer decides what the restart costs the first instruction, so time that one by
+        // itself.
         let mut by_instruction = true;
         let mut turn = Turn::Any;
         while left > 0 {
@@ -146,7 +148,8 @@ impl<'a> Timed<'a> {
             if self.method == Method::Checked && self.compare(start) {
                 return Some(requested(spu.pc()));
             }
-            // Where runners take turns, `begin` has seen to it that this one may go on.
+            // Where SPUs run one at a time, `begin` has already checked that this one may
+            // continue.
             if !self.actor.is_serial() {
                 self.actor.run_up_to(self.clock.borrow().now());
             }
@@ -177,7 +180,7 @@ impl<'a> Timed<'a> {
         clock.begin(spu, local_store, left, may_pass)
     }
 
-    /// Runs one instruction after the clock and `observer` have seen it.
+    /// Shows one instruction to the clock and to `observer`, then runs it.
     fn step<C: Channels, O: Observer>(
         &self,
         spu: &mut Spu,
@@ -190,7 +193,8 @@ impl<'a> Timed<'a> {
         if let Some(instruction) = instruction {
             let mut clock = self.clock.borrow_mut();
             clock.issue(spu, instruction);
-            // It has issued and takes effect next: a load finds what has arrived by now.
+            // The instruction has issued and takes effect next. A load must find the data that has
+            // arrived by now.
             self.actor.run_up_to(clock.now());
             drop(clock);
             observer.before_instruction(spu, instruction);
@@ -198,7 +202,7 @@ impl<'a> Timed<'a> {
         (instruction, spu.step(local_store, channels))
     }
 
-    /// Runs a block, showing each instruction to the model of the check.
+    /// Runs a block, and shows each instruction to the check's model.
     fn run_beside<C: Channels, O: Observer>(
         &self,
         spu: &mut Spu,
@@ -222,7 +226,7 @@ impl<'a> Timed<'a> {
         Ended::AtLimit
     }
 
-    /// Compares the clock with the model of the check; whether they differ.
+    /// Compares the clock with the check's model. Returns whether they differ.
     fn compare(&self, address: u32) -> bool {
         let mut clock = self.clock.borrow_mut();
         clock.compare(address);

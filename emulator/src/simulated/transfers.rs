@@ -1,9 +1,9 @@
 //! The MFC commands of one SPU that are not complete yet in simulated time.
 //!
-//! Data moves when the command is given (its turn in the race), but to another local store when
-//! its transfer is complete; what a program is told of it, tags and room in the queue, comes at
-//! the simulated time. Ordering delays a command until those before it that it must follow are
-//! complete.
+//! Data moves when the command is given, in the SPU's turn. Only data for another local store
+//! moves when its transfer is complete. Results that the program can see, tags and room in the
+//! queue, appear at the simulated time. A command that must follow earlier commands is delayed
+//! until those are complete.
 
 use std::sync::Arc;
 
@@ -26,7 +26,7 @@ struct Transfers {
     figures: MemoryFigures,
     port: Port,
     outstanding: Vec<Outstanding>,
-    /// Before which time no further command of each tag begins: barriers.
+    /// For each tag, the time before which no further command may start, because of a barrier.
     held: [u64; TAGS as usize],
     /// When the elements before the last stall of a list have arrived.
     stalls: u64,
@@ -74,8 +74,8 @@ impl Transfers {
             .unwrap_or(0)
     }
 
-    /// Times a movement that was made at `now`, and sends off what is to be delivered; says when
-    /// it is complete.
+    /// Times a movement that was made at `now`, and sends its data if it is delivered later.
+    /// Returns when the movement is complete.
     fn add(
         &mut self,
         movement: Movement,
@@ -120,8 +120,8 @@ impl Transfers {
             let port = &mut self.port;
             let arrived = memory.transfer(port, direction, piece.peer, what, (now, start));
             complete = complete.max(arrived).max(start);
-            if let Some(parcel) = piece.parcel {
-                arrivals.send(arrived, parcel);
+            if let Some(pending) = piece.pending {
+                arrivals.send(arrived, pending);
             }
             let bytes = u64::from(piece.size);
             match direction {
@@ -157,7 +157,7 @@ impl SpuTransfers {
 impl TransferTimes for SpuTransfers {
     fn add(&mut self, movement: Movement, now: u64) -> u64 {
         let mut memory = self.simulation.memory();
-        let arrivals = &self.simulation.turnstile().arrivals;
+        let arrivals = &self.simulation.scheduler().arrivals;
         self.transfers.add(movement, now, &mut memory, arrivals)
     }
 
@@ -213,7 +213,7 @@ mod tests {
                 ea: 0,
                 size: 128,
                 peer: Peer::Memory,
-                parcel: None,
+                pending: None,
             }],
             stalled: false,
         }

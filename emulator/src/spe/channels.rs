@@ -1,4 +1,4 @@
-//! The SPU's channels: what each number leads to.
+//! The SPU's channels by number.
 
 use std::sync::Arc;
 
@@ -6,7 +6,7 @@ use super::running::RunningChannels;
 use crate::channel::Channels;
 use crate::event;
 use crate::mfc::spu_side::SpuSide;
-use crate::mfc::timing::Parcel;
+use crate::mfc::timing::PendingWrite;
 use crate::simulated::Wait;
 use crate::stop::{ChannelAccess, Stop};
 
@@ -88,12 +88,13 @@ impl Channels for RunningChannels<'_> {
                 let now = self.now();
                 self.own.decrementer.load(value, now);
             }
-            // Data from others lies in this local store already, or is taken to.
+            // Data from other SPEs either has already arrived in this local store, or is delivered
+            // now.
             WR_MS_SYNC_REQ => {
                 if let Some(side) = self.simulated() {
                     self.turn();
                     let own = &self.spe.local_store;
-                    let here = |parcel: &Parcel| Arc::ptr_eq(&parcel.store, own);
+                    let here = |write: &PendingWrite| Arc::ptr_eq(&write.store, own);
                     side.simulation.deliver_early(here);
                 }
                 self.problem_state().raise(event::MULTISOURCE_SYNC);
@@ -169,7 +170,7 @@ impl Channels for RunningChannels<'_> {
             | RD_EVENT_MASK..=TAG_ID
             | WR_TAG_MASK..=WR_TAG_UPDATE
             | WR_LIST_STALL_ACK => Ok(1),
-            // The architecture gives every other channel the count 0, and asking is allowed.
+            // For every other channel the architecture defines the count 0, and allows the query.
             _ => Ok(0),
         }
     }

@@ -1,13 +1,13 @@
-//! One SPE: the SPU, its local store and MFC, and what the PPE reaches of them.
+//! One SPE: the SPU, its local store and MFC, and the PPE's side of them.
 //!
-//! An [`Spe`] is shared: one thread at a time runs the SPU ([`Spe::run`]), any thread uses the
-//! PPE's side. Whoever waits sleeps; a stop request wakes the SPU wherever it sleeps.
+//! An [`Spe`] is shared. One thread at a time runs the SPU ([`Spe::run`]), and any thread may use
+//! the PPE's side. Waiting threads sleep. A stop request wakes the SPU wherever it sleeps.
 //!
 //! Locks are taken in this order: the SPU's own state or the proxy queue, the interconnect, the
-//! problem state. No transfer is made under the problem state's lock.
+//! problem state. No transfer is made while the problem state's lock is held.
 //!
-//! [`Spe`] knows the files of this folder and they know it, since they are its parts: `running`
-//! and `proxy` borrow the whole SPE while they work.
+//! [`Spe`] and the files of this folder depend on each other, because they are its parts:
+//! `running` and `proxy` borrow the whole SPE while they work.
 
 mod channels;
 mod problem_state;
@@ -37,12 +37,12 @@ use running::{RunningChannels, SpuState};
 pub use problem_state::Watcher;
 pub use proxy::{ProxyCommand, TagWait};
 
-/// How an SPE is set up.
+/// The settings of an SPE.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Config {
     /// Modes of signal-notification registers 1 and 2.
     pub signal_modes: [SignalMode; 2],
-    /// When MFC commands are carried out. In simulated time their data always moves at once.
+    /// When MFC commands are carried out. In simulated time, data always moves at once.
     pub policy: Policy,
 }
 
@@ -65,7 +65,7 @@ pub struct Spe {
 }
 
 impl Spe {
-    /// A new SPE of `machine`: local store and registers are 0.
+    /// A new SPE of `machine`. Local store and registers are 0.
     #[must_use]
     pub fn new(machine: &Arc<Machine>, config: Config) -> Arc<Self> {
         let simulated = machine.simulation().map(SpeSide::new);
@@ -96,19 +96,19 @@ impl Spe {
         })
     }
 
-    /// The local store, which may be read and written while the SPU runs.
+    /// The local store. It may be read and written while the SPU runs.
     #[must_use]
     pub fn local_store(&self) -> &Arc<LocalStore> {
         &self.local_store
     }
 
     /// Runs the SPU from `entry` on the calling thread until it stops. Registers and channels keep
-    /// what they held. A second caller sleeps until the first has returned.
+    /// their contents from the previous run. A second caller sleeps until the first has returned.
     pub fn run(&self, entry: u32) -> Stopped {
         self.run_prepared(entry, |_| ())
     }
 
-    /// Like [`run`](Self::run), but lets `prepare` set registers before the first instruction.
+    /// As [`run`](Self::run), but `prepare` can set registers before the first instruction.
     pub fn run_prepared(&self, entry: u32, prepare: impl FnOnce(&mut Spu)) -> Stopped {
         let mut stopped = self.run_observed(entry, u64::MAX, &mut (), prepare);
         loop {
@@ -120,8 +120,8 @@ impl Spe {
         }
     }
 
-    /// Like [`run_prepared`](Self::run_prepared), under the eyes of `observer` and for at most
-    /// `limit` instructions; `None` if the SPU would go on after them.
+    /// As [`run_prepared`](Self::run_prepared), with calls to `observer`, and for at most `limit`
+    /// instructions. Returns `None` if the SPU can continue after them.
     pub fn run_observed<O: Observer>(
         &self,
         entry: u32,
@@ -190,24 +190,25 @@ impl Spe {
         stopped
     }
 
-    /// Looks at the registers; sleeps while the SPU runs.
+    /// Gives `look` access to the registers. Sleeps while the SPU runs.
     pub fn with_spu<T>(&self, look: impl FnOnce(&Spu) -> T) -> T {
         look(&lock(&self.engine).spu)
     }
 
-    /// Asks the SPU to stop, and wakes it if it sleeps. Without a run the next one ends at once.
+    /// Asks the SPU to stop, and wakes it if it sleeps. If it is not running, its next run ends at
+    /// once.
     pub fn request_stop(&self) {
         self.problem_state.request_stop(None);
     }
 
-    /// The simulated time that the SPE is in, if it is.
+    /// The simulated time of the SPE's machine, if it has one.
     #[must_use]
     pub fn simulation(&self) -> Option<&Arc<Simulation>> {
         self.machine.simulation()
     }
 
-    /// What a check of the machine has found first: where, and how two ways of running code or of
-    /// counting its cycles differ.
+    /// The first difference that a check of the machine has found between two ways of running code,
+    /// or of counting its cycles: the address, and a description.
     #[must_use]
     pub fn difference(&self) -> Option<(u32, String)> {
         let counted = self
@@ -218,7 +219,8 @@ impl Spe {
         counted.or_else(run)
     }
 
-    /// In simulated time: `body` as one call of a PPE thread, in its turn. Else just `body`.
+    /// In simulated time: executes `body` as one call of a PPE thread, in its turn. Otherwise just
+    /// executes `body`.
     pub fn act<T>(&self, body: impl FnOnce() -> T) -> T {
         match &self.simulated {
             Some(side) => side.simulation.act(body),
@@ -226,35 +228,34 @@ impl Spe {
         }
     }
 
-    /// In simulated time: the SPE is loaded and is to be run soon by some thread, so the others
-    /// are not to run ahead of it.
+    /// In simulated time: announces that a thread will soon run this SPE, so that the other SPEs
+    /// don't run ahead of it.
     pub fn expect_run(&self) {
         if let Some(side) = &self.simulated {
             side.expect();
         }
     }
 
-    /// In simulated time: what runs from now on is charged to this program, in the machine's
-    /// profile.
+    /// In simulated time: charges what runs from now on to this program, in the machine's profile.
     pub fn profile_as(&self, program: ProgramId) {
         if let Some(side) = &self.simulated {
             side.load(program);
         }
     }
 
-    /// Says that the local store lies at effective address `ea` of the machine's memory, so that
-    /// simulated time can tell transfers to it from those to memory.
+    /// Declares that the local store is mapped at effective address `ea` of the machine's memory.
+    /// Simulated time then distinguishes transfers to it from those to main memory.
     pub fn map_local_store(&self, ea: u64) {
         let store = Arc::downgrade(&self.local_store);
         self.machine.interconnect().map_local_store(ea, store);
     }
 
-    /// A PPE thread looks at the problem state.
+    /// Reads the problem state for a PPE thread.
     fn look<T>(&self, look: impl FnOnce(&mut State) -> T) -> T {
         self.act(|| self.problem_state.with(look))
     }
 
-    /// A PPE thread sleeps until `poll` yields or the deadline has passed.
+    /// A PPE thread sleeps until `poll` returns a value or the deadline has passed.
     fn wait<T>(
         &self,
         deadline: Option<Instant>,
@@ -271,14 +272,15 @@ impl Spe {
         }
     }
 
-    /// Words that the inbound mailbox can take.
+    /// Number of words that still fit into the inbound mailbox.
     #[must_use]
     pub fn inbound_room(&self) -> usize {
         self.look(|state| state.inbound.room())
     }
 
-    /// Puts a word into the inbound mailbox; sleeps while it is full. `false`: the deadline
-    /// passed. A deadline that has passed already makes it a try; none makes it wait for ever.
+    /// Writes a word to the inbound mailbox, and sleeps while it is full. Returns `false` if the
+    /// deadline passed first. With a deadline in the past it never sleeps. Without a deadline it
+    /// may sleep forever.
     pub fn write_inbound(&self, word: u32, deadline: Option<Instant>) -> bool {
         let written = self.wait(deadline, |state| {
             let was_empty = state.inbound.waiting() == 0;
@@ -294,13 +296,13 @@ impl Spe {
         written.is_some()
     }
 
-    /// Words in the outbound mailbox.
+    /// Number of words in the outbound mailbox.
     #[must_use]
     pub fn outbound_waiting(&self) -> usize {
         self.look(|state| state.outbound.waiting())
     }
 
-    /// Takes a word from the outbound mailbox; sleeps while it is empty, until the deadline.
+    /// Reads a word from the outbound mailbox. Sleeps while it is empty, until the deadline.
     pub fn read_outbound(&self, deadline: Option<Instant>) -> Option<u32> {
         let word = self.wait(deadline, |state| {
             let word = state.outbound.read()?;
@@ -313,13 +315,13 @@ impl Spe {
         word
     }
 
-    /// Words in the outbound interrupt mailbox.
+    /// Number of words in the outbound interrupt mailbox.
     #[must_use]
     pub fn outbound_interrupt_waiting(&self) -> usize {
         self.look(|state| state.outbound_interrupt.waiting())
     }
 
-    /// Takes a word from the outbound interrupt mailbox; sleeps while it is empty, until the
+    /// Reads a word from the outbound interrupt mailbox. Sleeps while it is empty, until the
     /// deadline.
     pub fn read_outbound_interrupt(&self, deadline: Option<Instant>) -> Option<u32> {
         let word = self.wait(deadline, |state| {
@@ -338,25 +340,25 @@ impl Spe {
         self.act(|| self.problem_state.signal(register, word));
     }
 
-    /// Gives a signal-notification register the effective address `ea`, so that the `sndsig` of
-    /// other SPEs reaches it.
+    /// Maps a signal-notification register at the effective address `ea`, so that `sndsig`
+    /// commands of other SPEs reach it.
     pub fn map_signal(&self, register: SignalRegister, ea: u64) {
         let unit: Arc<dyn Unit> = self.problem_state.clone();
         let unit: Weak<dyn Unit> = Arc::downgrade(&unit);
         self.machine.interconnect().map_signal(ea, unit, register);
     }
 
-    /// Has `watcher` told of changes from now on.
+    /// Notifies `watcher` of changes from now on.
     pub fn watch(&self, watcher: Arc<dyn Watcher>) {
         self.problem_state.watch(watcher);
     }
 
-    /// Tells the watchers to look again: for what the SPE's owner keeps beside it.
+    /// Notifies the watchers of a change in something that the SPE's owner keeps for it.
     pub fn announce(&self) {
         self.act(|| self.problem_state.announce());
     }
 
-    /// Ends one [`watch`](Self::watch) of this watcher.
+    /// Cancels one [`watch`](Self::watch) of this watcher.
     pub fn unwatch(&self, watcher: &Arc<dyn Watcher>) {
         self.problem_state.unwatch(watcher);
     }

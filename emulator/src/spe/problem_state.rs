@@ -1,7 +1,7 @@
-//! What both sides of an SPE reach: mailboxes, signals, events, the stop request.
+//! The state that both sides of an SPE share: mailboxes, signals, events, the stop request.
 //!
 //! Invariant: every change that another thread may wait for is made under the lock and followed by
-//! a wake-up, so a sleeper never misses one; watchers are told after the lock is free.
+//! a wake-up, so a sleeper never misses one. Watchers are notified after the lock is released.
 
 use std::sync::atomic::{AtomicBool, Ordering::SeqCst};
 use std::sync::{Arc, Condvar, Mutex, PoisonError};
@@ -15,10 +15,10 @@ use crate::mfc::interconnect::{Reservation, Unit};
 use crate::signal::{Signal, SignalMode, SignalRegister};
 use crate::simulated::{Simulation, WaitKey};
 
-/// Is told that something that the PPE can see of an SPE may have changed: a mailbox, a signal
-/// register, a proxy tag, a run that ended. It must return soon and must not call the SPE.
+/// Is notified when something that the PPE can see of an SPE may have changed: a mailbox, a signal
+/// register, a proxy tag, or the end of a run. It must return quickly and must not call the SPE.
 pub trait Watcher: Send + Sync {
-    /// Look again.
+    /// Something may have changed.
     fn changed(&self);
 }
 
@@ -27,15 +27,15 @@ pub(crate) struct State {
     pub outbound: Mailbox,
     pub outbound_interrupt: Mailbox,
     pub signals: [Signal; 2],
-    /// From which cycle of simulated time on each signal can be read.
+    /// The cycle of simulated time from which each signal can be read.
     pub signals_arrive: [u64; 2],
     pub events: Events,
-    /// A proxy command that failed: stops the SPU.
+    /// The error of a proxy command that failed. It stops the SPU.
     pub fault: Option<DmaError>,
 }
 
 /// How a wait of the SPU ended.
-pub(crate) enum Waited<T> {
+pub(crate) enum WaitOutcome<T> {
     Ready(T),
     StopRequested,
     TimedOut,
@@ -47,7 +47,7 @@ pub(crate) struct ProblemState {
     stop: AtomicBool,
     watchers: Mutex<Vec<Arc<dyn Watcher>>>,
     reservation: Reservation,
-    /// In simulated time: whom to tell that sleepers may be awake.
+    /// In simulated time: the key on which other actors sleep.
     sleepers: Option<(Arc<Simulation>, WaitKey)>,
 }
 
@@ -81,19 +81,19 @@ impl ProblemState {
         }
     }
 
-    /// Looks at the state, or changes what nobody else waits for.
+    /// Reads the state, or makes a change for which no other thread waits.
     pub(crate) fn with<T>(&self, body: impl FnOnce(&mut State) -> T) -> T {
         body(&mut lock(&self.state))
     }
 
-    /// Changes the state and wakes whoever may wait for it.
+    /// Changes the state, and wakes the threads that may wait for the change.
     pub(crate) fn change<T>(&self, body: impl FnOnce(&mut State) -> T) -> T {
         let result = self.with(body);
         self.announce();
         result
     }
 
-    /// Wakes whoever may wait for a change that was just made.
+    /// Wakes the threads that may wait for a change that was just made.
     pub(crate) fn announce(&self) {
         self.wake();
         let watchers = lock(&self.watchers).clone();
@@ -113,7 +113,7 @@ impl ProblemState {
         }
     }
 
-    /// Raises events for the SPU; whoever sleeps on channel 0 wakes.
+    /// Raises events for the SPU, and wakes it if it sleeps on channel 0.
     pub(crate) fn raise(&self, events: u32) {
         if events != 0 {
             self.with(|state| state.events.raise(events));
@@ -134,7 +134,7 @@ impl ProblemState {
         self.stop.load(SeqCst)
     }
 
-    /// Ends a request that has been obeyed.
+    /// Ends a stop request that has been obeyed.
     pub(crate) fn take_stop_request(&self) -> Option<DmaError> {
         self.with(|state| {
             self.stop.store(false, SeqCst);
@@ -142,22 +142,22 @@ impl ProblemState {
         })
     }
 
-    /// The SPU sleeps until `poll` yields, a stop is requested, or `limit` has passed.
+    /// The SPU sleeps until `poll` returns a value, a stop is requested, or `limit` has passed.
     pub(crate) fn wait_as_spu<T>(
         &self,
         limit: Option<Duration>,
         mut poll: impl FnMut(&mut State) -> Option<T>,
-    ) -> Waited<T> {
+    ) -> WaitOutcome<T> {
         let deadline = limit.and_then(|limit| Instant::now().checked_add(limit));
         let result = self.wait(deadline, |state| match poll(state) {
-            Some(value) => Some(Waited::Ready(value)),
-            None if self.stop_requested() => Some(Waited::StopRequested),
+            Some(value) => Some(WaitOutcome::Ready(value)),
+            None if self.stop_requested() => Some(WaitOutcome::StopRequested),
             None => None,
         });
-        result.unwrap_or(Waited::TimedOut)
+        result.unwrap_or(WaitOutcome::TimedOut)
     }
 
-    /// Sleeps until `poll` yields; `None` when the deadline has passed.
+    /// Sleeps until `poll` returns a value. Returns `None` if the deadline has passed.
     pub(crate) fn wait<T>(
         &self,
         deadline: Option<Instant>,

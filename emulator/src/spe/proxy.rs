@@ -1,9 +1,9 @@
-//! The proxy queue: MFC commands that the PPE gives.
+//! The proxy queue: MFC commands from the PPE.
 //!
-//! The thread that calls carries the commands out, so nothing here waits for the SPU: on the
-//! console a proxy command of a context that does not run waits until it does. A command that
-//! fails while it runs stops the SPU, as the hardware's interrupt does. In simulated time a
-//! command takes as long as the call that gives it.
+//! The calling thread carries the commands out, so no command waits for the SPU. On the console, a
+//! proxy command of a context that is not running waits until it runs. A command that fails stops
+//! the SPU, as the hardware's interrupt does. In simulated time, a command takes as long as the
+//! call that gives it.
 
 use super::Spe;
 use crate::lock::lock;
@@ -14,26 +14,26 @@ use crate::mfc::{DmaError, PROXY_QUEUE_DEPTH, Policy};
 /// A command for the proxy queue.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ProxyCommand {
-    /// MFC opcode: put, get and sndsig with their fence and barrier forms, barriers.
+    /// MFC opcode: `put`, `get` or `sndsig` with their fence and barrier forms, or a barrier.
     pub opcode: u32,
     /// Local-store address.
     pub lsa: u32,
     /// Effective address.
     pub ea: u64,
-    /// Bytes.
+    /// Size in bytes.
     pub size: u32,
     /// Tag group, 0 to 31.
     pub tag: u32,
 }
 
-/// What [`Spe::proxy_tags`] waits for.
+/// The condition for which [`Spe::proxy_tags`] waits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TagWait {
-    /// Nothing: it tells what is complete now.
+    /// None: return the tags that are complete now.
     Immediate,
-    /// One complete tag of the mask at least.
+    /// At least one tag of the mask is complete.
     Any,
-    /// All tags of the mask.
+    /// All tags of the mask are complete.
     All,
 }
 
@@ -50,7 +50,7 @@ impl Proxy {
 }
 
 impl Spe {
-    /// Runs one proxy command, one of `tags` before others; says whether there was one.
+    /// Runs one proxy command, with those of `tags` before others. Returns whether there was one.
     fn proxy_step(&self, proxy: &mut Proxy, tags: u32) -> bool {
         let path = Path {
             local_store: &self.local_store,
@@ -72,8 +72,8 @@ impl Spe {
         while self.proxy_step(&mut proxy, u32::MAX) {}
     }
 
-    /// Gives a command to the proxy queue. The error is what is wrong with the command itself; a
-    /// storage fault comes as the end of the SPU's run.
+    /// Gives a command to the proxy queue. Returns an error if the command itself is wrong. A
+    /// storage fault does not return an error, but ends the SPU's run.
     pub fn proxy_command(&self, command: ProxyCommand) -> Result<(), DmaError> {
         let parameters = Parameters {
             lsa: command.lsa,
@@ -89,7 +89,7 @@ impl Spe {
     fn enqueue_proxy(&self, command: Command) {
         let mut proxy = lock(&self.proxy);
         if proxy.queue.room() == 0 {
-            // Without lists there is always an oldest command that may run.
+            // The queue contains no list commands, so its oldest command may always run.
             self.proxy_step(&mut proxy, u32::MAX);
         }
         proxy.queue.push(command);
@@ -100,7 +100,7 @@ impl Spe {
         self.problem_state.announce();
     }
 
-    /// The tags of `mask` that have nothing outstanding in the proxy queue.
+    /// The tags of `mask` that have no outstanding commands in the proxy queue.
     pub fn proxy_tags(&self, mask: u32, wait: TagWait) -> u32 {
         self.act(|| self.idle_proxy_tags(mask, wait))
     }

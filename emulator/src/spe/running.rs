@@ -1,13 +1,13 @@
-//! An SPU that runs: what its channels reach, and how a blocking one sleeps.
+//! A running SPU: its channels, and how it sleeps in a blocking one.
 //!
-//! Invariant: a channel access either happens wholly or, when a stop request ends its sleep, not
-//! at all; so the instruction can be run again.
+//! Invariant: a channel access either takes effect completely, or not at all if a stop request
+//! ends its sleep. So the instruction can be run again.
 
 use std::cell::RefCell;
 use std::time::Duration;
 
 use super::Spe;
-use super::problem_state::{ProblemState, State, Waited};
+use super::problem_state::{ProblemState, State, WaitOutcome};
 use crate::decrementer::Decrementer;
 use crate::event;
 use crate::memory::LINE;
@@ -19,15 +19,16 @@ use crate::mfc::{DmaError, Policy};
 use crate::simulated::{self, SpeSide, SpuClock, Wait};
 use crate::stop::Stop;
 
-/// How long the adversary leaves commands of both sides undone while the SPU sleeps: long enough
-/// for the PPE to look too early, short enough not to stop a program whose PPE waits for the data
-/// itself.
+/// With [`Policy::AtLast`], how long commands of both sides stay undone while the SPU sleeps. It
+/// is long enough to reveal a PPE that looks too early, and short enough not to hang a program
+/// whose PPE waits for the data itself.
 const GRACE: Duration = Duration::from_millis(10);
-/// How often a sleeper that waits for a lost reservation compares the line: the PPE's own stores
-/// break no reservation here, so nobody would tell.
+/// How often an SPU that waits for a lost reservation compares the line. The PPE's own stores end
+/// no reservation here, so there is no notification of them.
 const LINE_WATCH: Duration = Duration::from_millis(1);
 
-/// What only the thread that runs the SPU touches, beside the registers. It is kept across runs.
+/// The state, except the registers, that only the thread that runs the SPU uses. It is kept across
+/// runs.
 pub(crate) struct SpuState {
     pub(super) mfc: SpuSide,
     pub(super) decrementer: Decrementer,
@@ -54,7 +55,7 @@ impl SpuState {
 pub(crate) struct RunningChannels<'a> {
     pub(super) own: &'a mut SpuState,
     pub(super) spe: &'a Spe,
-    /// Counts in simulated time only.
+    /// Used only in simulated time.
     pub(super) clock: &'a RefCell<SpuClock>,
 }
 
@@ -76,20 +77,20 @@ impl<'a> RunningChannels<'a> {
         self.spe.simulated.as_ref()
     }
 
-    /// What follows can be seen by others, or depends on them.
+    /// Waits for the SPU's turn, before an action that others can see or that depends on them.
     pub(super) fn turn(&self) {
         if let Some(side) = self.simulated() {
             side.turn(self.clock);
         }
     }
 
-    /// Sleeps until `cycle`, which nobody can bring nearer.
+    /// Sleeps until `cycle`. Nothing wakes the SPU earlier.
     pub(super) fn sleep_until(&self, cycle: u64, wait: Wait) {
         self.clock.borrow_mut().sleep(cycle, wait);
     }
 
-    /// What is complete by now in simulated time is so for the program.
-    fn settle(&mut self) {
+    /// In simulated time: makes the completion of commands visible to the program.
+    fn advance_transfers(&mut self) {
         if self.simulated().is_some() {
             let now = self.clock.borrow().now();
             self.own
@@ -99,19 +100,19 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    /// 1 if what the MFC gives at `time` in simulated time is there, else 0.
+    /// In simulated time: 1 if the result that the MFC delivers at `time` has arrived, else 0.
     pub(super) fn arrived(&self, time: impl FnOnce(&dyn TransferTimes) -> u64) -> u32 {
         let transfers = self.own.mfc.transfers();
         u32::from(transfers.is_none_or(|transfers| time(transfers) <= self.clock.borrow().now()))
     }
 
-    /// Does something with the MFC and raises the events that come of it.
+    /// Calls `body` with the MFC, and raises the events that result.
     pub(super) fn mfc<T>(
         &mut self,
         body: impl FnOnce(&mut SpuSide, Path<'a>) -> Result<T, DmaError>,
     ) -> Result<T, Stop> {
         let path = self.path();
-        self.settle();
+        self.advance_transfers();
         let result = body(&mut self.own.mfc, path);
         if let Some(side) = self.simulated() {
             let now = self.clock.borrow().now();
@@ -121,12 +122,12 @@ impl<'a> RunningChannels<'a> {
         result.map_err(Stop::Dma)
     }
 
-    /// Carries out what the policy put off: the program has stopped.
+    /// Carries out the commands that the policy put off, because the program has stopped.
     pub(crate) fn finish_commands(&mut self) -> Result<(), Stop> {
         self.mfc(SpuSide::run_ready)
     }
 
-    /// Sleeps until `poll` yields.
+    /// Sleeps until `poll` returns a value.
     fn sleep<T>(
         &mut self,
         wait: Wait,
@@ -146,7 +147,7 @@ impl<'a> RunningChannels<'a> {
     ) -> Result<T, Stop> {
         side.turn(self.clock);
         loop {
-            self.settle();
+            self.advance_transfers();
             if wait == Wait::Event {
                 self.watch_line();
             }
@@ -183,18 +184,18 @@ impl<'a> RunningChannels<'a> {
             let limit = silent.into_iter().chain(grace).min();
             let problem_state = self.problem_state();
             match problem_state.wait_as_spu(limit, |state| poll(self, state)) {
-                Waited::Ready(value) => return Ok(value),
-                Waited::StopRequested => return Err(Stop::Requested),
-                Waited::TimedOut if grace.is_some() => {
+                WaitOutcome::Ready(value) => return Ok(value),
+                WaitOutcome::StopRequested => return Err(Stop::Requested),
+                WaitOutcome::TimedOut if grace.is_some() => {
                     self.finish_commands()?;
                     self.spe.finish_proxy_commands();
                 }
-                Waited::TimedOut => {}
+                WaitOutcome::TimedOut => {}
             }
         }
     }
 
-    /// Sleeps until `take` finds something, then tells those who wait for the room it left.
+    /// Sleeps until `take` returns a value, then notifies the threads that wait for room.
     pub(super) fn receive(
         &mut self,
         wait: Wait,
@@ -214,20 +215,20 @@ impl<'a> RunningChannels<'a> {
         Ok(word)
     }
 
-    /// Sleeps until `give` finds room, then tells those who wait for the data.
+    /// Sleeps until `give` finds room, then notifies the threads that wait for the data.
     pub(super) fn send(&mut self, mut give: impl FnMut(&mut State) -> bool) -> Result<(), Stop> {
         self.sleep(Wait::Mailbox, |_, state| give(state).then_some(()))?;
         self.problem_state().announce();
         Ok(())
     }
 
-    /// Sleeps in a channel that only the SPU's own queue can fill. It is called when nothing in
-    /// the queue may run, so only a stop ends it.
+    /// Sleeps in a channel that only the SPU's own queue can fill. It is called when no command in
+    /// the queue may run, so only a stop request ends the sleep.
     pub(super) fn sleep_for_ever<T>(&mut self, wait: Wait) -> Result<T, Stop> {
         self.sleep(wait, |_, _| None)
     }
 
-    /// Sleeps until the MFC yields, which only its own commands can bring about.
+    /// Sleeps until the MFC returns a value, which only its own commands can cause.
     pub(super) fn sleep_for_mfc<T>(
         &mut self,
         wait: Wait,
@@ -252,7 +253,7 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    /// Of the time base: simulated, or the host's.
+    /// The current time of the time base, simulated or the host's.
     pub(super) fn now(&self) -> u64 {
         match self.simulated() {
             Some(_) => simulated::ticks(self.clock.borrow().now()),
@@ -260,15 +261,15 @@ impl<'a> RunningChannels<'a> {
         }
     }
 
-    /// Raises the decrementer's event, which nobody announces.
+    /// Raises the decrementer's event, of which there is no notification.
     fn poll_decrementer(&mut self, state: &mut State) {
         if self.own.decrementer.expired(self.now()) {
             state.events.raise(event::DECREMENTER);
         }
     }
 
-    /// Ends the reservation of a line that the PPE changed by itself, which nobody announces
-    /// either.
+    /// Ends the reservation of a line that the PPE itself changed. There is no notification of
+    /// that either.
     fn watch_line(&mut self) {
         let Some(line) = self.problem_state().reservation().line() else {
             return;
@@ -288,28 +289,28 @@ impl<'a> RunningChannels<'a> {
         self.problem_state().with(|state| state.events.mask())
     }
 
-    /// Ticks to the decrementer's event, if it is awaited.
+    /// Ticks until the decrementer's event, if the program waits for it.
     fn decrementer_ticks(&self) -> Option<u64> {
         (self.event_mask() & event::DECREMENTER != 0)
             .then(|| self.own.decrementer.until_event(self.now()))
             .flatten()
     }
 
-    /// How often to look at the reserved line, if its loss is awaited.
+    /// How often to compare the reserved line, if the program waits for its loss.
     fn line_watch(&self) -> Option<Duration> {
         (self.event_mask() & event::RESERVATION_LOST != 0
             && self.problem_state().reservation().line().is_some())
         .then_some(LINE_WATCH)
     }
 
-    /// How long the host may sleep without missing an event that nobody announces.
+    /// How long the host may sleep without missing an event that has no notification.
     fn silent_event_limit(&self) -> Option<Duration> {
         let clock = self.spe.machine.clock();
         let decrementer = self.decrementer_ticks().map(|ticks| clock.host_time(ticks));
         [decrementer, self.line_watch()].into_iter().flatten().min()
     }
 
-    /// The same in simulated time, in which commands become complete too.
+    /// The same in simulated time, where the completion of commands counts too.
     fn silent_event_cycle(&self) -> Option<u64> {
         let now = self.clock.borrow().now();
         let decrementer = self
@@ -338,7 +339,7 @@ impl<'a> RunningChannels<'a> {
 
     pub(super) fn event_count(&mut self) -> bool {
         self.turn();
-        self.settle();
+        self.advance_transfers();
         self.watch_line();
         let problem_state = self.problem_state();
         problem_state.with(|state| {

@@ -1,5 +1,5 @@
-//! The emulator's tests: one program, since most of the time that a test program takes is its
-//! linking.
+//! The emulator's tests. They are one program, because linking takes most of a test program's
+//! time.
 
 #[cfg(all(feature = "compiler", target_arch = "x86_64"))]
 mod compiled;

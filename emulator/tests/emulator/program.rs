@@ -1,9 +1,9 @@
-//! Programs for the machine's tests, assembled by the SPU binutils.
+//! Assembles programs for the tests of the machine with the SPU binutils.
 
 use std::fs;
 use std::path::Path;
 
-/// The ELF image of a program; `_start` is put before the source.
+/// The ELF image of a program. `_start` is added before the source.
 pub fn assemble(source: &str) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let sources = folder.path().join("sources");
@@ -19,7 +19,7 @@ pub fn assemble(source: &str) -> Vec<u8> {
             .build(&tools, &folder.path().join("objects"), &image)
     });
     if let Err(error) = built {
-        panic!("{error}\n(the SPU binutils come by ci/setup)");
+        panic!("{error}\n(ci/setup installs the SPU binutils)");
     }
     fs::read(image).unwrap()
 }

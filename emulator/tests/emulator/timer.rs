@@ -1,6 +1,7 @@
-//! The timer on the interpreter: what ran is what is timed, and timing changes nothing.
+//! The timer with the interpreter: it times exactly the instructions that run, and does not change
+//! what they do.
 //!
-//! Provenance: `model`, derived by hand beside each figure.
+//! Provenance: `model`, derived by hand in a comment at each figure.
 
 use spu_emulator::channel::Channels;
 use spu_emulator::interp::{Quad, Spu};
@@ -13,7 +14,7 @@ use spu_isa::{Instruction, Op};
 /// Channels that never block.
 #[derive(Default)]
 struct Open {
-    /// Looks at the external condition after which it holds.
+    /// The number of queries of the external condition before it holds.
     quiet: Option<u32>,
 }
 
@@ -71,13 +72,13 @@ fn run(code: &[Instruction], spu: &mut Spu, channels: &mut Open) -> (Timer, Stop
     (timer, stopped)
 }
 
-/// `passes` times round a loop of nine nops, `ai` and `brnz`.
+/// Runs `passes` passes of a loop of nine nops, `ai` and `brnz`.
 fn counted(passes: i32, hint: Option<Instruction>) -> (Timer, u64) {
     let nop = i(Op::Nop, 127, 0, 0);
     let mut code = vec![i(Op::Il, 3, 0, passes), i(Op::Il, 4, 0, 0x10)];
     code.push(hint.unwrap_or(nop));
     code.push(nop);
-    // 0x10: the loop; its branch stands at 0x10 + 40 = 0x38.
+    // The loop starts at 0x10. Its branch is at 0x10 + 40 = 0x38.
     code.extend([nop; 8]);
     code.push(i(Op::Ai, 3, 3, -1));
     code.push(nop);
@@ -95,8 +96,8 @@ fn each_taken_branch_misses_without_a_hint() {
     let account = timer.pipeline.account();
     assert_eq!(executed, 4 + 10 * 11 + 1);
     assert_eq!(account.instructions(), executed);
-    // Nine of ten are taken. A pass: eight nops, ai at 8, nop at 9, brnz at 10 (ai's result is
-    // there).
+    // Nine of ten branches are taken. In a pass, the eight nops come first, then ai at 8, nop at 9
+    // and brnz at 10, when ai's result is ready.
     assert_eq!(account.waited(Cause::BranchMiss), 9 * 18);
     assert_eq!(timer.pipeline.clock(), 4 + 10 * 11 + 9 * 18 + 1);
 }
@@ -107,13 +108,13 @@ fn a_hint_saves_all_but_the_last_pass() {
         branch_distance: 0x38 - 8,
         ..i(Op::Hbrr, 0, 0, 8)
     };
-    // From an hbr the timer learns the target out of the register, which must be there: il at 1.
+    // For an hbr, the timer reads the target from the register, which must be set before: il at 1.
     let register = Instruction {
         branch_distance: 0x38 - 8,
         ..i(Op::Hbr, 0, 4, 0)
     };
-    // The hint issues at 2 (hbr: at 3, waiting for il); it works at 17 (18). The first brnz comes
-    // at 4 + 10 = 14 (15): it waits 3 cycles. Leaving the loop misses.
+    // The hint issues at 2 (hbr: at 3, after waiting for il) and works at 17 (18). The first brnz
+    // would issue at 4 + 10 = 14 (15), so it waits 3 cycles. Leaving the loop is a miss.
     for (hint, late) in [(relative, 0), (register, 1)] {
         let (timer, executed) = counted(10, Some(hint));
         let account = timer.pipeline.account();
@@ -125,7 +126,8 @@ fn a_hint_saves_all_but_the_last_pass() {
 
 #[test]
 fn a_hint_whose_register_is_wrong_misses_always() {
-    // $5 is 0, not 0x10: hinted elsewhere when taken, and hinted but not taken at the end.
+    // $5 is 0, not 0x10: the hint is wrong when the branch is taken, and also when it is not taken
+    // at the end.
     let wrong = Instruction {
         branch_distance: 0x38 - 8,
         ..i(Op::Hbr, 0, 5, 0)
@@ -136,11 +138,12 @@ fn a_hint_whose_register_is_wrong_misses_always() {
 
 #[test]
 fn an_interrupt_is_a_miss() {
-    // `bie $3` enables interrupts and jumps to 0x10; the interrupt goes to 0.
+    // `bie $3` enables interrupts and branches to 0x10. The interrupt goes to 0.
     let nop = i(Op::Nop, 127, 0, 0);
     let stop = i(Op::Stop, 0, 0, 5);
     let code = [stop, nop, i(Op::Bi, 0, 3, 1), nop, nop, nop, nop];
-    // At once: bi at 0, the way to the handler 18, stop. Two nops later: bi, 18, nops, 18, stop.
+    // Interrupted at once: bi at 0, 18 to reach the handler, stop. After two nops: bi, 18, nops,
+    // 18, stop.
     for (looks, cycles) in [(0, 1 + 18 + 1), (2, 1 + 18 + 2 + 18 + 1)] {
         let mut spu = Spu::new();
         spu.set_register(3, Quad::splat(0x10));
@@ -185,7 +188,7 @@ fn a_channel_instruction_that_is_run_again_issues_once() {
     timer.before_instruction(&spu, i(Op::Ai, 3, 4, 1));
     let account = timer.pipeline.account();
     assert_eq!(account.instructions(), 2);
-    // As if issued at 49: its reader goes at 55.
+    // As if it had issued at 49: its reader issues at 55.
     assert_eq!(timer.pipeline.clock(), 56);
     assert_eq!(account.waited(Cause::BranchMiss), 0);
 }

@@ -1,6 +1,6 @@
 //! Execution classes: which pipe an instruction takes and when its result can be used.
 //!
-//! Names are those of the binutils opcode table; latencies those of IBM's SDK tutorial.
+//! Names are those of the binutils opcode table, latencies those of IBM's SDK tutorial.
 
 /// One of the two pipes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -43,7 +43,7 @@ pub enum Class {
 }
 
 impl Class {
-    /// The pipe that all instructions of the class take.
+    /// The pipe in which all instructions of the class issue.
     #[inline]
     #[must_use]
     pub const fn pipe(self) -> Pipe {
@@ -55,8 +55,8 @@ impl Class {
         }
     }
 
-    /// Cycles from issue until a dependent instruction can issue; for [`Class::Hb`] until the hint
-    /// works. 0 for the two no-operations, which give nothing to wait for.
+    /// Cycles from issue until a dependent instruction can issue. For [`Class::Hb`], cycles until
+    /// the hint works. 0 for the two no-operations, which have no result.
     #[inline]
     #[must_use]
     pub const fn latency(self) -> u32 {

@@ -1,22 +1,22 @@
-//! Text of instructions, letter for letter that of `spu-elf-objdump -d` for a file without
-//! symbols.
+//! Instructions as text, exactly as `spu-elf-objdump -d` prints them for a file without symbols.
 //!
-//! objdump's habits are kept: a tab after the mnemonic, `lr` as `ori`, `stop` without its code,
-//! seven-bit constants as signed, and a comment with the last constant in hex if it is above 16.
+//! That includes objdump's conventions: a tab after the mnemonic, `lr` as `ori`, `stop` without
+//! its code, seven-bit constants as signed, and a comment that repeats the last constant in
+//! hexadecimal if it is above 16.
 
 use super::instruction::Instruction;
 use super::op::Operand;
 use crate::address::LIMIT_MASK;
 use std::fmt;
 
-/// The text of a word at an address; see [`disassemble`].
+/// The text of a word at an address. See [`disassemble`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Disassembly {
     word: u32,
     pc: u32,
 }
 
-/// The text of `word`, fetched from `pc`. An unassigned opcode gives a `.long`.
+/// The text of `word`, fetched from `pc`. An unassigned opcode becomes a `.long`.
 #[must_use]
 pub const fn disassemble(word: u32, pc: u32) -> Disassembly {
     Disassembly { word, pc }
@@ -48,8 +48,8 @@ impl fmt::Display for Disassembly {
     }
 }
 
-/// Writes one operand. Gives the constant that objdump repeats in hex, if it does so for this
-/// kind.
+/// Writes one operand. Returns the constant that objdump repeats in hexadecimal, if it does so for
+/// this kind of operand.
 fn write_operand(
     f: &mut fmt::Formatter<'_>,
     i: Instruction,
@@ -85,12 +85,12 @@ fn write_operand(
         Operand::Relative => {
             let address = pc.wrapping_add_signed(immediate);
             write!(f, "{:#x}", address & LIMIT_MASK)?;
-            // objdump's comment has the address before it wraps.
+            // objdump's comment shows the address before it wraps.
             return Ok(Some(address as i32));
         }
         Operand::HintedBranch => {
             let address = pc.wrapping_add_signed(i32::from(i.branch_distance));
-            // objdump does not wrap this one.
+            // objdump does not wrap this address.
             write!(f, "{address:#x}")?;
         }
     }

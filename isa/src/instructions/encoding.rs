@@ -1,14 +1,14 @@
-//! Words to instructions and back.
+//! Decodes words to instructions, and encodes instructions as words.
 //!
-//! Invariant: packing what was unpacked gives the word again, but for reserved bits, which become
-//! 0.
+//! Invariant: encoding a decoded instruction yields the same word, except that reserved bits
+//! become 0.
 
 use super::format::Format;
 use super::instruction::Instruction;
 use super::op::Op;
 use crate::address::LIMIT_MASK;
 
-/// `bits` of `word` that end at (IBM) bit `last`.
+/// The field of `bits` bits in `word` that ends at (IBM) bit `last`.
 const fn field(word: u32, last: u32, bits: u32) -> u32 {
     (word >> (31 - last)) & ((1 << bits) - 1)
 }
@@ -21,7 +21,7 @@ const fn place(value: u32, last: u32, bits: u32) -> u32 {
     (value & ((1 << bits) - 1)) << (31 - last)
 }
 
-/// Distance in bytes from a hint to its branch: nine signed bits in two places.
+/// Distance in bytes from a hint to its branch: nine signed bits in two parts of the word.
 const fn branch_distance(word: u32, high_last: u32) -> i16 {
     let words = field(word, high_last, 2) << 7 | field(word, 31, 7);
     ((words << 23) as i32 >> 23) as i16 * 4
@@ -33,7 +33,7 @@ const fn place_branch_distance(bytes: i16, high_last: u32) -> u32 {
 }
 
 impl Format {
-    /// The fields of `word`, which holds an `op` of this format.
+    /// The fields of `word`, which holds an `op` with this format.
     const fn unpack(self, op: Op, word: u32) -> Instruction {
         let mut i = Instruction {
             op,
@@ -99,7 +99,7 @@ impl Format {
         i
     }
 
-    /// The word without its opcode bits. Of every field the bits that fit are taken.
+    /// The word without its opcode bits. Each field is reduced to the low bits that fit.
     const fn pack(self, i: Instruction) -> u32 {
         let immediate = i.immediate as u32;
         let rt = place(i.rt as u32, 31, 7);
@@ -132,8 +132,8 @@ impl Format {
 }
 
 impl Instruction {
-    /// The instruction in `word`; `None` if its opcode is not assigned. Reserved bits are ignored,
-    /// as the GNU disassembler does.
+    /// The instruction in `word`, or `None` if its opcode is not assigned. Reserved bits are
+    /// ignored, as in the GNU disassembler.
     #[inline]
     #[must_use]
     pub fn decode(word: u32) -> Option<Self> {
@@ -141,7 +141,7 @@ impl Instruction {
         Some(op.row().format.unpack(op, word))
     }
 
-    /// The instruction's word. Of a field that is too wide the low bits are taken.
+    /// The instruction's word. Of a field that is too wide, the low bits are used.
     #[must_use]
     pub fn encode(self) -> u32 {
         let row = self.op.row();

@@ -1,6 +1,6 @@
-//! Instruction formats: where opcode, registers and constants lie in the word.
+//! Instruction formats: the positions of opcode, registers and constants in the word.
 
-/// An instruction format. The comments number bits from the left, as IBM does.
+/// An instruction format. The comments number the bits from the left, as IBM does.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Format {
     /// RB 11-17, RA 18-24, RT 25-31.
@@ -38,7 +38,7 @@ pub enum Format {
 }
 
 impl Format {
-    /// How many of the first eleven bits are the opcode.
+    /// The number of opcode bits, which are the first bits of the word.
     #[must_use]
     pub const fn opcode_bits(self) -> u32 {
         match self {

@@ -4,8 +4,8 @@ use super::format::Format;
 use super::op::{Field, Op, Operand, Target};
 use super::registers::RegisterSet;
 
-/// Feature bits of formats [`Flagged`](super::Format::Flagged) and [`Hint`](super::Format::Hint),
-/// as they stand in [`Instruction::immediate`].
+/// The feature bits in [`Instruction::immediate`], for the formats
+/// [`Flagged`](super::Format::Flagged) and [`Hint`](super::Format::Hint).
 pub mod feature {
     /// Bit 11: `sync` waits for channels too (c), `hbr` reserves a slot for prefetch (p).
     pub const CHANNEL_OR_PREFETCH: i32 = 4;
@@ -18,25 +18,25 @@ pub mod feature {
 /// A decoded instruction. Fields that its format does not have are 0.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Instruction {
-    /// Which instruction.
+    /// The operation.
     pub op: Op,
     /// Target register, or a third source.
     pub rt: u8,
-    /// First source register; also the number of a channel or special-purpose register.
+    /// First source register, or the number of a channel or special-purpose register.
     pub ra: u8,
     /// Second source register.
     pub rb: u8,
     /// Third source register of format RRR.
     pub rc: u8,
-    /// Hints only: bytes from the hint to the branch.
+    /// In hints, bytes from the hint to the branch.
     pub branch_distance: i16,
-    /// The constant, as the instruction means it: sign-extended where signed, a byte address or
-    /// distance for addresses, the scale of a conversion, [`feature`] bits, or a stop code.
+    /// The constant as the instruction uses it: sign-extended if it is signed, in bytes if it is
+    /// an address or distance, or the scale of a conversion, [`feature`] bits, or a stop code.
     pub immediate: i32,
 }
 
 impl Instruction {
-    /// Its name in assembly, with the letters of its feature bits.
+    /// The mnemonic, with the letters of the feature bits.
     #[must_use]
     pub fn mnemonic(self) -> String {
         let row = self.op.row();
@@ -54,8 +54,8 @@ impl Instruction {
         mnemonic
     }
 
-    /// The same with 0 in each register field that no operand names: what the assembler can be
-    /// told to make.
+    /// The same instruction with 0 in each register field that is not an operand. Only such
+    /// instructions can be written in assembly.
     #[must_use]
     pub fn without_reserved(self) -> Self {
         let named = |field| {
@@ -75,7 +75,7 @@ impl Instruction {
         }
     }
 
-    /// The same with 0 in each field that names a general register.
+    /// The same instruction with 0 in each field that names a general register.
     #[must_use]
     pub fn without_registers(self) -> Self {
         let operands = self.op.row().operands.iter();
@@ -101,7 +101,7 @@ impl Instruction {
         }
     }
 
-    /// The number in a register field, to be changed.
+    /// The number in a register field, for changing it.
     pub const fn register_mut(&mut self, field: Field) -> &mut u8 {
         match field {
             Field::Rt => &mut self.rt,
@@ -111,7 +111,7 @@ impl Instruction {
         }
     }
 
-    /// Registers whose values the instruction needs.
+    /// The registers that the instruction reads.
     #[must_use]
     pub fn reads(self) -> RegisterSet {
         let fields = self.op.row().reads.iter();

@@ -1,6 +1,6 @@
-//! The SPU's instruction set: one table, and what derives from it.
+//! The SPU's instruction set: one table, and the code that is derived from it.
 //!
-//! It knows nothing of semantics or of the machine: words in, [`Instruction`]s out, and back.
+//! It knows neither semantics nor a machine. It converts words to [`Instruction`]s and back.
 
 mod class;
 mod disassemble;

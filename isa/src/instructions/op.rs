@@ -1,4 +1,4 @@
-//! [`Op`], its rows, and the decode table: the expansions of the instruction table.
+//! [`Op`], its rows, and the decode table, which are all expansions of the instruction table.
 
 use super::class::Class;
 use super::format::Format;
@@ -7,7 +7,7 @@ use crate::for_each_instruction;
 /// A register field of the instruction word.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Field {
-    /// Bits 25-31, but bits 4-10 in format RRR.
+    /// Bits 25-31, except in format RRR, where it is bits 4-10.
     Rt,
     /// Bits 18-24.
     Ra,
@@ -17,27 +17,27 @@ pub enum Field {
     Rc,
 }
 
-/// What an instruction does with the register named by its rt field, besides reading it.
+/// How an instruction uses the register in its rt field, apart from reading it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Target {
-    /// It is written.
+    /// The register is written.
     Rt,
-    /// It is encoded as a target but never written.
+    /// The register is encoded as a target but never written.
     False,
-    /// Nothing.
+    /// The register is not a target.
     None,
 }
 
-/// Which machines have the instruction.
+/// The machines that have an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Machine {
     /// Every SPU.
     Every,
-    /// Those with the enhanced double-precision unit (PowerXCell 8i), not the Cell.
+    /// SPUs with the enhanced double-precision unit (PowerXCell 8i), not the Cell's.
     DoubleExtension,
 }
 
-/// An operand as the assembler writes it.
+/// An operand in assembly syntax.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Operand {
     /// Register rt.
@@ -58,9 +58,9 @@ pub enum Operand {
     Unsigned16,
     /// Unsigned 18-bit constant.
     Unsigned18,
-    /// Signed 7-bit displacement and, in parentheses, ra.
+    /// Signed 7-bit displacement, followed by ra in parentheses.
     Displacement7,
-    /// Signed 14-bit displacement of whole quadwords and, in parentheses, ra.
+    /// Signed 14-bit displacement of whole quadwords, followed by ra in parentheses.
     Displacement14,
     /// Address of a word of local store.
     Absolute,
@@ -79,7 +79,7 @@ pub enum Operand {
 }
 
 impl Operand {
-    /// The field of seven bits whose number it shows, or a part of it does.
+    /// The seven-bit field whose number is the operand or a part of it.
     #[must_use]
     pub const fn field(self) -> Option<Field> {
         match self {
@@ -96,28 +96,28 @@ impl Operand {
     }
 }
 
-/// What the table says about one instruction.
+/// An instruction's row of the table.
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
     /// The instruction.
     pub op: Op,
-    /// Its name in assembly, without the letters of feature bits.
+    /// The mnemonic, without the letters of feature bits.
     pub mnemonic: &'static str,
-    /// Its opcode bits, left-aligned in eleven bits.
+    /// The opcode bits, left-aligned in eleven bits.
     pub opcode: u16,
-    /// Where its fields lie.
+    /// The positions of the fields.
     pub format: Format,
     /// Operands in the assembler's order.
     pub operands: &'static [Operand],
     /// Fields that name source registers.
     pub reads: &'static [Field],
-    /// What becomes of register rt.
+    /// How the register rt is used.
     pub target: Target,
-    /// Execution class.
+    /// The execution class.
     pub class: Class,
-    /// Who has it.
+    /// The machines that have the instruction.
     pub machine: Machine,
-    /// What it does, in a line.
+    /// A one-line description.
     pub summary: &'static str,
 }
 
@@ -189,14 +189,15 @@ impl Op {
         &ROWS[self as usize]
     }
 
-    /// The instruction with these first eleven bits of a word, if there is one.
+    /// The instruction whose opcode is in the first eleven bits of this word, if there is one.
     #[inline]
     #[must_use]
     pub fn of_word(word: u32) -> Option<Self> {
         BY_OPCODE[(word >> 21) as usize]
     }
 
-    /// The instruction of this name, without letters of feature bits and without synonyms.
+    /// The instruction with this mnemonic. Letters of feature bits and synonyms are not
+    /// recognised.
     #[must_use]
     pub fn of_mnemonic(mnemonic: &str) -> Option<Self> {
         ROWS.iter()

@@ -7,16 +7,16 @@ use std::fmt;
 pub struct RegisterSet(u128);
 
 impl RegisterSet {
-    /// The set without a member.
+    /// The empty set.
     pub const EMPTY: Self = Self(0);
 
-    /// The set of one register; only the low seven bits of the number count.
+    /// The set of one register. Only the low seven bits of the number are used.
     #[must_use]
     pub const fn of(register: u8) -> Self {
         Self(1 << (register & 127))
     }
 
-    /// Members of either set.
+    /// The members of both sets together.
     #[must_use]
     pub const fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
@@ -34,13 +34,13 @@ impl RegisterSet {
         self.intersects(Self::of(register))
     }
 
-    /// Whether the set has no member.
+    /// Whether the set is empty.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0 == 0
     }
 
-    /// The members in rising order.
+    /// The members in ascending order.
     pub fn iter(self) -> impl Iterator<Item = u8> {
         let mut rest = self.0;
         std::iter::from_fn(move || {

@@ -1,22 +1,23 @@
-//! The instruction table: one row an instruction, and nothing about an instruction anywhere else.
+//! The instruction table. It has one row for each instruction, and is the only place with facts
+//! about instructions.
 //!
 //! The decoder, the encoder, the disassembler, the register sets and the interpreter's dispatch
-//! are all expansions of [`for_each_instruction`]. Invariant: no two rows claim one of the 2048
-//! values of the first eleven bits; the decode table checks it while the crate is compiled.
+//! are all expansions of [`for_each_instruction`]. Invariant: each of the 2048 values of the
+//! first eleven bits belongs to at most one row. The decode table checks this at compile time.
 //!
 //! Columns of a row:
 //!
 //! | column | meaning |
 //! |---|---|
-//! | variant, mnemonic | of [`Op`](super::Op), and as the assembler spells it; the mnemonic also names the function with its semantics |
-//! | opcode | the opcode bits left-aligned in the first eleven bits of the word |
-//! | format | [`Format`](super::Format): where the fields lie |
+//! | variant, mnemonic | the [`Op`](super::Op), and its name in assembly and in the interpreter |
+//! | opcode | the opcode bits, left-aligned in the first eleven bits of the word |
+//! | format | [`Format`](super::Format): the positions of the fields |
 //! | `(..)` | [`Operand`](super::Operand)s in the assembler's order |
 //! | `[..]` | [`Field`](super::Field)s read as source registers |
-//! | target | [`Target`](super::Target): what becomes of the register named by rt |
-//! | class | [`Class`](super::Class): execution class, which names the pipe and the latency |
-//! | part | the module of the interpreter that owns the semantics; `inert` if there are none |
-//! | machine | [`Machine`](super::Machine): on every SPU, or of the double-precision extension only |
+//! | target | [`Target`](super::Target): how the register rt is used |
+//! | class | [`Class`](super::Class): the execution class, which determines pipe and latency |
+//! | part | the interpreter's module that implements it, or `inert` if it has no semantics |
+//! | machine | [`Machine`](super::Machine): every SPU, or the double-precision extension only |
 
 /// Calls the macro `$callback` with `$context` and all rows of the table.
 #[macro_export]

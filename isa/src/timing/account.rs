@@ -1,24 +1,24 @@
-//! Where the cycles went.
+//! The account of cycles: what each cycle was spent on.
 
 use crate::instructions::Class;
 use std::fmt;
 
-/// Why no instruction issued in a cycle.
+/// The reason why no instruction issued in a cycle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Cause {
     /// The next instruction needed the result of an instruction of this class.
     Operand(Class),
-    /// Behind a double-precision instruction nothing issues.
+    /// Nothing issues in the cycles after a double-precision instruction.
     DoubleStall,
-    /// FP6 needed the unit that FP7 held.
+    /// An FP6 instruction needed the unit that an FP7 instruction occupied.
     FloatConflict,
-    /// The instructions were not there: straight-line code whose line had not come.
+    /// The instructions were not available: straight-line code whose line had not arrived.
     Fetch,
-    /// A branch went where it was not predicted to go.
+    /// A branch was mispredicted.
     BranchMiss,
     /// A branch waited for its hint.
     HintWait,
-    /// `sync` or `dsync`.
+    /// `sync` or `dsync` waited.
     Synchronise,
     /// A channel had no data or no room.
     Channel,
@@ -71,13 +71,13 @@ impl Cause {
         }
     }
 
-    /// Every cause, operands first.
+    /// All causes, operands first.
     pub fn all() -> impl Iterator<Item = Self> {
         CLASSES.into_iter().map(Self::Operand).chain(OTHERS)
     }
 }
 
-/// The name that binutils and the schedules give the class.
+/// The name of the class in binutils and in the schedules.
 fn class_name(class: Class) -> String {
     format!("{class:?}").to_uppercase()
 }
@@ -110,22 +110,22 @@ impl Default for Stalls {
 }
 
 impl Stalls {
-    /// No cycles of any cause.
+    /// No cycles.
     pub const NONE: Self = Self([0; Cause::COUNT]);
 
-    /// Those of one cause.
+    /// The cycles of one cause.
     #[must_use]
     pub const fn of(&self, cause: Cause) -> u64 {
         self.0[cause.index()]
     }
 
-    /// All of them.
+    /// The sum of all cycles.
     #[must_use]
     pub fn total(&self) -> u64 {
         self.0.iter().sum()
     }
 
-    /// Causes that cost cycles, and how many, the most expensive first.
+    /// The causes that cost cycles, with their cycles, the most expensive first.
     #[must_use]
     pub fn by_cost(&self) -> Vec<(Cause, u64)> {
         let mut stalls: Vec<_> = Cause::all()
@@ -136,7 +136,7 @@ impl Stalls {
         stalls
     }
 
-    /// What was added since `earlier`, which is an older state of these.
+    /// The cycles that were added since `earlier`, an older copy of these counts.
     #[inline]
     #[must_use]
     pub fn since(&self, earlier: &Self) -> Self {
@@ -160,7 +160,7 @@ impl Stalls {
     }
 }
 
-/// Cycles by what happened in them. Invariant: each cycle is counted once.
+/// The number of cycles by how they were spent. Invariant: each cycle is counted once.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Account {
     single: u64,
@@ -181,43 +181,43 @@ impl Account {
         self.dual
     }
 
-    /// Cycles in which none issued for this cause.
+    /// Cycles in which no instruction issued for this cause.
     #[must_use]
     pub const fn waited(&self, cause: Cause) -> u64 {
         self.stalls.of(cause)
     }
 
-    /// Cycles in which none issued, by cause.
+    /// Cycles in which no instruction issued, by cause.
     #[must_use]
     pub const fn stalls(&self) -> &Stalls {
         &self.stalls
     }
 
-    /// Causes that cost cycles, and how many, the most expensive first.
+    /// The causes that cost cycles, with their cycles, the most expensive first.
     #[must_use]
     pub fn waits(&self) -> Vec<(Cause, u64)> {
         self.stalls.by_cost()
     }
 
-    /// Cycles in which none issued.
+    /// Cycles in which no instruction issued.
     #[must_use]
     pub fn stalled(&self) -> u64 {
         self.stalls.total()
     }
 
-    /// All cycles.
+    /// The sum of all cycles.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.single + self.dual + self.stalled()
     }
 
-    /// Instructions issued.
+    /// Number of instructions issued.
     #[must_use]
     pub const fn instructions(&self) -> u64 {
         self.single + 2 * self.dual
     }
 
-    /// Share of the issuing cycles in which two instructions issued, 0 to 1.
+    /// The share of the issuing cycles in which two instructions issued, from 0 to 1.
     #[must_use]
     pub fn dual_share(&self) -> f64 {
         match self.single + self.dual {
@@ -226,7 +226,7 @@ impl Account {
         }
     }
 
-    /// What was added since `earlier`, which is an older state of this account.
+    /// The cycles that were added since `earlier`, an older copy of this account.
     #[must_use]
     pub fn since(&self, earlier: &Self) -> Self {
         Self {
@@ -236,11 +236,11 @@ impl Account {
         }
     }
 
-    pub(super) fn pass(&mut self, passage: &Passage) {
-        // An instruction that joins makes a dual cycle of one that was counted as single.
-        self.single = self.single + passage.instructions - 2 * passage.joined;
-        self.dual += passage.joined;
-        self.stalls.extend(&passage.stalls);
+    pub(super) fn apply(&mut self, delta: &AccountDelta) {
+        // The second of a pair turns a cycle that was counted as single into a dual one.
+        self.single = self.single + delta.instructions - 2 * delta.joined;
+        self.dual += delta.joined;
+        self.stalls.extend(&delta.stalls);
     }
 
     #[inline]
@@ -253,7 +253,7 @@ impl Account {
         self.single += 1;
     }
 
-    /// A second instruction joined the one in the last cycle, which was counted as single.
+    /// A second instruction issues in the last cycle, which was counted as single.
     #[inline]
     pub(super) fn join(&mut self) {
         self.single -= 1;
@@ -261,19 +261,19 @@ impl Account {
     }
 }
 
-/// What stretches of the executed stream add to an account.
+/// The amounts that parts of the executed stream add to an account.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Passage {
-    /// Instructions issued.
+pub struct AccountDelta {
+    /// Number of instructions issued.
     pub instructions: u64,
-    /// Those of them that joined the instruction before them in its cycle.
+    /// How many of them issued as the second of a pair.
     pub joined: u64,
-    /// Cycles in which none issued.
+    /// Cycles in which no instruction issued.
     pub stalls: Stalls,
 }
 
-impl Passage {
-    /// All cycles.
+impl AccountDelta {
+    /// The sum of all cycles.
     #[must_use]
     pub fn cycles(&self) -> u64 {
         self.instructions - self.joined + self.stalls.total()

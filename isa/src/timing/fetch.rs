@@ -1,28 +1,28 @@
-//! Inline prefetch: how straight-line code comes from local store (see `Rules::inline_prefetch`).
+//! Inline prefetch: fetching straight-line code from local store (see `Rules::inline_prefetch`).
 //!
-//! The local store has one port. A load, a store or a hint's fetch takes it for a cycle; in any
-//! other cycle the next line is asked for if the buffer has room. After a branch the target's line
-//! and the one behind it are there: the branch's own cost covers them. Everything but the line's
-//! size and the order of priorities is a guess.
+//! The local store has one port. A load, a store or a hint's fetch occupies it for a cycle. In any
+//! other cycle the next line is requested if the buffer has room. After a branch, the target's
+//! line and the next one are present, because the branch's own cost includes their fetch.
+//! Everything except the line's size and the order of priorities is a guess.
 
 use super::rules::{INLINE_LINES, LINE_BYTES, LINE_CYCLES};
 
 const LINE_INSTRUCTIONS: u32 = LINE_BYTES / 4;
 const CAPACITY: u32 = INLINE_LINES * LINE_INSTRUCTIONS;
 
-/// The buffer ahead of issue.
+/// The instruction buffer.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct InlineBuffer {
-    /// Instructions that wait in it.
+    /// Number of instructions in the buffer.
     buffered: u32,
-    /// When the line that was asked for comes.
+    /// When the requested line arrives.
     arrival: Option<u64>,
-    /// The cycle that is going on, and whether its port is taken.
+    /// The current cycle, and whether the port is occupied in it.
     cycle: u64,
     port_taken: bool,
 }
 
-/// As after a branch to the start of a line.
+/// The state after a branch to the start of a line.
 impl Default for InlineBuffer {
     fn default() -> Self {
         Self {
@@ -35,13 +35,13 @@ impl Default for InlineBuffer {
 }
 
 impl InlineBuffer {
-    /// The first cycle from `cycle` on in which the next instruction is there.
+    /// The first cycle, at or after `cycle`, in which the next instruction is available.
     pub fn available(&mut self, cycle: u64) -> u64 {
         self.advance(cycle);
         if self.buffered > 0 {
             return cycle;
         }
-        // Nothing issues, so nothing else takes the port.
+        // Until then nothing issues, so nothing else occupies the port.
         let asked = cycle + u64::from(self.port_taken);
         let arrival = self.arrival.unwrap_or(asked + LINE_CYCLES);
         self.advance(arrival);
@@ -55,13 +55,13 @@ impl InlineBuffer {
         self.port_taken |= takes_port;
     }
 
-    /// Issue goes on at `target`.
+    /// Issue continues at `target`.
     pub fn redirected(&mut self, target: u32) {
         self.buffered = CAPACITY - target % LINE_BYTES / 4;
         self.arrival = None;
     }
 
-    /// Lets time pass up to, not including, `cycle`.
+    /// Advances time up to `cycle`, not including it.
     fn advance(&mut self, cycle: u64) {
         while self.cycle < cycle {
             if self.arrival.is_some_and(|arrival| arrival <= self.cycle) {
@@ -71,7 +71,7 @@ impl InlineBuffer {
             if self.arrival.is_none() && room && !self.port_taken {
                 self.arrival = Some(self.cycle + LINE_CYCLES);
             }
-            // Between this cycle and the line's arrival nothing changes.
+            // Nothing changes between this cycle and the line's arrival.
             let next = self.cycle + 1;
             self.cycle = match self.arrival {
                 Some(arrival) => arrival.clamp(next, cycle.max(next)),
@@ -90,12 +90,12 @@ impl InlineBuffer {
         self.buffered += LINE_INSTRUCTIONS;
     }
 
-    /// The state as seen from `clock`: equal ones go on alike.
+    /// The state relative to `clock`. Equal relative states behave equally in the future.
     pub fn relative(&self, clock: u64) -> Self {
         self.moved(clock.wrapping_neg())
     }
 
-    /// What [`relative`](Self::relative) gave, at another `clock`.
+    /// The inverse of [`relative`](Self::relative), for another `clock`.
     pub fn at(&self, clock: u64) -> Self {
         self.moved(clock)
     }

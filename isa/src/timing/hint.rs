@@ -1,38 +1,40 @@
-//! The branch hint: one entry, the last hint wins.
+//! The branch hint. There is one entry, and the last hint replaces it.
 
 use super::rules::{HINT_CYCLES, HINT_MINIMUM_INSTRUCTIONS};
 use crate::address::LIMIT_MASK;
 use crate::instructions::{Class, Instruction, Op, feature};
 
-/// Where the SPU goes on fetching behind a branch before it knows.
+/// The address from which the SPU fetches after a branch until the branch is decided.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) enum Prediction {
-    /// Straight on.
+    /// The next instruction.
     NotTaken,
-    /// At this address.
+    /// This address.
     To(u32),
-    /// Where the branch goes: a register's value that the analysis does not know, taken for right.
+    /// The branch's target, which is assumed to be correct: a register's value that the analysis
+    /// does not know.
     Right,
 }
 
-/// What one hint loaded.
+/// The entry that one hint loaded.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Hint {
     branch: u32,
     prediction: Prediction,
-    /// First cycle in which the branch can use it.
+    /// The first cycle in which the branch can use the hint.
     ready: u64,
-    /// Which instruction of the stream it was.
+    /// The position of the hint in the stream.
     number: u64,
 }
 
-/// Whether the instruction only reserves a slot for prefetch: it hints nothing and reads nothing.
+/// Whether the instruction only reserves a slot for prefetch. It then hints no branch and reads no
+/// register.
 #[inline]
 pub(super) fn reserves_prefetch(i: Instruction) -> bool {
     i.op == Op::Hbr && i.immediate & feature::CHANNEL_OR_PREFETCH != 0
 }
 
-/// Address of the branch that the instruction at `pc` hints; `None` if it hints none.
+/// The address of the branch that the instruction at `pc` hints, or `None` if it hints none.
 #[must_use]
 pub fn hinted_branch(pc: u32, i: Instruction) -> Option<u32> {
     let hints = i.op.row().class == Class::Hb && !reserves_prefetch(i);
@@ -46,8 +48,8 @@ pub fn hints_by_register(i: Instruction) -> bool {
 }
 
 impl Hint {
-    /// The entry that the hint `i` loads, which is instruction `number` of the stream and issues
-    /// in `cycle`; `None` if it hints no branch.
+    /// The entry that the hint `i` loads. The hint is instruction `number` of the stream and
+    /// issues in `cycle`. `None` if it hints no branch.
     pub fn new(pc: u32, i: Instruction, cycle: u64, number: u64) -> Option<Self> {
         let branch = hinted_branch(pc, i)?;
         let prediction = match i.op {
@@ -63,28 +65,29 @@ impl Hint {
         })
     }
 
-    /// Whether the hint was this instruction of the stream.
+    /// Whether the hint is this instruction of the stream.
     pub fn is_number(&self, number: u64) -> bool {
         self.number == number
     }
 
-    /// Sets the target, which for `hbr` is a register's value.
+    /// Sets the target, which is a register's value for `hbr`.
     pub fn set_target(&mut self, target: u32) {
         self.prediction = Prediction::To(target & LIMIT_MASK & !3);
     }
 
-    /// The prediction for the branch at `pc`, instruction `number` of the stream, and the first
-    /// cycle in which it can issue; `None` if the hint is for another, or comes too late to be
-    /// seen.
+    /// The prediction for the branch at `pc`, which is instruction `number` of the stream, and the
+    /// first cycle in which it can issue. `None` if the hint is for another branch or too close to
+    /// the branch to be seen.
     #[inline]
     pub fn for_branch(&self, pc: u32, number: u64) -> Option<(Prediction, u64)> {
         let seen = number > self.number + HINT_MINIMUM_INSTRUCTIONS;
         (self.branch == pc && seen).then_some((self.prediction, self.ready))
     }
 
-    /// The entry as seen from `clock` and instruction `number`: equal entries work alike.
+    /// The entry relative to `clock` and to instruction `number`. Equal relative entries behave
+    /// equally.
     pub fn relative(&self, clock: u64, number: u64) -> Self {
-        // An older hint works no better than one that is just old enough.
+        // Once a hint is old enough, its age no longer matters.
         let age = number
             .saturating_sub(self.number)
             .min(HINT_MINIMUM_INSTRUCTIONS + 1);
@@ -95,7 +98,7 @@ impl Hint {
         }
     }
 
-    /// What [`relative`](Self::relative) gave, at another `clock` and instruction `number`.
+    /// The inverse of [`relative`](Self::relative), for another `clock` and instruction `number`.
     pub fn at(&self, clock: u64, number: u64) -> Self {
         Self {
             ready: clock + self.ready,

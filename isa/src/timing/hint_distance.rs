@@ -1,38 +1,38 @@
-//! Whether hints stand far enough before their branches, on straight-line code.
+//! Whether hints in straight-line code are far enough ahead of their branches.
 
 use super::hint::hinted_branch;
 use super::rules::{HINT_CYCLES, HINT_MINIMUM_INSTRUCTIONS};
 use super::schedule::Line;
 
-/// What becomes of a hint if nothing branches between it and its branch.
+/// The effect of a hint if there is no branch between it and its branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
     /// The branch is free.
     Free,
     /// The branch waits this many cycles.
     Waits(u64),
-    /// The branch comes too soon to see the hint.
+    /// The branch is too close to see the hint.
     NotSeen,
-    /// The hint at this address takes its place before the branch comes.
+    /// The hint at this address replaces it before the branch.
     Replaced(u32),
 }
 
-/// A hint and the way to its branch.
+/// A hint and the distance to its branch.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct HintDistance {
     /// Address of the hint.
     pub address: u32,
     /// Address of the branch.
     pub branch: u32,
-    /// Instructions between them.
+    /// Number of instructions between them.
     pub instructions: u64,
     /// Cycles from the hint's issue to the branch's, before any wait for the hint.
     pub cycles: u64,
-    /// What that means.
+    /// What follows from the distance.
     pub verdict: Verdict,
 }
 
-/// The hints in a function's schedule whose branches stand behind them in it.
+/// The hints in a function's schedule whose branches come later in it.
 #[must_use]
 pub fn hint_distances(lines: &[Line]) -> Vec<HintDistance> {
     let distance = |(at, line): (usize, &Line)| {

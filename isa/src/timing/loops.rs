@@ -1,9 +1,9 @@
-//! Loops: what a pass costs in the long run, and what bounds it.
+//! Loops: the mean cost of a pass, and its bounds.
 //!
-//! A loop is a branch back to an address at or before it, and the body from there to the branch.
-//! Branches inside fall through. Bounds: each pipe issues one instruction a cycle; and what a pass
-//! takes over from the pass before has to be ready (the recurrence). Dependences through local
-//! store are not seen.
+//! A loop is a branch back to its own or an earlier address. The body reaches from that address to
+//! the branch. Branches inside it fall through. There are two bounds. Each pipe issues one
+//! instruction a cycle. And the values that a pass takes from the pass before have to be ready
+//! (the recurrence). Dependences through local store are not seen.
 
 use super::account::Account;
 use super::pipeline::Pipeline;
@@ -13,13 +13,14 @@ use super::schedule::{Feed, Line};
 use crate::address::LIMIT_MASK;
 use crate::instructions::{Class, Format, Instruction, Pipe, Target};
 
-/// Longest body that is analysed.
+/// The number of instructions of the longest body that is analysed.
 const MAX_BODY: usize = 2048;
-/// Loops of a function that are analysed.
+/// The number of loops in a function that are analysed.
 const MAX_LOOPS: usize = 256;
-/// Passes after which a schedule that has not come round is given up.
+/// The number of passes after which the search for a repeating schedule ends.
 const MAX_PASSES: usize = 256;
-/// Instructions before the loop that are run first: as far as a hint reaches, and as much again.
+/// The number of instructions before the loop that are run first: twice the distance that a hint
+/// can have.
 const RUN_UP: usize = 512;
 
 /// A loop and its analysis.
@@ -29,34 +30,35 @@ pub struct Loop {
     pub start: u32,
     /// Address of the branch back.
     pub branch: u32,
-    /// Instructions in the body.
+    /// Number of instructions in the body.
     pub instructions: usize,
-    /// What a pass costs; `None` if a word of the body is no instruction, the body is too long, or
-    /// the schedule did not come round.
+    /// The cost of a pass. `None` if a word of the body is not an instruction, the body is too
+    /// long, or the schedule does not repeat.
     pub steady: Option<Steady>,
-    /// Cycles in which the even pipe is taken in a pass.
+    /// Cycles of a pass in which the even pipe is occupied.
     pub even: u64,
-    /// Cycles in which the odd pipe is taken in a pass.
+    /// Cycles of a pass in which the odd pipe is occupied.
     pub odd: u64,
-    /// Cycles of the longest chain of dependent instructions in one pass.
+    /// The length in cycles of the longest chain of dependent instructions in one pass.
     pub critical_path: u64,
-    /// The longest chain from pass to pass; `None` if no value is carried round.
+    /// The longest chain from pass to pass, or `None` if no value is carried over.
     pub recurrence: Option<Recurrence>,
 }
 
 /// A schedule that repeats.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Steady {
-    /// Passes after which it repeats.
+    /// Number of passes after which it repeats.
     pub passes: u64,
     /// The cycles of these passes.
     pub account: Account,
-    /// The last of them; cycles count from the first cycle that the pass could use.
+    /// The schedule of the last of these passes. Cycles count from the first cycle that the pass
+    /// could use.
     pub lines: Vec<Line>,
 }
 
 impl Steady {
-    /// Mean cycles of a pass.
+    /// Mean number of cycles of a pass.
     #[must_use]
     pub fn cycles_a_pass(&self) -> f64 {
         self.account.cycles() as f64 / self.passes as f64
@@ -64,7 +66,7 @@ impl Steady {
 }
 
 impl Loop {
-    /// No schedule of this body takes fewer cycles a pass.
+    /// A lower bound for the cycles of a pass, whatever the schedule of the body.
     #[must_use]
     pub fn bound(&self) -> u64 {
         let recurrence = self.recurrence.as_ref().map_or(0, Recurrence::ceiling);
@@ -72,7 +74,7 @@ impl Loop {
     }
 }
 
-/// The loops of a function, given as addresses and words, in the order of their branches.
+/// The loops of a function, in the order of their branches. `code` is pairs of address and word.
 #[must_use]
 pub fn find_loops(code: &[(u32, u32)], rules: Rules) -> Vec<Loop> {
     let Some(&(first, _)) = code.first() else {
@@ -96,7 +98,7 @@ pub fn find_loops(code: &[(u32, u32)], rules: Rules) -> Vec<Loop> {
     loops
 }
 
-/// Where a direct branch that is no call goes if taken.
+/// The target of a direct branch that is not a call.
 fn branch_target(pc: u32, i: Instruction) -> Option<u32> {
     let row = i.op.row();
     if row.class != Class::Br || row.target == Target::Rt {
@@ -132,7 +134,7 @@ impl Loop {
         for instruction in &instructions {
             let class = instruction.op.row().class;
             if class == Class::Fpd && !rules.double_extension {
-                // It keeps the odd pipe empty too.
+                // A double-precision instruction keeps the odd pipe empty too.
                 found.even += DOUBLE_INTERVAL;
                 found.odd += DOUBLE_INTERVAL;
             } else if class.pipe() == Pipe::Even {
@@ -175,8 +177,8 @@ fn steady(before: &[(u32, u32)], body: &[(u32, u32)], rules: Rules) -> Option<St
             .map(|&(address, word)| {
                 let mut line = feed.next(address, word);
                 if let Some((_, issue)) = &mut line.issued {
-                    // Only in the first pass, which is not kept, can the first instruction join
-                    // one before the loop, and so be early.
+                    // In the first pass, the first instruction can pair with one before the loop
+                    // and so be early. That pass is not kept.
                     issue.cycle = issue.cycle.saturating_sub(origin);
                     issue.ready_cycle = issue.ready_cycle.saturating_sub(origin);
                 }

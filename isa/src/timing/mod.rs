@@ -1,13 +1,13 @@
 //! The SPU's pipelines: when each instruction issues, and where the cycles go.
 //!
-//! A separate pass over the instruction table. It knows addresses, registers and classes, nothing
-//! of what instructions compute: [`Pipeline`] is fed the executed stream by whoever runs the
-//! program, or the words of a file by whoever analyses it ([`straight_line`], [`find_loops`]). The
-//! rules and their sources are in `docs/timing.md`; their numbers are in [`rules`]. Invariant:
-//! every cycle up to the clock has exactly one entry in the [`Account`].
+//! This is a separate pass over the instruction table. It knows addresses, registers and classes,
+//! but not what instructions compute. [`Pipeline`] is fed the executed stream by the code that
+//! runs the program. An analysis of a file feeds it the file's words ([`straight_line`],
+//! [`find_loops`]). The rules and their sources are in `docs/timing.md`, their numbers in
+//! [`rules`]. Invariant: every cycle up to the clock has exactly one entry in the [`Account`].
 //!
-//! Known weakness: nothing here was compared with the console. What no source settles is a switch
-//! in [`Rules`].
+//! Known weakness: nothing here was compared with the console. Questions that no source answers
+//! are switches in [`Rules`].
 
 mod account;
 mod fetch;
@@ -19,7 +19,7 @@ mod recurrence;
 pub mod rules;
 mod schedule;
 
-pub use account::{Account, Cause, Passage, Stalls};
+pub use account::{Account, AccountDelta, Cause, Stalls};
 pub use hint::{hinted_branch, hints_by_register};
 pub use hint_distance::{HintDistance, Verdict, hint_distances};
 pub use loops::{Loop, Steady, find_loops};

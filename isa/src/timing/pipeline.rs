@@ -1,6 +1,6 @@
-//! The issue rules: in order, two pipes, pairs by address.
+//! The issue rules: in program order, two pipes, pairs by address.
 //!
-//! Invariant: the account's cycles are the clock, after every call.
+//! Invariant: after every call, the account's cycles add up to the clock.
 
 mod state;
 
@@ -16,21 +16,23 @@ pub use state::State;
 /// How an instruction issued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Issue {
-    /// In which cycle, from 0.
+    /// The cycle, counted from 0.
     pub cycle: u64,
-    /// Into which pipe.
+    /// The pipe.
     pub pipe: Pipe,
-    /// Whether it joined the instruction before it in one cycle.
+    /// Whether it issued as the second of a pair.
     pub dual: bool,
-    /// Whether it would have, had it been ready.
+    /// Whether it would have, if it had been ready.
     pub missed_dual: bool,
-    /// What kept it longest, if anything did.
+    /// The cause of its longest wait, if it waited.
     pub waited: Option<Cause>,
-    /// Cycles in which nothing issued because of it. 0 with a cause: it only missed its partner.
+    /// Cycles in which nothing issued because of it. With a cause, 0 means that it only missed its
+    /// partner.
     pub waited_cycles: u64,
     /// The register that it waited for, if [`waited`](Self::waited) is an operand.
     pub waited_register: Option<u8>,
-    /// First cycle in which a reader of its result can issue; for a hint, in which the hint works.
+    /// The first cycle in which a reader of its result can issue. For a hint, the first cycle in
+    /// which the hint works.
     pub ready_cycle: u64,
 }
 
@@ -38,21 +40,23 @@ pub struct Issue {
 #[derive(Clone, Debug)]
 pub struct Pipeline {
     rules: Rules,
-    /// First cycle that is not yet accounted for.
+    /// The first cycle that has no entry in the account yet.
     clock: u64,
     issued: u64,
-    /// Address of the instruction that may join the one issued in the last cycle.
+    /// Address of the instruction that may still pair with the one issued in the last cycle.
     partner: Option<u32>,
-    /// First cycle in which each register can be read, and the class of what writes it.
+    /// The first cycle in which each register can be read, and the class of the instruction that
+    /// writes it.
     ready: [u64; 128],
     producer: [Class; 128],
-    /// Cycle in which the last FP7 instruction holds the unit that FP6 needs.
+    /// The cycle in which the last FP7 instruction occupies the unit that FP6 needs.
     float_unit_taken: Option<u64>,
-    /// When all loads, stores and channel instructions so far are done.
+    /// When all loads, stores and channel instructions so far are complete.
     memory_done: u64,
-    /// First cycle in which a channel instruction may issue.
+    /// The first cycle in which a channel instruction may issue.
     channel_free: u64,
-    /// The target of the channel instruction that issued last, while nothing has issued since.
+    /// The target of the channel instruction that issued last, as long as no other instruction has
+    /// issued.
     channel_result: Option<u8>,
     hint: Option<Hint>,
     prediction: Prediction,
@@ -60,7 +64,7 @@ pub struct Pipeline {
     account: Account,
 }
 
-/// An instruction's way to its issue cycle.
+/// The progress of an instruction towards its issue cycle.
 struct Wait {
     cycle: u64,
     longest: u64,
@@ -74,7 +78,7 @@ impl Default for Pipeline {
 }
 
 impl Pipeline {
-    /// Pipelines at cycle 0 with every register ready.
+    /// Pipelines at cycle 0 in which all registers are ready.
     #[must_use]
     pub fn new(rules: Rules) -> Self {
         Self {
@@ -95,21 +99,22 @@ impl Pipeline {
         }
     }
 
-    /// Cycles so far: the first in which the next instruction can issue, unless it joins the last.
+    /// Number of cycles so far. It is the first cycle in which the next instruction can issue,
+    /// unless that one pairs with the last.
     #[inline]
     #[must_use]
     pub const fn clock(&self) -> u64 {
         self.clock
     }
 
-    /// Where the cycles went.
+    /// What the cycles were spent on.
     #[inline]
     #[must_use]
     pub const fn account(&self) -> &Account {
         &self.account
     }
 
-    /// Issues the next instruction of the executed stream, which stands at `pc`.
+    /// Issues the next instruction of the executed stream, which is at `pc`.
     pub fn issue(&mut self, pc: u32, instruction: Instruction) -> Issue {
         let class = instruction.op.row().class;
         let pipe = class.pipe();
@@ -183,8 +188,9 @@ impl Pipeline {
         }
     }
 
-    /// Where the branch at `pc`, which issued last, went: `None` if straight on. Also for what an
-    /// interrupt or a restart does to the stream: nothing predicted it, so it costs a miss.
+    /// Tells where the branch at `pc`, which issued last, went. `None` means that it was not
+    /// taken. An interrupt or a restart is reported in the same way: nothing predicted it, so it
+    /// costs a miss.
     pub fn branched(&mut self, pc: u32, target: Option<u32>) {
         let right = match self.prediction {
             Prediction::NotTaken => target.is_none(),
@@ -202,8 +208,8 @@ impl Pipeline {
         }
     }
 
-    /// Tells the target of the `hbr` that issued last, a register's value. Without this the hint
-    /// counts as right.
+    /// Sets the target of the `hbr` that issued last, which is a register's value. Without this
+    /// call the hint is assumed to be correct.
     pub fn hint_target(&mut self, target: u32) {
         if let Some(hint) = &mut self.hint
             && hint.is_number(self.issued.wrapping_sub(1))
@@ -212,9 +218,9 @@ impl Pipeline {
         }
     }
 
-    /// Nothing issues before `cycle`, for what happens outside the pipelines. If a channel
-    /// instruction issued last, it is what was held up: it gives its result as though it had
-    /// issued in the cycle before.
+    /// Lets nothing issue before `cycle`, because of an event outside the pipelines. If a channel
+    /// instruction issued last, the event held it up: its result is ready as though it had issued
+    /// in the cycle before `cycle`.
     pub fn stall_until(&mut self, cycle: u64, cause: Cause) {
         if cycle <= self.clock {
             return;
@@ -227,7 +233,7 @@ impl Pipeline {
         self.stall(cycle, cause);
     }
 
-    /// The source register that is ready last, and when.
+    /// The source register that is ready last, and when it is ready.
     #[inline]
     fn last_operand(&self, i: Instruction) -> Option<(u8, u64)> {
         if reserves_prefetch(i) {
@@ -239,8 +245,8 @@ impl Pipeline {
         times.max_by_key(|&(_, ready)| ready)
     }
 
-    /// Moves an instruction's issue to `until`; the cycles that nothing else issues in are its
-    /// cause's.
+    /// Delays an instruction's issue to `until`. The cycles in which nothing else issues are
+    /// charged to `cause`.
     #[inline]
     fn hold(&mut self, wait: &mut Wait, until: u64, cause: Cause) {
         if until <= wait.cycle {
@@ -264,7 +270,7 @@ impl Pipeline {
         self.partner = None;
     }
 
-    /// What the instruction does to those behind it.
+    /// The effect of the instruction on later ones.
     #[inline]
     fn take_effect(&mut self, pc: u32, i: Instruction, class: Class, cycle: u64, ready: u64) {
         let row = i.op.row();
@@ -275,9 +281,9 @@ impl Pipeline {
             self.ready[register] = ready;
             self.producer[register] = class;
         } else if row.target == Target::False && self.rules.false_targets {
-            // A `nop` has no latency of its own; as if written, its target comes as an FX2's does.
+            // A `nop` has no latency of its own. Its false target is treated as written by an FX2.
             let ready = ready.max(cycle + self.rules.latency(Class::Fx2));
-            // The value stays that of the last real write, which may come later.
+            // The value is still that of the last real write, which may arrive later.
             if ready > self.ready[register] {
                 self.ready[register] = ready;
                 self.producer[register] = class;

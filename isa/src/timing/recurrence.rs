@@ -1,4 +1,4 @@
-//! Chains of dependent instructions, through a loop's body and round it.
+//! Chains of dependent instructions, within a loop's body and from pass to pass.
 
 use super::hint::reserves_prefetch;
 use super::rules::Rules;
@@ -7,27 +7,27 @@ use crate::instructions::{Instruction, RegisterSet};
 /// The chain of values from pass to pass that bounds a loop.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Recurrence {
-    /// Cycles once round the chain.
+    /// The cycles of the chain.
     pub cycles: u64,
-    /// Passes that it takes to come round.
+    /// The number of passes that the chain spans.
     pub passes: u64,
-    /// The registers that carry it from pass to pass, in the order of the chain.
+    /// The registers that carry values from pass to pass, in the order of the chain.
     pub registers: Vec<u8>,
 }
 
 impl Recurrence {
-    /// Whole cycles that a pass takes at least.
+    /// The minimum number of whole cycles in a pass.
     #[must_use]
     pub fn ceiling(&self) -> u64 {
         self.cycles.div_ceil(self.passes)
     }
 }
 
-/// When each register's value is there, in cycles after some instant; `None`: nothing that matters
-/// goes into it.
+/// When each register's value is ready, in cycles after some moment. `None` if no value that
+/// matters contributes to it.
 type Arrivals = [Option<u64>; 128];
 
-/// Lets a pass run as fast as its dependences allow.
+/// Runs a pass as fast as its dependences allow.
 fn pass(body: &[Instruction], mut arrivals: Arrivals, rules: Rules) -> Arrivals {
     for &i in body {
         let sources = sources(i);
@@ -51,14 +51,14 @@ fn sources(i: Instruction) -> RegisterSet {
     }
 }
 
-/// Cycles of the longest chain in one pass, all registers being there at its start.
+/// The cycles of the longest chain in one pass, if all registers are ready at its start.
 pub(super) fn critical_path(body: &[Instruction], rules: Rules) -> u64 {
     let mut arrivals = [Some(0); 128];
     let mut longest = 0;
     for &i in body {
         let ready = sources(i).iter().filter_map(|r| arrivals[usize::from(r)]);
         let start = ready.max().unwrap_or(0);
-        // What gives no result, a store say, ends the chain with its own cycle.
+        // An instruction without a result, such as a store, ends the chain with its own cycle.
         longest = longest.max(start + 1);
         for target in i.writes().iter() {
             let done = start + rules.latency(i.op.row().class);
@@ -69,7 +69,7 @@ pub(super) fn critical_path(body: &[Instruction], rules: Rules) -> u64 {
     longest
 }
 
-/// Registers that are read before they are written, and written.
+/// The registers that the body both writes and reads before it writes them.
 fn carried(body: &[Instruction]) -> Vec<u8> {
     let (mut read_first, mut written) = (RegisterSet::EMPTY, RegisterSet::EMPTY);
     for &i in body {
@@ -84,9 +84,9 @@ fn carried(body: &[Instruction]) -> Vec<u8> {
         .collect()
 }
 
-/// The chain with the most cycles a pass: the greatest mean of a cycle in the graph that has the
-/// carried registers as vertices and the longest chains of one pass between them as edges (Karp's
-/// algorithm).
+/// The chain with the most cycles a pass. The graph has the carried registers as vertices, and the
+/// longest chains of one pass between them as edges. The chain is the cycle with the greatest mean
+/// in it (Karp's algorithm).
 pub(super) fn recurrence(body: &[Instruction], rules: Rules) -> Option<Recurrence> {
     let registers = carried(body);
     let n = registers.len();
@@ -101,7 +101,8 @@ pub(super) fn recurrence(body: &[Instruction], rules: Rules) -> Option<Recurrenc
         })
         .collect();
 
-    // Of all walks with k edges that end in a vertex: the longest, and where it came from.
+    // For each number of edges k and each vertex: the longest walk with k edges that ends in the
+    // vertex, and the vertex before.
     let mut walks = vec![vec![Some((0, 0)); n]];
     for k in 0..n {
         let longest = |to: usize| {
@@ -129,7 +130,8 @@ pub(super) fn recurrence(body: &[Instruction], rules: Rules) -> Option<Recurrenc
     }
     let (_, _, vertex) = best?;
 
-    // A walk of n edges over n vertices comes back to one: that cycle is the chain.
+    // A walk of n edges over n vertices visits some vertex twice. The cycle between the visits is
+    // the chain.
     let mut trail = vec![vertex];
     for k in (1..=n).rev() {
         let &last = trail.last()?;

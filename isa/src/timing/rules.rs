@@ -1,68 +1,69 @@
-//! The numbers of the pipeline model, and switches for what no source settles.
+//! The numbers of the pipeline model, and switches for questions that no source answers.
 //!
 //! Latencies and pipes are columns of the instruction table ([`Class::latency`], [`Class::pipe`]).
-//! Each number here names its source and how sure it is; `docs/timing.md` has the same as a table.
+//! Each number here states its source and its certainty. `docs/timing.md` has the same as a table.
 
 use crate::instructions::Class;
 
-/// Cycles from a double-precision instruction to the next instruction of any kind: its issue cycle
-/// and six in which nothing issues. Source: IBM SDK tutorial. Firm.
+/// Cycles from a double-precision instruction to the next instruction of any kind: its issue
+/// cycle, and six cycles in which nothing issues. Source: IBM SDK tutorial. Firm.
 pub const DOUBLE_INTERVAL: u64 = 7;
 
-/// Latency of double precision on the machines with [`Rules::double_extension`], which also
-/// pipeline and pair it. Source: GCC. Firm.
+/// Latency of double precision on machines with [`Rules::double_extension`], where it is also
+/// pipelined and can pair. Source: GCC. Firm.
 pub const DOUBLE_EXTENSION_LATENCY: u64 = 9;
 
-/// Cycles after an FP7 instruction in which it holds the unit that FP6 needs at its issue.
-/// Source: GCC's reservations; IBM's simulator counts such stalls. Fair.
+/// Cycles after an FP7 instruction issues in which it occupies the unit that FP6 needs at its
+/// issue. Source: GCC's reservations. IBM's simulator counts such stalls. Fair.
 pub const FLOAT_CONFLICT_DISTANCE: u64 = 1;
 
 /// Extra cycles after a mispredicted branch. Source: IBM SDK tutorial (18 to 19), ISSCC
 /// description (18). Firm within that one cycle.
 pub const MISS_CYCLES: u64 = 18;
 
-/// Instructions that must lie between a hint and its branch for the hint to be seen at all.
+/// Minimum number of instructions between a hint and its branch for the hint to be seen at all.
 /// Source: GCC, which calls it a requirement of the hardware. Fair.
 pub const HINT_MINIMUM_INSTRUCTIONS: u64 = 8;
 
-/// Cycles from a hint until its branch can use it: the target's line (11) and four pairs.
-/// Source: the class latency in IBM's SDK tutorial; practitioners' 11 + 4. Fair.
+/// Cycles from a hint until its branch can use it: the fetch of the target's line (11) and four
+/// pairs. Source: the class latency in IBM's SDK tutorial, and practitioners' 11 + 4. Fair.
 pub const HINT_CYCLES: u64 = Class::Hb.latency() as u64;
 
-/// Cycles that `sync` adds for fetching again: at least what any flush costs. Inferred.
+/// Cycles that `sync` adds for fetching again: at least the cost of any flush. Inferred.
 pub const REFETCH_CYCLES: u64 = MISS_CYCLES;
 
-/// Bytes of a line, which one instruction fetch brings. Source: IBM SDK tutorial. Firm.
+/// Size in bytes of a line, which one instruction fetch brings. Source: IBM SDK tutorial. Firm.
 pub const LINE_BYTES: u32 = 128;
 
-/// Lines that the inline prefetch buffer holds. Recalled from the handbook, not seen. Open.
+/// Number of lines in the inline prefetch buffer. Recalled from the handbook, not verified. Open.
 pub const INLINE_LINES: u32 = 2;
 
-/// Cycles from the request for a line to its first instruction's issue: a hint's, which has to
-/// fetch a line too. Inferred. Open.
+/// Cycles from the request for a line to its first instruction's issue. The same as for a hint,
+/// which fetches a line too. Inferred. Open.
 pub const LINE_CYCLES: u64 = HINT_CYCLES;
 
-/// What the model takes for true where sources disagree or are silent.
+/// The model's assumptions where sources disagree or are silent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Rules {
-    /// Extra cycles after a mispredicted branch: [`MISS_CYCLES`] unless set to 19.
+    /// Extra cycles after a mispredicted branch: [`MISS_CYCLES`] by default. Some sources give 19.
     pub miss_cycles: u64,
-    /// Whether branch hints work. Without them branches cost one cycle if they are not taken and a
-    /// miss if they are. On unless switched off.
+    /// Whether branch hints work. Without them a branch costs one cycle if it is not taken, and a
+    /// miss if it is. On by default.
     pub hints: bool,
-    /// Whether an FP6 instruction waits for the unit that an FP7 one holds. On unless switched
-    /// off.
+    /// Whether an FP6 instruction waits for the unit that an FP7 instruction occupies. On by
+    /// default.
     pub float_conflict: bool,
-    /// Whether a register that is encoded as a target but never written delays its readers, which
-    /// the architecture allows. Off unless switched on.
+    /// Whether a register that is encoded as a target but never written delays its readers. The
+    /// architecture allows this. Off by default.
     pub false_targets: bool,
-    /// Least cycles between the issues of two channel instructions. 1 (no rule) unless set: a DMA
-    /// command's five or six channel writes were measured at about 13 cycles, its queue included.
+    /// Minimum number of cycles between the issues of two channel instructions. 1 by default,
+    /// which is no rule. A DMA command's five or six channel writes were measured at about 13
+    /// cycles, with its queueing.
     pub channel_interval: u64,
-    /// Whether straight-line code waits for its lines, which loads and stores can keep out of the
-    /// local store's port. Off unless switched on: the buffer's depth is not known.
+    /// Whether straight-line code waits for its lines while loads and stores occupy the local
+    /// store's port. Off by default, because the buffer's depth is not known.
     pub inline_prefetch: bool,
-    /// Whether double precision is pipelined, as on the PowerXCell 8i. Off: the Cell.
+    /// Whether double precision is pipelined, as on the PowerXCell 8i. Off on the Cell.
     pub double_extension: bool,
 }
 

@@ -1,34 +1,35 @@
-//! The schedule of straight-line code, as IBM's static analyser shows it: branches are not taken
-//! and hints do nothing.
+//! The schedule of straight-line code, as IBM's static analyser shows it: branches are not taken,
+//! and hints have no effect.
 
 use super::account::Account;
 use super::pipeline::{Issue, Pipeline};
 use super::rules::Rules;
 use crate::instructions::Instruction;
 
-/// One word of code and how it issued.
+/// One word of code, and how it issued.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Line {
-    /// Its address.
+    /// The word's address.
     pub address: u32,
     /// The word.
     pub word: u32,
-    /// The instruction and its issue; `None` if the word is no instruction.
+    /// The instruction and its issue, or `None` if the word is not an instruction.
     pub issued: Option<(Instruction, Issue)>,
-    /// Address of the instruction whose result it waited for.
+    /// Address of the instruction for whose result it waited.
     pub producer: Option<u32>,
 }
 
-/// How code issues.
+/// The schedule of some code.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Schedule {
     /// The lines, in program order.
     pub lines: Vec<Line>,
-    /// Cycles; `None` if a word is no instruction, so that no total is right.
+    /// The account, or `None` if a word is not an instruction, because no total would be correct.
     pub account: Option<Account>,
 }
 
-/// Schedules `code` (addresses and words) from its first word on, all registers being ready.
+/// Schedules `code` (pairs of address and word) from its first word. All registers are ready at
+/// the start.
 #[must_use]
 pub fn straight_line(code: &[(u32, u32)], rules: Rules) -> Schedule {
     let rules = Rules {
@@ -47,7 +48,7 @@ pub fn straight_line(code: &[(u32, u32)], rules: Rules) -> Schedule {
     }
 }
 
-/// A pipeline that remembers which instruction wrote each register.
+/// A pipeline, and for each register the instruction that wrote it.
 pub(super) struct Feed {
     pub pipeline: Pipeline,
     writers: [Option<u32>; 128],

@@ -1,11 +1,11 @@
-//! What holds for every program: cycles are conserved, issue is in order, the model is
+//! Properties of every program: each cycle is counted once, issue is in order, the model is
 //! deterministic, and no rule makes code faster.
 
 use proptest::prelude::*;
 use spu_isa::timing::{Cause, Issue, Pipeline, Rules, find_loops, straight_line};
 use spu_isa::{Class, Instruction, Op, Pipe};
 
-/// A step of a stream: a word, and what happens behind it.
+/// A step of a stream: a word, and what happens after it.
 #[derive(Clone, Copy, Debug)]
 enum Step {
     Word(u32),
@@ -14,8 +14,8 @@ enum Step {
     Stall(u64, bool),
 }
 
-/// Words that are instructions: an assigned opcode and random fields, few registers so that they
-/// depend on each other.
+/// Words that are instructions, with an assigned opcode and random fields. They use few registers,
+/// so that they depend on each other.
 fn word() -> impl Strategy<Value = u32> {
     let rows = Op::rows();
     (0..rows.len(), any::<u32>(), any::<bool>()).prop_map(move |(row, fields, crowded)| {
@@ -86,7 +86,8 @@ proptest! {
     #[test]
     fn every_cycle_has_one_cause(rules in rules(), steps in prop::collection::vec(step(), 1..200)) {
         let (pipeline, issues) = run(rules, &steps);
-        // The causes one by one give the same sum, and each wait was booked where the issue says.
+        // The sum over single causes is the same, and each wait was counted under the cause that the
+        // issue reports.
         let waits: u64 = Cause::all().map(|cause| pipeline.account().waited(cause)).sum();
         prop_assert_eq!(waits, pipeline.account().stalled());
         for (_, _, issue) in &issues {
@@ -120,7 +121,7 @@ proptest! {
     ) {
         let steps: Vec<_> = words.into_iter().map(Step::Word).collect();
         let (_, issues) = run(rules, &steps);
-        // Independent of the model's own bookkeeping: look back for the last writer.
+        // To be independent of the model's own bookkeeping, search backwards for the last writer.
         for (at, (_, reader, issue)) in issues.iter().enumerate() {
             let prefetch = reader.op == Op::Hbr && reader.immediate & 4 != 0;
             for register in reader.reads().iter().filter(|_| !prefetch) {
@@ -148,7 +149,7 @@ proptest! {
         prop_assert_eq!(one.account(), other.account());
     }
 
-    /// Whatever the words are, the analysis ends and its steady states are whole passes.
+    /// For any words, the analysis ends and its steady states are whole passes.
     #[test]
     fn any_words_are_analysed(rules in rules(), words in prop::collection::vec(any::<u32>(), 0..300)) {
         let code: Vec<_> = (0..).step_by(4).zip(words).collect();
@@ -162,7 +163,7 @@ proptest! {
         }
     }
 
-    /// No schedule beats the bound of its loop.
+    /// No schedule is faster than the bound of its loop.
     #[test]
     fn no_loop_beats_its_bound(rules in rules(), words in prop::collection::vec(word(), 1..60)) {
         let start = 0x100;

@@ -1,6 +1,6 @@
-//! The rules of branches and their hints, as `rules.rs` has the others.
+//! The rules of branches and their hints. The other rules are in `rules.rs`.
 //!
-//! Provenance of every expectation: `model`, derived by hand beside it.
+//! Provenance of every expectation: `model`, with the derivation in a comment.
 
 use spu_isa::timing::{Cause, Pipeline, Rules};
 
@@ -11,7 +11,8 @@ fn a_compare_gives_its_branch_two_cycles_later() {
     assert_eq!(cycles(&[i("ceq", 3, &[4, 5]), i("brnz", 3, &[])]), [0, 2]);
 }
 
-/// Cycle in which the instruction at the branch's target issues: the branch, at 0x40, issues at 0.
+/// The cycle in which the instruction at the branch's target issues. The branch is at 0x40 and
+/// issues in cycle 0.
 fn after_branch(rules: Rules, taken: bool) -> u64 {
     let mut pipeline = Pipeline::new(rules);
     assert_eq!(pipeline.issue(0x40, i("brz", 3, &[])).cycle, 0);
@@ -35,21 +36,21 @@ fn an_unhinted_branch_costs_its_cycle_or_a_miss() {
 
 #[test]
 fn a_taken_branch_ends_its_group() {
-    // nop | br pair at 0; the target stands in the second word of a group and goes alone.
+    // nop | br pair in cycle 0. The target is the second word of a group and issues alone.
     let mut pipeline = Pipeline::default();
     feed(&mut pipeline, 0, &[i("nop", 127, &[]), i("br", 0, &[])]);
     assert_eq!(pipeline.account().dual(), 1);
     pipeline.branched(4, Some(0x104));
     assert_eq!(pipeline.issue(0x104, i("lqd", 3, &[4])).cycle, 19);
-    // Even at 0x100, then a jump to 0x104 is no group either.
+    // An even instruction at 0x100 and then a jump to 0x104 are not a group either.
     let mut pipeline = Pipeline::default();
     pipeline.issue(0x100, i("il", 3, &[]));
     pipeline.branched(0x100, Some(0x104));
     assert!(!pipeline.issue(0x104, i("lqd", 5, &[4])).dual);
 }
 
-/// A hint at 0, `between` nops, and a branch that is taken to 0x800. Cycles of the branch, and of
-/// the instruction behind it.
+/// A hint in cycle 0, `between` nops, and a branch that is taken to 0x800. Returns the cycles of
+/// the branch and of the instruction after it.
 fn hinted(hinted_target: u32, between: usize, taken: Option<u32>) -> (u64, u64, Pipeline) {
     let mut pipeline = Pipeline::default();
     let branch = 4 + 4 * between as u32;
@@ -63,7 +64,7 @@ fn hinted(hinted_target: u32, between: usize, taken: Option<u32>) -> (u64, u64, 
 
 #[test]
 fn a_far_hint_makes_its_branch_free() {
-    // The hint works at 15; 14 nops bring the branch to cycle 15 anyway.
+    // The hint works in cycle 15. The 14 nops bring the branch to cycle 15 anyway.
     let (branch, next, pipeline) = hinted(0x800, 14, Some(0x800));
     assert_eq!((branch, next), (15, 16));
     assert_eq!(pipeline.account().stalled(), 0);
@@ -71,7 +72,7 @@ fn a_far_hint_makes_its_branch_free() {
 
 #[test]
 fn a_near_hint_holds_its_branch() {
-    // 8 nops would bring the branch to cycle 9: it waits until 15, then is free.
+    // 8 nops would bring the branch to cycle 9. It waits until 15, and is free then.
     let (branch, next, pipeline) = hinted(0x800, 8, Some(0x800));
     assert_eq!((branch, next), (15, 16));
     assert_eq!(pipeline.account().waited(Cause::HintWait), 6);
@@ -79,7 +80,7 @@ fn a_near_hint_holds_its_branch() {
 
 #[test]
 fn a_hint_with_less_than_eight_instructions_is_not_seen() {
-    // 7 nops: the branch goes at 8, unheld, and misses: 8 + 1 + 18.
+    // 7 nops: the branch issues in cycle 8 without waiting, and misses: 8 + 1 + 18.
     let (branch, next, pipeline) = hinted(0x800, 7, Some(0x800));
     assert_eq!((branch, next), (8, 27));
     assert_eq!(pipeline.account().waited(Cause::HintWait), 0);
@@ -87,7 +88,7 @@ fn a_hint_with_less_than_eight_instructions_is_not_seen() {
 
 #[test]
 fn a_wrong_hint_costs_a_miss() {
-    // Not taken, and taken to another target: 15 + 1 + 18.
+    // The branch is not taken, or is taken to another target: 15 + 1 + 18.
     assert_eq!(hinted(0x800, 14, None).1, 34);
     assert_eq!(hinted(0x900, 14, Some(0x800)).1, 34);
 }
@@ -95,14 +96,14 @@ fn a_wrong_hint_costs_a_miss() {
 #[test]
 fn the_last_hint_wins() {
     let mut pipeline = Pipeline::default();
-    // Two hints for different branches; then 20 nops; the first one's branch is not predicted.
+    // Two hints for different branches, then 20 nops. The first hint's branch is not predicted.
     pipeline.issue(0, hint("hbra", 0x58, 0x800));
     pipeline.issue(4, hint("hbra", 0x58, 0x900));
     feed(&mut pipeline, 8, &nops(20));
     let branch = pipeline.issue(0x58, i("br", 0, &[])).cycle;
     pipeline.branched(0x58, Some(0x800));
     assert_eq!(pipeline.issue(0x800, i("il", 3, &[])).cycle, branch + 19);
-    // The second one's is.
+    // The second hint's branch is.
     feed(&mut pipeline, 0x804, &nops(20));
     let branch = pipeline.issue(0x5c, i("br", 0, &[])).cycle;
     pipeline.branched(0x5c, Some(0x900));
@@ -111,7 +112,8 @@ fn the_last_hint_wins() {
 
 #[test]
 fn a_hint_is_for_its_branch_alone() {
-    // The branch at 0x40 is not the hinted one: not taken it is free, and it waits for nothing.
+    // The branch at 0x40 is not the hinted one. If it is not taken it is free, and it does not
+    // wait.
     let mut pipeline = Pipeline::default();
     pipeline.issue(0x10, hint("hbra", 0x70, 0x800));
     feed(&mut pipeline, 0x14, &nops(11));
@@ -119,7 +121,7 @@ fn a_hint_is_for_its_branch_alone() {
     assert_eq!(branch, 12);
     pipeline.branched(0x40, None);
     assert_eq!(pipeline.issue(0x44, i("il", 4, &[])).cycle, 13);
-    // A hinted branch that nobody followed says nothing of the next one.
+    // A hinted branch whose outcome was not reported does not affect the next one.
     feed(&mut pipeline, 0x48, &nops(14));
     pipeline.issue(0x80, i("br", 0, &[]));
     let branch = pipeline.issue(0x84, i("brz", 3, &[])).cycle;
@@ -144,7 +146,7 @@ fn relative_and_register_hints_name_their_targets() {
         pipeline.branched(0x140, Some(0x400));
         assert_eq!(pipeline.issue(0x400, i("il", 3, &[])).cycle, branch + 1);
     }
-    // An hbr whose register holds another address misses.
+    // An hbr whose register holds another address causes a miss.
     let mut pipeline = Pipeline::default();
     pipeline.issue(0x100, hint("hbr", 0x40, 0));
     pipeline.hint_target(0x500);
@@ -156,14 +158,14 @@ fn relative_and_register_hints_name_their_targets() {
 
 #[test]
 fn a_prefetch_hint_hints_nothing_and_reads_nothing() {
-    // hbrp is hbr with its p bit (4); ra is 3, which a load is bringing.
+    // hbrp is hbr with its p bit (4). Its ra is 3, which a load is writing.
     let mut prefetch = hint("hbr", 0x44, 4);
     prefetch.ra = 3;
     let mut pipeline = Pipeline::default();
     pipeline.issue(0, hint("hbra", 0x48, 0x800));
     pipeline.issue(4, i("lqd", 3, &[4]));
     assert_eq!(pipeline.issue(8, prefetch).cycle, 2);
-    // Nor is its register's value taken for the older hint's target.
+    // Its register's value must not become the older hint's target either.
     pipeline.hint_target(0x900);
     feed(&mut pipeline, 0xc, &nops(15));
     let branch = pipeline.issue(0x48, i("br", 0, &[])).cycle;

@@ -1,4 +1,4 @@
-//! Recurrences and steady states of loops, on bodies whose figures were derived by hand.
+//! Recurrences and steady states of loops, for bodies whose figures were derived by hand.
 //!
 //! Provenance: `model`.
 
@@ -19,7 +19,7 @@ fn i(op: Op, rt: u8, ra: u8, rb: u8) -> Instruction {
     }
 }
 
-/// The loop of `body` and a branch back, hinted from far ahead.
+/// The loop of `body` and a branch back, which is hinted from far ahead.
 fn hinted_loop(body: &[Instruction]) -> Loop {
     let branch = START + 4 * body.len() as u32;
     let hint_at = START - 0x40;
@@ -56,7 +56,7 @@ fn recurrence(body: &[Instruction]) -> (Option<(u64, u64)>, f64) {
 
 #[test]
 fn a_sum_goes_round_in_its_latency() {
-    // fa $3,$3,$4: 6 from pass to pass, although each pipe has one instruction.
+    // fa $3,$3,$4: 6 cycles from pass to pass, although each pipe has only one instruction.
     let found = hinted_loop(&[i(Op::Fa, 3, 3, 4)]);
     assert_eq!((found.even, found.odd, found.bound()), (1, 1, 6));
     assert_eq!(found.recurrence.unwrap().registers, [3]);
@@ -67,15 +67,15 @@ fn a_sum_goes_round_in_its_latency() {
 
 #[test]
 fn a_chain_through_several_instructions_adds_up() {
-    // $4 -> fa (6) -> $3 -> a (2) -> $4: 8 a pass.
+    // $4 -> fa (6) -> $3 -> a (2) -> $4: 8 cycles a pass.
     let body = [i(Op::Fa, 3, 4, 5), i(Op::A, 4, 3, 6)];
     assert_eq!(recurrence(&body), (Some((8, 1)), 8.0));
 }
 
 #[test]
 fn a_chain_over_two_passes_has_half_its_cycles_a_pass() {
-    // $3 -> ori (2) -> $7 -> ori (2) -> $4; $4 -> fa (6) -> $3: 10 cycles in two passes. In order,
-    // a pass waits for the fa of the pass before it (6) and the ori behind it.
+    // $3 -> ori (2) -> $7 -> ori (2) -> $4; $4 -> fa (6) -> $3: 10 cycles in two passes. In
+    // program order, a pass waits for the fa of the previous pass (6) and for the ori after it.
     let body = [i(Op::Ori, 7, 3, 0), i(Op::Fa, 3, 4, 4), i(Op::Ori, 4, 7, 0)];
     let (chain, cycles) = recurrence(&body);
     assert_eq!(chain, Some((10, 2)));
@@ -84,7 +84,7 @@ fn a_chain_over_two_passes_has_half_its_cycles_a_pass() {
 
 #[test]
 fn the_longest_of_several_chains_counts() {
-    // A pointer (2), a rotate (4) and a product (6), independent of each other.
+    // A pointer (2), a rotate (4) and a product (6), which are independent of each other.
     let body = [i(Op::Ai, 3, 3, 0), i(Op::Rot, 4, 4, 9), i(Op::Fm, 5, 5, 9)];
     let found = hinted_loop(&body);
     let chain = found.recurrence.unwrap();
@@ -96,7 +96,7 @@ fn the_longest_of_several_chains_counts() {
 fn what_a_pass_writes_before_it_reads_or_never_is_not_carried() {
     let (chain, cycles) = recurrence(&[i(Op::Il, 3, 0, 0), i(Op::Fa, 4, 3, 9)]);
     assert_eq!(chain, None);
-    // il at 0, fa at 2, br at 3: the result of no pass is waited for.
+    // il at 0, fa at 2, br at 3: no pass waits for the result of another.
     assert_eq!(cycles, 4.0);
 }
 

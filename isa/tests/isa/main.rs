@@ -1,5 +1,5 @@
-//! The instruction table and the pipelines: one program, since most of the time that a test
-//! program takes is its linking.
+//! Tests of the instruction table and the pipelines. They are one program, because linking takes
+//! most of a test program's time.
 
 mod account;
 mod branches;

@@ -1,7 +1,7 @@
-//! The disassembler and the encoder against the GNU tools for the SPU.
+//! Compares the disassembler and the encoder with the GNU tools for the SPU.
 //!
-//! Provenance: binutils 2.40, run here and now. Without the tools these tests fail: nothing else
-//! says that our words are the assembler's words.
+//! Provenance: binutils 2.40, run during the test. Without the tools these tests fail, because
+//! nothing else shows that our words are the assembler's.
 
 use spu_isa::{Format, Instruction, Op, Operand, disassemble, feature};
 use std::env;
@@ -10,7 +10,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// The tool named by `variable`, or one of `names` in PATH, or where ci/setup puts it.
+/// The tool named by `variable`, or one of `names` in PATH, or the one that ci/setup installed.
 fn tool(variable: &str, names: [&str; 2]) -> PathBuf {
     if let Some(path) = env::var_os(variable) {
         return path.into();
@@ -35,7 +35,7 @@ fn run(command: &mut Command) -> String {
     String::from_utf8(output.stdout).unwrap()
 }
 
-/// Words and texts that the GNU tools make of a source.
+/// The words and texts that the GNU tools produce from a source.
 fn assemble_and_dump(source: &str) -> Vec<(u32, String)> {
     let folder = tempfile::tempdir().unwrap();
     let (input, object) = (folder.path().join("rows.s"), folder.path().join("rows.o"));
@@ -55,12 +55,12 @@ fn parse_line(line: &str) -> Option<(u32, String)> {
     Some((word, text.to_owned()))
 }
 
-/// Constants at the ends of what the assembler takes for an operand, and one between.
+/// Constants at both ends of the range that the assembler accepts for an operand, and one between.
 fn constants(row_operands: &[Operand]) -> &'static [i32] {
     let mut constants: &[i32] = &[0];
     for operand in row_operands {
         constants = match operand {
-            // Every kind of seven-bit operand takes these.
+            // Every kind of seven-bit operand accepts these.
             Operand::Immediate7 => &[0, 5, 31],
             Operand::Displacement7 => &[-64, 5, 63],
             Operand::Signed10 => &[-512, -1, 0, 17, 511],
@@ -78,7 +78,7 @@ fn constants(row_operands: &[Operand]) -> &'static [i32] {
     constants
 }
 
-/// Instances of every row, with operands all distinct.
+/// Instances of every row, whose operands are all distinct.
 fn instances() -> Vec<Instruction> {
     let mut all = Vec::new();
     for row in Op::rows() {
@@ -93,7 +93,7 @@ fn instances() -> Vec<Instruction> {
         ];
         let base = Instruction {
             op: row.op,
-            // The assembler drops the operand of nop.
+            // The assembler ignores the operand of nop.
             rt: if row.op == Op::Nop {
                 0
             } else {
@@ -151,7 +151,7 @@ fn instances() -> Vec<Instruction> {
     all
 }
 
-/// The instruction as the assembler reads it: a number as relative address is the distance itself.
+/// The instruction in the assembler's syntax. A number as relative address is the distance itself.
 fn source_line(i: Instruction) -> String {
     let row = i.op.row();
     let letters = match (row.format, i.immediate) {
@@ -207,7 +207,7 @@ fn every_row_is_assembled_and_dumped_as_by_the_gnu_tools() {
 
 #[test]
 fn any_word_is_dumped_as_by_objdump() {
-    // Every value of the first eleven bits, with other bits that count up by an odd stride.
+    // Every value of the first eleven bits. The other bits count up by an odd stride.
     let words: Vec<u32> = (0..2048u32 * 16)
         .map(|n| (n % 2048) << 21 | n.wrapping_mul(0x9e37_79b9) >> 11)
         .collect();

@@ -1,7 +1,7 @@
 //! Each rule of the pipeline model, on sequences whose cycles were derived by hand.
 //!
-//! Provenance of every expectation: `model`, that is the rules in `docs/timing.md` applied on
-//! paper; the derivation stands beside it. Nothing here was measured on the console.
+//! Provenance of every expectation: `model`, which means that the rules in `docs/timing.md` were
+//! applied on paper. The derivation is in a comment. Nothing here was measured on the console.
 
 use spu_isa::timing::{Cause, Pipeline, Rules};
 use spu_isa::{Class, Instruction, Pipe};
@@ -24,7 +24,7 @@ fn an_even_and_an_odd_instruction_of_a_group_issue_together() {
 
 #[test]
 fn the_same_two_across_a_group_border_do_not() {
-    // The first stands at 4 mod 8: alone in its group.
+    // The first is at 4 mod 8, so it is alone in its group.
     assert_eq!(
         cycles_from(0x104, &[i("a", 3, &[4, 5]), i("lqd", 6, &[7])]),
         [0, 1]
@@ -38,7 +38,7 @@ fn odd_before_even_and_twice_the_same_pipe_do_not_pair() {
     assert_eq!(cycles(&[odd, even]), [0, 1]);
     assert_eq!(cycles(&[even, even]), [0, 1]);
     assert_eq!(cycles(&[odd, odd]), [0, 1]);
-    // Four in the wrong order take four cycles, in the right one two.
+    // In the wrong order the four take four cycles, in the right one two.
     assert_eq!(cycles(&[odd, even, odd, even]), [0, 1, 2, 3]);
     assert_eq!(cycles(&[even, odd, even, odd]), [0, 0, 1, 1]);
 }
@@ -51,7 +51,7 @@ fn nop_and_lnop_pair_like_others() {
 
 #[test]
 fn a_group_that_was_split_does_not_pair_with_the_next() {
-    // [a | lqd needs a] splits: lqd waits until 2. The next group starts at 3, as a pair.
+    // [a | lqd needs a] splits: lqd waits until 2. The next group is a pair and issues in cycle 3.
     let code = [
         i("a", 3, &[4, 5]),
         i("lqd", 6, &[3]),
@@ -73,15 +73,15 @@ fn a_dependence_within_a_group_costs_the_pair_and_the_whole_latency() {
     assert!(issues[1].missed_dual);
     assert_eq!(issues[1].waited, Some(Cause::Operand(Class::Fx2)));
     assert_eq!(issues[1].waited_register, Some(3));
-    // Cycle 1 is empty; cycle 0 has the `a`.
+    // Cycle 1 is empty. Cycle 0 has the `a`.
     assert_eq!(issues[1].waited_cycles, 1);
     assert_eq!(pipeline.account().single(), 2);
 }
 
 #[test]
 fn a_pair_lost_by_a_cycle_is_no_stall() {
-    // The lqd's operand comes at 2; the a at 1 goes alone, the lqd follows at 2 without an empty
-    // cycle.
+    // The lqd's operand is ready at 2. The a issues alone at 1, and the lqd follows at 2 without
+    // an empty cycle.
     let code = [
         i("il", 3, &[]),     // 0
         i("lnop", 0, &[]),   // 0
@@ -97,14 +97,14 @@ fn a_pair_lost_by_a_cycle_is_no_stall() {
     assert_eq!(pipeline.account().stalled(), 0);
 }
 
-/// Cycle of an `ai` that reads what `producer` wrote to $3.
+/// The cycle of an `ai` that reads what `producer` wrote to $3.
 fn reader_after(producer: Instruction) -> u64 {
     cycles(&[producer, i("ai", 60, &[3])])[1]
 }
 
 #[test]
 fn latencies_by_class() {
-    // Latency of the class, from the fact sheet's table (IBM tutorial, GCC, binutils).
+    // The latency of each class, from IBM's tutorial, GCC and binutils.
     for (mnemonic, latency) in [
         ("a", 2),
         ("selb", 2),
@@ -152,7 +152,7 @@ fn load_use_waits_six_cycles_and_names_the_load() {
 
 #[test]
 fn a_load_after_a_store_waits_for_nothing() {
-    // Both odd: one a cycle.
+    // Both are odd, so they issue one a cycle.
     assert_eq!(cycles(&[i("stqd", 3, &[4]), i("lqd", 5, &[4])]), [0, 1]);
 }
 
@@ -183,7 +183,7 @@ fn a_channel_number_is_no_register() {
 
 #[test]
 fn three_sources_count_and_the_last_one_decides() {
-    // $3 comes at 0+6, $4 at 1+4, $5 at 2+2: fma at 6 because of $3.
+    // $3 is ready at 0+6, $4 at 1+4, $5 at 2+2: the fma issues at 6 because of $3.
     let code = [
         i("lqd", 3, &[70]),
         i("shufb", 4, &[71, 72, 73]),
@@ -197,14 +197,15 @@ fn three_sources_count_and_the_last_one_decides() {
 
 #[test]
 fn the_youngest_write_wins_without_a_wait() {
-    // mpy would give $3 at 7; the il at 1 overwrites it, so its reader goes at 3.
+    // mpy would make $3 ready at 7. The il at 1 overwrites it, so its reader issues at 3.
     let code = [i("mpy", 3, &[4, 5]), i("il", 3, &[]), i("ai", 6, &[3])];
     assert_eq!(cycles(&code), [0, 1, 3]);
 }
 
 #[test]
 fn double_precision_blocks_six_cycles_and_pairs_with_nothing() {
-    // (DP, odd) in a group: the odd one at 7. The next DP at 8 as it depends on nothing, then 15.
+    // (DP, odd) in a group: the odd one issues at 7. The next DP issues at 8 because it depends on
+    // nothing, the one after it at 15.
     let code = [
         i("dfa", 3, &[4, 5]),
         i("lqd", 6, &[7]),
@@ -212,9 +213,9 @@ fn double_precision_blocks_six_cycles_and_pairs_with_nothing() {
         i("il", 11, &[]),
     ];
     assert_eq!(cycles(&code), [0, 7, 8, 15]);
-    // (even, DP): the DP a cycle later.
+    // (even, DP): the DP issues a cycle later.
     assert_eq!(cycles(&[i("il", 3, &[]), i("dfa", 4, &[5, 6])]), [0, 1]);
-    // Result at 13, of which 7 are the block.
+    // The result is ready at 13, and 7 of these cycles are the block.
     let mut pipeline = Pipeline::default();
     let issues = feed(
         &mut pipeline,
@@ -270,33 +271,33 @@ fn false_targets_delay_readers_only_if_asked() {
         false_targets: true,
         ..Rules::default()
     };
-    // fscrwr is FP7; a halt is FX2; a nop counts as FX2.
+    // fscrwr is FP7, a halt is FX2, and a nop counts as FX2.
     assert_eq!(cycles_by(rules, &code), [0, 7]);
     let halt = [i("heqi", 3, &[4]), i("a", 5, &[3, 3])];
     assert_eq!(cycles_by(rules, &halt), [0, 2]);
     let nop = [i("nop", 3, &[]), i("a", 5, &[3, 3])];
     assert_eq!(cycles_by(rules, &nop), [0, 2]);
-    // What is really on its way to the register still comes: the load's 6, not the nop's 1 + 2.
+    // A real write that is pending still counts: the load's 6, not the nop's 1 + 2.
     let load = [i("lqd", 3, &[4]), i("nop", 3, &[]), i("a", 5, &[3, 3])];
     assert_eq!(cycles_by(rules, &load), [0, 1, 6]);
 }
 
 #[test]
 fn dsync_waits_for_memory_and_sync_fetches_again() {
-    // The load is done at 6.
+    // The load is complete at 6.
     let load = i("lqd", 3, &[4]);
     assert_eq!(
         cycles(&[load, i("dsync", 0, &[]), i("il", 5, &[])]),
         [0, 6, 7]
     );
-    // And the line comes again: 6 + 1 + 18.
+    // Then the line is fetched again: 6 + 1 + 18.
     assert_eq!(
         cycles(&[load, i("sync", 0, &[]), i("il", 5, &[])]),
         [0, 6, 25]
     );
-    // Arithmetic in flight is not waited for.
+    // dsync does not wait for arithmetic.
     assert_eq!(cycles(&[i("fm", 3, &[4, 4]), i("dsync", 0, &[])]), [0, 0]);
-    // Stores and channel instructions are.
+    // It waits for stores and channel instructions.
     assert_eq!(cycles(&[i("stqd", 3, &[4]), i("dsync", 0, &[])]), [0, 6]);
     assert_eq!(cycles(&[i("wrch", 3, &[21]), i("dsync", 0, &[])]), [0, 6]);
 }
@@ -318,15 +319,17 @@ fn a_stall_from_outside_holds_issue_and_the_channel_instruction() {
     pipeline.issue(0, i("rdch", 3, &[24]));
     pipeline.stall_until(100, Cause::Channel);
     assert_eq!(pipeline.clock(), 100);
-    // The next goes at 100; the data came as if the rdch had gone at 99: 99 + 6.
+    // The next instruction issues at 100. The data is ready as if the rdch had issued at 99: 99 +
+    // 6.
     assert_eq!(pipeline.issue(4, i("il", 5, &[])).cycle, 100);
     assert_eq!(pipeline.issue(8, i("a", 6, &[3, 3])).cycle, 105);
     assert_eq!(pipeline.account().waited(Cause::Channel), 99);
-    // Into the past: nothing.
+    // A stall that ends in the past has no effect.
     pipeline.stall_until(50, Cause::Dma);
     assert_eq!(pipeline.clock(), 106);
     assert_eq!(pipeline.account().waited(Cause::Dma), 0);
-    // A stall behind another instruction is not the rdch's: $9 comes at its own 6.
+    // A stall after another instruction does not delay the rdch's result: $9 is ready after its
+    // own 6.
     let start = pipeline.issue(0x20, i("rdch", 9, &[24])).cycle;
     pipeline.issue(0x24, i("il", 5, &[]));
     pipeline.stall_until(start + 4, Cause::Dma);
@@ -346,25 +349,26 @@ fn loads_in_every_cycle_starve_straight_line_code() {
         ..Rules::default()
     };
     let loads = |count| vec![i("lqd", 3, &[4]); count];
-    // 64 instructions are buffered and no port is free: the 65th asks in cycle 64 and has its line
-    // 15 cycles later.
+    // 64 instructions are buffered and the port is never free. The 65th requests its line in cycle
+    // 64, and the line arrives 15 cycles later.
     let cycles = cycles_by(rules, &loads(65));
     assert_eq!(cycles[63], 63);
     assert_eq!(cycles[64], 79);
-    // One free cycle once a line of room is there is enough: at 41, for the line at 56.
+    // Once there is room for a line, one free cycle is enough: in cycle 41, for the line at 56.
     let mut code = loads(41);
     code.push(i("il", 5, &[]));
     code.extend(loads(40));
     let cycles = cycles_by(rules, &code);
     assert_eq!(cycles.last(), Some(&81));
-    // In the first word of a group it pairs with the load behind it, and the port is not free.
+    // In the first word of a group it pairs with the next load, and the port is not free.
     code.remove(0);
     let cycles = cycles_by(rules, &code);
     assert_eq!(cycles[40..42], [40, 40]);
     assert_eq!(cycles.last(), Some(&(79 + 15)));
-    // Off: no such stall.
+    // With the rule off there is no such stall.
     assert_eq!(cycles_by(Rules::default(), &loads(65))[64], 64);
-    // A branch to the ninth instruction of a line leaves 64 - 8: the 57th asks in cycle 19 + 56.
+    // A branch to the ninth instruction of a line leaves 64 - 8 instructions: the 57th requests
+    // its line in cycle 19 + 56.
     let mut pipeline = Pipeline::new(rules);
     feed(&mut pipeline, 0, &loads(20));
     let branch = pipeline.issue(80, i("br", 0, &[])).cycle;
@@ -398,10 +402,11 @@ fn a_published_style_schedule() {
     let cycles: Vec<u64> = issues.iter().map(|issue| issue.cycle).collect();
     assert_eq!(cycles, [0, 0, 1, 1, 2, 6, 10, 10, 17, 17, 23, 29]);
     let account = pipeline.account();
-    // Issuing cycles 0 1 2 6 10 17 23 29, four of them dual; 22 of 30 are empty.
+    // Issuing cycles are 0 1 2 6 10 17 23 29, and four of them are dual. 22 of 30 cycles are
+    // empty.
     assert_eq!((account.dual(), account.single()), (4, 4));
     assert_eq!(account.cycles(), 30);
-    // Empty: 3-5 for the load; 7-9 for frest; 11-16 for fi; 18-22 and 24-28 for FP6.
+    // Empty: 3-5 for the load, 7-9 for frest, 11-16 for fi, 18-22 and 24-28 for FP6.
     assert_eq!(account.waited(Cause::Operand(Class::Ls)), 3);
     assert_eq!(account.waited(Cause::Operand(Class::Shuf)), 3);
     assert_eq!(account.waited(Cause::Operand(Class::Fp7)), 6);

@@ -3,7 +3,7 @@
 use spu_isa::timing::{Issue, Pipeline, Rules};
 use spu_isa::{Instruction, Op};
 
-/// An instruction with `rt` and its sources in the order ra, rb, rc.
+/// An instruction with target `rt` and its sources in the order ra, rb, rc.
 pub fn i(mnemonic: &str, rt: u8, sources: &[u8]) -> Instruction {
     let source = |n: usize| sources.get(n).copied().unwrap_or(0);
     Instruction {
@@ -25,7 +25,7 @@ pub fn hint(mnemonic: &str, branch_distance: i16, immediate: i32) -> Instruction
     }
 }
 
-/// Feeds straight-line code from `pc` on.
+/// Feeds straight-line code that starts at `pc`.
 pub fn feed(pipeline: &mut Pipeline, pc: u32, code: &[Instruction]) -> Vec<Issue> {
     let addresses = (pc..).step_by(4);
     let issue = |(pc, &instruction)| pipeline.issue(pc, instruction);

@@ -1,21 +1,21 @@
-//! A pipeline that goes on from another's state goes on as that one does.
+//! A pipeline that continues from another's state must behave as that one does.
 
 use proptest::prelude::*;
-use spu_isa::timing::{Account, Cause, Issue, Passage, Pipeline, Rules};
+use spu_isa::timing::{Account, AccountDelta, Cause, Issue, Pipeline, Rules};
 use spu_isa::{Instruction, Op};
 
 use super::sequences::{hint, i};
 
-/// What happens to a pipeline.
+/// An event in a pipeline.
 #[derive(Clone, Copy, Debug)]
 enum Event {
     /// An instruction issues at the next address.
     Issue(Instruction),
-    /// The last one went to this address.
+    /// The last instruction went to this address.
     Branched(Option<u32>),
-    /// The last one, a hint, has this target.
+    /// The last instruction, a hint, has this target.
     Target(u32),
-    /// Nothing issues for so many cycles.
+    /// Nothing issues for this many cycles.
     Stall(u64),
 }
 
@@ -59,7 +59,7 @@ fn rules() -> impl Strategy<Value = Rules> {
     })
 }
 
-/// A pipeline and the address at which it goes on.
+/// A pipeline, and the address at which it continues.
 #[derive(Clone)]
 struct Stream(Pipeline, u32);
 
@@ -85,7 +85,8 @@ impl Stream {
     }
 }
 
-/// An issue in cycles from the one before `clock`, since the second of a pair joins that one.
+/// An issue relative to the cycle before `clock`, because the second of a pair issues in that
+/// cycle.
 fn seen_from(issue: Issue, clock: u64) -> Issue {
     Issue {
         cycle: issue.cycle + 1 - clock,
@@ -94,7 +95,7 @@ fn seen_from(issue: Issue, clock: u64) -> Issue {
     }
 }
 
-/// Instructions, dual cycles, cycles.
+/// Instructions, dual cycles, all cycles.
 fn sums(account: &Account) -> [u64; 3] {
     [account.instructions(), account.dual(), account.cycles()]
 }
@@ -112,11 +113,12 @@ proptest! {
         for event in before {
             first.happen(event);
         }
-        // The other one is somewhere else, with its own account and with registers to wait for.
+        // The other pipeline is at another clock, has its own account, and has registers to wait
+        // for.
         let mut other = Stream(Pipeline::new(rules), first.1);
         other.0.issue(0, Instruction { op: Op::Dfm, ..i("dfm", 5, &[1, 2]) });
-        let passage = Passage { instructions: 1 << 40, ..Passage::default() };
-        other.0.resume(&first.0.state(), &passage);
+        let delta = AccountDelta { instructions: 1 << 40, ..AccountDelta::default() };
+        other.0.resume(&first.0.state(), &delta);
         prop_assert_eq!(other.0.state(), first.0.state());
         prop_assert_eq!(other.0.account().cycles(), other.0.clock());
         let (clock, other_clock) = (first.0.clock(), other.0.clock());
@@ -148,7 +150,7 @@ fn a_stall_behind_a_state_has_its_cause() {
     first.issue(0, i("rdch", 7, &[0]));
     first.branched(0, Some(64));
     let mut other = Pipeline::default();
-    other.resume(&first.state(), &Passage::default());
+    other.resume(&first.state(), &AccountDelta::default());
     for pipeline in [&mut first, &mut other] {
         pipeline.stall_until(pipeline.clock() + 1, Cause::Channel);
     }

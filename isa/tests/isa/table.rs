@@ -1,8 +1,8 @@
-//! The table itself: counts, encodings, round trips, register sets.
+//! Tests of the table itself: counts, encodings, round trips, register sets.
 
 use spu_isa::{Class, Format, Instruction, Machine, Op, Operand, Pipe, Target};
 
-/// Provenance: words made by the GNU assembler.
+/// Provenance: words from the GNU assembler.
 #[test]
 fn known_encodings_decode_to_their_text() {
     let known = [
@@ -36,7 +36,7 @@ fn known_encodings_decode_to_their_text() {
     }
 }
 
-/// Provenance: the architecture's 199 opcodes, extension included.
+/// Provenance: the architecture's 199 opcodes, with the extension.
 #[test]
 fn the_table_has_every_instruction() {
     assert_eq!(Op::rows().len(), 199);
@@ -56,7 +56,7 @@ fn the_table_has_every_instruction() {
     assert_eq!(Op::of_mnemonic("lr"), None);
 }
 
-/// Bits that a format ignores.
+/// The bits that a format ignores.
 fn reserved(format: Format) -> u32 {
     match format {
         Format::Flagged => 0x0003_c000,
@@ -88,8 +88,8 @@ fn decoding_and_encoding_are_inverse() {
     }
 }
 
-/// Who writes an instruction down from its operands loses nothing: what a format holds beside
-/// registers is an operand, or letters of the mnemonic.
+/// Writing an instruction by its operands loses nothing: everything in a format except registers
+/// is an operand, or letters of the mnemonic.
 #[test]
 fn every_constant_is_an_operand() {
     for row in Op::rows() {
@@ -114,8 +114,7 @@ fn every_constant_is_an_operand() {
     }
 }
 
-/// Provenance: the list of accumulators and false targets that GCC's scheduler and the
-/// architecture give.
+/// Provenance: the list of accumulators and false targets in GCC's scheduler and the architecture.
 #[test]
 fn register_sets_follow_the_operands() {
     let decode = |word| Instruction::decode(word).unwrap();

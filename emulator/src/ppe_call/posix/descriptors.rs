@@ -1,4 +1,4 @@
-//! Calls on descriptors, which are the host's numbers.
+//! Calls on file descriptors. The guest's descriptors are the host's.
 
 use super::super::errno::check;
 use super::super::guest::{Block, Reply};
@@ -6,30 +6,31 @@ use super::super::{Errno, Library};
 use super::moved;
 use crate::local_store::SIZE;
 
-/// Most pieces of `readv` and `writev`.
+/// The largest number of pieces in `readv` and `writev`.
 const MOST_PIECES: u32 = 1024;
 
 pub(super) fn close(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any number; nothing here owns a descriptor that it would mind losing.
+    // SAFETY: `close` accepts any number, and no code here relies on a descriptor that it could
+    // close.
     check(unsafe { libc::close(block.int(0)) })
 }
 
 pub(super) fn read(library: &mut Library, block: Block<'_>) -> Result<i32, Errno> {
     let mut bytes = vec![0; block.word(2).min(SIZE) as usize];
-    let read = library.outside.read(block.int(0), &mut bytes)?;
+    let read = library.host.read(block.int(0), &mut bytes)?;
     block.guest.write(block.word(1), &bytes[..read]);
     moved(read)
 }
 
 pub(super) fn write(library: &mut Library, block: Block<'_>) -> Result<i32, Errno> {
     let bytes = block.guest.bytes(block.word(1), block.word(2));
-    moved(library.outside.write(block.int(0), &bytes)?)
+    moved(library.host.write(block.int(0), &bytes)?)
 }
 
 pub(super) fn pread(block: Block<'_>) -> Result<i32, Errno> {
     let mut bytes = vec![0; block.word(2).min(SIZE) as usize];
     let offset = block.int(3).into();
-    // SAFETY: the buffer is valid for as many bytes as are told.
+    // SAFETY: the buffer is valid for as many bytes as the length says.
     let read = check(unsafe {
         libc::pread(block.int(0), bytes.as_mut_ptr().cast(), bytes.len(), offset)
     })?;
@@ -40,13 +41,14 @@ pub(super) fn pread(block: Block<'_>) -> Result<i32, Errno> {
 pub(super) fn pwrite(block: Block<'_>) -> Result<i32, Errno> {
     let bytes = block.guest.bytes(block.word(1), block.word(2));
     let offset = block.int(3).into();
-    // SAFETY: the buffer is valid for as many bytes as are told.
+    // SAFETY: the buffer is valid for as many bytes as the length says.
     let written =
         check(unsafe { libc::pwrite(block.int(0), bytes.as_ptr().cast(), bytes.len(), offset) })?;
     moved(written as usize)
 }
 
-/// Addresses and lengths of the pieces of a vector; together they are no more than fits.
+/// Addresses and lengths of the pieces of a vector. Their total size is at most that of local
+/// store.
 fn pieces(block: Block<'_>) -> Result<Vec<(u32, u32)>, Errno> {
     const PIECE: u32 = 8;
     let (vector, count) = (block.word(1), block.word(2));
@@ -71,7 +73,7 @@ pub(super) fn readv(library: &mut Library, block: Block<'_>) -> Result<i32, Errn
     let pieces = pieces(block)?;
     let length: u32 = pieces.iter().map(|(_, length)| length).sum();
     let mut bytes = vec![0; length as usize];
-    let read = library.outside.read(block.int(0), &mut bytes)?;
+    let read = library.host.read(block.int(0), &mut bytes)?;
     let mut rest = &bytes[..read];
     for (address, length) in pieces {
         let (now, later) = rest.split_at(rest.len().min(length as usize));
@@ -86,62 +88,63 @@ pub(super) fn writev(library: &mut Library, block: Block<'_>) -> Result<i32, Err
     for (address, length) in pieces(block)? {
         bytes.extend(block.guest.bytes(address, length));
     }
-    moved(library.outside.write(block.int(0), &bytes)?)
+    moved(library.host.write(block.int(0), &bytes)?)
 }
 
 pub(super) fn lseek(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any numbers.
+    // SAFETY: `lseek` accepts any numbers.
     let at = check(unsafe { libc::lseek(block.int(0), block.int(1).into(), block.int(2)) })?;
     i32::try_from(at).map_err(|_| Errno(libc::EOVERFLOW))
 }
 
 pub(super) fn ftruncate(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any numbers.
+    // SAFETY: `ftruncate` accepts any numbers.
     check(unsafe { libc::ftruncate(block.int(0), block.int(1).into()) })
 }
 
 pub(super) fn dup(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any number.
+    // SAFETY: `dup` accepts any number.
     check(unsafe { libc::dup(block.int(0)) })
 }
 
 pub(super) fn dup2(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any numbers; nothing here owns a descriptor that it would mind losing.
+    // SAFETY: `dup2` accepts any numbers, and no code here relies on a descriptor that it could
+    // close.
     check(unsafe { libc::dup2(block.int(0), block.int(1)) })
 }
 
 pub(super) fn fchdir(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any number.
+    // SAFETY: `fchdir` accepts any number.
     check(unsafe { libc::fchdir(block.int(0)) })
 }
 
 pub(super) fn fchmod(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any numbers.
+    // SAFETY: `fchmod` accepts any numbers.
     check(unsafe { libc::fchmod(block.int(0), block.word(1)) })
 }
 
 pub(super) fn fchown(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any numbers.
+    // SAFETY: `fchown` accepts any numbers.
     check(unsafe { libc::fchown(block.int(0), block.word(1), block.word(2)) })
 }
 
 pub(super) fn sync() -> Reply {
-    // SAFETY: it takes nothing.
+    // SAFETY: `sync` has no arguments.
     unsafe { libc::sync() };
     Reply::Nothing
 }
 
 pub(super) fn fsync(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any number.
+    // SAFETY: `fsync` accepts any number.
     check(unsafe { libc::fsync(block.int(0)) })
 }
 
 pub(super) fn fdatasync(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any number.
+    // SAFETY: `fdatasync` accepts any number.
     check(unsafe { libc::fdatasync(block.int(0)) })
 }
 
 pub(super) fn lockf(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any numbers.
+    // SAFETY: `lockf` accepts any numbers.
     check(unsafe { libc::lockf(block.int(0), block.int(1), block.int(2).into()) })
 }

@@ -1,7 +1,7 @@
 //! Directory streams.
 //!
-//! A directory is read when it is opened or rewound; a position is the number of entries before
-//! it. The guest's `DIR *` is a number that counts up, never a pointer of the host.
+//! A directory is read when it is opened or rewound. A position is the number of entries before
+//! it. The guest's `DIR *` is a counter's value, never a pointer of the host.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -12,9 +12,9 @@ use std::path::{Path, PathBuf};
 use super::super::guest::{Block, Reply};
 use super::super::{Errno, Library};
 
-/// Bytes of a name with its 0 in the guest's structure.
+/// Size in bytes of a name with its terminating 0 in the guest's structure.
 const NAME: usize = 256;
-/// Most directories that are open at a time, as if they were descriptors.
+/// The largest number of open directories, as if they were descriptors.
 const MOST: usize = 1024;
 
 struct Directory {
@@ -98,7 +98,8 @@ pub(super) fn opendir(library: &mut Library, block: Block<'_>) -> Reply {
     }
 }
 
-/// The next entry into the structure of cell 1: its number, and its name with a 0.
+/// Writes the number and the name of the next entry, with a terminating 0, to the structure of
+/// cell 1.
 pub(super) fn readdir(library: &mut Library, block: Block<'_>) -> Reply {
     let directory = match library.directories.find(block.doubleword(0)) {
         Ok(directory) => directory,

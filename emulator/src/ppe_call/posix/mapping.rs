@@ -1,21 +1,21 @@
-//! Files and fresh memory in effective address space.
+//! Mappings of files and of new memory in effective address space.
 //!
-//! A mapping is an allocation that holds a copy of the file: nothing written to it comes to the
-//! file, so a writable shared mapping of a file is refused.
+//! A mapping is an allocation that holds a copy of the file. Writes to it do not reach the file,
+//! so a writable shared mapping of a file is refused.
 
 use super::super::errno::check;
 use super::super::guest::{Block, Reply};
 use super::super::{Errno, Library};
 use super::process::page_size;
 
-/// The guest's `mmap` constants are Linux's for PowerPC, which the host's need not be.
+/// The guest's `mmap` constants are those of Linux for PowerPC, which may differ from the host's.
 const PROT_WRITE: u32 = 2;
 const MAP_SHARED: u32 = 1;
 const MAP_PRIVATE: u32 = 2;
 const MAP_FIXED: u32 = 0x10;
 const MAP_ANONYMOUS: u32 = 0x20;
 const MREMAP_MAYMOVE: u32 = 1;
-/// Bytes that are copied from a file at a time.
+/// Number of bytes that are copied from a file at a time.
 const PIECE: usize = 64 << 10;
 
 /// The address, or all ones and the error number.
@@ -54,7 +54,7 @@ fn map(library: &mut Library, block: Block<'_>) -> Result<u64, Errno> {
     Ok(ea)
 }
 
-/// What lies beyond the file's end stays 0.
+/// Copies a file. The bytes beyond its end stay 0.
 fn copy_file(
     library: &mut Library,
     ea: u64,
@@ -67,7 +67,7 @@ fn copy_file(
     while done < length as usize {
         let most = PIECE.min(length as usize - done);
         let at = i64::from(offset) + done as i64;
-        // SAFETY: the buffer is valid for as many bytes as are told.
+        // SAFETY: the buffer is valid for as many bytes as the length says.
         let read = unsafe { libc::pread(descriptor, piece.as_mut_ptr().cast(), most, at) };
         let read = check(read)? as usize;
         if read == 0 {
@@ -98,7 +98,7 @@ pub(super) fn mremap(library: &mut Library, block: Block<'_>) -> Reply {
     address(moved.ok_or(Errno(libc::ENOMEM)))
 }
 
-/// There is nothing to write back, only an address to check.
+/// Nothing has to be written back, so only the address is checked.
 pub(super) fn msync(library: &mut Library, block: Block<'_>) -> Result<(), Errno> {
     let mapped = library.heap.size_of(block.doubleword(0));
     mapped.map(|_| ()).ok_or(Errno(libc::ENOMEM))

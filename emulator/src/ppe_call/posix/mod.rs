@@ -1,8 +1,9 @@
 //! Class 0x2101: POSIX.1.
 //!
-//! Structures in local store are made of 32-bit fields, so that what does not fit loses its upper
-//! bits, as with libspe2. Not served, by `ENOSYS`: shared memory (nor does libspe2 serve it), and
-//! `adjtimex`, since the clock is the host's affair. A guest signals no process but its own.
+//! Structures in local store consist of 32-bit fields. As with libspe2, values that don't fit lose
+//! their upper bits. Shared memory, which libspe2 does not serve either, and `adjtimex`, because
+//! the clock belongs to the host, fail with `ENOSYS`. A guest can send signals only to its own
+//! process.
 
 mod descriptors;
 mod directories;
@@ -91,12 +92,12 @@ fn not_served() -> Reply {
     Err::<i32, _>(Errno(libc::ENOSYS)).into()
 }
 
-/// The answer of a call that moves bytes.
+/// The result of a call that moves bytes.
 fn moved(count: usize) -> Result<i32, Errno> {
     i32::try_from(count).map_err(|_| Errno(libc::EOVERFLOW))
 }
 
-/// Two words of a time structure: seconds, and a fraction.
+/// The two words of a time structure: seconds, and a fraction.
 fn time_at(block: Block<'_>, address: u32) -> (i32, i32) {
     let word = |n: u32| block.guest.word(address.wrapping_add(4 * n)) as i32;
     (word(0), word(1))

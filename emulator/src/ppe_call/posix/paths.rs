@@ -10,8 +10,8 @@ use super::super::stream::c_path;
 use super::{moved, time_at};
 use crate::local_store::SIZE;
 
-/// The guest's `open` flags are Linux's: access mode, and the bits from `O_CREAT` to `O_ASYNC`.
-/// Above them the architectures differ.
+/// The guest's `open` flags are Linux's access mode and the bits from `O_CREAT` to `O_ASYNC`. The
+/// higher bits differ between architectures.
 const OPEN_FLAGS: i32 = 0o3 | 0o37700;
 
 fn path(block: Block<'_>, cell: u32) -> Result<CString, Errno> {
@@ -33,11 +33,11 @@ pub(super) fn creat(block: Block<'_>) -> Result<i32, Errno> {
     check(unsafe { libc::creat(path.as_ptr(), block.word(1)) })
 }
 
-/// Puts a status into local store if the call that fills it succeeds.
+/// Writes a status to local store, if the call that fills it succeeds.
 fn status(block: Block<'_>, fill: impl FnOnce(*mut libc::stat) -> i32) -> Result<i32, Errno> {
     let mut status = MaybeUninit::<libc::stat>::zeroed();
     check(fill(status.as_mut_ptr()))?;
-    // SAFETY: zeros are a valid status, and the system filled it.
+    // SAFETY: zeros are a valid status, and the system has filled it.
     let status = unsafe { status.assume_init() };
     let words = [
         status.st_dev as u32,
@@ -71,7 +71,7 @@ pub(super) fn lstat(block: Block<'_>) -> Result<i32, Errno> {
 }
 
 pub(super) fn fstat(block: Block<'_>) -> Result<i32, Errno> {
-    // SAFETY: it takes any number, and the status is writable.
+    // SAFETY: `fstat` accepts any number, and the status is writable.
     status(block, |into| unsafe { libc::fstat(block.int(0), into) })
 }
 
@@ -79,7 +79,7 @@ pub(super) fn ftok(block: Block<'_>) -> Result<i32, Errno> {
     let path = path(block, 0)?;
     // SAFETY: the path ends in 0.
     let key = unsafe { libc::ftok(path.as_ptr(), block.int(1)) };
-    // Keys may be negative; only this one is none.
+    // Keys may be negative, and only -1 is an error.
     if key == -1 {
         Err(Errno::last())
     } else {
@@ -156,7 +156,7 @@ pub(super) fn symlink(block: Block<'_>) -> Result<i32, Errno> {
 pub(super) fn readlink(block: Block<'_>) -> Result<i32, Errno> {
     let path = path(block, 0)?;
     let mut bytes = vec![0; block.word(2).min(SIZE) as usize];
-    // SAFETY: the path ends in 0, and the buffer is valid for as many bytes as are told.
+    // SAFETY: the path ends in 0, and the buffer is valid for as many bytes as the length says.
     let length =
         check(unsafe { libc::readlink(path.as_ptr(), bytes.as_mut_ptr().cast(), bytes.len()) })?
             as usize;
@@ -170,7 +170,7 @@ pub(super) fn truncate(block: Block<'_>) -> Result<i32, Errno> {
     check(unsafe { libc::truncate(path.as_ptr(), block.int(1).into()) })
 }
 
-/// The working directory's path with its 0, if it fits into cell 1's bytes.
+/// Writes the working directory's path with its terminating 0, if it fits into cell 1's bytes.
 pub(super) fn getcwd(block: Block<'_>) -> Reply {
     use std::os::unix::ffi::OsStrExt as _;
     let (address, size) = (block.word(0), block.word(1) as usize);
@@ -187,7 +187,8 @@ pub(super) fn getcwd(block: Block<'_>) -> Reply {
     }
 }
 
-/// Makes a name of the template in cell 0, by a call that replaces its last characters.
+/// Makes a name from the template in cell 0, with a call that replaces the template's last
+/// characters.
 fn from_template(
     block: Block<'_>,
     make: impl FnOnce(*mut libc::c_char) -> Result<i32, Errno>,
@@ -203,13 +204,13 @@ pub(super) fn mkstemp(block: Block<'_>) -> Result<i32, Errno> {
     from_template(block, |template| check(unsafe { libc::mkstemp(template) }))
 }
 
-/// Answers the template's address whatever happens; its text is empty after a failure.
+/// Returns the template's address in any case. After a failure its text is empty.
 pub(super) fn mktemp(block: Block<'_>) -> Reply {
     let made = from_template(block, |template| {
         // SAFETY: the template ends in 0 and may be written.
         let found = check(unsafe { libc::mkstemp(template) });
         match found {
-            // The name is what is asked for; a file of it would not be empty space.
+            // Only the name is asked for, so the file is removed again.
             Ok(descriptor) => {
                 // SAFETY: the descriptor was just opened, and the name still ends in 0.
                 unsafe {
@@ -219,7 +220,7 @@ pub(super) fn mktemp(block: Block<'_>) -> Reply {
                 Ok(0)
             }
             Err(errno) => {
-                // SAFETY: the template has at least its 0.
+                // SAFETY: the template contains at least its terminating 0.
                 unsafe { template.write(0) };
                 Err(errno)
             }
@@ -240,7 +241,7 @@ fn set_times(block: Block<'_>, times: [(i32, i32); 2]) -> Result<i32, Errno> {
     } else {
         times.as_ptr()
     };
-    // SAFETY: the path ends in 0, and the times are none or two.
+    // SAFETY: the path ends in 0, and there are either no times or two.
     check(unsafe { libc::utimes(path.as_ptr(), times) })
 }
 

@@ -8,7 +8,7 @@ use super::super::guest::Block;
 use super::time_at;
 
 pub(super) fn page_size() -> i32 {
-    // SAFETY: it takes any number.
+    // SAFETY: `sysconf` accepts any number.
     unsafe { libc::sysconf(libc::_SC_PAGESIZE) as i32 }
 }
 
@@ -19,7 +19,7 @@ fn now() -> (u32, u32) {
     (since.as_secs() as u32, since.subsec_micros())
 }
 
-/// The time zone is 0: C libraries keep no zone there any more.
+/// The time zone is 0, because C libraries no longer keep it there.
 pub(super) fn gettimeofday(block: Block<'_>) -> Result<(), Errno> {
     let (seconds, microseconds) = now();
     if block.word(0) != 0 {
@@ -59,14 +59,14 @@ pub(super) fn nanosleep(block: Block<'_>) -> Result<i32, Errno> {
     slept
 }
 
-/// Signals go to this process alone; signal 0 only asks whether another is there.
+/// Signals can be sent to this process only. Signal 0 only asks whether another process exists.
 pub(super) fn kill(block: Block<'_>) -> Result<i32, Errno> {
     let (process, signal) = (block.int(0), block.int(1));
     let own = i32::try_from(std::process::id()) == Ok(process);
     if !own && signal != 0 {
         return Err(Errno(libc::EPERM));
     }
-    // SAFETY: it takes any numbers.
+    // SAFETY: `kill` accepts any numbers.
     check(unsafe { libc::kill(process, signal) })
 }
 
@@ -86,6 +86,6 @@ pub(super) fn wait(
 }
 
 pub(super) fn umask(block: Block<'_>) -> i32 {
-    // SAFETY: it takes any number.
+    // SAFETY: `umask` accepts any number.
     unsafe { libc::umask(block.word(0)) as i32 }
 }

@@ -1,11 +1,11 @@
-//! Hashes for the tables of states, which have many small fields.
+//! The hash function for the tables of states, whose keys have many small fields.
 //!
-//! The standard library's hasher withstands keys that were chosen to collide. A guest that chose
-//! its states so would only slow itself down, since the tables are bounded.
+//! The standard library's hasher resists keys that are chosen to collide. This one need not: a
+//! guest that caused collisions would only slow itself down, because the tables are bounded.
 
 use std::hash::{BuildHasherDefault, Hasher};
 
-/// Makes hashers for a table.
+/// Builds hashers for a table.
 pub(super) type Mixing = BuildHasherDefault<Mixer>;
 
 /// Multiplies and rotates.
@@ -47,7 +47,8 @@ impl Hasher for Mixer {
         self.add(value as u64);
     }
 
-    /// The table takes its place from the lowest bits, where a product has mixed least.
+    /// The table uses the lowest bits as the index, and in a product those are mixed least. So
+    /// rotate.
     fn finish(&self) -> u64 {
         self.0.rotate_left(26)
     }

@@ -1,18 +1,20 @@
-//! Memoised timing: what the pipelines do with a block is worked out once for each state in which
-//! they come to it.
+//! Memoised timing: the effect of a block on the pipelines is computed once for each state in
+//! which they enter the block.
 //!
-//! At a block's entry the pipelines, apart from their clock, are in one of very few states. So
-//! states have numbers, and what a block does to a state is a transition: the state behind it, and
-//! the cycles with their causes. It is worked out by issuing the block instruction by instruction,
-//! which stays the definition. From then on the block takes a look-up and a count; the account and
-//! the profile are counts times transitions, added up when somebody asks for them.
+//! At a block's entry the pipelines are, apart from their clock, in one of very few states. So
+//! states are numbered, and the effect of a block on a state is a transition: the state after the
+//! block, and the cycles with their causes. A transition is computed by issuing the block
+//! instruction by instruction, which remains the definition. After that the block takes only a
+//! look-up and a count. The account and the profile are the transitions times their counts, added
+//! up on demand.
 //!
-//! The cycles of a block do not depend on what it computes: where it goes is known when the next
-//! one begins, so a transition starts with the outcome of the block before. Only a hint by a
-//! register depends on a value; such a hint ends its block, and its target is told behind it.
+//! The cycles of a block do not depend on the values that it computes. The outcome of its branch
+//! is known when the next block begins, so a transition starts with the outcome of the previous
+//! block. Only a hint by register depends on a value. Such a hint ends its block, and its target
+//! is added after the block.
 //!
-//! Invariant: a transition's block is what the interpreter had decoded when
-//! [`Spu::rewritings`] was the transition's.
+//! Invariant: a transition's block is the code that the interpreter had decoded when
+//! [`Spu::rewritings`] had the transition's value.
 
 mod hasher;
 mod transition;
@@ -25,43 +27,43 @@ use crate::local_store::LocalStore;
 use crate::profile::Recording;
 use crate::timer::{Timer, TimerState};
 use hasher::Mixing;
-use spu_isa::timing::{Passage, Rules};
+use spu_isa::timing::{AccountDelta, Rules};
 use transition::Transition;
 
-/// States and transitions that are kept at most, each. Programs have some hundreds; one that
-/// writes new code for ever would have any number.
+/// The largest number of states, and of transitions. Programs have some hundreds, but a program
+/// that keeps writing new code would have an unlimited number.
 const ROOM: usize = 1 << 14;
-/// Blocks that are kept at one address behind one state.
+/// The largest number of blocks that are kept for one address and one state.
 const VERSIONS: usize = 4;
 
-/// A state's number.
+/// The number of a state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct StateId(u32);
 
-/// A transition's number.
+/// The number of a transition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct TransitionId(u32);
 
 #[derive(Debug)]
 struct KnownState {
     state: Arc<TimerState>,
-    /// Where it has gone on from here: addresses and transitions. The number of them is that of
-    /// the branches that end in this state.
+    /// The transitions from this state so far, with the addresses of their blocks. There are as
+    /// many as the branches that end in this state have targets.
     ways: Vec<(u32, TransitionId)>,
 }
 
-/// What was worked out so far.
+/// The results that have been computed so far.
 #[derive(Debug, Default)]
 pub(super) struct Memo {
     rules: Rules,
     states: Vec<KnownState>,
     numbers: HashMap<Arc<TimerState>, StateId, Mixing>,
-    /// By their addresses.
+    /// The blocks by address.
     blocks: HashMap<u32, Vec<Arc<Block>>, Mixing>,
     transitions: Vec<Transition>,
-    /// States behind a hint, by the state before its target was told and the target.
+    /// States after a hint by register, by the state before the target was known and the target.
     hinted: HashMap<(StateId, u32), StateId, Mixing>,
-    /// Transitions that have happened since the last [`settle`](Self::settle).
+    /// Transitions that were taken since the last [`settle`](Self::settle).
     happened: Vec<TransitionId>,
 }
 
@@ -79,7 +81,7 @@ impl Memo {
         self.states.len().max(self.transitions.len()) + 2 > ROOM
     }
 
-    /// Forgets everything. Nothing may have happened that is not settled.
+    /// Forgets everything. All transitions must be settled.
     pub fn forget(&mut self) {
         debug_assert!(self.happened.is_empty());
         *self = Self::new(self.rules);
@@ -111,8 +113,8 @@ impl Memo {
         &self.transitions[at.0 as usize]
     }
 
-    /// The transition from `from` by the block at `pc`, of which `ran` instructions have run;
-    /// `None` if there is none, because no instruction of this machine stands there.
+    /// The transition from `from` by the block at `pc`, of which `ran` instructions have run. `None`
+    /// if this machine has no such instruction as the one there.
     #[inline]
     pub fn find(
         &mut self,
@@ -132,7 +134,8 @@ impl Memo {
             .or_else(|| self.make(from, (pc, ran), spu, local_store))
     }
 
-    /// One whose block has to be compared, because some block was rewritten since it was last.
+    /// A transition whose block must be compared again, because code was rewritten since the last
+    /// comparison.
     #[cold]
     fn find_unproven(&mut self, from: StateId, pc: u32, spu: &mut Spu) -> Option<TransitionId> {
         for &(address, at) in &self.states[from.0 as usize].ways {
@@ -172,20 +175,20 @@ impl Memo {
         Some(at)
     }
 
-    /// The block that is kept of those that are like this one.
+    /// The shared copy of this block.
     fn shared(&mut self, block: Block) -> Arc<Block> {
         let blocks = self.blocks.entry(block.start).or_default();
         if let Some(known) = blocks.iter().find(|known| ***known == block) {
             return Arc::clone(known);
         }
         let block = Arc::new(block);
-        // Code that is ever new is not looked for.
+        // If code keeps changing, its old blocks are not worth keeping.
         blocks.truncate(VERSIONS);
         blocks.push(Arc::clone(&block));
         block
     }
 
-    /// The transition happens; gives the state behind it.
+    /// Takes a transition. Returns the state after it.
     #[inline]
     pub fn happen(&mut self, at: TransitionId) -> StateId {
         let transition = &mut self.transitions[at.0 as usize];
@@ -196,40 +199,40 @@ impl Memo {
         transition.to
     }
 
-    /// The transition that happened last has not happened.
+    /// Takes back the transition that was taken last.
     pub fn undo(&mut self, at: TransitionId) {
         self.transitions[at.0 as usize].count -= 1;
     }
 
-    /// The state behind the hint that ends `state`, told its target.
+    /// The state after the hint by register that ends `state`, with the hint's target.
     pub fn hinted(&mut self, state: StateId, target: u32) -> StateId {
         if let Some(&known) = self.hinted.get(&(state, target)) {
             return known;
         }
-        let told = transition::hinted(self.state(state), target, self.rules);
-        let told = self.number(told);
-        self.hinted.insert((state, target), told);
-        told
+        let after = transition::hinted(self.state(state), target, self.rules);
+        let after = self.number(after);
+        self.hinted.insert((state, target), after);
+        after
     }
 
-    /// Brings the timer and the recording to `state`, through all that happened.
+    /// Brings the timer and the recording to `state`, through all transitions that were taken.
     pub fn settle(
         &mut self,
         state: StateId,
         timer: &mut Timer,
         mut recording: Option<&mut Recording>,
     ) {
-        let mut passage = Passage::default();
+        let mut delta = AccountDelta::default();
         for at in self.happened.drain(..) {
             let transition = &mut self.transitions[at.0 as usize];
             let count = std::mem::take(&mut transition.count);
-            transition.pass(count, &mut passage);
+            transition.add_to(count, &mut delta);
             if let Some(recording) = &mut recording {
                 transition.charge(count, recording);
             }
         }
         let state = &self.states[state.0 as usize].state;
-        timer.resume(state, &passage);
+        timer.resume(state, &delta);
         if let Some(recording) = recording {
             recording.catch_up(state.previous, &timer.pipeline);
         }

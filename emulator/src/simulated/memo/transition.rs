@@ -1,4 +1,4 @@
-//! What a block does to a state of the pipelines.
+//! The effect of a block on a state of the pipelines.
 
 use std::sync::Arc;
 
@@ -7,11 +7,11 @@ use crate::interp::Block;
 use crate::profile::Recording;
 use crate::timer::{Recorder, Timer, TimerState};
 use spu_isa::Instruction;
-use spu_isa::timing::{Cause, Issue, Passage, Pipeline, Rules, Stalls, hints_by_register};
+use spu_isa::timing::{AccountDelta, Cause, Issue, Pipeline, Rules, Stalls, hints_by_register};
 
-/// What has issued before, when a transition is worked out: so much that everything in a state has
-/// happened in some cycle.
-const BEFORE: Passage = Passage {
+/// What is assumed to have issued before a transition is computed. It is so much that everything
+/// in a state has happened in some cycle.
+const BEFORE: AccountDelta = AccountDelta {
     instructions: 1 << 60,
     joined: 0,
     stalls: Stalls::NONE,
@@ -20,43 +20,46 @@ const BEFORE: Passage = Passage {
 /// Cycles in which nothing issues.
 #[derive(Clone, Copy, Debug)]
 struct Charge {
-    /// Whose they are: 0 is the last instruction before the block, 1 the block's first.
+    /// The instruction that is charged: 0 is the last one before the block, 1 is the block's
+    /// first.
     to: u8,
     cause: Cause,
     cycles: u64,
 }
 
-/// A block from a state on. What each passage of the block asks for lies in one cache line.
+/// The transition by a block from a state. The part that each run of the block reads fits into one
+/// cache line.
 #[derive(Debug)]
 pub(in super::super) struct Transition {
     /// [`Spu::rewritings`](crate::interp::Spu::rewritings) when the block was last compared.
     pub(super) rewritings: u64,
-    /// How often it has happened since it was last settled.
+    /// How often the transition was taken since it was last settled.
     pub(super) count: u64,
-    /// What it adds to the clock.
+    /// The cycles that it adds to the clock.
     pub cycles: u64,
-    /// The state behind it.
+    /// The state after it.
     pub(super) to: StateId,
-    /// Instructions of the block.
+    /// Number of instructions in the block.
     pub length: u32,
-    /// The hint by a register that ends the block.
+    /// The hint by register that ends the block, if one does.
     pub hint: Option<Instruction>,
     details: Box<Details>,
 }
 
-/// What makes up a transition's cycles.
+/// The composition of a transition's cycles.
 #[derive(Debug)]
 struct Details {
     block: Arc<Block>,
-    /// The last instruction before it, and its address.
+    /// The last instruction before the block, with its address.
     previous: (u32, Instruction),
-    /// Which instructions joined the ones before them, from the lowest bit on.
+    /// Which instructions issued as the second of a pair, beginning with the lowest bit.
     joined: u64,
     charges: Box<[Charge]>,
 }
 
 impl Transition {
-    /// What `block` does from `start` on, and the state behind it. Its number is left to be told.
+    /// The transition by `block` from `start`, and the state after it. The caller sets the state's
+    /// number.
     pub(super) fn new(start: &TimerState, block: Arc<Block>, rules: Rules) -> (Self, TimerState) {
         let mut timer = timer(start, rules);
         let before = timer.pipeline.clock();
@@ -86,16 +89,16 @@ impl Transition {
         &self.details.block
     }
 
-    /// Adds what it does in `count` times.
-    pub(super) fn pass(&self, count: u64, passage: &mut Passage) {
-        passage.instructions += count * u64::from(self.length);
-        passage.joined += count * u64::from(self.details.joined.count_ones());
+    /// Adds the effect of taking the transition `count` times.
+    pub(super) fn add_to(&self, count: u64, delta: &mut AccountDelta) {
+        delta.instructions += count * u64::from(self.length);
+        delta.joined += count * u64::from(self.details.joined.count_ones());
         for charge in &self.details.charges {
-            passage.stalls.add(charge.cause, count * charge.cycles);
+            delta.stalls.add(charge.cause, count * charge.cycles);
         }
     }
 
-    /// Charges what it does in `count` times.
+    /// Charges the cost of taking the transition `count` times.
     pub(super) fn charge(&self, count: u64, recording: &mut Recording) {
         if count == 0 {
             return;
@@ -122,7 +125,7 @@ impl Transition {
     }
 }
 
-/// `state` behind its hint, told the target.
+/// `state` after its hint, with the hint's target.
 pub(super) fn hinted(before: &TimerState, target: u32, rules: Rules) -> TimerState {
     let mut timer = timer(before, rules);
     timer.pipeline.hint_target(target);
@@ -142,12 +145,12 @@ fn state(timer: &Timer) -> TimerState {
     }
 }
 
-/// Charges as [`Recording`] does, wherever the block's instructions stand in a profile.
+/// Charges as [`Recording`] does, but by position in the block instead of entries in a profile.
 struct Charging {
     issued: u8,
     joined: u64,
     charges: Vec<Charge>,
-    /// The cycles that are charged, and those of them in which nothing issued.
+    /// Cycles charged so far, and those of them in which nothing issued.
     clock: u64,
     stalls: Stalls,
 }

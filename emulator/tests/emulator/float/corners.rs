@@ -1,7 +1,7 @@
-//! Float corners that no print of the hardware decides: what `docs/emulator.md` says of each, and
-//! why.
+//! Corner cases of floating point that no output from hardware decides. `docs/emulator.md` states
+//! the result of each, and why.
 //!
-//! Provenance: the architecture's text, and where it is silent the choice that the document names.
+//! Provenance: the architecture's text. Where it is silent, the choice that the document states.
 
 use spu_emulator::float::fpscr::{Flags, Rounding};
 use spu_emulator::float::{convert, double, estimate, single};
@@ -34,13 +34,13 @@ fn frds_of_a_denormal_is_a_zero_of_its_sign_in_every_mode() {
             assert_eq!(double::frds(denormal | 1 << 63, mode), expected, "{mode:?}");
         }
     }
-    // The smallest normal double is rounded as any other.
+    // The smallest normal double is rounded like any other.
     let (up, flags) = double::frds(0x0010_0000_0000_0000, Rounding::Up);
     assert_eq!(up, 1);
     assert_eq!(flags, Flags::DOUBLE_UNDERFLOW | Flags::DOUBLE_INEXACT);
 }
 
-/// Between the largest single and 2^129 truncation alone would give the largest single too.
+/// Between the largest single and 2^129, truncation alone would also give the largest single.
 #[test]
 fn overflow_begins_just_above_the_largest_single() {
     let overflow = Flags::OVERFLOW | Flags::DIFFERENT;
@@ -50,7 +50,7 @@ fn overflow_begins_just_above_the_largest_single() {
         let exact = single::fm_lanes([largest], [one]);
         assert_eq!(exact, ([largest], [Flags::DIFFERENT]));
         assert_eq!(single::fm_lanes([largest], [tiny]), ([largest], [overflow]));
-        // A sum that is above it by less than half of its last place.
+        // A sum that exceeds it by less than half a unit in the last place.
         let added = single::fa_lanes([largest], [one | sign]);
         assert_eq!(added, ([largest], [overflow]));
         let fused = single::fma_lanes([largest], [one], [single::SMALLEST | sign]);
@@ -63,8 +63,8 @@ fn overflow_begins_just_above_the_largest_single() {
 #[test]
 fn fi_differs_where_its_estimate_or_its_result_is_no_ieee_number() {
     let ordinary = estimate::frest(0x4049_0fdb);
-    // The first operand is a position in the step: denormal, zero or of exponent 255, it says
-    // nothing.
+    // The first operand is a position within the step. A denormal, a zero or an exponent of 255
+    // has no special meaning.
     for position in [0, 1, 0x0007_ffff, 0x7f80_0000, 0x7fff_ffff, SIGN] {
         assert_eq!(estimate::fi_flagged(position, ordinary).1, Flags::NONE);
     }
@@ -75,17 +75,18 @@ fn fi_differs_where_its_estimate_or_its_result_is_no_ieee_number() {
     let flushed = (0, Flags::DIFFERENT);
     assert_eq!(estimate::fi_flagged(0x7e80_0000, denormal), flushed);
     assert_eq!(estimate::fi_flagged(0, 0), (0, Flags::NONE));
-    // A step beyond the base lowers the exponent: below the smallest single that is an underflow.
+    // A step larger than the base lowers the exponent. Below the smallest single that is an
+    // underflow.
     let underflow = Flags::UNDERFLOW | Flags::DIFFERENT;
     assert_eq!(estimate::fi_flagged(1, 0x0080_0001), (0, underflow));
 }
 
-/// Just below the smallest normal double: tiny before rounding, not behind it.
+/// Just below the smallest normal double: tiny before rounding, but not after it.
 #[test]
 fn fused_doubles_underflow_if_they_are_tiny_before_rounding() {
     const SMALLEST: u64 = 0x0010_0000_0000_0000;
     let underflow = Flags::DOUBLE_UNDERFLOW | Flags::DOUBLE_INEXACT;
-    // 2^-1022 (1 - 2^-106) from (2^-511 (1 + 2^-53)) (2^-511 (1 - 2^-53)).
+    // The product 2^-1022 (1 - 2^-106) of 2^-511 (1 + 2^-53) and 2^-511 (1 - 2^-53).
     let (a, b) = (0x2000_0000_0000_0001, 0x1fff_ffff_ffff_fffe);
     let mode = Rounding::NearestEven;
     assert_eq!(double::dfma(a, b, 0, mode), (SMALLEST, underflow));
@@ -100,7 +101,7 @@ fn fused_doubles_underflow_if_they_are_tiny_before_rounding() {
     assert_eq!(exact, (SMALLEST >> 1, Flags::NONE));
 }
 
-/// At the greatest scale 2^-126 would be 2.
+/// At the largest scale, 2^-126 would become 2.
 #[test]
 fn cflts_and_cfltu_of_a_denormal_are_zero() {
     for denormal in [1, 0x0040_0000, 0x007f_ffff] {

@@ -1,4 +1,5 @@
-//! Double precision against the exact model in four rounding modes, and against the host's IEEE.
+//! Compares double precision with the exact model in four rounding modes, and with the host's IEEE
+//! arithmetic.
 
 use super::exact::Exact;
 use crate::random::Random;
@@ -17,7 +18,7 @@ const MODES: [Rounding; 4] = [
     Rounding::Down,
 ];
 
-/// A finite operand; denormals count as zero.
+/// A finite operand. Denormals count as zero.
 fn exact(x: u64) -> Exact {
     let exponent = x >> 52 & 0x7ff;
     let magnitude = if exponent == 0 {
@@ -28,7 +29,7 @@ fn exact(x: u64) -> Exact {
     Exact::new(x >> 63 != 0, magnitude, exponent as i64 - 1075)
 }
 
-/// A value other than zero rounded to a format with `fraction` bits and this largest exponent.
+/// Rounds a nonzero value to a format with `fraction` bits and this largest exponent.
 fn rounded(value: &Exact, rounding: Rounding, fraction: i64, largest: i64) -> (u64, Flags) {
     let negative = value.is_negative();
     let tiny = value.top() < 1 - largest;
@@ -90,7 +91,7 @@ fn operand_flags(operands: &[u64]) -> Flags {
     })
 }
 
-/// a * b + t by the rules; `a + b` is `a * 1 + b`, `product_alone` leaves out t.
+/// a * b + t by the rules. `a + b` is `a * 1 + b`, and `product_alone` omits t.
 fn model(a: u64, b: u64, t: u64, product_alone: bool, rounding: Rounding) -> (u64, Flags) {
     let invalid = (NAN, Flags::DOUBLE_INVALID);
     let operands = if product_alone {
@@ -240,7 +241,7 @@ fn random_operands_in_every_mode() {
     }
 }
 
-/// Provenance: the host's IEEE arithmetic, where operands and result are not denormal.
+/// Provenance: the host's IEEE arithmetic, for operands and results that are not denormal.
 #[test]
 fn nearest_even_is_the_hosts() {
     let mut random = Random::new("host");
@@ -338,7 +339,7 @@ fn compares_and_classes_of_the_extension() {
     }
 }
 
-/// Provenance: the table of bits in the architecture.
+/// Provenance: the architecture's table of bits.
 #[test]
 fn the_status_register_keeps_its_bits_only() {
     let all = Fpscr::from_words([u32::MAX; 4]);

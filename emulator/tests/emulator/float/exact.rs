@@ -1,6 +1,8 @@
-//! The SPU's arithmetic again, in unlimited integers: exact first, rounded once at the end.
+//! A second implementation of the SPU's arithmetic, in integers of unlimited size: results are
+//! exact, and are rounded once at the end.
 //!
-//! Written from the rules, not from the crate's code, and slow. Provenance of expectations: model.
+//! It was written from the rules, not from the crate's code, and it is slow. Provenance of
+//! expectations: model.
 
 use num_bigint::{BigInt, Sign};
 
@@ -42,13 +44,13 @@ impl Exact {
         }
     }
 
-    /// Exponent of the highest bit.
+    /// The exponent of the highest bit.
     pub fn top(&self) -> i64 {
         self.integer.bits() as i64 - 1 + self.exponent
     }
 
-    /// The magnitude in units of 2^unit: whole units, and what is left compared with half a unit
-    /// (0 nothing, 1 less, 2 half, 3 more).
+    /// The magnitude in units of 2^unit: the number of whole units, and the remainder compared
+    /// with half a unit (0: zero, 1: less than half, 2: half, 3: more).
     pub fn in_units(&self, unit: i64) -> (u64, u32) {
         let magnitude = self.integer.magnitude();
         let shift = unit - self.exponent;

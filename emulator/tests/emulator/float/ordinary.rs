@@ -1,5 +1,6 @@
-//! Four ordinary lanes against the full functions: the same words, no flags; and an instruction of
-//! which some lanes are ordinary and some are not.
+//! Compares the functions for four ordinary lanes with the full functions: the words must be
+//! equal, and there must be no flags. Also tests instructions that have both ordinary lanes and
+//! others.
 
 use crate::instructions::machine::{Script, instruction, put};
 use crate::random::Random;
@@ -71,7 +72,7 @@ const CASES: [Case; 7] = [
     },
 ];
 
-/// Whether there was an answer; if so it has to be right.
+/// Whether there was a result. If there was, it must be correct.
 fn answers(case: &Case, operands: Operands) -> bool {
     let answer = (case.ordinary)(operands);
     if let Some(words) = answer {
@@ -87,7 +88,7 @@ fn answers(case: &Case, operands: Operands) -> bool {
     answer.is_some()
 }
 
-/// Words at the borders of what is ordinary, and some in its midst.
+/// Words at the limits of what is ordinary, and some between.
 fn borders() -> Vec<u32> {
     let exponents = [
         0, 1, 2, 24, 103, 126, 127, 128, 150, 151, 180, 253, 254, 255,
@@ -117,13 +118,13 @@ fn borders_by_borders() {
     }
 }
 
-/// Exponents near `centre`, any fraction and sign.
+/// Exponents near `centre`, with any fraction and sign.
 fn near(bits: u32, centre: u32) -> u32 {
     let exponent = (centre + (bits >> 23 & 7)).clamp(4, 258) - 4;
     bits & 0x807f_ffff | exponent << 23
 }
 
-/// Few bits of fraction: products and sums that are singles.
+/// Words with few fraction bits: their products and sums are singles.
 fn short(bits: u32) -> u32 {
     near(bits & 0x83f0_0000, 127)
 }
@@ -134,7 +135,7 @@ fn lane(random: &mut Random, kind: u64) -> [u32; 3] {
     match kind {
         0 => [near(a, 127), near(b, 127), near(c, 127)],
         1 => [short(a), short(b), short(c)],
-        // The third on the product, or a few units beside it.
+        // The third operand is the product, or a few units from it.
         2 => {
             let (a, b) = (near(a, 127), near(b, 127));
             let product = single::fm(a, b);
@@ -144,7 +145,7 @@ fn lane(random: &mut Random, kind: u64) -> [u32; 3] {
                 (product ^ c & SIGN).wrapping_add(c & 3).wrapping_sub(1),
             ]
         }
-        // Terms so far apart that the sum in 53 bits is rounded onto a single, or almost.
+        // Terms so far apart that the sum in 53 bits is rounded to a single, or almost to one.
         3 => [near(a, 127), short(b), near(c, 127 + 20 + (a & 63))],
         4 => [short(a), near(b, 127), short(c) - ((20 + (a & 63)) << 23)],
         // Results at both ends of the range.
@@ -154,7 +155,7 @@ fn lane(random: &mut Random, kind: u64) -> [u32; 3] {
             near(c, 254),
         ],
         6 => [near(a, c & 127), near(b, 127 - (c & 127)), near(c, 1)],
-        // Cancellation, to nothing or nearly, anywhere.
+        // Cancellation to zero or nearly zero, anywhere in the range.
         7 => {
             let a = near(a, 1 + (b & 255).min(253));
             [a, a ^ SIGN ^ c & 3, c]
@@ -181,7 +182,7 @@ fn random_quads() {
                 answers(case, operands);
             }
         }
-        // Of the kinds in which nothing is special, everything has to be answered.
+        // All cases of the kinds without special values must have a result.
         if case.name != "fi" {
             let share = f64::from(answered[0] + answered[1] + answered[8]) * 10.0 / 3.0;
             let share = share / f64::from(QUADS);
@@ -190,7 +191,7 @@ fn random_quads() {
     }
 }
 
-/// An operand or a result that is not ordinary, in any lane, is never answered.
+/// An operand or a result that is not ordinary, in any lane, must never give a result.
 #[test]
 fn one_special_lane_is_enough() {
     const ONE: u32 = 0x3f80_0000;
@@ -264,7 +265,7 @@ fn conversions() {
     }
 }
 
-/// rt and FPSCR after one instruction with these sources, the FPSCR having been 0.
+/// rt and FPSCR after one instruction with these sources. The FPSCR was 0 before.
 fn run(op: Op, immediate: i32, sources: Operands) -> ([u32; 4], [u32; 4]) {
     let local_store = LocalStore::new();
     put(&local_store, 0, instruction(op, immediate));

@@ -1,5 +1,5 @@
-//! Single precision against the exact model: edges by edges, all pairs of exponents, random
-//! operands.
+//! Compares single precision with the exact model: all pairs of edge cases, all pairs of
+//! exponents, random operands.
 
 use super::exact::Exact;
 use crate::random::Random;
@@ -27,13 +27,13 @@ fn negated(x: &Exact) -> Exact {
     }
 }
 
-/// Whether IEEE arithmetic reads the pattern differently: exponent 255 or denormal.
+/// Whether IEEE arithmetic interprets the pattern differently: exponent 255 or denormal.
 fn extended(x: u32) -> bool {
     let (exponent, fraction) = (x >> 23 & 255, x & 0x7f_ffff);
     exponent == 255 || exponent == 0 && fraction != 0
 }
 
-/// One truncation of the exact value, by the rules of the architecture; and the flags.
+/// One truncation of the exact value, by the rules of the architecture, with the flags.
 fn truncated(value: &Exact, operands: &[u32]) -> (u32, Flags) {
     let mut flags = Flags::DIFFERENT.when(operands.iter().any(|&x| extended(x)));
     if value.is_zero() {
@@ -185,7 +185,7 @@ fn all_pairs_of_exponents() {
                     (fraction & 0x7f_ffff, fraction >> 9),
                 ] {
                     let (a, b) = (a << 23 | fractions.0, b << 23 | fractions.1);
-                    // As a sum: of the product with one and the third operand.
+                    // As a sum, it is the product with one, plus the third operand.
                     let operands = if case.operands == 3 {
                         [a, 0x3f80_0000, b]
                     } else {
@@ -203,7 +203,7 @@ fn all_pairs_of_exponents() {
     }
 }
 
-/// Operands of several kinds: any bits, near each other, near 1, third near the product.
+/// Operands of several kinds: any bits, near each other, near 1, or the third near the product.
 fn random_operands(random: &mut Random) -> [u32; 3] {
     let bits = random.next();
     let [a, b, c] = [bits as u32, (bits >> 32) as u32, random.next() as u32];
@@ -271,7 +271,7 @@ fn four_lanes_are_four_times_one() {
     }
 }
 
-/// Provenance: model of another emulator that passed a self-test on hardware.
+/// Provenance: another emulator's model, which passed a self-test on hardware.
 #[test]
 fn distant_terms_of_unlike_sign_are_truncated_exactly() {
     assert_eq!(single::fs(0x0080_0000, 0x3f80_0000), 0xbf7f_ffff);
@@ -371,8 +371,8 @@ fn conversions_match_the_model() {
     }
 }
 
-/// Relative error of estimate and interpolation, over the whole step of every table entry.
-/// Provenance: the published accuracy of the pair of instructions, 12 bits.
+/// The relative error of estimate and interpolation, over the whole step of every table entry.
+/// Provenance: the published accuracy of the two instructions, 12 bits.
 #[test]
 fn every_entry_estimates_to_twelve_bits() {
     for exponent in 1..=252u32 {
@@ -393,7 +393,7 @@ fn every_entry_estimates_to_twelve_bits() {
     }
 }
 
-/// Provenance: worked rules of the architecture.
+/// Provenance: worked from the rules of the architecture.
 #[test]
 fn estimates_at_the_ends() {
     assert_eq!(estimate::frest(0) >> 23, 255);
@@ -421,7 +421,7 @@ fn interpolation_is_exact_and_truncated() {
     for _ in 0..RANDOM_OPERANDS {
         let bits = random.next();
         let (a, estimate_word) = (bits as u32, (bits >> 32) as u32);
-        // 1.base - 0.000step * Y: base and step in units of 2^-13, Y of 2^-19.
+        // 1.base - 0.000step * Y, with base and step in units of 2^-13 and Y in units of 2^-19.
         let one = Exact::new(
             false,
             1 << 13 | u64::from(estimate_word >> 10 & 0x1fff),

@@ -1,4 +1,4 @@
-//! Double precision against LLVM's soft float, as the crate `rustc_apfloat` has it: values and
+//! Compares double precision with LLVM's soft float in the crate `rustc_apfloat`: values and
 //! flags, in the four rounding modes.
 
 use rustc_apfloat::ieee::{Double, Single};
@@ -16,7 +16,7 @@ const SIGN: u64 = 1 << 63;
 const DEFAULT_NAN: u64 = 0x7ff8_0000_0000_0000;
 const RANDOM_OPERANDS: u32 = 500_000;
 
-/// Denormal operands are zeros of their sign to the SPU.
+/// On the SPU, a denormal operand is a zero with its sign.
 fn operand(bits: u64) -> Double {
     let denormal = bits & 0x7ff0_0000_0000_0000 == 0;
     Double::from_bits(u128::from(if denormal { bits & SIGN } else { bits }))
@@ -30,7 +30,7 @@ fn is_denormal(bits: u64) -> bool {
     bits & !SIGN != 0 && bits & 0x7ff0_0000_0000_0000 == 0
 }
 
-/// The SPU's flags for what the soft float says of a result, and for the operands.
+/// The SPU's flags for the soft float's status of a result, and for the operands.
 fn flags(status: Status, operands: &[u64]) -> Flags {
     let mut flags = Flags::NONE;
     for (of_soft_float, flag) in [
@@ -48,7 +48,7 @@ fn flags(status: Status, operands: &[u64]) -> Flags {
     flags
 }
 
-/// What the SPU makes of the soft float's result: one NaN, and the flags of its own.
+/// Converts the soft float's result to the SPU's: there is only one NaN, with its own flags.
 fn expected(result: StatusAnd<Double>, operands: &[u64]) -> (u64, Flags) {
     let value = if result.value.is_nan() {
         DEFAULT_NAN
@@ -58,10 +58,10 @@ fn expected(result: StatusAnd<Double>, operands: &[u64]) -> (u64, Flags) {
     (value, flags(result.status, operands))
 }
 
-/// Compares value and flags. Two flags say more than the soft float's do, at one value each, and
-/// only the exact model can tell: it raises no overflow where a directed rounding stops at the
-/// largest number (IEEE does), and no underflow where rounding leads from below to the smallest
-/// normal one (the SPU looks before rounding).
+/// Compares value and flags. Two of the SPU's flags differ from the soft float's, each at one
+/// value, and only the exact model can check them. The soft float raises no overflow if a directed
+/// rounding stops at the largest number, but IEEE does. It raises no underflow if rounding goes
+/// from below to the smallest normal number, but the SPU checks before rounding.
 #[track_caller]
 fn same(
     found: (u64, Flags),
@@ -80,11 +80,11 @@ fn same(
     );
 }
 
-/// Smallest normal and largest finite numbers.
+/// The smallest normal and the largest finite numbers.
 const DOUBLE_ENDS: [u64; 2] = [0x0010_0000_0000_0000, 0x7fef_ffff_ffff_ffff];
 const SINGLE_ENDS: [u64; 2] = [0x0080_0000, 0x7f7f_ffff];
 
-/// SplitMix64, so that operands are the same everywhere.
+/// SplitMix64, so that operands are the same on every host.
 struct Random(u64);
 
 impl Random {
@@ -96,7 +96,8 @@ impl Random {
         x ^ x >> 31
     }
 
-    /// Any bits, or close to each other in exponent, or few bits set: where sums cancel and tie.
+    /// Operands with any bits, with close exponents, or with few bits set, which lead to
+    /// cancellation and ties in sums.
     fn operand(&mut self) -> u64 {
         let (bits, choice) = (self.bits(), self.bits() % 4);
         match choice {
@@ -149,8 +150,8 @@ fn sums_products_and_fused_forms() {
                 double::dfm(a, b, mode),
                 expected(x.mul_r(y, round), &[a, b]),
             );
-            // The soft float takes a NaN addend to inf * 0 quietly; the SPU's rule is the
-            // product's.
+            // The soft float accepts a NaN addend to inf * 0 without an exception. On the SPU the
+            // product's rule applies.
             if !(is_nan(t) && (x * y).value.is_nan()) {
                 let plus = expected(x.mul_add_r(y, z, round), &[a, b, t]);
                 let minus = expected(x.mul_add_r(y, -z, round), &[a, b, t]);

@@ -1,6 +1,7 @@
-//! What spans more than one instruction: interrupts, channels, stops, limits, changed code, flags.
+//! Behaviour of several instructions together: interrupts, channels, stops, limits, changed code,
+//! flags.
 //!
-//! Provenance: manual, unless a test says otherwise.
+//! Provenance: manual, unless a test states another.
 
 use super::machine::{Script, instruction, put};
 use spu_emulator::interp::{Observer, Quad, Spu};
@@ -149,7 +150,7 @@ fn iret_goes_to_srr0_without_its_low_bits() {
 
 #[test]
 fn code_that_writes_over_itself_runs_the_new_code() {
-    // The store replaces the quadword of `ai $6,$6,1` by that of `ai $6,$6,100`.
+    // The store replaces the quadword of `ai $6,$6,1` with that of `ai $6,$6,100`.
     let mut code = vec![on(Op::Stqa, 8, 0, 0x1010), on(Op::Brz, 9, 0, 12)];
     code.extend([instruction(Op::Lnop, 0); 2]);
     code.extend([
@@ -178,7 +179,7 @@ fn code_that_writes_over_itself_runs_the_new_code() {
     assert_eq!(spu.run(&local_store, &mut channels).reason, Stop::Signal(7));
     assert_eq!(spu.register(6), Quad::splat(101));
 
-    // From outside, as DMA does it.
+    // Write from outside, as DMA does.
     local_store.write(0x101c, &on(Op::Stop, 0, 0, 8).encode().to_be_bytes());
     spu.set_pc(0x1010);
     assert_eq!(spu.run(&local_store, &mut channels).reason, Stop::Signal(8));
@@ -247,7 +248,7 @@ fn loops_end_by_request_and_by_limit() {
     assert_eq!(spu.run(&local_store, &mut channels), requested(0x80));
     assert_eq!(spu.executed(), 1001);
 
-    // No branch at all: local store full of nothing, round and round.
+    // Code without any branch: local store full of no-operations, which runs round and round.
     let local_store = LocalStore::new();
     for address in (0..0x40000).step_by(4) {
         put(&local_store, address, instruction(Op::Lnop, 0));

@@ -1,4 +1,5 @@
-//! A machine small enough for tests of single instructions: scripted channels, code by rows.
+//! A machine for tests of single instructions: channels with prepared values, and code that
+//! consists of rows.
 
 use spu_emulator::channel::Channels;
 use spu_emulator::local_store::LocalStore;
@@ -6,7 +7,7 @@ use spu_emulator::stop::{ChannelAccess, Stop};
 use spu_isa::{Instruction, Op};
 use std::collections::VecDeque;
 
-/// Channels that answer what the test laid out, and remember what was written.
+/// Channels that return the values that the test prepared, and record what is written.
 #[derive(Default)]
 pub struct Script {
     pub reads: VecDeque<Result<u32, Stop>>,

@@ -1,4 +1,4 @@
-//! The interpreter, instruction by instruction.
+//! Tests of the interpreter, instruction by instruction.
 
 mod control;
 pub mod machine;

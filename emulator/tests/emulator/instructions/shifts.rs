@@ -1,6 +1,6 @@
-//! Every shift and rotate over all counts, against a definition bit by bit.
+//! Compares every shift and rotate, for all counts, with a bit-by-bit definition.
 //!
-//! Provenance: manual, the masks and directions of the architecture's definitions.
+//! Provenance: manual, the masks and directions in the architecture's definitions.
 
 use super::machine::{Script, instruction, put};
 use spu_emulator::interp::{Quad, Spu};
@@ -15,8 +15,8 @@ enum Kind {
     RightSigned,
 }
 
-/// Register form, immediate form if any, lane width, kind, and the distance in bits from the
-/// count.
+/// Register form, immediate form (if there is one), lane width, kind, and a function from the
+/// count to the distance in bits.
 type Row = (Op, Option<Op>, usize, Kind, fn(i64) -> i64);
 
 const ROWS: [Row; 17] = [
@@ -76,8 +76,8 @@ fn moved(lane: &[bool], kind: Kind, distance: i64) -> Vec<bool> {
         .collect()
 }
 
-/// The count in each lane of rb: its own in words and halfwords, the preferred word's for
-/// quadwords.
+/// The count for each lane: in words and halfwords the lane's own count in rb, in quadwords rb's
+/// preferred word.
 fn check(
     op: Op,
     width: usize,

@@ -1,4 +1,4 @@
-//! `shufb` against its definition byte by byte, for controls of whole words, of bytes, of
+//! Compares `shufb` with its byte-by-byte definition, for controls of whole words, of bytes and of
 //! constants.
 
 use super::machine::{Script, instruction, put};
@@ -32,7 +32,7 @@ fn shuffles_are_what_their_bytes_say() {
             1 => random.next() as u32 & 0x1f1f_1f1f,
             _ => whole(random.below(8)),
         }));
-        // One bit off a control of whole words.
+        // A control that differs by one bit from one of whole words.
         if round % 4 == 3 {
             control.0[random.below(4) as usize] ^= 1 << random.below(32);
         }

@@ -1,5 +1,5 @@
-//! The interpreter on `vectors.spu`: every instruction of the table, its result and what it must
-//! leave alone.
+//! Runs the interpreter on `vectors.spu`: for every instruction of the table, the result and
+//! everything that it must leave unchanged.
 
 use super::machine::{Script, instruction, put};
 use spu_emulator::interp::{Observer, Quad, Spu};
@@ -76,7 +76,7 @@ fn vectors() -> impl Iterator<Item = Vector<'static>> {
     })
 }
 
-/// Remembers which instructions ran.
+/// Records which instructions ran.
 #[derive(Default)]
 struct Coverage(BTreeSet<Op>);
 
@@ -86,7 +86,7 @@ impl Observer for Coverage {
     }
 }
 
-/// Runs a vector with its registers in the places that `i` names.
+/// Runs a vector, with its values in the registers that `i` names.
 fn check(vector: &Vector, i: Instruction, coverage: &mut Coverage) {
     let line = vector.line;
     let pc = vector.number("pc").unwrap_or(0x1000);

@@ -1,4 +1,4 @@
-//! Atomic line commands and reservations.
+//! Atomic commands and reservations.
 
 use spu_emulator::memory::MainMemory;
 use spu_emulator::mfc::Policy;
@@ -64,8 +64,8 @@ fn the_status_tells_which_command_it_was() {
     assert_eq!(read, [4, 0, 1, 1, 2, 0, 0, 1 << 6]);
 }
 
-/// Reserves the line at the base, does something, and puts conditionally; gives the put's status
-/// and the pending events.
+/// Reserves the line at the base, performs some action, and puts conditionally. Returns the put's
+/// status and the pending events.
 fn after_reserving(what: &str) -> (u32, u32) {
     let source = format!(
         "
@@ -105,7 +105,7 @@ fn what_the_spu_does_itself_to_its_reservation() {
     assert_eq!(after_reserving(other_put), (1, 0));
 }
 
-/// Reserves, tells the PPE, and sleeps until the reservation is lost.
+/// Reserves the line, sends a word to the PPE, and sleeps until the reservation is lost.
 const WAIT_FOR_LOSS: &str = "
         set_channel 1, 0x400
         command GETLLAR, 0x10000, $3, 128, 0

@@ -1,4 +1,4 @@
-//! Which channels exist, in which direction, and their idle counts.
+//! Which channels exist, in which direction, and their counts when idle.
 
 use spu_emulator::mfc::Policy;
 use spu_emulator::spe::Config;
@@ -6,7 +6,8 @@ use spu_emulator::stop::{ChannelAccess, Stop};
 
 use super::support::{Machine, register, run, run_to_stop};
 
-/// Number, whether it can be read, and its idle count. Provenance: manual, by the facts' table.
+/// Channel number, whether it can be read, and its count when idle. Provenance: manual, from the
+/// table of facts.
 const CHANNELS: [(u8, bool, u32); 28] = [
     (0, true, 0),
     (1, false, 1),

@@ -1,4 +1,4 @@
-//! Transfers: sizes, wrapping, tags, other SPEs, and what the adversary shows.
+//! Transfers: sizes, wrapping, tags, other SPEs, and the mistakes that `Policy::AtLast` reveals.
 
 use std::time::Duration;
 
@@ -46,7 +46,7 @@ fn a_transfer_wraps_at_the_end_of_local_store() {
     let machine = Machine::new();
     machine.write(0, &pattern(48));
     let spe = machine.spe(Config::default());
-    // The program would be overwritten at address 0.
+    // The transfer wraps, and would overwrite a program at address 0.
     let image = assemble(&format!("br over\n .space 64\nover:\n{source}"));
     let entry = load(&spe, &image);
     assert_eq!(run_to_stop(&spe, entry), 1);
@@ -77,7 +77,7 @@ fn small_transfers_move_exactly_their_bytes() {
     }
 }
 
-/// Reads local store straight after a get; with a wait, or without.
+/// Reads local store directly after a get, with or without a wait.
 fn first_word_after_get(policy: Policy, wait: &str) -> u32 {
     let source = format!(
         "
@@ -101,7 +101,7 @@ fn the_adversary_shows_a_missing_wait() {
     for policy in POLICIES {
         assert_eq!(first_word_after_get(policy, "wait_tags 1"), 0x1234_5678);
     }
-    // The wait for another tag is no wait.
+    // Waiting for another tag does not wait for this one.
     assert_eq!(first_word_after_get(Policy::AtLast, "wait_tags 2"), 0);
 }
 
@@ -208,7 +208,7 @@ fn a_sleeping_spu_does_not_keep_its_data_for_ever() {
     let running = start(&spe, entry);
     let begin = std::time::Instant::now();
     while machine.read(0, 1) != [9] {
-        assert!(begin.elapsed() < super::support::PATIENCE);
+        assert!(begin.elapsed() < super::support::TIMEOUT);
         std::thread::sleep(Duration::from_millis(1));
     }
     assert!(spe.write_inbound(0, soon()));
@@ -304,7 +304,7 @@ fn a_proxy_fault_stops_the_spu() {
     spe.proxy_command(proxy(0x40, 0x10, 16, 1)).unwrap();
     let Stopped { reason, npc, .. } = running.wait();
     assert!(matches!(reason, Stop::Dma(_)), "{reason:?}");
-    // The SPU can go on.
+    // The SPU can continue.
     assert!(spe.write_inbound(1, soon()));
     assert_eq!(run_to_stop(&spe, npc), 1);
 }

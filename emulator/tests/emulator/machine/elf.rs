@@ -93,7 +93,7 @@ fn what_is_no_spu_program_says_why() {
         Image::parse(&good[..40]).unwrap_err(),
         ElfError::Malformed(_)
     ));
-    // A segment at the end of local store, and one that is larger than it.
+    // A segment at the end of local store, and one that is larger than local store.
     let header = program_header(&good);
     assert!(matches!(
         with(header + 9, 4),
@@ -114,7 +114,7 @@ fn an_overlay_is_left_to_the_program() {
     let first: Vec<u8> = bytes[header..header + 32].to_vec();
     let count = Image::parse(&bytes).unwrap().segments().len();
     assert!(count >= 2, "the linker script gives data its own segment");
-    // The second segment takes the first one's place.
+    // The second segment is at the place of the first.
     bytes[header + 32..header + 64].copy_from_slice(&first);
     assert_eq!(Image::parse(&bytes).unwrap().segments().len(), count - 1);
 }
@@ -147,7 +147,8 @@ fn the_length_is_found_from_the_headers() {
     assert!(file_length(|_, _| false).is_err());
 }
 
-/// A program with some of its bytes changed: most stay near enough to ELF to get far.
+/// A program with some bytes changed. Most of them remain near enough to ELF to pass the first
+/// checks.
 fn damaged() -> impl Strategy<Value = Vec<u8>> {
     let good = assemble(SOURCE);
     let changes = prop::collection::vec((0..good.len(), any::<u8>()), 1..8);

@@ -1,4 +1,4 @@
-//! Every rule of the MFC that a command can break stops the SPU with the error that names it.
+//! Tests that every broken rule of the MFC stops the SPU with the error for that rule.
 
 use spu_emulator::memory::Access;
 use spu_emulator::mfc::{DmaError, Policy};
@@ -6,7 +6,8 @@ use spu_emulator::stop::{Stop, Stopped};
 
 use super::support::{BASE, Machine, run};
 
-/// The error of a command given as (opcode, local-store address, offset from the base, size, tag).
+/// The error of a command with this opcode, local-store address, offset from the base, size and
+/// tag.
 fn error_of(policy: Policy, opcode: u32, lsa: u32, offset: u32, size: u32, tag: u32) -> DmaError {
     let source = format!(
         "
@@ -45,8 +46,8 @@ fn alignment() {
         (0x20, 0x10002, 2, 4, 0, "effective address"),
         (0x20, 0x10004, 8, 4, 0, "low 4 bits"),
         (0xa0, 0x10000, 0, 8, 0, "sndsig"),
-        (0x44, 0x10000, 0, 12, 0, "multiple of 8"),
-        (0x44, 0x10000, 4, 8, 0, "not on 8 bytes"),
+        (0x44, 0x10000, 0, 12, 0, "list size"),
+        (0x44, 0x10000, 4, 8, 0, "list's address"),
         (0x44, 0x10000, 0, 16392, 0, "2048 elements"),
     ];
     for (opcode, lsa, offset, size, tag, text) in cases {
@@ -95,8 +96,8 @@ fn an_unknown_tag_condition_is_invalid() {
 
 #[test]
 fn storage_faults_name_the_address() {
-    // Reading where nothing is, reading across the end, writing what may only be read; and the
-    // same for atomic commands.
+    // A read from where there is no memory, a read across the end, and a write to read-only
+    // memory. Then the same with atomic commands.
     let cases = [
         (0x40, 0x8_0000_u32 >> 1 | 0x2_0000, 16, 0x6_0000),
         (0x40, 0x3_fff0, 32, 0x4_0000),
@@ -106,7 +107,7 @@ fn storage_faults_name_the_address() {
     ];
     for policy in [Policy::AtOnce, Policy::AtLast] {
         for (opcode, offset, size, fault) in cases {
-            // ila takes 18 bits, the offsets here may have 19.
+            // ila takes 18 bits, but these offsets may have 19.
             let low = offset & 0x3_fff0;
             let high = offset - low;
             let source = format!(

@@ -102,7 +102,7 @@ fn room_in_the_outbound_mailboxes_is_an_event() {
 
 #[test]
 fn the_mfc_raises_its_events() {
-    // Tag status, a stalled list, multisource synchronisation.
+    // The events of tag status, of a stalled list, and of a multisource synchronisation.
     let source = "
         ilhu    $10,0x8000
         stqa    $10,0x8000
@@ -131,7 +131,7 @@ fn the_mfc_raises_its_events() {
 
 #[test]
 fn room_in_the_queue_is_an_event() {
-    // The stalled list is alone; fifteen fenced gets behind it fill the queue.
+    // The stalled list is alone. Fifteen fenced gets after it fill the queue.
     let source = "
         ilhu    $10,0x8000
         stqa    $10,0x8000

@@ -31,7 +31,7 @@ fn a_list_gathers_rows() {
         for row in 0..4 {
             machine.write(row * 0x1000, &[row as u8 + 1; 64]);
         }
-        // The second element is small: it lies in its quadword as its address does.
+        // The second element is small, so its address determines its position in the quadword.
         let (spe, entry) = machine.loaded(policy, source);
         list(
             &spe,
@@ -76,7 +76,7 @@ fn a_list_scatters_two_thousand_elements() {
 
 #[test]
 fn a_list_stalls_until_it_is_acknowledged() {
-    // After the stall the program changes the next element's address, as it is meant to do.
+    // After the stall the program changes the next element's address. That is what stalls are for.
     let source = "
         ila     $4,0x8000
         command GETL, 0x10000, $4, 2*8, 7
@@ -112,7 +112,8 @@ fn a_list_stalls_until_it_is_acknowledged() {
 
 #[test]
 fn what_follows_a_stalled_list_waits_if_it_has_to() {
-    // getb waits behind the stalled list of its tag, a plain get of it does not; mfcsync waits.
+    // getb waits for the stalled list of its tag, but a plain get with that tag does not. mfcsync
+    // waits.
     let source = "
         ila     $4,0x8000
         command GETL, 0x10000, $4, 8, 1

@@ -37,7 +37,7 @@ fn a_full_mailbox_holds_its_writer_on_both_sides() {
     }
     assert!(!spe.write_inbound(50, at_once()));
     let running = start(&spe, entry);
-    // The SPU sleeps with 11 in the outbound mailbox and 21 in hand.
+    // The SPU sleeps with 11 in the outbound mailbox, and is about to write 21.
     assert!(running.sleeps());
     assert_eq!(spe.outbound_waiting(), 1);
     for n in 1..=4 {
@@ -86,7 +86,7 @@ fn a_stop_request_ends_a_loop_and_is_used_up() {
     assert!(running.sleeps());
     spe.request_stop();
     assert_eq!(running.wait().reason, Stop::Requested);
-    // A request without a run ends the next one before its first instruction.
+    // If the SPU is not running, a request ends the next run before its first instruction.
     spe.request_stop();
     assert_eq!(start(&spe, entry).wait().reason, Stop::Requested);
     let running = start(&spe, entry);
@@ -97,7 +97,7 @@ fn a_stop_request_ends_a_loop_and_is_used_up() {
 
 #[test]
 fn every_blocking_channel_is_left_by_a_stop_request() {
-    // Outbound mailboxes are full at their second write; the list is never resumed.
+    // Outbound mailboxes are full at their second write. The list is never resumed.
     let sleeps = [
         "rdch $10,$ch0",
         "rdch $10,$ch3",

@@ -1,5 +1,5 @@
-//! The machine around the SPU's instructions, by small programs that the GNU assembler makes here
-//! and now. Every wait of these tests ends: a program that does not stop in time fails its test.
+//! Tests of the machine around the SPU, with small programs that the GNU assembler assembles
+//! during the test. A program that does not stop in time fails its test.
 
 mod atomics;
 mod channels;

@@ -1,10 +1,11 @@
-//! Fences and barriers, under the adversary that takes the newest command first.
+//! Fences and barriers, with `Policy::AtLast`, which runs the newest command first.
 
 use spu_emulator::mfc::Policy;
 
 use super::support::{Machine, run_to_stop};
 
-/// Puts the words 1, 2, 3 to the same place with the commands given, and gives what stays.
+/// Puts the words 1, 2, 3 to the same address with the given commands, and returns the word that
+/// remains.
 fn last_of(commands: [&str; 3]) -> u32 {
     let mut source = String::new();
     for (n, command) in commands.iter().enumerate() {
@@ -48,9 +49,9 @@ fn without_order_the_oldest_comes_last() {
 #[test]
 fn a_fence_comes_after_the_earlier_ones_of_its_tag() {
     assert_eq!(last_of(["PUT, 1", "PUT, 1", "PUTF, 1"]), 3);
-    // The third is free to come before the fence's predecessors.
+    // The third command may run before the fence's predecessors.
     assert_eq!(last_of(["PUT, 1", "PUTF, 1", "PUT, 1"]), 2);
-    // Other tags are not fenced.
+    // The fence does not apply to other tags.
     assert_eq!(last_of(["PUT, 1", "PUT, 2", "PUTF, 2"]), 1);
 }
 

@@ -1,5 +1,5 @@
-//! Random commands: whatever a program writes to the MFC's channels, the machine neither panics
-//! nor hangs nor touches memory that it was not given.
+//! Random commands: whatever a program writes to the MFC's channels, the machine must not panic,
+//! hang, or access memory that it was not given.
 
 use proptest::prelude::*;
 use spu_emulator::memory::Access;
@@ -19,7 +19,7 @@ fn write_channel(channel: u32, value: u32) -> [u32; 3] {
     ]
 }
 
-/// A command's six parameters, mostly near to what the MFC takes.
+/// The six parameters of a command, most of them near values that the MFC accepts.
 fn command() -> impl Strategy<Value = [u32; 6]> {
     const OPCODES: [u32; 32] = [
         0x20, 0x21, 0x22, 0x24, 0x25, 0x26, 0x30, 0x31, 0x32, 0x34, 0x35, 0x36, 0x40, 0x41, 0x42,
@@ -76,7 +76,7 @@ proptest! {
             .unwrap();
         let policy = if adversary { Policy::AtLast } else { Policy::AtOnce };
         let spe = machine.spe(Config { policy, ..Config::default() });
-        // Lists are made of what lies there, with and without the stall bit.
+        // List commands read their elements from here, some with the stall bit.
         spe.local_store().write(0x4000, &vec![filling; 0x3c000]);
         for (at, word) in (0..).step_by(4).zip(program(&commands, wait)) {
             spe.local_store().write(at, &word.to_be_bytes());
@@ -85,12 +85,13 @@ proptest! {
         let stopped = match running.try_wait() {
             Some(stopped) => stopped,
             None => {
-                // It waits for a stalled list or for a tag that can't come: only a stop ends that.
+                // The program waits for a stalled list, or for a tag that can't complete. Only a
+                // stop request ends that.
                 spe.request_stop();
                 running.wait()
             }
         };
-        // A command may have written over the program: then any stop is right.
+        // A command may have overwritten the program. Then any stop is correct.
         let written = commands.iter().any(|command| command[5] & 0xf0 == 0x40 || command[5] == 0xd0);
         prop_assert!(
             written || matches!(stopped.reason, Stop::Signal(1) | Stop::Dma(_) | Stop::Requested),
@@ -100,8 +101,8 @@ proptest! {
         spu_emulator::memory::MainMemory::read(&*machine.memory, BASE + MEMORY as u64, &mut after)
             .unwrap();
         prop_assert!(after == guard);
-        // It can be run again, once each command that is still queued has told its error, and a
-        // request that came too late has been obeyed.
+        // The program can be run again, after each command in the queue has reported its error,
+        // and after a request that came too late has been obeyed.
         spe.local_store().write(0, &1_u32.to_be_bytes());
         let most = commands.len() + 1;
         let others = (0..=most).take_while(|_| run(&spe, 0).reason != Stop::Signal(1));

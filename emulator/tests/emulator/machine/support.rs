@@ -1,4 +1,4 @@
-//! Assembling programs, and machines to run them on.
+//! Functions that assemble programs, and machines that run them.
 
 use std::sync::{Arc, mpsc};
 use std::thread;
@@ -13,10 +13,10 @@ use spu_emulator::mfc::Policy;
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
 
-/// How long a program may take.
-pub const PATIENCE: Duration = Duration::from_secs(60);
+/// How long a program may take on the host.
+pub const TIMEOUT: Duration = Duration::from_secs(60);
 
-/// Main memory of every machine here starts at this address.
+/// Address of the main memory of every machine in these tests.
 pub const BASE: u64 = 0x3_4000_0000;
 pub const MEMORY: usize = 256 * 1024;
 
@@ -26,7 +26,7 @@ pub struct Machine {
 }
 
 impl Machine {
-    /// 256 KB of main memory at [`BASE`], all 0.
+    /// A machine with 256 KB of main memory at [`BASE`], all 0.
     pub fn new() -> Self {
         let memory = Arc::new(RegisteredMemory::new());
         memory
@@ -40,7 +40,7 @@ impl Machine {
         Spe::new(&self.machine, config)
     }
 
-    /// An SPE with a program, and where that starts.
+    /// An SPE with a program, and the program's entry.
     pub fn loaded(&self, policy: Policy, source: &str) -> (Arc<Spe>, u32) {
         let spe = self.spe(Config {
             policy,
@@ -71,7 +71,7 @@ pub fn load(spe: &Spe, image: &[u8]) -> u32 {
     image.entry()
 }
 
-/// Sets what the programs expect: $2 and $3 the two halves of [`BASE`].
+/// Sets the registers that the programs expect: $2 and $3 are the two halves of [`BASE`].
 pub fn base_registers(spu: &mut Spu) {
     spu.set_register(2, Quad::scalar((BASE >> 32) as u32));
     spu.set_register(3, Quad::scalar(BASE as u32));
@@ -88,7 +88,7 @@ pub fn start(spe: &Arc<Spe>, entry: u32) -> Running {
     let runner = Arc::clone(spe);
     thread::spawn(move || {
         let stopped = runner.run_prepared(entry, base_registers);
-        // A test that has failed no longer listens.
+        // A test that has failed no longer receives.
         let _ = sender.send(stopped);
     });
     Running {
@@ -99,19 +99,19 @@ pub fn start(spe: &Arc<Spe>, entry: u32) -> Running {
 
 impl Running {
     pub fn wait(self) -> Stopped {
-        self.ended.recv_timeout(PATIENCE).unwrap_or_else(|_| {
+        self.ended.recv_timeout(TIMEOUT).unwrap_or_else(|_| {
             self.spe.request_stop();
-            let stopped = self.ended.recv_timeout(PATIENCE);
+            let stopped = self.ended.recv_timeout(TIMEOUT);
             panic!("the program did not end by itself: {stopped:?}")
         })
     }
 
-    /// The stop, if it came by itself within a moment.
+    /// The stop, if the program stops by itself within a moment.
     pub fn try_wait(&self) -> Option<Stopped> {
         self.ended.recv_timeout(Duration::from_millis(50)).ok()
     }
 
-    /// Whether it is still running after a while in which it had every chance to end.
+    /// Whether the program is still running after a time in which it could have ended.
     pub fn sleeps(&self) -> bool {
         self.ended.recv_timeout(Duration::from_millis(100)).is_err()
     }
@@ -121,7 +121,7 @@ pub fn run(spe: &Arc<Spe>, entry: u32) -> Stopped {
     start(spe, entry).wait()
 }
 
-/// Runs to a stop instruction and gives its code.
+/// Runs to a `stop` instruction, and returns its code.
 pub fn run_to_stop(spe: &Arc<Spe>, entry: u32) -> u16 {
     match run(spe, entry) {
         Stopped {
@@ -133,7 +133,7 @@ pub fn run_to_stop(spe: &Arc<Spe>, entry: u32) -> u16 {
 }
 
 pub fn soon() -> Option<Instant> {
-    Some(Instant::now() + PATIENCE)
+    Some(Instant::now() + TIMEOUT)
 }
 
 pub fn at_once() -> Option<Instant> {

@@ -1,4 +1,4 @@
-//! Where the cycles go, and what a program sees of them.
+//! The account of cycles, and what a program can see of the time.
 
 use std::time::Duration;
 
@@ -14,7 +14,7 @@ const MEMORY_LATENCY: u64 = MemoryFigures::CONSOLE.memory_latency;
 const PPE_CALL_CYCLES: u64 = PpeFigures::CONSOLE.call_cycles;
 const PPE_RUN_CYCLES: u64 = PpeFigures::CONSOLE.run_cycles;
 
-/// What holds of every SPE's figures.
+/// The properties of every SPE's figures.
 fn check(spe: &SpeReport) {
     let account = &spe.account;
     assert_eq!(spe.stopped + account.cycles(), spe.clock);
@@ -23,15 +23,15 @@ fn check(spe: &SpeReport) {
         account.cycles()
     );
     assert_eq!(spe.busy() + spe.waits.total(), account.cycles());
-    // Sleeping in a channel is what the pipeline calls waiting for one or for the MFC.
+    // The pipeline counts sleep in a channel as waiting for the channel or for the MFC.
     let slept = account.waited(Cause::Channel) + account.waited(Cause::Dma);
     assert_eq!(spe.waits.total(), slept);
 }
 
 #[test]
 fn the_decrementer_counts_the_cycles() {
-    // Two reads, 1,000,000 cycles of work apart: the loop has a dependent add (2), a branch that
-    // is taken without a hint (1 and 18), and so 21 cycles a round less what overlaps.
+    // Two reads, 1,000,000 cycles of work apart. The loop has a dependent add (2) and a branch
+    // that is taken without a hint (1 and 18). So a pass takes 21 cycles, less those that overlap.
     let source = "
         ila     $5,50000
         il      $6,-1
@@ -52,7 +52,7 @@ loop:   ai      $5,$5,-1
     check(figures);
     let cycles = figures.account.cycles();
     assert!(cycles > 50_000 * 20, "{cycles}");
-    // The few instructions outside the two reads take less than two ticks.
+    // The few instructions before the first read and after the second take less than two ticks.
     let counted = u64::from(register(&spe, 9));
     assert!(ticks(cycles) - counted <= 2, "{} {counted}", ticks(cycles));
     // 3.192 GHz against 79.8 MHz.
@@ -78,14 +78,15 @@ fn one_line_takes_as_long_as_the_constants_say() {
     let running = start(&spe, entry, 0, Duration::ZERO);
     machine.depart();
     running.end();
-    // Asked at once it is not complete, after the wait it is.
+    // A query at once finds it incomplete, and after the wait it is complete.
     let statuses = [5, 6, 7].map(|number| register(&spe, number));
     assert_eq!(statuses, [0, 8, 8]);
     let figures = &machine.report().spes[0];
     check(figures);
     let transfer = COMMAND_CYCLES + LINE_CYCLES + MEMORY_LATENCY;
     let waited = figures.waits.tag;
-    // What is not waited for was spent in the instructions between command and wait.
+    // The program spends the cycles that it does not wait in instructions between command and
+    // wait.
     assert!(waited < transfer && waited > transfer - 100, "{waited}");
     assert_eq!(figures.stopped, PPE_CALL_CYCLES + PPE_RUN_CYCLES);
     assert_eq!(
@@ -96,7 +97,8 @@ fn one_line_takes_as_long_as_the_constants_say() {
 
 #[test]
 fn tags_rooms_and_events_come_when_commands_are_complete() {
-    // 16 commands fill the queue: a 17th waits for the first. Then the event of the tag status.
+    // 16 commands fill the queue, and a 17th waits for the first. Then the program waits for the
+    // event of the tag status.
     let source = "
         .rept   16
         command GET, 0x10000, $3, 16384, 3
@@ -214,7 +216,7 @@ again:  command GET, 0x10000, $6, 2048, 1
         .zip(&spes)
         .map(|(number, (spe, entry))| start(spe, *entry, number, Duration::ZERO))
         .collect();
-    // 300 ms of the machine later all sleep.
+    // After 300 ms of simulated time all of them sleep.
     let simulation = machine.simulation();
     let limit = Some(Duration::from_millis(300));
     let none = simulation.wait(simulation.new_key(), limit, || None::<()>);
@@ -232,7 +234,7 @@ again:  command GET, 0x10000, $6, 2048, 1
         check(spe);
         check(earlier);
         assert!(spe.clock > earlier.clock);
-        // They slept all those 300 ms but for their work.
+        // They slept for all of those 300 ms, except during their work.
         assert!(spe.waits.mailbox > 955_000_000, "{:?}", spe.waits);
         assert!(spe.waits.tag > 0);
         assert_eq!(spe.commands.bytes_out, 20 * 1024);

@@ -1,5 +1,5 @@
-//! The same cycle counts in every run, whatever the host does meanwhile, and by both ways of
-//! counting.
+//! Tests that cycle counts are the same in every run, however the host behaves, and with both
+//! methods of counting.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -15,9 +15,9 @@ const LOCAL_STORE_LATENCY: u64 = MemoryFigures::CONSOLE.local_store_latency;
 
 const SPES: usize = 6;
 
-/// What a tracer does: sleeps for a frame, takes tiles from a shared counter until none is left,
-/// works on each for a time that depends on the tile, moves data in and out under two tags, and
-/// answers.
+/// A program that behaves as the ray tracer does. It sleeps until a frame comes and takes tiles
+/// from a shared counter until none is left. It works on each tile for a time that depends on the
+/// tile, moves data in and out under two tags, and sends an answer.
 const TRACER: &str = "
         ila     $5,0
         cwd     $14,0($13)
@@ -58,7 +58,7 @@ answer: wait_tags 6
 over:   stop    0x2000
 ";
 
-/// Three frames on six SPEs; the figures, and what each SPE answered.
+/// Three frames on six SPEs. Returns the figures, and what each SPE answered.
 fn trace(
     image: &[u8],
     disturbance: &Disturbance,
@@ -85,7 +85,7 @@ fn trace(
             spe.read_outbound_interrupt(None).unwrap()
         };
         answers.push(spes.iter().map(answer).collect());
-        // Each SPE finds out by itself that no tile is left.
+        // Each SPE notices by itself that no tile is left.
         assert_eq!(machine.word(0), 41 + SPES as u32);
     }
     for (spe, _) in &spes {
@@ -119,7 +119,7 @@ fn a_tracer_gives_the_same_counts_under_load_and_delays() {
     }
 }
 
-/// Each SPE takes the counter as fast as it can; the one that loses tries again.
+/// Each SPE increments the counter as fast as it can. The one that loses a race tries again.
 const CONTEND: &str = "
         cwd     $14,0($13)
         ila     $5,100
@@ -148,7 +148,7 @@ fn who_wins_a_line_is_the_same_in_every_run() {
     };
     let first = contend(Method::ByInstruction);
     let alone = Machine::new().run_all(1, CONTEND);
-    // Lost races cost the losers commands.
+    // An SPE that loses a race needs additional commands.
     assert!(first.iter().all(|spe| spe.commands.atomic >= 200));
     assert!(first.iter().map(|spe| spe.commands.atomic).sum::<u64>() > 1200);
     assert_eq!(alone[0].commands.atomic, 200);
@@ -158,8 +158,8 @@ fn who_wins_a_line_is_the_same_in_every_run() {
     }
 }
 
-/// SPE 0 counts until it finds a word that SPE 1 puts into its local store after a while; it is
-/// not told in any other way.
+/// SPE 0 counts until it finds a word that SPE 1 puts into its local store after a while. It
+/// learns of the word in no other way.
 const WATCH: &str = "
         brnz    $4,sender
 look:   ai      $5,$5,1
@@ -178,7 +178,7 @@ delay:  ai      $6,$6,-1
         wait_tags 1<<3
         stop    0x2000
 ";
-/// Where the local store of SPE 0 appears: 0x10000 above is at 0x50010000.
+/// The address at which the local store of SPE 0 is mapped: 0x10000 above is at 0x50010000.
 const STORE_EA: u64 = 0x3_5000_0000;
 
 fn watch(image: &[u8], disturbance: &Disturbance, method: Method) -> (u32, Vec<SpeReport>) {
@@ -233,7 +233,7 @@ fn signals_go_round_and_take_their_time() {
         let machine = Machine::counting(method);
         let spes: Vec<_> = (0..SPES).map(|_| machine.loaded(&image)).collect();
         for (number, (spe, _)) in (0_u64..).zip(&spes) {
-            // SPE n sends to the address where the register of SPE n + 1 appears.
+            // SPE n sends to the address at which the register of SPE n + 1 is mapped.
             let sender = (number + SPES as u64 - 1) % SPES as u64;
             spe.map_signal(SignalRegister::One, BASE + sender * 16);
         }

@@ -1,13 +1,14 @@
-//! Other figures than the console's: each changes the cycles that it says it changes. What shifts
-//! a transfer's beginning is a multiple of a line's 16 cycles here, since it waits for the next
-//! slot.
+//! Timing with other values than the console's: each value changes the cycles that it should.
+//! Values that delay the start of a transfer are multiples of a line's 16 cycles here, because a
+//! transfer waits for the next slot.
 
 use spu_emulator::simulated::{MemoryFigures, PpeFigures, SpeReport, Timing};
 use spu_isa::timing::{Cause, Rules};
 
 use super::support::Machine;
 
-/// A line from memory, an atomic line, and nine branches of ten taken unforeseen.
+/// A line from main memory, an atomic command, and ten branches without hints, of which nine are
+/// taken.
 const PROGRAM: &str = "
         command GET, 0x10000, $3, 128, 3
         wait_tags 1<<3

@@ -1,4 +1,4 @@
-//! Data that one SPE puts into the local store of another: when the other one's loads find it.
+//! Data that one SPE puts into another's local store: when the other's loads find it.
 
 use std::sync::Arc;
 use std::time::Duration;
@@ -11,11 +11,11 @@ use super::support::{BASE, Load, Machine, assemble, register, start};
 
 const LOCAL_STORE_DELAY: u64 = MemoryFigures::CONSOLE.local_store_delay();
 
-/// Where the local store of SPE n appears: n times 1 MB further on.
+/// The address at which the local store of SPE n is mapped. They are 1 MB apart.
 const STORES: u64 = 0x3_5000_0000;
 const APART: u64 = 1 << 20;
 
-/// Runs a program on two SPEs whose local stores are mapped; by both ways of counting alike.
+/// Runs a program on two SPEs whose local stores are mapped. Both methods of counting must agree.
 fn run(source: &str) -> ([Arc<Spe>; 2], Vec<SpeReport>) {
     let (_, by_instruction) = run_counting(source, Method::ByInstruction);
     let (spes, memoised) = run_counting(source, Method::Memoised);
@@ -46,8 +46,8 @@ fn run_counting(source: &str, method: Method) -> ([Arc<Spe>; 2], Vec<SpeReport>)
     (spes.map(|(spe, _)| spe), machine.report().spes)
 }
 
-/// SPE 0 puts a number into the local store of SPE 1, which polls for it and puts it back, and so
-/// on for 50 numbers. $8 is where the other's 0x10000 is.
+/// SPE 0 puts a number into the local store of SPE 1, which polls for it and puts it back. This
+/// repeats for 50 numbers. $8 is the address of the other's 0x10000.
 const PING_PONG: &str = "
         ilhu    $8,0x5001
         xori    $9,$4,1
@@ -77,7 +77,8 @@ const HOPS: u64 = 100;
 fn a_put_is_found_by_polling_when_its_transfer_is_complete() {
     let (_, first) = run(PING_PONG);
     let hop = first[0].account.cycles() / HOPS;
-    // The commands' channels and a pass and a half of the polling loop come on top.
+    // The channel writes of the commands, and one and a half passes of the polling loop, are
+    // added.
     assert!(hop >= LOCAL_STORE_DELAY, "{hop}");
     assert!(hop < LOCAL_STORE_DELAY + 100, "{hop}");
     let _load = Load::new(2);
@@ -86,8 +87,8 @@ fn a_put_is_found_by_polling_when_its_transfer_is_complete() {
     }
 }
 
-/// SPE 0 signals SPE 1, which sleeps for it and puts the number of the signal into the local store
-/// of SPE 0, which polls for it.
+/// SPE 0 signals SPE 1, which sleeps until the signal comes and puts its number into the local
+/// store of SPE 0. SPE 0 polls for it.
 const ANSWERED: &str = "
         il      $10,1
         brnz    $4,asleep
@@ -119,8 +120,8 @@ fn the_answer_of_a_sleeper_is_found_when_its_transfer_is_complete() {
     assert!(round < 2 * LOCAL_STORE_DELAY + 150, "{round}");
 }
 
-/// SPE 0 sends 16 KB, for which it takes some 2300 cycles. SPE 1 looks at the last quadword after
-/// some 800, and again behind a multisource synchronisation.
+/// SPE 0 sends 16 KB, which takes some 2300 cycles. SPE 1 reads the last quadword after some 800
+/// cycles, and again after a multisource synchronisation.
 const UNDER_WAY: &str = "
         brnz    $4,reader
         ilhu    $8,0x5011
@@ -145,7 +146,7 @@ fn a_multisource_synchronisation_waits_for_what_is_under_way() {
     assert_eq!([10, 11].map(|number| register(&spes[1], number)), [0, 1]);
 }
 
-/// SPE 0 puts a number and fetches it back, a fence between the two; SPE 1 only waits for it.
+/// SPE 0 puts a number and fetches it back, with a fence between. SPE 1 only waits for the number.
 const FENCED: &str = "
         brnz    $4,look
         ilhu    $8,0x5011
@@ -167,7 +168,7 @@ fn a_fenced_get_finds_what_was_put_before_it() {
     assert_eq!(spes.each_ref().map(|spe| register(spe, 10)), [5, 5]);
 }
 
-/// SPE 0 stops without waiting for what it put; SPE 1 has stopped long before.
+/// SPE 0 stops without waiting for its put. SPE 1 stopped long before.
 const UNAWAITED: &str = "
         brnz    $4,over
         ila     $6,3000

@@ -1,5 +1,5 @@
-//! Memoised timing against the definition, which goes instruction by instruction: whatever runs,
-//! clock, account, waits and profile are the same.
+//! Compares memoised timing with the definition, which goes instruction by instruction. For any
+//! program, clock, account, waits and profile must be the same.
 
 use std::sync::Arc;
 
@@ -19,13 +19,13 @@ use spu_isa::{Instruction, Op, feature};
 const MEMORY_EA: u64 = 0x10_0000;
 /// The same quadwords in local store.
 const CODE_QUADS: u32 = 0x8000;
-/// What loads and stores of data reach.
+/// The area that loads and stores of data access.
 const DATA: u32 = 0x9000;
 const QUADS: usize = 8;
-/// The registers that hold places of the program; nothing writes them.
+/// The registers that hold addresses in the program. No instruction writes them.
 const PLACES: u8 = 100;
 const PLACE_COUNT: u8 = 8;
-/// The registers that instructions compute in.
+/// The registers in which instructions compute.
 const REGISTERS: u8 = 12;
 const STOPS: usize = 12;
 const MOST: u64 = 1500;
@@ -45,24 +45,25 @@ fn word(op: Op, rt: u8, [ra, rb, rc]: [u8; 3], immediate: i32) -> u32 {
     instruction.encode()
 }
 
-/// A piece of a program. It is entered at its start only.
+/// A piece of a program. It is entered only at its start.
 #[derive(Clone, Debug)]
 enum Piece {
     Plain(Op, [u8; 4]),
     /// A load or a store of data.
     Data(Op, u8, u8),
-    /// To another piece.
+    /// A branch to another piece.
     Branch(Op, u8, usize),
-    /// To a piece that a register names, with feature bits.
+    /// A branch to the piece whose address is in a register, with feature bits.
     Indirect(Op, u8, u8, i32),
-    /// Of the branch so many instructions on: to a piece, or to what a register names.
+    /// A hint for the branch this many instructions ahead, to a piece or to the address in a
+    /// register.
     Hint(u8, usize, bool),
     Read(u8, u8),
     Write(u8, u8),
     Count(u8, u8),
-    /// A quadword that others write over.
+    /// A quadword that other pieces overwrite.
     Patch,
-    /// Quadword of code into a patch, by a store or by the MFC.
+    /// Copies a quadword of code into a patch, with a store or with the MFC.
     Rewrite(usize, usize, bool),
     Stop,
     Invalid,
@@ -103,7 +104,7 @@ fn piece() -> impl Strategy<Value = Piece> {
 }
 
 impl Piece {
-    /// Words, those included that fill up to a quadword's start.
+    /// Number of words, including those that pad it to a quadword's start.
     fn length(&self, at: usize) -> usize {
         match self {
             Self::Patch => (4 - at % 4) % 4 + 4,
@@ -114,7 +115,8 @@ impl Piece {
         }
     }
 
-    /// Adds its words; `starts` are the addresses of all pieces, `patches` of what is written over.
+    /// Appends the piece's words. `starts` are the addresses of all pieces, `patches` those of the
+    /// quadwords that are overwritten.
     fn write(&self, code: &mut Vec<u32>, starts: &[u32], patches: &[u32]) {
         let here = 4 * code.len() as u32;
         let start = |to: usize| starts[to % starts.len()];
@@ -160,7 +162,7 @@ impl Piece {
                 let from = 16 * from as i32;
                 if dma {
                     let ea = (MEMORY_EA as i32) + from;
-                    // Parameters and command, then the wait for its tag.
+                    // Parameters and command, then the wait for the tag.
                     let mut write = |channel, value: i32| {
                         let wide = [
                             word(Op::Ilhu, 60, [0; 3], value >> 16),
@@ -193,7 +195,7 @@ impl Piece {
     }
 }
 
-/// The program, and the addresses of its pieces. An interrupt finds its handler at 0.
+/// The program, and the addresses of its pieces. The interrupt handler is at 0.
 fn program(pieces: &[Piece]) -> (Vec<u32>, Vec<u32>) {
     let handler = [
         word(Op::Il, 62, [0; 3], 0x20),
@@ -226,7 +228,7 @@ fn program(pieces: &[Piece]) -> (Vec<u32>, Vec<u32>) {
     (code, starts)
 }
 
-/// What can be seen of a run.
+/// Everything that can be observed of a run.
 #[derive(Debug, PartialEq)]
 struct Seen {
     ends: Vec<(Option<Stop>, u32)>,
@@ -286,7 +288,8 @@ fn run(
             let value = 0x0103_0020_u32.rotate_left(u32::from(register) * 4);
             spu.set_register(register, Quad::splat(value));
         }
-        // So that a write to channel 1 awaits the decrementer, and one to channel 7 sets it soon.
+        // With this value, a write to channel 1 enables the decrementer's event, and a write to
+        // channel 7 lets it occur soon.
         spu.set_register(3, Quad::splat(0x20));
     };
     let mut at = starts[0];
@@ -298,7 +301,7 @@ fn run(
             }
         });
         let pc = spe.with_spu(Spu::pc);
-        // An instruction that can't be run is left for another piece.
+        // After an instruction that can't be run, continue with another piece.
         at = match stopped {
             Some(_) if number % 2 == 1 => starts[number % starts.len()],
             Some(ref stopped) if stopped.npc == stopped.pc => starts[number % starts.len()],
@@ -328,7 +331,7 @@ fn rules() -> impl Strategy<Value = Rules> {
     })
 }
 
-/// A quadword of code: what fits into one word each, and does not depend on where it lies.
+/// A quadword of code: pieces of one word that do not depend on their address.
 fn quad() -> impl Strategy<Value = [Piece; 4]> {
     let short = piece().prop_filter("a word", |piece| {
         matches!(
@@ -357,8 +360,8 @@ proptest! {
     }
 }
 
-/// Counts the immediate of an instruction of its own loop up from 0: no two rounds run the same
-/// code, and there are more of them than states and transitions are kept.
+/// The code counts the immediate of an instruction in its own loop up from 0. So no two passes run
+/// the same code, and there are more states and transitions than are kept.
 #[test]
 fn code_that_is_ever_new_is_timed_too() {
     const ROUNDS: i32 = 20_000;
@@ -405,7 +408,7 @@ fn code_that_is_ever_new_is_timed_too() {
         for (address, word) in (0..).step_by(4).zip(code) {
             spe.local_store().write(address, &word.to_be_bytes());
         }
-        // Added to a quadword of code: 1 to the first immediate.
+        // Added to a quadword of code, this adds 1 to the first immediate.
         let step = Quad([1 << 7, 0, 0, 0]);
         let prepare = |spu: &mut Spu| spu.set_register(12, step);
         let stopped = spe.run_observed(0, 1 << 20, &mut (), prepare);

@@ -1,5 +1,5 @@
-//! Simulated time, by small programs: that it is the same in every run, and that it is as long as
-//! the constants say.
+//! Tests of simulated time with small programs: it must be the same in every run, and as long as
+//! the constants require.
 
 mod accounts;
 mod deterministic;

@@ -1,18 +1,18 @@
-//! PPE threads in the race: mails, looks, sleeps, and threads that never come back.
+//! PPE threads as actors: mails, polls, sleeps, and threads that never come back.
 
 use std::sync::{Arc, Barrier, mpsc};
 use std::thread;
 use std::time::{Duration, Instant};
 
-use spu_emulator::simulated::absence::LONGEST;
+use spu_emulator::simulated::timeout::TIME_LIMIT;
 use spu_emulator::simulated::{PpeFigures, Simulation, ticks};
 
-use super::support::{Disturbance, Load, Machine, PATIENCE, assemble, register, start};
+use super::support::{Disturbance, Load, Machine, TIMEOUT, assemble, register, start};
 
 const PPE_CALL_CYCLES: u64 = PpeFigures::CONSOLE.call_cycles;
 const PPE_WAKE_CYCLES: u64 = PpeFigures::CONSOLE.wake_cycles;
 
-/// Tells the time at which its mail came, and sends it back.
+/// Keeps the time at which the last mail came in $6, and sends each mail back.
 const ECHO: &str = "
         il      $6,-1
         wrch    $ch7,$6
@@ -90,7 +90,7 @@ work:   ai      $6,$6,-1
         (looks, machine.report().spes)
     };
     let first = looks(&Disturbance::new(1));
-    // 40,000 rounds of about 21 cycles, in steps of a call.
+    // 40,000 passes of about 21 cycles, in steps of a call.
     assert!((450..600).contains(&first.0), "{}", first.0);
     let _load = Load::new(2);
     assert_eq!(looks(&Disturbance::new(2)), first);
@@ -115,8 +115,8 @@ fn a_limit_is_simulated_time() {
     spe.request_stop();
     machine.depart();
     assert!(running.stopped());
-    // Three million cycles passed while it ran; how long it takes to hear of the request is the
-    // host's affair.
+    // Three million cycles passed while it ran. How soon it notices the request depends on the
+    // host.
     assert!(machine.report().spes[0].clock >= 3_192_000);
 }
 
@@ -140,18 +140,19 @@ fn threads_that_do_not_come_back_hold_nobody_up_for_long() {
     let image = assemble(ECHO);
     let (spe, entry) = machine.loaded(&image);
     let running = start(&spe, entry, 0, Duration::ZERO);
-    // This thread mails, and then sleeps in a call that the machine knows nothing of.
+    // This thread sends a mail, and then sleeps in a system call that the machine does not know
+    // of.
     spe.write_inbound(0, None);
     let start_of_sleep = Instant::now();
     running.end();
-    assert!(start_of_sleep.elapsed() < LONGEST);
-    assert!(machine.report().absences >= 1);
+    assert!(start_of_sleep.elapsed() < TIME_LIMIT);
+    assert!(machine.report().timeouts >= 1);
 }
 
 #[test]
 fn a_thread_that_ran_one_spe_and_then_waits_for_another_is_given_up() {
-    // SPE 0 issues in pairs, which keeps the host busy; SPE 1 stalls most of the time, so that it
-    // is far ahead and waits to act when SPE 0 stops.
+    // SPE 0 issues in pairs, which takes much time on the host. SPE 1 stalls most of the time, so
+    // it is far ahead, and waits to act when SPE 0 stops.
     let image = assemble(
         "
         brnz    $4,act
@@ -184,7 +185,7 @@ delay:  dfa     $7,$7,$7
         tell.send(()).unwrap();
     });
     machine.depart();
-    told.recv_timeout(2 * PATIENCE).unwrap();
+    told.recv_timeout(2 * TIMEOUT).unwrap();
     let clocks: Vec<u64> = machine.report().spes.iter().map(|spe| spe.clock).collect();
     assert!(clocks[1] > clocks[0] + PPE_WAKE_CYCLES, "{clocks:?}");
 }
@@ -199,7 +200,7 @@ fn an_spe_that_is_loaded_and_never_run_holds_nobody_up_for_good() {
     let begin = Instant::now();
     spe.write_inbound(5, None);
     assert_eq!(spe.read_outbound(None), Some(5));
-    assert!(begin.elapsed() < LONGEST + PATIENCE / 4);
+    assert!(begin.elapsed() < TIME_LIMIT + TIMEOUT / 4);
     spe.write_inbound(0, None);
     machine.depart();
     running.end();
@@ -235,7 +236,7 @@ again:  rdch    $6,$ch29
     }
     machine.depart();
     for _ in 0..4 {
-        told.recv_timeout(PATIENCE).unwrap();
+        told.recv_timeout(TIMEOUT).unwrap();
     }
     running.end();
     assert_eq!(register(&spe, 7), 12_000);

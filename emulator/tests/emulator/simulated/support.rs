@@ -1,4 +1,4 @@
-//! Machines in simulated time, programs for them, and a host that gets in the way.
+//! Machines in simulated time, programs for them, and disturbances by the host.
 
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, mpsc};
@@ -17,7 +17,7 @@ use spu_emulator::stop::{Stop, Stopped};
 pub const BASE: u64 = 0x3_4000_0000;
 pub const MEMORY: usize = 1 << 20;
 /// How long a program may take on the host.
-pub const PATIENCE: Duration = Duration::from_secs(60);
+pub const TIMEOUT: Duration = Duration::from_secs(60);
 
 pub struct Machine {
     pub memory: Arc<RegisteredMemory>,
@@ -29,12 +29,12 @@ impl Machine {
         Self::with(Timing::default())
     }
 
-    /// One whose time is made of other figures than the console's.
+    /// A machine with other latencies and rates than the console's.
     pub fn with(timing: Timing) -> Self {
         Self::keeping(timing, Keep::default())
     }
 
-    /// One that counts its cycles like this.
+    /// A machine that counts its cycles with this method.
     pub fn counting(method: Method) -> Self {
         let keep = Keep {
             profile: false,
@@ -53,13 +53,13 @@ impl Machine {
         Self { memory, machine }
     }
 
-    /// An SPE with a program that is to be run soon, and its entry.
+    /// An SPE with a program that will be run soon, and the program's entry.
     pub fn loaded(&self, image: &[u8]) -> (Arc<Spe>, u32) {
         let spe = Spe::new(&self.machine, Config::default());
         (Arc::clone(&spe), Self::load(&spe, image))
     }
 
-    /// Loads a program that is to be run soon; its entry.
+    /// Loads a program that will be run soon. Returns its entry.
     pub fn load(spe: &Spe, image: &[u8]) -> u32 {
         let image = Image::parse(image).unwrap();
         image.load(spe.local_store(), 0);
@@ -85,8 +85,8 @@ impl Machine {
         u32::from_be_bytes(bytes)
     }
 
-    /// Runs one program on `count` SPEs at once, each to its stop, and gives their figures. `$4`
-    /// is the SPE's number.
+    /// Runs one program on `count` SPEs at once, each to its stop. Returns their figures. `$4` is
+    /// the SPE's number.
     pub fn run_all(&self, count: u32, source: &str) -> Vec<SpeReport> {
         let image = assemble(source);
         let spes: Vec<_> = (0..count).map(|_| self.loaded(&image)).collect();
@@ -102,13 +102,13 @@ impl Machine {
     }
 }
 
-/// A program on a thread of its own.
+/// A program that runs on its own thread.
 pub struct Running {
     spe: Arc<Spe>,
     ended: mpsc::Receiver<Stopped>,
 }
 
-/// Runs a program after the host has let `delay` pass.
+/// Runs a program after a delay of the host.
 pub fn start(spe: &Arc<Spe>, entry: u32, number: u32, delay: Duration) -> Running {
     let (sender, ended) = mpsc::channel();
     let runner = Arc::clone(spe);
@@ -119,7 +119,7 @@ pub fn start(spe: &Arc<Spe>, entry: u32, number: u32, delay: Duration) -> Runnin
             spu.set_register(3, Quad::scalar(BASE as u32));
             spu.set_register(4, Quad::scalar(number));
         });
-        // A test that has failed no longer listens.
+        // A test that has failed no longer receives.
         let _ = sender.send(stopped);
     });
     Running {
@@ -129,15 +129,15 @@ pub fn start(spe: &Arc<Spe>, entry: u32, number: u32, delay: Duration) -> Runnin
 }
 
 impl Running {
-    /// Whether it obeys a request to stop.
+    /// Whether it obeys a stop request.
     pub fn stopped(self) -> bool {
-        let stopped = self.ended.recv_timeout(PATIENCE);
+        let stopped = self.ended.recv_timeout(TIMEOUT);
         stopped.is_ok_and(|stopped| stopped.reason == Stop::Requested)
     }
 
     /// Waits for the stop, which must be a `stop` instruction.
     pub fn end(self) {
-        let stopped = self.ended.recv_timeout(PATIENCE).unwrap_or_else(|_| {
+        let stopped = self.ended.recv_timeout(TIMEOUT).unwrap_or_else(|_| {
             self.spe.request_stop();
             panic!("the program did not end by itself")
         });
@@ -150,7 +150,7 @@ pub fn register(spe: &Spe, number: u8) -> u32 {
     spe.with_spu(|spu| spu.register(number).preferred())
 }
 
-/// Delays of the host, other ones in every run.
+/// Delays of the host that differ in every run.
 pub struct Disturbance(AtomicU64);
 
 impl Disturbance {
@@ -158,7 +158,7 @@ impl Disturbance {
         Self(AtomicU64::new(seed))
     }
 
-    /// Up to some milliseconds.
+    /// A delay of up to some milliseconds.
     pub fn delay(&self) -> Duration {
         let mixed = self.0.fetch_add(0x9e37_79b9_7f4a_7c15, SeqCst);
         let mixed = (mixed ^ mixed >> 29).wrapping_mul(0xbf58_476d_1ce4_e5b9);
@@ -170,7 +170,7 @@ impl Disturbance {
     }
 }
 
-/// Threads that take the host's processors away.
+/// Threads that compete for the host's processors.
 pub struct Load {
     over: Arc<AtomicBool>,
     threads: Vec<JoinHandle<()>>,

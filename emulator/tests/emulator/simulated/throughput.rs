@@ -1,4 +1,4 @@
-//! Six SPEs against one.
+//! The throughput of six SPEs compared with one.
 
 use spu_emulator::memory::LINE;
 use spu_emulator::simulated::MemoryFigures;
@@ -35,7 +35,7 @@ over:   stop    0x2000
 fn computing_is_six_times_as_fast_on_six_spes() {
     let clock = |spes| {
         let spes = Machine::new().run_all(spes, COMPUTE);
-        // From the first instruction on.
+        // The times count from the first instruction.
         spes.iter()
             .map(|spe| spe.clock - spe.stopped)
             .max()
@@ -43,11 +43,12 @@ fn computing_is_six_times_as_fast_on_six_spes() {
     };
     let (one, six) = (clock(1), clock(6));
     let speedup = one as f64 / six as f64;
-    // 256 pieces are 43 rounds of six.
+    // 256 pieces take 43 rounds of six.
     assert!(speedup > 5.8 && speedup <= 6.0, "{speedup}");
 }
 
-/// 66 transfers of 16 KB, two tags in turn, each waited for before its buffer is used again.
+/// 66 transfers of 16 KB under two alternating tags. The program waits for each one before it uses
+/// the buffer again.
 const STREAM: &str = "
         ila     $5,32
         shli    $6,$4,14
@@ -65,7 +66,7 @@ again:  wait_tags 2
 ";
 const STREAMED: u64 = 66 * 16384;
 
-/// Bytes a cycle that all get together.
+/// The bytes per cycle of all SPEs together.
 fn rate(spes: u32, direction: &str) -> f64 {
     let spes = Machine::new().run_all(spes, &STREAM.replace("\\direction", direction));
     let cycles = spes
@@ -85,7 +86,7 @@ fn rate(spes: u32, direction: &str) -> f64 {
 fn memory_gives_its_bandwidth_and_no_more() {
     for direction in ["GET", "PUT"] {
         let (one, two, six) = (rate(1, direction), rate(2, direction), rate(6, direction));
-        // One alone is held by its outstanding lines.
+        // A single SPE is limited by its outstanding lines.
         assert!(
             one < 0.9 * BYTES_PER_CYCLE && one > 0.7 * BYTES_PER_CYCLE,
             "{one}"
@@ -112,7 +113,7 @@ again:  command GET, 0x10000, $3, 128, 1
     let cycles = one[0].account.cycles();
     assert!(cycles > 100 * 309 && cycles < 100 * 400, "{cycles}");
     for spe in &six {
-        // 6 lines in 300 cycles do not get in each other's way.
+        // 6 lines in 300 cycles do not delay each other.
         assert!(spe.account.cycles() < cycles + cycles / 10);
     }
 }

@@ -1,7 +1,7 @@
-//! PPE-assisted library calls, made as the guest makes them: blocks of cells in local store.
+//! PPE-assisted library calls, made as the guest makes them: with blocks of cells in local store.
 //!
-//! Provenance: texts and numbers that `printf` and `scanf` give are compared with the host's C
-//! library, which serves the calls on the console; layouts and results are libspe2's.
+//! Provenance: the results of `printf` and `scanf` are compared with the host's C library, because
+//! the console's C library serves these calls. Layouts and results are libspe2's.
 
 mod libea;
 mod posix;

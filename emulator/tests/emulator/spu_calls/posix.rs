@@ -38,7 +38,7 @@ impl Files {
         self.guest.text(path.as_os_str().as_bytes())
     }
 
-    /// Calls a function by its name, which finds its opcode too.
+    /// Calls a function by its name, from which the opcode is found.
     fn call(&mut self, name: &str, arguments: &[u32]) -> Answer {
         self.guest.call(POSIX, opcode(name), arguments)
     }

@@ -18,12 +18,14 @@ fn print(format: &str, arguments: &[Value]) -> String {
     output
 }
 
-/// What the host's C library prints; the argument must be what the format takes.
+/// The text that the host's C library prints. The argument must have the type that the format
+/// requires.
 macro_rules! c_print {
     ($format:expr, $($argument:expr),*) => {{
         let format = CString::new($format.as_str()).unwrap();
         let mut buffer = vec![0_u8; 4096];
-        // SAFETY: the buffer has the bytes that are told, the arguments are what the format says.
+        // SAFETY: the buffer has as many bytes as the length says, and the arguments match the
+        // format.
         let length = unsafe {
             libc::snprintf(buffer.as_mut_ptr().cast(), buffer.len(), format.as_ptr(), $($argument),*)
         };
@@ -31,7 +33,7 @@ macro_rules! c_print {
     }};
 }
 
-/// Flags, width and precision, without what C leaves undefined.
+/// Flags, width and precision, except combinations that C does not define.
 fn field() -> impl Strategy<Value = String> {
     let precision = proptest::option::of(0..20_u32);
     ("[-+ 0]{0,3}", proptest::option::of(1..30_u32), precision).prop_map(
@@ -79,7 +81,7 @@ proptest! {
         let format = format!("<%{alternate}{field}{length}{letter}>");
         let long = matches!(length, "ll" | "j");
         let argument = if long { Value::Long(value) } else { Value::Word(value as u32) };
-        // On the SPU these are 32 bits wide.
+        // On the SPU these types have 32 bits.
         let host = format!("<%{alternate}{field}{}{letter}>", match length {
             "l" | "z" | "t" => "",
             other => other,
@@ -88,7 +90,8 @@ proptest! {
         prop_assert_eq!(print(&format, &[argument]), expected, "{}", format);
     }
 
-    /// Without `%#g`: glibc drops the zeros that C keeps when rounding carries into a new digit.
+    /// Omits `%#g`, because glibc drops the zeros that C keeps if rounding carries into a new
+    /// digit.
     #[test]
     fn doubles_print_as_in_c(
         field in field(),

@@ -9,7 +9,7 @@ const VSCANF: u8 = 38;
 const VSSCANF: u8 = 41;
 const GETCHAR: u8 = 20;
 
-/// Where results go, a line apart.
+/// The addresses of results, a line apart.
 const RESULTS: u32 = 0x8000;
 
 fn scan(guest: &mut GuestProgram, text: &str, format: &str) -> i32 {

@@ -131,7 +131,8 @@ fn positions_count_what_is_buffered() {
     assert_eq!(files.call(FGETC, &[4]), Answer::ok(0x78));
     assert_eq!(files.call(FGETPOS, &[4, BUFFER]), Answer::ok(0));
     assert_eq!(files.guest.words(BUFFER), [2]);
-    // Reading went ahead of it, and what is written must come where reading stopped.
+    // Reading went ahead of this position, but the written bytes must follow where reading
+    // stopped.
     files.call(FPUTC, &[u32::from(b'A'), 4]);
     assert_eq!(
         files.call(FSEEK, &[4, -1_i32 as u32, SEEK_END]),
@@ -215,7 +216,7 @@ fn standard_streams() {
     assert_eq!(files.call(UNGETC, &[u32::MAX, STDIN]), Answer::ok(-1));
 }
 
-/// Calls without a result leave the cell as it is.
+/// Calls without a result leave the cell unchanged.
 #[test]
 fn buffering_is_the_programs_choice() {
     let mut files = Files::new("");
@@ -285,7 +286,7 @@ fn calls_that_nobody_serves_are_named() {
             assert_eq!(guest.serve(number, opcode, &[]), Err(expected));
         }
     }
-    // The ends of the fact sheet's lists, and some between.
+    // The first and last functions of the lists, and some between.
     let name = |class: Class, opcode| class.function(opcode).unwrap();
     assert_eq!(
         [1, 10, 21, 41].map(|n| name(Class::C99, n)),

@@ -1,10 +1,10 @@
-//! A guest: local store with an argument block, and a library whose streams are captured.
+//! A guest program: local store with an argument block, and a library whose streams are captured.
 
 use std::sync::{Arc, Mutex};
 
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::memory::RegisteredMemory;
-use spu_emulator::ppe_call::{Arena, CallError, Errno, Library, Outside, Process};
+use spu_emulator::ppe_call::{Arena, CallError, Errno, Host, Library, Process};
 
 pub const C99: u8 = 0;
 pub const POSIX: u8 = 1;
@@ -13,14 +13,14 @@ pub const LIBEA: u8 = 5;
 pub const HEAP_EA: u64 = 0x1_0000_0000;
 pub const HEAP: usize = 1 << 20;
 
-/// Where the block of cells is, the word after the stop, and texts.
+/// The addresses of the block of cells, of the word after the stop, and of texts.
 const BLOCK: u32 = 0x1000;
 const OPCODE_WORD: u32 = 0x800;
 const TEXTS: u32 = 0x4000;
-/// Registers that a variadic function saves.
+/// Number of registers that a variadic function saves.
 const SAVED: usize = 72;
 
-/// What went to standard output and error, and what standard input still has.
+/// The bytes written to standard output and error, and the rest of standard input.
 #[derive(Default)]
 pub struct Console {
     pub input: Vec<u8>,
@@ -31,7 +31,7 @@ pub struct Console {
 #[derive(Clone, Default)]
 struct Captured(Arc<Mutex<Console>>);
 
-impl Outside for Captured {
+impl Host for Captured {
     fn read(&mut self, descriptor: i32, into: &mut [u8]) -> Result<usize, Errno> {
         if descriptor != 0 {
             return Process.read(descriptor, into);
@@ -66,7 +66,7 @@ pub enum Value {
     Double(f64),
 }
 
-/// A call's result cell.
+/// The result cell of a call.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Answer {
     pub value: i32,
@@ -127,7 +127,7 @@ impl GuestProgram {
         self.console(|console| String::from_utf8(console.output.clone()).unwrap())
     }
 
-    /// Puts bytes and a 0 somewhere; their address.
+    /// Writes bytes and a 0 to a free address, and returns the address.
     pub fn text(&mut self, text: impl AsRef<[u8]>) -> u32 {
         let address = self.next_text;
         let bytes = [text.as_ref(), &[0]].concat();
@@ -150,13 +150,13 @@ impl GuestProgram {
 
     pub fn serve(&mut self, class: u8, opcode: u8, cells: &[Value]) -> Result<Answer, CallError> {
         for (n, cell) in (0..).zip(cells) {
-            // Whatever the other words of a register hold must not matter.
+            // The other words of a register must not matter.
             self.store.write(BLOCK + 16 * n, &[0xa5; 16]);
             self.put(BLOCK + 16 * n, cell);
         }
         let word = u32::from(opcode) << 24 | BLOCK;
         self.store.write(OPCODE_WORD, &word.to_be_bytes());
-        // The lowest bit says that interrupts are enabled.
+        // The lowest bit means that interrupts are enabled.
         self.library.serve(class, &self.store, OPCODE_WORD | 1)?;
         let [value, low, _, errno] = self.words(BLOCK);
         Ok(Answer {
@@ -174,15 +174,14 @@ impl GuestProgram {
         }
     }
 
-    /// A call with plain words as arguments.
+    /// A call with words as arguments.
     pub fn call(&mut self, class: u8, opcode: u8, arguments: &[u32]) -> Answer {
         let cells: Vec<Value> = arguments.iter().map(|&word| Value::Word(word)).collect();
         self.serve(class, opcode, &cells).unwrap()
     }
 
-    /// A call that ends in a variadic list, laid out as newlib's functions do: the fixed
-    /// arguments, the list, the saved registers, and beyond the caller's frame header what did not
-    /// fit.
+    /// A call with a variadic list, laid out as newlib's functions do it: the fixed arguments, the
+    /// list, the saved registers, and the remaining arguments beyond the caller's frame header.
     pub fn variadic(&mut self, opcode: u8, fixed: &[u32], arguments: &[Value]) -> Answer {
         let list = BLOCK + 16 * fixed.len() as u32;
         let first = list + 32;

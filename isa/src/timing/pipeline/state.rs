@@ -1,16 +1,16 @@
-//! A pipeline's state apart from the cycle in which it came about.
+//! A pipeline's state, relative to its current cycle.
 
-use super::super::account::Passage;
+use super::super::account::AccountDelta;
 use super::super::fetch::InlineBuffer;
 use super::super::hint::{Hint, Prediction};
 use super::Pipeline;
 use crate::instructions::Class;
 
-/// What decides when the instructions behind a branch issue, in cycles from the first in which the
-/// next one can. Two equal phases go on alike.
+/// The part of the state that determines when the instructions after a branch issue, relative to
+/// the first cycle in which the next one can. Equal phases behave equally.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(in super::super) struct Phase {
-    /// The registers that cannot be read in that cycle, in their order, and when they can.
+    /// The registers that cannot be read in that cycle, in ascending order, and when they can be.
     pending: Box<[(u8, u64)]>,
     partner: Option<u32>,
     float_unit_taken: bool,
@@ -20,12 +20,12 @@ pub(in super::super) struct Phase {
     inline_buffer: Option<InlineBuffer>,
 }
 
-/// Everything in a pipeline that bears on the future, wherever its clock stands: from two equal
-/// states on, the same stream takes the same cycles for the same causes.
+/// The part of a pipeline's state on which its future depends, independent of its clock. From
+/// equal states, the same stream takes the same cycles for the same causes.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub struct State {
     phase: Phase,
-    /// The class of what writes each pending register.
+    /// The class of the instruction that writes each pending register.
     producers: Box<[Class]>,
     channel_result: Option<u8>,
     prediction: Prediction,
@@ -57,7 +57,7 @@ impl Pipeline {
         }
     }
 
-    /// The state as it is.
+    /// The current state.
     #[must_use]
     pub fn state(&self) -> State {
         let phase = self.phase();
@@ -70,13 +70,13 @@ impl Pipeline {
         }
     }
 
-    /// Goes on from `state`, which a pipeline of the same rules had, as though `passage` had
-    /// issued in between.
-    pub fn resume(&mut self, state: &State, passage: &Passage) {
+    /// Continues from `state`, as though the instructions of `delta` had issued in between. The
+    /// state must come from a pipeline with the same rules.
+    pub fn resume(&mut self, state: &State, delta: &AccountDelta) {
         let phase = &state.phase;
-        self.account.pass(passage);
-        self.clock += passage.cycles();
-        self.issued += passage.instructions;
+        self.account.apply(delta);
+        self.clock += delta.cycles();
+        self.issued += delta.instructions;
         self.partner = phase.partner;
         let floor = self.floor();
         self.ready.fill(0);

@@ -1,22 +1,23 @@
-//! A resource that serves one line at a time: which of its slots are taken.
+//! The reservation table of a resource that serves one line at a time: which of its time slots are
+//! taken.
 //!
-//! Invariant: a slot is given out once. Slots before the newest request's time are forgotten in
-//! whole words: requests come in the order of simulated time.
+//! Invariant: each slot is assigned once. Requests come in the order of simulated time, so slots
+//! before the newest request are dropped, in whole words.
 
 use std::collections::VecDeque;
 
 const SLOTS_PER_WORD: u64 = u64::BITS as u64;
 
 #[derive(Debug)]
-pub(super) struct Calendar {
+pub(super) struct ReservationTable {
     slot_cycles: u64,
-    /// Number of the first slot in `taken`; a multiple of [`SLOTS_PER_WORD`].
+    /// Number of the first slot in `taken`. It is a multiple of [`SLOTS_PER_WORD`].
     first: u64,
-    /// A bit a slot, the lowest bit the earliest.
+    /// One bit for each slot, beginning with the lowest.
     taken: VecDeque<u64>,
 }
 
-impl Calendar {
+impl ReservationTable {
     pub fn new(slot_cycles: u64) -> Self {
         Self {
             slot_cycles,
@@ -25,7 +26,7 @@ impl Calendar {
         }
     }
 
-    /// Forgets what lies before `cycle`.
+    /// Drops the slots before `cycle`.
     pub fn forget_before(&mut self, cycle: u64) {
         let word = cycle / self.slot_cycles / SLOTS_PER_WORD * SLOTS_PER_WORD;
         if word > self.first {
@@ -39,7 +40,7 @@ impl Calendar {
         }
     }
 
-    /// The first cycle from `cycle` on in which a free slot begins.
+    /// The first cycle, at or after `cycle`, in which a free slot begins.
     pub fn first_free(&self, cycle: u64) -> u64 {
         let wanted = cycle.div_ceil(self.slot_cycles).max(self.first) - self.first;
         let mut word = wanted / SLOTS_PER_WORD;
@@ -87,37 +88,37 @@ impl Calendar {
 mod tests {
     use super::*;
 
-    fn take_first(calendar: &mut Calendar, cycle: u64) -> u64 {
-        let begins = calendar.first_free(cycle);
-        calendar.take(begins);
+    fn take_first(table: &mut ReservationTable, cycle: u64) -> u64 {
+        let begins = table.first_free(cycle);
+        table.take(begins);
         begins
     }
 
     #[test]
     fn every_slot_is_given_once_and_gaps_are_used() {
-        let mut calendar = Calendar::new(16);
-        assert_eq!(take_first(&mut calendar, 0), 0);
-        assert_eq!(take_first(&mut calendar, 0), 16);
-        assert_eq!(take_first(&mut calendar, 100), 112);
-        assert_eq!(take_first(&mut calendar, 17), 32);
+        let mut table = ReservationTable::new(16);
+        assert_eq!(take_first(&mut table, 0), 0);
+        assert_eq!(take_first(&mut table, 0), 16);
+        assert_eq!(take_first(&mut table, 100), 112);
+        assert_eq!(take_first(&mut table, 17), 32);
         for n in 3..200 {
             let slot = if n < 7 { n * 16 } else { n * 16 + 16 };
-            assert_eq!(take_first(&mut calendar, 0), slot);
+            assert_eq!(take_first(&mut table, 0), slot);
         }
-        assert_eq!(calendar.taken_before(201 * 16, 300), 201);
-        assert_eq!(calendar.taken_before(210 * 16, 10), 1);
-        assert_eq!(calendar.taken_before(0, 10), 0);
+        assert_eq!(table.taken_before(201 * 16, 300), 201);
+        assert_eq!(table.taken_before(210 * 16, 10), 1);
+        assert_eq!(table.taken_before(0, 10), 0);
     }
 
     #[test]
     fn the_past_is_forgotten_but_not_given_again() {
-        let mut calendar = Calendar::new(16);
+        let mut table = ReservationTable::new(16);
         for _ in 0..100 {
-            take_first(&mut calendar, 0);
+            take_first(&mut table, 0);
         }
-        calendar.forget_before(16 * 70);
-        assert_eq!(take_first(&mut calendar, 0), 16 * 100);
-        calendar.forget_before(16 * 1_000_000);
-        assert_eq!(take_first(&mut calendar, 0), 16 * (1_000_000 / 64 * 64));
+        table.forget_before(16 * 70);
+        assert_eq!(take_first(&mut table, 0), 16 * 100);
+        table.forget_before(16 * 1_000_000);
+        assert_eq!(take_first(&mut table, 0), 16 * (1_000_000 / 64 * 64));
     }
 }

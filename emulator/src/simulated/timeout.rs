@@ -1,31 +1,31 @@
-//! Actors that may never act again: PPE threads between two calls, and SPEs that are loaded but
-//! not yet run.
+//! Time-outs for actors that may never act again: PPE threads between two calls, and SPEs that are
+//! loaded but not yet running.
 //!
-//! Nobody tells whether a thread that is computing, or has gone to sleep in a call of its own,
-//! will come back, so whoever waits for it waits only so long in the host's time. This is the one
-//! place where the host's time has a say. A thread that is given up joins again at its own clock
-//! when it next calls; what it then does takes effect on SPEs that are ahead of it at their
-//! clocks.
+//! The emulator can't know whether a thread that is computing, or sleeps in a system call, will
+//! call the library again. So other actors wait for it only for a limited time of the host's
+//! clock. This is the only place where the host's time matters. A thread that was given up joins
+//! again at its own clock with its next call. SPEs may be ahead of it by then, and its actions
+//! take effect at their clocks.
 
 use std::fs;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-/// How often a waiter looks after a PPE thread that holds it up. A thread that sleeps outside (in
-/// a join, say) at two looks in a row, and did not run in between, is given up.
-pub const LOOK_EVERY: Duration = Duration::from_millis(25);
-/// How long a PPE thread may compute between two calls, or an SPE that is loaded stay without a
-/// run, before it is given up.
-pub const LONGEST: Duration = Duration::from_secs(2);
+/// How often a waiting actor checks a PPE thread that delays it. The thread is given up if it is
+/// asleep at two checks in a row (in a join, for example) and did not run in between.
+pub const POLL_INTERVAL: Duration = Duration::from_millis(25);
+/// A PPE thread that computes this long between two calls, or an SPE that is loaded this long
+/// without a run, is given up.
+pub const TIME_LIMIT: Duration = Duration::from_secs(2);
 
-/// What Linux tells of a sleeping thread: how often it has gone to sleep.
+/// How often a sleeping thread has gone to sleep, according to Linux.
 type Sleep = String;
 
-/// How long to wait for an actor.
+/// The time-out of an actor.
 #[derive(Debug)]
-pub(super) struct Patience {
+pub(super) struct Timeout {
     since: Instant,
-    /// The folder of the thread in /proc.
+    /// The thread's folder in /proc.
     thread: Option<PathBuf>,
     last: Option<(Instant, Sleep)>,
 }
@@ -35,18 +35,18 @@ thread_local! {
         fs::read_link("/proc/thread-self").ok().map(|thread| PathBuf::from("/proc").join(thread));
 }
 
-impl Patience {
-    pub fn with_this_thread() -> Self {
+impl Timeout {
+    pub fn of_this_thread() -> Self {
         Self {
             since: Instant::now(),
-            // A thread that is ending is only waited for.
+            // A thread that is ending has no folder, and only the time limit applies to it.
             thread: THIS_THREAD.try_with(Clone::clone).ok().flatten(),
             last: None,
         }
     }
 
-    /// For an actor that no thread stands for yet.
-    pub fn with_nobody() -> Self {
+    /// The time-out of an actor that has no thread yet.
+    pub fn without_thread() -> Self {
         Self {
             since: Instant::now(),
             thread: None,
@@ -54,13 +54,16 @@ impl Patience {
         }
     }
 
-    pub fn is_over(&mut self) -> bool {
+    pub fn has_expired(&mut self) -> bool {
         let now = Instant::now();
-        if now.duration_since(self.since) >= LONGEST {
+        if now.duration_since(self.since) >= TIME_LIMIT {
             return true;
         }
-        let looked = self.last.as_ref().map_or(self.since, |(looked, _)| *looked);
-        if now.duration_since(looked) < LOOK_EVERY {
+        let checked = self
+            .last
+            .as_ref()
+            .map_or(self.since, |(checked, _)| *checked);
+        if now.duration_since(checked) < POLL_INTERVAL {
             return false;
         }
         let Some(sleep) = self.thread.as_deref().and_then(|thread| {
@@ -76,7 +79,7 @@ impl Patience {
     }
 }
 
-/// From a thread's `status`; `None` if it does not sleep.
+/// The count in a thread's `status`. `None` if the thread is not asleep.
 fn sleep_of(status: &str) -> Option<Sleep> {
     let field = |name| {
         let line = status.lines().find(|line| line.starts_with(name))?;
@@ -106,20 +109,20 @@ mod tests {
         let (end, ended) = mpsc::channel::<()>();
         let (tell, told) = mpsc::channel();
         let sleeper = thread::spawn(move || {
-            tell.send(Patience::with_this_thread()).unwrap();
+            tell.send(Timeout::of_this_thread()).unwrap();
             ended.recv().unwrap_err();
         });
-        let mut patience = told.recv().unwrap();
-        assert!(!patience.is_over());
+        let mut timeout = told.recv().unwrap();
+        assert!(!timeout.has_expired());
         let start = Instant::now();
-        while !patience.is_over() {
-            thread::sleep(LOOK_EVERY);
-            assert!(start.elapsed() < LONGEST);
+        while !timeout.has_expired() {
+            thread::sleep(POLL_INTERVAL);
+            assert!(start.elapsed() < TIME_LIMIT);
         }
-        let mut own = Patience::with_this_thread();
+        let mut own = Timeout::of_this_thread();
         let start = Instant::now();
-        while start.elapsed() < 8 * LOOK_EVERY {
-            assert!(!own.is_over());
+        while start.elapsed() < 8 * POLL_INTERVAL {
+            assert!(!own.has_expired());
         }
         drop(end);
         sleeper.join().unwrap();

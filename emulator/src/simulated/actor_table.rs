@@ -1,13 +1,13 @@
-//! The actors of a race and their order.
+//! The table of actors and their order.
 
 use std::collections::BTreeMap;
 use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
 use std::sync::{Arc, Condvar};
 
-use super::absence::Patience;
 use super::time::NEVER;
+use super::timeout::Timeout;
 
-/// What a sleeper can be woken by.
+/// A key on which actors sleep and by which they are woken.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct WaitKey(u64);
 
@@ -17,8 +17,8 @@ impl WaitKey {
     }
 }
 
-/// Decides between equal clocks: SPEs by number, then PPE threads in the order of their first
-/// calls.
+/// The order of actors with equal clocks: SPEs by number, then PPE threads in the order of their
+/// first calls.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Rank(u64);
 
@@ -34,38 +34,38 @@ impl Rank {
     }
 }
 
-/// What an actor shows without a lock.
+/// The part of an actor that others can read without the lock.
 #[derive(Default)]
 pub(super) struct Runner {
     pub clock: AtomicU64,
-    /// The clock from which on it may run no further without a look at the others.
+    /// The clock at which it must check the other actors before it runs on.
     pub limit: AtomicU64,
     pub called: Condvar,
 }
 
-/// Where an actor is.
+/// The state of an actor.
 pub(super) enum Status {
     Outside,
-    /// Runs, or has the turn. With patience: may never come back.
-    Free(Option<Patience>),
+    /// Runs, or has the turn. If it has a time-out, it may never act again.
+    Free(Option<Timeout>),
     Waiting {
-        /// When it acts, unless it is woken before.
+        /// When it acts, unless it is woken earlier.
         wanted: u64,
-        /// Since when it sleeps; it can't be woken to an earlier time.
+        /// When it fell asleep. It can't be woken to an earlier time.
         since: u64,
-        /// What may wake it; nothing may once it is awake.
+        /// The key that can wake it. `None` once it is awake.
         key: Option<WaitKey>,
     },
 }
 
-/// An actor, as the others see it.
+/// An actor, as the other actors see it.
 pub(super) struct Entry {
     pub runner: Arc<Runner>,
     pub status: Status,
 }
 
 impl Entry {
-    /// Its place in the race, if it is in it.
+    /// The earliest time at which it can act, if it is scheduled.
     pub fn place(&self) -> Option<u64> {
         match self.status {
             Status::Outside => None,
@@ -77,16 +77,16 @@ impl Entry {
 
 /// All actors of a machine.
 #[derive(Default)]
-pub(super) struct Race {
+pub(super) struct ActorTable {
     pub actors: BTreeMap<Rank, Entry>,
-    /// When the act that goes on, or was last, happens.
+    /// The time of the current act, or of the last one.
     pub now: u64,
     pub ppe_threads: u64,
     pub keys: u64,
-    pub absences: u64,
+    pub timeouts: u64,
 }
 
-impl Race {
+impl ActorTable {
     pub fn leader(&self) -> Option<(u64, Rank)> {
         self.actors
             .iter()
@@ -94,7 +94,7 @@ impl Race {
             .min()
     }
 
-    /// Whether `me` sleeps, and nobody else is in the race who could wake it.
+    /// Whether `me` sleeps and no other scheduled actor could wake it.
     pub fn sleeps_alone(&self, me: Rank) -> bool {
         self.actors.iter().all(|(&rank, entry)| {
             if rank == me {

@@ -1,0 +1,445 @@
+//! The scheduler: it decides which actor may act next, namely the one with the smallest clock.
+//!
+//! An actor is an SPE or a PPE thread. It is in one of three states. An outside actor is not
+//! scheduled. A free actor runs, and its clock is a lower bound of its next act. A waiting actor
+//! waits for its turn at a certain time, and another actor may wake it earlier. Invariant: an
+//! actor gets its turn only while no other free or waiting actor has a smaller (clock, rank), and
+//! it keeps the turn until it shows a larger clock. So acts never overlap, and no clock runs
+//! backwards. Data that was sent to a local store is in it as soon as all clocks have reached its
+//! arrival.
+
+use std::sync::atomic::Ordering::{Relaxed, SeqCst};
+use std::sync::atomic::{AtomicBool, AtomicU64};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+use super::actor_table::{ActorTable, Entry, Rank, Runner, Status, WaitKey};
+use super::arrivals::Arrivals;
+use super::time::NEVER;
+use super::timeout::{POLL_INTERVAL, Timeout};
+use crate::lock::lock;
+
+/// Cycles between two checks of the other actors' clocks: few enough not to delay them, and so
+/// many that the checks cost nothing.
+const CYCLES_BETWEEN_CHECKS: u64 = 1024;
+
+/// The scheduler of one machine.
+pub(crate) struct Scheduler {
+    table: Mutex<ActorTable>,
+    /// The earliest time at which an actor waits. An actor that runs past it must call the waiting
+    /// one.
+    first_wait: AtomicU64,
+    /// Whether actors not only act one at a time, but also run one at a time.
+    serial: AtomicBool,
+    /// The minimum number of cycles in which one SPU's data reaches another's local store.
+    local_store_delay: u64,
+    /// The data in flight between local stores.
+    pub arrivals: Arrivals,
+}
+
+impl Scheduler {
+    pub fn new(local_store_delay: u64) -> Self {
+        Self {
+            table: Mutex::default(),
+            first_wait: AtomicU64::default(),
+            serial: AtomicBool::default(),
+            local_store_delay,
+            arrivals: Arrivals::default(),
+        }
+    }
+
+    pub fn new_key(&self) -> WaitKey {
+        let mut table = lock(&self.table);
+        table.keys += 1;
+        WaitKey::new(table.keys)
+    }
+
+    /// How often actors stopped waiting for a PPE thread or an SPE that might still have acted.
+    pub fn timeouts(&self) -> u64 {
+        lock(&self.table).timeouts
+    }
+
+    /// From now on actors run one at a time.
+    pub fn serialise(&self) {
+        self.serial.store(true, SeqCst);
+    }
+
+    /// Moves sleepers on `key` to the cycle after the current act. In the same cycle, those with a
+    /// smaller rank would overtake it.
+    pub fn wake(&self, key: WaitKey) {
+        let mut table = lock(&self.table);
+        let now = table.now;
+        let mut woken = false;
+        for entry in table.actors.values_mut() {
+            if let Status::Waiting {
+                wanted,
+                since,
+                key: its,
+            } = &mut entry.status
+                && *its == Some(key)
+            {
+                *wanted = (now + 1).max(*since).min(*wanted);
+                *its = None;
+                woken = true;
+            }
+        }
+        if woken && self.serial.load(SeqCst) {
+            // The length of the current time slice does not consider actors that slept.
+            let soon = now + 1 + self.local_store_delay;
+            for entry in table.actors.values() {
+                entry.runner.limit.fetch_min(soon, SeqCst);
+            }
+        }
+        self.call_next(&table);
+    }
+
+    /// Publishes the time up to which actors can run without calling, then calls the first waiting
+    /// actor if it is its turn, or if the leader may never act again. The order matters: a running
+    /// actor publishes its clock before it reads this time, so at least one of the two sees the
+    /// other.
+    fn call_next(&self, table: &ActorTable) {
+        let leader = table.leader();
+        self.arrivals
+            .deliver(leader.map_or(NEVER, |(clock, _)| clock));
+        let waiting = |(&rank, entry): (&Rank, &Entry)| match entry.status {
+            Status::Waiting { wanted, .. } if wanted != NEVER => Some((wanted, rank)),
+            _ => None,
+        };
+        let first = table.actors.iter().filter_map(waiting).min();
+        self.first_wait
+            .store(first.map_or(NEVER, |(wanted, _)| wanted), SeqCst);
+        let (Some(first), Some(leader)) = (first, leader) else {
+            return;
+        };
+        let status = |rank| table.actors.get(&rank).map(|entry| &entry.status);
+        let doubtful = matches!(status(leader.1), Some(Status::Free(Some(_))));
+        if (first == leader || doubtful)
+            && let Some(entry) = table.actors.get(&first.1)
+        {
+            entry.runner.called.notify_one();
+        }
+    }
+
+    /// How far `me`, who has the turn at `now`, may run before it checks again. If actors run one
+    /// at a time, it is the earliest time at which data could arrive in its local store.
+    fn limit(&self, table: &ActorTable, me: Rank, now: u64) -> u64 {
+        let check = now + CYCLES_BETWEEN_CHECKS;
+        if !self.serial.load(SeqCst) {
+            return check;
+        }
+        let others = table.actors.iter().filter(|(rank, _)| **rank != me);
+        let sent = others.filter_map(|(_, entry)| entry.place()).min();
+        let sent = sent.map_or(NEVER, |place| place.saturating_add(self.local_store_delay));
+        check.min(sent).min(self.arrivals.next())
+    }
+
+    fn await_turn(
+        &self,
+        mut table: MutexGuard<'_, ActorTable>,
+        me: &Actor,
+        mut pause: Option<Duration>,
+    ) -> u64 {
+        self.call_next(&table);
+        loop {
+            let mut limit = None;
+            match table.leader() {
+                Some((clock, rank)) if rank == me.rank => {
+                    match pause.take_if(|_| table.sleeps_alone(rank)) {
+                        Some(left) => limit = Some(left),
+                        None => {
+                            me.runner.clock.store(clock, SeqCst);
+                            table.now = clock;
+                            table.set(rank, Status::Free(me.timeout()));
+                            self.call_next(&table);
+                            let limit = self.limit(&table, rank, clock);
+                            me.runner.limit.store(limit, SeqCst);
+                            return clock;
+                        }
+                    }
+                }
+                Some((_, rank)) => {
+                    if let Some(entry) = table.actors.get_mut(&rank)
+                        && let Status::Free(Some(timeout)) = &mut entry.status
+                    {
+                        if timeout.has_expired() {
+                            entry.status = Status::Outside;
+                            table.timeouts += 1;
+                            self.call_next(&table);
+                            continue;
+                        }
+                        limit = Some(POLL_INTERVAL);
+                    }
+                }
+                None => {}
+            }
+            let called = &me.runner.called;
+            table = match limit {
+                None => called.wait(table).unwrap_or_else(PoisonError::into_inner),
+                Some(limit) => {
+                    let woken = called.wait_timeout(table, limit);
+                    woken.unwrap_or_else(PoisonError::into_inner).0
+                }
+            };
+        }
+    }
+}
+
+/// One actor. It leaves the table when it is dropped.
+pub(crate) struct Actor {
+    scheduler: Arc<Scheduler>,
+    runner: Arc<Runner>,
+    rank: Rank,
+    is_ppe: bool,
+}
+
+impl Actor {
+    fn new(
+        scheduler: &Arc<Scheduler>,
+        rank: impl FnOnce(&mut ActorTable) -> Rank,
+        is_ppe: bool,
+        from: Option<u64>,
+    ) -> Self {
+        let runner = Arc::new(Runner {
+            clock: AtomicU64::new(from.unwrap_or(0)),
+            ..Runner::default()
+        });
+        let mut table = lock(&scheduler.table);
+        let rank = rank(&mut table);
+        let entry = Entry {
+            runner: Arc::clone(&runner),
+            status: match from {
+                Some(_) => Status::Free(Some(Timeout::of_this_thread())),
+                None => Status::Outside,
+            },
+        };
+        table.actors.insert(rank, entry);
+        drop(table);
+        Self {
+            scheduler: Arc::clone(scheduler),
+            runner,
+            rank,
+            is_ppe,
+        }
+    }
+
+    pub fn spe(scheduler: &Arc<Scheduler>, rank: Rank) -> Self {
+        Self::new(scheduler, |_| rank, false, None)
+    }
+
+    /// The calling thread as an actor. It is scheduled from the time `from` on, or is outside
+    /// until it first acts.
+    pub fn ppe(scheduler: &Arc<Scheduler>, from: Option<u64>) -> Self {
+        let next = |table: &mut ActorTable| {
+            table.ppe_threads += 1;
+            Rank::ppe(table.ppe_threads)
+        };
+        Self::new(scheduler, next, true, from)
+    }
+
+    pub fn clock(&self) -> u64 {
+        self.runner.clock.load(SeqCst)
+    }
+
+    /// PPE threads may go away without notice. A running SPE does not.
+    fn timeout(&self) -> Option<Timeout> {
+        self.is_ppe.then(Timeout::of_this_thread)
+    }
+
+    /// Schedules an outside actor again, after everything that has happened in the meantime.
+    /// Returns its clock.
+    pub fn rejoin(&self) -> u64 {
+        let mut table = lock(&self.scheduler.table);
+        let now = table.now;
+        if let Some(entry) = table.actors.get_mut(&self.rank)
+            && matches!(entry.status, Status::Outside)
+        {
+            self.runner.clock.fetch_max(now, SeqCst);
+            entry.status = Status::Free(self.timeout());
+        }
+        self.clock()
+    }
+
+    /// Waits for the turn at `clock`.
+    pub fn turn(&self, clock: u64) {
+        let clock = clock.max(self.clock());
+        let mut table = lock(&self.scheduler.table);
+        table.set(
+            self.rank,
+            Status::Waiting {
+                wanted: clock,
+                since: clock,
+                key: None,
+            },
+        );
+        self.scheduler.await_turn(table, self, None);
+    }
+
+    /// Sleeps until another actor wakes `key`, or until `limit`. Returns the time of the turn that
+    /// it then has. With `pause`, if no other actor is scheduled, that much of the host's time
+    /// passes before the clock jumps to the limit.
+    pub fn sleep(&self, key: WaitKey, limit: Option<u64>, pause: Option<Duration>) -> u64 {
+        let since = self.clock();
+        let mut table = lock(&self.scheduler.table);
+        let status = Status::Waiting {
+            wanted: limit.map_or(NEVER, |limit| limit.max(since)),
+            since,
+            key: Some(key),
+        };
+        table.set(self.rank, status);
+        self.scheduler.await_turn(table, self, pause)
+    }
+
+    /// The actor has run up to `clock`. At its limit, it lets actors that are behind go first.
+    #[inline]
+    pub fn run_up_to(&self, clock: u64) {
+        if self.is_due(clock) {
+            self.yield_to_others(clock);
+        }
+    }
+
+    /// Whether [`run_up_to`](Self::run_up_to) `clock` would let other actors go first.
+    #[inline]
+    pub fn is_due(&self, clock: u64) -> bool {
+        clock >= self.runner.limit.load(Relaxed)
+    }
+
+    /// Whether actors run one at a time.
+    #[inline]
+    pub fn is_serial(&self) -> bool {
+        self.scheduler.serial.load(SeqCst)
+    }
+
+    #[cold]
+    fn yield_to_others(&self, clock: u64) {
+        if self.is_serial() {
+            self.turn(clock);
+        } else {
+            self.progress(clock);
+        }
+    }
+
+    /// Data that was just sent may be for this actor's own local store.
+    pub fn expect_arrivals(&self) {
+        let next = self.scheduler.arrivals.next();
+        self.runner.limit.fetch_min(next, SeqCst);
+    }
+
+    /// Shows how far it has run without acting.
+    pub fn progress(&self, clock: u64) {
+        self.runner.clock.store(clock, SeqCst);
+        self.runner
+            .limit
+            .store(clock + CYCLES_BETWEEN_CHECKS, SeqCst);
+        if clock >= self.scheduler.first_wait.load(SeqCst) {
+            self.scheduler.call_next(&lock(&self.scheduler.table));
+        }
+    }
+
+    /// Is not scheduled until it asks for a turn again.
+    pub fn leave(&self) {
+        let mut table = lock(&self.scheduler.table);
+        table.set(self.rank, Status::Outside);
+        self.scheduler.call_next(&table);
+    }
+
+    /// The actor, if it is outside, will soon be scheduled at `clock`. No other actor may pass
+    /// that time before.
+    pub fn expect(&self, clock: u64) {
+        let mut table = lock(&self.scheduler.table);
+        if let Some(entry) = table.actors.get_mut(&self.rank)
+            && matches!(entry.status, Status::Outside)
+        {
+            self.runner.clock.fetch_max(clock, SeqCst);
+            entry.status = Status::Free(Some(Timeout::without_thread()));
+        }
+    }
+
+    /// Makes way for `other`, which continues at `clock` at the earliest.
+    pub fn hand_over_to(&self, other: &Self, clock: u64) {
+        let mut table = lock(&self.scheduler.table);
+        other.runner.clock.fetch_max(clock, SeqCst);
+        table.set(self.rank, Status::Outside);
+        table.set(other.rank, Status::Free(other.timeout()));
+        self.scheduler.call_next(&table);
+    }
+}
+
+impl Drop for Actor {
+    fn drop(&mut self) {
+        let mut table = lock(&self.scheduler.table);
+        table.actors.remove(&self.rank);
+        self.scheduler.call_next(&table);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::simulated::MemoryFigures;
+    use std::sync::atomic::AtomicUsize;
+    use std::thread;
+
+    /// An SPE that is scheduled at `clock`.
+    fn free(scheduler: &Arc<Scheduler>, number: u64, clock: u64) -> Actor {
+        let actor = Actor::spe(scheduler, Rank::spe(number));
+        actor.progress(clock);
+        lock(&scheduler.table).set(actor.rank, Status::Free(None));
+        actor
+    }
+
+    #[test]
+    fn acts_come_one_at_a_time_in_the_order_of_clock_and_rank() {
+        const ACTORS: u64 = 5;
+        const ACTS: u64 = 200;
+        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
+        let acts = Mutex::new(Vec::new());
+        let acting = AtomicUsize::new(0);
+        let actors: Vec<_> = (0..ACTORS).map(|n| free(&scheduler, n, 0)).collect();
+        thread::scope(|scope| {
+            for (number, actor) in (0..ACTORS).zip(actors) {
+                let (acts, acting) = (&acts, &acting);
+                scope.spawn(move || {
+                    // Steps have different lengths, with many ties.
+                    for clock in (1..=ACTS).map(|act| act * (number % 3 + 1)) {
+                        actor.turn(clock);
+                        assert_eq!(acting.fetch_add(1, SeqCst), 0);
+                        lock(acts).push((clock, number));
+                        thread::yield_now();
+                        acting.fetch_sub(1, SeqCst);
+                    }
+                });
+            }
+        });
+        let acts = acts.into_inner().unwrap();
+        assert_eq!(acts.len() as u64, ACTORS * ACTS);
+        assert!(acts.is_sorted());
+    }
+
+    #[test]
+    fn a_sleeper_wakes_after_the_act_that_wakes_it_and_not_before_it_slept() {
+        let scheduler = Arc::new(Scheduler::new(MemoryFigures::CONSOLE.local_store_delay()));
+        let key = scheduler.new_key();
+        let (early, late) = (free(&scheduler, 0, 0), free(&scheduler, 1, 0));
+        let other = free(&scheduler, 2, 0);
+        thread::scope(|scope| {
+            let first = scope.spawn(|| {
+                early.turn(10);
+                let woken = early.sleep(key, None, None);
+                early.leave();
+                woken
+            });
+            let second = scope.spawn(|| {
+                late.turn(70);
+                let timed_out = late.sleep(scheduler.new_key(), Some(90), None);
+                late.leave();
+                timed_out
+            });
+            other.turn(50);
+            scheduler.wake(key);
+            other.turn(80);
+            assert_eq!(first.join().unwrap(), 51);
+            other.turn(100);
+            assert_eq!(second.join().unwrap(), 90);
+        });
+    }
+}
