@@ -134,7 +134,7 @@ pub struct Compiler {
 
 impl Compiler {
     /// A compiler for this host; `None` if it lacks AVX2 or FMA, or gives no memory for code. With
-    /// `logs`, [`Cpu::passages`] tells which instructions have run.
+    /// `logs`, [`Cpu::log`] tells which instructions have run.
     #[must_use]
     pub fn new(estimates: Estimates, logs: bool) -> Option<Self> {
         if !host::supported() {

@@ -80,19 +80,16 @@ fn measure(name: &str, body: &[Instruction], registers: impl Fn(u32) -> u32) {
         spu
     };
     let interpreted = rate(name, &mut fresh(), |spu| spu.run(&local_store, &mut Unused));
-    print!("{name:<16} {interpreted:>7.1} million/s interpreted");
+    print!("| {name} | {interpreted:.0}");
     if let Some(translations) = Translations::new(false, false) {
         let mut runner = Runner::new(&translations);
         let compiled = rate(name, &mut fresh(), |spu| {
             let stopped = runner.run(spu, &local_store, &mut Unused, u64::MAX);
             stopped.expect("the program ends")
         });
-        print!(
-            ", {compiled:>7.1} compiled, {:>5.1} times",
-            compiled / interpreted
-        );
+        print!(" | {compiled:.0} | {:.1}", compiled / interpreted);
     }
-    println!();
+    println!(" |");
 }
 
 /// Million instructions a second.
@@ -111,6 +108,8 @@ fn rate(name: &str, spu: &mut Spu, mut run: impl FnMut(&mut Spu) -> Stopped) -> 
 
 fn main() {
     use Op::*;
+    println!("| loop | interpreted | compiled | times as fast |");
+    println!("|---|---|---|---|");
     let r = instruction;
     let near_one = |n: u32| 0x3f80_0000 + n * 0x1_2345;
     let integer = [
