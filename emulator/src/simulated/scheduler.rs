@@ -387,6 +387,7 @@ mod tests {
     use super::*;
     use crate::simulated::MemoryFigures;
     use std::sync::atomic::AtomicUsize;
+    use std::thread;
 
     /// An SPE that is scheduled at `clock`.
     fn free(scheduler: &Arc<Scheduler>, number: u64, clock: u64) -> Actor {
