@@ -110,6 +110,12 @@
 //! assert_eq!(time(slower).waits.tag, console.waits.tag + 100);
 //! ```
 
+// Without a compiler, nothing uses what the clock and the interpreter offer it.
+#![cfg_attr(
+    not(all(feature = "compiler", target_arch = "x86_64")),
+    allow(dead_code, unused_imports)
+)]
+
 pub mod channel;
 #[cfg_attr(
     not(all(feature = "compiler", target_arch = "x86_64")),
