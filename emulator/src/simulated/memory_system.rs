@@ -28,6 +28,19 @@ use crate::mfc::timing::{Atomic, Peer};
 /// The number of lines with remembered puts above which those that are over are dropped.
 const REMEMBERED_PUTS: usize = 1 << 10;
 
+impl MemoryFigures {
+    /// Tenths of a cycle for which a line is in flight: from main memory, to it, and between local
+    /// stores.
+    fn flights(&self) -> [u64; 3] {
+        [
+            (self.get_line, self.get_latency),
+            (self.put_line, self.put_latency),
+            (self.port_line, self.local_store_latency),
+        ]
+        .map(|(line, latency)| line.0 + Tenths::of_cycles(latency).0)
+    }
+}
+
 /// The direction of a transfer, as the SPU sees it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Direction {
@@ -44,6 +57,8 @@ pub(crate) struct Port {
     tables: [ReservationTable; 2],
     line: u64,
     outstanding_lines: u64,
+    /// The longest time for which a line is in flight.
+    longest_flight: u64,
 }
 
 impl Port {
@@ -54,6 +69,7 @@ impl Port {
             tables: [(); 2].map(|()| ReservationTable::new(figures.port_line.0)),
             line: figures.port_line.0,
             outstanding_lines: figures.outstanding_lines,
+            longest_flight: figures.flights().into_iter().max().unwrap_or(0),
         }
     }
 
@@ -168,13 +184,13 @@ impl MemorySystem {
         (ea, size): (u64, u32),
         (now, start): (u64, u64),
     ) -> u64 {
-        let (line, latency) = match (peer, direction) {
-            (Peer::Memory, Direction::In) => (self.figures.get_line, self.figures.get_latency),
-            (Peer::Memory, Direction::Out) => (self.figures.put_line, self.figures.put_latency),
-            (Peer::LocalStore(_), _) => (self.figures.port_line, self.figures.local_store_latency),
+        let [get, put, between_stores] = self.figures.flights();
+        let flight = match (peer, direction) {
+            (Peer::Memory, Direction::In) => get,
+            (Peer::Memory, Direction::Out) => put,
+            (Peer::LocalStore(_), _) => between_stores,
         };
-        let flight = line.0 + Tenths::of_cycles(latency).0;
-        self.forget_before(now, port, flight);
+        self.forget_before(now, port);
         if let Peer::LocalStore(base) = peer {
             let slot = self.figures.port_line.0;
             let store = self.stores.entry((base, direction as u8));
@@ -209,7 +225,7 @@ impl MemorySystem {
     }
 
     /// Drops what no request at `now` or later can meet.
-    fn forget_before(&mut self, now: u64, port: &mut Port, flight: u64) {
+    fn forget_before(&mut self, now: u64, port: &mut Port) {
         let now = Tenths::of_cycles(now).0;
         self.memory.slots.forget_before(now);
         self.rings.forget_before(now);
@@ -217,7 +233,7 @@ impl MemorySystem {
             self.puts.retain(|_, put| put.until > now);
         }
         for table in &mut port.tables {
-            table.forget_before(now.saturating_sub(flight));
+            table.forget_before(now.saturating_sub(port.longest_flight));
         }
     }
 

@@ -19,10 +19,11 @@ the emulator and on a console alike:
     cellray-bench clock --write                 writes this page and `lab/clock/model.json`
 
 [ps3.md](ps3.md#the-clock) has the command for a console. The figures of the console below were not made by these
-programs but by others' ones, mostly cellmark and SpuTest, whose patterns these programs follow. *ran*: the source's own
-program was also run in the emulator and its printed figure compared. *read*: the figure and the code that made it were
-read. Six busy SPUs on a console take 1.062 times as long as alone, because its own system takes a share; where the table
-says so, that share was taken out.
+programs but by benchmarks of others, SpuTest and cellmark among them, whose patterns these programs follow. *ran*: the
+source's own program was also run in the emulator and its printed figure compared. *read*: the figure, and the code that
+made it, were read; several of these programs were run as well, but our notes don't say which. Under the console's own
+system six busy SPUs take 1.062 times as long, because it takes a share; the figures of six SPUs at main memory are
+without that share.
 
 A test measures all rows. It fails if a row leaves its band, or if it gives another figure than this page has
 (`lab/clock/tests/bands.rs`).

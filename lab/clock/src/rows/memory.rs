@@ -1,11 +1,11 @@
 //! Rows of main memory, of puts to one line, and of atomic commands.
 
-use super::{ALL, LINE, Row, Stream, cycles, ran, read};
+use super::{ALL, LINE, Row, Stream, cycles, read};
 use crate::order::{Benchmark, GET, Measured, Order, PUT};
 use crate::spes::{ClockError, Ppe, Stores, run};
 
 /// Six busy SPUs lose a share to the console's own system: what they do takes 1.062 times as long.
-const NET: &str = "cellmark, six SPUs, without the share of 1.062 that the console's system takes";
+const NET: &str = "a benchmark on six SPUs, divided by 1.062";
 
 pub fn rows() -> Vec<Row> {
     let mut rows = vec![
@@ -13,14 +13,14 @@ pub fn rows() -> Vec<Row> {
             "put-32",
             "put of 32 B to an own line, six SPUs, from the command until it is complete",
             "cycles",
-            ran(330.0, NET, 0.05),
+            read(330.0, NET, 0.05),
             || stream(PUT, 32, 1, 3000).latency(ALL),
         ),
         Row::new(
             "put-16k-waited",
             "put of 16 KB, waited for, six SPUs: the time of a line of 128 B",
             "cycles",
-            ran(17.3, NET, 0.05),
+            read(17.3, NET, 0.05),
             || Ok(line_cycles(in_memory(stream(PUT, 16384, 1, 100), ALL)?)),
         ),
     ];
@@ -46,7 +46,7 @@ fn atomics() -> Vec<Row> {
             "put-one-line",
             "puts of 32 B by six SPUs to one line, not waited for",
             "cycles a put",
-            ran(200.0, NET, 0.05),
+            read(200.0, NET, 0.05),
             || {
                 let measured = run(ALL, Stores::Unused, Ppe::Waits, |place, _| Order {
                     opcode: PUT,
@@ -62,7 +62,7 @@ fn atomics() -> Vec<Row> {
             "putlluc",
             "putlluc of six SPUs to one line",
             "cycles a command",
-            ran(193.0, NET, 0.05),
+            read(193.0, NET, 0.05),
             || {
                 let passes = 1000;
                 let measured = on_one_line(ALL, Benchmark::Putlluc, passes)?;
@@ -73,14 +73,14 @@ fn atomics() -> Vec<Row> {
             "increment",
             "atomic increments by six SPUs: getllar and putllc until it succeeds",
             "cycles a success",
-            ran(562.0, NET, 0.05),
+            read(562.0, NET, 0.05),
             || Ok(cycles(&on_one_line(ALL, Benchmark::Increments, 6000)?) / 6000.0),
         ),
         Row::new(
             "ping-pong",
             "two SPUs that increment a line in turn",
             "cycles a bounce",
-            ran(479.0, "150 ns, two SPUs", 0.05),
+            read(479.0, "a benchmark on two SPUs: 150 ns", 0.05),
             || Ok(cycles(&on_one_line(2, Benchmark::PingPong, 4000)?) / 4000.0),
         ),
         Row::new(
