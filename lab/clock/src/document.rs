@@ -92,7 +92,8 @@ pub fn page(rows: &[Row], values: &[Value]) -> String {
     text.push_str("|---|---|---|---|---|---|---|---|---|\n");
     for (row, value) in pairs(rows, values) {
         if let Some(console) = &row.console {
-            let error = error(console, value);
+            // Without a sign of a zero.
+            let error = (10.0 * error(console, value)).round() / 10.0 + 0.0;
             // Writing to a string can't fail.
             let _ = writeln!(
                 text,
