@@ -11,8 +11,8 @@
 //!   waits for ever.
 //! - A caught signal interrupts no wait, and it ends a run only if the run raised it.
 //! - Any number of stop records may stay unread.
-//! - Stop 0x2104 (a system call by the kernel) and the C99, POSIX.1 and LIBEA callbacks have no
-//!   handlers. Such a stop is a callback error unless the program registers a handler.
+//! - Of the system calls that a console's kernel carries out for stop 0x2104, the common ones are
+//!   served, and the others fail with ENOSYS.
 //!
 //! These environment variables are read when the first context is created:
 //! - `LIBSPE2_SPES`, 1 to 16, is the number of SPEs that `spe_cpu_info_get` returns. The default
@@ -30,9 +30,7 @@
 //! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
 //!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 
-#[cfg(not(target_pointer_width = "64"))]
-compile_error!("the C layouts here are for 64-bit programs");
-
+mod builtin;
 pub mod callback;
 pub mod context;
 pub mod cpu_info;

@@ -306,6 +306,17 @@ fn callback_slots() {
     assert_fails(deregister(200), libc::ESRCH);
     assert_fails(deregister(3), libc::EACCES);
     assert_fails(deregister(256), libc::EINVAL);
+    // The library's own handlers can be found and replaced, but not removed.
+    for number in [0, 1, 5] {
+        let own = query(number);
+        assert!(!own.is_null(), "{number}");
+        assert_fails(register(number, SPE_CALLBACK_NEW), libc::EACCES);
+    }
+    assert_fails(deregister(0), libc::EACCES);
+    for number in [2, 3, 4] {
+        assert_null(query(number), libc::ESRCH);
+        assert_fails(register(number, SPE_CALLBACK_UPDATE), libc::ESRCH);
+    }
     assert_eq!(register(200, SPE_CALLBACK_NEW), 0);
     assert_fails(register(200, SPE_CALLBACK_NEW), libc::EACCES);
     assert_fails(register_null(200, SPE_CALLBACK_UPDATE), libc::EINVAL);
