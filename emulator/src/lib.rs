@@ -110,6 +110,8 @@
 //! assert_eq!(time(slower).waits.tag, console.waits.tag + 100);
 //! ```
 
+#[cfg(not(target_has_atomic = "64"))]
+mod atomic_words;
 pub mod channel;
 #[cfg_attr(
     not(all(feature = "compiler", target_arch = "x86_64")),

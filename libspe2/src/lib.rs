@@ -4,8 +4,8 @@
 //! programs. Effective addresses are addresses of the process, as on the console.
 //!
 //! It differs from the library on a PlayStation 3 in these ways:
-//! - `SPE_MAP_PS` fails with ENOTSUP, because plain loads and stores can't reach emulated
-//!   registers.
+//! - An access to a problem-state area doesn't wait until the context runs, and must be a plain
+//!   load or store of 32 bits. `SPE_MAP_PS` needs a processor of PowerPC or x86-64.
 //! - A proxy DMA command is carried out whether or not the context runs; the console's waits until
 //!   it runs. If no tag is outstanding, `spe_mfcio_tag_status_read` stores 0, where the console's
 //!   waits for ever.
@@ -42,6 +42,7 @@ pub mod image;
 mod machine;
 pub mod mailbox;
 pub mod mfc;
+mod problem_state;
 mod process_memory;
 mod report;
 pub mod run;

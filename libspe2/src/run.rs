@@ -254,6 +254,7 @@ pub unsafe extern "C" fn spe_context_run(
         };
         let outcome = loop {
             let start = registers.take();
+            context.run_state.starts();
             let stopped = context.spe.run_prepared(at, |spu| {
                 if let Some(start) = start {
                     start.set(&context, spu);
@@ -265,6 +266,7 @@ pub unsafe extern "C" fn spe_context_run(
                 Next::Return(outcome) => break outcome,
             }
         };
+        context.run_state.stops(outcome.record.spu_status, at);
         // SAFETY: the caller vouches for the pointers.
         unsafe {
             entry.write(at);

@@ -17,8 +17,8 @@ use spe2::mailbox::{
 };
 use spe2::types::{
     SPE_AFFINITY_MEMORY, SPE_CALLBACK_NEW, SPE_CALLBACK_UPDATE, SPE_CFG_SIGNOTIFY1_OR, SPE_ISOLATE,
-    SPE_ISOLATE_EMULATE, SPE_MAP_PS, SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_BLOCKING,
-    SPE_MBOX_ANY_NONBLOCKING, SPE_SIG_NOTIFY_REG_1, SPE_SIG_NOTIFY_REG_2,
+    SPE_ISOLATE_EMULATE, SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_BLOCKING, SPE_MBOX_ANY_NONBLOCKING,
+    SPE_SIG_NOTIFY_REG_1, SPE_SIG_NOTIFY_REG_2,
 };
 
 use crate::support::{Context, assert_fails, assert_null, elsewhere, last_errno};
@@ -55,7 +55,6 @@ fn null_handles_are_esrch() {
 #[test]
 fn flags_that_a_playstation_3_refuses() {
     let cases = [
-        (SPE_MAP_PS, libc::ENOTSUP),
         (SPE_ISOLATE, libc::ENODEV),
         (SPE_ISOLATE_EMULATE, libc::EINVAL),
         (SPE_AFFINITY_MEMORY, libc::EINVAL),
