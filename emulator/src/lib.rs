@@ -106,7 +106,7 @@
 //!
 //! // What if memory were 100 cycles farther away?
 //! let mut slower = Timing::default();
-//! slower.memory.memory_latency = MemoryFigures::CONSOLE.memory_latency + 100;
+//! slower.memory.get_latency = MemoryFigures::CONSOLE.get_latency + 100;
 //! assert_eq!(time(slower).waits.tag, console.waits.tag + 100);
 //! ```
 
