@@ -112,13 +112,19 @@ fn printed(body: impl FnOnce()) -> String {
     let path = folder.path().join("output");
     let file = File::create(&path).unwrap();
     // SAFETY: these calls take numbers, and NULL for all streams.
-    let saved = unsafe { libc::dup(1) };
-    unsafe { libc::fflush(ptr::null_mut()) };
-    unsafe { libc::dup2(file.as_raw_fd(), 1) };
+    let saved = unsafe {
+        libc::fflush(ptr::null_mut());
+        let saved = libc::dup(1);
+        libc::dup2(file.as_raw_fd(), 1);
+        saved
+    };
     body();
     // SAFETY: as above.
-    unsafe { libc::fflush(ptr::null_mut()) };
-    unsafe { libc::dup2(saved, 1) };
+    unsafe {
+        libc::fflush(ptr::null_mut());
+        libc::dup2(saved, 1);
+        libc::close(saved);
+    }
     fs::read_to_string(path).unwrap()
 }
 

@@ -144,7 +144,7 @@ const CALLS: &[SystemCall] = system_calls! {
 
 /// Functions that differ from the C library's.
 mod functions {
-    use libc::{c_char, c_int, c_uint};
+    use libc::{c_char, c_int, c_long, c_uint};
 
     /// # Safety
     /// As `libc::open`, with the third parameter.
@@ -160,9 +160,9 @@ mod functions {
     }
 
     /// Older C libraries have no function for it.
-    pub fn gettid() -> i64 {
+    pub fn gettid() -> c_long {
         // SAFETY: the call takes no parameters.
-        i64::from(unsafe { libc::syscall(libc::SYS_gettid) })
+        unsafe { libc::syscall(libc::SYS_gettid) }
     }
 
     pub fn kill(process: c_int, signal: c_int) -> c_int {
@@ -296,6 +296,7 @@ fn host_longs(guest: &[u8]) -> Vec<u8> {
         .collect()
 }
 
+#[allow(clippy::unnecessary_cast, reason = "a long has 32 bits on some hosts")]
 fn guest_longs(host: &[u8]) -> Vec<u8> {
     let longs = host.as_chunks().0.iter();
     longs

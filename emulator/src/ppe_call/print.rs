@@ -243,7 +243,10 @@ impl Printer<'_> {
         // nothing.
         let body = match precision {
             Some(0) if is_zero => String::new(),
-            Some(precision) => format!("{digits:0>precision$}"),
+            Some(precision) => {
+                let zeros = precision.saturating_sub(digits.len());
+                "0".repeat(zeros) + digits
+            }
             None => digits.to_owned(),
         };
         flags.zeros &= precision.is_none();

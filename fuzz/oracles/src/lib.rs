@@ -1,10 +1,12 @@
 //! The assertions of the fuzz targets, separate from the fuzzer: the tests here replay the saved
 //! seeds through the same functions.
 //!
-//! [`engines`] compares compiled code with the interpreter. In the other targets a guest runs
+//! [`engines`] compares compiled code with the interpreter, and [`calls`] makes library calls with
+//! arbitrary arguments. In the other targets a guest runs
 //! arbitrary code, and three properties must hold: nothing panics, a stop request ends the run, and
 //! the guest changes no memory that it was not given or that is read-only for it.
 
+mod calls;
 mod engines;
 #[cfg(test)]
 mod seeds;
@@ -22,6 +24,7 @@ use spu_emulator::mfc::Policy;
 use spu_emulator::spe::{Config, Spe};
 use spu_isa::{Instruction, disassemble};
 
+pub use calls::calls;
 pub use engines::engines;
 
 /// How long a guest may run. Most stop by themselves within microseconds.

@@ -5,6 +5,9 @@ use std::fs;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
+use rand::{Rng as _, SeedableRng as _};
+use rand_chacha::ChaCha8Rng;
+
 fn replay(target: &str, oracle: fn(&[u8])) {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR"))
         .join("../corpus")
@@ -41,6 +44,40 @@ fn both_engines() {
     replay("engines", |input| {
         crate::engines(input);
     });
+}
+
+/// Calls with random arguments: for a second, or for `SPU_FUZZ_SECONDS`, from `SPU_FUZZ_SEED` on.
+/// Most words are small, so that they point to the input, or are the numbers of streams.
+#[test]
+fn library_calls() {
+    let number = |name, other| std::env::var(name).map_or(other, |value| value.parse().unwrap());
+    let end = Instant::now() + Duration::from_secs(number("SPU_FUZZ_SECONDS", 1));
+    let first: u64 = number("SPU_FUZZ_SEED", 0);
+    for seed in first.. {
+        if Instant::now() > end {
+            println!("{} inputs", seed - first);
+            break;
+        }
+        let mut random = ChaCha8Rng::seed_from_u64(seed);
+        let mut input: Vec<u8> = Vec::new();
+        for _ in 0..64 {
+            input.push(random.random());
+            input.extend((0..63).map(|at| {
+                match at % 16 {
+                    0 | 1 => 0,
+                    2 => random.random_range(0..4),
+                    3 if random.random() => random.random_range(0..8),
+                    3 => random.random(),
+                    _ if random.random_ratio(1, 8) => random.random(),
+                    _ => *b"%dslc[-].*09xafn "
+                        .get(random.random_range(0..24))
+                        .unwrap_or(&0),
+                }
+            }));
+        }
+        let run = std::panic::catch_unwind(|| crate::calls(&input));
+        assert!(run.is_ok(), "SPU_FUZZ_SEED={seed} panics");
+    }
 }
 
 /// Programs that nobody has kept: for some seconds, or for `SPU_FUZZ_SECONDS`, from

@@ -7,6 +7,7 @@
 mod charges;
 mod dump;
 mod faults;
+mod gdb;
 mod hour;
 mod observe;
 mod profile;

@@ -84,6 +84,68 @@ fn registers_at_the_entry() {
     assert_eq!(own[6], "$5    ffffffff 00000000 00000000 00000000");
 }
 
+/// The exit status is the number of paths that the program could open.
+#[test]
+fn a_program_opens_only_what_it_was_given() {
+    let bench = Bench::new();
+    let root = bench.path("root");
+    std::fs::create_dir(&root).unwrap();
+    std::fs::write(root.join("given"), "").unwrap();
+    let secret = bench.write("secret", "");
+    std::os::unix::fs::symlink(&secret, root.join("absolute")).unwrap();
+    std::os::unix::fs::symlink("../secret", root.join("relative")).unwrap();
+    let secret = secret.to_str().unwrap();
+    let paths = [
+        "/given",
+        "given",
+        secret,
+        "../secret",
+        "/absolute",
+        "/relative",
+    ];
+    let mut source = "
+        .include \"runtime.inc\"
+        library mknod, 0x2101, 36
+        .type   main,@function
+main:   enter
+        il      $80,0
+        # Nor may it make a device, with which it could read a disk.
+        ila     $3,device
+        ila     $4,0x2180
+        il      $5,0x103
+        brsl    $lr,mknod
+        cgti    $3,$3,-1
+        sf      $80,$3,$80
+"
+    .to_owned();
+    let mut texts = String::new();
+    for (n, path) in paths.iter().enumerate() {
+        source += &format!(
+            "
+        ila     $3,path{n}
+        il      $4,0
+        il      $5,0
+        brsl    $lr,open
+        cgti    $3,$3,-1
+        sf      $80,$3,$80
+"
+        );
+        texts += &format!("path{n}: .asciz \"{path}\"\n");
+    }
+    source += &format!(
+        "        ori     $3,$80,0\n        leave\n        .data\n{texts}device: .asciz \"null\"\n"
+    );
+    let program = bench.assemble("opens", &source);
+    bench.run(&["--root", "root", "--dump-ls", "outside"], &program, 2);
+    assert!(bench.path("outside").exists());
+    let outcome = bench.run(&["--root", "nowhere"], &program, 127);
+    assert!(
+        outcome.error.contains("--root nowhere"),
+        "{}",
+        outcome.error
+    );
+}
+
 #[test]
 fn mailboxes_are_files() {
     let bench = Bench::new();

@@ -58,7 +58,7 @@ impl Bench {
         self.assemble("program", &source)
     }
 
-    fn assemble(&self, name: &str, source: &str) -> PathBuf {
+    pub fn assemble(&self, name: &str, source: &str) -> PathBuf {
         let sources = self.path(&format!("{name}-sources"));
         fs::create_dir_all(&sources).unwrap();
         fs::write(sources.join(format!("{name}.s")), source).unwrap();

@@ -221,3 +221,13 @@ fn an_endless_field_is_an_error() {
     let answer = guest.call(C99, 25, &[0x3_0000]);
     assert_eq!(answer, Answer::ok(1), "the library goes on");
 }
+
+/// The host's formatting has widths and precisions of 16 bits.
+#[test]
+fn large_precisions() {
+    let zeros = "0".repeat(69_999);
+    assert_eq!(print("%.70000d", &[Value::Word(7)]), format!("{zeros}7"));
+    assert_eq!(print("%.70000f", &[Value::Double(0.0)]).len(), 70_002);
+    assert_eq!(print("%70000x", &[Value::Word(7)]).len(), 70_000);
+    assert_eq!(print("%.70000a", &[Value::Double(1.0)]).len(), 70_007);
+}

@@ -25,6 +25,10 @@ pub enum RunError {
     Machine(TimingFileError),
     #[error("the arguments take {0} bytes; there is no room for them in local store")]
     Arguments(usize),
+    #[error("--root {path}: {error}")]
+    Root { path: PathBuf, error: io::Error },
+    #[error("the debugger on port {port}: {what}")]
+    Debugger { port: u16, what: String },
     #[error("can't start the thread that watches the program: {0}")]
     Thread(io::Error),
 }

@@ -23,9 +23,11 @@ use spu_reports::Figures;
 use super::arguments;
 use super::bench::Bench;
 use super::error::RunError;
+use super::gdb;
 use super::map::{HEAP_EA, IMAGE_EA, LOCAL_STORE_EA};
 use super::options::Options;
 use super::output::{json, write_file, write_text};
+use super::sandbox;
 use super::status::Status;
 use crate::failure::Failure;
 use crate::image::{instruction_text, place};
@@ -44,6 +46,8 @@ pub enum End {
     Call(CallError, u32),
     /// The instruction limit was reached at this address.
     Limit(u32),
+    /// The debugger ended it at this address.
+    Killed(u32),
     /// The program sleeps at this address, and nothing will wake it.
     Asleep(u32, &'static str),
     /// The two ways of running it, or of counting its cycles, differ, and where.
@@ -54,8 +58,10 @@ pub struct Machine {
     spe: Arc<Spe>,
     memory: Arc<RegisteredMemory>,
     library: Library,
-    entry: u32,
-    arguments: Vec<Quad>,
+    /// Where the program continues.
+    at: u32,
+    /// What the registers are before the first instruction.
+    arguments: Option<Vec<Quad>>,
 }
 
 impl Machine {
@@ -117,8 +123,8 @@ impl Machine {
             spe,
             memory,
             library: Library::new(Box::new(Process), Box::new(heap)),
-            entry: image.entry(),
-            arguments,
+            at: image.entry(),
+            arguments: Some(arguments),
         };
         machine.load_files(options)?;
         Ok(machine)
@@ -154,59 +160,116 @@ impl Machine {
     }
 
     /// Sets the registers as libspe2 does. The top of local store holds the zero back chain.
-    fn prepare(&self, spu: &mut Spu) {
+    fn prepare(&self, spu: &mut Spu, arguments: &[Quad]) {
         self.local_store().write(STACK_TOP, &[0; 16]);
         spu.set_register(1, Quad::scalar(STACK_TOP));
         spu.set_register(2, Quad::ZERO);
         spu.set_register(6, Quad::from_doublewords([LOCAL_STORE_EA, 0]));
-        for (register, &value) in (FIRST_ARGUMENT..).zip(&self.arguments) {
+        for (register, &value) in (FIRST_ARGUMENT..).zip(arguments) {
             spu.set_register(register, value);
         }
     }
 
-    /// Runs until the program ends, and handles its library calls.
+    /// Runs until the program ends, or obeys a debugger, and handles library calls.
     pub fn run(&mut self, options: &Options, image: &Image<'_>) -> Result<End, Failure> {
         let spe = Arc::clone(&self.spe);
         let mut bench = Bench::new(options, image, &spe)?;
-        let mut left = options.max_instructions.unwrap_or(u64::MAX);
-        let mut at = self.entry;
-        let mut first = true;
-        let end = loop {
-            let before = self.spe.with_spu(Spu::executed);
-            let stopped = self.spe.run_observed(at, left, &mut bench, |spu| {
-                if first {
-                    self.prepare(spu);
-                }
-            });
-            first = false;
-            self.spe.with_spu(|spu| bench.stopped(spu));
-            left -= self.spe.with_spu(Spu::executed) - before;
-            if let Some((at, difference)) = self.spe.difference() {
-                break End::Differs(difference, at);
-            }
-            let Some(stopped) = stopped else {
-                break End::Limit(self.spe.with_spu(Spu::pc));
-            };
-            match stopped.reason {
-                Stop::Signal(code @ 0x2000..=0x20ff) => break End::Exit(code as u8),
-                Stop::Signal(code @ 0x2100..=0x21ff) => {
-                    if let Err(error) = self.call(code as u8, stopped.npc, &mut bench) {
-                        break End::Call(error, stopped.pc);
-                    }
-                    at = stopped.npc.wrapping_add(CALL_WORD) & LIMIT_MASK;
-                }
-                Stop::Requested => break End::Asleep(stopped.pc, bench.why_asleep()),
-                _ => break End::Fault(stopped),
-            }
-            if left == 0 {
-                break End::Limit(at);
-            }
-        };
+        let end = sandbox::within(options.root.as_deref(), || {
+            self.run_with(options, &mut bench)
+        })??;
         if let Err(errno) = self.library.flush() {
             return Err(Failure::Output(io::Error::from_raw_os_error(errno.0)));
         }
         bench.finish()?;
         Ok(end)
+    }
+
+    fn run_with(&mut self, options: &Options, bench: &mut Bench<'_>) -> Result<End, RunError> {
+        let debugged = match options.gdb {
+            Some(port) => gdb::serve(port, self, bench)?,
+            None => None,
+        };
+        let most = options.max_instructions.unwrap_or(u64::MAX);
+        if most == 0 {
+            self.start();
+        }
+        Ok(debugged.unwrap_or_else(|| {
+            let end = self.advance(most, bench);
+            end.unwrap_or(End::Limit(self.at))
+        }))
+    }
+
+    /// Runs at most so many instructions, and handles library calls. Returns how the program
+    /// ended, if it did.
+    pub fn advance(&mut self, most: u64, bench: &mut Bench<'_>) -> Option<End> {
+        let mut left = most;
+        while left > 0 {
+            let before = self.spe.with_spu(Spu::executed);
+            let arguments = self.arguments.take();
+            let stopped = self.spe.run_observed(self.at, left, bench, |spu| {
+                if let Some(arguments) = &arguments {
+                    self.prepare(spu, arguments);
+                }
+            });
+            self.spe.with_spu(|spu| bench.stopped(spu));
+            left -= self.spe.with_spu(Spu::executed) - before;
+            if let Some((at, difference)) = self.spe.difference() {
+                return Some(End::Differs(difference, at));
+            }
+            let Some(stopped) = stopped else {
+                self.at = self.spe.with_spu(Spu::pc);
+                continue;
+            };
+            match stopped.reason {
+                Stop::Signal(code @ 0x2000..=0x20ff) => return Some(End::Exit(code as u8)),
+                Stop::Signal(code @ 0x2100..=0x21ff) => {
+                    if let Err(error) = self.call(code as u8, stopped.npc, bench) {
+                        return Some(End::Call(error, stopped.pc));
+                    }
+                    self.at = stopped.npc.wrapping_add(CALL_WORD) & LIMIT_MASK;
+                }
+                Stop::Requested => return Some(End::Asleep(stopped.pc, bench.why_asleep())),
+                _ => return Some(End::Fault(stopped)),
+            }
+        }
+        None
+    }
+
+    /// Where the program continues.
+    pub fn at(&self) -> u32 {
+        self.at
+    }
+
+    /// All registers.
+    pub fn registers(&mut self) -> [Quad; 128] {
+        self.start();
+        self.spe.with_spu(|spu| spu.registers)
+    }
+
+    /// Sets all registers, and where the program continues.
+    pub fn set_registers(&mut self, values: &[Quad; 128], pc: u32) {
+        self.start();
+        self.at = pc & LIMIT_MASK & !3;
+        self.without_running(|spu| spu.registers = *values);
+    }
+
+    /// Gives the registers their first values, if no instruction has run.
+    fn start(&mut self) {
+        if let Some(arguments) = self.arguments.take() {
+            self.without_running(|spu| self.prepare(spu, &arguments));
+        }
+    }
+
+    fn without_running(&self, change: impl FnOnce(&mut Spu)) {
+        const NO_INSTRUCTIONS: u64 = 0;
+        self.spe
+            .run_observed(self.at, NO_INSTRUCTIONS, &mut (), change);
+    }
+
+    /// The clock of simulated time.
+    pub fn cycles(&self) -> Option<u64> {
+        let report = self.spe.simulation()?.report();
+        report.spes.first().map(|spe| spe.clock)
     }
 
     fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {
@@ -281,6 +344,7 @@ impl End {
             Self::Call(error, at) => (error.to_string(), *at, Status::UnknownStop),
             Self::Limit(at) => ("instruction limit reached".into(), *at, Status::Limit),
             Self::Differs(difference, at) => (difference.clone(), *at, Status::Differs),
+            Self::Killed(at) => ("killed by the debugger".into(), *at, Status::Limit),
             Self::Asleep(at, why) => (format!("sleeps for ever: {why}"), *at, Status::Limit),
         };
         let instruction = instruction_text(store.load_word(at), at);

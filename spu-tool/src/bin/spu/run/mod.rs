@@ -3,11 +3,13 @@
 mod arguments;
 mod bench;
 mod error;
+mod gdb;
 mod machine;
 mod mailboxes;
 mod map;
 mod options;
 mod output;
+mod sandbox;
 mod sleep;
 mod statistics;
 mod status;
@@ -23,6 +25,9 @@ pub use options::Options;
 /// Runs the program to its end and returns the exit status. The output that the options ask for is
 /// written however the program ends.
 pub fn run(options: &Options) -> Result<ExitCode, Failure> {
+    if let Some(root) = &options.root {
+        sandbox::prepare(root)?;
+    }
     let bytes = image::read(&options.program)?;
     let image = image::parse(&options.program, &bytes)?;
     let mut machine = Machine::new(options, &bytes, &image)?;

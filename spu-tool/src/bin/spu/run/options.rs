@@ -88,6 +88,15 @@ pub struct Options {
     #[arg(long, conflicts_with_all = ["engine", "trace", "stats"], help_heading = "Engine")]
     pub check: bool,
 
+    /// Wait for a debugger on this port of the loopback interface and obey it: gdb's remote
+    /// protocol. 0 takes any free port
+    #[arg(long, value_name = "PORT", conflicts_with_all = ["max_instructions", "check"], help_heading = "Engine")]
+    pub gdb: Option<u16>,
+
+    /// Give the program only the files below this folder, which it finds as /. Without privileges,
+    /// this needs the kernel's user namespaces
+    #[arg(long, value_name = "DIR", help_heading = "Limits")]
+    pub root: Option<PathBuf>,
     /// Stop after this many instructions
     #[arg(long, value_name = "N", help_heading = "Limits")]
     pub max_instructions: Option<u64>,

@@ -19,7 +19,7 @@ const TEXT: usize = 28;
 pub struct Trace<'a> {
     image: &'a Image<'a>,
     path: PathBuf,
-    output: BufWriter<Box<dyn Write>>,
+    output: BufWriter<Box<dyn Write + Send>>,
     /// The last instruction. Its result can be seen once it has run.
     line: Option<(String, Instruction)>,
     result: io::Result<()>,
@@ -28,7 +28,7 @@ pub struct Trace<'a> {
 impl<'a> Trace<'a> {
     /// Opens a file, or else standard error.
     pub fn open(path: Option<&Path>, image: &'a Image<'a>) -> Result<Self, Failure> {
-        let output: Box<dyn Write> = match path {
+        let output: Box<dyn Write + Send> = match path {
             Some(path) => Box::new(File::create(path).map_err(Failure::file(path))?),
             None => Box::new(io::stderr()),
         };
