@@ -408,6 +408,7 @@ mod tests {
         FrameStatistics {
             spus: ticks.map(spu).into(),
             tiles_retained: 3,
+            ..FrameStatistics::default()
         }
     }
 

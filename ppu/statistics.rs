@@ -95,6 +95,10 @@ pub struct FrameStatistics {
     pub spus: Vec<SpuStatistics>,
     /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub tiles_retained: u64,
+    /// Tiles that were left for the next frame, because only so many were to be traced.
+    pub tiles_left: u64,
+    /// Whether the frame only added tiles that the frame before it had left.
+    pub continues: bool,
 }
 
 impl FrameStatistics {
@@ -105,6 +109,8 @@ impl FrameStatistics {
         self.spus
             .extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
         self.tiles_retained = size.tiles_retained;
+        self.tiles_left = size.tiles_left;
+        self.continues = size.continues;
     }
 
     /// The number of primary rays of all SPUs.

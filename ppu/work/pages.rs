@@ -1,7 +1,8 @@
 //! The contents of the framebuffer's pages, so that unchanged tiles are not traced again.
 //!
-//! Invariant: a page's contents are known only while it shows a complete frame. From the moment
-//! that SPUs may write to it until the next frame is complete, nothing is assumed about it.
+//! Invariant: a page's contents are known only while no SPU may write to it. From the moment that
+//! SPUs may write to it until the frame is done, nothing is assumed about it. After that it shows
+//! the frame, except in the tiles that were left out.
 
 use nff::Camera;
 
@@ -37,9 +38,10 @@ struct Place {
 
 struct Page {
     place: Place,
-    /// Whether it shows all of `shown`.
-    is_complete: bool,
+    /// Whether it shows `shown`, except in the tiles of `missing`.
+    is_known: bool,
     shown: Snapshot,
+    missing: TileSet,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
@@ -51,7 +53,8 @@ impl Pages {
     }
 
     /// Finds the tiles in which a page's contents differ from the frame that it will show. The
-    /// page's contents then count as unknown until [`Pages::close`].
+    /// page's contents then count as unknown until [`Pages::close`]. Returns whether that frame
+    /// continues the page's last one: only tiles that were left out then are different.
     pub fn open(
         &mut self,
         target: &Target,
@@ -59,7 +62,7 @@ impl Pages {
         camera: &Camera,
         projection: &Projection,
         changed: &mut TileSet,
-    ) {
+    ) -> bool {
         let place = Place {
             address: target.base.as_ptr().addr(),
             stride: target.stride,
@@ -77,16 +80,20 @@ impl Pages {
             self.pages.len() - 1
         });
         let page = &mut self.pages[self.open];
-        if !page.is_complete || !page.shown.has_background_of(&self.to_show) {
+        if !page.is_known || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
-        if page.is_complete {
+        let mut continues = false;
+        if page.is_known {
             self.to_show.changes(&page.shown, projection, changed);
+            continues = changed.numbers().is_empty();
+            changed.add_set(&page.missing);
         } else {
             changed.add_all();
         }
-        page.is_complete = false;
+        page.is_known = false;
         std::mem::swap(&mut page.shown, &mut self.to_show);
+        continues
     }
 
     /// The tiles that show only the background, in the page that was opened last.
@@ -94,10 +101,12 @@ impl Pages {
         self.pages.get(self.open).map(|page| &page.blank)
     }
 
-    /// Records that the page that was opened last shows its frame. `costs` are those of `units`.
-    pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost]) {
+    /// Records that the page that was opened last shows its frame, except in the tiles of
+    /// `missing`. `costs` are those of `units`.
+    pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost], missing: &mut TileSet) {
         if let Some(page) = self.pages.get_mut(self.open) {
-            page.is_complete = true;
+            page.is_known = true;
+            std::mem::swap(&mut page.missing, missing);
             for (tile, cost) in units::tiles_and_costs(units, costs) {
                 page.blank.set(tile, cost & TILE_BLANK != 0);
             }
@@ -109,8 +118,9 @@ impl Page {
     fn new(place: Place) -> Self {
         Self {
             place,
-            is_complete: false,
+            is_known: false,
             shown: Snapshot::default(),
+            missing: TileSet::default(),
             blank: TileSet::default(),
         }
     }

@@ -22,6 +22,8 @@ pub(crate) struct Plan {
     units: Units,
     pages: Pages,
     tiles: TileSet,
+    /// The tiles that this frame leaves out.
+    missing: TileSet,
     costs: TileCosts,
     size: Size,
     keeps: bool,
@@ -34,6 +36,10 @@ pub(crate) struct Size {
     pub pixels: u64,
     /// The number of tiles that need no tracing, because the page shows them already.
     pub tiles_retained: u64,
+    /// The number of tiles that are left for the next frame.
+    pub tiles_left: u64,
+    /// Whether the frame only adds tiles that the last one left out.
+    pub continues: bool,
     /// The number of spheres that are not sent, because the picture can't show them.
     pub spheres_unseen: u64,
 }
@@ -47,11 +53,16 @@ impl Plan {
         if !self.keeps {
             self.pages.forget();
         }
-        self.pages
+        let continues = self
+            .pages
             .open(target, scene, camera, &projection, &mut self.tiles);
         if !policy.retain {
             self.tiles.add_all();
         }
+        let most = policy.most_tiles.filter(|_| policy.retain);
+        let most = most.map_or(usize::MAX, |most| most as usize);
+        self.tiles.keep_first(most, &mut self.missing);
+        let tiles_left = self.missing.numbers().len() as u64;
         self.spheres
             .cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = self.tiles.numbers();
@@ -65,7 +76,9 @@ impl Plan {
                 .iter()
                 .map(|&tile| u64::from(tile_pixels(geometry, tile)))
                 .sum(),
-            tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64,
+            tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,
+            tiles_left,
+            continues,
             spheres_unseen: (scene.spheres().len() - self.spheres.records().len()) as u64,
         };
     }
@@ -74,7 +87,8 @@ impl Plan {
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
         if self.keeps {
-            self.pages.close(self.units.lines(), costs);
+            self.pages
+                .close(self.units.lines(), costs, &mut self.missing);
         }
     }
 

@@ -43,6 +43,24 @@ impl TileSet {
         self.wanted.fill(true);
     }
 
+    /// Adds the tiles of another set.
+    pub fn add_set(&mut self, other: &Self) {
+        for (wanted, other) in self.wanted.iter_mut().zip(&other.wanted) {
+            *wanted |= other;
+        }
+    }
+
+    /// Keeps at most the first `most` tiles. The others are moved to `rest`.
+    pub fn keep_first(&mut self, most: usize, rest: &mut Self) {
+        rest.geometry = self.geometry;
+        rest.wanted.clear();
+        rest.wanted.resize(self.wanted.len(), false);
+        let wanted = self.wanted.iter_mut().zip(&mut rest.wanted);
+        for (wanted, rest) in wanted.filter(|(wanted, _)| **wanted).skip(most) {
+            (*wanted, *rest) = (false, true);
+        }
+    }
+
     /// Adds a tile, or removes it.
     pub fn set(&mut self, tile: u32, wanted: bool) {
         if let Some(is_wanted) = self.wanted.get_mut(tile as usize) {
@@ -126,6 +144,11 @@ mod tests {
             tiles.add(&Rectangle { x, y });
             assert_eq!(tiles.numbers(), expected);
         }
+        let mut rest = TileSet::default();
+        tiles.keep_first(3, &mut rest);
+        assert_eq!((tiles.numbers(), rest.numbers()), (&[1, 5, 9][..], &[13][..]));
+        tiles.add_set(&rest);
+        assert_eq!(tiles.numbers(), [1, 5, 9, 13]);
         tiles.add_all();
         assert_eq!(tiles.numbers().len(), 16);
         tiles.add(&Rectangle { x: 0..0, y: 0..0 });
