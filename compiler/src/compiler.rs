@@ -1,4 +1,4 @@
-//! Makes units of traces, and keeps their code.
+//! Compiles traces to units, and owns the code cache.
 
 use std::sync::{Arc, Mutex, PoisonError};
 
@@ -11,53 +11,54 @@ use cranelift_module::{Module, ModuleError, default_libcall_names};
 
 use crate::cpu::{Cpu, Exit};
 use crate::emit::{self, Emitter, field};
+use crate::float_mode::FloatMode;
 use crate::host;
 use crate::tables::Estimates;
 use crate::trace::Trace;
-use crate::way::Way;
 
-/// The error is large, and rare.
-type Made<T> = Result<T, Box<ModuleError>>;
+/// The error is boxed because it is large and rare.
+type BuildResult<T> = Result<T, Box<ModuleError>>;
 
-/// Bytes of code at most. With the traces, and with the tables of six SPEs, that is less than
-/// 32 MiB.
-const CODE_BYTES: usize = 14 << 20;
-/// Units at most; beside its code each takes some 6 KiB.
-const UNITS: usize = 2048;
+/// The size of the code cache in bytes. Together with the traces and the tables of six SPEs it
+/// takes less than 32 MiB.
+const MAX_CODE_BYTES: usize = 14 << 20;
+/// The most units. Each takes some 6 KiB in addition to its code.
+const MAX_UNITS: usize = 2048;
 
-/// The code of all units, and what stands around it.
-pub(crate) struct Code {
+/// The code of all units, with the trampoline that enters it and the stub that leaves it.
+pub(crate) struct CodeCache {
     module: Mutex<Option<JITModule>>,
     trampoline: *const u8,
-    leave: *const u8,
+    exit_stub: *const u8,
 }
 
-// SAFETY: the pointers lead to code, which is never changed once it is there.
-unsafe impl Send for Code {}
+// SAFETY: the pointers lead to code, which never changes after it was written.
+unsafe impl Send for CodeCache {}
 // SAFETY: as above.
-unsafe impl Sync for Code {}
+unsafe impl Sync for CodeCache {}
 
-impl Code {
-    /// What takes the System V arguments registers, local store, context, target.
+impl CodeCache {
+    /// A System V function that calls a unit. Its arguments are registers, local store, context,
+    /// target.
     pub fn trampoline(&self) -> *const u8 {
         self.trampoline
     }
 
-    /// What stands in a table where there is no unit.
-    pub fn leave(&self) -> *const u8 {
-        self.leave
+    /// The code that leaves compiled code. Tables hold it for every address without a unit.
+    pub fn exit_stub(&self) -> *const u8 {
+        self.exit_stub
     }
 }
 
-impl Drop for Code {
+impl Drop for CodeCache {
     fn drop(&mut self) {
         let module = self
             .module
             .get_mut()
             .unwrap_or_else(PoisonError::into_inner);
         if let Some(module) = module.take() {
-            // SAFETY: whoever has a pointer to code, a `Unit` or a `Cpu`, has a reference to this
-            // value as well, and there is none any more.
+            // SAFETY: every `Unit` and `Cpu` with a pointer to code also has a reference to this
+            // value, and the last reference is gone.
             unsafe { module.free_memory() };
         }
     }
@@ -67,11 +68,11 @@ impl Drop for Code {
 pub struct Unit {
     number: u32,
     trace: Trace,
-    way: Way,
-    /// Whether it has arithmetic that may fail in singles.
-    floats: bool,
+    mode: FloatMode,
+    /// Whether it contains arithmetic that may fail in singles.
+    has_floats: bool,
     entry: *const u8,
-    code: Arc<Code>,
+    code: Arc<CodeCache>,
 }
 
 // SAFETY: the pointer leads to code, which is never changed.
@@ -80,61 +81,61 @@ unsafe impl Send for Unit {}
 unsafe impl Sync for Unit {}
 
 impl Unit {
-    /// Its number: units are counted from 0.
+    /// The unit's number, counted from 0.
     #[must_use]
     pub fn number(&self) -> u32 {
         self.number
     }
 
-    /// What it was made of.
+    /// The trace that it was compiled from.
     #[must_use]
     pub fn trace(&self) -> &Trace {
         &self.trace
     }
 
-    /// Where it starts.
+    /// The address of its first instruction.
     #[must_use]
     pub fn start(&self) -> u32 {
         self.trace.start()
     }
 
-    /// How it does arithmetic.
+    /// How it computes floating-point arithmetic.
     #[must_use]
-    pub fn way(&self) -> Way {
-        self.way
+    pub fn mode(&self) -> FloatMode {
+        self.mode
     }
 
-    /// Whether the [`Way`] makes a difference.
+    /// Whether it contains arithmetic to which the [`FloatMode`] makes a difference.
     #[must_use]
-    pub fn floats(&self) -> bool {
-        self.floats
+    pub fn has_floats(&self) -> bool {
+        self.has_floats
     }
 
     pub(crate) fn entry(&self) -> *const u8 {
         self.entry
     }
 
-    pub(crate) fn code_owner(&self) -> &Arc<Code> {
+    pub(crate) fn code_owner(&self) -> &Arc<CodeCache> {
         &self.code
     }
 }
 
-/// Makes units.
+/// Compiles traces to units.
 pub struct Compiler {
-    code: Arc<Code>,
+    code: Arc<CodeCache>,
     estimates: Estimates,
-    /// Whether units write down each passage through them.
+    /// Whether units log each passage through them.
     logs: bool,
     units: u32,
-    /// There was no room for a unit: there won't be for others.
+    /// Whether the code cache had no room for a unit. Then no other is tried.
     full: bool,
     context: Context,
     builder: FunctionBuilderContext,
 }
 
 impl Compiler {
-    /// A compiler for this host; `None` if it lacks AVX2 or FMA, or gives no memory for code. With
-    /// `logs`, [`Cpu::log`] tells which instructions have run.
+    /// Creates a compiler for this host. Returns `None` if the host lacks AVX2 or FMA, or provides
+    /// no memory for code. With `logs`, [`Cpu::log`] tells which instructions have run.
     #[must_use]
     pub fn new(estimates: Estimates, logs: bool) -> Option<Self> {
         if !host::supported() {
@@ -143,30 +144,30 @@ impl Compiler {
         Self::build(estimates, logs).ok()
     }
 
-    fn build(estimates: Estimates, logs: bool) -> Made<Self> {
-        // The order of float operations and of looks at their flags is that of the code given: the
-        // optimiser might move one behind the other.
+    fn build(estimates: Estimates, logs: bool) -> BuildResult<Self> {
+        // No optimisation: the optimiser might move float operations past the reads of their
+        // exception flags.
         let flags = [
             ("opt_level", "none"),
             ("enable_probestack", "false"),
-            // Tail calls want them.
+            // Tail calls require frame pointers.
             ("preserve_frame_pointers", "true"),
             ("unwind_info", "false"),
             ("enable_verifier", "false"),
         ];
         let mut builder = JITBuilder::with_flags(&flags, default_libcall_names())?;
-        let arena = ArenaMemoryProvider::new_with_size(CODE_BYTES)
+        let arena = ArenaMemoryProvider::new_with_size(MAX_CODE_BYTES)
             .map_err(|error| ModuleError::Backend(error.into()))?;
         builder.memory_provider(Box::new(arena));
         let mut module = JITModule::new(builder);
         let mut context = module.make_context();
         let mut functions = FunctionBuilderContext::new();
         let trampoline = build_trampoline(&mut module, &mut context, &mut functions)?;
-        let leave = build_leave(&mut module, &mut context, &mut functions)?;
-        let code = Code {
+        let exit_stub = build_exit_stub(&mut module, &mut context, &mut functions)?;
+        let code = CodeCache {
             module: Mutex::new(Some(module)),
             trampoline,
-            leave,
+            exit_stub,
         };
         Ok(Self {
             code: Arc::new(code),
@@ -179,15 +180,15 @@ impl Compiler {
         })
     }
 
-    /// An SPU that can run units of this compiler.
+    /// Creates an SPU that can run units of this compiler.
     #[must_use]
     pub fn new_cpu(&self) -> Cpu {
-        Cpu::new(Arc::clone(&self.code), UNITS, self.logs)
+        Cpu::new(Arc::clone(&self.code), MAX_UNITS, self.logs)
     }
 
-    /// Makes a unit; `None` if there is no room for it.
-    pub fn compile(&mut self, trace: Trace, way: Way) -> Option<Unit> {
-        if self.full || self.units as usize == UNITS {
+    /// Compiles a trace. Returns `None` if there is no room for another unit.
+    pub fn compile(&mut self, trace: Trace, mode: FloatMode) -> Option<Unit> {
+        if self.full || self.units as usize == MAX_UNITS {
             return None;
         }
         let mut module = self
@@ -198,8 +199,15 @@ impl Compiler {
         let module = module.as_mut()?;
         self.context.func.signature = emit::unit_signature();
         let function = FunctionBuilder::new(&mut self.context.func, &mut self.builder);
-        let floats = Emitter::new(function, &trace, way, self.estimates, self.units, self.logs)
-            .emit(&trace, module.target_config());
+        let has_floats = Emitter::new(
+            function,
+            &trace,
+            mode,
+            self.estimates,
+            self.units,
+            self.logs,
+        )
+        .emit(&trace, module.target_config());
         let entry = define(module, &mut self.context);
         self.full = entry.is_err();
         let entry = entry.ok()?;
@@ -208,16 +216,16 @@ impl Compiler {
         Some(Unit {
             number,
             trace,
-            way,
-            floats,
+            mode,
+            has_floats,
             entry,
             code: Arc::clone(&self.code),
         })
     }
 }
 
-/// The function in `context` as code. Leaves the context empty.
-fn define(module: &mut JITModule, context: &mut Context) -> Made<*const u8> {
+/// Compiles the function in `context`, and returns its code's address. Clears the context.
+fn define(module: &mut JITModule, context: &mut Context) -> BuildResult<*const u8> {
     let id = module.declare_anonymous_function(&context.func.signature)?;
     let defined = module.define_function(id, context);
     module.clear_context(context);
@@ -230,7 +238,7 @@ fn build_trampoline(
     module: &mut JITModule,
     context: &mut Context,
     functions: &mut FunctionBuilderContext,
-) -> Made<*const u8> {
+) -> BuildResult<*const u8> {
     let mut signature = Signature::new(CallConv::SystemV);
     signature.params.extend([AbiParam::new(types::I64); 4]);
     signature.returns.push(AbiParam::new(types::I64));
@@ -255,11 +263,11 @@ fn build_trampoline(
     define(module, context)
 }
 
-fn build_leave(
+fn build_exit_stub(
     module: &mut JITModule,
     context: &mut Context,
     functions: &mut FunctionBuilderContext,
-) -> Made<*const u8> {
+) -> BuildResult<*const u8> {
     context.func.signature = emit::unit_signature();
     let mut b = FunctionBuilder::new(&mut context.func, functions);
     let block = b.create_block();

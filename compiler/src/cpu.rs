@@ -3,22 +3,22 @@
 use std::ptr;
 use std::sync::Arc;
 
-use crate::compiler::{Code, Unit};
+use crate::compiler::{CodeCache, Unit};
 use crate::host::{self, Context};
 
-/// Words of local store: places where a unit can start.
-const PLACES: usize = spu_isa::LOCAL_STORE_SIZE as usize / 4;
+/// The number of words in local store. A unit can start at each of them.
+const LOCAL_STORE_WORDS: usize = spu_isa::LOCAL_STORE_SIZE as usize / 4;
 
-/// Why compiled code was left.
+/// Why compiled code ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Exit {
-    /// No unit starts where the SPU is, or the budget does not suffice for the one that does.
+    /// No unit starts at the program counter, or its trace is longer than the rest of the budget.
     Left,
-    /// The next instruction is the interpreter's.
+    /// The interpreter must run the next instruction.
     Interpret,
-    /// The unit of this number can't go on from where the SPU is: the interpreter has to.
+    /// The unit with this number can't continue at the program counter: the interpreter must.
     Failed(u32),
-    /// Local store no longer has the code of the unit of this number, which did nothing.
+    /// Local store no longer holds the code of the unit with this number. The unit did nothing.
     Stale(u32),
 }
 
@@ -29,16 +29,18 @@ impl Exit {
     pub(crate) const STALE: u32 = 3;
 }
 
-/// A passage through a unit: its first instructions, up to where it was left or went round.
+/// A passage through a unit: how many of its instructions ran until it was left, or until its
+/// loop returned to the start.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Passage {
     /// The unit's number.
     pub unit: u32,
-    /// Instructions that have run, at least 1.
+    /// The number of instructions that ran, at least 1.
     pub count: u32,
 }
 
-/// Bits of a passage's word for the count, which is at most [`MOST_STEPS`](crate::MOST_STEPS).
+/// The bits of a passage's word that hold the count, which is at most
+/// [`MAX_STEPS`](crate::MAX_STEPS).
 const COUNT_BITS: u32 = 8;
 
 impl Passage {
@@ -46,12 +48,12 @@ impl Passage {
         Self { unit, count }
     }
 
-    /// As it stands in the log.
+    /// Encodes it as a word of the log.
     pub(crate) const fn to_word(self) -> u32 {
         self.unit << COUNT_BITS | self.count
     }
 
-    /// From a word of [`Cpu::log`].
+    /// Decodes it from a word of [`Cpu::log`].
     #[must_use]
     pub const fn from_word(word: u32) -> Self {
         Self {
@@ -61,37 +63,38 @@ impl Passage {
     }
 }
 
-/// What compiled code works on, each as it lies in memory.
+/// The memory that compiled code works on.
 #[derive(Clone, Copy, Debug)]
 pub struct Storage {
-    /// 128 quadwords, aligned to 16 bytes; in each the preferred word first, in the host's order.
+    /// 128 quadwords, aligned to 16 bytes. In each, the preferred word is first, and each word is
+    /// in the host's byte order.
     pub registers: *mut u8,
-    /// 256 KB, aligned to 16 bytes; in the SPU's order.
+    /// 256 KB, aligned to 16 bytes, in the SPU's byte order.
     pub local_store: *mut u8,
 }
 
-/// Which units one SPU runs, and where it is between them.
+/// The units that one SPU runs, and its state between them.
 pub struct Cpu {
     context: Box<Context>,
     table: Box<[*const u8]>,
     entries: Box<[u32]>,
     log: Vec<u32>,
     logs: bool,
-    // What the table points into.
-    code: Arc<Code>,
+    // Keeps the code alive that the table points to.
+    code: Arc<CodeCache>,
 }
 
-// SAFETY: the pointers lead into what the value owns, and into code that is never changed and that
-// `code` keeps.
+// SAFETY: the pointers lead to memory that the value owns, and to code that never changes and that
+// `code` keeps alive.
 unsafe impl Send for Cpu {}
 
 impl Cpu {
-    pub(crate) fn new(code: Arc<Code>, units: usize, logs: bool) -> Self {
-        let mut table = vec![code.leave(); PLACES].into_boxed_slice();
+    pub(crate) fn new(code: Arc<CodeCache>, units: usize, logs: bool) -> Self {
+        let mut table = vec![code.exit_stub(); LOCAL_STORE_WORDS].into_boxed_slice();
         let mut entries = vec![0; units].into_boxed_slice();
         let context = Box::new(Context {
             fpscr: [0; 4],
-            unread: [0; 4],
+            sink: [0; 4],
             table: table.as_mut_ptr().cast_const(),
             entries: entries.as_mut_ptr(),
             log: ptr::null_mut(),
@@ -111,52 +114,51 @@ impl Cpu {
         }
     }
 
-    /// What the last [`enter`](Self::enter) ran, if the compiler's units write it down: for each
-    /// [`Passage`] a word, followed by the targets of the hints by a register among its
-    /// instructions.
+    /// The instructions that the last [`enter`](Self::enter) ran, if the compiler's units log
+    /// them. Each [`Passage`] takes one word, and the targets of its hints by register follow it.
     #[must_use]
     pub fn log(&self) -> &[u32] {
         &self.log
     }
 
-    /// Whether some unit is to run at `pc`.
+    /// Whether a unit is installed at `pc`.
     #[inline]
     #[must_use]
-    pub fn has(&self, pc: u32) -> bool {
-        self.table[pc as usize / 4 % PLACES] != self.code.leave()
+    pub fn has_unit(&self, pc: u32) -> bool {
+        self.table[pc as usize / 4 % LOCAL_STORE_WORDS] != self.code.exit_stub()
     }
 
-    /// From now on `unit` runs where it starts.
+    /// Installs `unit` at its start address.
     ///
     /// # Panics
     ///
-    /// If the unit is of another compiler.
+    /// If another compiler made the unit.
     pub fn install(&mut self, unit: &Unit) {
         assert!(
             Arc::ptr_eq(unit.code_owner(), &self.code),
-            "a unit of another compiler"
+            "the unit is from another compiler"
         );
-        self.table[unit.start() as usize / 4 % PLACES] = unit.entry();
+        self.table[unit.start() as usize / 4 % LOCAL_STORE_WORDS] = unit.entry();
     }
 
-    /// From now on nothing runs at `pc`.
+    /// Removes the unit at `pc`, if there is one.
     pub fn remove(&mut self, pc: u32) {
-        self.table[pc as usize / 4 % PLACES] = self.code.leave();
+        self.table[pc as usize / 4 % LOCAL_STORE_WORDS] = self.code.exit_stub();
     }
 
-    /// How often the unit of this number was entered, each time round a loop counted.
+    /// How often the unit with this number was entered. Every iteration of a loop counts.
     #[must_use]
     pub fn entries(&self, unit: u32) -> u32 {
         self.entries[unit as usize]
     }
 
-    /// Runs units from `pc` on, at most `budget` instructions. Gives why it ended, where the SPU
-    /// is, and how many instructions ran.
+    /// Runs units from `pc` on, at most `budget` instructions. Returns why it ended, the program
+    /// counter, and how many instructions ran.
     ///
     /// # Safety
     ///
-    /// `storage` is as [`Storage`] says, valid during the call, and `registers` reached by nobody
-    /// else. Others may reach local store, as peers of an SPU do.
+    /// `storage` must be as [`Storage`] describes and valid during the call. Nobody else may
+    /// access `registers`. Others may access local store, as the PPE and other SPEs do.
     pub unsafe fn enter(
         &mut self,
         storage: Storage,
@@ -164,20 +166,21 @@ impl Cpu {
         pc: u32,
         budget: u32,
     ) -> (Exit, u32, u32) {
-        let target = self.table[pc as usize / 4 % PLACES];
+        let target = self.table[pc as usize / 4 % LOCAL_STORE_WORDS];
         let context = &mut *self.context;
         context.fpscr = *fpscr;
         context.pc = pc;
         context.budget = i64::from(budget);
         if self.logs {
-            // A passage takes a word, and one more for each hint, and has run as many instructions.
+            // A passage takes one word, and one more for each hint. It runs at least one
+            // instruction, and hints are instructions too, so 2 words an instruction suffice.
             self.log.clear();
             self.log.reserve(2 * budget as usize);
             context.log = self.log.as_mut_ptr();
         }
-        // SAFETY: the trampoline is this compiler's, as is the target: the table has nothing else.
-        // The context points to this value's own boxes, and to a log with room for all that the
-        // budget lets run. The caller vouches for the storage.
+        // SAFETY: the trampoline and the target belong to this compiler, because the table holds
+        // no other code. The context points to this value's own boxes, and to a log that has room
+        // for every instruction of the budget. The caller guarantees the storage.
         let status = unsafe {
             host::call(
                 self.code.trampoline(),

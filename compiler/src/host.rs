@@ -1,48 +1,50 @@
-//! The host's side of compiled code: its floating-point control register, and the way in.
+//! The host's side of compiled code: its floating-point control register, and the call that enters
+//! compiled code.
 
 use std::arch::{asm, naked_asm};
 use std::mem::offset_of;
 
-/// Round toward zero, flush tiny results to zero, take denormal operands as they are, mask all
-/// exceptions; no exception has happened.
+/// The control register for compiled code: round toward zero, flush tiny results to zero, keep
+/// denormal operands, mask all exceptions. Its exception flags are clear.
 const MXCSR: u32 = 0xff80;
 
-/// Exceptions after which the host's results are not an SPU's: invalid, denormal operand,
-/// overflow, underflow. Inexact is what truncation is for, and nothing here divides.
+/// The exceptions after which the host's result may differ from an SPU's: invalid, denormal
+/// operand, overflow, underflow. Inexact results are truncated, as on an SPU, and compiled code
+/// has no divisions.
 pub(crate) const EXCEPTIONS: u32 = 0x1b;
 
-/// What compiled code and those who enter it share.
+/// The data that compiled code shares with its caller.
 #[repr(C, align(16))]
 pub(crate) struct Context {
     /// The SPU's FPSCR.
     pub fpscr: [u32; 4],
-    /// Where results go that nobody reads, so that they are computed.
-    pub unread: [u32; 4],
-    /// Code by word address.
+    /// A sink for results that nobody reads. Storing them here makes sure that they are computed.
+    pub sink: [u32; 4],
+    /// For each word of local store, the code to run there.
     pub table: *const *const u8,
-    /// How often each unit was entered, by its number.
+    /// How often each unit was entered, by unit number.
     pub entries: *mut u32,
-    /// Where the next passage through a unit is written down, if passages are.
+    /// Where the next passage through a unit is logged, if passages are logged.
     pub log: *mut u32,
-    /// Instructions that may still run.
+    /// The number of instructions that may still run.
     pub budget: i64,
-    /// Where the SPU is.
+    /// The SPU's program counter.
     pub pc: u32,
-    /// The unit that left, if it was one that failed or was stale.
+    /// The number of the unit that failed or was stale.
     pub unit: u32,
-    /// The host's control register, as compiled code looked at it last.
+    /// The host's control register, as compiled code last read it.
     pub mxcsr: u32,
-    /// The same as it has to be outside.
+    /// The host's control register outside compiled code.
     pub host_mxcsr: u32,
 }
 
-/// Whether compiled code can run here.
+/// Whether compiled code can run on this host.
 pub(crate) fn supported() -> bool {
     is_x86_feature_detected!("avx2") && is_x86_feature_detected!("fma")
 }
 
 /// Stores the host's control register in the [`Context`] that `rdi` points to. Compiled code calls
-/// it with the convention that preserves all registers.
+/// it with the calling convention that preserves all registers.
 #[unsafe(naked)]
 pub(crate) extern "C" fn read_mxcsr() {
     naked_asm!(
@@ -52,14 +54,14 @@ pub(crate) extern "C" fn read_mxcsr() {
     )
 }
 
-/// Calls `trampoline`, with the host's control register as compiled code needs it; gives what it
-/// returns.
+/// Calls `trampoline` with the host's control register set for compiled code, and returns its
+/// result.
 ///
 /// # Safety
 ///
-/// `trampoline` is the compiler's, which takes these five arguments as System V has it; `context`
-/// and what it points to are valid for the call, `registers` for 128 quadwords and `local_store`
-/// for 256 KB; `target` is a unit's code or the leaving one's.
+/// `trampoline` must be the compiler's, which takes the other four arguments by the System V
+/// convention. `context` and all that it points to must be valid for the call, `registers` for 128
+/// quadwords and `local_store` for 256 KB. `target` must be the code of a unit or the exit stub.
 pub(crate) unsafe fn call(
     trampoline: *const u8,
     registers: *mut u8,
@@ -68,8 +70,8 @@ pub(crate) unsafe fn call(
     target: *const u8,
 ) -> u32 {
     let status: u64;
-    // SAFETY: the control register is restored before Rust's code goes on. The call follows the
-    // System V convention, whose clobbers are declared; the assembler keeps the stack aligned.
+    // SAFETY: the control register is restored before Rust code continues. The call follows the
+    // System V convention, whose clobbers are declared. `asm!` keeps the stack aligned.
     unsafe {
         asm!(
             "stmxcsr [r12 + {host}]",

@@ -1,31 +1,32 @@
 //! Compiles traces of SPU code for the host.
 //!
-//! A [`Trace`] is a path that an SPU took. [`Compiler::compile`] makes a *unit* of it: a function of
-//! the host that does to registers, local store and FPSCR what the instructions on that path do,
-//! for as long as the SPU takes the same path again. [`Cpu::enter`] runs units until something has
-//! to be left to an interpreter.
+//! A [`Trace`] is a path that an SPU took through its code. [`Compiler::compile`] translates it to
+//! a *unit*: a function of the host that changes registers, local store and FPSCR as the
+//! instructions on that path do, as long as the SPU takes the same path again. [`Cpu::enter`] runs
+//! units until the interpreter must continue.
 //!
-//! What is exact here is exact for every input or tells that it is not: a unit whose arithmetic
-//! meets what the host can't do as an SPU does leaves everything as it was at its last commit, and
-//! reports [`Exit::Failed`]. docs/emulator.md says how.
+//! Units never give a wrong result. If an operation meets numbers for which the host computes
+//! something else than an SPU, the unit restores the state of its last commit and reports
+//! [`Exit::Failed`]. docs/emulator.md says how.
 //!
-//! Only hosts with x86-64, AVX2 and FMA have a compiler: [`Compiler::new`] gives `None` on others.
+//! The compiler needs a host with x86-64, AVX2 and FMA. On an x86-64 host without AVX2 or FMA,
+//! [`Compiler::new`] returns `None`.
 #![cfg_attr(
     not(target_arch = "x86_64"),
-    doc = "This host has none, so the crate is empty."
+    doc = "This host is no x86-64, so the crate is empty."
 )]
 #![cfg(target_arch = "x86_64")]
 
 mod compiler;
 mod cpu;
 mod emit;
+mod float_mode;
 mod host;
 mod tables;
 mod trace;
-mod way;
 
 pub use compiler::{Compiler, Unit};
 pub use cpu::{Cpu, Exit, Passage, Storage};
+pub use float_mode::{FloatMode, Steps};
 pub use tables::Estimates;
-pub use trace::{MOST_STEPS, Step, Trace, can_compile};
-pub use way::{Steps, Way};
+pub use trace::{MAX_STEPS, Step, Trace, can_compile};

@@ -1,35 +1,37 @@
-//! Tables that compiled code reads: estimates, and controls that move bytes.
+//! Tables that compiled code reads: estimates, and controls for byte shuffles.
 //!
-//! In a register's image on the host each word is in the host's order, so byte `n` of a quadword,
-//! counted from the left, lies at `n ^ 3`.
+//! A register's image on the host has each word in the host's byte order, so byte `n` of a
+//! quadword, counted from the left, is at `n ^ 3`.
 
-/// The tables of `frest` and `frsqest`: base and step as they stand in an estimate word.
+/// The tables of `frest` and `frsqest`. Each entry has base and step at their positions in an
+/// estimate word.
 #[derive(Clone, Copy, Debug)]
 pub struct Estimates {
-    /// By bits 9 to 13 of the operand.
+    /// Indexed by bits 9 to 13 of the operand.
     pub reciprocal: &'static [u32; 32],
-    /// By bits 8 to 13 of the operand.
+    /// Indexed by bits 8 to 13 of the operand.
     pub reciprocal_root: &'static [u32; 64],
 }
 
-/// A quadword of bytes as they lie on the host.
+/// The bytes of a quadword in the order of the host's memory.
 pub(crate) type Bytes = [u8; 16];
 
-/// Controls of the host's byte shuffle, and of `shufb`.
+/// Controls for the host's byte shuffle, and for `shufb`.
 #[repr(C, align(64))]
 pub(crate) struct Tables {
-    /// Rotates left by the index, in bytes.
+    /// Rotate left by the index, in bytes.
     pub rotate: [Bytes; 16],
-    /// Shifts left by the index, in bytes.
+    /// Shift left by the index, in bytes.
     pub left: [Bytes; 32],
-    /// Shifts right by the index, in bytes.
+    /// Shift right by the index, in bytes.
     pub right: [Bytes; 32],
-    /// Controls of `shufb` that insert a scalar at the index; of 1, 2, 4 and 8 bytes.
+    /// Controls of `shufb` that insert a scalar at the address in the index, for scalars of 1, 2,
+    /// 4 and 8 bytes.
     pub insertion: [[Bytes; 16]; 4],
 }
 
-/// The host's shuffle gives 0 for it.
-const NOTHING: u8 = 0x80;
+/// The control byte for which the host's shuffle gives 0.
+const ZERO_BYTE: u8 = 0x80;
 
 pub(crate) static TABLES: Tables = Tables {
     rotate: controls::<16>(Kind::Rotate),
@@ -56,7 +58,11 @@ const fn controls<const N: usize>(kind: Kind) -> [Bytes; N] {
                 Kind::Left => n + count,
                 Kind::Right => n.wrapping_sub(count),
             };
-            table[count][n ^ 3] = if from < 16 { (from ^ 3) as u8 } else { NOTHING };
+            table[count][n ^ 3] = if from < 16 {
+                (from ^ 3) as u8
+            } else {
+                ZERO_BYTE
+            };
             n += 1;
         }
         count += 1;
@@ -65,7 +71,7 @@ const fn controls<const N: usize>(kind: Kind) -> [Bytes; N] {
 }
 
 const fn insertions(size: usize) -> [Bytes; 16] {
-    // A doubleword fills bytes 0-7 of its register, a smaller scalar ends at byte 3.
+    // A doubleword is in bytes 0 to 7 of its register; a smaller scalar ends at byte 3.
     let scalar = if size == 8 { 0 } else { 4 - size };
     let mut table = [[0; 16]; 16];
     let mut address = 0;

@@ -1,23 +1,24 @@
-//! Paths through SPU code, from which units are made.
+//! Traces: paths through SPU code, which the compiler translates to units.
 
 use spu_isa::{Instruction, LIMIT_MASK, Op, feature};
 
-/// The most instructions of a trace.
-pub const MOST_STEPS: usize = 160;
+/// The most instructions that a trace may have.
+pub const MAX_STEPS: usize = 160;
 
-/// Scales at which every 32-bit integer other than 0 converts to a number that IEEE has too.
+/// The scales at which every nonzero 32-bit integer converts to a number that IEEE singles have
+/// too.
 const SCALES: std::ops::RangeInclusive<i32> = -90..=126;
 
 /// One instruction of a trace.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Step {
-    /// Where it stands.
+    /// Its address.
     pub pc: u32,
-    /// Its word.
+    /// Its instruction word.
     pub word: u32,
-    /// What the word means.
+    /// The decoded word.
     pub instruction: Instruction,
-    /// Where the SPU went after it.
+    /// The address of the instruction that ran after it.
     pub next: u32,
 }
 
@@ -34,7 +35,7 @@ impl Range {
     }
 }
 
-/// A path through SPU code: each step stands where the step before went.
+/// A path through SPU code: each step is at the address to which the step before it went.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Trace {
     steps: Vec<Step>,
@@ -42,8 +43,8 @@ pub struct Trace {
 }
 
 impl Trace {
-    /// A trace of these steps; `None` without any, or if they are no path of compilable
-    /// instructions.
+    /// Makes a trace of these steps. Returns `None` if there are no steps, or if they are not a
+    /// connected path of compilable instructions.
     #[must_use]
     pub fn new(steps: Vec<Step>) -> Option<Self> {
         let connected = steps.windows(2).all(|pair| pair[0].next == pair[1].pc);
@@ -58,7 +59,7 @@ impl Trace {
         for (pc, word) in words {
             match ranges.last_mut() {
                 Some(range) if range.end() == pc => range.words.push(word),
-                // One address with two words: the code changed meanwhile.
+                // One address has two words, so the code changed while it was recorded.
                 Some(range) if range.end() > pc => return None,
                 _ => ranges.push(Range {
                     start: pc,
@@ -75,7 +76,7 @@ impl Trace {
         &self.steps
     }
 
-    /// Where it starts.
+    /// The address of its first instruction.
     #[must_use]
     pub fn start(&self) -> u32 {
         self.steps[0].pc
@@ -85,9 +86,9 @@ impl Trace {
         &self.ranges
     }
 
-    /// Whether `word`, which gives the word at an address, finds the code of the trace.
+    /// Whether the code is still the trace's. `word` returns the word at an address.
     #[must_use]
-    pub fn stands_in(&self, word: impl Fn(u32) -> u32) -> bool {
+    pub fn matches(&self, word: impl Fn(u32) -> u32) -> bool {
         self.ranges.iter().all(|range| {
             (range.start..)
                 .step_by(4)
@@ -97,8 +98,8 @@ impl Trace {
     }
 }
 
-/// Whether a unit can have the instruction. The others are the interpreter's: what reaches beyond
-/// registers and local store, what is rare, and double precision.
+/// Whether the instruction can be compiled. The interpreter runs all others: instructions that
+/// access more than registers and local store, rare ones, and double precision.
 #[must_use]
 pub fn can_compile(i: Instruction) -> bool {
     use Op::*;
@@ -119,7 +120,7 @@ pub(crate) const fn following(pc: u32) -> u32 {
     code_address(pc.wrapping_add(4))
 }
 
-/// An address as the SPU fetches from it.
+/// The address from which the SPU fetches an instruction, for a branch to `address`.
 pub(crate) const fn code_address(address: u32) -> u32 {
     address & LIMIT_MASK & !3
 }

@@ -1,14 +1,15 @@
-//! Which engine runs the instructions of a machine's SPEs.
+//! The choice of the engine that runs the instructions of a machine's SPEs.
 
-/// How a machine's SPEs run their instructions. Results and cycles are the same.
+/// How a machine's SPEs run their instructions. All engines give the same results and cycles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Engine {
-    /// One instruction after the other.
+    /// Interprets one instruction after the other.
     Interpreter,
-    /// Compiled for the host where code runs often. Where this crate was built without its
-    /// feature `compiler`, or the host has none, that is the interpreter.
+    /// Compiles hot code for the host, and interprets the rest. If this crate was built without
+    /// its feature `compiler`, or the host has no compiler, this is the interpreter.
     Compiler,
-    /// Compiled and interpreted, block by block, and compared: slow.
+    /// Runs compiled code, then the same instructions with the interpreter, and compares the
+    /// results. This is slow.
     Check,
 }
 

@@ -1,4 +1,4 @@
-//! Branches and halts: side exits, where the SPU may go another way than the trace did.
+//! Branches and halts, which become side exits where the SPU may leave the path of the trace.
 
 use cranelift_codegen::ir::condcodes::{CondCode, IntCC};
 use cranelift_codegen::ir::{InstBuilder, Value, types};
@@ -7,7 +7,7 @@ use spu_isa::{Instruction, Op};
 use super::Emitter;
 use crate::trace::{code_address, following};
 
-/// What a branch tests of rt.
+/// The part of rt that a branch tests.
 #[derive(Clone, Copy)]
 enum Tested {
     Word,
@@ -15,7 +15,8 @@ enum Tested {
 }
 
 impl Emitter<'_> {
-    /// Emits a branch or a halt, after which the trace goes on at `next`; `false` if it is neither.
+    /// Emits a branch or a halt, after which the trace continues at `next`. Returns `false` if the
+    /// instruction is neither.
     pub(super) fn branch(&mut self, i: Instruction, next: u32) -> bool {
         use IntCC::{Equal, NotEqual, SignedGreaterThan, UnsignedGreaterThan};
         use Tested::{Halfword, Word};
@@ -51,12 +52,12 @@ impl Emitter<'_> {
         self.set_constant(i.rt, [following(self.pc), 0, 0, 0]);
     }
 
-    /// Leaves for `pc` where `condition` holds, after this instruction.
+    /// Emits a side exit to `pc` after this instruction, taken if `condition` holds.
     fn leave_if(&mut self, condition: Value, pc: impl FnOnce(&mut Self) -> Value) {
         self.count += 1;
-        self.aside_if(condition, |e| {
+        self.side_exit_if(condition, |e| {
             let pc = pc(e);
-            e.leave_for(pc);
+            e.chain_to(pc);
         });
         self.count -= 1;
     }
@@ -98,7 +99,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// Leaves unless the target is where the trace goes on.
+    /// Emits a side exit, taken unless `target` is the address where the trace continues.
     fn expect(&mut self, target: Result<u32, Value>, next: u32) {
         let target = match target {
             Ok(target) if target == next => return,
@@ -133,9 +134,9 @@ impl Emitter<'_> {
         }
     }
 
-    /// A halt whose condition holds is the interpreter's.
+    /// Leaves a halt to the interpreter if its condition holds.
     fn halt_if(&mut self, condition: Value) {
-        self.aside_if(condition, Self::leave_to_interpreter);
+        self.side_exit_if(condition, Self::leave_to_interpreter);
     }
 
     fn halt(&mut self, i: Instruction, compare: IntCC) {

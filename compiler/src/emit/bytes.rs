@@ -1,4 +1,4 @@
-//! Shuffles of bytes, masks and gathers.
+//! Byte shuffles, form-select-mask instructions and gathers.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{self, I8X16, I16X8, I32X4};
@@ -9,7 +9,7 @@ use super::Emitter;
 use super::commit::REVERSED_WORDS;
 use super::registers::Facts;
 
-/// What `shufb` gives for controls by their upper three bits.
+/// The constants that `shufb` gives, indexed by the upper three bits of the control.
 const CONSTANTS: [u8; 16] = [0, 0, 0, 0, 0, 0, 0xff, 0x80, 0, 0, 0, 0, 0, 0, 0, 0];
 
 impl Emitter<'_> {
@@ -21,12 +21,12 @@ impl Emitter<'_> {
             return self.set(i.rt, shuffled);
         }
         let control = self.words(control);
-        // The host's bytes lie the other way round within words.
+        // On the host, bytes within a word are in reverse order.
         let index = self.bits_of_bytes(I32X4, control, 0x1f);
         let flip = self.splat(0x0303_0303);
         let index = self.b.ins().bxor(index, flip);
         let special = self.bits_of_bytes(I32X4, control, 0x80);
-        // From 16 on, and where a constant is asked for, the highest bit is set, which gives 0.
+        // For indices from 16 on, and for constants, the highest bit gets set, which gives 0.
         let low = self.index(index, special);
         let flip = self.splat(0x1010_1010);
         let other = self.b.ins().bxor(index, flip);
@@ -72,7 +72,7 @@ impl Emitter<'_> {
             return self.constant_bytes(I8X16, constants.to_vec());
         }
         let shuffled = if from.iter().all(|&from| from < 16 || from == 0xff) {
-            // One operand: the host's shuffle gives 0 by itself.
+            // All bytes come from `a`, so one shuffle of the host suffices. It also gives zeros.
             let control = from.map(|from| if from == 0xff { 0x80 } else { from });
             let control = self.constant_bytes(I8X16, control.to_vec());
             self.b.ins().x86_pshufb(a, control)
@@ -104,7 +104,7 @@ impl Emitter<'_> {
         self.b.ins().bor(shuffled, constants)
     }
 
-    pub(super) fn spread_constant(&mut self, i: Instruction) {
+    pub(super) fn form_mask_of_constant(&mut self, i: Instruction) {
         let bits = i.immediate as u32;
         let byte = |n: usize| if bits >> (15 - n) & 1 == 1 { 0xff } else { 0 };
         let words = std::array::from_fn(|word| {
@@ -113,8 +113,8 @@ impl Emitter<'_> {
         self.set_constant(i.rt, words);
     }
 
-    /// Ones in each lane in which `bits` has the bit that `mask` has there.
-    fn spread(&mut self, i: Instruction, ty: Type, bits: Value, mask: Vec<u8>) {
+    /// Sets each lane to ones if `bits` has the bit that `mask` has in that lane.
+    fn form_mask(&mut self, i: Instruction, ty: Type, bits: Value, mask: Vec<u8>) {
         let mask = self.constant_bytes(ty, mask);
         let bit = self.b.ins().band(bits, mask);
         let ones = self.b.ins().icmp(IntCC::Equal, bit, mask);
@@ -125,25 +125,25 @@ impl Emitter<'_> {
         self.set_with(i.rt, ones, facts);
     }
 
-    pub(super) fn spread_over_words(&mut self, i: Instruction) {
+    pub(super) fn form_mask_of_words(&mut self, i: Instruction) {
         let bits = self.splat_scalar(I32X4, i.ra);
         let mask = [8u32, 4, 2, 1].map(u32::to_le_bytes).concat();
-        self.spread(i, I32X4, bits, mask);
+        self.form_mask(i, I32X4, bits, mask);
     }
 
-    pub(super) fn spread_over_halfwords(&mut self, i: Instruction) {
+    pub(super) fn form_mask_of_halfwords(&mut self, i: Instruction) {
         let bits = self.splat_scalar(I16X8, i.ra);
         let bit = |lane: u16| 1u16 << (7 - (lane ^ 1));
         let mask = (0..8).flat_map(|lane| bit(lane).to_le_bytes()).collect();
-        self.spread(i, I16X8, bits, mask);
+        self.form_mask(i, I16X8, bits, mask);
     }
 
-    pub(super) fn spread_over_bytes(&mut self, i: Instruction) {
+    pub(super) fn form_mask_of_bytes(&mut self, i: Instruction) {
         let bits = self.splat_scalar(I16X8, i.ra);
         let from = [1, 1, 1, 1, 1, 1, 1, 1, 0, 0, 0, 0, 0, 0, 0, 0];
         let bits = self.shuffle(bits, bits, from);
         let bit = |byte: u8| 1u8 << (7 - ((byte ^ 3) & 7));
-        self.spread(i, I8X16, bits, (0..16).map(bit).collect());
+        self.form_mask(i, I8X16, bits, (0..16).map(bit).collect());
     }
 
     pub(super) fn gather_words(&mut self, i: Instruction) {
@@ -157,7 +157,7 @@ impl Emitter<'_> {
 
     pub(super) fn gather_halfwords(&mut self, i: Instruction) {
         let a = self.lanes(I16X8, i.ra);
-        // Lane n of the host's gets halfword 7 - n, which lies at lane (7 - n) ^ 1.
+        // The host's lane n gets halfword 7 - n, which is in lane (7 - n) ^ 1.
         let from = std::array::from_fn(|byte| {
             let lane = (7 - byte / 2) ^ 1;
             (2 * lane + byte % 2) as u8

@@ -1,4 +1,4 @@
-//! Commits, and the ways out.
+//! Commits and exits.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
@@ -9,7 +9,7 @@ use super::{Emitter, field};
 use crate::cpu::{Exit, Passage};
 use crate::host;
 
-/// From where the interpreter goes on if the next commit fails.
+/// The state from which the interpreter continues if the next commit fails.
 pub(super) struct Committed {
     changed: Vec<(u8, Id)>,
     pc: u32,
@@ -26,33 +26,35 @@ impl Committed {
     }
 }
 
-/// A store that is held back.
+/// A store that is held back until the next commit.
 pub(super) struct Pending {
     pub address: Address,
-    /// As a quadword of local store, in the SPU's order.
+    /// The quadword in the SPU's byte order, as in local store.
     pub bytes: Value,
-    /// As a register's words.
+    /// The quadword as the words of a register.
     pub words: Value,
 }
 
-/// What has to be looked at before the next commit.
+/// Everything that the next commit must check.
 #[derive(Default)]
 pub(super) struct Unverified {
-    /// In singles: there was arithmetic, of whose exceptions the host tells.
+    /// In singles: whether there was arithmetic. The host's exception flags show how it went.
     pub arithmetic: bool,
-    /// In singles: operands without their signs, shifted left by one; the largest of each lane.
+    /// In singles: the largest operand of each lane, as bits without the sign, shifted left by
+    /// one.
     pub magnitudes: Option<Value>,
-    /// In singles: lanes that something found special.
+    /// In singles: a mask of lanes with special operands or results.
     pub special: Option<Value>,
-    /// In doubles: the largest magnitudes of results before saturation.
+    /// In doubles: the largest magnitude of each lane's results, before saturation.
     pub largest: Option<[Value; 2]>,
-    /// In doubles: bits of magnitudes that were too small.
+    /// In doubles: the bits of all magnitudes that were too small, combined with OR.
     pub tiny: Option<[Value; 2]>,
-    /// In exact doubles: where a sum was above the largest number by less than a double shows.
+    /// With exact sums: a mask of sums that exceeded the largest number by less than a double's
+    /// precision.
     pub above: Option<[Value; 2]>,
-    /// In doubles: further flags, in the lanes of the FPSCR.
+    /// In doubles: further flags, at their positions in the FPSCR.
     pub flags: Option<Value>,
-    /// In doubles: lanes in which a zero was divided by.
+    /// In doubles: a mask of lanes in which an estimate's operand was zero.
     pub zeros: Option<Value>,
 }
 
@@ -63,13 +65,13 @@ impl Unverified {
 }
 
 impl Emitter<'_> {
-    /// All that happened so far is to stay.
+    /// Emits a commit: checks everything since the last commit, then stores what was held back.
     pub(super) fn commit(&mut self) {
         let raised = self.raised();
         let mut failures = Vec::new();
         self.find_specials(&mut failures);
-        if let Some(Raised { undecided, .. }) = raised {
-            failures.extend(undecided);
+        if let Some(RaisedFlags { uncertain, .. }) = raised {
+            failures.extend(uncertain);
         }
         self.find_stores_into_code(&mut failures);
         self.fail_if(&failures);
@@ -82,10 +84,10 @@ impl Emitter<'_> {
                 address.offset,
             );
         }
-        if let Some(Raised { fpscr, .. }) = raised {
+        if let Some(RaisedFlags { fpscr, .. }) = raised {
             self.store_field(fpscr, field::FPSCR);
         }
-        if !self.aside {
+        if !self.in_side_exit {
             self.pending.clear();
             self.unverified = Unverified::default();
             self.committed = Committed {
@@ -103,24 +105,24 @@ impl Emitter<'_> {
         let fail = self.b.create_block();
         self.b.set_cold_block(fail);
         for &failure in failures {
-            let on = self.b.create_block();
-            self.b.ins().brif(failure, fail, &[], on, &[]);
-            self.b.switch_to_block(on);
+            let continuation = self.b.create_block();
+            self.b.ins().brif(failure, fail, &[], continuation, &[]);
+            self.b.switch_to_block(continuation);
         }
-        let Some(on) = self.b.current_block() else {
+        let Some(continuation) = self.b.current_block() else {
             unreachable!("a block was switched to");
         };
         self.b.switch_to_block(fail);
-        let aside = std::mem::replace(&mut self.aside, true);
+        let aside = std::mem::replace(&mut self.in_side_exit, true);
         let changed = std::mem::take(&mut self.committed.changed);
         self.write(&changed);
         self.committed.changed = changed;
         self.exit(Exit::FAILED);
-        self.aside = aside;
-        self.b.switch_to_block(on);
+        self.in_side_exit = aside;
+        self.b.switch_to_block(continuation);
     }
 
-    /// Leaves as the last commit was.
+    /// Exits with the state of the last commit.
     pub(super) fn exit(&mut self, status: u32) {
         let number = self.word(self.number);
         self.store_field(number, field::UNIT);
@@ -137,8 +139,7 @@ impl Emitter<'_> {
         self.b.ins().return_(&[status]);
     }
 
-    /// Writes down that this many instructions of the unit have run, if any, and the targets of the
-    /// hints among them.
+    /// Logs a passage of this many instructions, if any, and the targets of the hints among them.
     pub(super) fn log(&mut self, count: u32) {
         if !self.logs || count == 0 {
             return;
@@ -159,13 +160,13 @@ impl Emitter<'_> {
         self.store_field(next, field::LOG);
     }
 
-    /// The budget that is left after this many instructions.
+    /// The budget that remains after this many instructions.
     pub(super) fn budget_left(&mut self, count: u32) -> Value {
         self.b.ins().iadd_imm_s(self.budget, -i64::from(count))
     }
 
-    /// Commits, and leaves for the unit at `pc`, if there is one.
-    pub(super) fn leave_for(&mut self, pc: Value) {
+    /// Commits, and jumps to the unit at `pc`, or to the exit stub if there is none.
+    pub(super) fn chain_to(&mut self, pc: Value) {
         self.commit();
         self.write_back();
         self.log(self.count);
@@ -184,7 +185,7 @@ impl Emitter<'_> {
             .return_call_indirect(self.unit, target, &arguments);
     }
 
-    /// Commits, and leaves the instruction at hand to the interpreter.
+    /// Commits, and leaves the current instruction to the interpreter.
     pub(super) fn leave_to_interpreter(&mut self) {
         self.commit();
         self.write_back();
@@ -192,7 +193,7 @@ impl Emitter<'_> {
         self.leave(Exit::INTERPRET, pc, self.count);
     }
 
-    /// Whether the code of the trace differs from local store.
+    /// Whether local store differs from the code of the trace.
     pub(super) fn code_differs(&mut self) -> Value {
         let mut quadwords: Vec<(u32, [u8; 16], [u8; 16])> = Vec::new();
         for range in &self.code {
@@ -201,14 +202,14 @@ impl Emitter<'_> {
                 if quadwords.last().is_none_or(|last| last.0 != quadword) {
                     quadwords.push((quadword, [0; 16], [0; 16]));
                 }
-                if let Some((_, bytes, care)) = quadwords.last_mut() {
+                if let Some((_, bytes, mask)) = quadwords.last_mut() {
                     bytes[at..at + 4].copy_from_slice(&word.to_be_bytes());
-                    care[at..at + 4].fill(0xff);
+                    mask[at..at + 4].fill(0xff);
                 }
             }
         }
         let mut all = None;
-        for (quadword, bytes, care) in quadwords {
+        for (quadword, bytes, mask) in quadwords {
             let flags = MemFlagsData::trusted();
             let found = self
                 .b
@@ -216,9 +217,9 @@ impl Emitter<'_> {
                 .load(types::I8X16, flags, self.local_store, quadword as i32);
             let expected = self.constant_bytes(types::I8X16, bytes.to_vec());
             let mut different = self.b.ins().bxor(found, expected);
-            if care != [0xff; 16] {
-                let care = self.constant_bytes(types::I8X16, care.to_vec());
-                different = self.b.ins().band(different, care);
+            if mask != [0xff; 16] {
+                let mask = self.constant_bytes(types::I8X16, mask.to_vec());
+                different = self.b.ins().band(different, mask);
             }
             all = Some(self.or(all, different));
         }
@@ -228,7 +229,7 @@ impl Emitter<'_> {
         self.b.ins().vany_true(all)
     }
 
-    /// `value`, or what has gathered already and `value`.
+    /// Combines `value` with the values gathered so far, if there are any.
     pub(super) fn or(&mut self, gathered: Option<Value>, value: Value) -> Value {
         match gathered {
             Some(gathered) => self.b.ins().bor(gathered, value),
@@ -257,11 +258,11 @@ impl Emitter<'_> {
         failures.extend(all);
     }
 
-    /// In singles: what the host did that an SPU does not.
+    /// In singles: adds conditions under which the host's results may differ from an SPU's.
     fn find_specials(&mut self, failures: &mut Vec<Value>) {
         let mut special = self.unverified.special;
         if let Some(magnitudes) = self.unverified.magnitudes {
-            // Exponents of 255.
+            // An exponent of 255.
             let from = self.splat(0xff00_0000);
             let beyond = self
                 .b
@@ -283,14 +284,14 @@ impl Emitter<'_> {
         }
     }
 
-    /// In doubles: the FPSCR with the flags that were raised since the last commit.
-    fn raised(&mut self) -> Option<Raised> {
+    /// In doubles: the FPSCR including the flags raised since the last commit.
+    fn raised(&mut self) -> Option<RaisedFlags> {
         if !self.unverified.any_doubles() {
             return None;
         }
         let mut flags = self.unverified.flags;
         let old = self.load_field(types::I32X4, field::FPSCR);
-        let mut undecided = None;
+        let mut uncertain = None;
         if let (Some(largest), Some(tiny)) = (self.unverified.largest, self.unverified.tiny) {
             let limit = self.double(LARGEST);
             let beyond = largest.map(|l| self.b.ins().fcmp(FloatCC::GreaterThan, l, limit));
@@ -299,7 +300,7 @@ impl Emitter<'_> {
                 let above = self.narrow_mask(above);
                 overflow = self.b.ins().bor(overflow, above);
             }
-            let limit = self.double(IEEE_LACKS);
+            let limit = self.double(BEYOND_IEEE);
             let beyond = largest.map(|l| self.b.ins().fcmp(FloatCC::GreaterThanOrEqual, l, limit));
             let different = self.narrow_mask(beyond);
             let zero = self.constant_bytes(types::I64X2, vec![0; 16]);
@@ -310,8 +311,8 @@ impl Emitter<'_> {
                 let raised = self.b.ins().band(mask, bits);
                 flags = Some(self.or(flags, raised));
             }
-            if !self.way.exact_sums {
-                undecided = Some(self.doubtful(largest, old));
+            if !self.mode.exact_sums {
+                uncertain = Some(self.uncertain(largest, old));
             }
         }
         let mut fpscr = old;
@@ -319,7 +320,7 @@ impl Emitter<'_> {
             fpscr = self.b.ins().bor(fpscr, flags);
         }
         if let Some(zeros) = self.unverified.zeros {
-            // Bits 0x800 to 0x100 of the last word.
+            // Division by zero has one flag a lane: bits 0x800 to 0x100 of the last word.
             let reversed = self.shuffle(zeros, zeros, REVERSED_WORDS);
             let reversed = self.cast(types::I32X4, reversed);
             let bits = self.b.ins().vhigh_bits(types::I32, reversed);
@@ -328,20 +329,21 @@ impl Emitter<'_> {
             let raised = self.b.ins().insertlane(none, bits, 3);
             fpscr = self.b.ins().bor(fpscr, raised);
         }
-        Some(Raised { fpscr, undecided })
+        Some(RaisedFlags { fpscr, uncertain })
     }
 
-    /// Whether a result may be above the largest number by less than a double shows, or be that
-    /// number exactly. Where the flag of overflow is up in `fpscr` that makes no difference.
-    fn doubtful(&mut self, largest: [Value; 2], fpscr: Value) -> Value {
+    /// Whether it is uncertain that a result overflowed: it may be the largest number exactly, or
+    /// exceed it by less than a double's precision. Where the overflow flag in `fpscr` is already
+    /// set, this makes no difference.
+    fn uncertain(&mut self, largest: [Value; 2], fpscr: Value) -> Value {
         let limit = self.double(LARGEST);
         let equal = largest.map(|l| self.b.ins().fcmp(FloatCC::Equal, l, limit));
         let equal = self.narrow_mask(equal);
         let four = self.splat(4);
         let up = self.b.ins().band(fpscr, four);
         let down = self.b.ins().icmp(IntCC::NotEqual, up, four);
-        let doubtful = self.b.ins().band(equal, down);
-        self.b.ins().vany_true(doubtful)
+        let uncertain = self.b.ins().band(equal, down);
+        self.b.ins().vany_true(uncertain)
     }
 
     fn double(&mut self, value: f64) -> Value {
@@ -352,15 +354,15 @@ impl Emitter<'_> {
 
 /// The SPU's largest number, (2 - 2^-23) * 2^128.
 const LARGEST: f64 = f64::from_bits((1023 + 128) << 52 | 0xf_ffff_e000_0000);
-/// 2^128, the first number that IEEE lacks.
-const IEEE_LACKS: f64 = f64::from_bits((1023 + 128) << 52);
+/// 2^128, the smallest number beyond the range of IEEE singles.
+const BEYOND_IEEE: f64 = f64::from_bits((1023 + 128) << 52);
 
-/// The words from the last to the first.
+/// A shuffle that reverses the order of the words.
 pub(super) const REVERSED_WORDS: [u8; 16] = [12, 13, 14, 15, 8, 9, 10, 11, 4, 5, 6, 7, 0, 1, 2, 3];
 
 #[derive(Clone, Copy)]
-struct Raised {
+struct RaisedFlags {
     fpscr: Value,
-    /// Whether something has to be left to the interpreter.
-    undecided: Option<Value>,
+    /// Whether the flags are uncertain, so that the interpreter must continue.
+    uncertain: Option<Value>,
 }

@@ -1,4 +1,4 @@
-//! Conversions between 32-bit integers and singles, with a power of two.
+//! Conversions between 32-bit integers and singles, scaled by a power of two.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{F32X4, I32X4};
@@ -20,15 +20,16 @@ const fn power_of_two(exponent: i32) -> u32 {
     ((127 + exponent) as u32) << 23
 }
 
-/// The single at which an integer of this many bits begins, for values times 2^scale; as a signed
-/// number, which may be above all magnitudes. Below the smallest number there are only zeros.
+/// The bits of the smallest single `x` with `x` * 2^`scale` >= 2^`bits`. `None` if an SPU's single
+/// can't be that large. As a signed number the result may exceed all magnitudes. The exponent is
+/// at least 1, because all singles with exponent 0 are zero.
 fn threshold(bits: i32, scale: i32) -> Option<u32> {
     let exponent = (127 + bits - scale).max(1);
     (exponent <= 255).then_some((exponent as u32) << 23)
 }
 
 impl Emitter<'_> {
-    /// `csflt` and `cuflt`, of scales at which nothing is special.
+    /// `csflt` and `cuflt`, at scales without special results.
     pub(super) fn single_of_integer(&mut self, i: Instruction, sign: Sign) {
         let x = self.lanes(I32X4, i.ra);
         let converted = match sign {
@@ -57,8 +58,7 @@ impl Emitter<'_> {
         self.cast(F32X4, power)
     }
 
-    /// Lanes of a magnitude that are at least the single at which an integer of so many bits
-    /// begins.
+    /// A mask of lanes where `magnitude` * 2^`scale` is at least 2^`bits`. `None` if no single is.
     fn reaches(&mut self, magnitude: Value, bits: i32, scale: i32) -> Option<Value> {
         let limit = self.splat(threshold(bits, scale)?);
         Some(
@@ -68,7 +68,7 @@ impl Emitter<'_> {
         )
     }
 
-    /// `cflts` and `cfltu`. The host converts only what fits, so that it raises nothing.
+    /// `cflts` and `cfltu`. The host converts only numbers that fit, so it raises no exceptions.
     pub(super) fn integer_of_single(&mut self, i: Instruction, sign: Sign) {
         let x = self.lanes(I32X4, i.ra);
         let scale = i.immediate;
@@ -77,7 +77,7 @@ impl Emitter<'_> {
         let zero = self.splat(0);
         let one = self.reaches(magnitude, 0, scale).unwrap_or(zero);
         let large = self.reaches(magnitude, 31, scale).unwrap_or(zero);
-        // The scale goes to the exponent.
+        // The scale is added to the exponent.
         let distance = self.splat((scale as u32) << 23);
         let scaled = self.b.ins().iadd(x, distance);
         let fits = self.b.ins().band_not(one, large);
@@ -91,7 +91,7 @@ impl Emitter<'_> {
                 self.b.ins().bitselect(large, saturated, integer)
             }
             Sign::Unsigned => {
-                // From 2^31 on, all bits of the fraction are of the integer.
+                // From 2^31 on, all bits of the fraction belong to the integer.
                 let fraction = self.left(x, 8);
                 let top = self.splat(1 << 31);
                 let upper = self.b.ins().bor(fraction, top);

@@ -1,7 +1,8 @@
-//! Arithmetic in the host's doubles, in which all of an SPU's numbers are ordinary.
+//! Arithmetic in the host's doubles, which represent all of an SPU's numbers as ordinary numbers.
 //!
-//! A product of two singles is exact there. A sum is truncated to 53 bits, and truncating that to
-//! 24 is one truncation of the exact value. Saturation and flushing are done here.
+//! The product of two singles is exact in a double. A sum is truncated to 53 bits, and truncating
+//! it again to 24 bits gives the same as truncating the exact value once. The emitted code
+//! saturates and flushes results itself.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F64X2, I32X4, I64X2};
@@ -12,11 +13,13 @@ use super::Emitter;
 use super::float::{EXPONENT, MAGNITUDE, SIGN};
 use super::registers::{Facts, Id, Node};
 
-/// Difference of the exponent biases, where a double's upper word has its exponent.
+/// The difference of the exponent biases, at the position of the exponent in a double's upper
+/// word.
 const REBIAS: u32 = (1023 - 127) << 20;
-/// How much further right fraction and exponent stand in a double than in a single.
+/// The number of bits by which exponent and fraction are further right in a double's upper word
+/// than in a single.
 const SHIFT: u32 = 3;
-/// Bits of a double that a single has.
+/// The bits of a double that a single has too.
 const KEPT: u64 = !((1 << (32 - SHIFT)) - 1);
 /// 2^-126.
 const SMALLEST: u64 = (1023 - 126) << 52;
@@ -24,7 +27,7 @@ const SMALLEST: u64 = (1023 - 126) << 52;
 const LARGEST: u64 = (1023 + 128) << 52 | 0xf_ffff_e000_0000;
 const DOUBLE_SIGN: u64 = 1 << 63;
 
-/// Even words of two vectors: those of the first are 0 and 2, of the second 4 and 6.
+/// A shuffle that selects the even words of two vectors, counted through both from 0 to 7.
 const EVEN_WORDS: [u8; 16] = [0, 1, 2, 3, 8, 9, 10, 11, 16, 17, 18, 19, 24, 25, 26, 27];
 const ODD_WORDS: [u8; 16] = [4, 5, 6, 7, 12, 13, 14, 15, 20, 21, 22, 23, 28, 29, 30, 31];
 const INTERLEAVED_LOW: [u8; 16] = [0, 1, 2, 3, 16, 17, 18, 19, 4, 5, 6, 7, 20, 21, 22, 23];
@@ -41,9 +44,9 @@ fn widened(x: u32) -> u64 {
 
 impl Emitter<'_> {
     pub(super) fn arithmetic_in_doubles(&mut self, i: Instruction) {
-        let (a, b) = (self.doubles_told(i.ra), self.doubles_told(i.rb));
+        let (a, b) = (self.doubles_with_flags(i.ra), self.doubles_with_flags(i.rb));
         let c = match i.op {
-            Op::Fma | Op::Fms | Op::Fnms => Some(self.doubles_told(i.rc)),
+            Op::Fma | Op::Fms | Op::Fnms => Some(self.doubles_with_flags(i.rc)),
             _ => None,
         };
         let results = [0, 1].map(|n| {
@@ -76,7 +79,7 @@ impl Emitter<'_> {
                 doubles: Some(results),
                 facts: Facts {
                     no_negative_zero: true,
-                    told: true,
+                    flags_noted: true,
                     ..Facts::default()
                 },
                 ..Node::default()
@@ -86,34 +89,35 @@ impl Emitter<'_> {
 
     fn sum(&mut self, n: usize, a: Value, b: Value) -> Value {
         let sum = self.b.ins().fadd(a, b);
-        if self.way.exact_sums {
-            // What is left when the larger term goes first is exact.
+        if self.mode.exact_sums {
+            // The rest is exact if the larger term is subtracted first.
             let rests = [[a, b], [b, a]].map(|[first, second]| {
                 let rest = self.b.ins().fsub(sum, first);
                 self.b.ins().fsub(rest, second)
             });
-            self.tell_truncated(n, sum, rests);
+            self.note_truncation(n, sum, rests);
         }
         self.finish(n, sum)
     }
 
     fn fused(&mut self, n: usize, a: Value, b: Value, c: Value) -> Value {
         let sum = self.b.ins().fma(a, b, c);
-        if self.way.exact_sums {
+        if self.mode.exact_sums {
             let rest = self.b.ins().fsub(c, sum);
             let one = self.b.ins().fma(a, b, rest);
             let negated = self.b.ins().fneg(sum);
             let rest = self.b.ins().fma(a, b, negated);
             let other = self.b.ins().fadd(rest, c);
-            self.tell_truncated(n, sum, [one, other]);
+            self.note_truncation(n, sum, [one, other]);
         }
         self.finish(n, sum)
     }
 
-    /// Notes where a sum that is the largest number was truncated: where one of the `rests` is not
-    /// zero, each of which is what the sum lacks if the subtraction that came first was exact.
-    /// That is so for the one that began with the larger term.
-    fn tell_truncated(&mut self, n: usize, sum: Value, rests: [Value; 2]) {
+    /// Notes lanes in which a sum is the largest number only because it was truncated. Each of
+    /// `rests` is the truncated part of the sum, provided that its first subtraction was exact.
+    /// This holds for the one that began with the larger term. So the sum was truncated where one
+    /// of `rests` isn't zero.
+    fn note_truncation(&mut self, n: usize, sum: Value, rests: [Value; 2]) {
         let zero = self.longs(0);
         let float_zero = self.cast(F64X2, zero);
         let [one, other] = rests.map(|rest| self.b.ins().fcmp(FloatCC::NotEqual, rest, float_zero));
@@ -134,7 +138,8 @@ impl Emitter<'_> {
         self.constant_bytes(I64X2, [bits.to_le_bytes(); 2].concat())
     }
 
-    /// Half `n` of a result, truncated to what a single can hold; what was lost is noted.
+    /// Half `n` of a result, truncated to a single's range and precision. Notes what the commit
+    /// needs for the flags.
     fn finish(&mut self, n: usize, result: Value) -> Value {
         let result = self.cast(I64X2, result);
         let sign = self.longs(DOUBLE_SIGN);
@@ -176,19 +181,20 @@ impl Emitter<'_> {
         self.cast(F64X2, result)
     }
 
-    /// A register's lanes as doubles, of which those that raise a flag as operands are noted.
-    fn doubles_told(&mut self, register: u8) -> [Value; 2] {
+    /// A register's lanes as doubles. Notes the flags that its lanes raise as operands.
+    fn doubles_with_flags(&mut self, register: u8) -> [Value; 2] {
         let id = self.get(register);
         let facts = self.facts(id);
-        if !facts.plain && !facts.told {
-            self.tell(id);
+        if !facts.plain && !facts.flags_noted {
+            self.note_operand_flags(id);
         }
         self.doubles(id)
     }
 
-    fn tell(&mut self, id: Id) {
+    fn note_operand_flags(&mut self, id: Id) {
         let words = self.words(id);
-        // Without the sign, with exponent 255 wrapped around to 0 and zero to 1.
+        // The bits without the sign, plus one exponent step: exponent 255 wraps around to 0, and
+        // exponent 0 becomes 1.
         let shifted = self.b.ins().iadd(words, words);
         let one = self.splat(0x0100_0000);
         let wrapped = self.b.ins().iadd(shifted, one);
@@ -198,16 +204,16 @@ impl Emitter<'_> {
         let special = self.b.ins().band(low, other);
         let flag = self.and(special, 1);
         self.raise(flag);
-        self.node(id).facts.told = true;
+        self.node(id).facts.flags_noted = true;
     }
 
-    /// Notes flags, in the lanes of the FPSCR.
+    /// Notes flags, at their positions in the FPSCR.
     pub(super) fn raise(&mut self, flags: Value) {
         let flags = self.or(self.unverified.flags, flags);
         self.unverified.flags = Some(flags);
     }
 
-    /// The lanes as doubles.
+    /// A value's lanes as doubles.
     pub(super) fn doubles(&mut self, id: Id) -> [Value; 2] {
         if let Some(doubles) = self.node(id).doubles {
             return doubles;
@@ -232,13 +238,13 @@ impl Emitter<'_> {
             let pair = self.shuffle(lower, upper, from);
             self.cast(F64X2, pair)
         });
-        if !self.aside {
+        if !self.in_side_exit {
             self.node(id).doubles = Some(doubles);
         }
         doubles
     }
 
-    /// Doubles that singles can hold, as words.
+    /// The words of singles that equal these doubles.
     pub(super) fn narrow(&mut self, doubles: [Value; 2]) -> Value {
         let upper = self.shuffle(doubles[0], doubles[1], ODD_WORDS);
         let upper = self.cast(I32X4, upper);
@@ -256,13 +262,13 @@ impl Emitter<'_> {
         self.b.ins().band_not(word, zero)
     }
 
-    /// The lower words of two pairs: of masks, a word a lane.
+    /// The lower words of two pairs. For masks, this gives one word a lane.
     pub(super) fn narrow_mask(&mut self, pairs: [Value; 2]) -> Value {
         let words = self.shuffle(pairs[0], pairs[1], EVEN_WORDS);
         self.cast(I32X4, words)
     }
 
-    /// `selb` by a mask of whole words.
+    /// `selb` whose mask has whole words of ones or zeros.
     pub(super) fn select_doubles(
         &mut self,
         i: Instruction,

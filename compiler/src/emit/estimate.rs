@@ -1,4 +1,4 @@
-//! The estimates and their interpolation, in integers.
+//! The estimates and their interpolation, computed in integers.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{self, I32X4};
@@ -10,13 +10,13 @@ use super::float::{EXPONENT, SIGN};
 use super::registers::Facts;
 
 const FRACTION: u32 = 0x007f_ffff;
-/// FPSCR: the result was below the smallest number.
+/// FPSCR flag: the result was below the smallest number.
 const UNDERFLOW: u32 = 2;
-/// FPSCR: IEEE would have come out differently.
+/// FPSCR flag: IEEE arithmetic would have given a different result.
 const DIFFERENT: u32 = 1;
 
 impl Emitter<'_> {
-    /// The entries of a table of words that the lanes' bits from 18 on choose.
+    /// Looks up each lane in a table. The lane's bits from 2^18 up are the index.
     fn look_up(&mut self, words: Value, table: &'static [u32]) -> Value {
         let indices = self.right(words, 18);
         let indices = self.and(indices, table.len() as u32 - 1);
@@ -36,9 +36,9 @@ impl Emitter<'_> {
         self.gather(I32X4, &entries)
     }
 
-    /// `exponent`, but 255 where the operand is zero, which is noted.
+    /// The exponents of an estimate: 255 where the operand is zero, else `exponent`. Notes zeros.
     fn exponent_of_estimate(&mut self, operand: Value, exponent: Value) -> Value {
-        self.floats = true;
+        self.has_floats = true;
         let zero = self.is_zero(operand);
         if self.in_doubles {
             self.unverified.zeros = Some(self.or(self.unverified.zeros, zero));
@@ -79,7 +79,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn interpolate(&mut self, i: Instruction) {
-        self.floats = true;
+        self.has_floats = true;
         let (a, estimate) = (self.lanes(I32X4, i.ra), self.lanes(I32X4, i.rb));
         let base = self.right(estimate, 10);
         let base = self.left(base, 19);
@@ -107,7 +107,8 @@ impl Emitter<'_> {
             };
             return self.set_with(i.rt, result, facts);
         }
-        // Below one: a bit further, with an exponent one less, if there is one.
+        // A significand below one is shifted left by one bit, and its exponent decreases by one,
+        // if it can.
         let fraction = self.right(significand, 8);
         let fraction = self.and(fraction, FRACTION);
         let one = self.splat(1 << 23);

@@ -1,4 +1,4 @@
-//! Single precision: what both ways share.
+//! Single precision: the code for both singles and doubles of the host.
 
 use cranelift_codegen::ir::condcodes::{FloatCC, IntCC};
 use cranelift_codegen::ir::types::{F32X4, F64X2, I32X4};
@@ -21,7 +21,7 @@ pub(super) enum Compare {
 impl Emitter<'_> {
     /// `fa`, `fs`, `fm`, `fma`, `fms`, `fnms`.
     pub(super) fn arithmetic(&mut self, i: Instruction) {
-        self.floats = true;
+        self.has_floats = true;
         if self.in_doubles {
             self.arithmetic_in_doubles(i);
         } else {
@@ -29,14 +29,14 @@ impl Emitter<'_> {
         }
     }
 
-    /// Lanes in which the exponent field is 0.
+    /// A mask of lanes whose exponent field is 0.
     pub(super) fn is_zero(&mut self, words: Value) -> Value {
         let exponent = self.and(words, EXPONENT);
         let zero = self.splat(0);
         self.b.ins().icmp(IntCC::Equal, exponent, zero)
     }
 
-    /// Integers that order as the singles do; all zeros are 0.
+    /// Integers that have the same order as the singles. All zeros become 0.
     fn order(&mut self, id: Id) -> Value {
         if let Some(order) = self.node(id).order {
             return order;
@@ -51,7 +51,7 @@ impl Emitter<'_> {
             let other = self.b.ins().bnot(zero);
             order = self.b.ins().band(order, other);
         }
-        if !self.aside {
+        if !self.in_side_exit {
             self.node(id).order = Some(order);
         }
         order
@@ -68,7 +68,7 @@ impl Emitter<'_> {
         self.b.ins().band(magnitude, other)
     }
 
-    /// `fceq`, `fcgt`, and of magnitudes `fcmeq`, `fcmgt`.
+    /// `fceq` and `fcgt`, or with `magnitude` `fcmeq` and `fcmgt`.
     pub(super) fn compare_singles(&mut self, i: Instruction, compare: Compare, magnitude: bool) {
         let (a, b) = (self.get(i.ra), self.get(i.rb));
         let facts = Facts {

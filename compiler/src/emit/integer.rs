@@ -1,4 +1,4 @@
-//! Arithmetic, multiplication, counting, logic, selection, compares.
+//! Integer arithmetic, multiplication, counting, logic, selection, compares.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{self, I8X16, I16X8, I32X4};
@@ -46,11 +46,11 @@ impl Logic {
 }
 
 impl Emitter<'_> {
-    fn both(&mut self, ty: Type, i: Instruction) -> (Value, Value) {
+    fn operands(&mut self, ty: Type, i: Instruction) -> (Value, Value) {
         (self.lanes(ty, i.ra), self.lanes(ty, i.rb))
     }
 
-    /// The constant in every lane.
+    /// The immediate in every lane.
     fn immediate(&mut self, ty: Type, i: Instruction) -> Value {
         let words = match ty {
             I8X16 => bytes(i),
@@ -62,7 +62,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn add(&mut self, i: Instruction, ty: Type) {
-        let (a, b) = self.both(ty, i);
+        let (a, b) = self.operands(ty, i);
         let sum = self.b.ins().iadd(a, b);
         self.set(i.rt, sum);
     }
@@ -95,7 +95,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn subtract(&mut self, i: Instruction, ty: Type) {
-        let (a, b) = self.both(ty, i);
+        let (a, b) = self.operands(ty, i);
         let difference = self.b.ins().isub(b, a);
         self.set(i.rt, difference);
     }
@@ -128,7 +128,8 @@ impl Emitter<'_> {
         self.set(i.rt, sum);
     }
 
-    /// Carries out of ra + rb; with ra complemented and a carry of 1, those of rb - ra.
+    /// The carries out of ra + rb. With `complement`, ra is complemented, and the carry in is 1
+    /// unless `extended` takes it from rt: then the carries out are those of rb - ra.
     pub(super) fn carry(&mut self, i: Instruction, complement: bool, extended: bool) {
         let a = self.minuend(i, complement);
         let b = self.lanes(I32X4, i.rb);
@@ -214,27 +215,27 @@ impl Emitter<'_> {
         self.set(i.rt, counts);
     }
 
-    pub(super) fn ones_of_bytes(&mut self, i: Instruction) {
+    pub(super) fn count_ones_in_bytes(&mut self, i: Instruction) {
         let a = self.lanes(I8X16, i.ra);
         let counts = self.b.ins().popcnt(a);
         self.set(i.rt, counts);
     }
 
     pub(super) fn average_bytes(&mut self, i: Instruction) {
-        let (a, b) = self.both(I8X16, i);
+        let (a, b) = self.operands(I8X16, i);
         let average = self.b.ins().avg_round(a, b);
         self.set(i.rt, average);
     }
 
     pub(super) fn difference_of_bytes(&mut self, i: Instruction) {
-        let (a, b) = self.both(I8X16, i);
+        let (a, b) = self.operands(I8X16, i);
         let (most, least) = (self.b.ins().umax(a, b), self.b.ins().umin(a, b));
         let difference = self.b.ins().isub(most, least);
         self.set(i.rt, difference);
     }
 
     /// The sum of each word's bytes.
-    fn summed(&mut self, register: u8) -> Value {
+    fn byte_sums(&mut self, register: u8) -> Value {
         let words = self.lanes(I32X4, register);
         let odd = self.and(words, 0x00ff_00ff);
         let even = self.right(words, 8);
@@ -246,7 +247,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn sum_bytes(&mut self, i: Instruction) {
-        let (a, b) = (self.summed(i.ra), self.summed(i.rb));
+        let (a, b) = (self.byte_sums(i.ra), self.byte_sums(i.rb));
         let b = self.left(b, 16);
         let sums = self.b.ins().bor(a, b);
         self.set(i.rt, sums);
@@ -345,7 +346,7 @@ impl Emitter<'_> {
                 plain: a.plain && b.plain,
                 no_negative_zero: a.no_negative_zero && b.no_negative_zero,
                 mask: a.mask && b.mask,
-                told: (a.told || a.plain) && (b.told || b.plain),
+                flags_noted: (a.flags_noted || a.plain) && (b.flags_noted || b.plain),
                 raises: false,
             }
         } else {
@@ -364,7 +365,7 @@ impl Emitter<'_> {
     }
 
     pub(super) fn compare(&mut self, i: Instruction, ty: Type, compare: IntCC) {
-        let (a, b) = self.both(ty, i);
+        let (a, b) = self.operands(ty, i);
         self.compared(i.rt, ty, compare, a, b);
     }
 
@@ -383,7 +384,7 @@ impl Emitter<'_> {
         self.set_with(rt, result, facts);
     }
 
-    /// The preferred word of a register in every lane of words.
+    /// The preferred word of a register, or its low halfword, in every lane.
     pub(super) fn splat_scalar(&mut self, ty: Type, register: u8) -> Value {
         let scalar = self.scalar(register);
         let lane = match ty {

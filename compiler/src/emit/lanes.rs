@@ -1,11 +1,11 @@
-//! Lanes out of vectors and into them.
+//! Lanes of vectors: extracting, gathering, shifting and masking.
 
 use cranelift_codegen::ir::{InstBuilder, Type, Value};
 
 use super::Emitter;
 
 impl Emitter<'_> {
-    /// The lanes of a vector, as they lie on the host.
+    /// The lanes of a vector, in the host's order.
     pub(super) fn extract(&mut self, vector: Value) -> Vec<Value> {
         let lanes = self.b.func.dfg.value_type(vector).lane_count();
         (0..lanes as u8)
@@ -29,19 +29,19 @@ impl Emitter<'_> {
         self.b.ins().ishl(a, count)
     }
 
-    /// Each lane of `a` shifted right by a constant, zeros coming in.
+    /// Each lane of `a` shifted right by a constant, filled with zeros.
     pub(super) fn right(&mut self, a: Value, count: u32) -> Value {
         let count = self.word(count);
         self.b.ins().ushr(a, count)
     }
 
-    /// Each lane of `a` shifted right by a constant, signs coming in.
+    /// Each lane of `a` shifted right by a constant, filled with the sign.
     pub(super) fn right_signed(&mut self, a: Value, count: u32) -> Value {
         let count = self.word(count);
         self.b.ins().sshr(a, count)
     }
 
-    /// `a` with the bits of a word.
+    /// Each word of `a`, masked by `bits`.
     pub(super) fn and(&mut self, a: Value, bits: u32) -> Value {
         let bits = self.splat(bits);
         self.b.ins().band(a, bits)

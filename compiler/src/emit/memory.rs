@@ -1,4 +1,4 @@
-//! Loads, stores, and the controls with which `shufb` inserts into a quadword.
+//! Loads, stores, and the controls for inserting into a quadword with `shufb`.
 
 use cranelift_codegen::ir::{InstBuilder, MemFlagsData, Value, types};
 use spu_isa::{Instruction, LIMIT_MASK};
@@ -10,22 +10,22 @@ use crate::tables::TABLES;
 
 const QUADWORD_MASK: u32 = LIMIT_MASK & !15;
 
-/// What is known of an address when the code is made.
+/// What is known about an address when code is emitted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Key {
     Constant(u32),
-    /// A value's preferred word and a distance.
+    /// The sum of a value's preferred word and a constant.
     Based(Id, u32),
     Unknown,
 }
 
-/// A quadword of local store.
+/// The address of a quadword in local store.
 #[derive(Clone, Copy)]
 pub(super) struct Address {
     pub key: Key,
-    /// Where it lies in local store.
+    /// The address in local store.
     pub masked: Value,
-    /// Where it lies on the host: at this pointer and offset.
+    /// The address on the host is this pointer plus `offset`.
     pub pointer: Value,
     pub offset: i32,
 }
@@ -62,7 +62,7 @@ impl Key {
     }
 }
 
-/// Bytes of words the other way round.
+/// A shuffle that reverses the bytes of each word.
 const SWAPPED: [u8; 16] = [3, 2, 1, 0, 7, 6, 5, 4, 11, 10, 9, 8, 15, 14, 13, 12];
 
 impl Emitter<'_> {
@@ -96,7 +96,7 @@ impl Emitter<'_> {
         }
     }
 
-    /// The address at a register and a constant.
+    /// The address that is the sum of a register and a constant.
     pub(super) fn displaced(&mut self, i: Instruction) -> Address {
         let base = self.get(i.ra);
         let key = self.key(base).plus(i.immediate as u32);
@@ -105,7 +105,7 @@ impl Emitter<'_> {
         self.at(key, sum)
     }
 
-    /// The address at the sum of two registers.
+    /// The address that is the sum of two registers.
     pub(super) fn indexed(&mut self, i: Instruction) -> Address {
         let (a, b) = (self.get(i.ra), self.get(i.rb));
         let key = match (self.key(a), self.key(b)) {
@@ -152,7 +152,7 @@ impl Emitter<'_> {
     pub(super) fn store(&mut self, i: Instruction, address: Address) {
         let id = self.get(i.rt);
         let words = self.words(id);
-        self.node(id).kept = true;
+        self.node(id).computed = true;
         let bytes = self.shuffle(words, words, SWAPPED);
         self.pending.push(Pending {
             address,
@@ -161,7 +161,7 @@ impl Emitter<'_> {
         });
     }
 
-    /// The control for insertion of `1 << size` bytes at an address that ends in these bits.
+    /// Sets rt to the control that inserts `1 << size` bytes at the address in `scalar`.
     fn insert(&mut self, rt: u8, size: usize, key: Key, scalar: Value) {
         let table = &TABLES.insertion[size];
         if let Key::Constant(at) = key {
@@ -175,7 +175,7 @@ impl Emitter<'_> {
         self.set(rt, control);
     }
 
-    /// The quadword of a table that the low bits of a word choose.
+    /// Loads the quadword of a table that the bits `mask` of `index` select.
     pub(super) fn table_row(&mut self, table: *const u8, index: Value, mask: u32) -> Value {
         let index = self.b.ins().band_imm_u(index, i64::from(mask));
         let wide = self.b.ins().uextend(types::I64, index);

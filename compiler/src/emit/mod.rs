@@ -1,17 +1,17 @@
-//! From a trace to a function of the host.
+//! Translates a trace to a function of the host.
 //!
-//! The function follows the trace. Registers are values while it runs; what was changed is written
-//! back where the function is left. Where the SPU goes another way than the trace did, a side exit
-//! leaves.
+//! The function follows the trace. It holds SPU registers in host values, and writes the changed
+//! ones back where it exits. Where the SPU leaves the path of the trace, the function takes a side
+//! exit.
 //!
-//! **Commits.** Stores are held back, and registers are written nowhere, until a commit has looked
-//! whether all that happened since the last one was as on an SPU: no float operation met what the
-//! host does differently, and no store hits the code of the trace itself. If something was not, the
-//! function fails: it leaves the state of the last commit, from which an interpreter goes on. There
-//! is a commit at every exit, and before a load that a held store might change.
+//! **Commits.** The function holds back stores and writes no registers until a commit has checked
+//! everything since the last one: no float operation met numbers that the host treats differently,
+//! and no store hits the code of the trace itself. If a check fails, the function fails: it leaves
+//! the state of the last commit, and the interpreter continues from there. There is a commit at
+//! every exit, and before a load that a pending store might affect.
 //!
-//! Invariant: what is emitted into a side exit changes nothing here, since the trace goes on from
-//! before it.
+//! Invariant: emitting a side exit doesn't change the emitter's state, because the trace continues
+//! from the state before the exit.
 
 mod branch;
 mod bytes;
@@ -36,9 +36,9 @@ use cranelift_codegen::isa::{CallConv, TargetFrontendConfig};
 use cranelift_frontend::FunctionBuilder;
 
 use crate::cpu::Exit;
+use crate::float_mode::FloatMode;
 use crate::tables::Estimates;
 use crate::trace::{Range, Step, Trace, code_address};
-use crate::way::Way;
 use commit::{Committed, Pending, Unverified};
 use registers::Registers;
 use spu_isa::timing::hints_by_register;
@@ -49,7 +49,7 @@ pub(crate) mod field {
     use std::mem::offset_of;
 
     pub const FPSCR: i32 = offset_of!(Context, fpscr) as i32;
-    pub const UNREAD: i32 = offset_of!(Context, unread) as i32;
+    pub const SINK: i32 = offset_of!(Context, sink) as i32;
     pub const TABLE: i32 = offset_of!(Context, table) as i32;
     pub const ENTRIES: i32 = offset_of!(Context, entries) as i32;
     pub const LOG: i32 = offset_of!(Context, log) as i32;
@@ -59,8 +59,8 @@ pub(crate) mod field {
     pub const MXCSR: i32 = offset_of!(Context, mxcsr) as i32;
 }
 
-/// What units take: registers, local store, context, budget, program counter. They give why they
-/// were left, and call each other in their last step.
+/// The signature of units. The arguments are registers, local store, context, budget, program
+/// counter. The result is the reason for the exit. Units end with tail calls to other units.
 pub(crate) fn unit_signature() -> Signature {
     let mut signature = Signature::new(CallConv::Tail);
     signature.params.extend([AbiParam::new(types::I64); 4]);
@@ -69,27 +69,27 @@ pub(crate) fn unit_signature() -> Signature {
     signature
 }
 
-/// Makes one function.
+/// Emits the function of one trace.
 pub(crate) struct Emitter<'a> {
     b: FunctionBuilder<'a>,
-    way: Way,
-    /// Whether the instruction at hand is carried out in doubles.
+    mode: FloatMode,
+    /// Whether the current instruction is computed in doubles.
     in_doubles: bool,
     estimates: Estimates,
     /// The unit's number.
     number: u32,
-    /// Whether each passage through the unit is written down.
+    /// Whether each passage through the unit is logged.
     logs: bool,
-    /// The targets of hints by a register, each after so many instructions.
+    /// The targets of hints by register, each with the number of instructions up to the hint.
     hints: Vec<(u32, Value)>,
-    /// Code of the trace, by whole quadwords.
+    /// The code of the trace, as ranges of consecutive words.
     code: Vec<Range>,
     registers: Value,
     local_store: Value,
     context: Value,
-    /// Instructions that might run when the function, or its loop, was entered.
+    /// The budget of instructions when the function, or the current iteration of its loop, began.
     budget: Value,
-    /// Where the loop, if the trace is one, goes round to.
+    /// The block to which the trace's loop jumps back, if the trace is a loop.
     entry: Block,
     unit: SigRef,
     mxcsr_reader: SigRef,
@@ -97,20 +97,20 @@ pub(crate) struct Emitter<'a> {
     committed: Committed,
     pending: Vec<Pending>,
     unverified: Unverified,
-    /// Instructions before the one at `pc`.
+    /// The number of instructions before the one at `pc`.
     count: u32,
     pc: u32,
-    /// A side exit is being emitted.
-    aside: bool,
-    floats: bool,
+    /// Whether a side exit is being emitted.
+    in_side_exit: bool,
+    has_floats: bool,
 }
 
 impl<'a> Emitter<'a> {
-    /// Begins the function of a trace.
+    /// Creates an emitter for a trace, and begins its function.
     pub fn new(
         mut b: FunctionBuilder<'a>,
         trace: &Trace,
-        way: Way,
+        mode: FloatMode,
         estimates: Estimates,
         number: u32,
         logs: bool,
@@ -132,7 +132,7 @@ impl<'a> Emitter<'a> {
         let start = trace.start();
         Self {
             b,
-            way,
+            mode,
             in_doubles: false,
             estimates,
             number,
@@ -152,12 +152,12 @@ impl<'a> Emitter<'a> {
             unverified: Unverified::default(),
             count: 0,
             pc: start,
-            aside: false,
-            floats: false,
+            in_side_exit: false,
+            has_floats: false,
         }
     }
 
-    /// Emits the function; gives whether it has float operations that can fail in singles.
+    /// Emits the function. Returns whether it has float operations that can fail in singles.
     pub fn emit(mut self, trace: &Trace, target: TargetFrontendConfig) -> bool {
         self.enter(trace.steps().len());
         for step in trace.steps() {
@@ -166,12 +166,12 @@ impl<'a> Emitter<'a> {
         self.end(trace);
         self.b.seal_all_blocks();
         self.b.finalize(target);
-        self.floats
+        self.has_floats
     }
 
     fn step(&mut self, step: &Step) {
         self.pc = step.pc;
-        self.in_doubles = self.way.in_doubles.has(self.count as usize);
+        self.in_doubles = self.mode.in_doubles.contains(self.count as usize);
         if !self.branch(step.instruction, step.next) {
             self.operation(step.instruction);
         }
@@ -195,21 +195,21 @@ impl<'a> Emitter<'a> {
             self.b.ins().jump(self.entry, &[left.into()]);
         } else {
             let pc = self.word(self.pc);
-            self.leave_for(pc);
+            self.chain_to(pc);
         }
     }
 
-    /// What every unit begins with: it needs a budget for all its instructions, and its code has to
-    /// stand in local store.
+    /// Emits the start of a unit. The unit exits unless the budget covers all its instructions and
+    /// local store holds its code. Then it counts the entry.
     fn enter(&mut self, steps: usize) {
         let longest = self.b.ins().iconst(types::I64, steps as i64);
         let short = self
             .b
             .ins()
             .icmp(IntCC::SignedLessThan, self.budget, longest);
-        self.aside_if(short, |e| e.exit(Exit::LEFT));
+        self.side_exit_if(short, |e| e.exit(Exit::LEFT));
         let different = self.code_differs();
-        self.aside_if(different, |e| e.exit(Exit::STALE));
+        self.side_exit_if(different, |e| e.exit(Exit::STALE));
         let at = self.load_field(types::I64, field::ENTRIES);
         let flags = MemFlagsData::trusted();
         let offset = 4 * self.number as i32;
@@ -218,17 +218,17 @@ impl<'a> Emitter<'a> {
         self.b.ins().store(flags, entries, at, offset);
     }
 
-    /// Emits `exit` where `condition` holds; the rest goes on where it does not.
-    fn aside_if(&mut self, condition: Value, exit: impl FnOnce(&mut Self)) {
+    /// Emits a side exit, taken if `condition` holds. Code emitted afterwards runs if it doesn't.
+    fn side_exit_if(&mut self, condition: Value, exit: impl FnOnce(&mut Self)) {
         let aside = self.b.create_block();
-        let on = self.b.create_block();
+        let continuation = self.b.create_block();
         self.b.set_cold_block(aside);
-        self.b.ins().brif(condition, aside, &[], on, &[]);
+        self.b.ins().brif(condition, aside, &[], continuation, &[]);
         self.b.switch_to_block(aside);
-        let outer = std::mem::replace(&mut self.aside, true);
+        let outer = std::mem::replace(&mut self.in_side_exit, true);
         exit(self);
-        self.aside = outer;
-        self.b.switch_to_block(on);
+        self.in_side_exit = outer;
+        self.b.switch_to_block(continuation);
     }
 
     fn load_field(&mut self, ty: types::Type, offset: i32) -> Value {

@@ -1,4 +1,4 @@
-//! From an instruction that is no branch to what emits it.
+//! Selects the emitting function for each instruction that is no branch.
 
 use cranelift_codegen::ir::condcodes::IntCC;
 use cranelift_codegen::ir::types::{I8X16, I16X8, I32X4};
@@ -15,8 +15,8 @@ impl Emitter<'_> {
     ///
     /// # Panics
     ///
-    /// If a trace can't have it: [`can_compile`](crate::can_compile) says which can.
-    #[expect(clippy::too_many_lines, reason = "a line an instruction")]
+    /// If the instruction is a branch, or [`can_compile`](crate::can_compile) rejects it.
+    #[expect(clippy::too_many_lines, reason = "one line per instruction")]
     pub(super) fn operation(&mut self, i: Instruction) {
         use IntCC::{Equal, SignedGreaterThan, UnsignedGreaterThan};
         match i.op {
@@ -65,7 +65,7 @@ impl Emitter<'_> {
             Op::Ilh => self.set_constant(i.rt, [(i.immediate as u32 & 0xffff) * 0x0001_0001; 4]),
             Op::Ilhu => self.set_constant(i.rt, [(i.immediate as u32) << 16; 4]),
             Op::Iohl => self.logic_constant(i, i.rt, Logic::Or, i.immediate as u32 & 0xffff),
-            Op::Fsmbi => self.spread_constant(i),
+            Op::Fsmbi => self.form_mask_of_constant(i),
 
             Op::A => self.add(i, I32X4),
             Op::Ah => self.add(i, I16X8),
@@ -95,7 +95,7 @@ impl Emitter<'_> {
             Op::Mpys => self.multiply_shifted(i),
 
             Op::Clz => self.leading_zeros(i),
-            Op::Cntb => self.ones_of_bytes(i),
+            Op::Cntb => self.count_ones_in_bytes(i),
             Op::Avgb => self.average_bytes(i),
             Op::Absdb => self.difference_of_bytes(i),
             Op::Sumb => self.sum_bytes(i),
@@ -124,9 +124,9 @@ impl Emitter<'_> {
 
             Op::Selb => self.select(i),
             Op::Shufb => self.shuffle_bytes(i),
-            Op::Fsm => self.spread_over_words(i),
-            Op::Fsmh => self.spread_over_halfwords(i),
-            Op::Fsmb => self.spread_over_bytes(i),
+            Op::Fsm => self.form_mask_of_words(i),
+            Op::Fsmh => self.form_mask_of_halfwords(i),
+            Op::Fsmb => self.form_mask_of_bytes(i),
             Op::Gb => self.gather_words(i),
             Op::Gbh => self.gather_halfwords(i),
             Op::Gbb => self.gather_bytes(i),
@@ -155,13 +155,13 @@ impl Emitter<'_> {
             Op::Rotqmbii => self.shift_bits(i, Bits::Right, Count::Constant),
             Op::Shlqby => self.shift_bytes(i, Bytes::Left, Count::Register),
             Op::Shlqbyi => self.shift_bytes(i, Bytes::Left, Count::Constant),
-            Op::Shlqbybi => self.shift_bytes(i, Bytes::Left, Count::RegisterOfBits),
+            Op::Shlqbybi => self.shift_bytes(i, Bytes::Left, Count::RegisterInBits),
             Op::Rotqby => self.shift_bytes(i, Bytes::Rotate, Count::Register),
             Op::Rotqbyi => self.shift_bytes(i, Bytes::Rotate, Count::Constant),
-            Op::Rotqbybi => self.shift_bytes(i, Bytes::Rotate, Count::RegisterOfBits),
+            Op::Rotqbybi => self.shift_bytes(i, Bytes::Rotate, Count::RegisterInBits),
             Op::Rotqmby => self.shift_bytes(i, Bytes::Right, Count::Register),
             Op::Rotqmbyi => self.shift_bytes(i, Bytes::Right, Count::Constant),
-            Op::Rotqmbybi => self.shift_bytes(i, Bytes::Right, Count::RegisterOfBits),
+            Op::Rotqmbybi => self.shift_bytes(i, Bytes::Right, Count::RegisterInBits),
 
             Op::Ceq => self.compare(i, I32X4, Equal),
             Op::Ceqh => self.compare(i, I16X8, Equal),
@@ -197,27 +197,27 @@ impl Emitter<'_> {
             Op::Fcgt => self.compare_singles(i, Compare::Greater, false),
             Op::Fcmgt => self.compare_singles(i, Compare::Greater, true),
 
-            // Branches, which come another way.
+            // Branches and halts, which `branch` emits.
             Op::Br | Op::Bra | Op::Brsl | Op::Brasl | Op::Brz | Op::Brnz | Op::Brhz
             | Op::Brhnz | Op::Bi | Op::Bisl | Op::Biz | Op::Binz | Op::Bihz | Op::Bihnz
             | Op::Heq | Op::Heqi | Op::Hgt | Op::Hgti | Op::Hlgt | Op::Hlgti
-            // Those that no trace has.
+            // Instructions that `can_compile` rejects.
             | Op::Iret | Op::Bisled | Op::Stop | Op::Stopd | Op::Sync | Op::Dsync | Op::Mfspr
             | Op::Rdch | Op::Rchcnt | Op::Wrch | Op::Dfa | Op::Dfs | Op::Dfm | Op::Dfma
             | Op::Dfms | Op::Dfnms | Op::Dfnma | Op::Fesd | Op::Frds | Op::Fscrrd | Op::Fscrwr
             | Op::Dfceq | Op::Dfcmeq | Op::Dfcgt | Op::Dfcmgt | Op::Dftsv => {
-                unreachable!("no trace has this as an operation: {i:?}")
+                unreachable!("a trace can't contain this operation: {i:?}")
             }
         }
     }
 }
 
-/// The constant as a word of halfwords.
+/// The immediate in both halfwords of a word.
 pub(super) const fn halfwords(i: Instruction) -> u32 {
     i.immediate as u16 as u32 * 0x0001_0001
 }
 
-/// The constant as a word of bytes.
+/// The immediate in all four bytes of a word.
 pub(super) const fn bytes(i: Instruction) -> u32 {
     i.immediate as u8 as u32 * 0x0101_0101
 }

@@ -1,55 +1,56 @@
-//! The registers as values.
+//! The SPU registers as values of the emitted function.
 
 use cranelift_codegen::ir::{Endianness, InstBuilder, MemFlagsData, Type, Value, types};
 
 use super::{Emitter, field};
 
-/// A value that some register has, or had; by number, as several registers may have it.
+/// The number of a value that a register has or had. Several registers may share a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) struct Id(usize);
 
-/// What is known of a value.
+/// Facts about a value that are known when code is emitted.
 #[derive(Clone, Copy, Default)]
 pub(super) struct Facts {
-    /// In every lane a single that IEEE reads as an SPU does: zero, or a number whose exponent
-    /// field is 1 to 254. (If the next commit succeeds.)
+    /// Every lane is a single that has the same value in IEEE format: zero, or a number whose
+    /// exponent field is 1 to 254. This holds only if the next commit succeeds.
     pub plain: bool,
-    /// In no lane -0.
+    /// No lane is -0.
     pub no_negative_zero: bool,
     /// Each lane is all ones or all zeros.
     pub mask: bool,
-    /// Result of a float operation that has to be computed even if nobody reads it.
+    /// The result of a float operation that must be computed even if nobody reads it, because its
+    /// exceptions count.
     pub raises: bool,
-    /// Its lanes' exponents of 255 and denormals are in the FPSCR's flags already.
-    pub told: bool,
+    /// Flags for its lanes with exponent 255 and its denormal lanes have been noted already.
+    pub flags_noted: bool,
 }
 
-/// A value, in all forms that it was needed in so far.
+/// A value, in all forms that were needed so far.
 #[derive(Clone, Default)]
 pub(super) struct Node {
     /// As four words.
     pub words: Option<Value>,
-    /// The same, if known when the code is made.
+    /// The four words, if they are known when code is emitted.
     pub constant: Option<[u32; 4]>,
     /// The preferred word.
     pub scalar: Option<Value>,
-    /// The preferred word is that of another value and a constant.
+    /// Another value and a constant, if the preferred word is their sum.
     pub root: Option<(Id, u32)>,
     /// The lanes as doubles: words 0 and 1, words 2 and 3.
     pub doubles: Option<[Value; 2]>,
-    /// As singles with +0 for -0.
+    /// As singles, with +0 in place of -0.
     pub canonical: Option<Value>,
-    /// The negated singles, with +0 for zero.
+    /// As negated singles, with +0 for zeros.
     pub negated: Option<Value>,
-    /// Integers that order as singles.
+    /// Integers that have the same order as the singles.
     pub order: Option<Value>,
     pub facts: Facts,
-    /// It is sure to be computed: it is stored, written back, or an operand of arithmetic of which
-    /// the same holds.
-    pub kept: bool,
+    /// Whether it is certain to be computed: it is stored, written back, or an operand of
+    /// arithmetic that is certain to be computed.
+    pub computed: bool,
 }
 
-/// Which value each register has.
+/// The value of each register.
 pub(super) struct Registers {
     nodes: Vec<Node>,
     slots: [Option<Id>; 128],
@@ -72,7 +73,7 @@ impl Registers {
         Id(self.nodes.len() - 1)
     }
 
-    /// Registers whose values are not those in memory.
+    /// The registers whose values differ from those in memory, with their values.
     pub fn changed(&self) -> Vec<(u8, Id)> {
         let changed = (0..128u8).filter(|&register| self.changed[usize::from(register)]);
         changed
@@ -94,7 +95,7 @@ impl Emitter<'_> {
         self.file.nodes[id.0].facts
     }
 
-    /// The value of a register.
+    /// The value of a register, which is loaded at its first use.
     pub(super) fn get(&mut self, register: u8) -> Id {
         let slot = usize::from(register);
         if let Some(id) = self.file.slots[slot] {
@@ -113,23 +114,23 @@ impl Emitter<'_> {
         self.b.ins().load(ty, flags, self.registers, offset)
     }
 
-    /// Gives a register a value that some other has.
+    /// Sets a register to an existing value.
     pub(super) fn put(&mut self, register: u8, id: Id) {
         let slot = usize::from(register);
         let old = self.file.slots[slot].filter(|&old| old != id);
         if let Some(old) = old {
-            self.keep(old);
+            self.force(old);
         }
         self.file.slots[slot] = Some(id);
         self.file.changed[slot] = true;
     }
 
-    /// Has a result computed whose exceptions count, though nobody will read it.
-    fn keep(&mut self, id: Id) {
+    /// Stores a result whose exceptions count, so that it is computed although nobody reads it.
+    fn force(&mut self, id: Id) {
         let node = self.node(id);
-        if node.facts.raises && !node.kept {
+        if node.facts.raises && !node.computed {
             let words = self.words(id);
-            self.store_field(words, field::UNREAD);
+            self.store_field(words, field::SINK);
         }
     }
 
@@ -138,7 +139,7 @@ impl Emitter<'_> {
         self.put(register, id);
     }
 
-    /// Gives a register a value of any vector type.
+    /// Sets a register to a value of any vector type.
     pub(super) fn set(&mut self, register: u8, value: Value) {
         self.set_with(register, value, Facts::default());
     }
@@ -174,7 +175,7 @@ impl Emitter<'_> {
         );
     }
 
-    /// The four words.
+    /// A value's four words.
     pub(super) fn words(&mut self, id: Id) -> Value {
         if let Some(words) = self.node(id).words {
             return words;
@@ -185,14 +186,14 @@ impl Emitter<'_> {
             (None, Some(doubles)) => self.narrow(doubles),
             (None, None) => unreachable!("every value has one of these forms"),
         };
-        // A constant is as cheap to make again as to keep.
-        if !self.aside && node.constant.is_none() {
+        // Emitting a constant again costs no more than keeping it.
+        if !self.in_side_exit && node.constant.is_none() {
             self.node(id).words = Some(words);
         }
         words
     }
 
-    /// The value of a register, as a vector of this type.
+    /// A register's value as a vector of this type.
     pub(super) fn lanes(&mut self, ty: Type, register: u8) -> Value {
         let id = self.get(register);
         let words = self.words(id);
@@ -214,7 +215,7 @@ impl Emitter<'_> {
             let words = self.words(id);
             self.b.ins().extractlane(words, 0)
         };
-        if !self.aside {
+        if !self.in_side_exit {
             self.node(id).scalar = Some(scalar);
         }
         scalar
@@ -226,7 +227,7 @@ impl Emitter<'_> {
         self.scalar_of(id)
     }
 
-    /// A preferred word, the other words 0.
+    /// Sets a register's preferred word, and its other words to 0.
     pub(super) fn set_scalar(&mut self, register: u8, value: Value) {
         let zeros = self.vector([0; 4]);
         let words = self.b.ins().insertlane(zeros, value, 0);
@@ -240,7 +241,7 @@ impl Emitter<'_> {
         );
     }
 
-    /// Writes the registers to memory that have other values there.
+    /// Writes all changed registers to memory.
     pub(super) fn write_back(&mut self) {
         let changed = self.file.changed();
         self.write(&changed);
@@ -249,14 +250,14 @@ impl Emitter<'_> {
     pub(super) fn write(&mut self, registers: &[(u8, Id)]) {
         for &(register, id) in registers {
             let words = self.words(id);
-            self.node(id).kept = true;
+            self.node(id).computed = true;
             let flags = MemFlagsData::trusted();
             let offset = 16 * i32::from(register);
             self.b.ins().store(flags, words, self.registers, offset);
         }
     }
 
-    /// The same bits as a vector of another type.
+    /// The same bits as a value of another type.
     pub(super) fn cast(&mut self, ty: Type, value: Value) -> Value {
         if self.b.func.dfg.value_type(value) == ty {
             return value;
@@ -274,13 +275,14 @@ impl Emitter<'_> {
         self.vector([word; 4])
     }
 
-    /// A constant of this type, by its bytes as they lie in the host's memory.
+    /// A constant of this type. `bytes` are in the order of the host's memory.
     pub(super) fn constant_bytes(&mut self, ty: Type, bytes: Vec<u8>) -> Value {
         let constant = self.b.func.dfg.constants.insert(bytes.into());
         self.b.ins().vconst(ty, constant)
     }
 
-    /// Bytes of `a` (0 to 15) and `b` (from 16 on) as they lie on the host; 0 for those above 31.
+    /// Selects bytes of `a` (0 to 15) and `b` (16 to 31), counted in the host's order. Indices
+    /// above 31 give 0.
     pub(super) fn shuffle(&mut self, a: Value, b: Value, from: [u8; 16]) -> Value {
         let (a, b) = (self.cast(types::I8X16, a), self.cast(types::I8X16, b));
         let mask = self.b.func.dfg.immediates.push(from.to_vec().into());

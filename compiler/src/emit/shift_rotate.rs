@@ -7,7 +7,7 @@ use spu_isa::Instruction;
 use super::Emitter;
 use crate::tables::TABLES;
 
-/// What becomes of each lane. The right shifts take their counts negated.
+/// How each lane moves. The counts of right shifts are negated.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub(super) enum Move {
     Left,
@@ -16,7 +16,7 @@ pub(super) enum Move {
     RightSigned,
 }
 
-/// What becomes of a quadword, by up to seven bits.
+/// How a quadword moves by up to seven bits.
 #[derive(Clone, Copy)]
 pub(super) enum Bits {
     Left,
@@ -24,7 +24,7 @@ pub(super) enum Bits {
     Right,
 }
 
-/// What becomes of a quadword, by bytes.
+/// How a quadword moves by whole bytes.
 #[derive(Clone, Copy)]
 pub(super) enum Bytes {
     Left,
@@ -32,14 +32,14 @@ pub(super) enum Bytes {
     Right,
 }
 
-/// Where the count is.
+/// Where an instruction has its count.
 #[derive(Clone, Copy)]
 pub(super) enum Count {
     Constant,
     /// In rb.
     Register,
-    /// In rb, eight times.
-    RegisterOfBits,
+    /// In rb, as a number of bits, which is eight times the number of bytes.
+    RegisterInBits,
 }
 
 impl Emitter<'_> {
@@ -71,7 +71,8 @@ impl Emitter<'_> {
         self.set(i.rt, shifted);
     }
 
-    /// The host shifts all lanes by one count, so lanes with their own go one by one.
+    /// Shifts each lane by its own count. The host's vector shifts use one count for all lanes, so
+    /// lanes with different counts are shifted one by one.
     pub(super) fn shift(&mut self, i: Instruction, ty: Type, how: Move) {
         let counts = self.get(i.rb);
         if let Some([count, rest @ ..]) = self.constant(counts)
@@ -80,8 +81,8 @@ impl Emitter<'_> {
         {
             return self.shift_all(i, ty, how, count & 0xffff);
         }
-        // Within a type twice as wide no count is too large, and the host masks counts to its
-        // width, as the SPU does.
+        // In a type twice as wide no count is too large, and the host masks counts to that width,
+        // as the SPU does.
         let (lane, wide) = match ty {
             I16X8 => (types::I16, types::I32),
             _ => (types::I32, types::I64),
@@ -122,7 +123,7 @@ impl Emitter<'_> {
 
     pub(super) fn shift_bits(&mut self, i: Instruction, how: Bits, count: Count) {
         let a = self.lanes(I32X4, i.ra);
-        // The word whose bits come in, if any does.
+        // The neighbouring word of each word, whose bits are shifted in.
         let from = match how {
             Bits::Left => [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 16, 16, 16],
             Bits::Rotate => [4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3],
@@ -145,7 +146,7 @@ impl Emitter<'_> {
             let most = self.word(31);
             (count, self.b.ins().isub(most, count))
         };
-        // In two steps, as a count of 0 leaves 32 for the neighbour.
+        // The neighbour is shifted in two steps, because a count of 0 means a shift by 32 for it.
         let shifted = if right {
             let neighbour = self.left(neighbour, 1);
             let bits = self.b.ins().ishl(neighbour, rest);
@@ -169,12 +170,12 @@ impl Emitter<'_> {
         };
         let known = match count {
             Count::Constant => Some(i.immediate as u32),
-            Count::Register | Count::RegisterOfBits => {
+            Count::Register | Count::RegisterInBits => {
                 let id = self.get(i.rb);
                 self.constant(id).map(|words| words[0])
             }
         };
-        let of_bits = matches!(count, Count::RegisterOfBits);
+        let of_bits = matches!(count, Count::RegisterInBits);
         let right = matches!(how, Bytes::Right);
         let control = if let Some(count) = known {
             let count = if of_bits { count >> 3 } else { count };

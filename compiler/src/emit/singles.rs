@@ -1,9 +1,9 @@
 //! Arithmetic in the host's singles.
 //!
-//! The host rounds toward zero, flushes tiny results and takes denormal operands as they are. Its
-//! flags tell of denormal operands, overflow and tiny results, which an SPU does differently; of
-//! exponents of 255 nothing tells, so operands that don't come from arithmetic are looked at. A
-//! zero is never negative in an SPU's result, so terms that may be -0 become +0 first.
+//! The host rounds toward zero, flushes tiny results and keeps denormal operands. An SPU treats
+//! denormal operands, overflow and tiny results differently, and the host's flags report these.
+//! They don't report exponents of 255, so operands that aren't results of arithmetic are checked
+//! for them. An SPU's result is never -0, so terms that may be -0 are changed to +0 first.
 
 use cranelift_codegen::ir::types::F32X4;
 use cranelift_codegen::ir::{InstBuilder, Value};
@@ -63,23 +63,23 @@ impl Emitter<'_> {
         self.cast(F32X4, zero)
     }
 
-    /// A value as singles, looked at if need be.
+    /// A value as singles. Notes it for the check of exponents, unless it is known to pass.
     fn operand(&mut self, id: Id) -> Value {
         let words = self.words(id);
-        self.node(id).kept = true;
+        self.node(id).computed = true;
         if !self.facts(id).plain {
             let shifted = self.b.ins().iadd(words, words);
             self.unverified.magnitudes = Some(match self.unverified.magnitudes {
                 Some(largest) => self.b.ins().umax(largest, shifted),
                 None => shifted,
             });
-            // That no lane is denormal the host itself will have told.
+            // The host's flags will report denormal lanes.
             self.node(id).facts.plain = true;
         }
         self.cast(F32X4, words)
     }
 
-    /// A value as singles with +0 for -0.
+    /// A value as singles, with +0 in place of -0.
     fn canonical(&mut self, id: Id) -> Value {
         if let Some(canonical) = self.node(id).canonical {
             return canonical;
@@ -95,7 +95,7 @@ impl Emitter<'_> {
         canonical
     }
 
-    /// The negated singles, with +0 for zeros.
+    /// A value as negated singles, with +0 for zeros.
     fn negated(&mut self, id: Id) -> Value {
         if let Some(negated) = self.node(id).negated {
             return negated;

@@ -1,5 +1,5 @@
-//! Where nothing is compiled: the crate was built without its feature `compiler`, or the host has
-//! no compiler. The types are there, and none of their values.
+//! Replaces the compiled engine where this crate was built without its feature `compiler`, or the
+//! host has no compiler. The types exist, but have no values.
 
 use std::cell::RefCell;
 use std::fmt;
@@ -12,26 +12,26 @@ use crate::simulated::SpuClock;
 use crate::stop::Stopped;
 use spu_isa::Instruction;
 
-#[path = "turn.rs"]
-mod turn;
-pub(crate) use turn::Turn;
+#[path = "dispatch.rs"]
+mod dispatch;
+pub(crate) use dispatch::Dispatch;
 
 /// The translations of a machine.
 pub enum Translations {}
 
 impl Translations {
-    /// `None`: there is no compiler for this host.
+    /// Returns `None`, because there is no compiler.
     #[must_use]
     pub fn new(_: bool, _: bool) -> Option<Arc<Self>> {
         None
     }
 
-    /// Nothing is compiled at all.
+    /// Sets the compile threshold. Without a compiler it is never called.
     pub fn compile_after(&self, _: u8) {
         match *self {}
     }
 
-    /// How many pieces of code were compiled.
+    /// The number of units that were compiled.
     #[must_use]
     pub fn units(&self) -> usize {
         match *self {}
@@ -44,7 +44,7 @@ impl Translations {
     }
 }
 
-/// A run of instructions that came out differently when it was compiled.
+/// A run of instructions for which compiled code and the interpreter gave different results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Difference {}
 
@@ -60,23 +60,23 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Runs one SPU.
+/// Runs one SPU on compiled code and the interpreter.
 pub enum Runner {}
 
 impl Runner {
-    /// An SPU of the machine that these translations are of.
+    /// Creates the runner of an SPU of the machine to which these translations belong.
     #[must_use]
     pub fn new(translations: &Arc<Translations>) -> Self {
         match **translations {}
     }
 
-    /// How many instructions have run compiled, and not by the interpreter.
+    /// The number of instructions that ran in compiled code.
     #[must_use]
     pub fn compiled(&self) -> u64 {
         match *self {}
     }
 
-    /// Runs at most `limit` instructions; `None` if the SPU would go on.
+    /// Runs at most `limit` instructions. Returns `None` if the SPU can continue.
     pub fn run<C: Channels>(
         &mut self,
         _: &mut Spu,
@@ -87,7 +87,7 @@ impl Runner {
         match *self {}
     }
 
-    pub(crate) fn has(&self, _: u32) -> bool {
+    pub(crate) fn may_enter(&self, _: u32) -> bool {
         match *self {}
     }
 
@@ -98,19 +98,19 @@ impl Runner {
         _: &mut C,
         _: u64,
         _: &RefCell<SpuClock>,
-    ) -> Turn {
+    ) -> Dispatch {
         match *self {}
     }
 
-    pub(crate) fn come_to(&mut self, _: u32, _: &LocalStore) {
+    pub(crate) fn start_recording_if_hot(&mut self, _: u32, _: &LocalStore) {
         match *self {}
     }
 
-    pub(crate) fn records(&self) -> bool {
+    pub(crate) fn is_recording(&self) -> bool {
         match *self {}
     }
 
-    pub(crate) fn interpreted(
+    pub(crate) fn record_interpreted(
         &mut self,
         _: impl Iterator<Item = (u32, Instruction)>,
         _: u32,
@@ -123,7 +123,7 @@ impl Runner {
         match *self {}
     }
 
-    /// The same under the eyes of an observer.
+    /// As [`run`](Self::run), with calls to an observer.
     pub fn run_observed<C: Channels, O: Observer>(
         &mut self,
         _: &mut Spu,

@@ -1,11 +1,11 @@
-//! Compiled code beside the interpreter.
+//! The check mode: compares compiled code with the interpreter.
 //!
-//! Both start from a copy of local store, so that what others write meanwhile reaches neither; what
-//! the interpreter changed is then written to local store itself.
+//! Each runs on its own copy of local store, so writes by others during the run reach neither.
+//! Afterwards the interpreter's changes are written to local store itself.
 
 use std::fmt;
 
-use spu_compiler::{Cpu, Exit, MOST_STEPS, Storage};
+use spu_compiler::{Cpu, Exit, MAX_STEPS, Storage};
 
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
@@ -15,7 +15,7 @@ use crate::stop::{Stop, Stopped};
 
 const QUADWORD: usize = 16;
 
-/// What an SPU is after some instructions.
+/// The state of an SPU between instructions.
 #[derive(Clone, Debug, PartialEq, Eq)]
 struct State {
     registers: [Quad; 128],
@@ -33,7 +33,7 @@ impl State {
     }
 }
 
-/// A run of instructions that came out differently when it was compiled.
+/// A run of instructions for which compiled code and the interpreter gave different results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Difference {
     before: State,
@@ -41,8 +41,8 @@ pub struct Difference {
     compiled: State,
     interpreted: State,
     stopped: Option<Stopped>,
-    /// Address and contents of the first quadword of local store that differs: compiled and
-    /// interpreted.
+    /// The first quadword of local store that differs: its address, and its contents in the
+    /// compiled and in the interpreted run.
     local_store: Option<(u32, [u32; 4], [u32; 4])>,
 }
 
@@ -61,12 +61,15 @@ impl fmt::Display for Difference {
         let (compiled, interpreted) = (&self.compiled, &self.interpreted);
         write!(
             f,
-            "{} instructions from {:#07x} came out differently:\n\
-             the SPU went to {:#07x} compiled, to {:#07x} interpreted",
+            "{} instructions from {:#07x} gave different results:\n\
+             the program counter is {:#07x} compiled, {:#07x} interpreted",
             self.instructions, self.before.pc, compiled.pc, interpreted.pc
         )?;
         if let Some(stopped) = &self.stopped {
-            write!(f, "\nonly interpreted: {stopped}")?;
+            write!(
+                f,
+                "\nthe interpreter stopped, compiled code did not: {stopped}"
+            )?;
         }
         if let Some((address, compiled, interpreted)) = self.local_store {
             let (compiled, interpreted) = (words(compiled), words(interpreted));
@@ -77,7 +80,7 @@ impl fmt::Display for Difference {
         }
         writeln!(
             f,
-            "\nregister: before; compiled; interpreted, where it differs"
+            "\nregister: before; compiled; interpreted, if it differs"
         )?;
         writeln!(
             f,
@@ -100,8 +103,8 @@ impl fmt::Display for Difference {
     }
 }
 
-/// Runs units from where `spu` is, and the same number of instructions by the interpreter, whose
-/// results stay.
+/// Runs units from the SPU's program counter on, then as many instructions with the interpreter,
+/// and compares the results. The SPU keeps the interpreter's results.
 pub(super) fn check<C: Channels>(
     cpu: &mut Cpu,
     spu: &mut Spu,
@@ -123,9 +126,9 @@ pub(super) fn check<C: Channels>(
         registers: compiled.registers.as_mut_ptr().cast(),
         local_store: for_compiled.as_ptr(),
     };
-    let budget = left.min(MOST_STEPS as u64) as u32;
-    // SAFETY: registers and local store are this function's own, and as large and aligned as they
-    // have to be.
+    let budget = left.min(MAX_STEPS as u64) as u32;
+    // SAFETY: registers and local store belong to this function, and have the required size and
+    // alignment.
     let (exit, pc, instructions) =
         unsafe { cpu.enter(storage, &mut compiled.fpscr, before.pc, budget) };
     compiled.fpscr = Fpscr::from_words(compiled.fpscr).words();
@@ -167,10 +170,10 @@ mod tests {
     use super::*;
     use crate::channel::NoChannels;
     use crate::float::estimate::reciprocal_root_words;
-    use spu_compiler::{Compiler, Estimates, Step, Trace, Way};
+    use spu_compiler::{Compiler, Estimates, FloatMode, Step, Trace};
     use spu_isa::{Instruction, Op};
 
-    /// A compiler whose tables are wrong differs, and it is said where.
+    /// With wrong tables compiled code differs, and the message names the place.
     #[test]
     fn a_difference_is_found_and_told() {
         let estimates = Estimates {
@@ -195,9 +198,9 @@ mod tests {
             instruction,
             next: 4,
         };
-        let trace = Trace::new(vec![step]).expect("it can be compiled");
+        let trace = Trace::new(vec![step]).expect("the instruction can be compiled");
         let unit = compiler
-            .compile(trace, Way::SINGLES)
+            .compile(trace, FloatMode::SINGLES)
             .expect("there is room");
         let mut cpu = compiler.new_cpu();
         cpu.install(&unit);
@@ -217,7 +220,7 @@ mod tests {
         assert_eq!(
             spu.register(5),
             Quad::splat(0x3f7f_fbe0),
-            "the interpreter's result stays"
+            "the SPU keeps the interpreter's result"
         );
     }
 }

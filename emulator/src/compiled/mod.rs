@@ -1,19 +1,19 @@
-//! Runs SPU code that was compiled for the host, and leaves the rest to the interpreter.
+//! Runs SPU code that was compiled for the host, and falls back to the interpreter for the rest.
 //!
-//! The interpreter is the definition: what runs here gives the same registers, local store, FPSCR,
-//! stops and counts. Code that was entered often is recorded as a trace and compiled
-//! (`spu-compiler`); one translation serves all SPEs of a machine whose local stores hold the same
-//! code. A translation compares its code with local store each time it is entered, so code that was
-//! rewritten or brought by DMA is never run stale.
+//! The interpreter is the reference: compiled code gives the same registers, local store, FPSCR,
+//! stops and instruction counts. Hot code, which is entered often, is recorded as a trace and
+//! compiled (`spu-compiler`). All SPEs of a machine whose local stores hold the same code share
+//! one translation. Each time a translation is entered, it compares its code with local store. So
+//! stale code never runs, even if a store or DMA has replaced the code.
 
 mod check;
+mod dispatch;
 mod record;
 mod runner;
 mod specials;
 mod translations;
-mod turn;
 
 pub use check::Difference;
+pub(crate) use dispatch::Dispatch;
 pub use runner::Runner;
 pub use translations::Translations;
-pub(crate) use turn::Turn;

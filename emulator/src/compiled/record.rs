@@ -1,8 +1,8 @@
-//! Traces: the path that an SPU takes from a place that it has come to often.
+//! Recording of traces: the paths that an SPU takes from hot addresses.
 
 use std::collections::HashSet;
 
-use spu_compiler::{Cpu, MOST_STEPS, Step, Trace, can_compile};
+use spu_compiler::{Cpu, MAX_STEPS, Step, Trace, can_compile};
 use spu_isa::{Instruction, Machine};
 
 use crate::channel::Channels;
@@ -10,12 +10,12 @@ use crate::interp::Spu;
 use crate::local_store::LocalStore;
 use crate::stop::Stopped;
 
-/// The instruction in `word`, if a trace can have it.
+/// The instruction in `word`, if a trace can contain it.
 fn compilable(word: u32) -> Option<Instruction> {
     Instruction::decode(word).filter(|i| i.op.row().machine == Machine::Every && can_compile(*i))
 }
 
-/// The path that an SPU takes, up to where a trace of it ends.
+/// Records the path that an SPU takes, up to the end of its trace.
 #[derive(Default)]
 pub(super) struct Recorder {
     steps: Vec<Step>,
@@ -23,16 +23,16 @@ pub(super) struct Recorder {
 }
 
 impl Recorder {
-    /// Whether the trace can go on at `pc`: it does not once it is long, or comes round to its
-    /// start or another place that it has been to, or to one where a unit starts.
-    pub fn goes_on(&self, cpu: &Cpu, pc: u32) -> bool {
-        self.steps.len() < MOST_STEPS && !self.seen.contains(&pc) && !cpu.has(pc)
+    /// Whether the trace can continue at `pc`. It ends when it has [`MAX_STEPS`] instructions, or
+    /// returns to an address that it contains, or reaches one where a unit starts.
+    pub fn can_extend(&self, cpu: &Cpu, pc: u32) -> bool {
+        self.steps.len() < MAX_STEPS && !self.seen.contains(&pc) && !cpu.has_unit(pc)
     }
 
-    /// Adds the word at `pc`, behind which the SPU went to `next`; `false` if the trace ends before
-    /// it.
+    /// Adds the instruction `word` at `pc`, after which the SPU went to `next`. Returns `false` if
+    /// the trace ends before it.
     pub fn add(&mut self, cpu: &Cpu, pc: u32, word: u32, next: u32) -> bool {
-        let Some(instruction) = compilable(word).filter(|_| self.goes_on(cpu, pc)) else {
+        let Some(instruction) = compilable(word).filter(|_| self.can_extend(cpu, pc)) else {
             return false;
         };
         self.seen.insert(pc);
@@ -45,14 +45,14 @@ impl Recorder {
         true
     }
 
-    /// The trace, if it is one to be compiled.
+    /// The recorded trace, if it isn't empty and can be compiled.
     pub fn trace(self) -> Option<Trace> {
         Trace::new(self.steps)
     }
 }
 
-/// Interprets from where the SPU is, as long as a trace goes on. Gives the trace too, if it is one
-/// to be compiled.
+/// Interprets and records from the SPU's program counter to the end of the trace. Returns a stop
+/// if one happened, and the trace if it can be compiled.
 pub(super) fn record<C: Channels>(
     cpu: &Cpu,
     spu: &mut Spu,
@@ -61,7 +61,7 @@ pub(super) fn record<C: Channels>(
 ) -> (Option<Stopped>, Option<Trace>) {
     let mut recorder = Recorder::default();
     let mut stopped = None;
-    while stopped.is_none() && !spu.interrupts_enabled() && recorder.goes_on(cpu, spu.pc()) {
+    while stopped.is_none() && !spu.interrupts_enabled() && recorder.can_extend(cpu, spu.pc()) {
         let pc = spu.pc();
         let word = local_store.load_word(pc);
         if compilable(word).is_none() {

@@ -1,16 +1,16 @@
-//! The run of one SPU by units and interpreter.
+//! Runs one SPU on compiled units and the interpreter.
 
 use std::cell::RefCell;
 use std::sync::Arc;
 
-use spu_compiler::{Cpu, Exit, MOST_STEPS, Passage, Steps, Storage, Trace, Way};
+use spu_compiler::{Cpu, Exit, FloatMode, MAX_STEPS, Passage, Steps, Storage, Trace};
 use spu_isa::{Instruction, LOCAL_STORE_SIZE};
 
 use super::Translations;
 use super::check::check;
+use super::dispatch::Dispatch;
 use super::record::{Recorder, record};
 use super::specials::Specials;
-use super::turn::Turn;
 use crate::channel::Channels;
 use crate::float::fpscr::Fpscr;
 use crate::interp::{Ended, Observer, Spu};
@@ -18,45 +18,45 @@ use crate::local_store::LocalStore;
 use crate::simulated::{Path, SpuClock};
 use crate::stop::{Stop, Stopped};
 
-/// So often before it is looked whether another SPE has had it compiled.
-const WARM: u8 = 8;
-/// A place that is never compiled.
-const HOPELESS: u8 = u8::MAX;
-/// Instructions that run between two looks whether a stop was requested: some microseconds.
+/// The number of entries after which the runner looks for a unit that another SPE had compiled.
+const LOOKUP_THRESHOLD: u8 = 8;
+/// The entry count of an address that is never compiled.
+const NEVER: u8 = u8::MAX;
+/// The most instructions between two checks for a stop request. They take some microseconds.
 const SLICE: u64 = 20_000;
-/// The same in simulated time, in which others may wait for this SPU's clock.
+/// The same in simulated time. It is smaller because others may wait for this SPU's clock.
 const TIMED_SLICE: u64 = 4_000;
-/// Failures before a unit's share of them counts.
-const SOME_FAILURES: u32 = 16;
-/// One in so many runs may fail.
-const TOLERATED: u32 = 10;
+/// The number of failures from which on a unit's failure rate matters.
+const MIN_FAILURES: u32 = 16;
+/// A unit fails too often if it fails in more than one of this many entries.
+const ENTRIES_PER_FAILURE: u32 = 10;
 
-const PLACES: usize = LOCAL_STORE_SIZE as usize / 4;
+const LOCAL_STORE_WORDS: usize = LOCAL_STORE_SIZE as usize / 4;
 
-/// What is known of the failures of a unit.
+/// The failures of a unit.
 #[derive(Clone, Default)]
 struct Failures {
     count: u32,
-    /// The instructions that singles could not carry out.
+    /// The instructions that the host's singles could not compute.
     special: Steps,
 }
 
-/// Runs one SPU.
+/// Runs one SPU on compiled code and the interpreter.
 pub struct Runner {
     translations: Arc<Translations>,
     cpu: Cpu,
-    /// How often the SPU came to each word of local store by a branch that was interpreted.
-    heat: Box<[u8]>,
-    /// Failures by unit.
+    /// For each word of local store, how often the SPU entered it without a unit there.
+    entry_counts: Box<[u8]>,
+    /// The failures, by unit number.
     failures: Vec<Failures>,
-    /// Looks for what made a unit fail.
+    /// Finds the instructions that made a unit fail.
     specials: Option<Box<Specials>>,
-    /// Instructions that ran compiled.
+    /// The number of instructions that ran in compiled code.
     compiled: u64,
-    /// In simulated time: what is being recorded.
+    /// In simulated time: the current recording.
     recorder: Option<Recorder>,
-    /// In simulated time: the paths through units by their numbers, each with
-    /// [`Spu::rewritings`] when it was last compared.
+    /// In simulated time: the paths through units by their numbers, each with the value of
+    /// [`Spu::rewritings`] at its last comparison.
     paths: Vec<Option<(Arc<Path>, u64)>>,
 }
 
@@ -88,13 +88,13 @@ fn interpret<C: Channels, O: Observer>(
 }
 
 impl Runner {
-    /// An SPU of the machine that these translations are of.
+    /// Creates the runner of an SPU of the machine to which these translations belong.
     #[must_use]
     pub fn new(translations: &Arc<Translations>) -> Self {
         Self {
             cpu: translations.new_cpu(),
             translations: Arc::clone(translations),
-            heat: vec![0; PLACES].into_boxed_slice(),
+            entry_counts: vec![0; LOCAL_STORE_WORDS].into_boxed_slice(),
             failures: Vec::new(),
             specials: None,
             compiled: 0,
@@ -103,14 +103,14 @@ impl Runner {
         }
     }
 
-    /// How many instructions have run compiled, and not by the interpreter.
+    /// The number of instructions that ran in compiled code.
     #[must_use]
     pub fn compiled(&self) -> u64 {
         self.compiled
     }
 
-    /// Runs at most `limit` instructions; `None` if the SPU would go on. It is to be the same
-    /// `spu` each time, without the double-precision extension.
+    /// Runs at most `limit` instructions. Returns `None` if the SPU can continue. Every call must
+    /// pass the same `spu`, which must not have the double-precision extension.
     pub fn run<C: Channels>(
         &mut self,
         spu: &mut Spu,
@@ -121,7 +121,7 @@ impl Runner {
         self.run_observed(spu, local_store, channels, limit, &mut ())
     }
 
-    /// [`run`](Self::run) under the eyes of an `observer` that does not want all instructions.
+    /// As [`run`](Self::run), with calls to an `observer` that does not need every instruction.
     pub fn run_observed<C: Channels, O: Observer>(
         &mut self,
         spu: &mut Spu,
@@ -131,31 +131,31 @@ impl Runner {
         observer: &mut O,
     ) -> Option<Stopped> {
         let end = spu.executed().saturating_add(limit);
-        let mut turn = Turn::Any;
+        let mut next = Dispatch::Any;
         loop {
-            if let Turn::Stop(stopped) = turn {
+            if let Dispatch::Stop(stopped) = next {
                 return Some(stopped);
             }
             let left = end - spu.executed();
             if left == 0 {
                 return None;
             }
-            let compiled = !spu.interrupts_enabled() && self.cpu.has(spu.pc());
-            turn = match turn {
-                Turn::Any if compiled => {
-                    let (turn, exit) = self.run_units(spu, local_store, channels, left.min(SLICE));
+            let compiled = !spu.interrupts_enabled() && self.cpu.has_unit(spu.pc());
+            next = match next {
+                Dispatch::Any if compiled => {
+                    let (next, exit) = self.run_units(spu, local_store, channels, left.min(SLICE));
                     let left = end - spu.executed();
-                    let turn = match exit {
-                        Some(Exit::Left) if !self.cpu.has(spu.pc()) => {
-                            self.arrived(spu, local_store, channels, left)
+                    let next = match exit {
+                        Some(Exit::Left) if !self.cpu.has_unit(spu.pc()) => {
+                            self.record_if_hot(spu, local_store, channels, left)
                         }
-                        _ => turn,
+                        _ => next,
                     };
                     observer.after_compiled();
-                    turn
+                    next
                 }
                 _ => {
-                    let limit = if let Turn::Instruction = turn {
+                    let limit = if let Dispatch::InterpretOne = next {
                         1
                     } else {
                         left
@@ -163,74 +163,74 @@ impl Runner {
                     let stopped = interpret(spu, local_store, channels, limit, observer);
                     let left = end - spu.executed();
                     match stopped {
-                        Some(stopped) => Turn::Stop(stopped),
-                        None => self.arrived(spu, local_store, channels, left),
+                        Some(stopped) => Dispatch::Stop(stopped),
+                        None => self.record_if_hot(spu, local_store, channels, left),
                     }
                 }
             };
         }
     }
 
-    /// The SPU has come to a place where a unit may start. Whether its way from here is to be
-    /// recorded.
-    fn is_hot(&mut self, pc: u32, local_store: &LocalStore) -> bool {
-        if self.cpu.has(pc) {
+    /// Counts an entry at `pc`, where a unit may start. Returns whether the address is hot, so
+    /// that a trace should be recorded.
+    fn count_entry(&mut self, pc: u32, local_store: &LocalStore) -> bool {
+        if self.cpu.has_unit(pc) {
             return false;
         }
-        let hot = self.translations.hot();
-        let heat = &mut self.heat[pc as usize / 4];
-        if *heat == HOPELESS {
+        let threshold = self.translations.compile_threshold();
+        let count = &mut self.entry_counts[pc as usize / 4];
+        if *count == NEVER {
             return false;
         }
-        *heat = (*heat + 1).min(hot);
-        if *heat == WARM
+        *count = (*count + 1).min(threshold);
+        if *count == LOOKUP_THRESHOLD
             && let Some(unit) = self.translations.find(pc, local_store)
         {
             self.cpu.install(&unit);
             return false;
         }
-        let is_hot = *heat == hot;
+        let is_hot = *count == threshold;
         if is_hot {
-            *heat = 0;
+            *count = 0;
         }
         is_hot
     }
 
-    /// The interpreter has come to a place where a unit may start.
-    fn arrived<C: Channels>(
+    /// Counts an entry at the program counter, and records and compiles a trace if it is hot.
+    fn record_if_hot<C: Channels>(
         &mut self,
         spu: &mut Spu,
         local_store: &LocalStore,
         channels: &mut C,
         left: u64,
-    ) -> Turn {
-        if left >= MOST_STEPS as u64 && self.is_hot(spu.pc(), local_store) {
+    ) -> Dispatch {
+        if left >= MAX_STEPS as u64 && self.count_entry(spu.pc(), local_store) {
             let (stopped, trace) = record(&self.cpu, spu, local_store, channels);
             self.compile(trace);
             if let Some(stopped) = stopped {
-                return Turn::Stop(stopped);
+                return Dispatch::Stop(stopped);
             }
         }
-        Turn::Any
+        Dispatch::Any
     }
 
     fn compile(&mut self, trace: Option<Trace>) {
         let Some(trace) = trace else { return };
         let start = trace.start();
-        match self.translations.add(trace, Way::SINGLES) {
+        match self.translations.add(trace, FloatMode::SINGLES) {
             Some(unit) => self.cpu.install(&unit),
-            None => self.heat[start as usize / 4] = HOPELESS,
+            None => self.entry_counts[start as usize / 4] = NEVER,
         }
     }
 
-    /// Whether a unit starts at `pc`, and no recording goes on.
+    /// Whether a unit starts at `pc`, and no trace is being recorded.
     #[inline]
-    pub(crate) fn has(&self, pc: u32) -> bool {
-        self.recorder.is_none() && self.cpu.has(pc)
+    pub(crate) fn may_enter(&self, pc: u32) -> bool {
+        self.recorder.is_none() && self.cpu.has_unit(pc)
     }
 
-    /// In simulated time: runs units from where the SPU is, at most `limit` instructions, and lets
-    /// their time pass.
+    /// In simulated time: runs units from the program counter on, at most `limit` instructions,
+    /// and advances the clock.
     pub(crate) fn run_timed<C: Channels>(
         &mut self,
         spu: &mut Spu,
@@ -238,9 +238,9 @@ impl Runner {
         channels: &mut C,
         limit: u64,
         clock: &RefCell<SpuClock>,
-    ) -> Turn {
+    ) -> Dispatch {
         let limit = limit.min(TIMED_SLICE);
-        let (turn, exit) = self.run_units(spu, local_store, channels, limit);
+        let (next, exit) = self.run_units(spu, local_store, channels, limit);
         let mut words = self.cpu.log().iter().copied();
         let clock = &mut *clock.borrow_mut();
         while let Some(word) = words.next() {
@@ -252,31 +252,31 @@ impl Runner {
             let translations = &self.translations;
             let (path, proven) =
                 self.paths[at].get_or_insert_with(|| (translations.path(unit), u64::MAX));
-            clock.pass(spu, local_store, (&**path, proven), count, &mut words);
+            clock.advance_along(spu, local_store, (&**path, proven), count, &mut words);
         }
         if let Some(Exit::Left) = exit {
-            self.come_to(spu.pc(), local_store);
+            self.start_recording_if_hot(spu.pc(), local_store);
         }
-        turn
+        next
     }
 
-    /// In simulated time: the SPU has come to `pc` by a branch.
-    pub(crate) fn come_to(&mut self, pc: u32, local_store: &LocalStore) {
-        if self.recorder.is_none() && self.is_hot(pc, local_store) {
+    /// In simulated time: counts an entry at `pc`, and starts to record if it is hot.
+    pub(crate) fn start_recording_if_hot(&mut self, pc: u32, local_store: &LocalStore) {
+        if self.recorder.is_none() && self.count_entry(pc, local_store) {
             self.recorder = Some(Recorder::default());
         }
     }
 
-    /// Whether a recording goes on.
+    /// Whether a trace is being recorded.
     #[inline]
-    pub(crate) fn records(&self) -> bool {
+    pub(crate) fn is_recording(&self) -> bool {
         self.recorder.is_some()
     }
 
-    /// In simulated time: the interpreter has run these instructions, each at its address, and the
-    /// SPU is now at `next`.
+    /// In simulated time: adds these instructions and their addresses to the recording. The
+    /// interpreter has run them, and the program counter is now `next`.
     #[cold]
-    pub(crate) fn interpreted(
+    pub(crate) fn record_interpreted(
         &mut self,
         instructions: impl Iterator<Item = (u32, Instruction)>,
         next: u32,
@@ -294,12 +294,12 @@ impl Runner {
                 return self.end_recording();
             }
         }
-        if !recorder.goes_on(&self.cpu, next) {
+        if !recorder.can_extend(&self.cpu, next) {
             self.end_recording();
         }
     }
 
-    /// In simulated time: what the SPU does next is no part of a recording.
+    /// In simulated time: ends the recording, if there is one, and compiles its trace.
     #[inline]
     pub(crate) fn end_recording(&mut self) {
         if let Some(recorder) = self.recorder.take() {
@@ -307,21 +307,21 @@ impl Runner {
         }
     }
 
-    /// Runs units. Gives what comes next, and why they were left, unless the SPU has stopped.
+    /// Runs units. Returns how to continue, and why the units ended, unless the SPU has stopped.
     fn run_units<C: Channels>(
         &mut self,
         spu: &mut Spu,
         local_store: &LocalStore,
         channels: &mut C,
         left: u64,
-    ) -> (Turn, Option<Exit>) {
+    ) -> (Dispatch, Option<Exit>) {
         let before = spu.executed();
         let exit = if self.translations.checks() {
             match check(&mut self.cpu, spu, local_store, channels, left) {
                 Ok(exit) => exit,
                 Err(difference) => {
                     self.translations.report(*difference);
-                    return (Turn::Stop(requested(spu.pc())), None);
+                    return (Dispatch::Stop(requested(spu.pc())), None);
                 }
             }
         } else {
@@ -330,23 +330,23 @@ impl Runner {
         let ran = spu.executed() - before;
         self.compiled += ran;
         if channels.stop_requested() {
-            return (Turn::Stop(requested(spu.pc())), None);
+            return (Dispatch::Stop(requested(spu.pc())), None);
         }
-        let turn = match exit {
+        let next = match exit {
             // The budget is too small for the next unit.
-            Exit::Left if ran == 0 => Turn::Block,
-            Exit::Left => Turn::Any,
-            Exit::Interpret => Turn::Instruction,
+            Exit::Left if ran == 0 => Dispatch::InterpretBlock,
+            Exit::Left => Dispatch::Any,
+            Exit::Interpret => Dispatch::InterpretOne,
             Exit::Failed(number) => {
                 self.failed(number, spu, local_store);
-                Turn::Block
+                Dispatch::InterpretBlock
             }
             Exit::Stale(number) => {
                 self.stale(number, local_store);
-                Turn::Any
+                Dispatch::Any
             }
         };
-        (turn, Some(exit))
+        (next, Some(exit))
     }
 
     fn enter(&mut self, spu: &mut Spu, local_store: &LocalStore, budget: u64) -> Exit {
@@ -355,8 +355,8 @@ impl Runner {
             local_store: local_store.as_ptr(),
         };
         let mut fpscr = spu.fpscr.words();
-        // SAFETY: the registers are 128 aligned quadwords that this thread alone reaches, and local
-        // store is as large and aligned as it has to be, and may be written as the PPE writes.
+        // SAFETY: the registers are 128 aligned quadwords that only this thread accesses. Local
+        // store has the required size and alignment, and others may write to it as the PPE does.
         let (exit, pc, executed) =
             unsafe { self.cpu.enter(storage, &mut fpscr, spu.pc(), budget as u32) };
         spu.fpscr = Fpscr::from_words(fpscr);
@@ -365,7 +365,8 @@ impl Runner {
         exit
     }
 
-    /// A unit that fails often is to do its arithmetic another way.
+    /// A unit has failed. If it fails often, a unit with a slower [`FloatMode`] replaces it. If
+    /// there can't be one, the address is never compiled again.
     fn failed(&mut self, number: u32, spu: &Spu, local_store: &LocalStore) {
         let at = number as usize;
         if self.failures.len() <= at {
@@ -374,26 +375,26 @@ impl Runner {
         let failures = &mut self.failures[at];
         failures.count += 1;
         let count = failures.count;
-        let often = count.saturating_mul(TOLERATED) > self.cpu.entries(number);
-        if count > SOME_FAILURES && !(often && count.is_power_of_two()) {
+        let often = count.saturating_mul(ENTRIES_PER_FAILURE) > self.cpu.entries(number);
+        if count > MIN_FAILURES && !(often && count.is_power_of_two()) {
             return;
         }
         let unit = self.translations.unit(number);
-        if !unit.trace().stands_in(|pc| local_store.load_word(pc)) {
+        if !unit.trace().matches(|pc| local_store.load_word(pc)) {
             return;
         }
-        let seen = self
+        let specials = self
             .specials
             .get_or_insert_with(|| Box::new(Specials::new()));
         failures.special = failures
             .special
-            .with(seen.on(unit.trace(), spu, local_store));
-        if count < SOME_FAILURES || !often {
+            .with(specials.find(unit.trace(), spu, local_store));
+        if count < MIN_FAILURES || !often {
             return;
         }
-        let other = unit.way().or_with(failures.special);
-        let other = other.filter(|_| unit.floats());
-        let other = other.and_then(|way| self.translations.add(unit.trace().clone(), way));
+        let other = unit.mode().fallback(failures.special);
+        let other = other.filter(|_| unit.has_floats());
+        let other = other.and_then(|mode| self.translations.add(unit.trace().clone(), mode));
         match other {
             Some(unit) => self.cpu.install(&unit),
             None => self.give_up(unit.start()),
@@ -402,17 +403,17 @@ impl Runner {
 
     fn give_up(&mut self, pc: u32) {
         self.cpu.remove(pc);
-        self.heat[pc as usize / 4] = HOPELESS;
+        self.entry_counts[pc as usize / 4] = NEVER;
     }
 
-    /// A unit whose code has changed.
+    /// A unit's code in local store has changed: replaces it by one that matches, or removes it.
     fn stale(&mut self, number: u32, local_store: &LocalStore) {
         let pc = self.translations.unit(number).start();
         match self.translations.find(pc, local_store) {
             Some(unit) => self.cpu.install(&unit),
             None => {
                 self.cpu.remove(pc);
-                self.heat[pc as usize / 4] = 0;
+                self.entry_counts[pc as usize / 4] = 0;
             }
         }
     }

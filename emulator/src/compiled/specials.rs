@@ -1,4 +1,4 @@
-//! Looks for the instructions that singles of the host can't carry out.
+//! Finds the instructions that the host's singles can't compute.
 
 use spu_compiler::{Steps, Trace};
 use spu_isa::{Instruction, Op};
@@ -11,14 +11,14 @@ use crate::local_store::{LocalStore, SIZE};
 const EXPONENT: u32 = 0x7f80_0000;
 const FRACTION: u32 = 0x007f_ffff;
 
-/// An SPU to look at, without anything around it.
+/// A copy of an SPU that replays a trace to find its special instructions.
 pub(super) struct Specials {
     spu: Spu,
     local_store: LocalStore,
     bytes: Vec<u8>,
 }
 
-/// Whether a lane holds something that IEEE reads as another number, or as none.
+/// Whether a lane holds bits that IEEE reads as a different number, or as no number.
 fn is_special(quad: Quad) -> bool {
     quad.0.iter().any(|word| match word & EXPONENT {
         0 => word & FRACTION != 0,
@@ -35,9 +35,10 @@ impl Specials {
         }
     }
 
-    /// The instructions of a trace that do what singles can't, if the SPU goes on from where it is
-    /// as long as that is on the trace. Nothing happens to the SPU itself.
-    pub fn on(&mut self, trace: &Trace, spu: &Spu, local_store: &LocalStore) -> Steps {
+    /// Replays a trace from the SPU's program counter on, and returns the instructions that
+    /// singles can't compute. The replay ends where the SPU leaves the trace. The SPU itself is
+    /// unchanged.
+    pub fn find(&mut self, trace: &Trace, spu: &Spu, local_store: &LocalStore) -> Steps {
         local_store.read(0, &mut self.bytes);
         self.local_store.write(0, &self.bytes);
         self.spu.registers = spu.registers;
@@ -60,8 +61,8 @@ impl Specials {
         specials
     }
 
-    /// Whether the instruction has an operand that singles can't have. The estimates count as
-    /// though they had one: apart from singles they are hardly slower.
+    /// Whether the instruction has an operand that singles can't represent. Estimates always count
+    /// as special, because they are hardly slower in doubles.
     fn is_special(&self, instruction: Instruction) -> bool {
         use Op::{Fa, Fi, Fm, Fma, Fms, Fnms, Frest, Frsqest, Fs};
         let mut read = instruction.op.row().reads.iter();

@@ -4,7 +4,7 @@ use std::collections::HashMap;
 use std::sync::atomic::{AtomicU8, Ordering::Relaxed};
 use std::sync::{Arc, Mutex};
 
-use spu_compiler::{Compiler, Cpu, Estimates, Trace, Unit, Way};
+use spu_compiler::{Compiler, Cpu, Estimates, FloatMode, Trace, Unit};
 
 use super::check::Difference;
 use crate::float::estimate::{reciprocal_root_words, reciprocal_words};
@@ -12,23 +12,25 @@ use crate::local_store::LocalStore;
 use crate::lock::lock;
 use crate::simulated::Path;
 
-/// Units that may start at one address: code that is rewritten again and again is not worth more.
-const MOST_AT_ONE_PLACE: usize = 16;
+/// The most units that may start at one address. Code that is rewritten again and again is not
+/// worth more.
+const MAX_UNITS_PER_ADDRESS: usize = 16;
 
-/// Compiling takes some hundred times as long as interpreting.
-const HOT: u8 = 100;
+/// The number of entries after which code is hot. Compiling code takes some hundred times as long
+/// as interpreting it once.
+const COMPILE_THRESHOLD: u8 = 100;
 
-/// The translations of a machine.
+/// The translations of a machine, which its SPEs share.
 pub struct Translations {
     state: Mutex<State>,
-    hot: AtomicU8,
+    compile_threshold: AtomicU8,
     check: bool,
     difference: Mutex<Option<Difference>>,
 }
 
 struct State {
     compiler: Compiler,
-    /// By where they start; what should be tried first stands last.
+    /// The units by start address. The newest is last, and is tried first.
     units: HashMap<u32, Vec<Arc<Unit>>>,
     by_number: Vec<Arc<Unit>>,
     /// By the units' numbers.
@@ -36,9 +38,9 @@ struct State {
 }
 
 impl Translations {
-    /// No translations yet; `None` if there is no compiler for this host. With `check`, what is
-    /// compiled is compared with the interpreter as it runs. With `timed`, the machine is one in
-    /// simulated time.
+    /// Creates an empty set of translations. Returns `None` if there is no compiler for this host.
+    /// With `check`, compiled code is compared with the interpreter as it runs. `timed` says that
+    /// the machine runs in simulated time.
     #[must_use]
     pub fn new(check: bool, timed: bool) -> Option<Arc<Self>> {
         let estimates = Estimates {
@@ -53,13 +55,13 @@ impl Translations {
                 by_number: Vec::new(),
                 paths: Vec::new(),
             }),
-            hot: AtomicU8::new(HOT),
+            compile_threshold: AtomicU8::new(COMPILE_THRESHOLD),
             check,
             difference: Mutex::default(),
         }))
     }
 
-    /// How many pieces of code were compiled.
+    /// The number of units that were compiled.
     #[must_use]
     pub fn units(&self) -> usize {
         lock(&self.state).by_number.len()
@@ -75,14 +77,14 @@ impl Translations {
         lock(&self.difference).get_or_insert(difference);
     }
 
-    /// So often an SPU comes to a place before it is compiled.
-    pub(super) fn hot(&self) -> u8 {
-        self.hot.load(Relaxed)
+    /// The number of entries after which code is compiled.
+    pub(super) fn compile_threshold(&self) -> u8 {
+        self.compile_threshold.load(Relaxed)
     }
 
-    /// From now on a place is compiled when an SPU has come to it so many times.
+    /// Sets the number of entries after which code is compiled.
     pub fn compile_after(&self, times: u8) {
-        self.hot.store(times, Relaxed);
+        self.compile_threshold.store(times, Relaxed);
     }
 
     pub(super) fn checks(&self) -> bool {
@@ -97,7 +99,7 @@ impl Translations {
         Arc::clone(&lock(&self.state).by_number[number as usize])
     }
 
-    /// The path through the unit of this number.
+    /// The path through the unit with this number.
     pub(super) fn path(&self, number: u32) -> Arc<Path> {
         let state = &mut *lock(&self.state);
         let at = number as usize;
@@ -109,23 +111,24 @@ impl Translations {
         Arc::clone(state.paths[at].get_or_insert_with(|| Arc::new(path())))
     }
 
-    /// A unit that starts at `pc` and whose code stands in local store.
+    /// The newest unit that starts at `pc` and whose code is in local store.
     pub(super) fn find(&self, pc: u32, local_store: &LocalStore) -> Option<Arc<Unit>> {
         lock(&self.state).find(pc, local_store).cloned()
     }
 
-    /// The unit of a trace; `None` if there is no room for it.
-    pub(super) fn add(&self, trace: Trace, way: Way) -> Option<Arc<Unit>> {
+    /// Returns the unit of a trace, and compiles it if there is none yet. Returns `None` if there
+    /// is no room for it.
+    pub(super) fn add(&self, trace: Trace, mode: FloatMode) -> Option<Arc<Unit>> {
         let state = &mut *lock(&self.state);
         let here = state.units.entry(trace.start()).or_default();
-        let same = |unit: &&Arc<Unit>| unit.way() == way && unit.trace() == &trace;
+        let same = |unit: &&Arc<Unit>| unit.mode() == mode && unit.trace() == &trace;
         if let Some(unit) = here.iter().find(same) {
             return Some(Arc::clone(unit));
         }
-        if here.len() >= MOST_AT_ONE_PLACE {
+        if here.len() >= MAX_UNITS_PER_ADDRESS {
             return None;
         }
-        let unit = Arc::new(state.compiler.compile(trace, way)?);
+        let unit = Arc::new(state.compiler.compile(trace, mode)?);
         here.push(Arc::clone(&unit));
         state.by_number.push(Arc::clone(&unit));
         Some(unit)
@@ -137,6 +140,6 @@ impl State {
         let here = self.units.get(&pc)?;
         here.iter()
             .rev()
-            .find(|unit| unit.trace().stands_in(|pc| local_store.load_word(pc)))
+            .find(|unit| unit.trace().matches(|pc| local_store.load_word(pc)))
     }
 }

@@ -17,14 +17,15 @@ pub trait Observer {
         let _ = (spu, instruction);
     }
 
-    /// Whether it has to be told of every instruction. Else some may run compiled; it is told of
-    /// those that use channels in any case, and of others as it comes.
+    /// Whether it must see every instruction. Otherwise some may run in compiled code, without
+    /// [`before_instruction`](Self::before_instruction). It always sees those that use channels,
+    /// and those that happen to be interpreted.
     #[inline]
     fn wants_all(&self) -> bool {
         true
     }
 
-    /// Some instructions have run compiled.
+    /// Some instructions have run in compiled code.
     #[inline]
     fn after_compiled(&mut self) {}
 }
@@ -40,7 +41,7 @@ impl Observer for () {
 pub(crate) enum Ended {
     /// The given number of instructions has run.
     AtLimit,
-    /// A branch was taken, and this was wanted.
+    /// A branch was taken, and the caller asked to return then.
     Branched,
     /// The SPU has stopped.
     Stopped(Stopped),

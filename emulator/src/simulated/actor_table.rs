@@ -40,6 +40,9 @@ pub(super) struct Runner {
     pub clock: AtomicU64,
     /// The clock at which it must check the other actors before it runs on.
     pub limit: AtomicU64,
+    /// One more than the time of the last wait that it has run past and called; 0 if there was
+    /// none.
+    pub passed_wait: AtomicU64,
     pub called: Condvar,
 }
 

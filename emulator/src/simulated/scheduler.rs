@@ -330,7 +330,17 @@ impl Actor {
         self.runner
             .limit
             .store(clock + CYCLES_BETWEEN_CHECKS, SeqCst);
-        if clock >= self.scheduler.first_wait.load(SeqCst) {
+        let first_wait = self.scheduler.first_wait.load(SeqCst);
+        // Once for each wait is enough, because the last actor that passes it calls the waiter.
+        // Compiled code comes here every few microseconds, and several SPEs would otherwise keep
+        // the table locked.
+        if clock >= first_wait
+            && self
+                .runner
+                .passed_wait
+                .swap(first_wait.wrapping_add(1), SeqCst)
+                != first_wait.wrapping_add(1)
+        {
             self.scheduler.call_next(&lock(&self.scheduler.table));
         }
     }

@@ -57,8 +57,8 @@ pub(crate) struct SpuClock {
     state: Option<StateId>,
     /// The cycles of these blocks.
     ahead: u64,
-    /// What has run of the block that comes next.
-    open: Open,
+    /// The instructions of the next block that have run, but whose time has not passed yet.
+    untimed: Untimed,
     stopped: u64,
     waits: Waits,
     /// Present if the SPU is profiled.
@@ -67,15 +67,15 @@ pub(crate) struct SpuClock {
     check: Option<Box<Check>>,
 }
 
-/// The first instructions of a block that compiled code has run, and that the clock has not passed
-/// yet.
+/// The first instructions of a block, which compiled code has run, but which the clock has not
+/// timed yet.
 #[derive(Clone, Copy, Debug, Default)]
-struct Open {
+struct Untimed {
     start: u32,
     length: u32,
 }
 
-/// A block that the clock has passed, and the rest of which has not run yet.
+/// A block that the clock has timed, but which has not run to its end yet.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Begun {
     from: StateId,
@@ -188,17 +188,17 @@ impl SpuClock {
 
     /// Times one instruction, at the program counter, in the pipeline model.
     pub(super) fn issue(&mut self, spu: &Spu, instruction: Instruction) {
-        self.close_by_instruction(spu);
+        self.time_by_instruction(spu);
         self.settle();
         match &mut self.recording {
             Some(recording) => self.timer.record(spu, instruction, recording),
             None => self.timer.record(spu, instruction, &mut ()),
         }
-        self.issue_beside(spu, instruction);
+        self.issue_in_check(spu, instruction);
     }
 
     /// Times one instruction, at the program counter, only in the check's model.
-    pub(super) fn issue_beside(&mut self, spu: &Spu, instruction: Instruction) {
+    pub(super) fn issue_in_check(&mut self, spu: &Spu, instruction: Instruction) {
         if let Some(check) = &mut self.check {
             check.issue(spu, instruction);
         }
@@ -216,7 +216,7 @@ impl SpuClock {
         most: u64,
         may_pass: impl FnOnce(u64) -> bool,
     ) -> Option<Begun> {
-        let Open { start, length: ran } = self.open;
+        let Untimed { start, length: ran } = self.untimed;
         let start = if ran == 0 { spu.pc() } else { start };
         let (from, at) = self.find((start, ran), spu, local_store)?;
         let transition = self.memo.transition(at);
@@ -232,13 +232,13 @@ impl SpuClock {
         if begun.length > most || !may_pass(self.now() + cycles) {
             return None;
         }
-        self.happen(at);
-        self.open.length = 0;
+        self.advance(at);
+        self.untimed.length = 0;
         Some(begun)
     }
 
-    /// The state that the pipelines are in, and the transition by the block at an address, of which
-    /// so many instructions have run.
+    /// The state of the pipelines, and the transition that a block takes from it. `block` is the
+    /// block's address and the number of its instructions that have run.
     #[inline]
     fn find(
         &mut self,
@@ -255,23 +255,25 @@ impl SpuClock {
     }
 
     #[inline]
-    fn happen(&mut self, at: TransitionId) {
+    fn advance(&mut self, at: TransitionId) {
         self.ahead += self.memo.transition(at).cycles;
         self.state = Some(self.memo.happen(at));
     }
 
-    /// Whether compiled code may run: something has issued from which memoised timing goes on.
+    /// Whether compiled code may run: memoised timing needs a pipeline state to start from, so
+    /// some instruction must have issued.
     #[inline]
     pub(crate) fn may_pass(&mut self, pc: u32) -> bool {
-        self.open.length > 0 || self.state.is_some() || self.remember(pc).is_some()
+        self.untimed.length > 0 || self.state.is_some() || self.remember(pc).is_some()
     }
 
-    /// The time passes of the first `count` instructions of a path, which compiled code has run,
-    /// and in which its hints by a register said these targets. The last of them may be left open.
+    /// Advances the clock by the first `count` instructions of a path, which compiled code has
+    /// run. `hints` are the targets of its hints by register. The last instructions may stay
+    /// untimed, if their block is not complete.
     ///
-    /// `proven` is [`Spu::rewritings`] when the path was last compared with what the interpreter
-    /// has decoded; local store had its words when it ran.
-    pub(crate) fn pass(
+    /// `proven` is the value of [`Spu::rewritings`] when the path was last compared with the
+    /// interpreter's decoded instructions. Local store held the path's words when it ran.
+    pub(crate) fn advance_along(
         &mut self,
         spu: &mut Spu,
         local_store: &LocalStore,
@@ -280,19 +282,19 @@ impl SpuClock {
         hints: &mut impl Iterator<Item = u32>,
     ) {
         if *proven != spu.rewritings() {
-            self.close_by_instruction(spu);
+            self.time_by_instruction(spu);
             spu.decode(&path.words);
             *proven = spu.rewritings();
         }
-        if self.open.length == 0 {
-            self.open.start = path.words[0].0;
+        if self.untimed.length == 0 {
+            self.untimed.start = path.words[0].0;
         }
         let mut passed = 0;
         for end in path.ends.iter().take_while(|end| end.after <= count) {
-            self.open.length += end.after - passed;
+            self.untimed.length += end.after - passed;
             passed = end.after;
-            while self.open.length > 0 {
-                self.close_one(spu, local_store);
+            while self.untimed.length > 0 {
+                self.time_one_block(spu, local_store);
             }
             if end.hint.is_some()
                 && let Some(target) = hints.next()
@@ -302,52 +304,52 @@ impl SpuClock {
                     check.hint_target(target);
                 }
             }
-            self.open.start = end.next;
+            self.untimed.start = end.next;
         }
-        self.open.length += count - passed;
-        while self.open.length >= LONGEST as u32 {
-            self.close_one(spu, local_store);
+        self.untimed.length += count - passed;
+        while self.untimed.length >= LONGEST as u32 {
+            self.time_one_block(spu, local_store);
         }
     }
 
-    /// The time of the first block passes that compiled code has run. Its end was reached.
+    /// Times the first untimed block, which compiled code has run to its end.
     #[inline]
-    fn close_one(&mut self, spu: &mut Spu, local_store: &LocalStore) {
-        let Open { start, length } = self.open;
+    fn time_one_block(&mut self, spu: &mut Spu, local_store: &LocalStore) {
+        let Untimed { start, length } = self.untimed;
         let Some((_, at)) = self.find((start, length), spu, local_store) else {
-            return self.close_by_instruction(spu);
+            return self.time_by_instruction(spu);
         };
         let transition = self.memo.transition(at);
         let Some(left) = length.checked_sub(transition.length) else {
-            return self.close_by_instruction(spu);
+            return self.time_by_instruction(spu);
         };
-        self.open = Open {
+        self.untimed = Untimed {
             start: start.wrapping_add(4 * transition.length) & LIMIT_MASK,
             length: left,
         };
         if self.check.is_some() {
             let block = Arc::clone(transition.block());
-            self.issue_block_beside(&block, usize::MAX);
+            self.issue_block_in_check(&block, usize::MAX);
         }
-        self.happen(at);
+        self.advance(at);
     }
 
-    /// The time of what compiled code has run passes instruction by instruction.
+    /// Times all untimed instructions, one by one.
     #[inline]
-    pub(super) fn close_by_instruction(&mut self, spu: &Spu) {
-        if self.open.length > 0 {
-            self.issue_open(spu);
+    pub(super) fn time_by_instruction(&mut self, spu: &Spu) {
+        if self.untimed.length > 0 {
+            self.issue_untimed(spu);
         }
     }
 
     #[cold]
-    fn issue_open(&mut self, spu: &Spu) {
-        let Open { start, length } = std::mem::take(&mut self.open);
+    fn issue_untimed(&mut self, spu: &Spu) {
+        let Untimed { start, length } = std::mem::take(&mut self.untimed);
         self.settle();
         let mut pc = start;
         for _ in 0..length {
             let Some(instruction) = spu.latest(pc) else {
-                unreachable!("what compiled code runs is decoded before its time passes");
+                unreachable!("instructions of compiled code are decoded before they are timed");
             };
             self.issue_at(pc, instruction);
             if let Some(check) = &mut self.check {
@@ -364,8 +366,8 @@ impl SpuClock {
         }
     }
 
-    /// The first `count` instructions of a block issue in the model of the check alone.
-    fn issue_block_beside(&mut self, block: &Block, count: usize) {
+    /// Times the first `count` instructions of a block only in the check's model.
+    fn issue_block_in_check(&mut self, block: &Block, count: usize) {
         if let Some(check) = &mut self.check {
             for (pc, instruction) in block.instructions().take(count) {
                 check.issue_at(pc, instruction);
@@ -373,10 +375,10 @@ impl SpuClock {
         }
     }
 
-    /// Those instructions of a block issue in the model of the check that have run already.
-    pub(super) fn issue_ran_beside(&mut self, begun: Begun) {
+    /// Times the instructions of a block that have run already in the check's model.
+    pub(super) fn issue_ran_in_check(&mut self, begun: Begun) {
         let block = self.block(begun);
-        self.issue_block_beside(&block, begun.ran as usize);
+        self.issue_block_in_check(&block, begun.ran as usize);
     }
 
     /// The block that began last.

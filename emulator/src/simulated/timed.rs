@@ -6,7 +6,7 @@ use super::figures::Method;
 use super::scheduler::Actor;
 use super::spu_clock::{Begun, SpuClock};
 use crate::channel::Channels;
-use crate::compiled::{Runner, Turn};
+use crate::compiled::{Dispatch, Runner};
 use crate::interp::{Ended, Observer, Spu, ends_block};
 use crate::local_store::LocalStore;
 use crate::stop::{Stop, Stopped};
@@ -29,8 +29,8 @@ fn requested(pc: u32) -> Stopped {
 /// interrupts are enabled, because one may come before any instruction.
 ///
 /// Compiled code runs first, and records which way it went; then the clock passes the same blocks.
-/// It contains no channel instructions, and it only runs where nothing reaches the local store from
-/// outside.
+/// It contains no channel instructions, and it only runs where nothing reaches the local store
+/// from outside.
 pub(crate) struct Timed<'a> {
     clock: &'a RefCell<SpuClock>,
     actor: &'a Actor,
@@ -64,13 +64,13 @@ impl<'a> Timed<'a> {
         limit: u64,
         observer: &mut O,
     ) -> Option<Stopped> {
-        let stopped = self.run_open(spu, local_store, channels, limit, observer);
-        self.clock.borrow_mut().close_by_instruction(spu);
+        let stopped = self.run_leaving_untimed(spu, local_store, channels, limit, observer);
+        self.clock.borrow_mut().time_by_instruction(spu);
         stopped
     }
 
     /// The same, which may leave instructions whose time has not passed yet.
-    fn run_open<C: Channels, O: Observer>(
+    fn run_leaving_untimed<C: Channels, O: Observer>(
         &mut self,
         spu: &mut Spu,
         local_store: &LocalStore,
@@ -82,21 +82,21 @@ impl<'a> Timed<'a> {
         // The timer decides what the restart costs the first instruction, so time that one by
         // itself.
         let mut by_instruction = true;
-        let mut turn = Turn::Any;
+        let mut next = Dispatch::Any;
         while left > 0 {
             let may_compile = !by_instruction && !spu.interrupts_enabled();
             if may_compile
-                && matches!(turn, Turn::Any)
+                && matches!(next, Dispatch::Any)
                 && let Some(runner) = &mut self.runner
-                && runner.has(spu.pc())
+                && runner.may_enter(spu.pc())
                 && !self.actor.is_serial()
                 && self.clock.borrow_mut().may_pass(spu.pc())
             {
                 let (start, before) = (spu.pc(), spu.executed());
-                turn = runner.run_timed(spu, local_store, channels, left, self.clock);
+                next = runner.run_timed(spu, local_store, channels, left, self.clock);
                 left -= spu.executed() - before;
                 observer.after_compiled();
-                if let Turn::Stop(stopped) = turn {
+                if let Dispatch::Stop(stopped) = next {
                     return Some(stopped);
                 }
                 if self.method == Method::Checked && self.compare(start) {
@@ -105,7 +105,7 @@ impl<'a> Timed<'a> {
                 self.actor.run_up_to(self.clock.borrow().now());
                 continue;
             }
-            turn = Turn::Any;
+            next = Dispatch::Any;
             let block = if may_compile {
                 self.begin(spu, local_store, left)
             } else {
@@ -126,7 +126,7 @@ impl<'a> Timed<'a> {
             };
             let (start, before) = (spu.pc(), spu.executed());
             let ended = match self.method {
-                Method::Checked => self.run_beside(spu, local_store, channels, block, observer),
+                Method::Checked => self.run_with_check(spu, local_store, channels, block, observer),
                 _ => spu.run_spell(local_store, channels, block.length, false, observer),
             };
             let ran = spu.executed() - before;
@@ -157,19 +157,20 @@ impl<'a> Timed<'a> {
         None
     }
 
-    /// A block was interpreted to its end: what may be compiled learns of it.
+    /// A block was interpreted to its end: adds it to a recording, and counts an entry if it ended
+    /// with a taken branch.
     #[inline]
     fn learn(&mut self, spu: &Spu, local_store: &LocalStore, begun: Begun) {
         let Some(runner) = &mut self.runner else {
             return;
         };
-        if runner.records() {
+        if runner.is_recording() {
             let block = self.clock.borrow().block(begun);
             let instructions = block.instructions().skip(begun.ran as usize);
-            runner.interpreted(instructions, spu.pc(), local_store);
+            runner.record_interpreted(instructions, spu.pc(), local_store);
         }
         if begun.end != spu.pc() {
-            runner.come_to(spu.pc(), local_store);
+            runner.start_recording_if_hot(spu.pc(), local_store);
         }
     }
 
@@ -203,7 +204,7 @@ impl<'a> Timed<'a> {
     }
 
     /// Runs a block, and shows each instruction to the check's model.
-    fn run_beside<C: Channels, O: Observer>(
+    fn run_with_check<C: Channels, O: Observer>(
         &self,
         spu: &mut Spu,
         local_store: &LocalStore,
@@ -211,12 +212,12 @@ impl<'a> Timed<'a> {
         begun: Begun,
         observer: &mut O,
     ) -> Ended {
-        self.clock.borrow_mut().issue_ran_beside(begun);
+        self.clock.borrow_mut().issue_ran_in_check(begun);
         for _ in 0..begun.length {
             if spu.is_decoded(local_store)
                 && let Some(instruction) = Instruction::decode(local_store.load_word(spu.pc()))
             {
-                self.clock.borrow_mut().issue_beside(spu, instruction);
+                self.clock.borrow_mut().issue_in_check(spu, instruction);
             }
             match spu.run_spell(local_store, channels, 1, false, observer) {
                 Ended::AtLimit | Ended::Branched => {}

@@ -1,9 +1,9 @@
-//! A program on both engines: the interpreter, and compiled code beside it.
+//! Runs a program on both engines, the interpreter and compiled code, and compares them.
 //!
-//! The input is a row of choices. They make a small program that branches, loops, calls, stores into
-//! itself, has its code replaced by what its channels bring, enables interrupts and computes with
-//! the numbers at which floating point changes what it means. Both engines run it in the same
-//! pieces, and after each piece all that a program can see has to be the same.
+//! The input is a sequence of choices. They make a small program that branches, loops, calls,
+//! overwrites its own code, receives new code through its channels, enables interrupts and
+//! computes with special floating-point numbers. Both engines run it in the same pieces. After
+//! each piece, all state that a program can see must be the same.
 
 use spu_emulator::channel::Channels;
 use spu_emulator::compiled::{Runner, Translations};
@@ -13,14 +13,14 @@ use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::stop::{ChannelAccess, Stop};
 use spu_isa::{Instruction, Op};
 
-/// Words of code, from address 0.
-const CODE: u32 = 96;
-/// Arrivals at a place before it is compiled.
-const HEAT: u8 = 2;
-/// Instructions of a program, in how many pieces.
+/// The number of words of code, from address 0.
+const CODE_WORDS: u32 = 96;
+/// The number of entries after which code is compiled.
+const COMPILE_THRESHOLD: u8 = 2;
+/// The number of instructions after which a program ends, over all pieces.
 const INSTRUCTIONS: u64 = 6_000;
 
-/// Words at which something changes.
+/// Words at the edges of numbers, counts and controls.
 const EDGES: [u32; 24] = [
     0,
     1,
@@ -48,7 +48,7 @@ const EDGES: [u32; 24] = [
     0xffff_ffff,
 ];
 
-/// Reads choices from an input; after its end they are mixed from what came before.
+/// Reads choices from an input. After its end, the choices follow from the earlier ones.
 struct Choices<'a> {
     rest: std::slice::Iter<'a, u8>,
     state: u32,
@@ -57,7 +57,7 @@ struct Choices<'a> {
 impl Choices<'_> {
     fn byte(&mut self) -> u32 {
         let byte = self.rest.next().map_or(0, |&byte| u32::from(byte));
-        // A linear congruential generator whose upper bits are taken.
+        // A linear congruential generator. Its upper bits are used.
         self.state = (self.state ^ byte)
             .wrapping_mul(0x915f_77f5)
             .wrapping_add(0x3c6e_f35f);
@@ -76,7 +76,7 @@ impl Choices<'_> {
         all[self.below(all.len() as u32) as usize]
     }
 
-    /// A register of a few, so that instructions meet.
+    /// One of few registers, so that instructions depend on each other.
     fn register(&mut self) -> u8 {
         2 + self.below(10) as u8
     }
@@ -84,7 +84,7 @@ impl Choices<'_> {
     fn number(&mut self) -> u32 {
         match self.below(4) {
             0 => self.word(),
-            1 => self.below(CODE) * 4,
+            1 => self.below(CODE_WORDS) * 4,
             2 => (100 + self.below(54)) << 23 | self.word() & 0x807f_ffff,
             _ => self.of(&EDGES),
         }
@@ -165,25 +165,25 @@ impl Choices<'_> {
                 i.immediate = (self.below(24) as i32 - 14) * 4;
             }
             Op::Lqd | Op::Stqd => i.immediate = self.below(16) as i32 * 16,
-            Op::Lqa | Op::Stqa => i.immediate = self.below(CODE * 8) as i32,
-            Op::Lqr | Op::Stqr => i.immediate = self.below(CODE * 2) as i32,
+            Op::Lqa | Op::Stqa => i.immediate = self.below(CODE_WORDS * 8) as i32,
+            Op::Lqr | Op::Stqr => i.immediate = self.below(CODE_WORDS * 2) as i32,
             _ => {}
         }
         i.encode()
     }
 }
 
-/// Channel 0 brings new code, by the choices of what is written; channel 1 counts. Every seventh
-/// look finds an interrupt.
+/// Channels for the test. A write to channel 0 replaces a word of code; the value written chooses
+/// the word. Channel 1 reads the number of writes. Every seventh query finds an interrupt.
 #[derive(Clone)]
-struct Bench<'a> {
+struct TestChannels<'a> {
     local_store: &'a LocalStore,
     written: u32,
     looks: u32,
     srr0: u32,
 }
 
-impl Channels for Bench<'_> {
+impl Channels for TestChannels<'_> {
     fn read(&mut self, channel: u8) -> Result<u32, Stop> {
         match channel {
             1 => Ok(self.written),
@@ -199,7 +199,7 @@ impl Channels for Bench<'_> {
                 state: value % 16,
             };
             let code = choices.code().to_be_bytes();
-            let address = choices.below(CODE) * 4;
+            let address = choices.below(CODE_WORDS) * 4;
             self.local_store.write(address, &code);
         }
         Ok(())
@@ -229,10 +229,10 @@ impl Channels for Bench<'_> {
     }
 }
 
-/// An SPU with a program.
+/// One engine's SPU with the program.
 struct Side<'a> {
     spu: Spu,
-    bench: Bench<'a>,
+    channels: TestChannels<'a>,
 }
 
 impl<'a> Side<'a> {
@@ -241,7 +241,7 @@ impl<'a> Side<'a> {
             rest: input.iter(),
             state: 0,
         };
-        for word in 0..CODE {
+        for word in 0..CODE_WORDS {
             local_store.write(4 * word, &choices.code().to_be_bytes());
         }
         for word in 0..64 {
@@ -255,13 +255,13 @@ impl<'a> Side<'a> {
             spu.set_register(register, Quad(std::array::from_fn(lane)));
         }
         spu.fpscr = Fpscr::from_words([choices.number(), 0, choices.number(), 0]);
-        let bench = Bench {
+        let channels = TestChannels {
             local_store,
             written: 0,
             looks: 0,
             srr0: 0,
         };
-        Self { spu, bench }
+        Self { spu, channels }
     }
 }
 
@@ -271,8 +271,8 @@ fn bytes(local_store: &LocalStore) -> Vec<u8> {
     bytes
 }
 
-/// Runs the program that the input chooses. Gives how many instructions ran, and how many of them
-/// compiled.
+/// Runs the program that the input chooses. Returns how many instructions ran, and how many of
+/// them in compiled code.
 ///
 /// # Panics
 ///
@@ -283,18 +283,18 @@ pub fn engines(input: &[u8]) -> (u64, u64) {
     };
     let stores = [LocalStore::new(), LocalStore::new()];
     let [mut interpreted, mut compiled] = [0, 1].map(|n| Side::new(input, &stores[n]));
-    translations.compile_after(HEAT);
+    translations.compile_after(COMPILE_THRESHOLD);
     let mut runner = Runner::new(&translations);
     let mut pieces = 0u32;
     while interpreted.spu.executed() < INSTRUCTIONS && pieces < 64 {
         let limit = 1 + u64::from(pieces.wrapping_mul(0x9e37_79b9) >> 22);
         let one = {
-            let Side { spu, bench } = &mut interpreted;
-            spu.run_limited(&stores[0], bench, limit)
+            let Side { spu, channels } = &mut interpreted;
+            spu.run_limited(&stores[0], channels, limit)
         };
         let other = {
-            let Side { spu, bench } = &mut compiled;
-            runner.run(spu, &stores[1], bench, limit)
+            let Side { spu, channels } = &mut compiled;
+            runner.run(spu, &stores[1], channels, limit)
         };
         assert_eq!(one, other, "piece {pieces} of {limit}");
         let (a, b) = (&interpreted.spu, &compiled.spu);
@@ -315,14 +315,14 @@ pub fn engines(input: &[u8]) -> (u64, u64) {
             "local store, piece {pieces}"
         );
         if one.is_some() {
-            // On from the next instruction, or from the start again.
+            // Continue at the next instruction, or at the start again.
             for side in [&mut interpreted, &mut compiled] {
                 let next = if pieces.is_multiple_of(2) {
                     side.spu.pc() + 4
                 } else {
                     0
                 };
-                side.spu.set_pc(next % (4 * CODE));
+                side.spu.set_pc(next % (4 * CODE_WORDS));
             }
         }
         pieces += 1;

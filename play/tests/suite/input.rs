@@ -1,5 +1,4 @@
-//! Input devices that are not there: recorded events of pads, keyboards and mice, and devices that
-//! come and go.
+//! Recorded events of pads, keyboards and mice, and devices that come and go.
 
 use std::cell::{Cell, RefCell};
 use std::collections::{BTreeMap, VecDeque};
@@ -65,7 +64,7 @@ fn mouse() -> Capabilities {
     device("A mouse", &[0x110, 0x111, 0x112], &[], &[0, 1, 8])
 }
 
-/// The devices of a test, and what is done to them while they are read.
+/// The devices of a test.
 #[derive(Clone, Default)]
 struct Bench(Rc<RefCell<BTreeMap<PathBuf, Plugged>>>, Rc<Cell<usize>>);
 
@@ -686,7 +685,6 @@ fn pads_are_known_by_what_they_have_and_not_by_name_alone() {
         .extend([raw(ABS, 5, 255), report()]);
     player.frame(20);
     assert!(player.input.pad().expect("a pad").held(Button::R2));
-
     // Many buttons don't make an old SIXAXIS of a joystick.
     let many: Vec<_> = (0x120..=0x12f).chain([0x2c0]).collect();
     let bench = Bench::default();

@@ -133,7 +133,7 @@ constants! {
     MAX_LIGHTS = 64;
     /// Most nodes at the top of a tree.
     MAX_ROOTS = 4;
-    /// Bits of the distance of a ray that has hit nothing, 2^62. It is above every distance, but neither it nor its square is a number that only an SPU has, so lanes without a hit compute fast in emulators too.
+    /// Distance of a ray that has hit nothing, as bits: 2^62. Its square is no number that only an SPU has.
     FARTHEST = 0x5e80_0000;
     /// Most levels of nodes.
     MAX_LEVELS = 6;

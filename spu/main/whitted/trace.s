@@ -335,7 +335,7 @@ endfunction packets_trace
 function bounds_open
         ila     $a_bound,arena+BATCH_BOUNDS
         il      $zero,0
-        ilhu    $largest,0x7e00
+        ilhu    $largest,0x5e00                         # 2^61: above every distance
         ori     $bounds_left,$w_traced,0
 next_bound:
     .irp field, axis_x,axis_y,axis_z,cosine,sine

@@ -113,8 +113,8 @@ impl Memo {
         &self.transitions[at.0 as usize]
     }
 
-    /// The transition from `from` by the block at `pc`, of which `ran` instructions have run. `None`
-    /// if this machine has no such instruction as the one there.
+    /// The transition from `from` by the block at `pc`, of which `ran` instructions have run.
+    /// `None` if this machine has no such instruction as the one there.
     #[inline]
     pub fn find(
         &mut self,

@@ -1,4 +1,4 @@
-//! Compiled code against the interpreter, which is the definition.
+//! Tests that compare compiled code with the interpreter, which is the reference.
 
 mod operations;
 mod programs;

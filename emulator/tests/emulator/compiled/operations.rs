@@ -1,31 +1,36 @@
-//! Every instruction that a trace can have, alone and after another, on random and on edge
-//! operands, both ways.
+//! Tests every instruction that a trace can contain, alone and after another, on random operands
+//! and on edge cases, in all float modes.
 
 use super::units::{Compiled, State, compiler, trace};
 use rand::{Rng, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use spu_compiler::{Exit, Steps, Way, can_compile};
+use spu_compiler::{Exit, FloatMode, Steps, can_compile};
 use spu_emulator::interp::Quad;
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_isa::{Class, Instruction, Machine, Op};
 
-/// A fourth way is made at random: some in doubles, the others in singles.
-const WAYS: [Way; 3] = [Way::SINGLES, Way::DOUBLES, Way::EXACT_DOUBLES];
+/// The fixed modes. The tests add a fourth, random mode: some instructions in doubles, the others
+/// in singles.
+const MODES: [FloatMode; 3] = [
+    FloatMode::SINGLES,
+    FloatMode::DOUBLES,
+    FloatMode::EXACT_DOUBLES,
+];
 
-fn mixed(rng: &mut ChaCha8Rng, length: usize) -> Way {
+fn mixed(rng: &mut ChaCha8Rng, length: usize) -> FloatMode {
     let mut in_doubles = Steps::NONE;
     for step in 0..length {
         if rng.random() {
             in_doubles.add(step);
         }
     }
-    Way {
+    FloatMode {
         in_doubles,
         exact_sums: rng.random(),
     }
 }
 
-/// Words at which floats, integers, counts and controls change what they mean.
+/// Words at the edges of floats, integers, counts and controls.
 const EDGES: [u32; 36] = [
     0,
     1,
@@ -65,7 +70,7 @@ const EDGES: [u32; 36] = [
     0xffff_ffff,
 ];
 
-/// What makes sums that are the largest number, or just above or below it.
+/// Operands whose sums are the largest number, or just above or below it.
 const LARGE: [u32; 8] = [
     0x7fff_ffff,
     0xffff_ffff,
@@ -82,7 +87,7 @@ fn word(rng: &mut ChaCha8Rng, kind: u32) -> u32 {
         4 => LARGE[rng.random_range(0..LARGE.len())],
         0 => rng.random(),
         1 => EDGES[rng.random_range(0..EDGES.len())],
-        // Numbers around one, so that arithmetic stays within what IEEE has.
+        // Numbers around one, so that results stay within IEEE's range.
         2 => rng.random_range(100..154) << 23 | rng.random::<u32>() & 0x807f_ffff,
         _ => EDGES[rng.random_range(0..EDGES.len())] ^ 1 << rng.random_range(0..32),
     }
@@ -119,7 +124,7 @@ fn state(rng: &mut ChaCha8Rng, ordinary: bool) -> State {
     }
 }
 
-/// An instruction of this kind, with registers of a few and any constants.
+/// A random instruction with this operation, one of few registers and any immediate.
 fn instruction(rng: &mut ChaCha8Rng, op: Op) -> Option<Instruction> {
     let row = op.row();
     let word = u32::from(row.opcode) << 21 | rng.random::<u32>() & 0x1fff_ffff >> 3;
@@ -128,7 +133,7 @@ fn instruction(rng: &mut ChaCha8Rng, op: Op) -> Option<Instruction> {
         *register = 3 + *register % 6;
     }
     if row.class == Class::Br || row.operands.is_empty() {
-        // The target of an indirect branch comes from a register, of the others from here.
+        // An indirect branch takes its target from a register, the others take it from here.
         i.immediate &= 0xfff8;
     }
     let i = Instruction::decode(i.encode())?;
@@ -142,7 +147,8 @@ fn operations() -> impl Iterator<Item = Op> {
         .map(|row| row.op)
 }
 
-/// Whether every sequence of instructions that `make` gives runs as it is interpreted.
+/// Compares compiled code with the interpreter on every sequence of instructions that `make`
+/// returns. Returns the number of failures in each mode.
 fn compare_all(
     rng: &mut ChaCha8Rng,
     rounds: usize,
@@ -156,8 +162,8 @@ fn compare_all(
         let made = rng.random_range(0..states.len());
         let trace = trace(&code, &states[made]);
         let mixed = mixed(rng, code.len());
-        for (way, failures) in WAYS.into_iter().chain([mixed]).zip(&mut failures) {
-            let mut compiled = Compiled::new(&mut compiler, &trace, way);
+        for (mode, failures) in MODES.into_iter().chain([mixed]).zip(&mut failures) {
+            let mut compiled = Compiled::new(&mut compiler, &trace, mode);
             for state in states {
                 let exit = compiled.compare(&code, state);
                 *failures += u32::from(matches!(exit, Exit::Failed(_)));
@@ -220,7 +226,7 @@ fn long_straight_code() {
     });
 }
 
-/// On ordinary numbers neither way fails, or the compiler would be of no use.
+/// On ordinary numbers no mode fails; otherwise the compiler would be of no use.
 #[test]
 fn ordinary_arithmetic_does_not_fail() {
     let mut rng = ChaCha8Rng::seed_from_u64(4);
@@ -242,8 +248,8 @@ fn ordinary_arithmetic_does_not_fail() {
     assert_eq!(failures, [0; 4]);
 }
 
-/// In doubles, only sums that may be the largest number are left to the interpreter; in exact ones
-/// nothing is.
+/// In doubles, only sums that may be the largest number are left to the interpreter. With exact
+/// sums nothing is.
 #[test]
 fn specials_do_not_fail_in_doubles() {
     let mut rng = ChaCha8Rng::seed_from_u64(5);

@@ -1,4 +1,4 @@
-//! Programs that a compiler could run wrongly: those that change their code, never end, fault, or
+//! Tests programs that a compiler could get wrong: they change their code, never end, fault, or
 //! stop in the middle.
 
 use std::sync::Arc;
@@ -17,7 +17,7 @@ use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{ChannelAccess, Stop, Stopped};
 use spu_isa::{Instruction, Op};
 
-/// More often than what makes code hot.
+/// A number of iterations above the compile threshold.
 const ROUNDS: u32 = 1000;
 
 fn word(op: Op, [rt, ra, rb]: [u8; 3], immediate: i32) -> u32 {
@@ -45,9 +45,9 @@ fn runner() -> Runner {
     Runner::new(&Translations::new(false, false).expect("the hosts of the tests have a compiler"))
 }
 
-/// Runs the code on both engines; they have to agree on all that can be seen. Gives the stop, and
-/// how many instructions ran compiled.
-fn both(code: &[u32], prepare: impl Fn(&mut Spu, &LocalStore)) -> (Stopped, Spu, u64) {
+/// Runs the code on both engines, and asserts that they agree on all visible state. Returns the
+/// stop, the SPU, and how many instructions ran in compiled code.
+fn compare_engines(code: &[u32], prepare: impl Fn(&mut Spu, &LocalStore)) -> (Stopped, Spu, u64) {
     let run = |run: &mut dyn FnMut(&mut Spu, &LocalStore) -> Stopped| {
         let local_store = LocalStore::new();
         load(&local_store, 0, code);
@@ -73,8 +73,8 @@ fn both(code: &[u32], prepare: impl Fn(&mut Spu, &LocalStore)) -> (Stopped, Spu,
     (stopped, spu, runner.compiled())
 }
 
-/// `count` times round `body`; $2 counts, and is 0 behind it.
-fn counted(body: &[u32], count: u32) -> Vec<u32> {
+/// A loop that runs `body` `count` times. $2 is the counter, and is 0 after the loop.
+fn counted_loop(body: &[u32], count: u32) -> Vec<u32> {
     let mut code = vec![word(Op::Ila, [2, 0, 0], count as i32)];
     code.extend(body);
     code.push(word(Op::Ai, [2, 2, 0], -1));
@@ -85,9 +85,9 @@ fn counted(body: &[u32], count: u32) -> Vec<u32> {
 
 #[test]
 fn a_loop_runs_compiled() {
-    let mut code = counted(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
+    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
     code.push(word(Op::Stop, [0; 3], 7));
-    let (stopped, spu, compiled) = both(&code, |_, _| ());
+    let (stopped, spu, compiled) = compare_engines(&code, |_, _| ());
     assert_eq!((stopped.reason, stopped.pc), (Stop::Signal(7), 16));
     assert_eq!(spu.register(3), Quad::splat(3 * ROUNDS));
     assert!(compiled > 2 * u64::from(ROUNDS), "{compiled}");
@@ -101,9 +101,9 @@ fn a_halt_in_a_compiled_loop_is_where_it_was() {
         word(Op::Heqi, [0, 3, 0], 500),
         word(Op::Ai, [4, 4, 0], 1),
     ];
-    let mut code = counted(&body, ROUNDS);
+    let mut code = counted_loop(&body, ROUNDS);
     code.push(word(Op::Stop, [0; 3], 0));
-    let (stopped, spu, compiled) = both(&code, |_, _| ());
+    let (stopped, spu, compiled) = compare_engines(&code, |_, _| ());
     assert_eq!(
         (stopped.reason, stopped.pc, stopped.npc),
         (Stop::Halt, 12, 16)
@@ -115,24 +115,23 @@ fn a_halt_in_a_compiled_loop_is_where_it_was() {
 #[test]
 fn an_invalid_word_behind_a_compiled_loop_is_where_it_was() {
     const INVALID: u32 = 0xffe0_0000;
-    let mut code = counted(&[word(Op::Ai, [3, 3, 0], 1)], ROUNDS);
+    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 1)], ROUNDS);
     code.push(word(Op::Lnop, [0; 3], 0));
     code.push(word(Op::Nop, [0; 3], 0));
     let invalid = (0..=u32::MAX >> 21)
         .map(|op| op << 21)
         .find(|&word| Instruction::decode(word).is_none());
     code.push(invalid.unwrap_or(INVALID));
-    let (stopped, _, _) = both(&code, |_, _| ());
+    let (stopped, _, _) = compare_engines(&code, |_, _| ());
     assert_eq!(stopped.pc, 4 * (code.len() as u32 - 1));
     assert!(matches!(stopped.reason, Stop::InvalidInstruction(_)));
 }
 
-/// A loop that each time round replaces one of its instructions by another, before or behind the
-/// store.
+/// A loop that replaces some of its instructions in each iteration, before or after the store.
 #[test]
 fn code_that_changes_itself() {
     for distance in [-2, 1, 2] {
-        // $10 and $11 hold quadwords of code, which are exchanged.
+        // $10 alternates between two quadwords of code. $11 holds their difference.
         let body = [
             word(Op::Ai, [3, 3, 0], 1),
             word(Op::Ai, [3, 3, 0], 2),
@@ -149,18 +148,18 @@ fn code_that_changes_itself() {
         ];
         let mut code = vec![word(Op::Br, [0; 3], 64); 1];
         code.resize(16, word(Op::Nop, [0; 3], 0));
-        code.extend(counted(&body, ROUNDS));
+        code.extend(counted_loop(&body, ROUNDS));
         code.push(word(Op::Stop, [0; 3], 0));
         let additions = [11, 12, 13, 14].map(|n| word(Op::Ai, [3, 3, 0], n));
         let others = [21, 22, 23, 24].map(|n| word(Op::Ai, [3, 3, 0], n));
-        both(&code, |spu, _| {
+        compare_engines(&code, |spu, _| {
             spu.set_register(10, Quad(additions));
             spu.set_register(11, Quad(std::array::from_fn(|n| additions[n] ^ others[n])));
         });
     }
 }
 
-/// Every limit ends a run after exactly as many instructions.
+/// Every limit ends a run after exactly that many instructions.
 #[test]
 fn limits_are_exact() {
     let body = [
@@ -170,7 +169,7 @@ fn limits_are_exact() {
         word(Op::Nop, [0; 3], 0),
         word(Op::Stqa, [3, 0, 0], 0x1000),
     ];
-    let mut code = counted(&body, ROUNDS * 100);
+    let mut code = counted_loop(&body, ROUNDS * 100);
     code.push(word(Op::Stop, [0; 3], 0));
     let stores = [LocalStore::new(), LocalStore::new()];
     for store in &stores {
@@ -188,10 +187,10 @@ fn limits_are_exact() {
     assert!(runner.compiled() > 50_000, "{}", runner.compiled());
 }
 
-/// Channels whose writes bring code into local store, as DMA does.
-struct Bringing<'a>(&'a LocalStore);
+/// Channels whose writes replace code in local store, as DMA does.
+struct CodeWriter<'a>(&'a LocalStore);
 
-impl Channels for Bringing<'_> {
+impl Channels for CodeWriter<'_> {
     fn read(&mut self, channel: u8) -> Result<u32, Stop> {
         Err(Stop::InvalidChannel(channel, ChannelAccess::Read))
     }
@@ -229,7 +228,7 @@ fn code_that_a_channel_brings_runs_at_once() {
         word(Op::Brasl, [0, 0, 0], 0x1000),
         word(Op::Nop, [0; 3], 0),
     ];
-    let mut code = counted(&body, 8 * ROUNDS);
+    let mut code = counted_loop(&body, 8 * ROUNDS);
     code.push(word(Op::Stop, [0; 3], 0));
     let function = [word(Op::Ai, [3, 3, 0], 1), word(Op::Bi, [0; 3], 0)];
     let mut results = Vec::new();
@@ -239,7 +238,7 @@ fn code_that_a_channel_brings_runs_at_once() {
         load(&local_store, 0, &code);
         load(&local_store, 0x1000, &function);
         let mut spu = Spu::new();
-        let mut channels = Bringing(&local_store);
+        let mut channels = CodeWriter(&local_store);
         let stopped = if compiled {
             runner.run(&mut spu, &local_store, &mut channels, u64::MAX)
         } else {
@@ -255,7 +254,7 @@ fn code_that_a_channel_brings_runs_at_once() {
     );
 }
 
-/// Somebody else's store into a loop that runs compiled is seen.
+/// A compiled loop notices when another thread stores into its code.
 #[test]
 fn code_that_others_write_ends_a_loop() {
     let machine = Machine::with_engine(Arc::new(RegisteredMemory::new()), Engine::Compiler);
@@ -303,7 +302,7 @@ fn a_stop_request_ends_an_endless_loop() {
 
 #[test]
 fn spes_share_translations() {
-    let mut code = counted(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
+    let mut code = counted_loop(&[word(Op::Ai, [3, 3, 0], 3)], ROUNDS);
     code.push(word(Op::Stop, [0; 3], 7));
     let translations =
         Translations::new(false, false).expect("the hosts of the tests have a compiler");
@@ -318,7 +317,7 @@ fn spes_share_translations() {
     }
 }
 
-/// Idle lanes that hold the largest number in every block: it soon runs in doubles.
+/// A loop whose idle lanes hold special numbers in every iteration. It soon runs in doubles.
 #[test]
 fn a_loop_of_specials_stays_compiled() {
     let body = [
@@ -326,9 +325,9 @@ fn a_loop_of_specials_stays_compiled() {
         word(Op::Fm, [21, 16, 18], 0),
         word(Op::Fs, [22, 20, 21], 0),
     ];
-    let mut code = counted(&body, 10 * ROUNDS);
+    let mut code = counted_loop(&body, 10 * ROUNDS);
     code.push(word(Op::Stop, [0; 3], 0));
-    let (_, spu, compiled) = both(&code, |spu, _| {
+    let (_, spu, compiled) = compare_engines(&code, |spu, _| {
         spu.set_register(16, Quad([0x7fff_ffff, 0x3f80_0000, 0x7fff_ffff, 1]));
         spu.set_register(17, Quad([0x7fff_ffff, 0x4000_0000, 0, 0x8000_0000]));
         spu.set_register(18, Quad([0x4000_0000, 0x0080_0000, 0, 0]));
@@ -348,7 +347,7 @@ fn the_check_finds_nothing() {
         word(Op::Lqa, [21, 0, 0], 0x2000),
         word(Op::Frest, [22, 21, 0], 0),
     ];
-    let mut code = counted(&body, ROUNDS);
+    let mut code = counted_loop(&body, ROUNDS);
     code.push(word(Op::Stop, [0; 3], 0));
     let machine = Machine::with_engine(Arc::new(RegisteredMemory::new()), Engine::Check);
     let spe = Spe::new(&machine, Config::default());

@@ -1,6 +1,6 @@
-//! One unit beside the interpreter.
+//! Compares one unit with the interpreter.
 
-use spu_compiler::{Compiler, Cpu, Estimates, Exit, Step, Storage, Trace, Way};
+use spu_compiler::{Compiler, Cpu, Estimates, Exit, FloatMode, Step, Storage, Trace};
 use spu_emulator::channel::NoChannels;
 use spu_emulator::float::estimate;
 use spu_emulator::float::fpscr::Fpscr;
@@ -8,7 +8,7 @@ use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_isa::Instruction;
 
-/// Where the code of these tests begins.
+/// The start address of the code in these tests.
 pub const START: u32 = 0x1000;
 
 /// Registers, FPSCR and local store.
@@ -19,7 +19,7 @@ pub struct State {
 }
 
 impl State {
-    /// A copy that has `code` from [`START`] on.
+    /// A copy of the state with `code` at [`START`].
     pub fn with_code(&self, code: &[Instruction]) -> (Spu, LocalStore) {
         let local_store = copy(&self.local_store);
         for (address, instruction) in (START..).step_by(4).zip(code) {
@@ -35,7 +35,7 @@ impl State {
 
 fn copy(local_store: &LocalStore) -> LocalStore {
     let copy = LocalStore::new();
-    // SAFETY: each is that long, and nobody else has either.
+    // SAFETY: both have `SIZE` bytes, and nobody else accesses them.
     unsafe {
         std::ptr::copy_nonoverlapping(local_store.as_ptr(), copy.as_ptr(), SIZE as usize);
     }
@@ -43,7 +43,7 @@ fn copy(local_store: &LocalStore) -> LocalStore {
 }
 
 fn bytes(local_store: &LocalStore) -> &[u8] {
-    // SAFETY: it is that long and lives as long, and nobody writes to it meanwhile.
+    // SAFETY: local store has `SIZE` bytes, outlives the slice, and nobody writes to it meanwhile.
     unsafe { std::slice::from_raw_parts(local_store.as_ptr(), SIZE as usize) }
 }
 
@@ -55,13 +55,13 @@ pub fn compiler() -> Compiler {
     Compiler::new(estimates, false).expect("the hosts of the tests have AVX2 and FMA")
 }
 
-/// A trace of what the interpreter runs of `code`, which begins at [`START`], in `state`.
+/// A trace of the path that the interpreter takes through `code`, at [`START`], from `state`.
 pub fn trace(code: &[Instruction], state: &State) -> Trace {
     let (mut spu, local_store) = state.with_code(code);
     let steps = code.iter().map(|&instruction| {
         let pc = spu.pc();
         let stopped = spu.step(&local_store, &mut NoChannels);
-        // A halt that halts is no part of a path.
+        // After a halt whose condition holds, a trace continues at the next instruction.
         let next = if stopped.is_some() { pc + 4 } else { spu.pc() };
         Step {
             pc,
@@ -76,24 +76,26 @@ pub fn trace(code: &[Instruction], state: &State) -> Trace {
 /// A compiled trace.
 pub struct Compiled {
     cpu: Cpu,
-    way: Way,
+    mode: FloatMode,
     length: u32,
 }
 
 impl Compiled {
-    pub fn new(compiler: &mut Compiler, trace: &Trace, way: Way) -> Self {
+    pub fn new(compiler: &mut Compiler, trace: &Trace, mode: FloatMode) -> Self {
         let mut cpu = compiler.new_cpu();
-        let unit = compiler.compile(trace.clone(), way).expect("there is room");
+        let unit = compiler
+            .compile(trace.clone(), mode)
+            .expect("there is room");
         cpu.install(&unit);
         Self {
             cpu,
-            way,
+            mode,
             length: trace.steps().len() as u32,
         }
     }
 
-    /// Runs the unit once and compares all that it leaves with what the interpreter does in as many
-    /// instructions. Gives why it ended.
+    /// Runs the unit once, and compares the state after it with the interpreter's after as many
+    /// instructions. Returns why the unit ended.
     pub fn compare(&mut self, code: &[Instruction], state: &State) -> Exit {
         let (start, local_store) = state.with_code(code);
         let mut registers = start.registers;
@@ -102,13 +104,13 @@ impl Compiled {
             registers: registers.as_mut_ptr().cast(),
             local_store: local_store.as_ptr(),
         };
-        // SAFETY: registers and local store are this function's own.
+        // SAFETY: registers and local store belong to this function.
         let (exit, pc, executed) =
             unsafe { self.cpu.enter(storage, &mut fpscr, START, self.length) };
 
         let (mut spu, expected) = state.with_code(code);
         let stopped = spu.run_limited(&expected, &mut NoChannels, u64::from(executed));
-        let context = || format!("{code:x?} {:?} {exit:?} after {executed}", self.way);
+        let context = || format!("{code:x?} {:?} {exit:?} after {executed}", self.mode);
         assert_eq!(stopped, None, "{}", context());
         assert_eq!(pc, spu.pc(), "{}", context());
         let operands = || {
