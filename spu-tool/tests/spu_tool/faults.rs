@@ -30,7 +30,12 @@ fn each_fault_has_its_status() {
         121,
         &["invalid instruction 0x00800000", "<_start+0x4>"],
     );
-    fault(" rdch $3,$ch100", &[], 122, &["rdch of channel 100"]);
+    fault(
+        " rdch $3,$ch100",
+        &[],
+        122,
+        &["rdch is not possible on channel 100"],
+    );
     let command = " il $3,3\n wrch $ch19,$3\n il $4,0x40\n wrch $ch21,$4\n stop 0x2000";
     fault(command, &[], 123, &["DMA alignment", "3 bytes"]);
     let nowhere =
