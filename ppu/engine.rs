@@ -109,9 +109,13 @@ impl Engine {
         Ok(records.show_on(framebuffer))
     }
 
-    /// From now on each frame traces at most this many tiles, or all again with `None`. The
-    /// framebuffer keeps what it shows in the tiles that are left, and the next frames trace them,
-    /// as long as nothing moves. Has no effect where tiles are not retained.
+    /// From now on each frame traces at most this many tiles, or all again with `None`. A picture
+    /// is then made by several frames: the framebuffer keeps what it shows in the tiles that are
+    /// left, and the next frames trace them. They are taken from all over the picture, so frames
+    /// with the same number of tiles take about the same time.
+    ///
+    /// If anything moves that the framebuffer shows, the frame is put off: nothing is traced. The
+    /// picture is begun anew by the next frame. Has no effect where tiles are not retained.
     pub fn limit_tiles(&mut self, most: Option<u32>) {
         self.most_tiles = most;
     }

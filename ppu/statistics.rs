@@ -97,8 +97,9 @@ pub struct FrameStatistics {
     pub tiles_retained: u64,
     /// Tiles that were left for the next frame, because only so many were to be traced.
     pub tiles_left: u64,
-    /// Whether the frame only added tiles that the frame before it had left.
-    pub continues: bool,
+    /// Whether nothing was traced because something has moved while tiles were left; see
+    /// [`Engine::limit_tiles`](crate::Engine::limit_tiles).
+    pub is_put_off: bool,
 }
 
 impl FrameStatistics {
@@ -110,7 +111,7 @@ impl FrameStatistics {
             .extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
         self.tiles_retained = size.tiles_retained;
         self.tiles_left = size.tiles_left;
-        self.continues = size.continues;
+        self.is_put_off = size.is_put_off;
     }
 
     /// The number of primary rays of all SPUs.

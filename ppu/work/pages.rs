@@ -36,6 +36,17 @@ struct Place {
     format: PixelFormat,
 }
 
+/// What a page shows, compared with the frame that it will show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contents {
+    /// Nothing is known about it.
+    Unknown,
+    /// The same, except where tiles were left out.
+    Same,
+    /// Something else.
+    Moved,
+}
+
 struct Page {
     place: Place,
     /// Whether it shows `shown`, except in the tiles of `missing`.
@@ -53,8 +64,7 @@ impl Pages {
     }
 
     /// Finds the tiles in which a page's contents differ from the frame that it will show. The
-    /// page's contents then count as unknown until [`Pages::close`]. Returns whether that frame
-    /// continues the page's last one: only tiles that were left out then are different.
+    /// page's contents then count as unknown until [`Pages::close`].
     pub fn open(
         &mut self,
         target: &Target,
@@ -62,7 +72,7 @@ impl Pages {
         camera: &Camera,
         projection: &Projection,
         changed: &mut TileSet,
-    ) -> bool {
+    ) -> Contents {
         let place = Place {
             address: target.base.as_ptr().addr(),
             stride: target.stride,
@@ -83,17 +93,21 @@ impl Pages {
         if !page.is_known || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
-        let mut continues = false;
-        if page.is_known {
+        let contents = if page.is_known {
             self.to_show.changes(&page.shown, projection, changed);
-            continues = changed.numbers().is_empty();
+            let contents = match changed.numbers() {
+                [] => Contents::Same,
+                _ => Contents::Moved,
+            };
             changed.add_set(&page.missing);
+            contents
         } else {
             changed.add_all();
-        }
+            Contents::Unknown
+        };
         page.is_known = false;
         std::mem::swap(&mut page.shown, &mut self.to_show);
-        continues
+        contents
     }
 
     /// The tiles that show only the background, in the page that was opened last.

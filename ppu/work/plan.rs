@@ -5,7 +5,7 @@
 
 use nff::Camera;
 
-use super::pages::Pages;
+use super::pages::{Contents, Pages};
 use super::policy::Policy;
 use super::projection::Projection;
 use super::spheres::EyeSpheres;
@@ -38,8 +38,8 @@ pub(crate) struct Size {
     pub tiles_retained: u64,
     /// The number of tiles that are left for the next frame.
     pub tiles_left: u64,
-    /// Whether the frame only adds tiles that the last one left out.
-    pub continues: bool,
+    /// Whether nothing is traced, because the number of tiles is limited and something has moved.
+    pub is_put_off: bool,
     /// The number of spheres that are not sent, because the picture can't show them.
     pub spheres_unseen: u64,
 }
@@ -53,15 +53,16 @@ impl Plan {
         if !self.keeps {
             self.pages.forget();
         }
-        let continues = self
+        let contents = self
             .pages
             .open(target, scene, camera, &projection, &mut self.tiles);
         if !policy.retain {
             self.tiles.add_all();
         }
         let most = policy.most_tiles.filter(|_| policy.retain);
-        let most = most.map_or(usize::MAX, |most| most as usize);
-        self.tiles.keep_first(most, &mut self.missing);
+        let is_put_off = most.is_some() && contents == Contents::Moved;
+        let most = if is_put_off { Some(0) } else { most };
+        self.tiles.keep(most, &mut self.missing);
         let tiles_left = self.missing.numbers().len() as u64;
         self.spheres
             .cull(scene.spheres(), &projection, policy.skip, policy.record);
@@ -78,7 +79,7 @@ impl Plan {
                 .sum(),
             tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,
             tiles_left,
-            continues,
+            is_put_off,
             spheres_unseen: (scene.spheres().len() - self.spheres.records().len()) as u64,
         };
     }
@@ -86,7 +87,7 @@ impl Plan {
     /// Records that the frame is in its page, and its units' costs.
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
-        if self.keeps {
+        if self.keeps && !self.size.is_put_off {
             self.pages
                 .close(self.units.lines(), costs, &mut self.missing);
         }

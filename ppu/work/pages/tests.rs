@@ -190,7 +190,9 @@ fn tiles_are_blank_while_the_background_stays() {
             *ticks = (7 | if tile.get() == 5 { TILE_BLANK } else { 0 }).into();
         }
     }
-    screen.known.close(units.lines(), &costs, &mut TileSet::default());
+    screen
+        .known
+        .close(units.lines(), &costs, &mut TileSet::default());
     let blank = |screen: &Screen| {
         let blank = screen.known.blank().unwrap();
         (0..TILES as u32)
