@@ -56,11 +56,12 @@ impl Plan {
         let contents = self
             .pages
             .open(target, scene, camera, &projection, &mut self.tiles);
-        if !policy.retain {
-            self.tiles.add_all();
-        }
         let most = policy.most_tiles.filter(|_| policy.retain);
         let is_put_off = most.is_some() && contents == Contents::Moved;
+        // What was put off is begun anew.
+        if !policy.retain || is_put_off {
+            self.tiles.add_all();
+        }
         let most = if is_put_off { Some(0) } else { most };
         self.tiles.keep(most, &mut self.missing);
         let tiles_left = self.missing.numbers().len() as u64;

@@ -70,16 +70,20 @@ impl TileSet {
     pub fn keep(&mut self, most: Option<u32>, rest: &mut Self) {
         rest.geometry = self.geometry;
         rest.wanted.clear();
-        rest.wanted.resize(self.wanted.len(), false);
-        let Some(most) = most else {
+        let Some(mut left) = most else {
             return;
         };
         let count = self.wanted.len();
+        rest.wanted.resize(count, false);
         let step = stride(count);
-        let scattered = (0..count).map(|number| number * step % count);
-        let wanted: Vec<_> = scattered.filter(|&tile| self.wanted[tile]).collect();
-        for &tile in wanted.iter().skip(most as usize) {
-            (self.wanted[tile], rest.wanted[tile]) = (false, true);
+        for tile in (0..count).map(|number| number * step % count) {
+            if !self.wanted[tile] {
+                continue;
+            }
+            match left.checked_sub(1) {
+                Some(fewer) => left = fewer,
+                None => (self.wanted[tile], rest.wanted[tile]) = (false, true),
+            }
         }
     }
 
