@@ -43,6 +43,21 @@ impl Fit {
         }
     }
 
+    /// The left column and the top row of the picture on the display.
+    #[must_use]
+    pub fn corner(&self) -> (u32, u32) {
+        (self.left, self.top)
+    }
+
+    /// The picture's width and height on the display, if it is larger there than its own.
+    #[must_use]
+    pub fn enlarged(&self) -> Option<(u32, u32)> {
+        let (width, height) = self.picture;
+        let is_larger = self.width >= width && self.height >= height;
+        let is_other = (self.width, self.height) != self.picture;
+        (is_larger && is_other).then_some((self.width, self.height))
+    }
+
     /// The picture's column that a column of the display shows; `None` outside of the picture.
     #[must_use]
     pub fn column(&self, x: u32) -> Option<u32> {
