@@ -139,8 +139,8 @@ function cull_nodes
         lqd     $rays_radius_3,128($a_bound_3)          # 36o
         fs      $vz_3,$vz,$apex_z                       # 37e
         lqd     $reach_2,48($candidate_2)               # 37o
-        rotqbyi $a_bound,$candidate_3,8                 # 38o
-        lqd     $farthest,144($a_bound_2)               # 39o
+        lqd     $farthest,144($a_bound_2)               # 38o
+        rotqbyi $a_bound,$candidate_3,8                 # 39o
         fm      $along_3,$vx_3,$axis_x_2                # 40e
         lqd     $sine_2,112($a_bound_2)                 # 40o
         fa      $reach_3,$reach,$rays_radius_2          # 41e
