@@ -362,8 +362,10 @@ fn told_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry
 }
 
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
-    let divisor = pace.map_or(1, Pace::divisor);
-    let side = |side: u32| (side / divisor).max(LEAST_SIDE).min(side.max(1));
+    // Both sides are divided by the same, so that the proportions stay.
+    let most = area.width.min(area.height) / LEAST_SIDE;
+    let divisor = pace.map_or(1, Pace::divisor).min(most).max(1);
+    let side = |side: u32| side / divisor;
     match (pace, fixed) {
         (None, Some(size)) => size,
         _ => Geometry {
@@ -425,6 +427,12 @@ mod tests {
             height: 3,
         };
         let paced = wanted_size(tiny, Some(&Pace::new()), None);
-        assert_eq!((paced.width, paced.height), (8, 3));
+        assert_eq!((paced.width, paced.height), (20, 3));
+        let small = Geometry {
+            width: 80,
+            height: 48,
+        };
+        let paced = wanted_size(small, Some(&Pace::new()), None);
+        assert_eq!((paced.width, paced.height), (13, 8));
     }
 }

@@ -113,13 +113,13 @@ impl Terminal {
         })
     }
 
-    fn fit(&self, size: (u32, u32)) -> Fit {
+    fn fit(&self) -> Fit {
         let Geometry { width, height } = self.area();
-        Fit::new(size, (width, height))
+        Fit::new(self.measure, (width, height))
     }
 
     fn refit(&mut self) {
-        self.pointer.refit(self.fit(self.measure));
+        self.pointer.refit(self.fit());
     }
 
     fn take_in(&mut self, event: Event, display_events: &mut Vec<DisplayEvent>) {
@@ -235,12 +235,12 @@ impl Display for Terminal {
     }
 
     fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
-        let fit = self.fit(picture.dimensions());
+        let fit = self.fit().filled_by(picture.dimensions());
         let enlarged = fit
             .enlarged()
             .map(|size| Enlarged::new(picture, size).all());
         let picture = enlarged.as_ref().unwrap_or(picture);
-        let fit = self.fit(picture.dimensions());
+        let fit = fit.filled_by(picture.dimensions());
         let line = overlay.map(Overlay::line);
         let text = self.grid.draw(picture, fit, self.cells, line.as_deref());
         let mut out = io::stdout().lock();

@@ -252,8 +252,13 @@ impl Display for Window {
     }
 
     fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
-        let State { open, area, .. } = &mut self.state;
-        let fit = Fit::new(picture.dimensions(), (area.width, area.height));
+        let State {
+            open,
+            area,
+            measure,
+            ..
+        } = &mut self.state;
+        let fit = Fit::new(*measure, (area.width, area.height)).filled_by(picture.dimensions());
         let Some((window, surface)) = open else {
             return Ok(());
         };
