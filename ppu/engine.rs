@@ -43,6 +43,8 @@ pub struct Engine {
     record: EyeRecord,
     number: u32,
     plan: Plan,
+    /// The largest number of tiles of a frame, if it is limited.
+    most_tiles: Option<u32>,
     /// The SPUs' answers to the last frame, in their format; `statistics` has them in the
     /// caller's.
     lines: Vec<Statistics>,
@@ -72,6 +74,7 @@ impl Engine {
             record,
             number: 0,
             plan: Plan::default(),
+            most_tiles: None,
             lines: vec![Statistics::new_zeroed(); settings.spus as usize],
             costs: Vec::new(),
             statistics: FrameStatistics::default(),
@@ -104,6 +107,17 @@ impl Engine {
         let records = self.records.as_mut().ok_or(EngineError::Lost)?;
         self.plan.forget_pages();
         Ok(records.show_on(framebuffer))
+    }
+
+    /// From now on each frame traces at most this many tiles, or all again with `None`. A picture
+    /// is then made by several frames: the framebuffer keeps what it shows in the tiles that are
+    /// left, and the next frames trace them. They are taken from all over the picture, so frames
+    /// with the same number of tiles take about the same time.
+    ///
+    /// If anything moves that the framebuffer shows, the frame is put off: nothing is traced. The
+    /// picture is begun anew by the next frame. Has no effect where tiles are not retained.
+    pub fn limit_tiles(&mut self, most: Option<u32>) {
+        self.most_tiles = most;
     }
 
     /// The SPUs' statistics of the last frame.
@@ -149,6 +163,7 @@ impl Engine {
             record: self.record,
             keeps,
             retain: self.settings.retain && keeps,
+            most_tiles: self.most_tiles,
         };
         self.plan.make(scene, &camera, &target, policy);
         let size = self.plan.size();

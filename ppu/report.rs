@@ -193,7 +193,8 @@ impl Report {
     /// Adds a frame's statistics.
     pub fn add(&mut self, frame: &FrameStatistics) {
         self.frames += 1;
-        self.frames_traced += u32::from(frame.is_traced());
+        // A picture that is made by several frames counts once, with the last of them.
+        self.frames_traced += u32::from(frame.is_traced() && frame.tiles_left == 0);
         self.ticks += frame.ticks();
         self.tests += frame.tests();
         self.tiles.retained += frame.tiles_retained;
@@ -408,6 +409,7 @@ mod tests {
         FrameStatistics {
             spus: ticks.map(spu).into(),
             tiles_retained: 3,
+            ..FrameStatistics::default()
         }
     }
 

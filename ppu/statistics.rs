@@ -95,6 +95,11 @@ pub struct FrameStatistics {
     pub spus: Vec<SpuStatistics>,
     /// Tiles that were left unchanged, because the framebuffer showed them already.
     pub tiles_retained: u64,
+    /// Tiles that were left for the next frame, because only so many were to be traced.
+    pub tiles_left: u64,
+    /// Whether nothing was traced because something has moved while tiles were left; see
+    /// [`Engine::limit_tiles`](crate::Engine::limit_tiles).
+    pub is_put_off: bool,
 }
 
 impl FrameStatistics {
@@ -105,6 +110,8 @@ impl FrameStatistics {
         self.spus
             .extend(lines.iter().map(|line| SpuStatistics::of(line, unseen)));
         self.tiles_retained = size.tiles_retained;
+        self.tiles_left = size.tiles_left;
+        self.is_put_off = size.is_put_off;
     }
 
     /// The number of primary rays of all SPUs.

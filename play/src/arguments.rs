@@ -170,7 +170,8 @@ pub struct Options {
     /// otherwise the terminal]
     #[arg(long, value_enum)]
     pub display: Option<DisplayKind>,
-    /// Width and height in pixels [default: in a window or terminal, as many as run smoothly]
+    /// Width and height in pixels [default: in a window or terminal, as many as run smoothly, and
+    /// all of them at rest]
     #[arg(long, value_name = "WxH", allow_hyphen_values = true)]
     pub size: Option<Geometry>,
     /// Framebuffer device, or a regular file that is written like one

@@ -11,12 +11,14 @@ use std::ops::ControlFlow;
 use std::os::fd::AsFd as _;
 use std::time::Instant;
 
-use cellray::framebuffer::Interrupted;
+use cellray::framebuffer::{Geometry, Interrupted};
 use cellray::game::{Button, InputEvent, Key};
+use image::RgbImage;
 use signal_hook::consts::{SIGHUP, SIGINT};
 
 use crate::display::{Display, DisplayEvent};
 use crate::input::{Foreground, InputDevices, SystemForeground, is_of_console};
+use crate::overlay::Overlay;
 
 /// Why a session ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -112,6 +114,29 @@ impl Frontend {
     pub fn tracing(&mut self) {
         // The next poll returns the error.
         if let Err(error) = self.gather() {
+            self.failed = Some(error);
+        }
+    }
+
+    /// Shows a message over the last picture, or over black if there is none yet.
+    pub fn tell(&mut self, picture: Option<&RgbImage>, message: String) {
+        if !self.display.draws() {
+            return;
+        }
+        let black;
+        let picture = match picture {
+            Some(picture) => picture,
+            None => {
+                let Geometry { width, height } = self.display.area();
+                black = RgbImage::new(width, height);
+                &black
+            }
+        };
+        let overlay = Overlay {
+            message: Some(message),
+            ..Overlay::default()
+        };
+        if let Err(error) = self.display.show(picture, Some(&overlay)) {
             self.failed = Some(error);
         }
     }
@@ -224,10 +249,8 @@ fn is_of_presence(event: &InputEvent) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::overlay::Overlay;
-    use cellray::framebuffer::{Framebuffer, FramebufferError, Geometry, Memory};
+    use cellray::framebuffer::{Framebuffer, FramebufferError, Memory};
     use cellray::game::PadId;
-    use image::RgbImage;
 
     /// A display that reports one list of events at each call.
     struct Script(Vec<Vec<DisplayEvent>>);
@@ -243,6 +266,8 @@ mod tests {
         fn scales(&self) -> bool {
             true
         }
+
+        fn measure_in(&mut self, _size: Geometry) {}
 
         fn framebuffer(
             &mut self,

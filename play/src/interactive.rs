@@ -1,29 +1,33 @@
 //! Runs a session for a player, frame by frame, with an overlay, screenshots, and a resolution
-//! that adapts to the load.
+//! that adapts to the load and becomes the display's when the picture is at rest.
 
 use std::ops::ControlFlow;
-use std::time::Instant;
+use std::time::{Duration, Instant};
 
 use cellray::Report;
-use cellray::framebuffer::{Geometry, Interrupted};
+use cellray::framebuffer::{Framebuffer, Geometry, Interrupted, Memory};
 use cellray::game::{Clock, Game, InputEvent, Session, SessionError};
 use image::RgbImage;
 
 use crate::arguments::Options;
-use crate::display::Display;
+use crate::display::{Display, Enlarged};
 use crate::error::PlayError;
 use crate::frontend::{Ending, Frontend};
 use crate::input::InputDevices;
 use crate::meter::Meter;
-use crate::pace::Pace;
+use crate::pace::{Pace, Traced};
 use crate::recording;
 use crate::reload::Reload;
 use crate::screenshot;
 use crate::talk::say;
 use crate::viewer::VIEW;
+use crate::waiting::Waiting;
 
 /// The least width and height in pixels; smaller pictures show nothing useful.
 const LEAST_SIDE: u32 = 8;
+/// While a picture is refined, it is drawn once in this time, because drawing takes as long as
+/// tracing a tile or two.
+const REFINED_EVERY: Duration = Duration::from_millis(80);
 
 /// The result of a session.
 #[derive(Debug)]
@@ -90,6 +94,9 @@ struct Show<'a> {
     /// Chooses the size, if none was requested.
     pace: Option<Pace>,
     meter: Meter,
+    waiting: Waiting,
+    /// When a frame was last drawn.
+    drawn: Option<Instant>,
     has_overlay: bool,
     /// Messages to print at the end.
     kept: Vec<String>,
@@ -116,9 +123,13 @@ impl<'a> Show<'a> {
         let size = wanted_size(display.area(), pace.as_ref(), options.size);
         let framebuffer = display.framebuffer(size)?;
         let stem = file_stem(game.name());
-        let front = Frontend::new(display, player.devices, player.keys, interrupted)
+        let mut front = Frontend::new(display, player.devices, player.keys, interrupted)
             .map_err(PlayError::Signals)?;
-        let session = Session::start(game, options.settings()?, framebuffer)?.with_seed(seed);
+        let session = Session::start(game, options.settings()?, framebuffer)?;
+        let mut session = session.with_seed(seed);
+        let told = told_size(front.display.area(), pace.as_ref(), size);
+        session.tell_size(told);
+        front.display.measure_in(told);
         let replay = options.replay.as_deref();
         Ok(Self {
             session: recording::connect(session, options.record.as_deref(), replay)?,
@@ -128,6 +139,8 @@ impl<'a> Show<'a> {
             size,
             pace,
             meter: Meter::new(Instant::now()),
+            waiting: Waiting::new(Instant::now()),
+            drawn: None,
             has_overlay: !options.no_overlay,
             kept: Vec::new(),
             events: Vec::new(),
@@ -146,18 +159,13 @@ impl<'a> Show<'a> {
         let heard = heard.map_err(SessionError::Input)?;
         let began = Instant::now();
         let flow = match step.filter(|_| heard.is_continue()) {
-            Some(step) => {
-                let front = &mut self.front;
-                let mut tracing = |_: f64| front.tracing();
-                let events = &mut self.events;
-                Some(self.session.step(step, events, &mut tracing)?)
-            }
+            Some(step) => Some(self.step(step)?),
             None => None,
         };
         let requests = self.front.take_requests();
         if flow.is_some() {
             self.has_overlay ^= requests.overlay;
-            self.show()?;
+            self.show(requests.overlay || requests.screenshot)?;
         }
         self.tell(requests.screenshot);
         if flow != Some(ControlFlow::Continue(())) {
@@ -165,6 +173,71 @@ impl<'a> Show<'a> {
         }
         self.fit(requests.resized, began)?;
         Ok(ControlFlow::Continue(()))
+    }
+
+    /// Steps the session. If something has moved while the picture was refined, it is coarse again.
+    fn step(&mut self, step: Duration) -> Result<ControlFlow<()>, PlayError> {
+        let tiles = self.pace.as_ref().and_then(Pace::tiles);
+        self.session.engine().limit_tiles(tiles);
+        let Self {
+            front,
+            waiting,
+            picture,
+            ..
+        } = self;
+        let mut tracing = |part| keep_responsive(front, waiting, picture.as_ref(), part);
+        let flow = self.session.step(step, &mut self.events, &mut tracing)?;
+        if self.session.engine().statistics().is_put_off {
+            self.coarsen()?;
+            let Self {
+                front,
+                waiting,
+                picture,
+                ..
+            } = self;
+            let mut tracing = |part| keep_responsive(front, waiting, picture.as_ref(), part);
+            self.session.trace_again(&mut tracing)?;
+        }
+        Ok(flow)
+    }
+
+    /// Ends the refinement of a picture.
+    fn coarsen(&mut self) -> Result<(), PlayError> {
+        if let Some(pace) = &mut self.pace {
+            pace.moves();
+        }
+        self.session.engine().limit_tiles(None);
+        let framebuffer = self.framebuffer()?;
+        self.show_on(framebuffer)
+    }
+
+    /// Chooses the picture's size, and makes a framebuffer for it.
+    fn framebuffer(&mut self) -> Result<Box<dyn Framebuffer>, PlayError> {
+        let display = &mut self.front.display;
+        self.size = wanted_size(display.area(), self.pace.as_ref(), self.options.size);
+        let refined = self.pace.as_ref().and_then(Pace::tiles);
+        Ok(match refined.and(self.session.picture()) {
+            // A display that scales shows any framebuffer that can be read back.
+            Some(coarse) => {
+                let size = (self.size.width, self.size.height);
+                Box::new(Memory::showing(&Enlarged::new(&coarse, size).all())?)
+            }
+            None => display.framebuffer(self.size)?,
+        })
+    }
+
+    fn show_on(&mut self, framebuffer: Box<dyn Framebuffer>) -> Result<(), PlayError> {
+        self.session.show_on(framebuffer)?;
+        self.tell_size();
+        Ok(())
+    }
+
+    /// Tells the game and the display the size in whose pixels the mouse moves.
+    fn tell_size(&mut self) {
+        let display = &mut self.front.display;
+        let size = told_size(display.area(), self.pace.as_ref(), self.size);
+        display.measure_in(size);
+        self.session.tell_size(size);
     }
 
     /// Loads the scene again if its files have changed. If that fails, it shows a message, and the
@@ -180,32 +253,46 @@ impl<'a> Show<'a> {
                 Ok(())
             }
             Some(Ok(viewer)) => {
-                let framebuffer = self.front.display.framebuffer(self.size)?;
+                if let Some(pace) = &mut self.pace {
+                    pace.moves();
+                }
+                let framebuffer = self.framebuffer()?;
                 let settings = self.options.settings()?;
                 self.session = Session::start(Box::new(viewer) as _, settings, framebuffer)?;
+                self.tell_size();
+                // It compares reports, and the session's begins anew.
+                self.meter = Meter::new(Instant::now());
                 self.say("loaded again".to_owned());
                 Ok(())
             }
         }
     }
 
-    /// Shows the frame on the display, if it is drawn to.
-    fn show(&mut self) -> Result<(), PlayError> {
+    /// Shows the frame on the display, if it is drawn to. While a picture is refined, not every
+    /// frame is shown unless `must` is set.
+    fn show(&mut self, must: bool) -> Result<(), PlayError> {
         let Geometry { width, height } = self.front.display.area();
         let sizes = ((self.size.width, self.size.height), (width, height));
+        let now = Instant::now();
         let report = self.session.report().clone();
         let last = self.session.engine().statistics();
-        let overlay = self.meter.frame(Instant::now(), &report, last, sizes);
+        let (is_partial, is_traced) = (last.tiles_left > 0, last.is_traced());
+        let overlay = self.meter.frame(now, &report, last, sizes);
         let overlay = self.has_overlay.then_some(overlay);
         let display = &mut self.front.display;
-        if !display.draws() {
+        let is_recent = |drawn| now.duration_since(drawn) < REFINED_EVERY;
+        if !display.draws() || is_partial && !must && self.drawn.is_some_and(is_recent) {
             return Ok(());
         }
-        self.picture = self.session.picture();
-        match &self.picture {
-            Some(picture) => display.show(picture, overlay).map_err(PlayError::Show),
-            None => Ok(()),
+        if is_traced || self.picture.is_none() {
+            self.picture = self.session.picture();
         }
+        if let Some(picture) = &self.picture {
+            display.show(picture, overlay).map_err(PlayError::Show)?;
+            self.drawn = Some(now);
+            self.waiting.is_over(now);
+        }
+        Ok(())
     }
 
     /// Prints messages about devices, and takes a screenshot if one was requested.
@@ -231,25 +318,54 @@ impl<'a> Show<'a> {
 
     /// Adapts the size of the next frame to this one's time and to the display's size.
     fn fit(&mut self, is_resized: bool, began: Instant) -> Result<(), PlayError> {
-        let is_traced = self.session.engine().statistics().is_traced();
-        let took = is_traced.then(|| began.elapsed());
-        let is_other = self.pace.as_mut().is_some_and(|pace| pace.frame(took));
-        if !is_other && !is_resized {
+        if is_resized {
+            // A size that was requested stays.
+            if self.pace.is_some() {
+                self.coarsen()?;
+            }
             return Ok(());
         }
-        let display = &mut self.front.display;
-        let size = wanted_size(display.area(), self.pace.as_ref(), self.options.size);
-        if display.scales() && size != self.size {
-            self.size = size;
-            self.session.show_on(display.framebuffer(size)?)?;
+        let last = self.session.engine().statistics();
+        let traced = Traced {
+            took: began.elapsed(),
+            tiles: last.spus.iter().map(|spu| spu.tiles).sum(),
+            left: last.tiles_left,
+        };
+        if self.pace.as_mut().is_some_and(|pace| pace.frame(traced)) {
+            let framebuffer = self.framebuffer()?;
+            self.show_on(framebuffer)?;
         }
         Ok(())
     }
 }
 
+/// Keeps the display responsive while a frame is traced, and tells if that takes long.
+fn keep_responsive(
+    front: &mut Frontend,
+    waiting: &mut Waiting,
+    picture: Option<&RgbImage>,
+    part: f64,
+) {
+    front.tracing();
+    if let Some(text) = waiting.text(Instant::now(), part) {
+        front.tell(picture, text);
+    }
+}
+
+/// The size in whose pixels the mouse moves. It is the display's if that is divided, so that it
+/// stays the same when the divisor changes.
+fn told_size(area: Geometry, pace: Option<&Pace>, picture: Geometry) -> Geometry {
+    match pace {
+        Some(_) => area,
+        None => picture,
+    }
+}
+
 fn wanted_size(area: Geometry, pace: Option<&Pace>, fixed: Option<Geometry>) -> Geometry {
-    let divisor = pace.map_or(1, Pace::divisor);
-    let side = |side: u32| (side / divisor).max(LEAST_SIDE).min(side.max(1));
+    // Both sides are divided by the same, so that the proportions stay.
+    let most = area.width.min(area.height) / LEAST_SIDE;
+    let divisor = pace.map_or(1, Pace::divisor).min(most).max(1);
+    let side = |side: u32| side / divisor;
     match (pace, fixed) {
         (None, Some(size)) => size,
         _ => Geometry {
@@ -305,12 +421,18 @@ mod tests {
         assert_eq!(wanted_size(area, None, Some(fixed)), fixed);
         assert_eq!(wanted_size(area, None, None), area);
         let paced = wanted_size(area, Some(&Pace::new()), None);
-        assert_eq!((paced.width, paced.height), (160, 90));
+        assert_eq!((paced.width, paced.height), (40, 22));
         let tiny = Geometry {
             width: 20,
             height: 3,
         };
         let paced = wanted_size(tiny, Some(&Pace::new()), None);
-        assert_eq!((paced.width, paced.height), (8, 3));
+        assert_eq!((paced.width, paced.height), (20, 3));
+        let small = Geometry {
+            width: 80,
+            height: 48,
+        };
+        let paced = wanted_size(small, Some(&Pace::new()), None);
+        assert_eq!((paced.width, paced.height), (13, 8));
     }
 }

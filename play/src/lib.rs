@@ -22,6 +22,7 @@ mod reload;
 mod screenshot;
 mod talk;
 mod viewer;
+mod waiting;
 
 use std::fmt::Write as _;
 use std::io::{self, IsTerminal as _, Write as _};

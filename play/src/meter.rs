@@ -12,9 +12,41 @@ const EVERY: Duration = Duration::from_millis(400);
 /// How long a message is visible.
 const MESSAGE: Duration = Duration::from_secs(5);
 
+/// The clock that the SPUs' speed is measured by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum SpuClock {
+    /// That of a console, whose SPUs they are.
+    Console,
+    /// That of the timing model, which counts the cycles of a console.
+    Model,
+    /// That of this computer, which emulates the SPUs.
+    Host,
+}
+
+impl SpuClock {
+    /// The clock on a machine. `timing` is the value of `LIBSPE2_TIMING`.
+    fn of(is_console: bool, timing: Option<&str>) -> Self {
+        match timing {
+            _ if is_console => Self::Console,
+            Some("1") => Self::Model,
+            _ => Self::Host,
+        }
+    }
+
+    /// What a speed by this clock is, in words.
+    fn words(self, spus: usize) -> String {
+        match self {
+            Self::Console => format!("the {spus} SPUs could make"),
+            Self::Model => format!("by {spus} SPUs of a console, by the timing model"),
+            Self::Host => format!("the {spus} emulated SPUs could make"),
+        }
+    }
+}
+
 /// Measures the speed and the load of a session.
 #[derive(Debug)]
 pub struct Meter {
+    clock: SpuClock,
     began: Instant,
     frames: u32,
     traced: u32,
@@ -32,7 +64,10 @@ impl Meter {
     /// Starts to measure.
     #[must_use]
     pub fn new(now: Instant) -> Self {
+        let timing = std::env::var("LIBSPE2_TIMING");
+        let is_console = cfg!(target_arch = "powerpc64");
         Self {
+            clock: SpuClock::of(is_console, timing.as_deref().ok()),
             began: now,
             frames: 0,
             traced: 0,
@@ -77,12 +112,15 @@ impl Meter {
         }
         let lines = &mut self.overlay.lines;
         lines.clear();
+        lines.push(format!("{:.1} frames/s are shown here", self.shown));
+        let words = self.clock.words(last.spus.len());
+        lines.push(format!("{:.1} frames/s {words}", self.simulated));
+        let part = match last.tiles_left {
+            0 => String::new(),
+            left => format!(", {left} tiles to come"),
+        };
         lines.push(format!(
-            "{:.1} frames/s, SPUs {:.1}",
-            self.shown, self.simulated
-        ));
-        lines.push(format!(
-            "{}x{} of {}x{}",
+            "{}x{} of {}x{}{part}",
             picture.0, picture.1, area.0, area.1,
         ));
         lines.push(format!("{:.1} % of tests skipped", self.skipped));
@@ -100,17 +138,58 @@ impl Meter {
             0.0
         };
         self.shown = f64::from(report.frames - self.frames) / seconds;
-        // While nothing is traced, the last speed stays.
-        if spu_seconds > self.spu_seconds {
+        // While no picture is completed, the last speed stays.
+        if report.frames_traced > self.traced && spu_seconds > self.spu_seconds {
             let traced = f64::from(report.frames_traced - self.traced);
             self.simulated = traced / (spu_seconds - self.spu_seconds);
+            self.traced = report.frames_traced;
+            self.spu_seconds = spu_seconds;
         }
         let busy = report.loop_seconds - self.loop_seconds;
         self.free = 100.0 * (1.0 - busy / seconds).clamp(0.0, 1.0);
         self.began = now;
         self.frames = report.frames;
-        self.traced = report.frames_traced;
-        self.spu_seconds = spu_seconds;
         self.loop_seconds = report.loop_seconds;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use cellray::statistics::SpuStatistics;
+
+    #[test]
+    fn the_frame_rates_are_told_apart_in_words() {
+        for (is_console, timing, words) in [
+            (true, None, "the 6 SPUs could make"),
+            (
+                false,
+                Some("1"),
+                "by 6 SPUs of a console, by the timing model",
+            ),
+            (false, Some("0"), "the 6 emulated SPUs could make"),
+            (false, None, "the 6 emulated SPUs could make"),
+        ] {
+            assert_eq!(SpuClock::of(is_console, timing).words(6), words);
+        }
+    }
+
+    #[test]
+    fn tiles_that_are_left_are_told() {
+        let now = Instant::now();
+        let report = Report::new("a scene", (64, 36), 1);
+        let mut last = FrameStatistics {
+            spus: vec![SpuStatistics::default()],
+            tiles_left: 3,
+            ..FrameStatistics::default()
+        };
+        let mut meter = Meter::new(now);
+        let mut size = |last: &FrameStatistics| {
+            let overlay = meter.frame(now, &report, last, ((64, 36), (128, 72)));
+            overlay.lines[2].clone()
+        };
+        assert_eq!(size(&last), "64x36 of 128x72, 3 tiles to come");
+        last.tiles_left = 0;
+        assert_eq!(size(&last), "64x36 of 128x72");
     }
 }

@@ -1,100 +1,148 @@
 //! Chooses how coarsely a picture is traced, by the time that its frames take.
 //!
+//! While something moves, the display's width and height are divided so that frames are fluid. What
+//! has come to rest is refined: a picture of the display's full resolution is traced a few tiles at
+//! a time, so that a frame stays short and whatever moves next is shown at once.
+//!
 //! Invariants: the divisor is from 1 to [`COARSEST`]. It never becomes smaller within [`REST`]
-//! frames after another change. A change is only made if it is not expected to be reverted at the
-//! same load.
+//! frames after another change while something moves. A change is only made if it is not expected
+//! to be reverted at the same load.
 
 use std::time::Duration;
 
 /// The largest divisor of the display's width and height.
-pub const COARSEST: u32 = 8;
+pub const COARSEST: u32 = 16;
 /// Frames that take longer than this, in seconds, make the picture coarser.
 const TOO_LONG: f64 = 1.0 / 20.0;
 /// A picture becomes finer if it is expected to take less than this, in seconds: well below
 /// [`TOO_LONG`].
 const SHORT: f64 = 1.0 / 30.0;
-/// A picture that stands still is traced only once, so a finer one may take this long, in seconds.
-const STILL: f64 = 0.4;
-/// The number of frames without anything to trace after which a picture counts as standing still.
-const STILL_FRAMES: u32 = 15;
+/// The number of frames without anything to trace after which a picture has come to rest.
+const STILL_FRAMES: u32 = 6;
 /// The least number of frames between a change and one that makes the picture finer.
 const REST: u32 = 8;
-/// The weight of a frame in the running average.
+/// The least weight of a frame in the running averages.
 const WEIGHT: f64 = 0.25;
+/// A picture much coarser than this is refined to this divisor before it is to 1. That takes a
+/// sixteenth of the time, and the picture is a good one already.
+const HALFWAY: u32 = 4;
+/// The time that a frame should take while a picture is refined, in seconds. It is the longest
+/// time by which a key's effect comes later.
+const SLICE: f64 = 1.0 / 25.0;
+/// The number of tiles of the first frame that refines a picture.
+const FIRST_TILES: u32 = 6;
+/// The factor by which the number of tiles may grow from a frame to the next.
+const GROWTH: f64 = 4.0;
+
+/// What a frame has traced.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Traced {
+    /// The time that it took.
+    pub took: Duration,
+    /// The number of tiles that were traced; 0 if the picture was there already.
+    pub tiles: u64,
+    /// The number of tiles that were left for the next frame.
+    pub left: u64,
+}
 
 /// Chooses the divisor of the display's width and height.
 #[derive(Clone, Copy, Debug)]
 pub struct Pace {
+    /// The divisor while something moves.
     divisor: u32,
     /// The average time of a traced frame at this divisor, in seconds.
     seconds: Option<f64>,
-    /// The number of frames since the last change.
+    /// The number of frames since the last change of this divisor.
     rested: u32,
     /// The number of frames since something was traced.
     still: u32,
+    refining: Option<Refining>,
+}
+
+/// The refinement of a picture at rest.
+#[derive(Clone, Copy, Debug)]
+struct Refining {
+    divisor: u32,
+    /// The number of tiles of the next frame.
+    tiles: u32,
+    /// The average time of a tile in seconds, when one is known.
+    seconds: Option<f64>,
 }
 
 impl Pace {
-    /// Starts with a medium divisor, so that the first frame isn't the slowest of all.
+    /// Starts with the coarsest picture, so that the first one comes soon.
     #[must_use]
     pub fn new() -> Self {
         Self {
-            divisor: COARSEST / 2,
+            divisor: COARSEST,
             seconds: None,
             rested: 0,
             still: 0,
+            refining: None,
         }
     }
 
     /// The current divisor of the display's width and height.
     #[must_use]
     pub fn divisor(&self) -> u32 {
-        self.divisor
+        self.refining
+            .map_or(self.divisor, |refining| refining.divisor)
     }
 
-    /// Records the time of a frame, or `None` if nothing was traced. Returns whether the divisor
-    /// has changed.
-    pub fn frame(&mut self, took: Option<Duration>) -> bool {
+    /// The largest number of tiles that the next frame may trace, while a picture is refined.
+    #[must_use]
+    pub fn tiles(&self) -> Option<u32> {
+        self.refining.map(|refining| refining.tiles)
+    }
+
+    /// Ends the refinement of a picture, because something moves or the display has changed.
+    pub fn moves(&mut self) {
+        self.refining = None;
+        self.still = 0;
+    }
+
+    /// Records a frame. Returns whether [`Pace::divisor`] has changed.
+    pub fn frame(&mut self, frame: Traced) -> bool {
+        let before = self.divisor();
+        match &mut self.refining {
+            Some(refining) => refining.frame(frame),
+            None => self.moving(frame),
+        }
+        self.divisor() != before
+    }
+
+    fn moving(&mut self, Traced { took, tiles, .. }: Traced) {
         self.rested += 1;
-        match took {
-            Some(took) => {
-                let took = took.as_secs_f64();
-                let mean = |mean: f64| mean + WEIGHT * (took - mean);
-                self.seconds = Some(self.seconds.map_or(took, mean));
-                // The first frame after a change is always traced, because of the change.
-                if self.rested > 1 {
-                    self.still = 0;
-                }
+        if tiles > 0 {
+            let weight = WEIGHT.max(1.0 / f64::from(self.rested));
+            self.seconds = Some(mean(self.seconds, took.as_secs_f64(), weight));
+            self.still = 0;
+        } else {
+            self.still += 1;
+        }
+        if self.still >= STILL_FRAMES && self.divisor > 1 {
+            self.refining = Some(Refining::new(self.divisor));
+        } else if let Some(seconds) = self.seconds.filter(|_| self.still == 0) {
+            let next = self.next(seconds);
+            if next != self.divisor {
+                self.seconds = Some(expected(seconds, self.divisor, next));
+                self.divisor = next;
+                self.rested = 0;
             }
-            None => self.still += 1,
         }
-        let Some(seconds) = self.seconds else {
-            return false;
-        };
-        let next = self.next(seconds);
-        let changes = next != self.divisor;
-        if changes {
-            self.seconds = Some(expected(seconds, self.divisor, next));
-            self.divisor = next;
-            self.rested = 0;
-        }
-        changes
     }
 
+    /// The divisor that suits frames of this time, in a single step.
     fn next(&self, seconds: f64) -> u32 {
-        let allowed = if self.still >= STILL_FRAMES {
-            STILL
-        } else {
-            SHORT
-        };
-        let finer = self.divisor.saturating_sub(1).max(1);
-        if self.still == 0 && self.rested > 1 && seconds > TOO_LONG {
-            // As coarse as necessary in a single step.
+        let shorter = |divisor: u32, than| expected(seconds, self.divisor, divisor) < than;
+        if self.rested > 1 && seconds > TOO_LONG {
             (self.divisor + 1..COARSEST)
-                .find(|&coarser| expected(seconds, self.divisor, coarser) < TOO_LONG)
+                .find(|&coarser| shorter(coarser, TOO_LONG))
                 .unwrap_or(COARSEST)
-        } else if self.rested >= REST && expected(seconds, self.divisor, finer) < allowed {
-            finer
+        } else if self.rested >= REST {
+            (1..self.divisor)
+                .find(|&finer| shorter(finer, SHORT))
+                .unwrap_or(self.divisor)
         } else {
             self.divisor
         }
@@ -107,6 +155,40 @@ impl Default for Pace {
     }
 }
 
+impl Refining {
+    /// Begins with a picture of this divisor.
+    fn new(divisor: u32) -> Self {
+        Self {
+            divisor: if divisor > HALFWAY { HALFWAY } else { 1 },
+            tiles: FIRST_TILES,
+            seconds: None,
+        }
+    }
+
+    fn frame(&mut self, Traced { took, tiles, left }: Traced) {
+        if tiles > 0 {
+            let a_tile = took.as_secs_f64() / tiles as f64;
+            let seconds = mean(self.seconds, a_tile, WEIGHT);
+            self.seconds = Some(seconds);
+            let most = f64::from(self.tiles) * GROWTH;
+            // The conversion to an integer saturates.
+            self.tiles = (SLICE / seconds).clamp(1.0, most) as u32;
+        }
+        if left == 0 && self.divisor > 1 {
+            *self = Self {
+                seconds: self.seconds,
+                tiles: self.tiles,
+                divisor: 1,
+            };
+        }
+    }
+}
+
+/// The running average with a new value of this weight; the value itself if it is the first.
+fn mean(mean: Option<f64>, value: f64, weight: f64) -> f64 {
+    mean.map_or(value, |mean| mean + weight * (value - mean))
+}
+
 /// The expected time at another divisor, in seconds. It is proportional to the number of rays.
 fn expected(seconds: f64, from: u32, to: u32) -> f64 {
     seconds * (f64::from(from) / f64::from(to)).powi(2)
@@ -116,22 +198,61 @@ fn expected(seconds: f64, from: u32, to: u32) -> f64 {
 mod tests {
     use super::*;
 
-    /// Simulates frames that take `full` seconds at divisor 1. Returns the divisor after each.
-    fn run(pace: &mut Pace, full: f64, frames: u32) -> Vec<u32> {
-        (0..frames)
-            .map(|_| {
-                let seconds = full / f64::from(pace.divisor()).powi(2);
-                pace.frame(Some(Duration::from_secs_f64(seconds)));
-                pace.divisor()
-            })
-            .collect()
+    /// The number of tiles of a picture of 1280x720.
+    const ALL: u64 = 900;
+
+    /// A display whose whole picture takes a time to trace.
+    struct Load {
+        /// The time at divisor 1, in seconds.
+        full: f64,
+        /// The tiles of the picture that are not traced yet.
+        left: u64,
+    }
+
+    impl Load {
+        fn new(full: f64) -> Self {
+            Self { full, left: ALL }
+        }
+
+        /// The number of tiles of a picture, which are as large at every divisor.
+        fn all(pace: &Pace) -> u64 {
+            ALL.div_ceil(u64::from(pace.divisor()).pow(2))
+        }
+
+        /// Makes a frame, and returns its time in seconds.
+        fn frame(&mut self, pace: &mut Pace) -> f64 {
+            let tiles = self.left.min(pace.tiles().map_or(ALL, u64::from));
+            let seconds = if tiles == Self::all(pace) {
+                self.full / f64::from(pace.divisor()).powi(2)
+            } else {
+                tiles as f64 * self.full / ALL as f64
+            };
+            self.left -= tiles;
+            let took = Duration::from_secs_f64(seconds);
+            let left = self.left;
+            if pace.frame(Traced { took, tiles, left }) {
+                self.left = Self::all(pace);
+            }
+            seconds
+        }
+
+        /// Makes frames in which everything moves, and returns the divisor after each.
+        fn moving(&mut self, pace: &mut Pace, frames: u32) -> Vec<u32> {
+            (0..frames)
+                .map(|_| {
+                    pace.moves();
+                    self.left = Self::all(pace);
+                    self.frame(pace);
+                    pace.divisor()
+                })
+                .collect()
+        }
     }
 
     #[test]
     fn a_steady_load_comes_to_rest_and_is_fluid() {
         for full in [0.001, 0.02, 0.05, 0.1, 0.4, 1.0, 2.5, 40.0] {
-            let mut pace = Pace::new();
-            let settled = run(&mut pace, full, 200)[100..].to_vec();
+            let settled = Load::new(full).moving(&mut Pace::new(), 200)[100..].to_vec();
             assert!(
                 settled.windows(2).all(|pair| pair[0] == pair[1]),
                 "{full}: {settled:?}"
@@ -147,31 +268,67 @@ mod tests {
     #[test]
     fn a_light_load_is_not_divided_and_a_heavy_one_is_at_once() {
         let mut pace = Pace::new();
-        assert_eq!(run(&mut pace, 0.01, 100).last(), Some(&1));
-        let divisors = run(&mut pace, 1.0, REST + 1);
+        assert_eq!(pace.divisor(), COARSEST);
+        let divisors = Load::new(0.01).moving(&mut pace, 100);
+        assert_eq!(divisors[REST as usize..], [1; 100 - REST as usize]);
+        let divisors = Load::new(1.0).moving(&mut pace, 4);
         assert!(divisors.last() > Some(&3), "{divisors:?}");
     }
 
     #[test]
-    fn what_stands_still_becomes_finer() {
-        let mut pace = Pace::new();
-        let moving = *run(&mut pace, 1.5, 100).last().expect("frames");
-        let mut finest = moving;
-        for _ in 0..400 {
-            // After each change one frame is traced, and then nothing.
-            let took = pace
-                .frame(None)
-                .then(|| 1.5 / f64::from(pace.divisor()).powi(2));
-            if let Some(seconds) = took {
-                pace.frame(Some(Duration::from_secs_f64(seconds)));
+    fn what_stands_still_is_refined_in_short_frames() {
+        for full in [0.1, 1.5, 5.0, 30.0] {
+            let mut pace = Pace::new();
+            let mut load = Load::new(full);
+            let moving = load.moving(&mut pace, 100)[99];
+            let mut longest = 0.0_f64;
+            let mut frames = 0;
+            while pace.divisor() > 1 || load.left > 0 {
+                longest = longest.max(load.frame(&mut pace));
+                frames += 1;
+                assert!(f64::from(frames) < 20.0 + 2.0 * full / SLICE, "{full}");
             }
-            finest = finest.min(pace.divisor());
-        }
-        assert!(finest < moving, "{moving} to {finest}");
-        assert!(1.5 / f64::from(finest).powi(2) <= STILL);
-        assert_eq!(pace.divisor(), finest);
+            let tile = full / ALL as f64;
+            assert!(
+                longest <= SLICE.max(f64::from(FIRST_TILES) * tile),
+                "{full}: {longest}"
+            );
+            for _ in 0..100 {
+                assert_eq!((load.frame(&mut pace), pace.divisor()), (0.0, 1));
+            }
 
-        // When the picture moves again, it becomes coarse at the second slow frame.
-        assert_eq!(run(&mut pace, 1.5, 3).last(), Some(&moving));
+            // When it moves again, it is as coarse as before, at once.
+            assert_eq!(load.moving(&mut pace, 1), [moving], "{full}");
+        }
+    }
+
+    #[test]
+    fn the_number_of_tiles_follows_their_cost() {
+        let mut pace = Pace::new();
+        let mut load = Load::new(10.0);
+        load.moving(&mut pace, 2);
+        while pace.divisor() > 1 || load.left > 850 {
+            load.frame(&mut pace);
+        }
+        assert_eq!(pace.tiles(), Some(3));
+        load.full = 1.0;
+        let before: Vec<_> = (0..12)
+            .map(|_| {
+                load.frame(&mut pace);
+                pace.tiles().expect("it is refined")
+            })
+            .collect();
+        assert!(before.is_sorted() && before[11] > 20, "{before:?}");
+    }
+
+    #[test]
+    fn a_fine_picture_is_not_refined() {
+        let mut pace = Pace::new();
+        let mut load = Load::new(0.01);
+        load.moving(&mut pace, 100);
+        for _ in 0..100 {
+            load.frame(&mut pace);
+        }
+        assert_eq!((pace.divisor(), pace.tiles()), (1, None));
     }
 }

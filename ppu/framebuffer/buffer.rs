@@ -66,6 +66,19 @@ impl FrameBuffer {
             .map(move |row| &row[..shown])
     }
 
+    /// The same rows, to draw in.
+    pub(super) fn rows_mut(&mut self) -> impl Iterator<Item = &mut [u8]> {
+        let (shown, stride) = (self.geometry.shown_row_bytes(), self.stride as usize);
+        // SAFETY: the allocation has this length and is initialised. By Target's rule nobody
+        // writes through an older target while a method of the framebuffer runs, and the borrow of
+        // `self` excludes all other access.
+        let bytes =
+            unsafe { std::slice::from_raw_parts_mut(self.base.as_ptr(), self.layout.size()) };
+        bytes
+            .chunks_exact_mut(stride)
+            .map(move |row| &mut row[..shown])
+    }
+
     fn bytes(&self) -> &[u8] {
         // SAFETY: the allocation has this length and is initialised. By Target's rule nobody
         // writes through an older target while a method of the framebuffer runs.

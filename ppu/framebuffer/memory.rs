@@ -20,6 +20,21 @@ impl Memory {
         })
     }
 
+    /// A frame that shows a picture, until another is written over it.
+    ///
+    /// # Errors
+    /// As for [`Memory::new`].
+    pub fn showing(picture: &RgbImage) -> Result<Memory, FramebufferError> {
+        let (width, height) = picture.dimensions();
+        let mut memory = Memory::new(Geometry { width, height })?;
+        for (row, shown) in memory.frame.rows_mut().zip(picture.rows()) {
+            for (pixel, shown) in row.as_chunks_mut::<4>().0.iter_mut().zip(shown) {
+                *pixel = PixelFormat::ARGB.word(shown.0).to_be_bytes();
+            }
+        }
+        Ok(memory)
+    }
+
     /// The pixels, row by row from the top, as red, green, blue.
     pub fn pixels(&self) -> impl Iterator<Item = [u8; 3]> {
         let pixel = |bytes: &[u8]| {

@@ -29,7 +29,7 @@ use image::RgbImage;
 use self::recording::{FrameRecord, Header, Recorder};
 use super::{Frame, Game, Input, InputEvent, Start, World};
 use crate::engine::{Engine, EngineError, Settings};
-use crate::framebuffer::Framebuffer;
+use crate::framebuffer::{Framebuffer, Geometry};
 use crate::report::{LoopTime, Report};
 use crate::spe::{Program, ProgramError};
 
@@ -83,7 +83,7 @@ pub struct Session<G> {
     world: World,
     engine: Engine,
     settings: Settings,
-    /// The framebuffer's width and height in pixels.
+    /// The width and height in pixels that the game is told.
     size: (u32, u32),
     start: Option<Start>,
     seed: u64,
@@ -310,10 +310,29 @@ impl<G: Game> Session<G> {
         if self.play(step, events)?.is_break() {
             return Ok(ControlFlow::Break(()));
         }
+        self.trace(tracing)?;
+        Ok(self.end_frame())
+    }
+
+    /// Traces the last step's world again, which the game does not notice: after
+    /// [`Session::show_on`], or if the frame was put off ([`Engine::limit_tiles`]).
+    ///
+    /// # Errors
+    /// The world can't be traced, or the engine fails.
+    pub fn trace_again(&mut self, tracing: &mut dyn FnMut(f64)) -> Result<(), SessionError> {
+        let began = LoopTime::now();
+        let traced = self.trace(tracing);
+        self.report.add_time_since(began);
+        traced
+    }
+
+    fn trace(&mut self, tracing: &mut dyn FnMut(f64)) -> Result<(), SessionError> {
         let scene = self.world.scene(&self.settings.program)?;
         let statistics = self.engine.render(scene, tracing)?;
-        self.report.add(statistics);
-        Ok(self.end_frame())
+        if !statistics.is_put_off {
+            self.report.add(statistics);
+        }
+        Ok(())
     }
 
     fn end_frame(&mut self) -> ControlFlow<()> {
@@ -416,8 +435,8 @@ impl<G: Game> Session<G> {
         Ok(())
     }
 
-    /// Shows the game on another framebuffer from now on, for example one of another size. Returns
-    /// the previous framebuffer.
+    /// Shows the game on another framebuffer from now on, for example one of another size, which
+    /// the game is told. Returns the previous framebuffer.
     ///
     /// # Errors
     /// As for [`Engine::show_on`]; the previous framebuffer then stays.
@@ -429,6 +448,13 @@ impl<G: Game> Session<G> {
         let before = self.engine.show_on(framebuffer)?;
         self.size = (geometry.width, geometry.height);
         Ok(before)
+    }
+
+    /// Tells the game another width and height than the framebuffer's, from the next frame on until
+    /// the framebuffer is changed. It is the size of the player's display, in whose pixels the mouse
+    /// moves, if the picture is traced at a lower resolution.
+    pub fn tell_size(&mut self, geometry: Geometry) {
+        self.size = (geometry.width, geometry.height);
     }
 
     /// The frame that is shown, or `None` if the framebuffer can't be read back.

@@ -1,7 +1,8 @@
 //! The contents of the framebuffer's pages, so that unchanged tiles are not traced again.
 //!
-//! Invariant: a page's contents are known only while it shows a complete frame. From the moment
-//! that SPUs may write to it until the next frame is complete, nothing is assumed about it.
+//! Invariant: a page's contents are known only while no SPU may write to it. From the moment that
+//! SPUs may write to it until the frame is done, nothing is assumed about it. After that it shows
+//! the frame, except in the tiles that were left out.
 
 use nff::Camera;
 
@@ -35,11 +36,23 @@ struct Place {
     format: PixelFormat,
 }
 
+/// What a page shows, compared with the frame that it will show.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Contents {
+    /// Nothing is known about it.
+    Unknown,
+    /// The same, except where tiles were left out.
+    Same,
+    /// Something else.
+    Moved,
+}
+
 struct Page {
     place: Place,
-    /// Whether it shows all of `shown`.
-    is_complete: bool,
+    /// Whether it shows `shown`, except in the tiles of `missing`.
+    is_known: bool,
     shown: Snapshot,
+    missing: TileSet,
     /// Tiles that show nothing but the background.
     blank: TileSet,
 }
@@ -59,7 +72,7 @@ impl Pages {
         camera: &Camera,
         projection: &Projection,
         changed: &mut TileSet,
-    ) {
+    ) -> Contents {
         let place = Place {
             address: target.base.as_ptr().addr(),
             stride: target.stride,
@@ -77,16 +90,24 @@ impl Pages {
             self.pages.len() - 1
         });
         let page = &mut self.pages[self.open];
-        if !page.is_complete || !page.shown.has_background_of(&self.to_show) {
+        if !page.is_known || !page.shown.has_background_of(&self.to_show) {
             page.blank.clear(target.geometry);
         }
-        if page.is_complete {
+        let contents = if page.is_known {
             self.to_show.changes(&page.shown, projection, changed);
+            let contents = match changed.numbers() {
+                [] => Contents::Same,
+                _ => Contents::Moved,
+            };
+            changed.add_set(&page.missing);
+            contents
         } else {
             changed.add_all();
-        }
-        page.is_complete = false;
+            Contents::Unknown
+        };
+        page.is_known = false;
         std::mem::swap(&mut page.shown, &mut self.to_show);
+        contents
     }
 
     /// The tiles that show only the background, in the page that was opened last.
@@ -94,10 +115,12 @@ impl Pages {
         self.pages.get(self.open).map(|page| &page.blank)
     }
 
-    /// Records that the page that was opened last shows its frame. `costs` are those of `units`.
-    pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost]) {
+    /// Records that the page that was opened last shows its frame, except in the tiles of
+    /// `missing`. `costs` are those of `units`.
+    pub fn close(&mut self, units: &[WorkUnit], costs: &[UnitCost], missing: &mut TileSet) {
         if let Some(page) = self.pages.get_mut(self.open) {
-            page.is_complete = true;
+            page.is_known = true;
+            std::mem::swap(&mut page.missing, missing);
             for (tile, cost) in units::tiles_and_costs(units, costs) {
                 page.blank.set(tile, cost & TILE_BLANK != 0);
             }
@@ -109,8 +132,9 @@ impl Page {
     fn new(place: Place) -> Self {
         Self {
             place,
-            is_complete: false,
+            is_known: false,
             shown: Snapshot::default(),
+            missing: TileSet::default(),
             blank: TileSet::default(),
         }
     }

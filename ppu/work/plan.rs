@@ -5,7 +5,7 @@
 
 use nff::Camera;
 
-use super::pages::Pages;
+use super::pages::{Contents, Pages};
 use super::policy::Policy;
 use super::projection::Projection;
 use super::spheres::EyeSpheres;
@@ -22,6 +22,8 @@ pub(crate) struct Plan {
     units: Units,
     pages: Pages,
     tiles: TileSet,
+    /// The tiles that this frame leaves out.
+    missing: TileSet,
     costs: TileCosts,
     size: Size,
     keeps: bool,
@@ -34,6 +36,10 @@ pub(crate) struct Size {
     pub pixels: u64,
     /// The number of tiles that need no tracing, because the page shows them already.
     pub tiles_retained: u64,
+    /// The number of tiles that are left for the next frame.
+    pub tiles_left: u64,
+    /// Whether nothing is traced, because the number of tiles is limited and something has moved.
+    pub is_put_off: bool,
     /// The number of spheres that are not sent, because the picture can't show them.
     pub spheres_unseen: u64,
 }
@@ -47,11 +53,18 @@ impl Plan {
         if !self.keeps {
             self.pages.forget();
         }
-        self.pages
+        let contents = self
+            .pages
             .open(target, scene, camera, &projection, &mut self.tiles);
-        if !policy.retain {
+        let most = policy.most_tiles.filter(|_| policy.retain);
+        let is_put_off = most.is_some() && contents == Contents::Moved;
+        // What was put off is begun anew.
+        if !policy.retain || is_put_off {
             self.tiles.add_all();
         }
+        let most = if is_put_off { Some(0) } else { most };
+        self.tiles.keep(most, &mut self.missing);
+        let tiles_left = self.missing.numbers().len() as u64;
         self.spheres
             .cull(scene.spheres(), &projection, policy.skip, policy.record);
         let tiles = self.tiles.numbers();
@@ -65,7 +78,9 @@ impl Plan {
                 .iter()
                 .map(|&tile| u64::from(tile_pixels(geometry, tile)))
                 .sum(),
-            tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64,
+            tiles_retained: u64::from(tile_count(geometry)) - tiles.len() as u64 - tiles_left,
+            tiles_left,
+            is_put_off,
             spheres_unseen: (scene.spheres().len() - self.spheres.records().len()) as u64,
         };
     }
@@ -73,8 +88,9 @@ impl Plan {
     /// Records that the frame is in its page, and its units' costs.
     pub fn done(&mut self, geometry: Geometry, costs: &[UnitCost]) {
         self.costs.learn(geometry, self.units.lines(), costs);
-        if self.keeps {
-            self.pages.close(self.units.lines(), costs);
+        if self.keeps && !self.size.is_put_off {
+            self.pages
+                .close(self.units.lines(), costs, &mut self.missing);
         }
     }
 

@@ -34,4 +34,7 @@ pub(crate) struct Policy {
     pub keeps: bool,
     /// Whether tiles that the pages already show are not traced again.
     pub retain: bool,
+    /// The largest number of tiles to trace, if tiles are retained. The others are left for the
+    /// next frame.
+    pub most_tiles: Option<u32>,
 }

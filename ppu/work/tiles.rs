@@ -22,6 +22,22 @@ fn across(geometry: Geometry) -> u32 {
     geometry.width.div_ceil(TILE_WIDTH)
 }
 
+/// A number without a common divisor with `count`, so that its multiples modulo `count` are all
+/// numbers below. It is near the golden section of `count`, so successive multiples, and any run
+/// of them, are spread evenly.
+fn stride(count: usize) -> usize {
+    let gcd = |mut a: usize, mut b: usize| {
+        while b > 0 {
+            (a, b) = (b, a % b);
+        }
+        a
+    };
+    let from = count * 618 / 1000;
+    (from.max(1)..=count.max(1))
+        .find(|&step| gcd(step, count) == 1)
+        .unwrap_or(1)
+}
+
 /// A set of a picture's tiles. Its memory is reused for the next picture.
 #[derive(Default)]
 pub struct TileSet {
@@ -41,6 +57,34 @@ impl TileSet {
     /// Adds all tiles.
     pub fn add_all(&mut self) {
         self.wanted.fill(true);
+    }
+
+    /// Adds the tiles of another set.
+    pub fn add_set(&mut self, other: &Self) {
+        for (wanted, other) in self.wanted.iter_mut().zip(&other.wanted) {
+            *wanted |= other;
+        }
+    }
+
+    /// Keeps at most `most` tiles, from all over the picture. The others are moved to `rest`.
+    pub fn keep(&mut self, most: Option<u32>, rest: &mut Self) {
+        rest.geometry = self.geometry;
+        rest.wanted.clear();
+        let Some(mut left) = most else {
+            return;
+        };
+        let count = self.wanted.len();
+        rest.wanted.resize(count, false);
+        let step = stride(count);
+        for tile in (0..count).map(|number| number * step % count) {
+            if !self.wanted[tile] {
+                continue;
+            }
+            match left.checked_sub(1) {
+                Some(fewer) => left = fewer,
+                None => (self.wanted[tile], rest.wanted[tile]) = (false, true),
+            }
+        }
     }
 
     /// Adds a tile, or removes it.
@@ -130,5 +174,34 @@ mod tests {
         assert_eq!(tiles.numbers().len(), 16);
         tiles.add(&Rectangle { x: 0..0, y: 0..0 });
         assert_eq!(tiles.numbers().len(), 16);
+    }
+
+    #[test]
+    fn some_are_kept_and_the_rest_comes_later_from_all_over_the_picture() {
+        for (width, height) in [(64, 16), (200, 50), (1280, 720), (640, 16)] {
+            let geometry = Geometry { width, height };
+            let count = tile_count(geometry) as usize;
+            let (mut tiles, mut rest) = (TileSet::default(), TileSet::default());
+            tiles.clear(geometry);
+            tiles.add_all();
+            tiles.keep(None, &mut rest);
+            assert_eq!((tiles.numbers().len(), rest.numbers().len()), (count, 0));
+            let mut seen = Vec::new();
+            loop {
+                tiles.keep(Some(10), &mut rest);
+                let kept = tiles.numbers();
+                assert_eq!(kept.len(), (count - seen.len()).min(10));
+                let middle = kept.iter().filter(|&&tile| tile as usize >= count / 2);
+                assert!(kept.len() < 10 || (4..=6).contains(&middle.count()));
+                seen.extend_from_slice(kept);
+                if rest.numbers().is_empty() {
+                    break;
+                }
+                tiles.clear(geometry);
+                tiles.add_set(&rest);
+            }
+            seen.sort_unstable();
+            assert!(seen.into_iter().eq(0..count as u32));
+        }
     }
 }

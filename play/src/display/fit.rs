@@ -43,6 +43,27 @@ impl Fit {
         }
     }
 
+    /// The same position for a picture of another size, which is stretched to fill it.
+    #[must_use]
+    pub fn filled_by(self, picture: (u32, u32)) -> Self {
+        Self { picture, ..self }
+    }
+
+    /// The left column and the top row of the picture on the display.
+    #[must_use]
+    pub fn corner(&self) -> (u32, u32) {
+        (self.left, self.top)
+    }
+
+    /// The picture's width and height on the display, if it is larger there than its own.
+    #[must_use]
+    pub fn enlarged(&self) -> Option<(u32, u32)> {
+        let (width, height) = self.picture;
+        let is_larger = self.width >= width && self.height >= height;
+        let is_other = (self.width, self.height) != self.picture;
+        (is_larger && is_other).then_some((self.width, self.height))
+    }
+
     /// The picture's column that a column of the display shows; `None` outside of the picture.
     #[must_use]
     pub fn column(&self, x: u32) -> Option<u32> {
@@ -118,6 +139,18 @@ mod tests {
         assert_eq!(bars.place(99.0, 50.0), None);
         let whole = Fit::new((91, 52), (640, 360));
         assert!(whole.column(0).is_some() && whole.row(0).is_some() && whole.row(359) == Some(51));
+    }
+
+    #[test]
+    fn a_coarse_picture_fills_the_place_of_the_whole_one() {
+        // 22 rows are not in proportion to 40 columns, but there are no bars.
+        let fit = Fit::new((640, 360), (640, 360)).filled_by((40, 22));
+        assert_eq!((fit.column(0), fit.column(639)), (Some(0), Some(39)));
+        assert_eq!((fit.row(0), fit.row(359)), (Some(0), Some(21)));
+        assert_eq!((fit.corner(), fit.enlarged()), ((0, 0), Some((640, 360))));
+        let whole = fit.filled_by((640, 360));
+        assert_eq!(whole.enlarged(), None);
+        assert_eq!(whole.filled_by((1280, 720)).enlarged(), None);
     }
 
     #[test]

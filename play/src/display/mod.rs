@@ -1,12 +1,13 @@
 //! The displays, which show a game and read keys and mouse.
 //!
 //! Owns the interface between displays and the frame loop. Invariants: a display's changes of the
-//! system are undone when it is dropped. Positions of the mouse are in pixels of the picture,
-//! whatever the picture's size on the display.
+//! system are undone when it is dropped. Positions of the mouse are in pixels of the size that the
+//! game is told, whatever the resolution of the picture and its size on the display.
 
 mod fit;
 mod none;
 mod pointer;
+mod scale;
 mod screen;
 mod terminal;
 #[cfg_attr(target_arch = "powerpc64", path = "no_window.rs")]
@@ -15,6 +16,7 @@ mod window;
 pub use fit::Fit;
 pub use none::NoDisplay;
 pub use pointer::Pointer;
+pub use scale::Enlarged;
 pub use screen::Screen;
 pub use terminal::{Colours, Terminal, lines};
 pub use window::Window;
@@ -50,6 +52,9 @@ pub trait Display {
     /// Whether the display also shows pictures of another size than its own.
     fn scales(&self) -> bool;
 
+    /// Sets the size in whose pixels the mouse's positions are. The picture has its proportions.
+    fn measure_in(&mut self, size: Geometry);
+
     /// The framebuffer that the SPUs write to, for pictures of this size.
     ///
     /// # Errors
@@ -66,7 +71,8 @@ pub trait Display {
     /// visible framebuffer.
     fn draws(&self) -> bool;
 
-    /// Draws a frame and the overlay.
+    /// Draws a frame and the overlay. A picture that is smaller than the display is enlarged
+    /// smoothly.
     ///
     /// # Errors
     /// The display fails.

@@ -28,6 +28,8 @@ impl Display for NoDisplay {
         false
     }
 
+    fn measure_in(&mut self, _size: Geometry) {}
+
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
         Ok(Box::new(Memory::new(size)?))
     }

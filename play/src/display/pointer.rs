@@ -18,12 +18,6 @@ pub struct Pointer {
 }
 
 impl Pointer {
-    /// The position of the picture.
-    #[must_use]
-    pub fn fit(&self) -> Fit {
-        self.fit
-    }
-
     /// Changes the position of the picture.
     pub fn refit(&mut self, fit: Fit) {
         if fit != self.fit {

@@ -44,6 +44,8 @@ impl Display for Screen {
         false
     }
 
+    fn measure_in(&mut self, _size: Geometry) {}
+
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
         self.framebuffer
             .take()

@@ -26,7 +26,7 @@ use self::cells::Grid;
 use self::events::Events;
 use self::keys::Keys;
 use self::restore::TerminalGuard;
-use super::{Display, DisplayError, DisplayEvent, Fit, Pointer};
+use super::{Display, DisplayError, DisplayEvent, Enlarged, Fit, Pointer};
 use crate::overlay::Overlay;
 
 /// Columns and rows if the system reports no size.
@@ -42,6 +42,8 @@ pub struct Terminal {
     /// Columns and rows of the terminal.
     cells: (u16, u16),
     is_resized: Arc<AtomicBool>,
+    /// The width and height in whose pixels the mouse's positions are.
+    measure: (u32, u32),
     pointer: Pointer,
     grid: Grid,
     events: Events,
@@ -99,6 +101,7 @@ impl Terminal {
         Ok(Self {
             cells: size(),
             is_resized,
+            measure: (1, 1),
             pointer: Pointer::default(),
             grid: Grid::new(Colours::of_environment()),
             events,
@@ -110,9 +113,13 @@ impl Terminal {
         })
     }
 
-    fn refit(&mut self, picture: (u32, u32)) {
+    fn fit(&self) -> Fit {
         let Geometry { width, height } = self.area();
-        self.pointer.refit(Fit::new(picture, (width, height)));
+        Fit::new(self.measure, (width, height))
+    }
+
+    fn refit(&mut self) {
+        self.pointer.refit(self.fit());
     }
 
     fn take_in(&mut self, event: Event, display_events: &mut Vec<DisplayEvent>) {
@@ -181,8 +188,12 @@ impl Display for Terminal {
         true
     }
 
+    fn measure_in(&mut self, size: Geometry) {
+        self.measure = (size.width, size.height);
+        self.refit();
+    }
+
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-        self.refit((size.width, size.height));
         Ok(Box::new(Memory::new(size)?))
     }
 
@@ -192,6 +203,7 @@ impl Display for Terminal {
             // A terminal that was made smaller and larger again has lost its contents.
             self.grid.forget();
             self.cells = size();
+            self.refit();
             display_events.push(DisplayEvent::Resized);
         }
         if is_back {
@@ -223,11 +235,14 @@ impl Display for Terminal {
     }
 
     fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
-        self.refit(picture.dimensions());
+        let fit = self.fit().filled_by(picture.dimensions());
+        let enlarged = fit
+            .enlarged()
+            .map(|size| Enlarged::new(picture, size).all());
+        let picture = enlarged.as_ref().unwrap_or(picture);
+        let fit = fit.filled_by(picture.dimensions());
         let line = overlay.map(Overlay::line);
-        let text = self
-            .grid
-            .draw(picture, self.pointer.fit(), self.cells, line.as_deref());
+        let text = self.grid.draw(picture, fit, self.cells, line.as_deref());
         let mut out = io::stdout().lock();
         match out.write_all(text).and_then(|()| out.flush()) {
             // The system's error for a terminal that has hung up.

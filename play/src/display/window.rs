@@ -24,7 +24,7 @@ use winit::platform::pump_events::{EventLoopExtPumpEvents as _, PumpStatus};
 use winit::window::{Window as Winit, WindowId};
 
 use self::keys::HeldElsewhere;
-use super::{Display, DisplayError, DisplayEvent, Fit, Pointer};
+use super::{Display, DisplayError, DisplayEvent, Enlarged, Fit, Pointer};
 use crate::overlay::Overlay;
 
 /// The pixels of a touchpad's scrolling that count as one notch of a wheel.
@@ -48,6 +48,8 @@ struct State {
     open: Option<(Rc<Winit>, Surface)>,
     failed: Option<String>,
     area: PhysicalSize<u32>,
+    /// The width and height in whose pixels the mouse's positions are.
+    measure: (u32, u32),
     pointer: Pointer,
     keys: HeldElsewhere,
     display_events: Vec<DisplayEvent>,
@@ -94,6 +96,7 @@ impl Window {
             open: None,
             failed: None,
             area: wanted,
+            measure: wanted.into(),
             pointer: Pointer::default(),
             keys: HeldElsewhere::default(),
             display_events: Vec::new(),
@@ -129,9 +132,9 @@ impl State {
         Ok(())
     }
 
-    fn refit(&mut self, picture: (u32, u32)) {
+    fn refit(&mut self) {
         let area = (self.area.width, self.area.height);
-        self.pointer.refit(Fit::new(picture, area));
+        self.pointer.refit(Fit::new(self.measure, area));
     }
 
     fn input(&mut self, event: InputEvent) {
@@ -158,6 +161,7 @@ impl ApplicationHandler for State {
                 if size.width > 0 && size.height > 0 && size != self.area =>
             {
                 self.area = size;
+                self.refit();
                 self.display_events.push(DisplayEvent::Resized);
             }
             WindowEvent::Focused(false) => self.input(InputEvent::FocusLost),
@@ -222,8 +226,12 @@ impl Display for Window {
         true
     }
 
+    fn measure_in(&mut self, size: Geometry) {
+        self.state.measure = (size.width, size.height);
+        self.state.refit();
+    }
+
     fn framebuffer(&mut self, size: Geometry) -> Result<Box<dyn Framebuffer>, FramebufferError> {
-        self.state.refit((size.width, size.height));
         Ok(Box::new(Memory::new(size)?))
     }
 
@@ -244,9 +252,13 @@ impl Display for Window {
     }
 
     fn show(&mut self, picture: &RgbImage, overlay: Option<&Overlay>) -> io::Result<()> {
-        self.state.refit(picture.dimensions());
-        let fit = self.state.pointer.fit();
-        let State { open, area, .. } = &mut self.state;
+        let State {
+            open,
+            area,
+            measure,
+            ..
+        } = &mut self.state;
+        let fit = Fit::new(*measure, (area.width, area.height)).filled_by(picture.dimensions());
         let Some((window, surface)) = open else {
             return Ok(());
         };
@@ -333,8 +345,21 @@ fn missing_library(
     }
 }
 
-/// Paints the picture, with each pixel of the display from the picture's pixel at its position.
+/// Paints the picture at its position on the display, enlarged smoothly if it is smaller there.
 fn paint(picture: &RgbImage, fit: Fit, pixels: &mut [u32], width: usize) {
+    let word = |[red, green, blue]: [u8; 3]| u32::from_be_bytes([0, red, green, blue]);
+    let (left, top) = fit.corner();
+    if let Some(size) = fit.enlarged() {
+        let mut enlarged = Enlarged::new(picture, size);
+        for (y, row) in (0..).zip(pixels.chunks_exact_mut(width)) {
+            let shown = u32::checked_sub(y, top).map_or(&[][..], |y| enlarged.row(y));
+            row.fill(0);
+            for (pixel, &colour) in row.iter_mut().skip(left as usize).zip(shown) {
+                *pixel = word(colour);
+            }
+        }
+        return;
+    }
     let colours = picture.as_chunks::<3>().0;
     let columns: Vec<_> = (0..width as u32).map(|x| fit.column(x)).collect();
     for (y, row) in (0..).zip(pixels.chunks_exact_mut(width)) {
@@ -344,8 +369,7 @@ fn paint(picture: &RgbImage, fit: Fit, pixels: &mut [u32], width: usize) {
         });
         for (pixel, column) in row.iter_mut().zip(&columns) {
             let shown = source.zip(*column).map(|(row, x)| row[x as usize]);
-            let [red, green, blue] = shown.unwrap_or_default();
-            *pixel = u32::from_be_bytes([0, red, green, blue]);
+            *pixel = word(shown.unwrap_or_default());
         }
     }
 }
@@ -429,14 +453,17 @@ mod tests {
     }
 
     #[test]
-    fn a_picture_is_painted_large_with_bars_beside_it() {
-        let picture = RgbImage::from_vec(2, 1, vec![1, 2, 3, 4, 5, 6]).expect("two pixels");
+    fn a_picture_is_painted_smoothly_with_bars_beside_it() {
+        let picture = RgbImage::from_vec(2, 1, vec![0, 40, 80, 100, 140, 180]).expect("two pixels");
         let mut pixels = [7; 24];
         paint(&picture, Fit::new((2, 1), (4, 6)), &mut pixels, 4);
-        let (left, right) = (0x0001_0203, 0x0004_0506);
+        let shown = [0x0000_2850, 0x0019_4169, 0x004B_739B, 0x0064_8CB4];
         for (y, row) in pixels.chunks_exact(4).enumerate() {
-            let shown = [left, left, right, right];
             assert_eq!(row, if (2..4).contains(&y) { shown } else { [0; 4] });
         }
+        // Bars at the sides.
+        let mut pixels = [7; 6];
+        paint(&picture, Fit::new((2, 1), (6, 1)), &mut pixels, 6);
+        assert_eq!(pixels, [0, 0, shown[0], shown[3], 0, 0]);
     }
 }

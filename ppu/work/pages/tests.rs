@@ -64,7 +64,7 @@ impl Screen {
 
     fn show(&mut self, page: usize, scene: &Scene) -> Vec<u32> {
         let tiles = self.open(page, scene);
-        self.known.close(&[], &[]);
+        self.known.close(&[], &[], &mut TileSet::default());
         tiles
     }
 }
@@ -158,7 +158,7 @@ fn an_unfinished_frame_is_not_relied_on() {
     screen.show(0, &scene);
     assert!(screen.open(0, &scene).is_empty());
     assert_eq!(screen.open(0, &scene).len(), TILES);
-    screen.known.close(&[], &[]);
+    screen.known.close(&[], &[], &mut TileSet::default());
     screen.known.forget();
     assert_eq!(screen.open(0, &scene).len(), TILES);
 }
@@ -190,7 +190,9 @@ fn tiles_are_blank_while_the_background_stays() {
             *ticks = (7 | if tile.get() == 5 { TILE_BLANK } else { 0 }).into();
         }
     }
-    screen.known.close(units.lines(), &costs);
+    screen
+        .known
+        .close(units.lines(), &costs, &mut TileSet::default());
     let blank = |screen: &Screen| {
         let blank = screen.known.blank().unwrap();
         (0..TILES as u32)
@@ -203,7 +205,7 @@ fn tiles_are_blank_while_the_background_stays() {
     screen.open(0, &before);
     assert_eq!(blank(&screen), [5]);
     let other = scene(&format!("{}{SPHERES}", HEAD.replace("b 0 0 1", "b 0 1 0")));
-    screen.known.close(&[], &[]);
+    screen.known.close(&[], &[], &mut TileSet::default());
     screen.open(0, &other);
     assert_eq!(blank(&screen), [0; 0], "another background");
 }

@@ -28,7 +28,11 @@ pub fn draw(overlay: &Overlay, pixels: &mut [u32], width: usize) {
     let lines: Vec<_> = overlay.lines.iter().chain(&overlay.message).collect();
     let longest = lines.iter().map(|line| line.chars().count() * LETTER);
     let wide = longest.max().unwrap_or(0).max(bars) + 2 * MARGIN;
-    let high = lines.len() * LINE + 3 * MARGIN + BAR_HEIGHT;
+    let room_for_bars = match bars {
+        0 => 0,
+        _ => MARGIN + BAR_HEIGHT,
+    };
+    let high = lines.len() * LINE + 2 * MARGIN + room_for_bars;
     let mut canvas = Canvas { pixels, width };
     for y in 0..high {
         (0..wide).for_each(|x| canvas.darken(x, y));
@@ -113,6 +117,14 @@ mod tests {
         assert_eq!(count(&pixels, ROOM), BAR_WIDTH * BAR_HEIGHT * 3 / 2);
         assert!(count(&pixels, INK) > 20);
         assert!(count(&pixels, 0x0080_8080) > 100 * 100);
+        // A message alone has no room for bars under it.
+        let message = Overlay {
+            message: Some("news".into()),
+            ..Overlay::default()
+        };
+        let pixels = drawn(&message, 200, 100);
+        let box_of = (2 * MARGIN + 4 * LETTER) * (2 * MARGIN + LINE);
+        assert_eq!(count(&pixels, 0x0080_8080), 200 * 100 - box_of);
     }
 
     #[test]
