@@ -24,6 +24,7 @@ const PROFILE: &str = "LIBSPE2_PROFILE";
 const MFC: &str = "LIBSPE2_MFC";
 const ENGINE: &str = "LIBSPE2_ENGINE";
 const CHECK: &str = "LIBSPE2_CHECK";
+const DESCRIPTION: &str = "LIBSPE2_MACHINE";
 
 static MACHINE: OnceLock<Machine> = OnceLock::new();
 
@@ -133,6 +134,15 @@ pub(crate) fn policy() -> Result<Policy, Errno> {
 
 /// The file that this variable asks for.
 fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
+    let Some(path) = path(name, timing)? else {
+        return Ok(None);
+    };
+    let told = |error: &io::Error| eprintln!("libspe2: {name}: {}: {error}", path.display());
+    Ok(Some(ReportFile::new(path.clone()).inspect_err(told)?))
+}
+
+/// The path in this variable, which needs simulated time.
+fn path(name: &str, timing: bool) -> Result<Option<PathBuf>, Errno> {
     let Some(path) = env::var_os(name) else {
         return Ok(None);
     };
@@ -143,9 +153,18 @@ fn place(name: &str, timing: bool) -> Result<Option<ReportFile>, Errno> {
         eprintln!("libspe2: {name} is about simulated time: set {TIMING}=1 with it");
         return Err(Errno(libc::EINVAL));
     }
-    let path = PathBuf::from(path);
-    let told = |error: &io::Error| eprintln!("libspe2: {name}: {}: {error}", path.display());
-    Ok(Some(ReportFile::new(path.clone()).inspect_err(told)?))
+    Ok(Some(path.into()))
+}
+
+/// The latencies and rates of the machine in simulated time.
+fn description(timing: bool) -> Result<Timing, Errno> {
+    let Some(path) = path(DESCRIPTION, timing)? else {
+        return Ok(Timing::default());
+    };
+    Timing::read(&path).map_err(|error| {
+        eprintln!("libspe2: {DESCRIPTION}: {error}");
+        Errno(libc::EINVAL)
+    })
 }
 
 impl Machine {
@@ -155,6 +174,7 @@ impl Machine {
         let engine = engine(timing)?;
         let report = place(REPORT, timing)?;
         let profile = place(PROFILE, timing)?;
+        let description = description(timing)?;
         let keep = Keep {
             profile: profile.is_some(),
             method: method()?,
@@ -162,7 +182,7 @@ impl Machine {
         };
         Ok(Self {
             emulated: if timing {
-                machine::Machine::keeping(memory, Timing::default(), keep)
+                machine::Machine::keeping(memory, description, keep)
             } else {
                 machine::Machine::with_engine(memory, engine)
             },

@@ -384,6 +384,24 @@ fn main() {
     assert_eq!(take(&path), first, "the check must find nothing");
     let again = profile(&image, folder.path(), "3");
     assert_eq!(again, [with_profile, profiled]);
+    // Another machine: farther away, but with the same work.
+    let machine = folder.path().join("machine.toml");
+    fs::write(&machine, "[memory]\nget_latency = 2280\n").unwrap();
+    let files = [
+        ("LIBSPE2_REPORT", path.as_path()),
+        ("LIBSPE2_MACHINE", &machine),
+    ];
+    run_program(&image, "0", &files);
+    let far = take(&path);
+    check_report(&far);
+    let totals =
+        |text: &str| -> Value { serde_json::from_str::<Value>(text).unwrap()["totals"].clone() };
+    let tag = |text: &str| number(&totals(text)["blocked_by"], "tag");
+    let gets = u64::from(FRAMES) * SPES as u64;
+    // Lines wait for slots, for which they now come at other times.
+    let farther = tag(&far) - tag(&first);
+    assert!(farther.abs_diff(2000 * gets) < 35 * gets, "{farther}");
+    fs::remove_file(&machine).unwrap();
     // Nothing new is left in the folder of the report.
     let beside = fs::read_dir(folder.path()).unwrap().count();
     assert_eq!(beside, 3);
@@ -402,6 +420,16 @@ fn main() {
     );
     let on = ("LIBSPE2_TIMING", "1");
     refused(&[on, ("LIBSPE2_CHECK", "2")], libc::EINVAL, "LIBSPE2_CHECK");
+    refused(
+        &[on, ("LIBSPE2_MACHINE", "/nowhere/at/all")],
+        libc::EINVAL,
+        "LIBSPE2_MACHINE: /nowhere/at/all: ",
+    );
+    refused(
+        &[("LIBSPE2_MACHINE", "/nowhere/at/all")],
+        libc::EINVAL,
+        "LIBSPE2_MACHINE is about simulated time: set LIBSPE2_TIMING=1",
+    );
     refused(
         &[on, ("LIBSPE2_PROFILE", "/nowhere/at/all")],
         libc::ENOENT,

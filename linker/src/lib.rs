@@ -6,7 +6,6 @@
 //! that programs can be linked where the real library is not installed. [`tracer`] is the tracer's
 //! own program, to which another crate's build script may add shaders. The other modules do not
 //! depend on what the programs do.
-//! knows what the programs do.
 
 mod image;
 pub mod prebuilt;

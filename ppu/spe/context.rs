@@ -167,6 +167,14 @@ impl Context {
         Some(unsafe { base.cast::<u8>().add(offset) }.cast::<u32>())
     }
 
+    /// The effective address of local store, for transfers of other SPEs. `None` if libspe2 doesn't
+    /// map it.
+    #[must_use]
+    pub fn local_store_address(&self) -> Option<u64> {
+        self.local_store(0)
+            .map(|base| base.expose_provenance() as u64)
+    }
+
     /// Reads a word of local store, in a context that is not running.
     fn local_store_word(&self, address: u32) -> u32 {
         // SAFETY: the word is in the mapping, which lives as long as the context. The access is
@@ -215,6 +223,21 @@ impl Context {
             Ok(())
         } else {
             Err(SpeError::last("spe_in_mbox_write"))
+        }
+    }
+
+    /// Writes a word to signal register 1.
+    ///
+    /// # Errors
+    /// libspe2 fails.
+    pub fn signal(&self, word: u32) -> Result<(), SpeError> {
+        // SAFETY: the context lives.
+        let result =
+            unsafe { sys::spe_signal_write(self.as_ptr(), sys::SPE_SIG_NOTIFY_REG_1, word) };
+        if result == 0 {
+            Ok(())
+        } else {
+            Err(SpeError::last("spe_signal_write"))
         }
     }
 

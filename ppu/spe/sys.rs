@@ -78,6 +78,8 @@ pub const SPE_EVENT_SPE_STOPPED: c_uint = 8;
 pub const SPE_MBOX_ALL_BLOCKING: c_uint = 1;
 pub const SPE_MBOX_ANY_NONBLOCKING: c_uint = 3;
 
+pub const SPE_SIG_NOTIFY_REG_1: c_uint = 1;
+
 pub const SPE_COUNT_USABLE_SPES: c_int = 3;
 
 unsafe extern "C" {
@@ -111,6 +113,7 @@ unsafe extern "C" {
         count: c_int,
         behavior: c_uint,
     ) -> c_int;
+    pub fn spe_signal_write(spe: spe_context_ptr_t, signal_reg: c_uint, data: c_uint) -> c_int;
     pub fn spe_in_mbox_status(spe: spe_context_ptr_t) -> c_int;
     pub fn spe_out_intr_mbox_read(
         spe: spe_context_ptr_t,

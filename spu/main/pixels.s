@@ -190,8 +190,8 @@ endfunction places_prepare
         a       \out,\out,\t_more
 .endm
 
-# tile_pixels   makes the current tile's pixels, unless all of them are the background's Out     $3
-# whether there are any other pixels
+# tile_pixels   makes the current tile's pixels, unless all of them are the background's
+#   Out     $3 whether there are any other pixels
 #   Uses    $3-$79, the tile's driver registers
 function tile_pixels
         enter
@@ -428,7 +428,8 @@ both:
 endfunction seen_pairs
 
 # pairs_test   looks for hits in the pairs with first spheres, then in those with further spheres
-# that are not hidden Out     empties both lists
+# that are not hidden
+#   Out     empties both lists
 #   Uses    $3-$79, g_first_end, g_again_end
 function pairs_test
         enter
@@ -466,8 +467,8 @@ function listed_test
         br      isect_eye_spheres
 endfunction listed_test
 
-# all_pairs   tests all packets with all spheres Out     g_touched: the packets with a ray that may
-# enter a sphere
+# all_pairs   tests all packets with all spheres
+#   Out     g_touched: the packets with a ray that may enter a sphere
 #   Uses    $3-$79, g_left, g_mask, g_again_end
 function all_pairs
         enter

@@ -59,8 +59,8 @@ function tile_place
         bi      $lr
 endfunction tile_place
 
-# tile_trace   makes the current tile's pixels, and starts to send them Out     $3 TILE_BLANK if
-# all pixels are the background's, otherwise 0
+# tile_trace   makes the current tile's pixels, and starts to send them
+#   Out     $3 TILE_BLANK if all pixels are the background's, otherwise 0
 #   Uses    $3-$79, the tile's and the groups' driver registers
         .set    amount,10
         .set    t_sum,11

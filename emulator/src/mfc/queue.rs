@@ -201,6 +201,7 @@ impl Queue {
                     command: entry.command,
                     pieces: pieces_of(&entry.command, pending, path),
                     stalled: false,
+                    atomic: None,
                 });
                 RunOutcome::Complete
             })
@@ -233,6 +234,7 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
                 command: list,
                 pieces,
                 stalled: true,
+                atomic: None,
             });
             return Ok(RunOutcome::Stalled(list.tag));
         }
@@ -241,6 +243,7 @@ fn run_list(entry: &mut Entry, buffer: &mut [u8], path: Path<'_>) -> Result<RunO
         command: list,
         pieces,
         stalled: false,
+        atomic: None,
     });
     Ok(RunOutcome::Complete)
 }

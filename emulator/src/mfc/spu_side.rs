@@ -6,7 +6,7 @@
 use super::command::{Command, Operation, Parameters, Side};
 use super::error::DmaError;
 use super::queue::{Path, Policy, Queue, RunOutcome, SPU_QUEUE_DEPTH};
-use super::timing::{Movement, TransferTimes};
+use super::timing::{Atomic, Movement, TransferTimes};
 use crate::event;
 use crate::memory::LINE;
 
@@ -118,11 +118,17 @@ impl SpuSide {
                 .put_line(command.ea, own, &line)
                 .map(|()| PUT_UNCONDITIONAL_DONE),
         };
-        self.atomic_status = Some(status.map_err(|fault| command.storage(fault.ea))?);
+        let status = status.map_err(|fault| command.storage(fault.ea))?;
+        self.atomic_status = Some(status);
         path.note(|| Movement {
             command: *command,
             pieces: Vec::new(),
             stalled: false,
+            atomic: Some(match status {
+                GET_LINE_DONE => Atomic::Read,
+                PUT_CONDITIONAL_FAILED => Atomic::Lost,
+                _ => Atomic::Written,
+            }),
         });
         Ok(())
     }

@@ -52,6 +52,19 @@ pub(crate) struct Movement {
     pub command: Command,
     pub pieces: Vec<Piece>,
     pub stalled: bool,
+    /// What an atomic command did.
+    pub atomic: Option<Atomic>,
+}
+
+/// What an atomic command did with its line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Atomic {
+    /// `getllar`.
+    Read,
+    /// `putllc` that was successful, `putlluc` or `putqlluc`.
+    Written,
+    /// `putllc` that had lost its reservation.
+    Lost,
 }
 
 /// Number of MFC commands that an SPU gave, and of bytes that they moved.

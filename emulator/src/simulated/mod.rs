@@ -37,6 +37,7 @@ mod spu_clock;
 mod time;
 mod timed;
 pub mod timeout;
+mod timing_file;
 mod transfers;
 
 pub use actor_table::WaitKey;
@@ -44,7 +45,8 @@ pub use check::Difference;
 pub use figures::{Keep, MemoryFigures, Method, PpeFigures, Timing};
 pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
-pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, cycle_of_tick, ticks};
+pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, Tenths, cycle_of_tick, ticks};
+pub use timing_file::TimingFileError;
 
 pub(crate) use path::Path;
 pub(crate) use spe_side::SpeSide;

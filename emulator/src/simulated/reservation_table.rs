@@ -1,5 +1,5 @@
 //! The reservation table of a resource that serves one line at a time: which of its time slots are
-//! taken.
+//! taken. All times are in tenths of a cycle.
 //!
 //! Invariant: each slot is assigned once. Requests come in the order of simulated time, so slots
 //! before the newest request are dropped, in whole words.
@@ -10,7 +10,7 @@ const SLOTS_PER_WORD: u64 = u64::BITS as u64;
 
 #[derive(Debug)]
 pub(super) struct ReservationTable {
-    slot_cycles: u64,
+    slot: u64,
     /// Number of the first slot in `taken`. It is a multiple of [`SLOTS_PER_WORD`].
     first: u64,
     /// One bit for each slot, beginning with the lowest.
@@ -18,17 +18,17 @@ pub(super) struct ReservationTable {
 }
 
 impl ReservationTable {
-    pub fn new(slot_cycles: u64) -> Self {
+    pub fn new(slot: u64) -> Self {
         Self {
-            slot_cycles,
+            slot,
             first: 0,
             taken: VecDeque::new(),
         }
     }
 
-    /// Drops the slots before `cycle`.
-    pub fn forget_before(&mut self, cycle: u64) {
-        let word = cycle / self.slot_cycles / SLOTS_PER_WORD * SLOTS_PER_WORD;
+    /// Drops the slots before `time`.
+    pub fn forget_before(&mut self, time: u64) {
+        let word = time / self.slot / SLOTS_PER_WORD * SLOTS_PER_WORD;
         if word > self.first {
             let words = (word - self.first) / SLOTS_PER_WORD;
             let known = self
@@ -40,25 +40,25 @@ impl ReservationTable {
         }
     }
 
-    /// The first cycle, at or after `cycle`, in which a free slot begins.
-    pub fn first_free(&self, cycle: u64) -> u64 {
-        let wanted = cycle.div_ceil(self.slot_cycles).max(self.first) - self.first;
+    /// The first time, at or after `time`, at which a free slot begins.
+    pub fn first_free(&self, time: u64) -> u64 {
+        let wanted = time.div_ceil(self.slot).max(self.first) - self.first;
         let mut word = wanted / SLOTS_PER_WORD;
         let mut before = (1_u64 << (wanted % SLOTS_PER_WORD)) - 1;
         loop {
             let bit = (self.word(word) | before).trailing_ones();
             if bit < u64::BITS {
                 let slot = self.first + word * SLOTS_PER_WORD + u64::from(bit);
-                return slot * self.slot_cycles;
+                return slot * self.slot;
             }
             word += 1;
             before = 0;
         }
     }
 
-    /// Takes the slot that begins in `cycle`.
-    pub fn take(&mut self, cycle: u64) {
-        let slot = cycle / self.slot_cycles - self.first;
+    /// Takes the slot that begins at `time`.
+    pub fn take(&mut self, time: u64) {
+        let slot = time / self.slot - self.first;
         let word = (slot / SLOTS_PER_WORD) as usize;
         if word >= self.taken.len() {
             self.taken.resize(word + 1, 0);
@@ -66,9 +66,9 @@ impl ReservationTable {
         self.taken[word] |= 1 << (slot % SLOTS_PER_WORD);
     }
 
-    /// How many of the `slots` slots before `cycle` are taken.
-    pub fn taken_before(&self, cycle: u64, slots: u64) -> usize {
-        let end = cycle / self.slot_cycles;
+    /// How many of the `slots` slots before `time` are taken.
+    pub fn taken_before(&self, time: u64, slots: u64) -> usize {
+        let end = time / self.slot;
         (end.saturating_sub(slots).max(self.first)..end)
             .filter(|slot| {
                 let slot = slot - self.first;
@@ -88,8 +88,8 @@ impl ReservationTable {
 mod tests {
     use super::*;
 
-    fn take_first(table: &mut ReservationTable, cycle: u64) -> u64 {
-        let begins = table.first_free(cycle);
+    fn take_first(table: &mut ReservationTable, time: u64) -> u64 {
+        let begins = table.first_free(time);
         table.take(begins);
         begins
     }

@@ -22,6 +22,8 @@ use crate::profile::ProgramId;
 /// SPU.
 pub(crate) struct SpeSide {
     pub simulation: Arc<Simulation>,
+    /// The number of the SPE, in the order of creation.
+    number: u64,
     pub actor: Actor,
     /// When the SPE last became ready to run.
     ready: AtomicU64,
@@ -37,6 +39,7 @@ impl SpeSide {
         let (number, published) = simulation.add_spe();
         Self {
             simulation: Arc::clone(simulation),
+            number,
             actor: Actor::spe(simulation.scheduler(), Rank::spe(number)),
             ready: AtomicU64::new(0),
             key: simulation.new_key(),
@@ -52,7 +55,7 @@ impl SpeSide {
 
     /// The timing of the SPU's MFC commands.
     pub fn new_transfers(&self) -> Box<dyn TransferTimes> {
-        Box::new(SpuTransfers::new(&self.simulation))
+        Box::new(SpuTransfers::new(self.number, &self.simulation))
     }
 
     /// Cycles from the call that runs an SPE to its first instruction.

@@ -1,4 +1,4 @@
-//! Conversions between cycles, ticks and the host's time.
+//! Conversions between cycles, tenths of them, ticks and the host's time.
 
 use std::time::Duration;
 
@@ -13,6 +13,30 @@ pub const CYCLES_PER_TICK: u64 = 40;
 
 /// The SPU's clock: 3.192 GHz.
 pub const CYCLES_PER_SECOND: u64 = CYCLES_PER_TICK * TICKS_PER_SECOND;
+
+/// A time in tenths of a cycle.
+///
+/// The bus and the memory of a console serve a line in a time that is no whole number of cycles.
+/// Tenths are what the measurements resolve, and sums of integers are the same on every host.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Tenths(pub u64);
+
+impl Tenths {
+    /// Tenths in a cycle.
+    pub const PER_CYCLE: u64 = 10;
+
+    /// The time of whole cycles.
+    #[must_use]
+    pub const fn of_cycles(cycles: u64) -> Self {
+        Self(cycles * Self::PER_CYCLE)
+    }
+
+    /// The first cycle that begins at this time or later.
+    #[must_use]
+    pub const fn cycles(self) -> u64 {
+        self.0.div_ceil(Self::PER_CYCLE)
+    }
+}
 
 /// Decrementer ticks in `cycles`.
 #[must_use]

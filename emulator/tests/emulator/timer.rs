@@ -113,14 +113,14 @@ fn a_hint_saves_all_but_the_last_pass() {
         branch_distance: 0x38 - 8,
         ..i(Op::Hbr, 0, 4, 0)
     };
-    // The hint issues at 2 (hbr: at 3, after waiting for il) and works at 17 (18). The first brnz
-    // would issue at 4 + 10 = 14 (15), so it waits 3 cycles. Leaving the loop is a miss.
+    // The hint issues at 2 (hbr: at 3, after waiting for il) and works at 18 (19). The first brnz
+    // would issue at 4 + 10 = 14 (15), so it waits 4 cycles. Leaving the loop is a miss.
     for (hint, late) in [(relative, 0), (register, 1)] {
         let (timer, executed) = counted(10, Some(hint));
         let account = timer.pipeline.account();
-        assert_eq!(account.waited(Cause::HintWait), 3);
+        assert_eq!(account.waited(Cause::HintWait), 4);
         assert_eq!(account.waited(Cause::BranchMiss), 18);
-        assert_eq!(timer.pipeline.clock(), executed + 3 + 18 + late);
+        assert_eq!(timer.pipeline.clock(), executed + 4 + 18 + late);
     }
 }
 

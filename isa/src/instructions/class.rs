@@ -67,7 +67,7 @@ impl Class {
             Self::Fp6 | Self::Ls | Self::Spr => 6,
             Self::Fp7 => 7,
             Self::Fpd => 13,
-            Self::Hb => 15,
+            Self::Hb => 16,
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The branch hint. There is one entry, and the last hint replaces it.
 
-use super::rules::{HINT_CYCLES, HINT_MINIMUM_INSTRUCTIONS};
+use super::rules::HINT_MINIMUM_INSTRUCTIONS;
 use crate::address::LIMIT_MASK;
 use crate::instructions::{Class, Instruction, Op, feature};
 
@@ -48,9 +48,9 @@ pub fn hints_by_register(i: Instruction) -> bool {
 }
 
 impl Hint {
-    /// The entry that the hint `i` loads. The hint is instruction `number` of the stream and
-    /// issues in `cycle`. `None` if it hints no branch.
-    pub fn new(pc: u32, i: Instruction, cycle: u64, number: u64) -> Option<Self> {
+    /// The entry that the hint `i` loads. The hint is instruction `number` of the stream, and its
+    /// branch can use it in cycle `ready`. `None` if it hints no branch.
+    pub fn new(pc: u32, i: Instruction, ready: u64, number: u64) -> Option<Self> {
         let branch = hinted_branch(pc, i)?;
         let prediction = match i.op {
             Op::Hbra => Prediction::To(i.immediate as u32 & LIMIT_MASK),
@@ -60,7 +60,7 @@ impl Hint {
         Some(Self {
             branch,
             prediction,
-            ready: cycle + HINT_CYCLES,
+            ready,
             number,
         })
     }

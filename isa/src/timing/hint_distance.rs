@@ -1,7 +1,7 @@
 //! Whether hints in straight-line code are far enough ahead of their branches.
 
 use super::hint::hinted_branch;
-use super::rules::{HINT_CYCLES, HINT_MINIMUM_INSTRUCTIONS};
+use super::rules::HINT_MINIMUM_INSTRUCTIONS;
 use super::schedule::Line;
 
 /// The effect of a hint if there is no branch between it and its branch.
@@ -54,8 +54,8 @@ pub fn hint_distances(lines: &[Line]) -> Vec<HintDistance> {
             Verdict::Replaced(later.address)
         } else if instructions < HINT_MINIMUM_INSTRUCTIONS {
             Verdict::NotSeen
-        } else if cycles < HINT_CYCLES {
-            Verdict::Waits(HINT_CYCLES - cycles)
+        } else if branch_issue.cycle < issue.ready_cycle {
+            Verdict::Waits(issue.ready_cycle - branch_issue.cycle)
         } else {
             Verdict::Free
         };

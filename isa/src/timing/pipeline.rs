@@ -307,7 +307,7 @@ impl Pipeline {
                 self.channel_result = written.then_some(i.rt & 127);
             }
             Class::Hb if self.rules.hints => {
-                if let Some(hint) = Hint::new(pc, i, cycle, self.issued) {
+                if let Some(hint) = Hint::new(pc, i, ready, self.issued) {
                     self.hint = Some(hint);
                 }
             }

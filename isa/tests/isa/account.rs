@@ -41,8 +41,11 @@ fn step() -> impl Strategy<Value = Step> {
 }
 
 fn rules() -> impl Strategy<Value = Rules> {
-    (any::<[bool; 5]>(), 18u64..20, 1u64..4).prop_map(|(on, miss_cycles, channel_interval)| Rules {
+    let numbers = (18u64..20, 15u64..18, 1u64..4);
+    let switches = any::<[bool; 5]>();
+    (switches, numbers).prop_map(|(on, (miss_cycles, hint_cycles, channel_interval))| Rules {
         miss_cycles,
+        hint_cycles,
         hints: on[0],
         float_conflict: on[1],
         false_targets: on[2],

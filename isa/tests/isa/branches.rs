@@ -64,18 +64,18 @@ fn hinted(hinted_target: u32, between: usize, taken: Option<u32>) -> (u64, u64, 
 
 #[test]
 fn a_far_hint_makes_its_branch_free() {
-    // The hint works in cycle 15. The 14 nops bring the branch to cycle 15 anyway.
-    let (branch, next, pipeline) = hinted(0x800, 14, Some(0x800));
-    assert_eq!((branch, next), (15, 16));
+    // The hint works in cycle 16. The 15 nops bring the branch to cycle 16 anyway.
+    let (branch, next, pipeline) = hinted(0x800, 15, Some(0x800));
+    assert_eq!((branch, next), (16, 17));
     assert_eq!(pipeline.account().stalled(), 0);
 }
 
 #[test]
 fn a_near_hint_holds_its_branch() {
-    // 8 nops would bring the branch to cycle 9. It waits until 15, and is free then.
+    // 8 nops would bring the branch to cycle 9. It waits until 16, and is free then.
     let (branch, next, pipeline) = hinted(0x800, 8, Some(0x800));
-    assert_eq!((branch, next), (15, 16));
-    assert_eq!(pipeline.account().waited(Cause::HintWait), 6);
+    assert_eq!((branch, next), (16, 17));
+    assert_eq!(pipeline.account().waited(Cause::HintWait), 7);
 }
 
 #[test]
@@ -88,9 +88,9 @@ fn a_hint_with_less_than_eight_instructions_is_not_seen() {
 
 #[test]
 fn a_wrong_hint_costs_a_miss() {
-    // The branch is not taken, or is taken to another target: 15 + 1 + 18.
-    assert_eq!(hinted(0x800, 14, None).1, 34);
-    assert_eq!(hinted(0x900, 14, Some(0x800)).1, 34);
+    // The branch is not taken, or is taken to another target: 16 + 1 + 18.
+    assert_eq!(hinted(0x800, 15, None).1, 35);
+    assert_eq!(hinted(0x900, 15, Some(0x800)).1, 35);
 }
 
 #[test]

@@ -350,10 +350,10 @@ fn loads_in_every_cycle_starve_straight_line_code() {
     };
     let loads = |count| vec![i("lqd", 3, &[4]); count];
     // 64 instructions are buffered and the port is never free. The 65th requests its line in cycle
-    // 64, and the line arrives 15 cycles later.
+    // 64, and the line arrives 16 cycles later.
     let cycles = cycles_by(rules, &loads(65));
     assert_eq!(cycles[63], 63);
-    assert_eq!(cycles[64], 79);
+    assert_eq!(cycles[64], 80);
     // Once there is room for a line, one free cycle is enough: in cycle 41, for the line at 56.
     let mut code = loads(41);
     code.push(i("il", 5, &[]));
@@ -364,7 +364,7 @@ fn loads_in_every_cycle_starve_straight_line_code() {
     code.remove(0);
     let cycles = cycles_by(rules, &code);
     assert_eq!(cycles[40..42], [40, 40]);
-    assert_eq!(cycles.last(), Some(&(79 + 15)));
+    assert_eq!(cycles.last(), Some(&(79 + 16)));
     // With the rule off there is no such stall.
     assert_eq!(cycles_by(Rules::default(), &loads(65))[64], 64);
     // A branch to the ninth instruction of a line leaves 64 - 8 instructions: the 57th requests
@@ -375,7 +375,7 @@ fn loads_in_every_cycle_starve_straight_line_code() {
     pipeline.branched(80, Some(0x120));
     let issues = feed(&mut pipeline, 0x120, &loads(57));
     assert_eq!(issues[55].cycle, branch + 19 + 55);
-    assert_eq!(issues[56].cycle, branch + 19 + 56 + 15);
+    assert_eq!(issues[56].cycle, branch + 19 + 56 + 16);
     assert_eq!(issues[56].waited, Some(Cause::Fetch));
 }
 

@@ -7,9 +7,5 @@ use std::process::ExitCode;
 fn main() -> ExitCode {
     // SAFETY: this is the first statement of a program that has only one thread.
     unsafe { accuracy::pictures::simulate_time() };
-    if let Err(error) = kernels::set::Kernels::here() {
-        eprintln!("cellray-bench: error: {error}");
-        return ExitCode::FAILURE;
-    }
     cli::main()
 }

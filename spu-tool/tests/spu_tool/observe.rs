@@ -134,10 +134,13 @@ fn timing_goes_with_transfers_and_library_calls_but_not_with_mailboxes() {
     );
     let figures = timing(&bench, &program, &[], 0);
     assert_eq!(figures["bytes_in"], 128);
-    assert!(
-        figures["stalls"]["DMA"].as_u64().unwrap() > 100,
-        "{figures}"
-    );
+    let waited = figures["stalls"]["DMA"].as_u64().unwrap();
+    assert!(waited > 100, "{figures}");
+    // The same from memory that is farther away.
+    std::fs::write(bench.path("far.toml"), "[memory]\nget_latency = 1280\n").unwrap();
+    let far = bench.path("far.toml").display().to_string();
+    let figures = timing(&bench, &program, &["--machine", &far], 0);
+    assert_eq!(figures["stalls"]["DMA"], waited + 1000);
     assert!(
         figures["blocked_by"]["tag"].as_u64().unwrap() > 100,
         "{figures}"

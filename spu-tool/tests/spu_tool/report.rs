@@ -104,8 +104,8 @@ fn hints_are_measured_to_their_branches() {
         report.functions()[0].hints,
         [
             hint(0x00, 0x20, 7, 8, Verdict::NotSeen),
-            hint(0x24, 0x48, 8, 9, Verdict::Waits(6)),
-            hint(0x4c, 0x88, 14, 15, Verdict::Free),
+            hint(0x24, 0x48, 8, 9, Verdict::Waits(7)),
+            hint(0x4c, 0x88, 14, 15, Verdict::Waits(1)),
             hint(0x8c, 0xd0, 16, 17, Verdict::Replaced(0x90)),
         ]
     );

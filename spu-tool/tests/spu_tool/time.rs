@@ -74,6 +74,19 @@ fn switches_reach_the_model() {
     assert!(plain.contains("27 cycles a pass"), "{plain}");
     let switched = out(&time(built.path(), &["--miss-cycles", "19", "program"]));
     assert!(switched.contains("28 cycles a pass"), "{switched}");
+    let machine = built.path().join("machine.toml");
+    fs::write(&machine, "[pipelines]\nmiss_cycles = 30\n").unwrap();
+    let described = out(&time(
+        built.path(),
+        &["--machine", "machine.toml", "program"],
+    ));
+    assert!(described.contains("39 cycles a pass"), "{described}");
+    fs::write(&machine, "[pipelines]\n\nmiss = 30\n").unwrap();
+    let wrong = time(built.path(), &["--machine", "machine.toml", "program"]);
+    let wrong = stderr(&wrong);
+    for part in ["machine.toml", "line 3", "`miss`"] {
+        assert!(wrong.contains(part), "{wrong}");
+    }
 }
 
 #[test]

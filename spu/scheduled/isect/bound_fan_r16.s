@@ -128,22 +128,22 @@ function bound_fan_r16
         .set squared_5,42; .set a_bound_14,36; .set most_8,14; .set squared_6,26
         .set a_bound_15,40; .set a_bound_16,43; .set a_bound_17,19; .set squared_7,5
         .set squared_8,14; .set t_y_6,22; .set squared_9,3; .set t_17,22; .set vx_19,46
-        .set vx_20,62; .set vy_20,63; .set c_wide_2,6; .set vx_21,64; .set t_y_7,35; .set t_18,42
-        .set t_y_8,33; .set top_11,5; .set c_greater_6,35; .set out_2,39; .set there2_5,44
-        .set out_3,20; .set c_greater_7,32; .set t_19,70; .set t_20,14; .set c_greater_8,31
-        .set there3_6,20; .set out_4,32; .set c_greater_9,33; .set root_2,22; .set c_greater_10,13
-        .set c_greater_11,20; .set c_greater_12,25; .set top_t_13,7; .set top_t_14,10
-        .set root_3,3; .set vy_21,8; .set t_odd_3,22; .set c_greater_13,10; .set vz_24,22
-        .set t_odd_4,7; .set a_packet_6,7; .set t_y_9,8; .set squared_10,20; .set out_5,21
-        .set t_21,8; .set t_y_10,31; .set top_t_15,33; .set top_t_16,8; .set vy_22,28
-        .set c_greater_14,7; .set axis_5,4; .set squared_11,10; .set a_bound_18,21
-        .set a_bound_19,12; .set a_bound_20,23; .set a_bound_21,8; .set squared_12,7
-        .set t_y_11,20; .set a_bound_22,24; .set a_bound_23,25; .set a_bound_24,22; .set top_12,10
-        .set out_6,18; .set t_y_12,3; .set limits_2,7; .set t_odd_5,10; .set t_y_13,2
-        .set none_2,3; .set limits_3,5; .set t_22,2; .set limits_4,4; .set out_7,5; .set limits_5,2
-        .set there1_8,6; .set there2_6,22; .set weight1_6,6; .set weight2_4,22; .set there3_7,6
-        .set vy_23,13; .set vz_25,14; .set t_23,21; .set t_24,3; .set squared_13,8
-        .set c_greater_15,6; .set there3_8,7; .set out_8,2; .set out_9,6; .set out_10,7
+        .set vx_20,63; .set vy_20,64; .set c_wide_2,6; .set vx_21,44; .set t_y_7,35; .set t_18,42
+        .set t_y_8,28; .set top_11,5; .set c_greater_6,33; .set out_2,39; .set there2_5,47
+        .set t_e_4,32; .set out_3,20; .set c_greater_7,60; .set top_t_13,33; .set t_19,70
+        .set squared_10,24; .set out_4,14; .set c_greater_8,31; .set c_greater_9,20; .set root_2,13
+        .set top_t_14,14; .set c_greater_10,22; .set top_t_15,7; .set vy_21,8; .set c_greater_11,10
+        .set top_t_16,10; .set t_odd_3,22; .set c_greater_12,7; .set vz_24,22; .set t_odd_4,7
+        .set a_packet_6,7; .set t_y_9,8; .set squared_11,20; .set out_5,21; .set t_20,8
+        .set t_y_10,31; .set top_t_17,8; .set vy_22,28; .set axis_5,4; .set squared_12,10
+        .set a_bound_18,20; .set a_bound_19,21; .set a_bound_20,12; .set a_bound_21,23
+        .set a_bound_22,8; .set squared_13,7; .set t_y_11,14; .set a_bound_23,24
+        .set a_bound_24,25; .set a_bound_25,22; .set t_21,14; .set top_12,10; .set out_6,18
+        .set t_y_12,3; .set limits_2,7; .set t_odd_5,10; .set t_y_13,2; .set none_2,3
+        .set limits_3,5; .set t_22,2; .set limits_4,4; .set out_7,5; .set limits_5,2
+        .set there1_8,6; .set there2_6,22; .set weight1_6,6; .set weight2_4,22; .set there3_6,6
+        .set vy_23,13; .set vz_25,14; .set t_23,21; .set t_24,3; .set squared_14,8
+        .set c_greater_13,6; .set there3_7,7; .set out_8,2; .set out_9,6; .set out_10,7
         ilhu    $m_x,1                                  # 0e
         lqa     $k_least,least_by_lane                  # 0o
         ilhu    $m_y,0x405                              # 1e
@@ -329,9 +329,9 @@ function bound_fan_r16
         fma     $top_t,$vy_10,$weight+3,$top_t          # 92e
         lqd     $vy_10,272($a_packet_4)                 # 92o
         fa      $t_rows_5,$t_rows_5,$t_rows+1           # 93e
-        lqd     $t_12,416($a_packet_4)                  # 93o
+        hbrr    next_axis_back,next_axis                # 93o hint
         fa      $t_rows+2,$t_rows+2,$t_rows+3           # 94e
-        hbrr    next_axis_back,next_axis                # 94o hint
+        lqd     $t_12,416($a_packet_4)                  # 94o
         fa      $length,$length,$t_e_2                  # 95e
         lqd     $vx_4,224($a_packet_4)                  # 95o
         fma     $top,$vx_11,$weight+3,$top_8            # 96e
@@ -690,9 +690,9 @@ bound_fan_r16_block:
         shufb   $t_6,$most,$most,$m_y                   # 77o
         fm      $squared_9,$vx_4,$vx_4                  # 78e
         fms     $vy,$vy_15,$k_along,$axis_y             # 79e
-        fms     $vz,$vz_18,$k_along,$axis_z             # 80e
+        fcgt    $c_wide,$most,$k_wide                   # 80e
         lnop                                            # 80o pairing
-        fcgt    $c_wide,$most,$k_wide                   # 81e
+        fms     $vz,$vz_18,$k_along,$axis_z             # 81e
         stqd    $t_6,144($a_bound_6)                    # 81o
         fma     $squared_6,$vy_18,$vy_18,$squared_6     # 82e
         lqd     $vy_12,272($a_packet_5)                 # 82o
@@ -712,9 +712,9 @@ bound_fan_r16_block:
         frsqest $t_y_7,$t_17                            # 89o
         cgti    $there_5,$top_t_9,-1                    # 90e
         lqd     $t_18,400($a_packet_5)                  # 90o
-        fma     $squared_6,$vz,$vz,$squared_6           # 91e
-        lqd     $vz,320($a_packet_5)                    # 91o
-        fnms    $cosine,$most,$k_chord,$k_cosine        # 92e
+        fnms    $cosine,$most,$k_chord,$k_cosine        # 91e
+        lqd     $vz_20,320($a_packet_5)                 # 91o
+        fma     $squared_6,$vz,$vz,$squared_6           # 92e
         fi      $t_y_8,$t_17,$t_y_7                     # 93e
         andc    $axis_2,$axis_2,$c_wide_2               # 94e
         and     $top_11,$squared_7,$there_5             # 95e
@@ -726,77 +726,79 @@ bound_fan_r16_block:
         stqd    $axis_2,176($a_bound_7)                 # 98o
         fma     $squared_9,$vz_7,$vz_7,$squared_9       # 99e
         lqd     $vz_6,352($a_packet_5)                  # 99o
-        fm      $t_e,$t_17,$t_y_8                       # 100e
+        fm      $t_e_4,$t_17,$t_y_8                     # 100e
         shufb   $out_3,$axis_2,$axis_2,$m_z             # 100o
         fcgt    $c_greater_7,$top_11,$squared_8         # 101e
         stqd    $out,64($a_bound_8)                     # 101o
-        selb    $top_t_9,$t_8,$top_t_9,$c_greater_6     # 102e
+        selb    $top_t_13,$t_8,$top_t_9,$c_greater_6    # 102e
         lqd     $vz_18,368($a_packet_5)                 # 102o
-        and     $squared_6,$squared_6,$there2_5         # 103e
+        andc    $cosine,$cosine,$c_wide_2               # 103e
         lqd     $t_19,432($a_packet_5)                  # 103o
-        selb    $top_11,$squared_8,$top_11,$c_greater_7 # 104e
-        lqd     $t_20,416($a_packet_5)                  # 104o
-        andc    $cosine,$cosine,$c_wide_2               # 105e
-        stqd    $out_2,48($a_bound_8)                   # 105o
-        fcgt    $c_greater_8,$top_t_9,$t_10             # 106e
-        stqd    $out_3,80($a_bound_8)                   # 106o
-        cgti    $there3_6,$t_16,-1                      # 107e
-        shufb   $out_4,$cosine,$cosine,$m_x             # 107o
-        fm      $t_y,$t_y_8,$k_half                     # 108e
+        and     $squared_10,$squared_6,$there2_5        # 104e
+        lqd     $t_13,416($a_packet_5)                  # 104o
+        selb    $top_11,$squared_8,$top_11,$c_greater_7 # 105e
+        shufb   $out_4,$cosine,$cosine,$m_x             # 105o
+        fcgt    $c_greater_8,$top_t_13,$t_10            # 106e
+        stqd    $out_2,48($a_bound_8)                   # 106o
+        cgti    $there3_5,$t_16,-1                      # 107e
+        stqd    $out_3,80($a_bound_8)                   # 107o
+        fm      $t_y_8,$t_y_8,$k_half                   # 108e
         lqd     $vz_21,336($a_packet_5)                 # 108o
-        fcgt    $c_greater_9,$top_11,$squared_6         # 109e
-        fnms    $root_2,$t_e,$t_e,$t_17                 # 110e
-        selb    $top_t_9,$t_10,$top_t_9,$c_greater_8    # 111e
-        stqd    $out_4,96($a_bound_8)                   # 111o
-        and     $squared_9,$squared_9,$there3_6         # 112e
-        lqd     $c_short,192($a_bound_4)                # 112o
-        selb    $top,$squared_6,$top_11,$c_greater_9    # 113e
-        lqd     $vx_16,208($a_packet_5)                 # 113o
-        fcgt    $c_greater_10,$top_t_2,$t_18            # 114e
-        lqd     $vy_15,304($a_packet_5)                 # 114o
-        fcgt    $c_greater_11,$top_t_9,$t_16            # 115e
-        fcgt    $c_greater_12,$top,$squared_9           # 116e
-        ai      $a_bound,$a_bound_4,208                 # 117e
-        selb    $top_t_13,$t_18,$top_t_2,$c_greater_10  # 118e
-        selb    $top_t_14,$t_16,$top_t_9,$c_greater_11  # 119e
-        lqd     $axis_2,176($a_bound)                   # 119o
-        selb    $top,$squared_9,$top,$c_greater_12      # 120e
-        stqd    $apex_y,16($a_bound)                    # 120o
-        fma     $root_3,$root_2,$t_y,$t_e               # 121e
-        lqd     $vy_21,288($a_packet_5)                 # 121o
-        rotmai  $none,$t_6,-31                          # 122e
-        shufb   $t_odd_3,$top,$top_t_14,$m_odd          # 122o
-        cgti    $there1_7,$t_18,-1                      # 123e
-        shufb   $most,$top,$top_t_14,$m_even            # 123o
-        cgti    $there2_4,$t_20,-1                      # 124e
+        fcgt    $c_greater_9,$top_11,$squared_10        # 109e
+        stqd    $out_4,96($a_bound_8)                   # 109o
+        fnms    $root_2,$t_e_4,$t_e_4,$t_17             # 110e
+        lqd     $c_short,192($a_bound_4)                # 110o
+        selb    $top_t_14,$t_10,$top_t_13,$c_greater_8  # 111e
+        lqd     $vx_16,208($a_packet_5)                 # 111o
+        fcgt    $c_greater_10,$top_t_2,$t_18            # 112e
+        lqd     $vy_15,304($a_packet_5)                 # 112o
+        and     $squared_9,$squared_9,$there3_5         # 113e
+        selb    $top,$squared_10,$top_11,$c_greater_9   # 114e
+        fcgt    $c_greater_9,$top_t_14,$t_16            # 115e
+        selb    $top_t_13,$t_18,$top_t_2,$c_greater_10  # 116e
+        fcgt    $c_greater_10,$top,$squared_9           # 117e
+        ai      $a_bound,$a_bound_4,208                 # 118e
+        selb    $top_t_15,$t_16,$top_t_14,$c_greater_9  # 119e
+        lnop                                            # 119o pairing
+        rotmai  $none,$t_6,-31                          # 120e
+        lqd     $axis_2,176($a_bound)                   # 120o
+        cgti    $there1_7,$t_18,-1                      # 121e
+        stqd    $apex_y,16($a_bound)                    # 121o
+        cgti    $there2_4,$t_13,-1                      # 122e
+        lqd     $vy_21,288($a_packet_5)                 # 122o
+        fcgt    $c_greater_11,$top_t_13,$t_13           # 123e
+        hbrr    next_cone_back,next_cone                # 123o hint
+        selb    $top,$squared_9,$top,$c_greater_10      # 124e
         stqd    $apex_z,32($a_bound)                    # 124o
-        fcgt    $c_greater_13,$top_t_13,$t_20           # 125e
-        hbrr    next_cone_back,next_cone                # 125o hint
-        cgti    $there_5,$top_t_2,-1                    # 126e
-        shufb   $axis_z,$axis_2,$axis_2,$m_z            # 126o
-        fcgt    $c_greater_10,$most,$t_odd_3            # 127e
-        shufb   $axis_y,$axis_2,$axis_2,$m_y            # 127o
-        fma     $limits,$root_3,$k_sine,$k_least        # 128e
-        shufb   $axis_x,$axis_2,$axis_2,$m_x            # 128o
-        selb    $most,$t_odd_3,$most,$c_greater_10      # 129e
-        stqd    $apex,160($a_bound)                     # 129o
-        selb    $top_t_14,$t_20,$top_t_13,$c_greater_13 # 130e
-        stqd    $apex_x,0($a_bound)                     # 130o
-        fms     $vz_24,$vz_6,$k_along,$axis_z           # 131e
-        rotqbyi $t_odd_4,$most,8                        # 131o
-        fms     $vz_20,$vz,$k_along,$axis_z             # 132e
-        fms     $vy_21,$vy_21,$k_along,$axis_y          # 133e
-        fms     $vy_4,$vy_12,$k_along,$axis_y           # 134e
-        shufb   $t_y,$limits,$limits,$m_y               # 134o
-        fms     $vx,$vx_21,$k_along,$axis_x             # 135e
-        fms     $vx_3,$vx_19,$k_along,$axis_x           # 136e
-        fms     $vx_13,$vx_20,$k_along,$axis_x          # 137e
-        fms     $vy_3,$vy_20,$k_along,$axis_y           # 138e
-        fms     $vz_21,$vz_21,$k_along,$axis_z          # 139e
-        fcgt    $c_greater,$top_t_14,$t_19              # 140e
-        cgti    $there3_5,$t_19,-1                      # 141e
-        ai      $a_packet,$a_packet_4,320               # 142e
-        selb    $top_t_12,$t_19,$top_t_14,$c_greater    # 143e
+        fma     $root_2,$root_2,$t_y_8,$t_e_4           # 125e
+        stqd    $apex,160($a_bound)                     # 125o
+        selb    $top_t_16,$t_13,$top_t_13,$c_greater_11 # 126e
+        shufb   $t_odd_3,$top,$top_t_15,$m_odd          # 126o
+        cgti    $there_5,$top_t_2,-1                    # 127e
+        shufb   $most,$top,$top_t_15,$m_even            # 127o
+        fcgt    $c_greater_5,$top_t_16,$t_19            # 128e
+        shufb   $axis_z,$axis_2,$axis_2,$m_z            # 128o
+        cgti    $there3_5,$t_19,-1                      # 129e
+        shufb   $axis_y,$axis_2,$axis_2,$m_y            # 129o
+        ai      $a_packet,$a_packet_4,320               # 130e
+        shufb   $axis_x,$axis_2,$axis_2,$m_x            # 130o
+        fcgt    $c_greater_12,$most,$t_odd_3            # 131e
+        stqd    $apex_x,0($a_bound)                     # 131o
+        fma     $limits,$root_2,$k_sine,$k_least        # 132e
+        selb    $most,$t_odd_3,$most,$c_greater_12      # 133e
+        fms     $vz_24,$vz_6,$k_along,$axis_z           # 134e
+        lnop                                            # 134o pairing
+        fms     $vz_20,$vz_20,$k_along,$axis_z          # 135e
+        rotqbyi $t_odd_4,$most,8                        # 135o
+        fms     $vy_21,$vy_21,$k_along,$axis_y          # 136e
+        fms     $vy_4,$vy_12,$k_along,$axis_y           # 137e
+        fms     $vx,$vx_21,$k_along,$axis_x             # 138e
+        shufb   $t_y,$limits,$limits,$m_y               # 138o
+        fms     $vx_3,$vx_19,$k_along,$axis_x           # 139e
+        fms     $vx_13,$vx_20,$k_along,$axis_x          # 140e
+        fms     $vy_3,$vy_20,$k_along,$axis_y           # 141e
+        fms     $vz_21,$vz_21,$k_along,$axis_z          # 142e
+        selb    $top_t_12,$t_19,$top_t_16,$c_greater_5  # 143e
         fcgt    $c_greater,$most,$t_odd_4               # 144e
 next_cone:
             fm      $squared,$vx,$vx                    # 0e
@@ -827,9 +829,9 @@ next_cone:
             shlqbyi $axis_4,$axis_2,0                   # 13o copy
             fm      $squared_2,$vx_13,$vx_13            # 14e
             shufb   $out,$axis,$axis,$m_y               # 14o
-            fm      $squared_10,$vx,$vx                 # 15e
+            fm      $squared_11,$vx,$vx                 # 15e
             shufb   $out_5,$axis,$axis,$m_x             # 15o
-            fnms    $t_21,$t_y_9,$most,$most            # 16e
+            fnms    $t_20,$t_y_9,$most,$most            # 16e
         lqd     $vx,224($a_packet)                      # 16o
             rotmai  $none,$t,-31                        # 17e
         lqd     $top_t,384($a_packet)                   # 17o
@@ -841,8 +843,8 @@ next_cone:
             stqd    $axis,176($a_bound_13)              # 20o
             fms     $vy_17,$vy_15,$k_along,$axis_y      # 21e
         lqd     $vz_17,352($a_packet)                   # 21o
-            fma     $squared_10,$vy_4,$vy_4,$squared_10 # 22e
-            frsqest $t_y_10,$t_21                       # 22o
+            fma     $squared_11,$vy_4,$vy_4,$squared_11 # 22e
+            frsqest $t_y_10,$t_20                       # 22o
             andc    $cosine,$cosine,$c_wide_2           # 23e
             shlqbyi $a_bound_13,$a_bound,0              # 23o copy
         fcgt    $c_greater,$top_t,$t                    # 24e
@@ -853,27 +855,27 @@ next_cone:
         lqd     $vz_18,368($a_packet)                   # 26o
             fma     $squared_4,$vy_17,$vy_17,$squared_4 # 27e
         lqd     $t_9,432($a_packet)                     # 27o
-            fma     $squared_10,$vz_21,$vz_21,$squared_10 # 28e
+            fma     $squared_11,$vz_21,$vz_21,$squared_11 # 28e
             stqd    $limits,112($a_bound_14)            # 28o
-            fi      $t_y_10,$t_21,$t_y_10               # 29e
+            fi      $t_y_10,$t_20,$t_y_10               # 29e
             shlqbyi $a_bound_14,$a_bound_9,0            # 29o copy
             and     $squared,$squared,$there2_4         # 30e
             shlqbyi $a_bound_9,$a_bound,0               # 30o copy
-        selb    $top_t_15,$t,$top_t,$c_greater          # 31e
+        selb    $top_t_13,$t,$top_t,$c_greater          # 31e
             shufb   $limits,$limits,$t_y,$m_even        # 31o
             and     $top_3,$squared_2,$there_5          # 32e
             shlqbyi $a_bound_10,$a_bound,0              # 32o copy
             fma     $squared_4,$vz,$vz,$squared_4       # 33e
             shufb   $out,$axis,$axis,$m_z               # 33o
-            and     $squared_10,$squared_10,$there1_7   # 34e
+            and     $squared_11,$squared_11,$there1_7   # 34e
         lqd     $t_5,416($a_packet)                     # 34o
         cgti    $there1_7,$t,-1                         # 35e
             stqd    $limits,192($a_bound_15)            # 35o
-            fcgt    $c_greater,$top_3,$squared_10       # 36e
+            fcgt    $c_greater,$top_3,$squared_11       # 36e
             shlqbyi $a_bound_15,$a_bound_11,0           # 36o copy
-            fm      $t_e,$t_21,$t_y_10                  # 37e
+            fm      $t_e,$t_20,$t_y_10                  # 37e
             shlqbyi $a_bound_11,$a_bound,0              # 37o copy
-            selb    $top_3,$squared_10,$top_3,$c_greater # 38e
+            selb    $top_3,$squared_11,$top_3,$c_greater # 38e
             shufb   $out_3,$cosine,$cosine,$m_x         # 38o
             and     $squared_4,$squared_4,$there3_5     # 39e
             stqd    $out_5,48($a_bound_16)              # 39o
@@ -885,33 +887,33 @@ next_cone:
             stqd    $out_3,96($a_bound_16)              # 42o
             selb    $top,$squared,$top_3,$c_greater     # 43e
             shlqbyi $a_bound_16,$a_bound,0              # 43o copy
-        fcgt    $c_greater,$top_t_15,$t_5               # 44e
+        fcgt    $c_greater,$top_t_13,$t_5               # 44e
             shlqbyi $a_bound_17,$a_bound,0              # 44o copy
-            fcgt    $c_greater_11,$top,$squared_4       # 45e
+            fcgt    $c_greater_9,$top,$squared_4        # 45e
             lqd     $c_short,192($a_bound)              # 45o
             ai      $a_bound,$a_bound,208               # 46e
         lqd     $vx_16,208($a_packet)                   # 46o
-            selb    $top,$squared_4,$top,$c_greater_11  # 47e
+            selb    $top,$squared_4,$top,$c_greater_9   # 47e
         lqd     $vy_15,304($a_packet)                   # 47o
-            fnms    $root,$t_e,$t_e,$t_21               # 48e
+            fnms    $root,$t_e,$t_e,$t_20               # 48e
         lqd     $axis_2,176($a_bound)                   # 48o
-        selb    $top_t_16,$t_5,$top_t_15,$c_greater     # 49e
+        selb    $top_t_17,$t_5,$top_t_13,$c_greater     # 49e
             shufb   $t_odd_3,$top,$top_t_12,$m_odd      # 49o
         cgti    $there_5,$top_t,-1                      # 50e
             shufb   $most,$top,$top_t_12,$m_even        # 50o
         cgti    $there3_5,$t_9,-1                       # 51e
         stqd    $apex_y,16($a_bound)                    # 51o
-        fcgt    $c_greater,$top_t_16,$t_9               # 52e
+        fcgt    $c_greater,$top_t_17,$t_9               # 52e
         lqd     $vy_22,288($a_packet)                   # 52o
         ai      $a_packet,$a_packet_6,320               # 53e
         lnop                                            # 53o pairing
-            fcgt    $c_greater_14,$most,$t_odd_3        # 54e
+            fcgt    $c_greater_12,$most,$t_odd_3        # 54e
         shufb   $axis_z,$axis_2,$axis_2,$m_z            # 54o
             fma     $root,$root,$t_y,$t_e               # 55e
         shufb   $axis_y,$axis_2,$axis_2,$m_y            # 55o
-            selb    $most,$t_odd_3,$most,$c_greater_14  # 56e
+            selb    $most,$t_odd_3,$most,$c_greater_12  # 56e
             lnop                                        # 56o pairing
-        selb    $top_t_12,$t_9,$top_t_16,$c_greater     # 57e
+        selb    $top_t_12,$t_9,$top_t_17,$c_greater     # 57e
         shufb   $axis_x,$axis_2,$axis_2,$m_x            # 57o
         fms     $vz_24,$vz_17,$k_along,$axis_z          # 58e
             rotqbyi $t_odd_4,$most,8                    # 58o
@@ -935,49 +937,49 @@ next_cone_back:
 next_cone_drain:
         fms     $vx_4,$vx_16,$k_along,$axis_x           # 0e
         shlqbyi $axis_5,$axis_2,0                       # 0o copy
-        fm      $squared_11,$vx_13,$vx_13               # 1e
+        fm      $squared_12,$vx_13,$vx_13               # 1e
         shlqbyi $a_bound_8,$a_bound_10,0                # 1o copy
         fm      $squared,$vx,$vx                        # 2e
-        shlqbyi $a_bound_5,$a_bound,0                   # 2o copy
-        fm      $squared_10,$vx_3,$vx_3                 # 3e
-        hbr     bound_fan_r16_return,$lr                # 3o hint
+        hbr     bound_fan_r16_return,$lr                # 2o hint
+        fm      $squared_8,$vx_3,$vx_3                  # 3e
+        shlqbyi $a_bound_18,$a_bound,0                  # 3o copy
         fms     $vy_17,$vy_15,$k_along,$axis_y          # 4e
-        shlqbyi $a_bound_18,$a_bound,0                  # 4o copy
+        shlqbyi $a_bound_19,$a_bound,0                  # 4o copy
         fms     $vz,$vz_18,$k_along,$axis_z             # 5e
-        shlqbyi $a_bound_19,$a_bound,0                  # 5o copy
+        shlqbyi $a_bound_20,$a_bound,0                  # 5o copy
         fm      $squared_9,$vx_4,$vx_4                  # 6e
-        shlqbyi $a_bound_20,$a_bound_9,0                # 6o copy
-        fma     $squared_11,$vy_3,$vy_3,$squared_11     # 7e
+        shlqbyi $a_bound_21,$a_bound_9,0                # 6o copy
+        fma     $squared_12,$vy_3,$vy_3,$squared_12     # 7e
         shlqbyi $a_bound_10,$a_bound,0                  # 7o copy
         fma     $squared,$vy_21,$vy_21,$squared         # 8e
-        shlqbyi $a_bound_21,$a_bound_11,0               # 8o copy
+        shlqbyi $a_bound_22,$a_bound_11,0               # 8o copy
         selb    $most,$t_odd_4,$most,$c_greater         # 9e
         shlqbyi $a_bound_9,$a_bound,0                   # 9o copy
-        fma     $squared_12,$vy_17,$vy_17,$squared_10   # 10e
+        fma     $squared_13,$vy_17,$vy_17,$squared_8    # 10e
         shlqbyi $a_bound_11,$a_bound,0                  # 10o copy
         fm      $t_y_11,$most,$k_quarter                # 11e
         shufb   $t,$most,$most,$m_y                     # 11o
         fma     $squared_9,$vy_4,$vy_4,$squared_9       # 12e
-        shlqbyi $a_bound_22,$a_bound_10,0               # 12o copy
-        fma     $squared_11,$vz_20,$vz_20,$squared_11   # 13e
-        shlqbyi $a_bound_23,$a_bound_9,0                # 13o copy
+        shlqbyi $a_bound_23,$a_bound_10,0               # 12o copy
+        fma     $squared_12,$vz_20,$vz_20,$squared_12   # 13e
+        shlqbyi $a_bound_24,$a_bound_9,0                # 13o copy
         fma     $squared,$vz_24,$vz_24,$squared         # 14e
-        shlqbyi $a_bound_24,$a_bound_11,0               # 14o copy
+        shlqbyi $a_bound_25,$a_bound_11,0               # 14o copy
         fcgt    $c_wide,$most,$k_wide                   # 15e
-        fma     $squared_12,$vz,$vz,$squared_12         # 16e
-        fnms    $t_3,$t_y_11,$most,$most                # 17e
+        fma     $squared_13,$vz,$vz,$squared_13         # 16e
+        fnms    $t_21,$t_y_11,$most,$most               # 17e
         fma     $squared_9,$vz_21,$vz_21,$squared_9     # 18e
-        and     $top_12,$squared_11,$there_5            # 19e
+        and     $top_12,$squared_12,$there_5            # 19e
         and     $squared,$squared,$there2_4             # 20e
         or      $c_wide,$c_wide,$c_short                # 21e
-        and     $squared_12,$squared_12,$there3_5       # 22e
+        and     $squared_13,$squared_13,$there3_5       # 22e
         andc    $limits,$limits,$c_wide_2               # 23e
-        frsqest $t_y_10,$t_3                            # 23o
+        frsqest $t_y_10,$t_21                           # 23o
         and     $squared_9,$squared_9,$there1_7         # 24e
         shufb   $c_wide_2,$c_wide,$c_wide,$m_x          # 24o
         or      $limits,$limits,$none                   # 25e
         fcgt    $c_greater,$top_12,$squared_9           # 26e
-        fi      $t_y_10,$t_3,$t_y_10                    # 27e
+        fi      $t_y_10,$t_21,$t_y_10                   # 27e
         shufb   $limits,$limits,$limits,$m_x            # 27o
         selb    $top_4,$squared_9,$top_12,$c_greater    # 28e
         fnms    $cosine,$most,$k_chord,$k_cosine        # 29e
@@ -987,11 +989,11 @@ next_cone_drain:
         lnop                                            # 32o pairing
         or      $t_y,$t_y,$none                         # 33e all ones is the largest single below 0
         shufb   $out,$axis,$axis,$m_y                   # 33o
-        fcgt    $c_greater_13,$top_4,$squared_12        # 34e
+        fcgt    $c_greater_11,$top_4,$squared_13        # 34e
         shufb   $out_6,$axis,$axis,$m_x                 # 34o
-        fm      $t_e,$t_3,$t_y_10                       # 35e
+        fm      $t_e,$t_21,$t_y_10                      # 35e
         stqd    $t_y,128($a_bound_12)                   # 35o
-        selb    $top_7,$squared_12,$top_4,$c_greater_13 # 36e
+        selb    $top_7,$squared_13,$top_4,$c_greater_11 # 36e
         stqd    $t,144($a_bound_17)                     # 36o
         fm      $t_y_12,$t_y_10,$k_half                 # 37e
         shufb   $limits_2,$limits,$t_y,$m_even          # 37o
@@ -1001,14 +1003,14 @@ next_cone_drain:
         shufb   $most,$top_7,$top_t_12,$m_even          # 39o
         ai      $a_bound_12,$a_bound,208                # 40e
         stqd    $axis,176($a_bound_13)                  # 40o
-        fnms    $root,$t_e,$t_e,$t_3                    # 41e
+        fnms    $root,$t_e,$t_e,$t_21                   # 41e
         stqd    $out,64($a_bound_16)                    # 41o
         nop     $127                                    # 42e pairing
         shufb   $out,$axis,$axis,$m_z                   # 42o
         fcgt    $c_greater_3,$most,$t_odd_5             # 43e
         stqd    $limits,112($a_bound_14)                # 43o
         nop     $127                                    # 44e pairing
-        shufb   $out_3,$cosine,$cosine,$m_x             # 44o
+        shufb   $out_4,$cosine,$cosine,$m_x             # 44o
         selb    $most,$t_odd_5,$most,$c_greater_3       # 45e
         stqd    $limits_2,192($a_bound_15)              # 45o
         nop     $127                                    # 46e pairing
@@ -1016,7 +1018,7 @@ next_cone_drain:
         fma     $root,$root,$t_y_12,$t_e                # 47e
         rotqbyi $t_odd_4,$most,8                        # 47o
         stqd    $out,80($a_bound_16)                    # 48o
-        stqd    $out_3,96($a_bound_16)                  # 49o
+        stqd    $out_4,96($a_bound_16)                  # 49o
         lqd     $c_short,192($a_bound)                  # 50o
         fcgt    $c_greater,$most,$t_odd_4               # 51e
         selb    $most,$t_odd_4,$most,$c_greater         # 53e
@@ -1041,21 +1043,21 @@ next_cone_drain:
         shufb   $out,$axis,$axis,$m_y                   # 66o
         frsqest $t_y_10,$t_22                           # 67o
         stqd    $t_y,128($a_bound_8)                    # 68o
-        stqd    $t,144($a_bound_5)                      # 69o
+        stqd    $t,144($a_bound_18)                     # 69o
         shufb   $limits_4,$limits,$t_y,$m_even          # 70o
         fi      $t_y_10,$t_22,$t_y_10                   # 71e
         shufb   $out_7,$axis,$axis,$m_x                 # 71o
-        stqd    $axis,176($a_bound_18)                  # 72o
-        stqd    $out,64($a_bound_19)                    # 73o
+        stqd    $axis,176($a_bound_19)                  # 72o
+        stqd    $out,64($a_bound_20)                    # 73o
         shufb   $out,$axis,$axis,$m_z                   # 74o
-        stqd    $limits,112($a_bound_20)                # 75o
+        stqd    $limits,112($a_bound_21)                # 75o
         shufb   $out_3,$cosine,$cosine,$m_x             # 76o
-        stqd    $limits_4,192($a_bound_21)              # 77o
+        stqd    $limits_4,192($a_bound_22)              # 77o
         fm      $t_e,$t_22,$t_y_10                      # 78e
-        stqd    $out_7,48($a_bound_19)                  # 78o
+        stqd    $out_7,48($a_bound_20)                  # 78o
         fm      $t_y,$t_y_10,$k_half                    # 79e
-        stqd    $out,80($a_bound_19)                    # 79o
-        stqd    $out_3,96($a_bound_19)                  # 80o
+        stqd    $out,80($a_bound_20)                    # 79o
+        stqd    $out_3,96($a_bound_20)                  # 80o
         fnms    $root,$t_e,$t_e,$t_22                   # 84e
         fma     $root,$root,$t_y,$t_e                   # 90e
         fma     $limits,$root,$k_sine,$k_least          # 96e
@@ -1065,10 +1067,10 @@ next_cone_drain:
         lnop                                            # 104o pairing
         or      $t_y,$t_y,$none_2                       # 106e all ones is the largest single below
         shufb   $limits,$limits,$limits,$m_x            # 106o
-        stqd    $t_y,128($a_bound_22)                   # 108o
+        stqd    $t_y,128($a_bound_23)                   # 108o
         shufb   $limits_5,$limits,$t_y,$m_even          # 110o
-        stqd    $limits,112($a_bound_23)                # 111o
-        stqd    $limits_5,192($a_bound_24)              # 114o
+        stqd    $limits,112($a_bound_24)                # 111o
+        stqd    $limits_5,192($a_bound_25)              # 114o
         nop     $127                                    # 115e pairing
 bound_fan_r16_return:
         bi      $lr                                     # 115o
@@ -1104,9 +1106,9 @@ next_axis_short:
         fma     $top_t,$vy_7,$weight1_6,$top_t          # 16e
         fma     $most,$vz_8,$weight1_6,$most            # 17e
         fma     $top,$vx_5,$weight1_6,$top              # 18e
-        cgti    $there3_7,$t_6,-1                       # 19e
+        cgti    $there3_6,$t_6,-1                       # 19e
         ai      $a_packet,$a_packet_2,320               # 20e
-        and     $weight+3,$there3_7,$k_along            # 21e
+        and     $weight+3,$there3_6,$k_along            # 21e
         fma     $top_t,$vy_13,$weight2_4,$top_t         # 22e
         fma     $most,$vz_16,$weight2_4,$most           # 23e
         fma     $top,$vx,$weight2_4,$top                # 24e
@@ -1176,7 +1178,7 @@ next_cone_short:
         lqd     $t,400($a_packet)                       # 17o
         fms     $vy_23,$vy_23,$k_along,$axis_y          # 18e
         lqd     $t_23,416($a_packet)                    # 18o
-        fm      $squared_12,$vx_5,$vx_5                 # 19e
+        fm      $squared_13,$vx_5,$vx_5                 # 19e
         lqd     $t_24,432($a_packet)                    # 19o
         fms     $vz,$vz,$k_along,$axis_z                # 20e
         lqd     $c_short,192($a_bound)                  # 20o
@@ -1188,35 +1190,35 @@ next_cone_short:
         stqd    $apex_y,16($a_bound)                    # 23o
         fms     $vy,$vy_7,$k_along,$axis_y              # 24e
         stqd    $apex_z,32($a_bound)                    # 24o
-        fm      $squared_13,$vx_17,$vx_17               # 25e
+        fm      $squared_14,$vx_17,$vx_17               # 25e
         fms     $vz_22,$vz_8,$k_along,$axis_z           # 26e
-        fma     $squared_12,$vy_23,$vy_23,$squared_12   # 27e
+        fma     $squared_13,$vy_23,$vy_23,$squared_13   # 27e
         fma     $squared,$vz,$vz,$squared               # 28e
         fma     $squared_3,$vz_25,$vz_25,$squared_3     # 29e
         fms     $vz,$vz_10,$k_along,$axis_z             # 30e
-        fma     $squared_13,$vy,$vy,$squared_13         # 31e
+        fma     $squared_14,$vy,$vy,$squared_14         # 31e
         cgti    $there,$top_t,-1                        # 32e
         cgti    $there+1,$t,-1                          # 33e
-        fma     $squared_12,$vz_22,$vz_22,$squared_12   # 34e
+        fma     $squared_13,$vz_22,$vz_22,$squared_13   # 34e
         and     $top,$squared,$there                    # 35e
         and     $squared,$squared_3,$there+1            # 36e
         fcgt    $c_greater,$top_t,$t                    # 37e
-        fcgt    $c_greater_15,$top,$squared             # 38e
+        fcgt    $c_greater_13,$top,$squared             # 38e
         cgti    $there+2,$t_23,-1                       # 39e
-        fma     $squared_13,$vz,$vz,$squared_13         # 40e
-        selb    $top,$squared,$top,$c_greater_15        # 41e
+        fma     $squared_14,$vz,$vz,$squared_14         # 40e
+        selb    $top,$squared,$top,$c_greater_13        # 41e
         selb    $top_t,$t,$top_t,$c_greater             # 42e
-        and     $squared,$squared_12,$there+2           # 43e
+        and     $squared,$squared_13,$there+2           # 43e
         fcgt    $c_greater,$top_t,$t_23                 # 44e
-        fcgt    $c_greater_15,$top,$squared             # 45e
-        cgti    $there3_8,$t_24,-1                      # 46e
-        selb    $top,$squared,$top,$c_greater_15        # 47e
+        fcgt    $c_greater_13,$top,$squared             # 45e
+        cgti    $there3_7,$t_24,-1                      # 46e
+        selb    $top,$squared,$top,$c_greater_13        # 47e
         selb    $top_t,$t_23,$top_t,$c_greater          # 48e
-        and     $squared,$squared_13,$there3_8          # 49e
+        and     $squared,$squared_14,$there3_7          # 49e
         fcgt    $c_greater,$top_t,$t_24                 # 50e
-        fcgt    $c_greater_15,$top,$squared             # 51e
+        fcgt    $c_greater_13,$top,$squared             # 51e
         selb    $top_t,$t_24,$top_t,$c_greater          # 52e
-        selb    $top,$squared,$top,$c_greater_15        # 53e
+        selb    $top,$squared,$top,$c_greater_13        # 53e
         ai      $a_packet,$a_packet_2,320               # 54e
         shufb   $most,$top,$top_t,$m_even               # 55o
         shufb   $t_odd,$top,$top_t,$m_odd               # 56o

@@ -183,9 +183,9 @@ function cull_faces
         fm      $axis_5,$axis_2,$normal_4               # 51e
         rotqbyi $others_6,$terms_3,8                    # 51o
         fa      $terms_4,$terms_4,$others_5             # 52e
-        rotqbyi $a_bound_5,$candidate_5,8               # 52o
+        hbrr    next_face_back,next_face                # 52o hint
         fa      $terms_2,$terms_2,$others_8             # 53e
-        hbrr    next_face_back,next_face                # 53o hint
+        rotqbyi $a_bound_5,$candidate_5,8               # 53o
         a       $both,$own_4,$own_4                     # 54e SIDES_BOTH becomes the sign
         lqd     $own_5,32($candidate_4)                 # 54o
         fa      $terms,$terms_3,$others_6               # 55e

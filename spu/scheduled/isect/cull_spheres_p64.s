@@ -57,23 +57,21 @@ function cull_spheres_p64
         .set dz_8,43; .set dz_9,45; .set dz_10,48; .set dz_11,36; .set dz_12,42; .set dz_13,39
         .set dz_14,35; .set dz_15,41; .set dz_16,46; .set dz_17,47; .set cz_2,20; .set dx_17,49
         .set dx_18,50; .set dx_19,51; .set dx_20,40; .set dx_21,34; .set dx_22,33; .set dx_23,44
-        .set dx_24,48; .set cx_3,36; .set limit_3,2; .set dx_25,42; .set dx_26,35; .set dx_27,39
+        .set cx_3,48; .set limit_3,2; .set dx_24,36; .set dx_25,42; .set dx_26,35; .set dx_27,39
         .set dx_28,43; .set dx_29,38; .set dy_18,20; .set s1_5,46; .set s3_5,40; .set s3_6,34
-        .set dy_19,52; .set s_6,50; .set dy_20,53; .set s_7,51; .set dy_21,54; .set s1_6,33
-        .set cy_3,55; .set s2_5,48; .set signs_low_2,19; .set signs3_2,21; .set signs_low_3,7
-        .set s1_7,30; .set signs1_2,23; .set s2_6,25; .set s1_8,8; .set signs_2,9; .set s3_7,27
-        .set signs_low_4,18; .set s1_9,22; .set s_8,20; .set s_9,39; .set s2_7,43; .set s_10,29
-        .set s2_8,2; .set dz_18,37; .set s3_8,44; .set signs3_3,7; .set signs_3,8; .set signs1_3,9
-        .set dz_19,18; .set cz_3,19; .set dy_22,21; .set s3_9,18; .set s2_9,31; .set s_11,26
-        .set dz_20,29; .set s_12,33; .set s1_10,39; .set signs1_4,40; .set s3_10,21
-        .set signs_low_5,2; .set signs_low_6,9; .set signs2_2,49; .set signs1_5,22; .set signs_4,50
-        .set dx_30,2; .set dx_31,18; .set cx_4,24; .set limit_4,20; .set s2_10,9; .set cy_4,41
-        .set s_13,7; .set s_14,22; .set s_15,18; .set s3_11,2; .set dz_21,26; .set s2_11,23
-        .set s2_12,20; .set signs_5,24; .set dz_22,24; .set a_masks_2,2; .set signs_low_7,3
-        .set a_masks_3,4; .set dx_32,20; .set s1_11,9; .set dy_23,31; .set s2_13,27; .set s1_12,28
-        .set s2_14,29; .set s3_12,8; .set s1_13,21; .set cy_5,37; .set s3_13,20; .set s_16,2
-        .set s_17,24; .set dy_24,25; .set dz_23,25; .set dz_24,31; .set signs_6,7
-        .set signs_low_8,8
+        .set dy_19,52; .set s_6,50; .set dy_20,53; .set s_7,51; .set cy_3,54; .set s1_6,33
+        .set dy_21,55; .set s2_5,28; .set signs_low_2,19; .set s1_7,21; .set signs_low_3,7
+        .set s3_7,30; .set signs1_2,23; .set s_8,25; .set signs_2,8; .set s1_8,9
+        .set signs_low_4,18; .set s_9,20; .set s_10,33; .set s2_6,39; .set s_11,22; .set s2_7,2
+        .set signs_3,7; .set signs1_3,8; .set s2_8,23; .set dz_18,18; .set cz_3,19; .set dz_19,26
+        .set dy_22,32; .set s1_9,38; .set dz_20,9; .set s3_8,26; .set dz_21,31; .set s3_9,21
+        .set signs3_2,20; .set signs_low_5,2; .set signs_low_6,9; .set signs2_2,49
+        .set signs1_4,22; .set signs_4,50; .set dx_30,2; .set dx_31,18; .set cx_4,24
+        .set limit_4,20; .set s2_9,9; .set cy_4,41; .set s_12,7; .set s_13,18; .set s3_10,2
+        .set s2_10,20; .set signs_5,24; .set dz_22,24; .set a_masks_2,2; .set signs_low_7,3
+        .set a_masks_3,4; .set dx_32,20; .set dy_23,31; .set s2_11,27; .set s1_10,28; .set s2_12,29
+        .set s3_11,8; .set cy_5,37; .set s3_12,20; .set s_14,2; .set s_15,24; .set s3_13,18
+        .set dy_24,25; .set dz_23,25; .set dz_24,37; .set signs_low_8,8
         ilhu    $m_x,1                                  # 0e
         lqa     $m_signs,signs_of_two                   # 0o
         ilhu    $m_y,0x405                              # 1e
@@ -195,23 +193,23 @@ function cull_spheres_p64
         fnms    $s1_4,$cz_2,$dz_5,$s1_4                 # 73e
         lqd     $dx_23,1008($a_middles)                 # 73o
         fnms    $s3_3,$cz_2,$dz_10,$s3_3                # 74e
-        lqd     $dx_24,992($a_middles)                  # 74o
+        shufb   $cx_3,$quad_3,$quad_3,$m_x              # 74o
         fnms    $s1_2,$cz_2,$dz_11,$s1_2                # 75e
-        shufb   $cx_3,$quad_3,$quad_3,$m_x              # 75o
+        shufb   $limit_3,$more_3,$more_3,$m_limit       # 75o
         fnms    $s1_3,$cz_2,$dz_2,$s1_3                 # 76e
-        shufb   $limit_3,$more_3,$more_3,$m_limit       # 76o
+        lqd     $dx_11,992($a_middles)                  # 76o
         fnms    $s2_2,$cz_2,$dz_8,$s2_2                 # 77e
-        lqd     $dx_11,32($a_middles)                   # 77o
+        lqd     $dx_24,32($a_middles)                   # 77o
         fnms    $s3_2,$cz_2,$dz_12,$s3_2                # 78e
-        lqd     $dx_25,320($a_middles)                  # 78o
+        lqd     $dx_25,368($a_middles)                  # 78o
         fnms    $s3_4,$cz_2,$dz_14,$s3_4                # 79e
-        lqd     $dx_26,672($a_middles)                  # 79o
+        lqd     $dx_26,320($a_middles)                  # 79o
         fnms    $s2_3,$cz_2,$dz_13,$s2_3                # 80e
-        lqd     $dx_27,656($a_middles)                  # 80o
+        lqd     $dx_27,672($a_middles)                  # 80o
         fnms    $s_4,$cz_2,$dz_9,$s_4                   # 81e
-        lqd     $dx_28,368($a_middles)                  # 81o
+        lqd     $dx_28,16($a_middles)                   # 81o
         fnms    $s+2,$cz_2,$dz_7,$s+2                   # 82e
-        lqd     $dx_29,16($a_middles)                   # 82o
+        lqd     $dx_29,656($a_middles)                  # 82o
         fnms    $s+1,$cz_2,$dz_15,$s+1                  # 83e
         lqd     $dy_14,112($a_middles)                  # 83o
         fnms    $s_2,$cz_2,$dz_16,$s_2                  # 84e
@@ -227,122 +225,124 @@ function cull_spheres_p64
         fnms    $s_6,$cx_3,$dx_18,$limit_3              # 89e
         lqd     $dy_20,0x420($a_middles)                # 89o
         fnms    $s_7,$cx_3,$dx_19,$limit_3              # 90e
-        lqd     $dy_21,0x430($a_middles)                # 90o
+        shufb   $cy_3,$quad_3,$quad_3,$m_y              # 90o
         fnms    $s1_6,$cx_3,$dx_22,$limit_3             # 91e
-        shufb   $cy_3,$quad_3,$quad_3,$m_y              # 91o
-        fnms    $s2_5,$cx_3,$dx_24,$limit_3             # 92e
+        lqd     $dy_21,0x430($a_middles)                # 91o
+        fnms    $s2_5,$cx_3,$dx_11,$limit_3             # 92e
         shufb   $signs_low_2,$s2_2,$s+3,$m_signs        # 92o
         fnms    $s+3,$cx_3,$dx_23,$limit_3              # 93e
         shufb   $signs_low,$s2_3,$s3_3,$m_signs         # 93o
-        fnms    $s2_3,$cx_3,$dx_11,$limit_3             # 94e
-        shufb   $signs3_2,$s_5,$s1_4,$m_signs           # 94o
-        fnms    $s,$cx_3,$dx_25,$limit_3                # 95e
+        fnms    $s2_3,$cx_3,$dx_24,$limit_3             # 94e
+        shufb   $signs+3,$s_5,$s1_4,$m_signs            # 94o
+        fnms    $s1_7,$cx_3,$dx_28,$limit_3             # 95e
         shufb   $signs_low_3,$s+2,$s3_4,$m_signs        # 95o
-        fnms    $s1_7,$cx_3,$dx_27,$limit_3             # 96e
+        fnms    $s3_7,$cx_3,$dx_25,$limit_3             # 96e
         shufb   $signs1_2,$s_4,$s1_2,$m_signs           # 96o
-        fnms    $s2_6,$cx_3,$dx_26,$limit_3             # 97e
+        fnms    $s_8,$cx_3,$dx_26,$limit_3              # 97e
         shufb   $signs+2,$s_3,$s+1,$m_signs             # 97o
-        fnms    $s1_8,$cx_3,$dx_29,$limit_3             # 98e
+        fnms    $s+1,$cx_3,$dx_29,$limit_3              # 98e
         shufb   $signs_2,$s_2,$s1_3,$m_signs            # 98o
-        fnms    $s3_7,$cx_3,$dx_28,$limit_3             # 99e
+        fnms    $s1_8,$cy_3,$dy_10,$s1_5                # 99e
         shufb   $signs_low_4,$s2_4,$s3_2,$m_signs       # 99o
-        fnms    $s1_9,$cy_3,$dy_10,$s1_5                # 100e
-        lqd     $dx_12,0($a_middles)                    # 100o
-        fnms    $s_8,$cy_3,$dy_18,$s_7                  # 101e
-        lqd     $dx_16,352($a_middles)                  # 101o
-        fnms    $s1_6,$cy_3,$dy_16,$s1_6                # 102e
+        fnms    $s_9,$cy_3,$dy_18,$s_7                  # 100e
+        lqd     $dx_7,0($a_middles)                     # 100o
+        fnms    $s1_4,$cy_3,$dy_16,$s1_6                # 101e
+        lqd     $dx_10,352($a_middles)                  # 101o
+        fnms    $s_10,$cy_3,$dy_17,$s_6                 # 102e
         lqd     $dy_3,96($a_middles)                    # 102o
-        fnms    $s_9,$cy_3,$dy_17,$s_6                  # 103e
-        lqd     $dy_6,384($a_middles)                   # 103o
-        fnms    $s3_6,$cy_3,$dy_19,$s3_6                # 104e
-        lqd     $dy_8,736($a_middles)                   # 104o
-        fnms    $s3_5,$cy_3,$dy_14,$s3_5                # 105e
-        lqd     $dy_14,720($a_middles)                  # 105o
-        fnms    $s2_7,$cy_3,$dy_20,$s2_5                # 106e
-        lqd     $dy_10,432($a_middles)                  # 106o
+        fnms    $s3_6,$cy_3,$dy_19,$s3_6                # 103e
+        lqd     $dy_6,432($a_middles)                   # 103o
+        fnms    $s3_5,$cy_3,$dy_14,$s3_5                # 104e
+        lqd     $dy_14,80($a_middles)                   # 104o
+        fnms    $s2_6,$cx_3,$dx_27,$limit_3             # 105e
+        lqd     $dz_17,176($a_middles)                  # 105o
+        fnms    $s2_5,$cy_3,$dy_20,$s2_5                # 106e
+        lqd     $dy_7,384($a_middles)                   # 106o
         fnms    $s+3,$cy_3,$dy_21,$s+3                  # 107e
-        lqd     $dy_15,80($a_middles)                   # 107o
-        fnms    $s_10,$cx_3,$dx_12,$limit_3             # 108e
-        lqd     $dz_17,176($a_middles)                  # 108o
-        fnms    $s2_8,$cx_3,$dx_16,$limit_3             # 109e
-        lqd     $dz_11,0x440($a_middles)                # 109o
+        lqd     $dz_5,0x440($a_middles)                 # 107o
+        fnms    $s_11,$cx_3,$dx_7,$limit_3              # 108e
+        lqd     $dz_9,0x450($a_middles)                 # 108o
+        fnms    $s2_7,$cx_3,$dx_10,$limit_3             # 109e
+        lqd     $dz,768($a_middles)                     # 109o
         fnms    $s2_3,$cy_3,$dy_3,$s2_3                 # 110e
-        lqd     $dz_7,0x450($a_middles)                 # 110o
-        fnms    $s,$cy_3,$dy_6,$s                       # 111e
-        lqd     $dz_18,768($a_middles)                  # 111o
-        fnms    $s2_6,$cy_3,$dy_8,$s2_6                 # 112e
-        lqd     $dz_12,816($a_middles)                  # 112o
-        fnms    $s1_7,$cy_3,$dy_14,$s1_7                # 113e
-        lqd     $dz_15,464($a_middles)                  # 113o
-        fnms    $s3_8,$cy_3,$dy_10,$s3_7                # 114e
-        shufb   $signs3_3,$signs3_2,$signs_low_3,$m_halves # 114o
-        fnms    $s1_3,$cy_3,$dy_15,$s1_8                # 115e
+        lqd     $dz_7,816($a_middles)                   # 110o
+        fnms    $s3_7,$cy_3,$dy_6,$s3_7                 # 111e
+        lqd     $dz_12,464($a_middles)                  # 111o
+        fnms    $s1_7,$cy_3,$dy_14,$s1_7                # 112e
+        lqd     $dy_14,736($a_middles)                  # 112o
+        fnms    $s_8,$cy_3,$dy_7,$s_8                   # 113e
+        lqd     $dy_7,720($a_middles)                   # 113o
+        shufb   $signs+3,$signs+3,$signs_low_3,$m_halves # 114o
         shufb   $signs+2,$signs+2,$signs_low,$m_halves  # 115o
         shufb   $signs_3,$signs_2,$signs_low_2,$m_halves # 116o
         shufb   $signs1_3,$signs1_2,$signs_low_4,$m_halves # 117o
-        lqd     $dz_9,0x460($a_middles)                 # 118o
-        lqd     $dz_19,0x470($a_middles)                # 119o
-        shufb   $cz_3,$quad_3,$quad_3,$m_z              # 120o
-        lqd     $dy,64($a_middles)                      # 121o
-        lqd     $dy_22,416($a_middles)                  # 122o
-        rotqbii $signs3_3,$signs3_3,1                   # 123o the sign of byte k to the end of byte
-        fnms    $s_8,$cz_3,$dz_11,$s_8                  # 124e
+        fnms    $s2_8,$cy_3,$dy_14,$s2_6                # 118e
+        lqd     $dz_18,0x460($a_middles)                # 118o
+        fnms    $s+1,$cy_3,$dy_7,$s+1                   # 119e
+        shufb   $cz_3,$quad_3,$quad_3,$m_z              # 119o
+        lqd     $dz_19,0x470($a_middles)                # 120o
+        lqd     $dy_22,64($a_middles)                   # 121o
+        nop     $127                                    # 122e pairing
+        lqd     $dy_4,416($a_middles)                   # 122o
+        fnms    $s_9,$cz_3,$dz_5,$s_9                   # 123e
+        rotqbii $signs+3,$signs+3,1                     # 123o the sign of byte k to the end of byte
+        fnms    $s_10,$cz_3,$dz,$s_10                   # 124e
         rotqbii $signs+2,$signs+2,1                     # 124o the sign of byte k to the end of byte
-        fnms    $s_4,$cz_3,$dz_18,$s_9                  # 125e
+        fnms    $s3_5,$cz_3,$dz_17,$s3_5                # 125e
         lqd     $dz_16,144($a_middles)                  # 125o
-        fnms    $s3_3,$cz_3,$dz_17,$s3_5                # 126e
+        fnms    $s1_4,$cz_3,$dz_9,$s1_4                 # 126e
         lqd     $dz_10,160($a_middles)                  # 126o
-        fnms    $s1_4,$cz_3,$dz_7,$s1_6                 # 127e
-        lqd     $dz_3,448($a_middles)                   # 127o
-        fnms    $s3_6,$cz_3,$dz_12,$s3_6                # 128e
-        lqd     $dz_11,496($a_middles)                  # 128o
-        fnms    $s1_9,$cz_3,$dz_15,$s1_9                # 129e
-        lqd     $dz_7,800($a_middles)                   # 129o
-        fnms    $s3_9,$cz_3,$dz_19,$s+3                 # 130e
+        fnms    $s3_6,$cz_3,$dz_7,$s3_6                 # 127e
+        lqd     $dz,448($a_middles)                     # 127o
+        fnms    $s1_9,$cz_3,$dz_12,$s1_8                # 128e
+        lqd     $dz_20,496($a_middles)                  # 128o
+        fnms    $s3_8,$cz_3,$dz_19,$s+3                 # 129e
+        lqd     $dz_8,800($a_middles)                   # 129o
+        fnms    $s2_4,$cz_3,$dz_18,$s2_5                # 130e
         rotqbii $signs_3,$signs_3,1                     # 130o the sign of byte k to the end of byte
-        fnms    $s2_9,$cz_3,$dz_9,$s2_7                 # 131e
+        fnms    $s_11,$cy_3,$dy_22,$s_11                # 131e
         rotqbii $signs1_3,$signs1_3,1                   # 131o the sign of byte k to the end of byte
-        fnms    $s_11,$cy_3,$dy,$s_10                   # 132e
-        lqd     $dz_13,784($a_middles)                  # 132o
-        fnms    $s2_8,$cy_3,$dy_22,$s2_8                # 133e
-        hbrr    next_sphere_back,next_sphere            # 133o hint
-        fnms    $s2_3,$cz_3,$dz_10,$s2_3                # 134e
-        lqd     $dz_20,128($a_middles)                  # 134o
-        fnms    $s2_6,$cz_3,$dz_7,$s2_6                 # 135e
-        lqd     $dz_7,480($a_middles)                   # 135o
-        fnms    $s_12,$cz_3,$dz_3,$s                    # 136e
+        fnms    $s2_7,$cy_3,$dy_4,$s2_7                 # 132e
+        hbrr    next_sphere_back,next_sphere            # 132o hint
+        fnms    $s2_3,$cz_3,$dz_10,$s2_3                # 133e
+        lqd     $dz_13,784($a_middles)                  # 133o
+        fnms    $s_8,$cz_3,$dz,$s_8                     # 134e
+        lqd     $dz_2,128($a_middles)                   # 134o
+        fnms    $s2_8,$cz_3,$dz_8,$s2_8                 # 135e
+        lqd     $dz_21,480($a_middles)                  # 135o
+        fnms    $s1_3,$cz_3,$dz_16,$s1_7                # 136e
         gbb     $signs+2,$signs+2                       # 136o
-        fnms    $s1_3,$cz_3,$dz_16,$s1_3                # 137e
-        gbb     $signs3_3,$signs3_3                     # 137o
-        fnms    $s1_10,$cz_3,$dz_13,$s1_7               # 138e
-        gbb     $signs1_4,$signs1_3                     # 138o
-        fnms    $s3_10,$cz_3,$dz_11,$s3_8               # 139e
+        fnms    $s3_9,$cz_3,$dz_20,$s3_7                # 137e
+        gbb     $signs+3,$signs+3                       # 137o
+        nop     $127                                    # 138e pairing
+        gbb     $signs1_3,$signs1_3                     # 138o
+        fnms    $s+1,$cz_3,$dz_13,$s+1                  # 139e
         gbb     $signs_3,$signs_3                       # 139o
-        fnms    $s,$cz_3,$dz_20,$s_11                   # 140e
-        shufb   $signs+3,$s_8,$s1_4,$m_signs            # 140o
-        fnms    $s+2,$cz_3,$dz_7,$s2_8                  # 141e
-        shufb   $signs_low_5,$s2_9,$s3_9,$m_signs       # 141o
-        shufb   $signs_low_6,$s2_3,$s3_3,$m_signs       # 142o
-        shufb   $signs2_2,$signs+2,$signs3_3,$m_two     # 143o
-        shufb   $signs_low,$s2_6,$s3_6,$m_signs         # 144o
-        shufb   $signs1_5,$s_12,$s1_9,$m_signs          # 145o
-        shufb   $signs_4,$signs_3,$signs1_4,$m_two      # 146o
-        shufb   $signs+2,$s_4,$s1_10,$m_signs           # 147o
+        fnms    $s,$cz_3,$dz_2,$s_11                    # 140e
+        shufb   $signs3_2,$s_9,$s1_4,$m_signs           # 140o
+        fnms    $s+2,$cz_3,$dz_21,$s2_7                 # 141e
+        shufb   $signs_low_5,$s2_4,$s3_8,$m_signs       # 141o
+        shufb   $signs_low_6,$s2_3,$s3_5,$m_signs       # 142o
+        shufb   $signs2_2,$signs+2,$signs+3,$m_two      # 143o
+        shufb   $signs_low,$s2_8,$s3_6,$m_signs         # 144o
+        shufb   $signs1_4,$s_8,$s1_9,$m_signs           # 145o
+        shufb   $signs_4,$signs_3,$signs1_3,$m_two      # 146o
+        shufb   $signs+2,$s_10,$s+1,$m_signs            # 147o
         nop     $127                                    # 148e pairing
-        shufb   $signs+3,$signs+3,$signs_low_5,$m_halves # 148o
+        shufb   $signs+3,$signs3_2,$signs_low_5,$m_halves # 148o
 next_sphere:
         ai      $count,$count,-1                        # 0e
         lqd     $dy,96($a_middles)                      # 0o
             shufb   $signs+2,$signs+2,$signs_low,$m_halves # 1o
             shufb   $signs,$s,$s1_3,$m_signs            # 2o
             rotqbii $signs+3,$signs+3,1                 # 3o the sign of byte k to the end of byte
-            shufb   $signs_low,$s+2,$s3_10,$m_signs     # 4o
+            shufb   $signs_low,$s+2,$s3_9,$m_signs      # 4o
         nop     $127                                    # 5e pairing
         lqd     $a_sphere,0($a_list)                    # 5o
         ai      $a_list,$a_list,16                      # 6e
             rotqbii $signs+2,$signs+2,1                 # 6o the sign of byte k to the end of byte
             shufb   $signs,$signs,$signs_low_6,$m_halves # 7o
-            shufb   $signs+1,$signs1_5,$signs_low,$m_halves # 8o
+            shufb   $signs+1,$signs1_4,$signs_low,$m_halves # 8o
         lqd     $dx,336($a_middles)                     # 9o
         lqd     $dx_30,1008($a_middles)                 # 10o
         lqd     $dx_2,640($a_middles)                   # 11o
@@ -363,13 +363,13 @@ next_sphere:
         lqd     $dx_13,992($a_middles)                  # 25o
         fnms    $s_3,$cx_4,$dx_3,$limit_4               # 26e
         lqd     $dx_14,48($a_middles)                   # 26o
-        fnms    $s2_10,$cx_4,$dx_4,$limit_4             # 27e
+        fnms    $s2_9,$cx_4,$dx_4,$limit_4              # 27e
         lqd     $dx_15,688($a_middles)                  # 27o
         fnms    $s1_2,$cx_4,$dx,$limit_4                # 28e
         lqd     $dx_16,976($a_middles)                  # 28o
         fnms    $s1_3,$cx_4,$dx_10,$limit_4             # 29e
         lqd     $dy_3,432($a_middles)                   # 29o
-        fnms    $s3_10,$cx_4,$dx_6,$limit_4             # 30e
+        fnms    $s3_9,$cx_4,$dx_6,$limit_4              # 30e
         lqd     $dy_4,80($a_middles)                    # 30o
         fnms    $s+2,$cx_4,$dx_13,$limit_4              # 31e
         lqd     $dy_5,0x420($a_middles)                 # 31o
@@ -377,17 +377,17 @@ next_sphere:
         shufb   $cy_4,$quad,$quad,$m_y                  # 32o
         fnms    $s3_3,$cx_4,$dx_15,$limit_4             # 33e
         lqd     $dy_6,112($a_middles)                   # 33o
-        fnms    $s_13,$cx_4,$dx_2,$limit_4              # 34e
+        fnms    $s_12,$cx_4,$dx_2,$limit_4              # 34e
         lqd     $dy_7,0x430($a_middles)                 # 34o
-        fnms    $s_14,$cx_4,$dx_7,$limit_4              # 35e
+        fnms    $s_11,$cx_4,$dx_7,$limit_4              # 35e
         lqd     $dy_8,400($a_middles)                   # 35o
-        fnms    $s2_10,$cy_4,$dy,$s2_10                 # 36e
+        fnms    $s2_9,$cy_4,$dy,$s2_9                   # 36e
         lqd     $dy,0x400($a_middles)                   # 36o
-        fnms    $s_15,$cx_4,$dx_31,$limit_4             # 37e
+        fnms    $s_13,$cx_4,$dx_31,$limit_4             # 37e
         lqd     $dy_10,0x410($a_middles)                # 37o
         fnms    $s1_4,$cx_4,$dx_16,$limit_4             # 38e
         lqd     $dz_16,144($a_middles)                  # 38o
-        fnms    $s3_11,$cx_4,$dx_30,$limit_4            # 39e
+        fnms    $s3_10,$cx_4,$dx_30,$limit_4            # 39e
         lqd     $dz_17,176($a_middles)                  # 39o
         fnms    $s+2,$cy_4,$dy_5,$s+2                   # 40e
         lqd     $dy_5,384($a_middles)                   # 40o
@@ -395,15 +395,15 @@ next_sphere:
         lqd     $dy_12,704($a_middles)                  # 41o
         fnms    $s1_2,$cy_4,$dy_8,$s1_2                 # 42e
         lqd     $dy_8,752($a_middles)                   # 42o
-        fnms    $s_15,$cy_4,$dy,$s_15                   # 43e
-        lqd     $dz_21,0x440($a_middles)                # 43o
-        fnms    $s3_10,$cy_4,$dy_3,$s3_10               # 44e
+        fnms    $s_13,$cy_4,$dy,$s_13                   # 43e
+        lqd     $dz_19,0x440($a_middles)                # 43o
+        fnms    $s3_9,$cy_4,$dy_3,$s3_9                 # 44e
         lqd     $dz_7,0x450($a_middles)                 # 44o
-        fnms    $s3_11,$cy_4,$dy_7,$s3_11               # 45e
+        fnms    $s3_10,$cy_4,$dy_7,$s3_10               # 45e
         lqd     $dz_8,768($a_middles)                   # 45o
         fnms    $s1_4,$cy_4,$dy_10,$s1_4                # 46e
         lqd     $dz_9,0x460($a_middles)                 # 46o
-        fnms    $s_13,$cy_4,$dy_12,$s_13                # 47e
+        fnms    $s_12,$cy_4,$dy_12,$s_12                # 47e
         lqd     $dz_10,160($a_middles)                  # 47o
         fnms    $s3_3,$cy_4,$dy_8,$s3_3                 # 48e
         shufb   $cz_3,$quad,$quad,$m_z                  # 48o
@@ -411,13 +411,13 @@ next_sphere:
         lqd     $dz_12,448($a_middles)                  # 49o
         fnms    $s1_3,$cy_4,$dy_4,$s1_3                 # 50e
         lqd     $dz_13,816($a_middles)                  # 50o
-        fnms    $s_14,$cy_4,$dy_5,$s_14                 # 51e
+        fnms    $s_11,$cy_4,$dy_5,$s_11                 # 51e
         lqd     $dz_4,464($a_middles)                   # 51o
-        fnms    $s_15,$cz_3,$dz_21,$s_15                # 52e
-        lqd     $dz_21,496($a_middles)                  # 52o
-        fnms    $s2_11,$cx_4,$dx_8,$limit_4             # 53e
+        fnms    $s_13,$cz_3,$dz_19,$s_13                # 52e
+        lqd     $dz_19,496($a_middles)                  # 52o
+        fnms    $s2_8,$cx_4,$dx_8,$limit_4              # 53e
         lqd     $dy_8,736($a_middles)                   # 53o
-        fnms    $s_13,$cz_3,$dz_8,$s_13                 # 54e
+        fnms    $s_12,$cz_3,$dz_8,$s_12                 # 54e
         lqd     $dz_8,800($a_middles)                   # 54o
         fnms    $s+3,$cz_3,$dz_17,$s+3                  # 55e
         lqd     $dz_17,0x470($a_middles)                # 55o
@@ -427,43 +427,43 @@ next_sphere:
             rotqbii $signs+1,$signs+1,1                 # 57o the sign of byte k to the end of byte
         fnms    $s1_2,$cz_3,$dz_4,$s1_2                 # 58e
             gbb     $signs+2,$signs+2                   # 58o
-        fnms    $s2_11,$cy_4,$dy_8,$s2_11               # 59e
+        fnms    $s2_8,$cy_4,$dy_8,$s2_8                 # 59e
         lqd     $dy_3,720($a_middles)                   # 59o
         fnms    $s1_3,$cz_3,$dz_16,$s1_3                # 60e
         lqd     $dz_13,784($a_middles)                  # 60o
-        fnms    $s2_10,$cz_3,$dz_10,$s2_10              # 61e
+        fnms    $s2_9,$cz_3,$dz_10,$s2_9                # 61e
             gbb     $signs+3,$signs+3                   # 61o
-        fnms    $s3_10,$cz_3,$dz_21,$s3_10              # 62e
+        fnms    $s3_9,$cz_3,$dz_19,$s3_9                # 62e
             gbb     $signs+1,$signs+1                   # 62o
-        fnms    $s2_12,$cx_4,$dx_11,$limit_4            # 63e
+        fnms    $s2_10,$cx_4,$dx_11,$limit_4            # 63e
             shufb   $signs_5,$signs_4,$signs2_2,$m_four # 63o
-        fnms    $s3_11,$cz_3,$dz_17,$s3_11              # 64e
+        fnms    $s3_10,$cz_3,$dz_17,$s3_10              # 64e
         lqd     $dy,64($a_middles)                      # 64o
         fnms    $s+1,$cy_4,$dy_3,$s+1                   # 65e
         lqd     $dz_2,128($a_middles)                   # 65o
-        fnms    $s2_11,$cz_3,$dz_8,$s2_11               # 66e
+        fnms    $s2_8,$cz_3,$dz_8,$s2_8                 # 66e
         lqd     $dy_3,416($a_middles)                   # 66o
-        fnms    $s_14,$cz_3,$dz_12,$s_14                # 67e
+        fnms    $s_11,$cz_3,$dz_12,$s_11                # 67e
             stqd    $signs_5,0($a_masks)                # 67o
         fnms    $s+2,$cz_3,$dz_9,$s+2                   # 68e
-        shufb   $signs_low_6,$s2_10,$s+3,$m_signs       # 68o
+        shufb   $signs_low_6,$s2_9,$s+3,$m_signs        # 68o
             ai      $a_masks,$a_masks,16                # 69e
             shufb   $signs2_2,$signs+2,$signs+3,$m_two  # 69o
         fnms    $s_3,$cy_4,$dy,$s_3                     # 70e
         lqd     $dz_22,480($a_middles)                  # 70o
         fnms    $s+1,$cz_3,$dz_13,$s+1                  # 71e
             gbb     $signs,$signs                       # 71o
-        fnms    $s2_12,$cy_4,$dy_3,$s2_12               # 72e
-        shufb   $signs_low,$s2_11,$s3_3,$m_signs        # 72o
-        shufb   $signs+3,$s_15,$s1_4,$m_signs           # 73o
-        shufb   $signs_low_5,$s+2,$s3_11,$m_signs       # 74o
+        fnms    $s2_10,$cy_4,$dy_3,$s2_10               # 72e
+        shufb   $signs_low,$s2_8,$s3_3,$m_signs         # 72o
+        shufb   $signs+3,$s_13,$s1_4,$m_signs           # 73o
+        shufb   $signs_low_5,$s+2,$s3_10,$m_signs       # 74o
         nop     $127                                    # 75e pairing
-        shufb   $signs1_5,$s_14,$s1_2,$m_signs          # 75o
+        shufb   $signs1_4,$s_11,$s1_2,$m_signs          # 75o
         fnms    $s,$cz_3,$dz_2,$s_3                     # 76e
             shufb   $signs_4,$signs,$signs+1,$m_two     # 76o
         nop     $127                                    # 77e pairing
-        shufb   $signs+2,$s_13,$s+1,$m_signs            # 77o
-        fnms    $s+2,$cz_3,$dz_22,$s2_12                # 78e
+        shufb   $signs+2,$s_12,$s+1,$m_signs            # 77o
+        fnms    $s+2,$cz_3,$dz_22,$s2_10                # 78e
         shufb   $signs+3,$signs+3,$signs_low_5,$m_halves # 78o
         nop     $127                                    # 79e pairing
 next_sphere_back:
@@ -472,12 +472,12 @@ next_sphere_drain:
         ai      $a_masks_2,$a_masks,16                  # 0e
         shufb   $signs,$s,$s1_3,$m_signs                # 0o
         nop     $127                                    # 1e pairing
-        shufb   $signs_low_7,$s+2,$s3_10,$m_signs       # 1o
+        shufb   $signs_low_7,$s+2,$s3_9,$m_signs        # 1o
         ai      $a_masks_3,$a_masks_2,16                # 2e
         shufb   $signs+2,$signs+2,$signs_low,$m_halves  # 2o
         rotqbii $signs+3,$signs+3,1                     # 3o the sign of byte k to the end of byte
         shufb   $signs,$signs,$signs_low_6,$m_halves    # 4o
-        shufb   $signs+1,$signs1_5,$signs_low_7,$m_halves # 5o
+        shufb   $signs+1,$signs1_4,$signs_low_7,$m_halves # 5o
         rotqbii $signs+2,$signs+2,1                     # 6o the sign of byte k to the end of byte
         hbr     cull_spheres_p64_return,$lr             # 7o hint
         rotqbii $signs,$signs,1                         # 8o the sign of byte k to the end of byte
@@ -517,100 +517,100 @@ next_sphere_short:
         lqd     $dx_12,992($a_middles)                  # 17o
         fnms    $s+2,$cx_2,$dx_3,$limit_2               # 18e
         lqd     $dx_3,48($a_middles)                    # 18o
-        fnms    $s1_11,$cx_2,$dx_4,$limit_2             # 19e
+        fnms    $s1_8,$cx_2,$dx_4,$limit_2              # 19e
         lqd     $dy_23,720($a_middles)                  # 19o
-        fnms    $s_13,$cx_2,$dx_2,$limit_2              # 20e
+        fnms    $s_12,$cx_2,$dx_2,$limit_2              # 20e
         lqd     $dx_15,688($a_middles)                  # 20o
-        fnms    $s2_13,$cx_2,$dx_10,$limit_2            # 21e
+        fnms    $s2_11,$cx_2,$dx_10,$limit_2            # 21e
         lqd     $dx_22,976($a_middles)                  # 21o
-        fnms    $s1_12,$cx_2,$dx_11,$limit_2            # 22e
+        fnms    $s1_10,$cx_2,$dx_11,$limit_2            # 22e
         lqd     $dy_9,432($a_middles)                   # 22o
-        fnms    $s2_14,$cx_2,$dx_12,$limit_2            # 23e
+        fnms    $s2_12,$cx_2,$dx_12,$limit_2            # 23e
         lqd     $dy_11,80($a_middles)                   # 23o
-        fnms    $s3_12,$cx_2,$dx_3,$limit_2             # 24e
+        fnms    $s3_11,$cx_2,$dx_3,$limit_2             # 24e
         lqd     $dy_13,0x420($a_middles)                # 24o
-        fnms    $s1_13,$cx_2,$dx_6,$limit_2             # 25e
+        fnms    $s1_7,$cx_2,$dx_6,$limit_2              # 25e
         shufb   $cy_5,$quad,$quad,$m_y                  # 25o
         fnms    $s3_3,$cx_2,$dx_15,$limit_2             # 26e
         lqd     $dy_3,112($a_middles)                   # 26o
-        fnms    $s3_13,$cx_2,$dx_32,$limit_2            # 27e
+        fnms    $s3_12,$cx_2,$dx_32,$limit_2            # 27e
         lqd     $dy_4,0x430($a_middles)                 # 27o
-        fnms    $s_14,$cx_2,$dx_7,$limit_2              # 28e
+        fnms    $s_11,$cx_2,$dx_7,$limit_2              # 28e
         lqd     $dy_5,400($a_middles)                   # 28o
-        fnms    $s_16,$cx_2,$dx_30,$limit_2             # 29e
+        fnms    $s_14,$cx_2,$dx_30,$limit_2             # 29e
         lqd     $dy_14,736($a_middles)                  # 29o
-        fnms    $s2_11,$cx_2,$dx_8,$limit_2             # 30e
+        fnms    $s2_8,$cx_2,$dx_8,$limit_2              # 30e
         lqd     $dy_6,0x400($a_middles)                 # 30o
-        fnms    $s_17,$cx_2,$dx_9,$limit_2              # 31e
+        fnms    $s_15,$cx_2,$dx_9,$limit_2              # 31e
         lqd     $dy_7,0x410($a_middles)                 # 31o
-        fnms    $s3_12,$cy_5,$dy_3,$s3_12               # 32e
+        fnms    $s3_11,$cy_5,$dy_3,$s3_11               # 32e
         lqd     $dz_7,144($a_middles)                   # 32o
         fnms    $s1_6,$cx_2,$dx_22,$limit_2             # 33e
         lqd     $dz_5,176($a_middles)                   # 33o
-        fnms    $s2_14,$cy_5,$dy_13,$s2_14              # 34e
+        fnms    $s2_12,$cy_5,$dy_13,$s2_12              # 34e
         lqd     $dy_13,64($a_middles)                   # 34o
-        fnms    $s3_9,$cx_2,$dx,$limit_2                # 35e
+        fnms    $s3_13,$cx_2,$dx,$limit_2               # 35e
         lqd     $dy,96($a_middles)                      # 35o
-        fnms    $s1_11,$cy_5,$dy_5,$s1_11               # 36e
+        fnms    $s1_8,$cy_5,$dy_5,$s1_8                 # 36e
         lqd     $dy_24,384($a_middles)                  # 36o
-        fnms    $s3_13,$cy_5,$dy_9,$s3_13               # 37e
+        fnms    $s3_12,$cy_5,$dy_9,$s3_12               # 37e
         lqd     $dy_9,416($a_middles)                   # 37o
-        fnms    $s_17,$cy_5,$dy_6,$s_17                 # 38e
+        fnms    $s_15,$cy_5,$dy_6,$s_15                 # 38e
         lqd     $dz_4,480($a_middles)                   # 38o
         fnms    $s1_6,$cy_5,$dy_7,$s1_6                 # 39e
         lqd     $dy_6,704($a_middles)                   # 39o
-        fnms    $s1_13,$cy_5,$dy_11,$s1_13              # 40e
+        fnms    $s1_7,$cy_5,$dy_11,$s1_7                # 40e
         lqd     $dy_11,752($a_middles)                  # 40o
         fnms    $s+2,$cy_5,$dy,$s+2                     # 41e
-        lqd     $dz_21,0x440($a_middles)                # 41o
-        fnms    $s3_9,$cy_5,$dy_4,$s3_9                 # 42e
+        lqd     $dz_19,0x440($a_middles)                # 41o
+        fnms    $s3_13,$cy_5,$dy_4,$s3_13               # 42e
         lqd     $dz_13,0x450($a_middles)                # 42o
-        fnms    $s_13,$cy_5,$dy_13,$s_13                # 43e
+        fnms    $s_12,$cy_5,$dy_13,$s_12                # 43e
         lqd     $dz_11,128($a_middles)                  # 43o
-        fnms    $s2_13,$cy_5,$dy_9,$s2_13               # 44e
+        fnms    $s2_11,$cy_5,$dy_9,$s2_11               # 44e
         lqd     $dz_6,768($a_middles)                   # 44o
-        fnms    $s_14,$cy_5,$dy_24,$s_14                # 45e
+        fnms    $s_11,$cy_5,$dy_24,$s_11                # 45e
         lqd     $dz_23,0x460($a_middles)                # 45o
         fnms    $s3_3,$cy_5,$dy_11,$s3_3                # 46e
         lqd     $dz_14,160($a_middles)                  # 46o
-        fnms    $s_16,$cy_5,$dy_6,$s_16                 # 47e
+        fnms    $s_14,$cy_5,$dy_6,$s_14                 # 47e
         shufb   $cz_3,$quad,$quad,$m_z                  # 47o
-        fnms    $s1_12,$cy_5,$dy_23,$s1_12              # 48e
-        lqd     $dz_24,448($a_middles)                  # 48o
-        fnms    $s2_11,$cy_5,$dy_14,$s2_11              # 49e
-        lqd     $dz_18,816($a_middles)                  # 49o
+        fnms    $s1_10,$cy_5,$dy_23,$s1_10              # 48e
+        lqd     $dz_21,448($a_middles)                  # 48o
+        fnms    $s2_8,$cy_5,$dy_14,$s2_8                # 49e
+        lqd     $dz_24,816($a_middles)                  # 49o
         nop     $127                                    # 50e pairing
         lqd     $dz_15,464($a_middles)                  # 50o
         fnms    $s1_6,$cz_3,$dz_13,$s1_6                # 51e
         lqd     $dz_13,496($a_middles)                  # 51o
-        fnms    $s3_12,$cz_3,$dz_5,$s3_12               # 52e
+        fnms    $s3_11,$cz_3,$dz_5,$s3_11               # 52e
         lqd     $dz_12,784($a_middles)                  # 52o
-        fnms    $s_16,$cz_3,$dz_6,$s_16                 # 53e
+        fnms    $s_14,$cz_3,$dz_6,$s_14                 # 53e
         lqd     $dz_6,800($a_middles)                   # 53o
-        fnms    $s_13,$cz_3,$dz_11,$s_13                # 54e
+        fnms    $s_12,$cz_3,$dz_11,$s_12                # 54e
         lqd     $dz_11,0x470($a_middles)                # 54o
-        fnms    $s3_3,$cz_3,$dz_18,$s3_3                # 55e
-        fnms    $s1_11,$cz_3,$dz_15,$s1_11              # 56e
-        fnms    $s1_13,$cz_3,$dz_7,$s1_13               # 57e
-        fnms    $s1_12,$cz_3,$dz_12,$s1_12              # 58e
-        fnms    $s2_11,$cz_3,$dz_6,$s2_11               # 59e
-        fnms    $s3_9,$cz_3,$dz_11,$s3_9                # 60e
+        fnms    $s3_3,$cz_3,$dz_24,$s3_3                # 55e
+        fnms    $s1_8,$cz_3,$dz_15,$s1_8                # 56e
+        fnms    $s1_7,$cz_3,$dz_7,$s1_7                 # 57e
+        fnms    $s1_10,$cz_3,$dz_12,$s1_10              # 58e
+        fnms    $s2_8,$cz_3,$dz_6,$s2_8                 # 59e
+        fnms    $s3_13,$cz_3,$dz_11,$s3_13              # 60e
         fnms    $s+2,$cz_3,$dz_14,$s+2                  # 61e
-        fnms    $s3_13,$cz_3,$dz_13,$s3_13              # 62e
-        fnms    $s2_13,$cz_3,$dz_4,$s2_13               # 63e
-        shufb   $signs_6,$s_13,$s1_13,$m_signs          # 63o
-        fnms    $s_5,$cz_3,$dz_24,$s_14                 # 64e
-        shufb   $signs+2,$s_16,$s1_12,$m_signs          # 64o
-        fnms    $s,$cz_3,$dz_21,$s_17                   # 65e
-        shufb   $signs_low,$s2_11,$s3_3,$m_signs        # 65o
-        fnms    $s2_8,$cz_3,$dz_23,$s2_14               # 66e
-        shufb   $signs_low_8,$s+2,$s3_12,$m_signs       # 67o
+        fnms    $s3_12,$cz_3,$dz_13,$s3_12              # 62e
+        fnms    $s2_11,$cz_3,$dz_4,$s2_11               # 63e
+        shufb   $signs_3,$s_12,$s1_7,$m_signs           # 63o
+        fnms    $s_5,$cz_3,$dz_21,$s_11                 # 64e
+        shufb   $signs+2,$s_14,$s1_10,$m_signs          # 64o
+        fnms    $s,$cz_3,$dz_19,$s_15                   # 65e
+        shufb   $signs_low,$s2_8,$s3_3,$m_signs         # 65o
+        fnms    $s2_7,$cz_3,$dz_23,$s2_12               # 66e
+        shufb   $signs_low_8,$s+2,$s3_11,$m_signs       # 67o
         shufb   $signs+2,$signs+2,$signs_low,$m_halves  # 69o
-        shufb   $signs+1,$s_5,$s1_11,$m_signs           # 70o
+        shufb   $signs+1,$s_5,$s1_8,$m_signs            # 70o
         shufb   $signs+3,$s,$s1_6,$m_signs              # 71o
-        shufb   $signs_low,$s2_8,$s3_9,$m_signs         # 72o
-        shufb   $signs_low_5,$s2_13,$s3_13,$m_signs     # 73o
-        shufb   $signs,$signs_6,$signs_low_8,$m_halves  # 74o
+        shufb   $signs_low,$s2_7,$s3_13,$m_signs        # 72o
+        shufb   $signs_low_5,$s2_11,$s3_12,$m_signs     # 73o
+        shufb   $signs,$signs_3,$signs_low_8,$m_halves  # 74o
         rotqbii $signs+2,$signs+2,1                     # 75o the sign of byte k to the end of byte
         shufb   $signs+3,$signs+3,$signs_low,$m_halves  # 76o
         shufb   $signs+1,$signs+1,$signs_low_5,$m_halves # 77o

@@ -30,9 +30,9 @@
 
 function frustum_spheres
         .set count_2,79; .set a_sphere_2,2; .set a_sphere_3,6; .set quad_2,7; .set more_2,8
-        .set quad_3,9; .set more_3,17; .set s_2,18; .set cx_2,19; .set s_3,8; .set cy_2,21
-        .set a_sphere_4,19; .set cz_2,22; .set cx_3,7; .set s_4,17; .set a_sphere_5,18
-        .set cz_3,19; .set s_5,7; .set s_6,22; .set cz_4,9; .set a_sphere_6,17
+        .set quad_3,9; .set s_2,17; .set cx_2,18; .set s_3,8; .set cy_2,19; .set a_sphere_4,18
+        .set cz_2,22; .set cx_3,7; .set a_sphere_5,17; .set cz_3,18; .set s_4,23; .set s_5,19
+        .set s_6,7; .set cz_4,9
         ilhu    $m_x,1                                  # 0e
         lqd     $nx,0($a_frustum)                       # 0o
         ilhu    $m_y,0x405                              # 1e
@@ -58,9 +58,9 @@ function frustum_spheres
         ai      $count,$count,-1                        # 15e
         lqd     $more_2,16($a_sphere_2)                 # 15o
         nop     $127                                    # 16e pairing
-        lqd     $quad_3,0($a_sphere_3)                  # 16o
+        hbrr    next_sphere_back,next_sphere            # 16o hint
         ai      $count,$count,-1                        # 17e
-        lqd     $more_3,16($a_sphere_3)                 # 17o
+        lqd     $quad_3,0($a_sphere_3)                  # 17o
         nop     $127                                    # 18e pairing
         shufb   $cx,$quad,$quad,$m_x                    # 18o
         ai      $count,$count,-1                        # 19e
@@ -72,7 +72,7 @@ function frustum_spheres
         fma     $s_2,$cx,$nx,$s_2                       # 23e
         shufb   $cz,$quad,$quad,$m_z                    # 23o
         shufb   $cy_2,$quad_2,$quad_2,$m_y              # 24o
-        hbrr    next_sphere_back,next_sphere            # 25o hint
+        lqd     $more,16($a_sphere_3)                   # 25o
         fma     $s_3,$cx_2,$nx,$s_3                     # 26e
         shlqbyi $a_sphere_4,$a_sphere,0                 # 26o copy
         ori     $cz_2,$cz,0                             # 27e copy
@@ -80,63 +80,63 @@ function frustum_spheres
         ai      $a_sphere,$a_sphere_3,48                # 28e
         shufb   $cx_3,$quad_3,$quad_3,$m_x              # 28o
         fma     $s,$cy,$ny,$s_2                         # 29e
-        shufb   $s_4,$more_3,$more_3,$m_reach           # 29o
+        shlqbyi $a_sphere_2,$a_sphere_2,0               # 29o copy
         ori     $a_sphere_5,$a_sphere_4,0               # 30e copy
-        shlqbyi $a_sphere_2,$a_sphere_2,0               # 30o copy
+        lqd     $quad,0($a_sphere)                      # 30o
         ori     $cz_3,$cz,0                             # 31e copy
-        lqd     $quad,0($a_sphere)                      # 31o
+        shufb   $s_4,$more,$more,$m_reach               # 31o
         fma     $s_3,$cy_2,$ny,$s_3                     # 32e
         lqd     $more,16($a_sphere)                     # 32o
         ori     $a_sphere_5,$a_sphere_5,0               # 33e copy
         shufb   $cz,$quad_3,$quad_3,$m_z                # 33o
-        fma     $s_5,$cx_3,$nx,$s_4                     # 34e
+        ori     $a_sphere_2,$a_sphere_2,0               # 34e copy
         shlqbyi $a_sphere_3,$a_sphere_3,0               # 34o copy
-        fma     $s_6,$cz_2,$nz,$s                       # 35e
+        fma     $s_5,$cz_2,$nz,$s                       # 35e
         stqd    $a_sphere_5,0($a_frustum)               # 35o
-        ori     $a_sphere_2,$a_sphere_2,0               # 36e copy
+        fma     $s_6,$cx_3,$nx,$s_4                     # 36e
         shufb   $cy,$quad_3,$quad_3,$m_y                # 36o
         ori     $cz_4,$cz,0                             # 37e copy
         fma     $s_3,$cz_3,$nz,$s_3                     # 38e
-        ori     $a_sphere_6,$a_sphere_2,0               # 39e copy
-        rotqbii $outside,$s_6,1                         # 41o signs to the words' last bits
+        ori     $a_sphere_5,$a_sphere_2,0               # 39e copy
+        rotqbii $outside,$s_5,1                         # 41o signs to the words' last bits
         nop     $127                                    # 42e pairing
         gb      $outside,$outside                       # 45o
 next_sphere:
             ori     $a_sphere_2,$a_sphere_3,0           # 0e copy
             shlqbyi $a_sphere_3,$a_sphere,0             # 0o copy
-            fma     $s,$cy,$ny,$s_5                     # 1e
+            fma     $s,$cy,$ny,$s_6                     # 1e
             shufb   $cx,$quad,$quad,$m_x                # 1o
             ceqi    $step,$outside,0                    # 2e
-            shufb   $s_5,$more,$more,$m_reach           # 2o
+            shufb   $s_6,$more,$more,$m_reach           # 2o
             ai      $a_sphere,$a_sphere,48              # 3e
             rotqbii $outside,$s_3,1                     # 3o signs to the words' last bits
             andi    $step,$step,16                      # 4e
             shufb   $cy,$quad,$quad,$m_y                # 4o
         ai      $count,$count,-1                        # 5e
             shufb   $cz,$quad,$quad,$m_z                # 5o
-            fma     $s_5,$cx,$nx,$s_5                   # 6e
+            fma     $s_6,$cx,$nx,$s_6                   # 6e
         lqd     $quad,0($a_sphere)                      # 6o
             a       $a_frustum,$a_frustum,$step         # 7e
         lqd     $more,16($a_sphere)                     # 7o
             fma     $s_3,$cz_4,$nz,$s                   # 8e
             gb      $outside,$outside                   # 8o
             ori     $cz_4,$cz,0                         # 9e copy
-            stqd    $a_sphere_6,0($a_frustum)           # 9o
-            ori     $a_sphere_6,$a_sphere_2,0           # 10e copy
+            stqd    $a_sphere_5,0($a_frustum)           # 9o
+            ori     $a_sphere_5,$a_sphere_2,0           # 10e copy
 next_sphere_back:
         brnz    $count,next_sphere                      # 10o
 next_sphere_drain:
-        fma     $s,$cy,$ny,$s_5                         # 0e
+        fma     $s,$cy,$ny,$s_6                         # 0e
         shufb   $cx,$quad,$quad,$m_x                    # 0o
         ceqi    $step,$outside,0                        # 1e
-        shufb   $s_5,$more,$more,$m_reach               # 1o
+        shufb   $s_6,$more,$more,$m_reach               # 1o
         ori     $a_sphere_2,$a_sphere_3,0               # 2e copy
         shufb   $cy,$quad,$quad,$m_y                    # 2o
         andi    $step,$step,16                          # 3e
         shufb   $cz,$quad,$quad,$m_z                    # 3o
         ori     $a_sphere_2,$a_sphere_2,0               # 4e copy
         rotqbii $outside,$s_3,1                         # 4o signs to the words' last bits
-        fma     $s_5,$cx,$nx,$s_5                       # 5e
+        fma     $s_6,$cx,$nx,$s_6                       # 5e
         hbr     frustum_spheres_return,$lr              # 5o hint
         fma     $s_3,$cz_4,$nz,$s                       # 6e
         shlqbyi $a_sphere_3,$a_sphere,0                 # 6o copy
@@ -147,12 +147,12 @@ next_sphere_drain:
         ai      $a_sphere,$a_sphere,48                  # 9e
         lnop                                            # 9o pairing
         ori     $a_sphere,$a_sphere_3,0                 # 10e copy
-        stqd    $a_sphere_6,0($a_frustum)               # 10o
-        fma     $s,$cy,$ny,$s_5                         # 11e
+        stqd    $a_sphere_5,0($a_frustum)               # 10o
+        fma     $s,$cy,$ny,$s_6                         # 11e
         lnop                                            # 11o pairing
         ceqi    $step,$outside,0                        # 12e
         rotqbii $outside,$s_3,1                         # 12o signs to the words' last bits
-        ori     $a_sphere_6,$a_sphere,0                 # 13e copy
+        ori     $a_sphere_5,$a_sphere,0                 # 13e copy
         andi    $step,$step,16                          # 14e
         a       $a_frustum,$a_frustum,$step             # 16e
         gb      $outside,$outside                       # 16o
@@ -162,7 +162,7 @@ next_sphere_drain:
         andi    $step,$step,16                          # 22e
         rotqbii $outside,$s_3,1                         # 23o signs to the words' last bits
         a       $a_frustum,$a_frustum,$step             # 24e
-        stqd    $a_sphere_6,0($a_frustum)               # 26o
+        stqd    $a_sphere_5,0($a_frustum)               # 26o
         gb      $outside,$outside                       # 27o
         ceqi    $step,$outside,0                        # 31e
         andi    $step,$step,16                          # 33e

@@ -89,46 +89,18 @@ hidden_if_leaves:
 .endm
 
 function isect_cone_pairs_r16
-        .set count_2,79; .set row_2,2; .set object_2,5; .set object_3,6; .set a_packet_2,22
-        .set row_3,7; .set object_4,8; .set object_5,9; .set quad_2,24; .set quad_3,21
-        .set quad_4,48; .set base_x_2,7; .set base_y_2,26; .set base_z_2,7; .set growth_2,7
-        .set radius_2,23; .set row_4,24; .set quad_5,25; .set a_packet_3,29; .set quad_6,30
-        .set quad_7,32; .set object_6,21; .set a_packet_4,31; .set base_x_3,33; .set a_packet_5,2
-        .set base_y_3,29; .set base_z_3,34; .set a_packet_6,25; .set wy_2,31; .set wx_2,42
-        .set near_2,47; .set x_2,41; .set row_5,49; .set wz_2,24; .set y_2,43; .set z_2,44
-        .set wy_3,29; .set axis_y_2,51; .set wx_3,31; .set axis_x_2,33; .set axis_z_2,52
-        .set growth_3,53; .set radius_3,54; .set ex_2,30; .set quad_8,35; .set m_2,55; .set ey_2,36
-        .set wy_4,45; .set ez_2,37; .set x_3,56; .set h_2,46; .set y_3,57; .set near_3,50
-        .set wz_3,58; .set base_x_4,34; .set row_6,59; .set base_y_4,60; .set a_2,61
-        .set base_z_4,35; .set z_3,62; .set sides_2,20; .set quad_9,63; .set wy_5,60
-        .set near_4,64; .set row_7,45; .set near_5,59; .set a_3,47; .set row_8,61; .set wx_4,34
-        .set row_9,65; .set height_2,66; .set near_6,46; .set axis_x_3,67; .set wz_4,35
-        .set axis_y_3,68; .set axis_z_3,63; .set near_7,58; .set sides_3,5; .set cx_2,26
-        .set h_3,38; .set k_2,69; .set h_4,70; .set cy_2,27; .set cz_2,28; .set sides_4,7
-        .set wx_5,39; .set object_7,40; .set wy_6,71; .set vx_2,6; .set a_packet_7,8
-        .set turn_y_2,29; .set a_packet_8,23; .set vy_2,31; .set growth_4,72; .set vz_2,50
-        .set sides_5,73; .set turn_x_2,7; .set turn_z_2,74; .set near_8,42; .set vx_3,75
-        .set turn_y_3,78; .set vy_3,79; .set turn_x_3,9; .set a_packet_9,7; .set h_5,22
-        .set near_9,29; .set disc_2,75; .set row_10,31; .set object_8,2; .set b_2,30
-        .set height_3,46; .set m_3,32; .set radius_4,40; .set ex_3,41; .set ez_3,36; .set disc_3,44
-        .set ey_3,43; .set out_2,26; .set t_y_2,49; .set b_3,37; .set a_4,75; .set cx_3,33
-        .set h_6,50; .set disc_4,9; .set h_7,30; .set cy_3,39; .set k_3,53; .set cz_3,22
-        .set vx_4,24; .set vy_4,44; .set turn_y_4,51; .set vz_3,52; .set if_enters_2,54
-        .set if_leaves_2,20; .set t_y_3,27; .set disc_5,24; .set disc_6,71; .set hidden_second_2,78
-        .set row_11,79; .set t_e_2,44; .set turn_z_3,28; .set s_2,9; .set inverse_2,44
-        .set t_e_3,27; .set hidden_2,20; .set wx_6,54; .set out_3,51; .set q_2,9; .set b_4,27
-        .set h_8,28; .set wy_7,37; .set first_2,33; .set t_y_4,34; .set t_y_5,41; .set disc_7,58
-        .set t_y_6,43; .set sides_6,44; .set off_2,55; .set if_enters_3,59; .set ex_4,70
-        .set if_leaves_3,5; .set t_y_7,33; .set t_e_4,9; .set off_3,43; .set a_5,55; .set s_3,43
-        .set b_5,9; .set t_e_5,20; .set ey_4,34; .set out_4,27; .set second_2,26; .set t_e_6,33
-        .set ez_4,24; .set inverse_3,20; .set out_5,22; .set off_second_2,27; .set t_second_2,26
-        .set h_9,56; .set out_6,33; .set t_second_3,22; .set k_4,59; .set vx_5,5; .set vy_5,22
-        .set turn_y_5,32; .set vy_6,9; .set turn_y_6,36; .set t_y_8,22; .set t_y_9,5
-        .set base_x_5,20; .set base_z_5,5; .set radius_5,5; .set ex_5,9; .set growth_5,20
-        .set vy_7,20; .set row_12,3; .set a_packet_10,4; .set near_10,7; .set height_4,8
-        .set if_enters_4,10; .set h_10,11; .set a_packet_11,5; .set a_packet_12,12
-        .set hidden_second_3,10; .set disc_8,15; .set t_y_10,6; .set t_e_7,2; .set quad_10,5
-        .set quad_11,6
+        .set count_2,79; .set object_2,21; .set a_packet_2,22; .set quad_2,24; .set a_packet_3,25
+        .set quad_3,48; .set base_x_2,20; .set base_y_2,26; .set base_z_2,5; .set growth_2,20
+        .set radius_2,5; .set object_3,6; .set a_packet_4,8; .set sides_2,44; .set a_packet_5,23
+        .set height_2,46; .set object_4,2; .set a_packet_6,7; .set near_2,47; .set row_2,49
+        .set near_3,42; .set near_4,29; .set row_3,45; .set ex_2,9; .set row_4,31; .set ez_2,24
+        .set h_2,22; .set ey_2,34; .set h_3,56; .set cx_2,26; .set h_4,50; .set cz_2,28
+        .set h_5,30; .set cy_2,27; .set k_2,59; .set vx_2,5; .set turn_y_2,32; .set vy_2,20
+        .set turn_y_3,36; .set vy_3,9; .set out_2,33; .set disc_2,58; .set t_y_2,22; .set t_y_3,5
+        .set t_e_2,9; .set row_5,2; .set row_6,3; .set a_packet_7,4; .set near_5,7; .set height_3,8
+        .set if_enters_2,10; .set h_6,11; .set a_packet_8,5; .set object_5,9; .set a_packet_9,12
+        .set hidden_second_2,10; .set disc_3,15; .set t_y_4,6; .set t_e_3,2; .set quad_4,5
+        .set quad_5,6
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         shli    $count,$count,2                         # 1e
@@ -151,542 +123,550 @@ function isect_cone_pairs_r16
         lqd     $object,0($a_candidate)                 # 16o
         ai      $a_candidate,$a_candidate,4             # 17e
         ai      $count,$count,-1                        # 18e
-        shli    $row_2,$a_candidate,2                   # 19e
-        lqd     $object_2,0($a_candidate)               # 19o
         andi    $row,$row,48                            # 20e
-        ai      $a_candidate,$a_candidate,4             # 21e
-        ai      $count,$count,-1                        # 22e
-        shufb   $object_3,$object,$object,$m_x          # 22o
-        andi    $row_2,$row_2,48                        # 23e
+        ai      $count,$count,-1                        # 21e
+        nop     $127                                    # 22e pairing
+        shufb   $object_2,$object,$object,$m_x          # 22o
+        ai      $count,$count,-1                        # 23e
         rotqbyi $a_packet_2,$object,4                   # 23o
-        shli    $row_3,$a_candidate,2                   # 24e
-        lqd     $object_4,0($a_candidate)               # 24o
-        ai      $a_candidate,$a_candidate,4             # 25e
-        shufb   $object_5,$object_2,$object_2,$m_x      # 25o
-        ai      $count,$count,-1                        # 26e
-        lqd     $quad_2,0($object_3)                    # 26o
-        a       $a_packet_2,$a_packet_2,$row            # 27e
-        lqd     $quad_3,16($object_3)                   # 27o
-        andi    $row,$row_3,48                          # 28e
-        lqd     $quad_4,48($object_3)                   # 28o
-        lqd     $wx,0($a_packet_2)                      # 29o
-        lqd     $wy,64($a_packet_2)                     # 30o
-        lqd     $x,192($a_packet_2)                     # 31o
+        lqd     $sides,32($object)                      # 24o
+        lqd     $quad_2,0($object_2)                    # 26o
+        a       $a_packet_3,$a_packet_2,$row            # 27e
+        lqd     $quad,16($object_2)                     # 27o
+        lqd     $quad_3,48($object_2)                   # 28o
+        lqd     $wx,0($a_packet_3)                      # 29o
+        lqd     $wy,64($a_packet_3)                     # 30o
+        lqd     $x,192($a_packet_3)                     # 31o
         shufb   $base_x_2,$quad_2,$quad_2,$m_x          # 32o
         shufb   $base_y_2,$quad_2,$quad_2,$m_y          # 33o
-        lqd     $y,256($a_packet_2)                     # 34o
-        nop     $127                                    # 35e pairing
-        lqd     $wz,128($a_packet_2)                    # 35o
+        lqd     $wz,128($a_packet_3)                    # 34o
+        lqd     $y,256($a_packet_3)                     # 35o
         fs      $wx,$base_x_2,$wx                       # 36e
         shufb   $base_z_2,$quad_2,$quad_2,$m_z          # 36o
         fs      $wy,$base_y_2,$wy                       # 37e
-        lqd     $z,320($a_packet_2)                     # 37o
-        shufb   $axis_x,$quad_3,$quad_3,$m_x            # 38o
-        shufb   $axis_y,$quad_3,$quad_3,$m_y            # 39o
-        nop     $127                                    # 40e pairing
-        shufb   $axis_z,$quad_3,$quad_3,$m_z            # 40o
-        fs      $wz,$base_z_2,$wz                       # 41e
-        shufb   $growth_2,$quad_4,$quad_4,$m_y          # 41o
+        lqd     $z,320($a_packet_3)                     # 37o
+        shufb   $axis_x,$quad,$quad,$m_x                # 38o
+        shufb   $axis_y,$quad,$quad,$m_y                # 39o
+        fs      $wz,$base_z_2,$wz                       # 40e
+        shufb   $axis_z,$quad,$quad,$m_z                # 40o
+        nop     $127                                    # 41e pairing
+        shufb   $growth_2,$quad_3,$quad_3,$m_y          # 41o
         fm      $near,$wx,$x                            # 42e
-        shufb   $radius_2,$quad_4,$quad_4,$m_x          # 42o
-        fm      $row_4,$axis_x,$x                       # 43e
-        lqd     $quad_5,0($object_5)                    # 43o
-        rotqbyi $a_packet_3,$object_2,4                 # 44o
-        lqd     $quad_6,16($object_5)                   # 45o
-        lqd     $quad_7,48($object_5)                   # 46o
-        shufb   $object_6,$object_4,$object_4,$m_x      # 47o
+        rotqbyi $sides,$sides,12                        # 42o
+        fm      $row,$axis_x,$x                         # 43e
+        shufb   $radius_2,$quad_3,$quad_3,$m_x          # 43o
+        shlqbyi $object_3,$object_2,0                   # 44o copy
+        shlqbyi $a_packet_4,$a_packet_3,0               # 45o copy
+        rotmi   $sides_2,$sides,-26                     # 46e the two bits to quadwords' addresses
+        shlqbyi $a_packet_5,$a_packet_3,0               # 46o copy
+        nop     $127                                    # 47e pairing
+        shufb   $height_2,$quad_3,$quad_3,$m_z          # 47o
         fma     $near,$wy,$y,$near                      # 48e
-        rotqbyi $a_packet_4,$object_4,4                 # 48o
-        fma     $row_4,$axis_y,$y,$row_4                # 49e
-        shufb   $base_x_3,$quad_5,$quad_5,$m_x          # 49o
-        a       $a_packet_5,$a_packet_3,$row_2          # 50e
-        shufb   $base_y_3,$quad_5,$quad_5,$m_y          # 50o
-        nop     $127                                    # 51e pairing
-        shufb   $base_z_3,$quad_5,$quad_5,$m_z          # 51o
-        a       $a_packet_6,$a_packet_4,$row            # 52e
-        lqd     $wy_2,64($a_packet_5)                   # 52o
-        nop     $127                                    # 53e pairing
-        lqd     $wx_2,0($a_packet_5)                    # 53o
+        shlqbyi $object_4,$object_3,0                   # 48o copy
+        fma     $row,$axis_y,$y,$row                    # 49e
+        lqd     $t_best,384($a_packet_4)                # 49o
+        lqx     $if_enters,$a_if_enters,$sides_2        # 50o
+        shlqbyi $a_packet_6,$a_packet_5,0               # 51o copy
+        lqd     $nearest,448($a_packet_4)               # 52o
         fma     $near_2,$wz,$z,$near                    # 54e
-        lqd     $x_2,192($a_packet_5)                   # 54o
-        fma     $row_5,$axis_z,$z,$row_4                # 55e
-        lqd     $wz_2,128($a_packet_5)                  # 55o
-        lqd     $y_2,256($a_packet_5)                   # 56o
-        lqd     $z_2,320($a_packet_5)                   # 57o
-        fs      $wy_3,$base_y_3,$wy_2                   # 58e
-        shufb   $axis_y_2,$quad_6,$quad_6,$m_y          # 58o
-        fs      $wx_3,$base_x_3,$wx_2                   # 59e
-        shufb   $axis_x_2,$quad_6,$quad_6,$m_x          # 59o
-        fms     $wy,$near_2,$y,$wy                      # 60e
-        shufb   $axis_z_2,$quad_6,$quad_6,$m_z          # 60o
-        fms     $wx,$near_2,$x,$wx                      # 61e
-        shufb   $growth_3,$quad_7,$quad_7,$m_y          # 61o
+        fma     $row_2,$axis_z,$z,$row                  # 55e
+        shli    $row,$a_candidate,2                     # 56e
+        fms     $wx,$near_2,$x,$wx                      # 60e
+        shlqbyi $near_3,$near_2,0                       # 60o copy
+        fms     $wy,$near_2,$y,$wy                      # 61e
+        shlqbyi $near_4,$near_2,0                       # 61o copy
         fms     $wz,$near_2,$z,$wz                      # 62e
-        shufb   $radius_3,$quad_7,$quad_7,$m_x          # 62o
-        fnms    $ex_2,$row_5,$axis_x,$x                 # 63e
-        lqd     $quad_8,0($object_6)                    # 63o
-        fm      $m_2,$growth_2,$row_5                   # 64e
-        lqd     $wx_2,0($a_packet_6)                    # 64o
-        fnms    $ey_2,$row_5,$axis_y,$y                 # 65e
-        lqd     $wy_4,64($a_packet_6)                   # 65o
-        fnms    $ez_2,$row_5,$axis_z,$z                 # 66e
-        lqd     $x_3,192($a_packet_6)                   # 66o
-        fm      $h_2,$axis_x,$wx                        # 67e
-        lqd     $y_3,256($a_packet_6)                   # 67o
-        fm      $near_3,$wx_3,$x_2                      # 68e
-        lqd     $wz_3,128($a_packet_6)                  # 68o
-        fs      $wz_2,$base_z_3,$wz_2                   # 69e
-        shufb   $base_x_4,$quad_8,$quad_8,$m_x          # 69o
-        fm      $row_6,$axis_x_2,$x_2                   # 70e
-        shufb   $base_y_4,$quad_8,$quad_8,$m_y          # 70o
-        fm      $a_2,$ex_2,$ex_2                        # 71e
-        shufb   $base_z_4,$quad_8,$quad_8,$m_z          # 71o
-        nop     $127                                    # 72e pairing
-        lqd     $z_3,320($a_packet_6)                   # 72o
-        fma     $h_2,$axis_y,$wy,$h_2                   # 73e
-        lqd     $sides_2,32($object)                    # 73o
-        fma     $near_3,$wy_3,$y_2,$near_3              # 74e
-        lqd     $quad_9,16($object_6)                   # 74o
-        fs      $wy_5,$base_y_4,$wy_4                   # 75e
-        shlqbyi $near_4,$near_2,0                       # 75o copy
-        fma     $row_7,$axis_y_2,$y_2,$row_6            # 76e
-        shlqbyi $near_5,$near_2,0                       # 76o copy
-        fma     $a_3,$ey_2,$ey_2,$a_2                   # 77e
-        shlqbyi $row_8,$row_5,0                         # 77o copy
-        fs      $wx_4,$base_x_4,$wx_2                   # 78e
-        shlqbyi $row_9,$row_5,0                         # 78o copy
-        fma     $h,$axis_z,$wz,$h_2                     # 79e
-        shufb   $height_2,$quad_4,$quad_4,$m_z          # 79o
-        fma     $near_6,$wz_2,$z_2,$near_3              # 80e
-        shufb   $axis_x_3,$quad_9,$quad_9,$m_x          # 80o
-        fs      $wz_4,$base_z_4,$wz_3                   # 81e
-        shufb   $axis_y_3,$quad_9,$quad_9,$m_y          # 81o
-        fma     $row_5,$axis_z_2,$z_2,$row_7            # 82e
-        shufb   $axis_z_3,$quad_9,$quad_9,$m_z          # 82o
-        fma     $a_3,$ez_2,$ez_2,$a_3                   # 83e
-        rotqbyi $sides_2,$sides_2,12                    # 83o
-        fm      $near_7,$wx_4,$x_3                      # 84e
-        lqd     $sides_3,32($object_2)                  # 84o
-        fnms    $cx_2,$h,$axis_x,$wx                    # 85e
-        shlqbyi $h_3,$h,0                               # 85o copy
-        fma     $k_2,$growth_2,$h,$radius_2             # 86e
-        shlqbyi $h_4,$h,0                               # 86o copy
-        fnms    $cy_2,$h,$axis_y,$wy                    # 87e
-        lqd     $quad_4,48($object_6)                   # 87o
-        fnms    $cz_2,$h,$axis_z,$wz                    # 88e
-        lqd     $sides_4,32($object_4)                  # 88o
-        fms     $wx_5,$near_6,$x_2,$wx_3                # 89e
-        shlqbyi $object_7,$object_3,0                   # 89o copy
-        fms     $wy_6,$near_6,$y_2,$wy_3                # 90e
-        rotqbyi $sides_3,$sides_3,12                    # 90o
-        fm      $vx_2,$m_2,$cx_2                        # 91e
-        shlqbyi $a_packet_7,$a_packet_2,0               # 91o copy
-        fm      $turn_y_2,$cx_2,$ez_2                   # 92e
-        shlqbyi $a_packet_8,$a_packet_5,0               # 92o copy
-        fm      $vy_2,$m_2,$cy_2                        # 93e
-        shufb   $growth_4,$quad_4,$quad_4,$m_y          # 93o
-        fm      $vz_2,$m_2,$cz_2                        # 94e
-        rotqbyi $sides_5,$sides_4,12                    # 94o
-        fm      $turn_x_2,$cz_2,$ey_2                   # 95e
-        lqd     $t_best,384($a_packet_7)                # 95o
-        fm      $turn_z_2,$cy_2,$ex_2                   # 96e
-        shlqbyi $near_8,$near_6,0                       # 96o copy
-        fms     $vx_3,$k_2,$ex_2,$vx_2                  # 97e
-        shlqbyi $a_packet_2,$a_packet_2,0               # 97o copy
-        fms     $turn_y_3,$cz_2,$ex_2,$turn_y_2         # 98e
-        lqd     $nearest,448($a_packet_7)               # 98o
-        fms     $vy_3,$k_2,$ey_2,$vy_2                  # 99e
-        shlqbyi $row_7,$row_5,0                         # 99o copy
-        fms     $vz_2,$k_2,$ez_2,$vz_2                  # 100e
-        shlqbyi $object_3,$object_5,0                   # 100o copy
-        fms     $turn_x_3,$cy_2,$ez_2,$turn_x_2         # 101e
-        shlqbyi $a_packet_9,$a_packet_2,0               # 101o copy
-        fm      $h_5,$axis_x_2,$wx_5                    # 102e
-        shlqbyi $near_9,$near_6,0                       # 102o copy
-        fms     $disc_2,$vx_3,$vx_3,$k_tiny             # 103e
-        shlqbyi $row_10,$row_5,0                        # 103o copy
-        fms     $turn_z_2,$cx_2,$ey_2,$turn_z_2         # 104e
-        shlqbyi $a_packet_7,$a_packet_5,0               # 104o copy
-        fms     $wz_2,$near_6,$z_2,$wz_2                # 105e
-        shlqbyi $object_8,$object_7,0                   # 105o copy
-        fm      $b_2,$cx_2,$ex_2                        # 106e
-        shufb   $height_3,$quad_7,$quad_7,$m_z          # 106o
-        fm      $m_3,$growth_3,$row_5                   # 107e
-        shufb   $radius_4,$quad_4,$quad_4,$m_x          # 107o
-        fma     $h_5,$axis_y_2,$wy_6,$h_5               # 108e
-        fma     $disc_2,$vy_3,$vy_3,$disc_2             # 109e
-        fnms    $ex_3,$row_5,$axis_x_2,$x_2             # 110e
-        fnms    $a_3,$m_2,$m_2,$a_3                     # 111e
-        fma     $b_2,$cy_2,$ey_2,$b_2                   # 112e
-        fnms    $ez_3,$row_5,$axis_z_2,$z_2             # 113e
-        fma     $h_5,$axis_z_2,$wz_2,$h_5               # 114e
-        fma     $disc_3,$vz_2,$vz_2,$disc_2             # 115e
-        fnms    $ey_3,$row_5,$axis_y_2,$y_2             # 116e
-        lnop                                            # 116o pairing
-        fm      $out_2,$cx_2,$cx_2                      # 117e
-        frest   $t_y_2,$a_3                             # 117o
-        fma     $b_3,$cz_2,$ez_2,$b_2                   # 118e
-        fm      $a_4,$ex_3,$ex_3                        # 119e
-        fnms    $cx_3,$h_5,$axis_x_2,$wx_5              # 120e
-        shlqbyi $h_6,$h_5,0                             # 120o copy
-        fnms    $disc_4,$turn_x_3,$turn_x_3,$disc_3     # 121e
-        shlqbyi $h_7,$h_5,0                             # 121o copy
-        fnms    $cy_3,$h_5,$axis_y_2,$wy_6              # 122e
-        fma     $k_3,$growth_3,$h_5,$radius_3           # 123e
-        fnms    $b_3,$k_2,$m_2,$b_3                     # 124e
-        fnms    $cz_3,$h_5,$axis_z_2,$wz_2              # 125e
-        fm      $vx_4,$m_3,$cx_3                        # 126e
-        fnms    $disc_4,$turn_y_3,$turn_y_3,$disc_4     # 127e
-        fm      $vy_4,$m_3,$cy_3                        # 128e
-        fm      $turn_y_4,$cx_3,$ez_3                   # 129e
-        fi      $t_y_2,$a_3,$t_y_2                      # 130e
-        rotmi   $sides_2,$sides_2,-26                   # 131e the two bits to quadwords' addresses
-        fm      $vz_3,$m_3,$cz_3                        # 132e
-        fnms    $disc_4,$turn_z_2,$turn_z_2,$disc_4     # 133e
-        fms     $vx_4,$k_3,$ex_3,$vx_4                  # 134e
-        lnop                                            # 134o pairing
-        fms     $vy_4,$k_3,$ey_3,$vy_4                  # 135e
-        lqx     $if_enters_2,$a_if_enters,$sides_2      # 135o
-        fm      $turn_x,$cz_3,$ey_3                     # 136e
-        lqx     $if_leaves_2,$a_if_leaves,$sides_2      # 136o
-        fms     $turn_y_4,$cz_3,$ex_3,$turn_y_4         # 137e
-        fms     $vz_3,$k_3,$ez_3,$vz_3                  # 138e
-        fma     $out_2,$cy_2,$cy_2,$out_2               # 139e
-        frsqest $t_y_3,$disc_4                          # 139o
-        fms     $disc_5,$vx_4,$vx_4,$k_tiny             # 140e
-        shlqbyi $disc_6,$disc_4,0                       # 140o copy
-        fm      $turn_z_2,$cy_3,$ex_3                   # 141e
-        fms     $turn_x,$cy_3,$ez_3,$turn_x             # 142e
-        fi      $t_y_3,$disc_4,$t_y_3                   # 143e
-        selb    $hidden_second_2,$if_leaves_2,$if_enters_2,$b_3 # 144e
-        fm      $row_11,$axis_x_3,$x_3                  # 145e
-        fma     $disc_5,$vy_4,$vy_4,$disc_5             # 146e
-        fnms    $t_e_2,$a_3,$t_y_2,$k_one               # 147e
-        fma     $out_2,$cz_2,$cz_2,$out_2               # 148e
-        fms     $turn_z_3,$cx_3,$ey_3,$turn_z_2         # 149e
-        fm      $s_2,$disc_4,$t_y_3                     # 150e
-        fma     $near_2,$wy_5,$y_3,$near_7              # 151e
-        fma     $disc_5,$vz_3,$vz_3,$disc_5             # 152e
-        fma     $inverse_2,$t_e_2,$t_y_2,$t_y_2         # 153e
-        fnms    $out_2,$k_2,$k_2,$out_2                 # 154e
-        fma     $a,$ey_3,$ey_3,$a_4                     # 155e
-        fnms    $t_e_3,$s_2,$t_y_3,$k_one               # 156e 1 - s y
-        selb    $s_2,$s_2,$b_3,$m_sign                  # 157e
-        fnms    $disc_5,$turn_x,$turn_x,$disc_5         # 158e
-        fma     $near_2,$wz_4,$z_3,$near_2              # 159e
-        fma     $row_5,$axis_y_3,$y_3,$row_11           # 160e
-        fma     $a,$ez_3,$ez_3,$a                       # 161e
-        fma     $t_e_3,$t_e_3,$k_half,$k_one            # 162e
-        selb    $hidden_2,$if_enters_2,$if_leaves_2,$b_3 # 163e
-        fnms    $disc_5,$turn_y_4,$turn_y_4,$disc_5     # 164e
-        fms     $wx_6,$near_2,$x_3,$wx_4                # 165e
-        fms     $wz_4,$near_2,$z_3,$wz_4                # 166e
-        fm      $out_3,$cx_3,$cx_3                      # 167e
-        fma     $q_2,$s_2,$t_e_3,$b_3                   # 168e
-        fm      $b_4,$cx_3,$ex_3                        # 169e
-        fnms    $disc_5,$turn_z_3,$turn_z_3,$disc_5     # 170e
-        fm      $h_8,$axis_x_3,$wx_6                    # 171e
-        fnms    $a,$m_3,$m_3,$a                         # 172e
-        fms     $wy_7,$near_2,$y_3,$wy_5                # 173e
-        lnop                                            # 173o pairing
-        fm      $first_2,$q_2,$inverse_2                # 174e -s
-        frest   $t_y_4,$q_2                             # 174o
-        fma     $b_4,$cy_3,$ey_3,$b_4                   # 175e
-        lnop                                            # 175o pairing
-        fma     $row_5,$axis_z_3,$z_3,$row_5            # 176e
-        frsqest $t_y_5,$disc_5                          # 176o
-        rotmi   $sides_3,$sides_3,-26                   # 177e the two bits to quadwords' addresses
-        shlqbyi $disc_7,$disc_5,0                       # 177o copy
-        fi      $t_y_4,$q_2,$t_y_4                      # 178e
-        frest   $t_y_6,$a                               # 178o
-        rotmi   $sides_6,$sides_5,-26                   # 179e the two bits to quadwords' addresses
-        fnms    $off_2,$first_2,$row_9,$h_4             # 180e the crossing's height
-        fs      $t,$near_5,$first_2                     # 181e
-        lqx     $if_enters_3,$a_if_enters,$sides_3      # 181o
-        fnms    $ex_4,$row_5,$axis_x_3,$x_3             # 182e
-        lqx     $if_leaves_3,$a_if_leaves,$sides_3      # 182o
-        fi      $t_y_7,$disc_5,$t_y_5                   # 183e
-        fi      $t_y_5,$a,$t_y_6                        # 184e
-        fnms    $t_e_4,$q_2,$t_y_4,$k_one               # 186e
-        clgt    $off_3,$off_2,$height_2                 # 187e below 0 is above all
-        fma     $h_8,$axis_y_3,$wy_7,$h_8               # 188e
-        fm      $a_5,$ex_4,$ex_4                        # 189e
-        or      $t,$t,$off_3                            # 190e
-        fm      $s_3,$disc_5,$t_y_7                     # 191e
-        fma     $inverse_q,$t_e_4,$t_y_4,$t_y_4         # 192e
-        or      $t,$t,$hidden_2                         # 193e
-        fma     $b_5,$cz_3,$ez_3,$b_4                   # 194e
-        fnms    $t_e_5,$a,$t_y_5,$k_one                 # 195e
-        fnms    $ey_4,$row_5,$axis_y_3,$y_3             # 196e
-        fma     $out_4,$cy_3,$cy_3,$out_3               # 197e
-        fm      $second_2,$out_2,$inverse_q             # 198e
-        fnms    $t_e_6,$s_3,$t_y_7,$k_one               # 199e 1 - s y
-        fnms    $ez_4,$row_5,$axis_z_3,$z_3             # 200e
-        fma     $inverse_3,$t_e_5,$t_y_5,$t_y_5         # 201e
-        fma     $a,$ey_4,$ey_4,$a_5                     # 202e
-        fma     $out_5,$cz_3,$cz_3,$out_4               # 203e
-        fnms    $off_second_2,$second_2,$row_8,$h_3     # 204e
-        fs      $t_second_2,$near_4,$second_2           # 205e
-        fma     $t_e,$t_e_6,$k_half,$k_one              # 206e
-        fma     $h_9,$axis_z_3,$wz_4,$h_8               # 207e
-        fnms    $b_5,$k_3,$m_3,$b_5                     # 208e
-        fm      $m,$growth_4,$row_5                     # 209e
-        clgt    $off_second_2,$off_second_2,$height_2   # 210e
-        fnms    $out_6,$k_3,$k_3,$out_5                 # 211e
-        or      $t_second_3,$t_second_2,$off_second_2   # 212e
-        fnms    $cz_2,$h_9,$axis_z_3,$wz_4              # 213e
-        or      $t_second_3,$t_second_3,$hidden_second_2 # 214e
-        selb    $hidden,$if_enters_3,$if_leaves_3,$b_5  # 215e
-        clgt    $control,$t,$t_second_3                 # 216e
-        selb    $hidden_second,$if_leaves_3,$if_enters_3,$b_5 # 217e
-        selb    $t,$t,$t_second_3,$control              # 218e
-        fnms    $cx_2,$h_9,$axis_x_3,$wx_6              # 219e
-        cgti    $ahead,$t,0                             # 220e
-        cgt     $control,$t_best,$t                     # 221e
-        fnms    $cy_2,$h_9,$axis_y_3,$wy_7              # 222e
-        and     $control,$control,$ahead                # 223e
-        fma     $k_4,$growth_4,$h_9,$radius_4           # 224e
-        fm      $vx_5,$m,$cx_2                          # 225e
-        andc    $control,$control,$disc_6               # 226e
-        fm      $b,$cx_2,$ex_4                          # 227e
-        fm      $vy_5,$m,$cy_2                          # 228e
-        rotqbii $control,$control,1                     # 228o
-        fm      $turn_x,$cz_2,$ey_4                     # 229e
-        fma     $a,$ez_4,$ez_4,$a                       # 230e
-        fm      $turn_z,$cy_2,$ex_4                     # 231e
-        lnop                                            # 231o pairing
-        selb    $s,$s_3,$b_5,$m_sign                    # 232e
-        gb      $control,$control                       # 232o
-        fms     $vx_5,$k_4,$ex_4,$vx_5                  # 233e
-        hbrr    next_row_back,next_row                  # 233o hint
-        fma     $q,$s,$t_e,$b_5                         # 234e
-        fm      $turn_y_5,$cx_2,$ez_4                   # 235e
-        fnms    $a,$m,$m,$a                             # 236e
-        shlqbii $control,$control,4                     # 236o
-        fm      $vz,$m,$cz_2                            # 237e
-        fms     $vy_6,$k_4,$ey_4,$vy_5                  # 238e
-        fm      $first,$q,$inverse_3                    # 240e -s
-        lqx     $control,$control,$a_controls           # 240o
-        fms     $turn_y_6,$cz_2,$ex_4,$turn_y_5         # 241e
-        frest   $t_y_8,$q                               # 241o
-        nop     $127                                    # 242e pairing
-        frest   $t_y,$a                                 # 242o
+        shlqbyi $row_3,$row_2,0                         # 62o copy
+        fnms    $ex_2,$row_2,$axis_x,$x                 # 63e
+        shlqbyi $row_4,$row_2,0                         # 63o copy
+        fm      $m,$growth_2,$row_2                     # 64e
+        fnms    $ez_2,$row_2,$axis_z,$z                 # 65e
+        fm      $h_2,$axis_x,$wx                        # 66e
+        fnms    $ey_2,$row_2,$axis_y,$y                 # 67e
+        andi    $row,$row,48                            # 68e
+        fm      $a,$ex_2,$ex_2                          # 69e
+        fma     $h_2,$axis_y,$wy,$h_2                   # 72e
+        fma     $a,$ey_2,$ey_2,$a                       # 75e
+        fma     $h_3,$axis_z,$wz,$h_2                   # 78e
+        fma     $a,$ez_2,$ez_2,$a                       # 81e
+        fnms    $cx_2,$h_3,$axis_x,$wx                  # 84e
+        shlqbyi $h_4,$h_3,0                             # 84o copy
+        fnms    $cz_2,$h_3,$axis_z,$wz                  # 85e
+        shlqbyi $h_5,$h_3,0                             # 85o copy
+        fnms    $cy_2,$h_3,$axis_y,$wy                  # 86e
+        fma     $k_2,$growth_2,$h_3,$radius_2           # 87e
+        fnms    $a,$m,$m,$a                             # 88e
+        fm      $vx_2,$m,$cx_2                          # 90e
+        fm      $turn_y_2,$cx_2,$ez_2                   # 91e
+        fm      $vy_2,$m,$cy_2                          # 92e
+        fm      $turn_z,$cy_2,$ex_2                     # 93e
+        lnop                                            # 93o pairing
+        fm      $turn_x,$cz_2,$ey_2                     # 94e
+        frest   $t_y,$a                                 # 94o
+        fm      $b,$cx_2,$ex_2                          # 95e
+        fms     $vx_2,$k_2,$ex_2,$vx_2                  # 96e
+        fms     $turn_y_3,$cz_2,$ex_2,$turn_y_2         # 97e
+        lnop                                            # 97o pairing
+        fms     $vy_3,$k_2,$ey_2,$vy_2                  # 98e
+        lqd     $object,0($a_candidate)                 # 98o
+        fm      $vz,$m,$cz_2                            # 99e
+        fms     $turn_x,$cy_2,$ez_2,$turn_x             # 100e
+        fma     $b,$cy_2,$ey_2,$b                       # 101e
+        fms     $disc,$vx_2,$vx_2,$k_tiny               # 102e
+        fms     $turn_z,$cx_2,$ey_2,$turn_z             # 103e
+        lqx     $if_leaves,$a_if_leaves,$sides_2        # 103o
+        fm      $out,$cx_2,$cx_2                        # 104e
+        rotqbyi $a_packet_2,$object,4                   # 104o
+        fms     $vz,$k_2,$ez_2,$vz                      # 105e
+        shufb   $object_2,$object,$object,$m_x          # 105o
+        fi      $t_y,$a,$t_y                            # 106e
+        lqd     $sides,32($object)                      # 106o
+        ai      $a_candidate,$a_candidate,4             # 107e
+        fma     $disc,$vy_3,$vy_3,$disc                 # 108e
+        fma     $b,$cz_2,$ez_2,$b                       # 109e
+        lqd     $quad_2,0($object_2)                    # 109o
+        a       $a_packet_3,$a_packet_2,$row            # 110e
+        lqd     $quad,16($object_2)                     # 110o
+        fma     $out,$cy_2,$cy_2,$out                   # 111e
+        lqd     $quad_3,48($object_2)                   # 111o
+        nop     $127                                    # 112e pairing
+        lqd     $wx,0($a_packet_3)                      # 112o
+        fnms    $t_e,$a,$t_y,$k_one                     # 113e
+        lqd     $x,192($a_packet_3)                     # 113o
+        fma     $disc,$vz,$vz,$disc                     # 114e
+        lqd     $wy,64($a_packet_3)                     # 114o
+        fnms    $b,$k_2,$m,$b                           # 115e
+        shufb   $base_x_2,$quad_2,$quad_2,$m_x          # 115o
+        nop     $127                                    # 116e pairing
+        shufb   $base_y_2,$quad_2,$quad_2,$m_y          # 116o
+        fma     $out,$cz_2,$cz_2,$out                   # 117e
+        lqd     $wz,128($a_packet_3)                    # 117o
+        nop     $127                                    # 118e pairing
+        shufb   $base_z_2,$quad_2,$quad_2,$m_z          # 118o
+        fs      $wx,$base_x_2,$wx                       # 119e
+        lqd     $z,320($a_packet_3)                     # 119o
+        fnms    $disc,$turn_x,$turn_x,$disc             # 120e
+        shufb   $axis_z,$quad,$quad,$m_z                # 120o
+        fs      $wy,$base_y_2,$wy                       # 121e
+        shufb   $axis_x,$quad,$quad,$m_x                # 121o
+        fma     $inverse,$t_e,$t_y,$t_y                 # 122e
+        shufb   $axis_y,$quad,$quad,$m_y                # 122o
+        fs      $wz,$base_z_2,$wz                       # 123e
+        shufb   $growth_2,$quad_3,$quad_3,$m_y          # 123o
+        selb    $hidden,$if_enters,$if_leaves,$b        # 124e
+        shufb   $radius_2,$quad_3,$quad_3,$m_x          # 124o
+        fm      $near,$wx,$x                            # 125e
+        rotqbyi $sides,$sides,12                        # 125o
+        fnms    $disc,$turn_y_3,$turn_y_3,$disc         # 126e
+        lqd     $y,256($a_packet_3)                     # 126o
+        fm      $row,$axis_x,$x                         # 127e
+        shlqbyi $object_3,$object_2,0                   # 127o copy
+        selb    $hidden_second,$if_leaves,$if_enters,$b # 128e
+        shlqbyi $a_packet_4,$a_packet_3,0               # 128o copy
+        fnms    $out_2,$k_2,$k_2,$out                   # 129e
+        shlqbyi $a_packet_5,$a_packet_3,0               # 129o copy
+        rotmi   $sides_2,$sides,-26                     # 130e the two bits to quadwords' addresses
+        fma     $near,$wy,$y,$near                      # 132e
+        fnms    $disc,$turn_z,$turn_z,$disc             # 133e
+        fma     $row,$axis_y,$y,$row                    # 134e
+        fma     $near_2,$wz,$z,$near                    # 138e
+        frsqest $t_y,$disc                              # 139o
+        fma     $row_2,$axis_z,$z,$row                  # 140e
+        shlqbyi $disc_2,$disc,0                         # 140o copy
+        shli    $row,$a_candidate,2                     # 141e
+        fi      $t_y,$disc,$t_y                         # 143e
+        fms     $wx,$near_2,$x,$wx                      # 145e
+        fms     $wz,$near_2,$z,$wz                      # 146e
+        fms     $wy,$near_2,$y,$wy                      # 147e
+        fnms    $ex_2,$row_2,$axis_x,$x                 # 148e
+        fnms    $ey_2,$row_2,$axis_y,$y                 # 149e
+        fm      $s,$disc,$t_y                           # 150e
+        fm      $h_2,$axis_x,$wx                        # 151e
+        fm      $m,$growth_2,$row_2                     # 152e
+        fnms    $ez_2,$row_2,$axis_z,$z                 # 153e
+        fm      $a,$ex_2,$ex_2                          # 154e
+        andi    $row,$row,48                            # 155e
+        fnms    $t_e,$s,$t_y,$k_one                     # 156e 1 - s y
+        fma     $h_2,$axis_y,$wy,$h_2                   # 157e
+        selb    $s,$s,$b,$m_sign                        # 158e
+        fma     $a,$ey_2,$ey_2,$a                       # 160e
+        fma     $t_e,$t_e,$k_half,$k_one                # 162e
+        fma     $h_3,$axis_z,$wz,$h_2                   # 163e
+        fma     $a,$ez_2,$ez_2,$a                       # 166e
+        fma     $q,$s,$t_e,$b                           # 168e
+        fnms    $cx_2,$h_3,$axis_x,$wx                  # 169e
+        fnms    $cz_2,$h_3,$axis_z,$wz                  # 170e
+        fma     $k_2,$growth_2,$h_3,$radius_2           # 171e
+        fnms    $cy_2,$h_3,$axis_y,$wy                  # 172e
+        fnms    $a,$m,$m,$a                             # 173e
+        fm      $first,$q,$inverse                      # 174e -s
+        frest   $t_y_2,$q                               # 174o
+        fm      $vx_2,$m,$cx_2                          # 175e
+        fm      $turn_y_2,$cx_2,$ez_2                   # 176e
+        fm      $b,$cx_2,$ex_2                          # 177e
+        fm      $vy_2,$m,$cy_2                          # 178e
+        fm      $turn_z,$cy_2,$ex_2                     # 179e
+        frest   $t_y,$a                                 # 179o
+        fm      $vz,$m,$cz_2                            # 180e
+        fms     $vx_2,$k_2,$ex_2,$vx_2                  # 181e
+        fms     $turn_y_3,$cz_2,$ex_2,$turn_y_2         # 182e
+        fma     $b,$cy_2,$ey_2,$b                       # 183e
+        fms     $vy_3,$k_2,$ey_2,$vy_2                  # 184e
+        lqd     $object,0($a_candidate)                 # 184o
+        fm      $turn_x,$cz_2,$ey_2                     # 185e
+        fms     $vz,$k_2,$ez_2,$vz                      # 186e
+        fms     $disc,$vx_2,$vx_2,$k_tiny               # 187e
+        fi      $t_y_3,$q,$t_y_2                        # 188e
+        fi      $t_y,$a,$t_y                            # 189e
+        lnop                                            # 189o pairing
+        ai      $a_candidate,$a_candidate,4             # 190e
+        shufb   $object_2,$object,$object,$m_x          # 190o
+        fma     $b,$cz_2,$ez_2,$b                       # 191e
+        rotqbyi $a_packet_2,$object,4                   # 191o
+        fms     $turn_x,$cy_2,$ez_2,$turn_x             # 192e
+        lqd     $sides,32($object)                      # 192o
+        fma     $disc,$vy_3,$vy_3,$disc                 # 193e
+        lnop                                            # 193o pairing
+        fm      $out,$cx_2,$cx_2                        # 194e
+        lqd     $quad_2,0($object_2)                    # 194o
+        a       $a_packet_3,$a_packet_2,$row            # 195e
+        lqd     $quad,16($object_2)                     # 195o
+        fnms    $t_e_2,$q,$t_y_3,$k_one                 # 196e
+        lnop                                            # 196o pairing
+        fms     $turn_z,$cx_2,$ey_2,$turn_z             # 197e
+        lqd     $wx,0($a_packet_3)                      # 197o
+        fs      $t,$near_4,$first                       # 198e
+        lqd     $x,192($a_packet_3)                     # 198o
+        fma     $disc,$vz,$vz,$disc                     # 199e
+        lqd     $wy,64($a_packet_3)                     # 199o
+        fma     $out,$cy_2,$cy_2,$out                   # 200e
+        shufb   $base_x_2,$quad_2,$quad_2,$m_x          # 200o
+        fnms    $t_e,$a,$t_y,$k_one                     # 201e
+        shufb   $base_y_2,$quad_2,$quad_2,$m_y          # 201o
+        fma     $inverse_q,$t_e_2,$t_y_3,$t_y_3         # 202e
+        lqd     $wz,128($a_packet_3)                    # 202o
+        fnms    $off,$first,$row_4,$h_5                 # 203e the crossing's height
+        lqd     $z,320($a_packet_3)                     # 203o
+        fs      $wx,$base_x_2,$wx                       # 204e
+        shufb   $base_z_2,$quad_2,$quad_2,$m_z          # 204o
+        fnms    $disc,$turn_x,$turn_x,$disc             # 205e
+        shufb   $axis_y,$quad,$quad,$m_y                # 205o
+        fs      $wy,$base_y_2,$wy                       # 206e
+        shufb   $axis_x,$quad,$quad,$m_x                # 206o
+        fma     $out,$cz_2,$cz_2,$out                   # 207e
+        shlqbyi $near_4,$near_2,0                       # 207o copy
+        fm      $second,$out_2,$inverse_q               # 208e
+        shufb   $axis_z,$quad,$quad,$m_z                # 208o
+        fs      $wz,$base_z_2,$wz                       # 209e
+        shlqbyi $row_4,$row_2,0                         # 209o copy
+        fm      $near,$wx,$x                            # 210e
+        lqx     $if_leaves,$a_if_leaves,$sides_2        # 210o
+        fnms    $disc,$turn_y_3,$turn_y_3,$disc         # 211e
+        lqd     $y,256($a_packet_3)                     # 211o
+        fm      $row,$axis_x,$x                         # 212e
+        lqx     $if_enters,$a_if_enters,$sides_2        # 212o
+        fma     $inverse,$t_e,$t_y,$t_y                 # 213e
+        shlqbyi $h_5,$h_3,0                             # 213o copy
+        fs      $t_second,$near_3,$second               # 214e
+        shlqbyi $near_3,$near_2,0                       # 214o copy
+        fnms    $off_second,$second,$row_3,$h_4         # 215e
+        shlqbyi $row_3,$row_2,0                         # 215o copy
+        clgt    $off,$off,$height_2                     # 216e below 0 is above all
+        shlqbyi $h_4,$h_3,0                             # 216o copy
+        fma     $near,$wy,$y,$near                      # 217e
+        rotqbyi $sides,$sides,12                        # 217o
+        fma     $row,$axis_y,$y,$row                    # 218e
+        fnms    $disc,$turn_z,$turn_z,$disc             # 219e
+        or      $t,$t,$off                              # 220e
+        fnms    $b,$k_2,$m,$b                           # 221e
+        clgt    $off_second,$off_second,$height_2       # 222e
+        shufb   $height_2,$quad_3,$quad_3,$m_z          # 222o
+        fma     $near_2,$wz,$z,$near                    # 223e
+        lqd     $quad_3,48($object_2)                   # 223o
+        fma     $row_2,$axis_z,$z,$row                  # 224e
+        lnop                                            # 224o pairing
+        or      $t_second,$t_second,$off_second         # 225e
+        frsqest $t_y,$disc                              # 225o
+        or      $t,$t,$hidden                           # 226e
+        selb    $hidden,$if_enters,$if_leaves,$b        # 227e
+        or      $t_second,$t_second,$hidden_second      # 228e
+        lnop                                            # 228o pairing
+        fms     $wx,$near_2,$x,$wx                      # 229e
+        shufb   $growth_2,$quad_3,$quad_3,$m_y          # 229o
+        fms     $wy,$near_2,$y,$wy                      # 230e
+        shufb   $radius_2,$quad_3,$quad_3,$m_x          # 230o
+        fi      $t_y,$disc,$t_y                         # 231e
+        clgt    $control,$t,$t_second                   # 232e
+        fnms    $ex_2,$row_2,$axis_x,$x                 # 233e
+        selb    $hidden_second,$if_leaves,$if_enters,$b # 234e
+        fm      $h_2,$axis_x,$wx                        # 235e
+        fnms    $ey_2,$row_2,$axis_y,$y                 # 236e
+        fms     $wz,$near_2,$z,$wz                      # 237e
+        fm      $s,$disc,$t_y                           # 238e
+        fm      $a,$ex_2,$ex_2                          # 239e
+        fnms    $ez_2,$row_2,$axis_z,$z                 # 240e
+        fma     $h_2,$axis_y,$wy,$h_2                   # 241e
+        selb    $t,$t,$t_second,$control                # 242e
+        fnms    $out_2,$k_2,$k_2,$out                   # 243e
+        cgt     $control,$t_best,$t                     # 244e
+        fma     $a,$ey_2,$ey_2,$a                       # 245e
+        cgti    $ahead,$t,0                             # 246e
+        fma     $h_3,$axis_z,$wz,$h_2                   # 247e
+        and     $control,$control,$ahead                # 248e
+        fnms    $t_e,$s,$t_y,$k_one                     # 249e 1 - s y
+        selb    $s,$s,$b,$m_sign                        # 250e
+        fma     $a,$ez_2,$ez_2,$a                       # 251e
+        lnop                                            # 251o pairing
+        andc    $control,$control,$disc_2               # 252e
+        shlqbyi $disc_2,$disc,0                         # 252o copy
+        fnms    $cx_2,$h_3,$axis_x,$wx                  # 253e
+        lnop                                            # 253o pairing
+        fma     $k_2,$growth_2,$h_3,$radius_2           # 254e
+        rotqbii $control,$control,1                     # 254o
+        fma     $t_e,$t_e,$k_half,$k_one                # 255e
+        fm      $m,$growth_2,$row_2                     # 256e
+        fnms    $cy_2,$h_3,$axis_y,$wy                  # 257e
+        lnop                                            # 257o pairing
+        rotmi   $sides_2,$sides,-26                     # 258e the two bits to quadwords' addresses
+        hbrr    next_row_back,next_row                  # 258o hint
+        fnms    $cz_2,$h_3,$axis_z,$wz                  # 259e
+        gb      $control,$control                       # 259o
+        fm      $turn_y_2,$cx_2,$ez_2                   # 260e
+        fma     $q,$s,$t_e,$b                           # 261e
+        fnms    $a,$m,$m,$a                             # 262e
+        lnop                                            # 262o pairing
+        fm      $vy_2,$m,$cy_2                          # 263e
+        shlqbii $control,$control,4                     # 263o
+        fm      $vx_2,$m,$cx_2                          # 264e
+        fm      $turn_x,$cz_2,$ey_2                     # 265e
+        fms     $turn_y_3,$cz_2,$ex_2,$turn_y_2         # 266e
+        lnop                                            # 266o pairing
+        fm      $first,$q,$inverse                      # 267e -s
+        lqx     $control,$control,$a_controls           # 267o
+        fm      $b,$cx_2,$ex_2                          # 268e
+        frest   $t_y_2,$q                               # 268o
+        fm      $turn_z,$cy_2,$ex_2                     # 269e
+        frest   $t_y,$a                                 # 269o
+        fms     $vx_2,$k_2,$ex_2,$vx_2                  # 270e
+        fm      $vz,$m,$cz_2                            # 271e
+        fms     $vy_3,$k_2,$ey_2,$vy_2                  # 272e
+        lnop                                            # 272o pairing
 next_row:
-            fms     $turn_x,$cy_2,$ez_4,$turn_x         # 0e
+            fms     $turn_x,$cy_2,$ez_2,$turn_x         # 0e
         lqd     $object,0($a_candidate)                 # 0o
-            fms     $vz,$k_4,$ez_4,$vz                  # 1e
-            shufb   $nearest,$nearest,$object_8,$control # 1o
-            fms     $disc,$vx_5,$vx_5,$k_tiny           # 2e
+            fms     $vz,$k_2,$ez_2,$vz                  # 1e
+            shufb   $nearest,$nearest,$object_4,$control # 1o
+            fms     $disc,$vx_2,$vx_2,$k_tiny           # 2e
             shufb   $t_best,$t_best,$t,$control         # 2o
             fi      $t_y,$a,$t_y                        # 3e
-            shlqbyi $object_8,$object_3,0               # 3o copy
-            fi      $t_y_9,$q,$t_y_8                    # 4e
-            shlqbyi $object_3,$object_6,0               # 4o copy
+            shlqbyi $object_4,$object_3,0               # 3o copy
+            fi      $t_y_3,$q,$t_y_2                    # 4e
+            shlqbyi $object_3,$object_2,0               # 4o copy
         shli    $row,$a_candidate,2                     # 5e
-            stqd    $nearest,448($a_packet_9)           # 5o
-            fma     $b,$cy_2,$ey_4,$b                   # 6e
-            lqd     $nearest,448($a_packet_7)           # 6o
+            stqd    $nearest,448($a_packet_6)           # 5o
+            fma     $b,$cy_2,$ey_2,$b                   # 6e
+            lqd     $nearest,448($a_packet_4)           # 6o
             fm      $out,$cx_2,$cx_2                    # 7e
-            stqd    $t_best,384($a_packet_9)            # 7o
-            fma     $disc,$vy_6,$vy_6,$disc             # 8e
-            lqd     $t_best,384($a_packet_7)            # 8o
+            stqd    $t_best,384($a_packet_6)            # 7o
+            fma     $disc,$vy_3,$vy_3,$disc             # 8e
+            lqd     $t_best,384($a_packet_4)            # 8o
         ai      $a_candidate,$a_candidate,4             # 9e
-            shlqbyi $a_packet_9,$a_packet_8,0           # 9o copy
+            shlqbyi $a_packet_6,$a_packet_5,0           # 9o copy
             fnms    $t_e,$a,$t_y,$k_one                 # 10e
-            shlqbyi $a_packet_7,$a_packet_6,0           # 10o copy
-            fnms    $t_e_4,$q,$t_y_9,$k_one             # 11e
-        shufb   $object_6,$object,$object,$m_x          # 11o
-            fma     $b,$cz_2,$ez_4,$b                   # 12e
+            shlqbyi $a_packet_4,$a_packet_3,0           # 10o copy
+            fnms    $t_e_2,$q,$t_y_3,$k_one             # 11e
+        shufb   $object_2,$object,$object,$m_x          # 11o
+            fma     $b,$cz_2,$ez_2,$b                   # 12e
         rotqbyi $a_packet_2,$object,4                   # 12o
         andi    $row,$row,48                            # 13e
         lnop                                            # 13o pairing
             fma     $disc,$vz,$vz,$disc                 # 14e
-            shlqbyi $a_packet_8,$a_packet_6,0           # 14o copy
+            shlqbyi $a_packet_5,$a_packet_3,0           # 14o copy
             fma     $out,$cy_2,$cy_2,$out               # 15e
-        lqd     $quad_2,0($object_6)                    # 15o
-        a       $a_packet_6,$a_packet_2,$row            # 16e
+        lqd     $quad_2,0($object_2)                    # 15o
+        a       $a_packet_3,$a_packet_2,$row            # 16e
         lqd     $sides,32($object)                      # 16o
             fma     $inverse,$t_e,$t_y,$t_y             # 17e
-        lqd     $quad,16($object_6)                     # 17o
-            fms     $turn_z,$cx_2,$ey_4,$turn_z         # 18e
-        lqd     $wx,0($a_packet_6)                      # 18o
-            fnms    $b,$k_4,$m,$b                       # 19e
-        lqd     $wy,64($a_packet_6)                     # 19o
+        lqd     $quad,16($object_2)                     # 17o
+            fms     $turn_z,$cx_2,$ey_2,$turn_z         # 18e
+        lqd     $wx,0($a_packet_3)                      # 18o
+            fnms    $b,$k_2,$m,$b                       # 19e
+        lqd     $wy,64($a_packet_3)                     # 19o
             fnms    $disc,$turn_x,$turn_x,$disc         # 20e
-        lqd     $x,192($a_packet_6)                     # 20o
-            fs      $t,$near_9,$first                   # 21e
-        shufb   $base_x_5,$quad_2,$quad_2,$m_x          # 21o
+        lqd     $x,192($a_packet_3)                     # 20o
+            fs      $t,$near_4,$first                   # 21e
+        shufb   $base_x_2,$quad_2,$quad_2,$m_x          # 21o
             fma     $out,$cz_2,$cz_2,$out               # 22e
-        lqd     $wz,128($a_packet_6)                    # 22o
-            fnms    $off,$first,$row_10,$h_7            # 23e the crossing's height
+        lqd     $wz,128($a_packet_3)                    # 22o
+            fnms    $off,$first,$row_4,$h_5             # 23e the crossing's height
         shufb   $base_y_2,$quad_2,$quad_2,$m_y          # 23o
-            fma     $inverse_q,$t_e_4,$t_y_9,$t_y_9     # 24e
-        shufb   $base_z_5,$quad_2,$quad_2,$m_z          # 24o
-        fs      $wx,$base_x_5,$wx                       # 25e
+            fma     $inverse_q,$t_e_2,$t_y_3,$t_y_3     # 24e
+        shufb   $base_z_2,$quad_2,$quad_2,$m_z          # 24o
+        fs      $wx,$base_x_2,$wx                       # 25e
         shufb   $axis_z,$quad,$quad,$m_z                # 25o
-            fnms    $disc,$turn_y_6,$turn_y_6,$disc     # 26e
+            fnms    $disc,$turn_y_3,$turn_y_3,$disc     # 26e
         shufb   $axis_y,$quad,$quad,$m_y                # 26o
         fs      $wy,$base_y_2,$wy                       # 27e
-        fs      $wz,$base_z_5,$wz                       # 28e
-            clgt    $off,$off,$height_3                 # 29e below 0 is above all
-        lqd     $y,256($a_packet_6)                     # 29o
-            fm      $second,$out_6,$inverse_q           # 30e
+        fs      $wz,$base_z_2,$wz                       # 28e
+            clgt    $off,$off,$height_2                 # 29e below 0 is above all
+        lqd     $y,256($a_packet_3)                     # 29o
+            fm      $second,$out_2,$inverse_q           # 30e
         shufb   $axis_x,$quad,$quad,$m_x                # 30o
         fm      $near,$wx,$x                            # 31e
         rotqbyi $sides,$sides,12                        # 31o
             or      $t,$t,$off                          # 32e
-            shlqbyi $near_9,$near_2,0                   # 32o copy
+            shlqbyi $near_4,$near_2,0                   # 32o copy
             fnms    $disc,$turn_z,$turn_z,$disc         # 33e
-            lqx     $if_enters,$a_if_enters,$sides_6    # 33o
+            lqx     $if_enters,$a_if_enters,$sides_2    # 33o
         fm      $row,$axis_x,$x                         # 34e
-            shlqbyi $h_7,$h_9,0                         # 34o copy
+            shlqbyi $h_5,$h_3,0                         # 34o copy
             or      $t,$t,$hidden                       # 35e
-            lqx     $if_leaves,$a_if_leaves,$sides_6    # 35o
-            fnms    $off_second,$second,$row_7,$h_6     # 36e
-            shlqbyi $row_10,$row_5,0                    # 36o copy
+            lqx     $if_leaves,$a_if_leaves,$sides_2    # 35o
+            fnms    $off_second,$second,$row_3,$h_4     # 36e
+            shlqbyi $row_4,$row_2,0                     # 36o copy
         fma     $near,$wy,$y,$near                      # 37e
-        lqd     $z,320($a_packet_6)                     # 37o
-            fs      $t_second,$near_8,$second           # 38e
-            shlqbyi $near_8,$near_2,0                   # 38o copy
-        rotmi   $sides_6,$sides,-26                     # 39e the two bits to quadwords' addresses
+        lqd     $z,320($a_packet_3)                     # 37o
+            fs      $t_second,$near_3,$second           # 38e
+            shlqbyi $near_3,$near_2,0                   # 38o copy
+        rotmi   $sides_2,$sides,-26                     # 39e the two bits to quadwords' addresses
             frsqest $t_y,$disc                          # 39o
         fma     $row,$axis_y,$y,$row                    # 40e
-            shlqbyi $row_7,$row_5,0                     # 40o copy
+            shlqbyi $row_3,$row_2,0                     # 40o copy
             selb    $hidden,$if_enters,$if_leaves,$b    # 41e
             lnop                                        # 41o pairing
-            clgt    $off_second,$off_second,$height_3   # 42e
-            shufb   $height_3,$quad_4,$quad_4,$m_z      # 42o
+            clgt    $off_second,$off_second,$height_2   # 42e
+            shufb   $height_2,$quad_3,$quad_3,$m_z      # 42o
         fma     $near_2,$wz,$z,$near                    # 43e
             fi      $t_y,$disc,$t_y                     # 44e
             or      $t_second,$t_second,$off_second     # 45e
-        lqd     $quad_4,48($object_6)                   # 45o
-        fma     $row_5,$axis_z,$z,$row                  # 46e
-            shlqbyi $h_6,$h_9,0                         # 46o copy
+        lqd     $quad_3,48($object_2)                   # 45o
+        fma     $row_2,$axis_z,$z,$row                  # 46e
+            shlqbyi $h_4,$h_3,0                         # 46o copy
             or      $t_second,$t_second,$hidden_second  # 47e
             selb    $hidden_second,$if_leaves,$if_enters,$b # 48e
         fms     $wx,$near_2,$x,$wx                      # 49e
             clgt    $control,$t,$t_second               # 50e
-            fnms    $out_6,$k_4,$k_4,$out               # 51e
-        shufb   $radius_5,$quad_4,$quad_4,$m_x          # 51o
-        fnms    $ex_5,$row_5,$axis_x,$x                 # 52e
-        shufb   $growth_5,$quad_4,$quad_4,$m_y          # 52o
+            fnms    $out_2,$k_2,$k_2,$out               # 51e
+        shufb   $radius_2,$quad_3,$quad_3,$m_x          # 51o
+        fnms    $ex_2,$row_2,$axis_x,$x                 # 52e
+        shufb   $growth_2,$quad_3,$quad_3,$m_y          # 52o
             fm      $s,$disc,$t_y                       # 53e
         fms     $wy,$near_2,$y,$wy                      # 54e
-        fm      $h_5,$axis_x,$wx                        # 55e
-        fnms    $ey_4,$row_5,$axis_y,$y                 # 56e
+        fm      $h_2,$axis_x,$wx                        # 55e
+        fnms    $ey_2,$row_2,$axis_y,$y                 # 56e
         fms     $wz,$near_2,$z,$wz                      # 57e
-        fm      $a,$ex_5,$ex_5                          # 58e
+        fm      $a,$ex_2,$ex_2                          # 58e
             fnms    $t_e,$s,$t_y,$k_one                 # 59e 1 - s y
-        fm      $m,$growth_5,$row_5                     # 60e
-        fma     $h_5,$axis_y,$wy,$h_5                   # 61e
-        fnms    $ez_4,$row_5,$axis_z,$z                 # 62e
+        fm      $m,$growth_2,$row_2                     # 60e
+        fma     $h_2,$axis_y,$wy,$h_2                   # 61e
+        fnms    $ez_2,$row_2,$axis_z,$z                 # 62e
             selb    $s,$s,$b,$m_sign                    # 63e
-        fma     $a,$ey_4,$ey_4,$a                       # 64e
+        fma     $a,$ey_2,$ey_2,$a                       # 64e
             selb    $t,$t,$t_second,$control            # 65e
             fma     $t_e,$t_e,$k_half,$k_one            # 66e
             cgt     $control,$t_best,$t                 # 67e
             cgti    $ahead,$t,0                         # 68e
-        fma     $h_9,$axis_z,$wz,$h_5                   # 69e
+        fma     $h_3,$axis_z,$wz,$h_2                   # 69e
             and     $control,$control,$ahead            # 70e
-        fma     $a,$ez_4,$ez_4,$a                       # 71e
+        fma     $a,$ez_2,$ez_2,$a                       # 71e
         lnop                                            # 71o pairing
-            andc    $control,$control,$disc_7           # 72e
-            shlqbyi $disc_7,$disc,0                     # 72o copy
+            andc    $control,$control,$disc_2           # 72e
+            shlqbyi $disc_2,$disc,0                     # 72o copy
             fma     $q,$s,$t_e,$b                       # 73e
             lnop                                        # 73o pairing
         ai      $count,$count,-1                        # 74e
             rotqbii $control,$control,1                 # 74o
-        fnms    $cx_2,$h_9,$axis_x,$wx                  # 75e
-        fnms    $cy_2,$h_9,$axis_y,$wy                  # 76e
-        fnms    $cz_2,$h_9,$axis_z,$wz                  # 77e
+        fnms    $cx_2,$h_3,$axis_x,$wx                  # 75e
+        fnms    $cy_2,$h_3,$axis_y,$wy                  # 76e
+        fnms    $cz_2,$h_3,$axis_z,$wz                  # 77e
         lnop                                            # 77o pairing
         fnms    $a,$m,$m,$a                             # 78e
             gb      $control,$control                   # 78o
             fm      $first,$q,$inverse                  # 79e -s
-            frest   $t_y_8,$q                           # 79o
-        fma     $k_4,$growth_5,$h_9,$radius_5           # 80e
-        fm      $vx_5,$m,$cx_2                          # 81e
-        fm      $vy_7,$m,$cy_2                          # 82e
+            frest   $t_y_2,$q                           # 79o
+        fma     $k_2,$growth_2,$h_3,$radius_2           # 80e
+        fm      $vx_2,$m,$cx_2                          # 81e
+        fm      $vy_2,$m,$cy_2                          # 82e
             shlqbii $control,$control,4                 # 82o
-        fm      $turn_y_5,$cx_2,$ez_4                   # 83e
+        fm      $turn_y_2,$cx_2,$ez_2                   # 83e
         lnop                                            # 83o pairing
         fm      $vz,$m,$cz_2                            # 84e
         frest   $t_y,$a                                 # 84o
-        fm      $turn_x,$cz_2,$ey_4                     # 85e
+        fm      $turn_x,$cz_2,$ey_2                     # 85e
         lnop                                            # 85o pairing
-        fm      $turn_z,$cy_2,$ex_5                     # 86e
+        fm      $turn_z,$cy_2,$ex_2                     # 86e
             lqx     $control,$control,$a_controls       # 86o
-        fms     $vx_5,$k_4,$ex_5,$vx_5                  # 87e
-        fm      $b,$cx_2,$ex_5                          # 88e
-        fms     $turn_y_6,$cz_2,$ex_5,$turn_y_5         # 89e
+        fms     $vx_2,$k_2,$ex_2,$vx_2                  # 87e
+        fm      $b,$cx_2,$ex_2                          # 88e
+        fms     $turn_y_3,$cz_2,$ex_2,$turn_y_2         # 89e
         lnop                                            # 89o pairing
-        fms     $vy_6,$k_4,$ey_4,$vy_7                  # 90e
+        fms     $vy_3,$k_2,$ey_2,$vy_2                  # 90e
 next_row_back:
         brnz    $count,next_row                         # 90o
 next_row_drain:
-        fms     $disc,$vx_5,$vx_5,$k_tiny               # 0e
+        fms     $disc,$vx_2,$vx_2,$k_tiny               # 0e
         shufb   $t_best,$t_best,$t,$control             # 0o
-        fms     $vz,$k_4,$ez_4,$vz                      # 1e
-        shufb   $nearest,$nearest,$object_8,$control    # 1o
-        fms     $turn_x,$cy_2,$ez_4,$turn_x             # 2e
-        shlqbyi $row_2,$row_5,0                         # 2o copy
-        fi      $t_y_9,$q,$t_y_8                        # 3e
-        shlqbyi $row_12,$row_5,0                        # 3o copy
+        fms     $vz,$k_2,$ez_2,$vz                      # 1e
+        shufb   $nearest,$nearest,$object_4,$control    # 1o
+        fms     $turn_x,$cy_2,$ez_2,$turn_x             # 2e
+        shlqbyi $row_5,$row_2,0                         # 2o copy
+        fi      $t_y_3,$q,$t_y_2                        # 3e
+        shlqbyi $row_6,$row_2,0                         # 3o copy
         fi      $t_y,$a,$t_y                            # 4e
-        shlqbyi $a_packet_10,$a_packet_6,0              # 4o copy
+        shlqbyi $a_packet_7,$a_packet_3,0               # 4o copy
         nop     $127                                    # 5e pairing
-        stqd    $nearest,448($a_packet_9)               # 5o
-        fma     $disc,$vy_6,$vy_6,$disc                 # 6e
-        lqd     $nearest,448($a_packet_7)               # 6o
-        fma     $b,$cy_2,$ey_4,$b                       # 7e
-        stqd    $t_best,384($a_packet_9)                # 7o
-        fms     $turn_z,$cx_2,$ey_4,$turn_z             # 8e
-        lqd     $t_best,384($a_packet_7)                # 8o
-        fnms    $off,$first,$row_10,$h_7                # 9e the crossing's height
-        lqx     $if_leaves,$a_if_leaves,$sides_6        # 9o
-        fnms    $t_e_4,$q,$t_y_9,$k_one                 # 10e
-        shlqbyi $h_7,$h_9,0                             # 10o copy
-        fs      $t,$near_9,$first                       # 11e
-        shlqbyi $near_10,$near_2,0                      # 11o copy
+        stqd    $nearest,448($a_packet_6)               # 5o
+        fma     $disc,$vy_3,$vy_3,$disc                 # 6e
+        lqd     $nearest,448($a_packet_4)               # 6o
+        fma     $b,$cy_2,$ey_2,$b                       # 7e
+        stqd    $t_best,384($a_packet_6)                # 7o
+        fms     $turn_z,$cx_2,$ey_2,$turn_z             # 8e
+        lqd     $t_best,384($a_packet_4)                # 8o
+        fnms    $off,$first,$row_4,$h_5                 # 9e the crossing's height
+        lqx     $if_leaves,$a_if_leaves,$sides_2        # 9o
+        fnms    $t_e_2,$q,$t_y_3,$k_one                 # 10e
+        shlqbyi $h_5,$h_3,0                             # 10o copy
+        fs      $t,$near_4,$first                       # 11e
+        shlqbyi $near_5,$near_2,0                       # 11o copy
         fma     $disc,$vz,$vz,$disc                     # 12e
-        shufb   $height_4,$quad_4,$quad_4,$m_z          # 12o
-        fma     $b,$cz_2,$ez_4,$b                       # 13e
+        shufb   $height_3,$quad_3,$quad_3,$m_z          # 12o
+        fma     $b,$cz_2,$ez_2,$b                       # 13e
         shlqbyi $object_3,$object_3,0                   # 13o copy
         fm      $out,$cx_2,$cx_2                        # 14e
-        lqx     $if_enters_4,$a_if_enters,$sides_6      # 14o
-        clgt    $off,$off,$height_3                     # 15e below 0 is above all
-        shlqbyi $h_10,$h_9,0                            # 15o copy
-        fma     $inverse_q,$t_e_4,$t_y_9,$t_y_9         # 16e
-        shlqbyi $near_9,$near_2,0                       # 16o copy
+        lqx     $if_enters_2,$a_if_enters,$sides_2      # 14o
+        clgt    $off,$off,$height_2                     # 15e below 0 is above all
+        shlqbyi $h_6,$h_3,0                             # 15o copy
+        fma     $inverse_q,$t_e_2,$t_y_3,$t_y_3         # 16e
+        shlqbyi $near_4,$near_2,0                       # 16o copy
         or      $t,$t,$off                              # 17e
-        shlqbyi $a_packet_11,$a_packet_8,0              # 17o copy
+        shlqbyi $a_packet_8,$a_packet_5,0               # 17o copy
         fnms    $disc,$turn_x,$turn_x,$disc             # 18e
-        shlqbyi $a_packet_8,$a_packet_6,0               # 18o copy
-        fnms    $b,$k_4,$m,$b                           # 19e
+        shlqbyi $a_packet_5,$a_packet_3,0               # 18o copy
+        fnms    $b,$k_2,$m,$b                           # 19e
         hbr     isect_cone_pairs_r16_return,$lr         # 19o hint
         fma     $out,$cy_2,$cy_2,$out                   # 20e
-        shlqbyi $object_5,$object_6,0                   # 20o copy
+        shlqbyi $object_5,$object_2,0                   # 20o copy
         or      $t,$t,$hidden                           # 21e
         lnop                                            # 21o pairing
-        fm      $second,$out_6,$inverse_q               # 22e
-        shlqbyi $a_packet_12,$a_packet_8,0              # 22o copy
+        fm      $second,$out_2,$inverse_q               # 22e
+        shlqbyi $a_packet_9,$a_packet_5,0               # 22o copy
         fnms    $t_e,$a,$t_y,$k_one                     # 23e
         lnop                                            # 23o pairing
-        fnms    $disc,$turn_y_6,$turn_y_6,$disc         # 24e
+        fnms    $disc,$turn_y_3,$turn_y_3,$disc         # 24e
         shlqbyi $object_5,$object_5,0                   # 24o copy
-        selb    $hidden,$if_enters_4,$if_leaves,$b      # 25e
+        selb    $hidden,$if_enters_2,$if_leaves,$b      # 25e
         fma     $out,$cz_2,$cz_2,$out                   # 26e
-        selb    $hidden_second_3,$if_leaves,$if_enters_4,$b # 27e
-        fnms    $off_second,$second,$row_7,$h_6         # 28e
-        fs      $t_second,$near_8,$second               # 29e
+        selb    $hidden_second_2,$if_leaves,$if_enters_2,$b # 27e
+        fnms    $off_second,$second,$row_3,$h_4         # 28e
+        fs      $t_second,$near_3,$second               # 29e
         fnms    $disc,$turn_z,$turn_z,$disc             # 30e
         fma     $inverse,$t_e,$t_y,$t_y                 # 31e
-        fnms    $out_6,$k_4,$k_4,$out                   # 32e
-        clgt    $off_second,$off_second,$height_3       # 34e
+        fnms    $out_2,$k_2,$k_2,$out                   # 32e
+        clgt    $off_second,$off_second,$height_2       # 34e
         lnop                                            # 34o pairing
         or      $t_second,$t_second,$off_second         # 36e
         frsqest $t_y,$disc                              # 36o
-        shlqbyi $disc_8,$disc,0                         # 37o copy
+        shlqbyi $disc_3,$disc,0                         # 37o copy
         or      $t_second,$t_second,$hidden_second      # 38e
         fi      $t_y,$disc,$t_y                         # 40e
         clgt    $control,$t,$t_second                   # 41e
@@ -695,7 +675,7 @@ next_row_drain:
         cgt     $control,$t_best,$t                     # 46e
         fm      $s,$disc,$t_y                           # 47e
         and     $control,$control,$ahead                # 48e
-        andc    $control,$control,$disc_7               # 50e
+        andc    $control,$control,$disc_2               # 50e
         rotqbii $control,$control,1                     # 52o
         fnms    $t_e,$s,$t_y,$k_one                     # 53e 1 - s y
         selb    $s,$s,$b,$m_sign                        # 54e
@@ -707,41 +687,41 @@ next_row_drain:
         nop     $127                                    # 66e pairing
         shufb   $t_best,$t_best,$t,$control             # 70o
         fm      $first,$q,$inverse                      # 71e -s
-        frest   $t_y_8,$q                               # 71o
+        frest   $t_y_2,$q                               # 71o
         shufb   $nearest,$nearest,$object_3,$control    # 72o
-        fi      $t_y_10,$q,$t_y_8                       # 75e
+        fi      $t_y_4,$q,$t_y_2                        # 75e
         nop     $127                                    # 76e pairing
-        stqd    $nearest,448($a_packet_11)              # 76o
-        fnms    $off,$first,$row_2,$h_7                 # 77e the crossing's height
-        lqd     $nearest,448($a_packet_10)              # 77o
-        fs      $t,$near_9,$first                       # 78e
-        stqd    $t_best,384($a_packet_11)               # 78o
-        lqd     $t_best,384($a_packet_10)               # 79o
-        fnms    $t_e_7,$q,$t_y_10,$k_one                # 82e
-        clgt    $off,$off,$height_4                     # 83e below 0 is above all
+        stqd    $nearest,448($a_packet_8)               # 76o
+        fnms    $off,$first,$row_5,$h_5                 # 77e the crossing's height
+        lqd     $nearest,448($a_packet_7)               # 77o
+        fs      $t,$near_4,$first                       # 78e
+        stqd    $t_best,384($a_packet_8)                # 78o
+        lqd     $t_best,384($a_packet_7)                # 79o
+        fnms    $t_e_3,$q,$t_y_4,$k_one                 # 82e
+        clgt    $off,$off,$height_3                     # 83e below 0 is above all
         or      $t,$t,$off                              # 85e
         or      $t,$t,$hidden                           # 87e
-        fma     $inverse_q,$t_e_7,$t_y_10,$t_y_10       # 88e
-        fm      $second,$out_6,$inverse_q               # 94e
-        fnms    $off_second,$second,$row_12,$h_10       # 100e
-        fs      $t_second,$near_10,$second              # 101e
-        clgt    $off_second,$off_second,$height_4       # 106e
+        fma     $inverse_q,$t_e_3,$t_y_4,$t_y_4         # 88e
+        fm      $second,$out_2,$inverse_q               # 94e
+        fnms    $off_second,$second,$row_6,$h_6         # 100e
+        fs      $t_second,$near_5,$second               # 101e
+        clgt    $off_second,$off_second,$height_3       # 106e
         or      $t_second,$t_second,$off_second         # 108e
-        or      $t_second,$t_second,$hidden_second_3    # 110e
+        or      $t_second,$t_second,$hidden_second_2    # 110e
         clgt    $control,$t,$t_second                   # 112e
         selb    $t,$t,$t_second,$control                # 114e
         cgt     $control,$t_best,$t                     # 116e
         cgti    $ahead,$t,0                             # 117e
         and     $control,$control,$ahead                # 119e
-        andc    $control,$control,$disc_8               # 121e
+        andc    $control,$control,$disc_3               # 121e
         rotqbii $control,$control,1                     # 123o
         gb      $control,$control                       # 127o
         shlqbii $control,$control,4                     # 131o
         lqx     $control,$control,$a_controls           # 135o
         shufb   $nearest,$nearest,$object_5,$control    # 141o
         shufb   $t_best,$t_best,$t,$control             # 142o
-        stqd    $nearest,448($a_packet_12)              # 145o
-        stqd    $t_best,384($a_packet_12)               # 146o
+        stqd    $nearest,448($a_packet_9)               # 145o
+        stqd    $t_best,384($a_packet_9)                # 146o
         nop     $127                                    # 147e pairing
 isect_cone_pairs_r16_return:
         bi      $lr                                     # 147o
@@ -751,14 +731,14 @@ next_row_short:
         ai      $count,$count,-1                        # 1e
         ai      $a_candidate,$a_candidate,4             # 2e
         andi    $row,$row,48                            # 4e
-        shufb   $object_8,$object,$object,$m_x          # 6o
+        shufb   $object_4,$object,$object,$m_x          # 6o
         rotqbyi $a_packet,$object,4                     # 7o
         lqd     $sides,32($object)                      # 8o
         nop     $127                                    # 9e pairing
-        lqd     $quad,0($object_8)                      # 10o
+        lqd     $quad,0($object_4)                      # 10o
         a       $a_packet,$a_packet,$row                # 11e
-        lqd     $quad_10,16($object_8)                  # 11o
-        lqd     $quad_11,48($object_8)                  # 12o
+        lqd     $quad_4,16($object_4)                   # 11o
+        lqd     $quad_5,48($object_4)                   # 12o
         lqd     $wx,0($a_packet)                        # 13o
         lqd     $x,192($a_packet)                       # 14o
         lqd     $wy,64($a_packet)                       # 15o
@@ -770,17 +750,17 @@ next_row_short:
         shufb   $base_z,$quad,$quad,$m_z                # 20o
         fs      $wy,$base_y,$wy                         # 21e
         lqd     $z,320($a_packet)                       # 21o
-        shufb   $axis_x,$quad_10,$quad_10,$m_x          # 22o
-        shufb   $axis_y,$quad_10,$quad_10,$m_y          # 23o
+        shufb   $axis_x,$quad_4,$quad_4,$m_x            # 22o
+        shufb   $axis_y,$quad_4,$quad_4,$m_y            # 23o
         nop     $127                                    # 24e pairing
-        shufb   $axis_z,$quad_10,$quad_10,$m_z          # 24o
+        shufb   $axis_z,$quad_4,$quad_4,$m_z            # 24o
         fs      $wz,$base_z,$wz                         # 25e
-        shufb   $growth,$quad_11,$quad_11,$m_y          # 25o
+        shufb   $growth,$quad_5,$quad_5,$m_y            # 25o
         fm      $near,$wx,$x                            # 26e
-        shufb   $radius,$quad_11,$quad_11,$m_x          # 26o
+        shufb   $radius,$quad_5,$quad_5,$m_x            # 26o
         fm      $row,$axis_x,$x                         # 27e
         rotqbyi $sides,$sides,12                        # 27o
-        shufb   $height,$quad_11,$quad_11,$m_z          # 28o
+        shufb   $height,$quad_5,$quad_5,$m_z            # 28o
         lqd     $t_best,384($a_packet)                  # 29o
         lqd     $nearest,448($a_packet)                 # 30o
         rotmi   $sides,$sides,-26                       # 31e the two bits to quadwords' addresses
@@ -875,7 +855,7 @@ next_row_short:
         shlqbii $control,$control,4                     # 217o
         lqx     $control,$control,$a_controls           # 221o
         shufb   $t_best,$t_best,$t,$control             # 227o
-        shufb   $nearest,$nearest,$object_8,$control    # 228o
+        shufb   $nearest,$nearest,$object_4,$control    # 228o
         stqd    $t_best,384($a_packet)                  # 231o
         stqd    $nearest,448($a_packet)                 # 232o
         nop     $127                                    # 233e pairing

@@ -55,16 +55,17 @@ function isect_sphere_pairs_interpolated_r16
         .set ahead_6,33; .set control_13,38; .set fx_10,18; .set oz_9,40; .set dz_9,25
         .set fz_12,32; .set t_best_9,6; .set fx_11,23; .set fy_10,29; .set fy_11,7
         .set t_best_10,33; .set disc_16,23; .set nearest_11,38; .set ox_8,2; .set dx_7,5
-        .set oy_8,6; .set fy_12,6; .set oz_10,7; .set dy_8,8; .set b_12,9; .set ox_9,20
-        .set fx_12,24; .set dz_10,26; .set fz_13,7; .set dx_8,27; .set dx_9,29; .set fx_13,20
-        .set radius2_5,21; .set oz_11,35; .set b_13,36; .set dy_9,41; .set dy_10,42; .set dz_11,43
-        .set b_14,44; .set dz_12,45; .set fy_13,22; .set t_best_11,28; .set fz_14,31
-        .set t_best_12,46; .set t_best_13,5; .set t_best_14,32; .set nearest_12,8; .set fz_15,23
-        .set nearest_13,35; .set nearest_14,47; .set nearest_15,48; .set disc_17,33; .set disc_18,6
-        .set m_by_side_4,6; .set disc_19,22; .set disc_20,20; .set out_8,21; .set fz_16,24
-        .set y_15,20; .set s_7,21; .set ahead_7,23; .set control_14,24; .set control_15,25
-        .set control_16,23; .set control_17,21; .set control_18,2; .set control_19,20; .set t_9,21
-        .set ahead_8,25; .set control_20,22; .set t_best_15,9; .set nearest_16,5; .set t_best_16,2
+        .set oy_8,6; .set oz_10,7; .set fy_12,6; .set dy_8,8; .set b_12,9; .set ox_9,20
+        .set dz_10,24; .set fz_13,7; .set dx_8,26; .set oy_9,27; .set radius2_5,28; .set fx_12,20
+        .set dx_9,31; .set oz_11,29; .set oz_12,35; .set dy_9,36; .set dy_10,41; .set dz_11,42
+        .set dz_12,44; .set fy_13,22; .set b_13,27; .set t_best_11,45; .set t_best_12,46
+        .set t_best_13,5; .set t_best_14,32; .set nearest_12,8; .set nearest_13,33; .set fz_14,23
+        .set nearest_14,35; .set nearest_15,47; .set b_14,24; .set disc_17,6; .set whole_4,7
+        .set m_by_side_4,21; .set disc_18,20; .set out_8,25; .set fz_15,26; .set s_7,22
+        .set ahead_7,25; .set out_9,28; .set ahead_8,30; .set control_14,25; .set control_15,6
+        .set control_16,2; .set s_8,7; .set t_9,21; .set ahead_9,23; .set control_17,24
+        .set control_18,23; .set ahead_10,24; .set control_19,20; .set nearest_16,2
+        .set control_20,9
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         ilhu    $m_x,1                                  # 1e
@@ -641,46 +642,46 @@ next_ball_short:
         fs      $fx_8,$cx,$ox                           # 18e
         lqd     $oz,128($a_packet)                      # 18o
         lqd     $dy,256($a_packet)                      # 19o
-        lqd     $ox,32($a_packet)                       # 20o
+        shufb   $cz,$quad,$quad,$m_z                    # 20o
         fs      $fy,$cy,$oy                             # 21e
-        shufb   $cz,$quad,$quad,$m_z                    # 21o
+        lqd     $oz_10,144($a_packet)                   # 21o
         fs      $fy_12,$cy,$oy_8                        # 22e
-        lqd     $oz_10,144($a_packet)                   # 22o
+        lqd     $dy_8,272($a_packet)                    # 22o
         fm      $b,$fx,$dx_7                            # 23e
-        lqd     $dy_8,272($a_packet)                    # 23o
+        lqd     $ox,32($a_packet)                       # 23o
         fm      $b_12,$fx_8,$dx                         # 24e
         lqd     $ox_9,48($a_packet)                     # 24o
         fs      $fz,$cz,$oz                             # 25e
         lqd     $dz,320($a_packet)                      # 25o
-        fs      $fx_12,$cx,$ox                          # 26e
+        nop     $127                                    # 26e pairing
         lqd     $dz_10,336($a_packet)                   # 26o
-        nop     $127                                    # 27e pairing
+        fs      $fz_13,$cz,$oz_10                       # 27e
         lqd     $oy,96($a_packet)                       # 27o
-        fs      $fz_13,$cz,$oz_10                       # 28e
+        nop     $127                                    # 28e pairing
         lqd     $dx_8,224($a_packet)                    # 28o
         fma     $b,$fy_12,$dy,$b                        # 29e
-        lqd     $oy_3,112($a_packet)                    # 29o
+        lqd     $oy_9,112($a_packet)                    # 29o
         fma     $b_12,$fy,$dy_8,$b_12                   # 30e
-        lqd     $dx_9,240($a_packet)                    # 30o
-        fs      $fx_13,$cx,$ox_9                        # 31e
-        shufb   $radius2_5,$sides,$sides,$m_x           # 31o
-        nop     $127                                    # 32e pairing
-        lqd     $oz,176($a_packet)                      # 32o
+        shufb   $radius2_5,$sides,$sides,$m_x           # 30o
+        fs      $fx_12,$cx,$ox_9                        # 31e
+        lqd     $dx_9,240($a_packet)                    # 31o
+        fs      $fx_6,$cx,$ox                           # 32e
+        lqd     $oz_11,176($a_packet)                   # 32o
         fs      $fy_3,$cy,$oy                           # 33e
-        lqd     $oz_11,160($a_packet)                   # 33o
-        fm      $b_13,$fx_12,$dx_8                      # 34e
+        lqd     $oz_12,160($a_packet)                   # 33o
+        fm      $radius2_5,$radius2_5,$radius2_5        # 34e
         lqd     $dy_9,288($a_packet)                    # 34o
         fma     $b,$fz,$dz,$b                           # 35e
         lqd     $dy_10,304($a_packet)                   # 35o
         fma     $b_12,$fz_13,$dz_10,$b_12               # 36e
         lqd     $dz_11,352($a_packet)                   # 36o
-        fm      $b_14,$fx_13,$dx_9                      # 37e
+        fm      $b_8,$fx_12,$dx_9                       # 37e
         lqd     $dz_12,368($a_packet)                   # 37o
-        fs      $fy_13,$cy,$oy_3                        # 38e
+        fs      $fy_13,$cy,$oy_9                        # 38e
         rotqbyi $sides,$sides,12                        # 38o
-        fm      $radius2_5,$radius2_5,$radius2_5        # 39e
+        fm      $b_13,$fx_6,$dx_8                       # 39e
         lqd     $t_best_11,384($a_packet)               # 39o
-        fs      $fz_14,$cz,$oz                          # 40e
+        fs      $fz_10,$cz,$oz_11                       # 40e
         lqd     $t_best_12,400($a_packet)               # 40o
         fnms    $fx,$b,$dx_7,$fx                        # 41e
         lqd     $t_best_13,432($a_packet)               # 41o
@@ -688,119 +689,117 @@ next_ball_short:
         lqd     $t_best_14,416($a_packet)               # 42o
         fnms    $fy,$b_12,$dy_8,$fy                     # 43e
         lqd     $nearest_12,448($a_packet)              # 43o
-        fs      $fz_15,$cz,$oz_11                       # 44e
+        fnms    $fy_12,$b,$dy,$fy_12                    # 44e
         lqd     $nearest_13,464($a_packet)              # 44o
-        fma     $b_13,$fy_3,$dy_9,$b_13                 # 45e
+        fs      $fz_14,$cz,$oz_12                       # 45e
         lqd     $nearest_14,496($a_packet)              # 45o
-        fma     $b_14,$fy_13,$dy_10,$b_14               # 46e
+        fma     $b_13,$fy_3,$dy_9,$b_13                 # 46e
         lqd     $nearest_15,480($a_packet)              # 46o
-        fnms    $fy_12,$b,$dy,$fy_12                    # 47e
+        fma     $b_8,$fy_13,$dy_10,$b_8                 # 47e
         fnms    $disc_11,$fx_8,$fx_8,$radius2_5         # 48e
-        fnms    $disc_17,$fx,$fx,$radius2_5             # 49e
+        fnms    $disc_2,$fx,$fx,$radius2_5              # 49e
         fnms    $fz,$b,$dz,$fz                          # 50e
-        fma     $b_7,$fz_15,$dz_11,$b_13                # 51e
-        fma     $b_13,$fz_14,$dz_12,$b_14               # 52e
-        fnms    $fz_13,$b_12,$dz_10,$fz_13              # 53e
+        fnms    $fz_13,$b_12,$dz_10,$fz_13              # 51e
+        fma     $b_14,$fz_14,$dz_11,$b_13               # 52e
+        fma     $b_13,$fz_10,$dz_12,$b_8                # 53e
         fnms    $disc_11,$fy,$fy,$disc_11               # 54e
-        fnms    $disc_18,$fy_12,$fy_12,$disc_17         # 55e
+        fnms    $disc_17,$fy_12,$fy_12,$disc_2          # 55e
         rotmi   $sides,$sides,-26                       # 56e
-        fnms    $fx,$b_7,$dx_8,$fx_12                   # 57e
-        fnms    $fx_13,$b_13,$dx_9,$fx_13               # 58e
-        fnms    $fy,$b_7,$dy_9,$fy_3                    # 59e
-        lnop                                            # 59o pairing
-        fnms    $disc,$fz_13,$fz_13,$disc_11            # 60e
-        lqx     $whole,$a_whole,$sides                  # 60o
-        fnms    $disc_11,$fz,$fz,$disc_18               # 61e
+        fnms    $fx,$b_14,$dx_8,$fx_6                   # 58e
+        fnms    $fx_12,$b_13,$dx_9,$fx_12               # 59e
+        fnms    $disc_11,$fz_13,$fz_13,$disc_11         # 60e
+        lqx     $whole_4,$a_whole,$sides                # 60o
+        fnms    $disc_17,$fz,$fz,$disc_17               # 61e
         lqx     $m_by_side_4,$a_by_side,$sides          # 61o
-        fnms    $fy_11,$b_13,$dy_10,$fy_13              # 62e
+        fnms    $fy,$b_14,$dy_9,$fy_3                   # 62e
         lqx     $half,$a_half,$sides                    # 62o
-        fnms    $disc_19,$fx,$fx,$radius2_5             # 63e
-        fnms    $disc_20,$fx_13,$fx_13,$radius2_5       # 64e
-        fnms    $fz,$b_7,$dz_11,$fz_15                  # 65e
+        fnms    $fy_13,$b_13,$dy_10,$fy_13              # 63e
+        fnms    $disc,$fx,$fx,$radius2_5                # 64e
+        fnms    $disc_18,$fx_12,$fx_12,$radius2_5       # 65e
         lnop                                            # 65o pairing
-        fms     $out,$b_12,$b_12,$disc                  # 66e
-        frsqest $y,$disc                                # 66o
-        fms     $out_8,$b,$b,$disc_11                   # 67e
-        frsqest $y_8,$disc_11                           # 67o
-        fnms    $fz_16,$b_13,$dz_12,$fz_14              # 68e
-        fnms    $disc_19,$fy,$fy,$disc_19               # 69e
-        fnms    $disc_5,$fy_11,$fy_11,$disc_20          # 70e
-        fi      $y_15,$disc_11,$y_8                     # 71e
-        fi      $y,$disc,$y                             # 72e
-        selb    $s,$whole,$out_8,$m_by_side_4           # 73e
-        selb    $s_7,$whole,$out,$m_by_side_4           # 74e
-        fnms    $disc_19,$fz,$fz,$disc_19               # 75e
-        fnms    $disc_5,$fz_16,$fz_16,$disc_5           # 76e
-        selb    $y_15,$y_15,$s,$m_sign                  # 78e
+        fnms    $fz,$b_14,$dz_11,$fz_14                 # 66e
+        frsqest $y,$disc_11                             # 66o
+        fms     $out,$b,$b,$disc_17                     # 67e
+        frsqest $y_8,$disc_17                           # 67o
+        fms     $out_8,$b_12,$b_12,$disc_11             # 68e
+        fnms    $fz_15,$b_13,$dz_12,$fz_10              # 69e
+        fnms    $disc,$fy,$fy,$disc                     # 70e
+        fi      $y_8,$disc_17,$y_8                      # 71e
+        fi      $y,$disc_11,$y                          # 72e
+        selb    $s,$whole_4,$out,$m_by_side_4           # 73e
+        fnms    $disc_18,$fy_13,$fy_13,$disc_18         # 74e
+        selb    $s_7,$whole_4,$out_8,$m_by_side_4       # 75e
+        fnms    $disc,$fz,$fz,$disc                     # 76e
+        selb    $y_8,$y_8,$s,$m_sign                    # 78e
         selb    $y,$y,$s_7,$m_sign                      # 79e
-        fnms    $t,$disc_11,$y_15,$b                    # 80e
-        fnms    $t_5,$disc,$y,$b_12                     # 81e
-        frsqest $y,$disc_19                             # 81o
-        fms     $out,$b_13,$b_13,$disc_5                # 82e
-        frsqest $y_15,$disc_5                           # 82o
-        fms     $out_8,$b_7,$b_7,$disc_19               # 83e
-        fi      $y,$disc_19,$y                          # 85e
-        cgti    $ahead_7,$t,0                           # 86e
-        cgt     $control_14,$t_best_12,$t_5             # 87e
-        fi      $y_15,$disc_5,$y_15                     # 88e
-        cgt     $control_15,$t_best_11,$t               # 89e
-        cgti    $ahead_5,$t_5,0                         # 90e
-        and     $control_16,$control_15,$ahead_7        # 91e
-        and     $control_14,$control_14,$ahead_5        # 92e
-        selb    $s,$whole,$out_8,$m_by_side_4           # 93e
-        andc    $control_17,$control_14,$disc           # 94e
-        andc    $control_18,$control_16,$disc_11        # 95e
-        selb    $y,$y,$s,$m_sign                        # 96e
-        rotqbii $control_17,$control_17,1               # 96o
-        selb    $s,$whole,$out,$m_by_side_4             # 97e
-        rotqbii $control_18,$control_18,1               # 97o
-        fnms    $t_8,$disc_19,$y,$b_7                   # 98e
-        selb    $y,$y_15,$s,$m_sign                     # 99e
-        nop     $127                                    # 100e pairing
-        gb      $control_19,$control_17                 # 100o
-        fnms    $t_9,$disc_5,$y,$b_13                   # 101e
-        gb      $control_18,$control_18                 # 101o
-        cgti    $ahead_7,$t_8,0                         # 104e
-        shlqbii $control_19,$control_19,4               # 104o
-        cgt     $control_14,$t_best_14,$t_8             # 105e
-        shlqbii $control_18,$control_18,4               # 105o
-        and     $control_16,$control_14,$ahead_7        # 107e
-        lnop                                            # 107o pairing
-        cgt     $control_14,$t_best_13,$t_9             # 108e
-        lqx     $control_19,$control_19,$a_controls     # 108o
-        cgti    $ahead_8,$t_9,0                         # 109e
-        lqx     $control_18,$control_18,$a_controls     # 109o
-        andc    $control_20,$control_16,$disc_19        # 110e
-        and     $control_16,$control_14,$ahead_8        # 111e
-        rotqbii $control_20,$control_20,1               # 112o
-        andc    $control_8,$control_16,$disc_5          # 113e
-        shufb   $t_best_15,$t_best_12,$t_5,$control_19  # 114o
-        rotqbii $control_8,$control_8,1                 # 115o
-        shufb   $t_best_8,$t_best_11,$t,$control_18     # 116o
-        shufb   $nearest,$nearest_12,$object,$control_18 # 117o
-        gb      $control_18,$control_20                 # 118o
-        gb      $control_8,$control_8                   # 119o
-        shufb   $nearest_12,$nearest_13,$object,$control_19 # 120o
-        stqd    $t_best_8,384($a_packet)                # 121o
-        stqd    $t_best_15,400($a_packet)               # 122o
-        shlqbii $control_8,$control_8,4                 # 123o
-        stqd    $nearest_12,464($a_packet)              # 124o
-        shlqbii $control_18,$control_18,4               # 125o
+        fnms    $disc_18,$fz_15,$fz_15,$disc_18         # 80e
+        fnms    $t_4,$disc_17,$y_8,$b                   # 81e
+        lnop                                            # 81o pairing
+        fnms    $t_5,$disc_11,$y,$b_12                  # 82e
+        frsqest $y,$disc                                # 82o
+        fms     $out,$b_14,$b_14,$disc                  # 83e
+        lnop                                            # 83o pairing
+        fi      $y,$disc,$y                             # 86e
+        frsqest $y_8,$disc_18                           # 86o
+        cgti    $ahead_7,$t_4,0                         # 87e
+        cgt     $control_3,$t_best_12,$t_5              # 88e
+        fms     $out_9,$b_13,$b_13,$disc_18             # 89e
+        fi      $y_8,$disc_18,$y_8                      # 90e
+        cgt     $control_9,$t_best_11,$t_4              # 91e
+        cgti    $ahead_8,$t_5,0                         # 92e
+        and     $control_14,$control_9,$ahead_7         # 93e
+        and     $control_3,$control_3,$ahead_8          # 94e
+        andc    $control_15,$control_14,$disc_17        # 95e
+        andc    $control_16,$control_3,$disc_11         # 96e
+        selb    $s,$whole_4,$out,$m_by_side_4           # 97e
+        rotqbii $control_15,$control_15,1               # 97o
+        selb    $s_8,$whole_4,$out_9,$m_by_side_4       # 98e
+        rotqbii $control_16,$control_16,1               # 98o
+        selb    $y,$y,$s,$m_sign                        # 99e
+        selb    $y_10,$y_8,$s_8,$m_sign                 # 100e
+        fnms    $t_9,$disc,$y,$b_14                     # 101e
+        gb      $control_15,$control_15                 # 101o
+        fnms    $t_7,$disc_18,$y_10,$b_13               # 102e
+        gb      $control_16,$control_16                 # 102o
+        shlqbii $control_15,$control_15,4               # 105o
+        shlqbii $control_16,$control_16,4               # 106o
+        cgti    $ahead_9,$t_9,0                         # 107e
+        cgt     $control_17,$t_best_14,$t_9             # 108e
+        cgt     $control_14,$t_best_13,$t_7             # 109e
+        lqx     $control_15,$control_15,$a_controls     # 109o
+        and     $control_18,$control_17,$ahead_9        # 110e
+        lqx     $control_16,$control_16,$a_controls     # 110o
+        cgti    $ahead_10,$t_7,0                        # 111e
+        andc    $control_18,$control_18,$disc           # 112e
+        and     $control_17,$control_14,$ahead_10       # 113e
+        rotqbii $control_18,$control_18,1               # 114o
+        andc    $control_19,$control_17,$disc_18        # 115e
+        shufb   $t_best_7,$t_best_11,$t_4,$control_15   # 115o
+        shufb   $nearest,$nearest_12,$object,$control_15 # 116o
+        rotqbii $control_15,$control_19,1               # 117o
+        shufb   $t_best_5,$t_best_12,$t_5,$control_16   # 118o
+        shufb   $nearest_16,$nearest_13,$object,$control_16 # 119o
+        gb      $control_20,$control_18                 # 120o
+        gb      $control_15,$control_15                 # 121o
+        stqd    $t_best_7,384($a_packet)                # 122o
+        stqd    $t_best_5,400($a_packet)                # 123o
+        stqd    $nearest_16,464($a_packet)              # 124o
+        shlqbii $control_16,$control_15,4               # 125o
         stqd    $nearest,448($a_packet)                 # 126o
         hbrr    next_ball_short_back,next_ball_short    # 127o hint
-        lqx     $control_8,$control_8,$a_controls       # 128o
-        lqx     $control_18,$control_18,$a_controls     # 129o
-        shufb   $nearest,$nearest_14,$object,$control_8 # 134o
-        shufb   $t_best,$t_best_13,$t_9,$control_8      # 135o
-        shufb   $nearest_16,$nearest_15,$object,$control_18 # 136o
-        shufb   $t_best_16,$t_best_14,$t_8,$control_18  # 137o
-        stqd    $nearest,496($a_packet)                 # 138o
-        stqd    $t_best,432($a_packet)                  # 139o
-        stqd    $nearest_16,480($a_packet)              # 140o
-        stqd    $t_best_16,416($a_packet)               # 141o
-        nop     $127                                    # 142e pairing
+        shlqbii $control_15,$control_20,4               # 128o
+        lqx     $control_16,$control_16,$a_controls     # 129o
+        lqx     $control_15,$control_15,$a_controls     # 132o
+        shufb   $nearest,$nearest_14,$object,$control_16 # 135o
+        shufb   $t_best,$t_best_13,$t_7,$control_16     # 136o
+        shufb   $nearest_16,$nearest_15,$object,$control_15 # 138o
+        shufb   $t_best_13,$t_best_14,$t_9,$control_15  # 139o
+        stqd    $t_best,432($a_packet)                  # 140o
+        stqd    $nearest,496($a_packet)                 # 141o
+        stqd    $nearest_16,480($a_packet)              # 142o
+        stqd    $t_best_13,416($a_packet)               # 143o
 next_ball_short_back:
-        brnz    $count,next_ball_short                  # 142o
-        nop     $127                                    # 143e pairing
-        bi      $lr                                     # 143o
+        brnz    $count,next_ball_short                  # 144o
+        nop     $127                                    # 145e pairing
+        bi      $lr                                     # 145o
 endfunction isect_sphere_pairs_interpolated_r16

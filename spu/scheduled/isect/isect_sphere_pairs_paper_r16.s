@@ -61,13 +61,14 @@ function isect_sphere_pairs_paper_r16
         .set nearest_10,29; .set nearest_11,28; .set e_12,2; .set s_13,3; .set nearest_12,4
         .set t_best_10,4; .set control_13,3; .set control_14,6; .set ox_8,2; .set dx_10,5
         .set ox_9,6; .set fx_9,2; .set oy_8,8; .set fx_10,6; .set oy_9,9; .set oy_10,23
-        .set dy_14,5; .set oz_12,27; .set cz_3,20; .set fy_11,23; .set oz_13,30; .set b_19,6
-        .set dz_12,7; .set fy_12,8; .set dx_11,31; .set fz_11,30; .set dy_15,36; .set t_best_11,23
-        .set nearest_13,22; .set t_best_12,27; .set nearest_14,7; .set nearest_15,30; .set b_20,21
-        .set cc_16,8; .set disc_9,28; .set cc_17,20; .set whole_4,31; .set half_4,32
-        .set disc_10,33; .set disc_11,34; .set y_13,35; .set s_14,36; .set y_14,37; .set s_15,38
-        .set s_16,24; .set e_13,35; .set t_7,2; .set t_8,6; .set t_9,20; .set control_15,21
-        .set ahead_6,24; .set control_16,9
+        .set dy_14,5; .set oz_12,27; .set cz_3,20; .set fy_11,9; .set oz_13,28; .set ox_10,30
+        .set b_19,6; .set dz_12,7; .set fy_12,8; .set dx_11,31; .set fz_11,28; .set dy_15,36
+        .set fz_12,5; .set dz_13,9; .set t_best_11,32; .set t_best_12,21; .set t_best_13,22
+        .set nearest_13,23; .set t_best_14,7; .set nearest_14,27; .set nearest_15,30; .set b_20,31
+        .set cc_16,8; .set b_21,29; .set disc_9,31; .set cc_17,9; .set y_13,20; .set whole_4,24
+        .set half_4,29; .set disc_10,33; .set disc_11,34; .set y_14,35; .set s_14,36; .set y_15,37
+        .set s_15,38; .set e_13,35; .set s_16,9; .set t_7,2; .set e_14,20; .set t_8,6
+        .set control_15,9; .set ahead_6,20; .set control_16,20
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         ilhu    $m_x,1                                  # 1e
@@ -632,9 +633,9 @@ next_ball_short:
         nop     $127                                    # 22e pairing
         lqd     $oy_8,112($a_packet)                    # 22o
         fs      $fx_10,$cx,$ox_9                        # 23e
-        lqd     $oy_9,96($a_packet)                     # 23o
+        lqd     $oy_9,64($a_packet)                     # 23o
         fms     $cc,$fx,$fx,$radius2                    # 24e
-        lqd     $oy_10,64($a_packet)                    # 24o
+        lqd     $oy_10,96($a_packet)                    # 24o
         fm      $b,$fx,$dx_10                           # 25e
         lqd     $dy_14,256($a_packet)                   # 25o
         fm      $b_10,$fx_9,$dx                         # 26e
@@ -642,11 +643,11 @@ next_ball_short:
         fms     $cc_11,$fx_9,$fx_9,$radius2             # 27e
         lqd     $oz_12,176($a_packet)                   # 27o
         fs      $fy,$cy,$oy                             # 28e
-        lqd     $ox,32($a_packet)                       # 28o
-        fms     $cc_10,$fx_10,$fx_10,$radius2           # 29e
-        shufb   $cz_3,$quad,$quad,$m_z                  # 29o
-        fs      $fy_11,$cy,$oy_10                       # 30e
-        lqd     $oz_13,128($a_packet)                   # 30o
+        shufb   $cz_3,$quad,$quad,$m_z                  # 28o
+        fs      $fy_11,$cy,$oy_9                        # 29e
+        lqd     $oz_13,128($a_packet)                   # 29o
+        fms     $cc_6,$fx_10,$fx_10,$radius2            # 30e
+        lqd     $ox_10,32($a_packet)                    # 30o
         fm      $b_19,$fx_10,$dx_4                      # 31e
         lqd     $dz_12,320($a_packet)                   # 31o
         fs      $fy_12,$cy,$oy_8                        # 32e
@@ -655,133 +656,133 @@ next_ball_short:
         lqd     $dx_11,224($a_packet)                   # 33o
         fma     $b_10,$fy,$dy,$b_10                     # 34e
         lqd     $dy,288($a_packet)                      # 34o
-        fma     $cc_11,$fy,$fy,$cc_11                   # 35e
+        fs      $fz_11,$cz_3,$oz_13                     # 35e
         lqd     $dz_4,352($a_packet)                    # 35o
-        fs      $fz_11,$cz_3,$oz_13                     # 36e
+        fma     $cc,$fy_11,$fy_11,$cc                   # 36e
         lqd     $dy_15,304($a_packet)                   # 36o
-        fma     $cc,$fy_11,$fy_11,$cc                   # 37e
+        fma     $b,$fy_11,$dy_14,$b                     # 37e
         rotqbyi $sides,$sides,12                        # 37o
-        fs      $fz_6,$cz_3,$oz_9                       # 38e
-        lqd     $dz_10,368($a_packet)                   # 38o
-        fma     $b,$fy_11,$dy_14,$b                     # 39e
-        lqd     $t_best_7,400($a_packet)                # 39o
-        fs      $fx_4,$cx,$ox                           # 40e
-        lqd     $t_best_11,416($a_packet)               # 40o
-        fs      $fy,$cy,$oy_9                           # 41e
-        lqd     $t_best_4,384($a_packet)                # 41o
+        fs      $fz_12,$cz_3,$oz_9                      # 38e
+        lqd     $dz_13,368($a_packet)                   # 38o
+        fma     $cc_11,$fy,$fy,$cc_11                   # 39e
+        lqd     $t_best_11,400($a_packet)               # 39o
+        fs      $fx,$cx,$ox_10                          # 40e
+        lqd     $t_best_12,416($a_packet)               # 40o
+        fs      $fy,$cy,$oy_10                          # 41e
+        lqd     $t_best_13,384($a_packet)               # 41o
         fs      $fz_3,$cz_3,$oz_12                      # 42e
         lqd     $nearest_13,448($a_packet)              # 42o
-        fma     $b_10,$fz,$dz,$b_10                     # 43e
-        lqd     $t_best_12,432($a_packet)               # 43o
-        fma     $cc,$fz_11,$fz_11,$cc                   # 44e
-        lqd     $nearest_10,464($a_packet)              # 44o
-        fma     $b,$fz_11,$dz_12,$b                     # 45e
-        lqd     $nearest_14,496($a_packet)              # 45o
-        fms     $cc_13,$fx_4,$fx_4,$radius2             # 46e
+        fma     $b,$fz_11,$dz_12,$b                     # 43e
+        lqd     $t_best_14,432($a_packet)               # 43o
+        fma     $b_10,$fz,$dz,$b_10                     # 44e
+        lqd     $nearest_14,464($a_packet)              # 44o
+        fma     $cc,$fz_11,$fz_11,$cc                   # 45e
+        lqd     $nearest_11,496($a_packet)              # 45o
+        fms     $cc_13,$fx,$fx,$radius2                 # 46e
         lqd     $nearest_15,480($a_packet)              # 46o
-        fm      $b_20,$fx_4,$dx_11                      # 47e
+        fm      $b_20,$fx,$dx_11                        # 47e
         fma     $cc_11,$fz,$fz,$cc_11                   # 48e
         fma     $b_19,$fy_12,$dy_15,$b_19               # 49e
-        fma     $cc_16,$fy_12,$fy_12,$cc_10             # 50e
+        fma     $cc_16,$fy_12,$fy_12,$cc_6              # 50e
         fms     $disc,$b,$b,$cc                         # 51e
         fma     $cc_13,$fy,$fy,$cc_13                   # 52e
-        fma     $b_20,$fy,$dy,$b_20                     # 53e
+        fma     $b_21,$fy,$dy,$b_20                     # 53e
         fms     $disc_9,$b_10,$b_10,$cc_11              # 54e
-        fma     $b_19,$fz_3,$dz_10,$b_19                # 55e
+        fma     $b_19,$fz_3,$dz_13,$b_19                # 55e
         fma     $cc_16,$fz_3,$fz_3,$cc_16               # 56e
         rotmi   $sides,$sides,-26                       # 57e
         frsqest $y,$disc                                # 57o
-        fma     $cc_17,$fz_6,$fz_6,$cc_13               # 58e
-        fma     $b_20,$fz_6,$dz_4,$b_20                 # 59e
+        fma     $cc_17,$fz_12,$fz_12,$cc_13             # 58e
+        fma     $b_12,$fz_12,$dz_4,$b_21                # 59e
         nop     $127                                    # 60e pairing
-        frsqest $y_2,$disc_9                            # 60o
+        frsqest $y_13,$disc_9                           # 60o
         fi      $y,$disc,$y                             # 61e
         lqx     $whole_4,$a_whole,$sides                # 61o
         nop     $127                                    # 62e pairing
         lqx     $half_4,$a_half,$sides                  # 62o
         fms     $disc_10,$b_19,$b_19,$cc_16             # 63e
         lqx     $m_by_side_2,$a_by_side,$sides          # 63o
-        fi      $y_2,$disc_9,$y_2                       # 64e
-        fms     $disc_11,$b_20,$b_20,$cc_17             # 66e
+        fi      $y_13,$disc_9,$y_13                     # 64e
+        fms     $disc_11,$b_12,$b_12,$cc_17             # 66e
         fm      $s,$disc,$y                             # 68e
-        frsqest $y_13,$disc_10                          # 69o
-        fm      $s_14,$disc_9,$y_2                      # 71e
-        frsqest $y_14,$disc_11                          # 72o
-        fi      $y_13,$disc_10,$y_13                    # 73e
+        frsqest $y_14,$disc_10                          # 69o
+        fm      $s_14,$disc_9,$y_13                     # 71e
+        frsqest $y_15,$disc_11                          # 72o
+        fi      $y_14,$disc_10,$y_14                    # 73e
         selb    $s_15,$s,$cc,$m_by_side_2               # 74e
         fnms    $e,$s,$y,$k_one                         # 75e
-        fi      $y,$disc_11,$y_14                       # 76e
+        fi      $y,$disc_11,$y_15                       # 76e
         selb    $s,$s_14,$cc_11,$m_by_side_2            # 77e
-        fnms    $e_12,$s_14,$y_2,$k_one                 # 78e
-        fm      $s_16,$disc_10,$y_13                    # 80e
+        fnms    $e_12,$s_14,$y_13,$k_one                # 78e
+        fm      $s_2,$disc_10,$y_14                     # 80e
         fma     $e,$e,$half_4,$whole_4                  # 81e
         fm      $s_14,$disc_11,$y                       # 83e
         fma     $e_12,$e_12,$half_4,$whole_4            # 84e
-        fnms    $e_13,$s_16,$y_13,$k_one                # 86e
+        fnms    $e_13,$s_2,$y_14,$k_one                 # 86e
         fnms    $t,$s_15,$e,$b                          # 87e
-        selb    $s_12,$s_16,$cc_16,$m_by_side_2         # 88e
-        selb    $s_2,$s_14,$cc_17,$m_by_side_2          # 89e
+        selb    $s_12,$s_2,$cc_16,$m_by_side_2          # 88e
+        selb    $s_16,$s_14,$cc_17,$m_by_side_2         # 89e
         fnms    $t_7,$s,$e_12,$b_10                     # 90e
         fnms    $e,$s_14,$y,$k_one                      # 91e
-        fma     $e_2,$e_13,$half_4,$whole_4             # 92e
+        fma     $e_14,$e_13,$half_4,$whole_4            # 92e
         cgti    $ahead,$t,0                             # 93e
-        cgt     $control,$t_best_4,$t                   # 94e
+        cgt     $control,$t_best_13,$t                  # 94e
         and     $control,$control,$ahead                # 96e
         fma     $e,$e,$half_4,$whole_4                  # 97e
         andc    $control,$control,$disc                 # 98e
-        cgt     $control_6,$t_best_7,$t_7               # 99e
+        cgt     $control_4,$t_best_11,$t_7              # 99e
         lnop                                            # 99o pairing
         cgti    $ahead,$t_7,0                           # 100e
         rotqbii $control,$control,1                     # 100o
-        fnms    $t_8,$s_12,$e_2,$b_19                   # 101e
-        and     $control_10,$control_6,$ahead           # 102e
-        fnms    $t_9,$s_2,$e,$b_20                      # 103e
+        fnms    $t_8,$s_12,$e_14,$b_19                  # 101e
+        and     $control_10,$control_4,$ahead           # 102e
+        fnms    $t_4,$s_16,$e,$b_12                     # 103e
         lnop                                            # 103o pairing
         andc    $control_10,$control_10,$disc_9         # 104e
         gb      $control,$control                       # 104o
         rotqbii $control_10,$control_10,1               # 106o
-        cgt     $control_15,$t_best_12,$t_8             # 107e
+        cgt     $control_15,$t_best_14,$t_8             # 107e
         cgti    $ahead,$t_8,0                           # 108e
         shlqbii $control,$control,4                     # 108o
-        cgti    $ahead_6,$t_9,0                         # 109e
+        cgti    $ahead_6,$t_4,0                         # 109e
         lnop                                            # 109o pairing
         and     $control_15,$control_15,$ahead          # 110e
         gb      $control_10,$control_10                 # 110o
-        cgt     $control_6,$t_best_11,$t_9              # 111e
+        cgt     $control_4,$t_best_12,$t_4              # 111e
         lnop                                            # 111o pairing
         andc    $control_15,$control_15,$disc_10        # 112e
         lqx     $control,$control,$a_controls           # 112o
-        and     $control_4,$control_6,$ahead_6          # 113e
+        and     $control_16,$control_4,$ahead_6         # 113e
         shlqbii $control_10,$control_10,4               # 114o
-        andc    $control_4,$control_4,$disc_11          # 115e
+        andc    $control_16,$control_16,$disc_11        # 115e
         rotqbii $control_15,$control_15,1               # 115o
-        rotqbii $control_4,$control_4,1                 # 117o
-        shufb   $t_best,$t_best_4,$t,$control           # 118o
+        rotqbii $control_16,$control_16,1               # 117o
+        shufb   $t_best,$t_best_13,$t,$control          # 118o
         lqx     $control_10,$control_10,$a_controls     # 119o
         shufb   $nearest,$nearest_13,$object,$control   # 120o
         gb      $control,$control_15                    # 121o
         stqd    $t_best,384($a_packet)                  # 122o
-        gb      $control_16,$control_4                  # 123o
+        gb      $control_15,$control_16                 # 123o
         stqd    $nearest,448($a_packet)                 # 124o
-        shufb   $nearest,$nearest_10,$object,$control_10 # 125o
+        shufb   $nearest,$nearest_14,$object,$control_10 # 125o
         shlqbii $control,$control,4                     # 126o
-        shlqbii $control_16,$control_16,4               # 127o
-        shufb   $t_best,$t_best_7,$t_7,$control_10      # 128o
+        shlqbii $control_15,$control_15,4               # 127o
+        shufb   $t_best,$t_best_11,$t_7,$control_10     # 128o
         stqd    $nearest,464($a_packet)                 # 129o
         lqx     $control,$control,$a_controls           # 130o
-        lqx     $control_7,$control_16,$a_controls      # 131o
+        lqx     $control_7,$control_15,$a_controls      # 131o
         stqd    $t_best,400($a_packet)                  # 132o
         hbrr    next_ball_short_back,next_ball_short    # 133o hint
-        shufb   $t_best,$t_best_12,$t_8,$control        # 136o
-        shufb   $t_best_7,$t_best_11,$t_9,$control_7    # 137o
-        shufb   $nearest,$nearest_14,$object,$control   # 138o
+        shufb   $t_best,$t_best_14,$t_8,$control        # 136o
+        shufb   $t_best_7,$t_best_12,$t_4,$control_7    # 137o
+        shufb   $nearest,$nearest_11,$object,$control   # 138o
         shufb   $nearest_7,$nearest_15,$object,$control_7 # 139o
         stqd    $t_best,432($a_packet)                  # 140o
         stqd    $t_best_7,416($a_packet)                # 141o
         stqd    $nearest,496($a_packet)                 # 142o
         stqd    $nearest_7,480($a_packet)               # 143o
 next_ball_short_back:
-        brnz    $count,next_ball_short                  # 148o
+        brnz    $count,next_ball_short                  # 149o
         nop     $127                                    # 145e pairing
         bi      $lr                                     # 145o
 endfunction isect_sphere_pairs_paper_r16

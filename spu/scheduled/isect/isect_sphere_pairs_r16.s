@@ -50,16 +50,17 @@ function isect_sphere_pairs_r16
         .set t_7,2; .set control_5,21; .set ahead_4,23; .set control_6,26; .set control_7,23
         .set ahead_5,45; .set t_best_8,26; .set nearest_8,27; .set fz_10,29; .set nearest_9,30
         .set nearest_10,24; .set a_packet_3,3; .set e_12,4; .set ahead_6,4; .set control_8,4
-        .set ox_8,2; .set dx_8,5; .set oy_8,6; .set fx_10,2; .set dy_9,7; .set fy_10,6; .set b_7,9
-        .set oz_9,20; .set dz_10,21; .set radius2_4,29; .set b_8,35; .set oz_10,36; .set dy_10,43
-        .set dz_11,44; .set dz_12,45; .set fy_11,22; .set radius2_5,28; .set t_best_9,29
-        .set t_best_10,46; .set t_best_11,47; .set nearest_11,32; .set nearest_12,48; .set fz_11,23
-        .set disc_14,7; .set disc_15,2; .set b_9,37; .set fx_11,6; .set fx_12,7; .set fy_12,8
-        .set disc_16,6; .set y_10,21; .set s_15,20; .set y_11,23; .set y_12,25; .set s_16,21
-        .set t_8,30; .set e_13,23; .set t_9,8; .set ahead_7,9; .set control_9,20; .set e_14,21
-        .set ahead_8,22; .set control_10,9; .set t_10,20; .set ahead_9,24; .set ahead_10,25
-        .set control_11,7; .set control_12,6; .set t_best_12,8; .set nearest_13,2
-        .set nearest_14,9
+        .set ox_8,2; .set dx_8,5; .set oy_8,6; .set fx_10,2; .set dx_9,7; .set dy_9,9; .set fy_10,6
+        .set b_7,24; .set dz_10,27; .set radius2_4,28; .set dx_10,29; .set fx_11,21; .set oz_9,23
+        .set oy_9,35; .set dz_11,36; .set dy_10,42; .set dy_11,43; .set b_8,44; .set dz_12,45
+        .set fz_11,23; .set fy_11,22; .set t_best_9,46; .set t_best_10,47; .set t_best_11,48
+        .set nearest_11,49; .set nearest_12,31; .set nearest_13,50; .set nearest_14,9; .set b_9,5
+        .set b_10,32; .set disc_14,2; .set fy_12,7; .set fz_12,6; .set disc_15,21; .set fz_13,22
+        .set disc_16,7; .set out_9,20; .set y_10,21; .set disc_17,6; .set y_11,7; .set y_12,25
+        .set out_10,29; .set s_15,20; .set e_13,7; .set e_14,22; .set s_16,21; .set t_8,24
+        .set ahead_7,20; .set control_9,20; .set t_9,21; .set control_10,22; .set ahead_8,22
+        .set control_11,25; .set control_12,6; .set control_13,8; .set t_best_12,20
+        .set nearest_15,6
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         ilhu    $m_x,1                                  # 1e
@@ -654,184 +655,190 @@ next_ball_short:
         lqd     $quad,0($object)                        # 7o
         lqd     $sides,32($object)                      # 8o
         shufb   $object,$object,$object,$m_x            # 9o
-        lqd     $ox,0($a_packet)                        # 10o
-        lqd     $ox_8,16($a_packet)                     # 11o
-        lqd     $oy,80($a_packet)                       # 12o
+        lqd     $ox,16($a_packet)                       # 10o
+        lqd     $dx,208($a_packet)                      # 11o
+        lqd     $oz,128($a_packet)                      # 12o
         shufb   $cx,$quad,$quad,$m_x                    # 13o
-        lqd     $dx,208($a_packet)                      # 14o
-        lqd     $dx_8,192($a_packet)                    # 15o
-        lqd     $oy_8,64($a_packet)                     # 16o
+        lqd     $dy,272($a_packet)                      # 14o
+        lqd     $ox_8,0($a_packet)                      # 15o
+        shufb   $cy,$quad,$quad,$m_y                    # 16o
         fs      $fx,$cx,$ox                             # 17e
-        shufb   $cy,$quad,$quad,$m_y                    # 17o
-        fs      $fx_10,$cx,$ox_8                        # 18e
-        lqd     $oz,128($a_packet)                      # 18o
-        lqd     $dy,256($a_packet)                      # 19o
-        lqd     $ox,48($a_packet)                       # 20o
-        fs      $fy,$cy,$oy                             # 21e
-        lqd     $dy_9,272($a_packet)                    # 21o
-        fs      $fy_10,$cy,$oy_8                        # 22e
-        lqd     $ox_2,32($a_packet)                     # 22o
-        fm      $b,$fx,$dx_8                            # 23e
-        shufb   $cz,$quad,$quad,$m_z                    # 23o
-        fm      $b_7,$fx_10,$dx                         # 24e
-        lqd     $oz_9,144($a_packet)                    # 24o
-        nop     $127                                    # 25e pairing
-        lqd     $dz,320($a_packet)                      # 25o
-        fs      $fx_2,$cx,$ox                           # 26e
-        lqd     $dx_5,224($a_packet)                    # 26o
-        fs      $fz,$cz,$oz                             # 27e
-        lqd     $dx_3,240($a_packet)                    # 27o
-        fs      $fx_3,$cx,$ox_2                         # 28e
+        lqd     $oy,64($a_packet)                       # 17o
+        lqd     $dx_8,192($a_packet)                    # 18o
+        lqd     $oy_8,80($a_packet)                     # 19o
+        nop     $127                                    # 20e pairing
+        lqd     $dz,320($a_packet)                      # 20o
+        fs      $fx_10,$cx,$ox_8                        # 21e
+        lqd     $ox,48($a_packet)                       # 21o
+        nop     $127                                    # 22e pairing
+        lqd     $dx_9,240($a_packet)                    # 22o
+        fs      $fy,$cy,$oy                             # 23e
+        lqd     $oz_6,144($a_packet)                    # 23o
+        fm      $b,$fx,$dx                              # 24e
+        lqd     $dy_9,256($a_packet)                    # 24o
+        fs      $fy_10,$cy,$oy_8                        # 25e
+        lqd     $ox_5,32($a_packet)                     # 25o
+        nop     $127                                    # 26e pairing
+        shufb   $cz_2,$quad,$quad,$m_z                  # 26o
+        fm      $b_7,$fx_10,$dx_8                       # 27e
+        lqd     $oy,96($a_packet)                       # 27o
+        fs      $fx_9,$cx,$ox                           # 28e
         lqd     $dz_10,336($a_packet)                   # 28o
-        fma     $b,$fy_10,$dy,$b                        # 29e
-        lqd     $oy,112($a_packet)                      # 29o
-        fs      $fz_5,$cz,$oz_9                         # 30e
-        lqd     $oy_2,96($a_packet)                     # 30o
-        fma     $b_7,$fy,$dy_9,$b_7                     # 31e
-        shufb   $radius2_4,$sides,$sides,$m_x           # 31o
-        nop     $127                                    # 32e pairing
-        lqd     $dy_4,288($a_packet)                    # 32o
-        fm      $b_8,$fx_2,$dx_3                        # 33e
-        lqd     $oz_10,176($a_packet)                   # 33o
-        fm      $b_2,$fx_3,$dx_5                        # 34e
-        lqd     $oz_3,160($a_packet)                    # 34o
-        fma     $b,$fz,$dz,$b                           # 35e
-        lqd     $dy_10,304($a_packet)                   # 35o
-        fs      $fy_2,$cy,$oy                           # 36e
-        lqd     $dz_11,352($a_packet)                   # 36o
-        fma     $b_7,$fz_5,$dz_10,$b_7                  # 37e
+        nop     $127                                    # 29e pairing
+        shufb   $radius2_4,$sides,$sides,$m_x           # 29o
+        fs      $fz,$cz_2,$oz                           # 30e
+        lqd     $dx_10,224($a_packet)                   # 30o
+        fs      $fx_11,$cx,$ox_5                        # 31e
+        lqd     $oz,176($a_packet)                      # 31o
+        fma     $b,$fy_10,$dy,$b                        # 32e
+        lqd     $oz_9,160($a_packet)                    # 32o
+        fma     $b_7,$fy,$dy_9,$b_7                     # 33e
+        lqd     $oy_9,112($a_packet)                    # 33o
+        fs      $fy_2,$cy,$oy                           # 34e
+        lqd     $dz_11,352($a_packet)                   # 34o
+        fm      $b_2,$fx_9,$dx_9                        # 35e
+        lqd     $dy_10,288($a_packet)                   # 35o
+        fs      $fz_7,$cz_2,$oz_6                       # 36e
+        lqd     $dy_11,304($a_packet)                   # 36o
+        fm      $b_8,$fx_11,$dx_10                      # 37e
         lqd     $dz_12,368($a_packet)                   # 37o
-        fs      $fy_11,$cy,$oy_2                        # 38e
+        fs      $fz_11,$cz_2,$oz_9                      # 38e
         rotqbyi $sides,$sides,12                        # 38o
-        fm      $radius2_5,$radius2_4,$radius2_4        # 39e
-        lqd     $t_best_9,400($a_packet)                # 39o
-        fs      $fz_3,$cz,$oz_3                         # 40e
-        lqd     $t_best_10,384($a_packet)               # 40o
-        fnms    $fx,$b,$dx_8,$fx                        # 41e
-        lqd     $t_best_6,416($a_packet)                # 41o
-        fma     $b_8,$fy_2,$dy_10,$b_8                  # 42e
+        fs      $fy_11,$cy,$oy_9                        # 39e
+        lqd     $t_best,400($a_packet)                  # 39o
+        fma     $b_7,$fz,$dz,$b_7                       # 40e
+        lqd     $t_best_9,384($a_packet)                # 40o
+        fm      $radius2_4,$radius2_4,$radius2_4        # 41e
+        lqd     $t_best_10,416($a_packet)               # 41o
+        fma     $b,$fz_7,$dz_10,$b                      # 42e
         lqd     $t_best_11,432($a_packet)               # 42o
-        fnms    $fx_10,$b_7,$dx,$fx_10                  # 43e
+        fma     $b_8,$fy_2,$dy_10,$b_8                  # 43e
         lqd     $nearest_11,448($a_packet)              # 43o
-        fma     $b_2,$fy_11,$dy_4,$b_2                  # 44e
+        fs      $fz_5,$cz_2,$oz                         # 44e
         lqd     $nearest_12,464($a_packet)              # 44o
-        fs      $fz_11,$cz,$oz_10                       # 45e
-        lqd     $nearest,496($a_packet)                 # 45o
-        fnms    $fy_10,$b,$dy,$fy_10                    # 46e
-        lqd     $nearest_6,480($a_packet)               # 46o
-        fnms    $fy,$b_7,$dy_9,$fy                      # 47e
-        fnms    $disc_14,$fx,$fx,$radius2_5             # 48e
-        fnms    $disc_15,$fx_10,$fx_10,$radius2_5       # 49e
-        fma     $b_9,$fz_3,$dz_11,$b_2                  # 50e
-        fma     $b_8,$fz_11,$dz_12,$b_8                 # 51e
-        fnms    $fz,$b,$dz,$fz                          # 52e
-        fnms    $fz_5,$b_7,$dz_10,$fz_5                 # 53e
-        fnms    $disc,$fy_10,$fy_10,$disc_14            # 54e
-        fnms    $disc_15,$fy,$fy,$disc_15               # 55e
-        fnms    $fx_11,$b_9,$dx_5,$fx_3                 # 56e
-        fnms    $fx_12,$b_8,$dx_3,$fx_2                 # 57e
-        fnms    $fy,$b_9,$dy_4,$fy_11                   # 58e
-        fnms    $fy_12,$b_8,$dy_10,$fy_2                # 59e
-        fnms    $disc,$fz,$fz,$disc                     # 60e
-        fnms    $disc_15,$fz_5,$fz_5,$disc_15           # 61e
-        fnms    $disc_16,$fx_11,$fx_11,$radius2_5       # 62e
-        fnms    $disc_14,$fx_12,$fx_12,$radius2_5       # 63e
-        fnms    $fz,$b_8,$dz_12,$fz_11                  # 64e
-        fnms    $fz_5,$b_9,$dz_11,$fz_3                 # 65e
-        lnop                                            # 65o pairing
-        rotmi   $sides,$sides,-26                       # 66e
-        frsqest $y,$disc                                # 66o
-        fms     $out,$b,$b,$disc                        # 67e
-        frsqest $y_10,$disc_15                          # 67o
-        fnms    $disc_16,$fy,$fy,$disc_16               # 68e
-        fnms    $disc_14,$fy_12,$fy_12,$disc_14         # 69e
-        fi      $y,$disc,$y                             # 70e
-        lqx     $whole,$a_whole,$sides                  # 70o
-        fi      $y_6,$disc_15,$y_10                     # 71e
-        lqx     $half,$a_half,$sides                    # 71o
-        lqx     $m_by_side,$a_by_side,$sides            # 72o
-        fms     $out_7,$b_7,$b_7,$disc_15               # 73e
-        fnms    $disc_16,$fz_5,$fz_5,$disc_16           # 74e
-        fnms    $disc_14,$fz,$fz,$disc_14               # 75e
-        fm      $s,$disc,$y                             # 77e
-        fm      $s_15,$disc_15,$y_6                     # 78e
-        fms     $out_2,$b_9,$b_9,$disc_16               # 80e
-        frsqest $y_11,$disc_16                          # 80o
-        fms     $out_8,$b_8,$b_8,$disc_14               # 81e
-        frsqest $y_12,$disc_14                          # 81o
-        fnms    $e,$s,$y,$k_one                         # 83e
-        fi      $y,$disc_16,$y_11                       # 84e
-        fi      $y_11,$disc_14,$y_12                    # 85e
-        selb    $s,$s,$out,$m_by_side                   # 86e
-        fnms    $e_11,$s_15,$y_6,$k_one                 # 87e
-        selb    $s_15,$s_15,$out_7,$m_by_side           # 88e
-        fma     $e,$e,$half,$whole                      # 89e
-        fm      $s_16,$disc_16,$y                       # 91e
-        fm      $s_11,$disc_14,$y_11                    # 92e
-        fma     $e_11,$e_11,$half,$whole                # 93e
-        fnms    $t_8,$s,$e,$b                           # 95e
-        fnms    $e,$s_16,$y,$k_one                      # 97e
-        fnms    $e_13,$s_11,$y_11,$k_one                # 98e
-        fnms    $t_9,$s_15,$e_11,$b_7                   # 99e
-        selb    $s,$s_16,$out_2,$m_by_side              # 100e
-        cgti    $ahead_7,$t_8,0                         # 101e
-        cgt     $control_9,$t_best_10,$t_8              # 102e
-        fma     $e,$e,$half,$whole                      # 103e
-        fma     $e_14,$e_13,$half,$whole                # 104e
-        cgti    $ahead_8,$t_9,0                         # 105e
-        cgt     $control_7,$t_best_9,$t_9               # 106e
-        and     $control_10,$control_9,$ahead_7         # 107e
-        and     $control_9,$control_7,$ahead_8          # 108e
-        andc    $control_10,$control_10,$disc           # 109e
-        andc    $control_2,$control_9,$disc_15          # 110e
-        lnop                                            # 110o pairing
-        selb    $s_15,$s_11,$out_8,$m_by_side           # 111e
-        rotqbii $control_10,$control_10,1               # 111o
-        fnms    $t_2,$s,$e,$b_9                         # 112e
-        rotqbii $control_2,$control_2,1                 # 112o
-        fnms    $t_10,$s_15,$e_14,$b_8                  # 113e
-        gb      $control_10,$control_10                 # 115o
-        gb      $control_2,$control_2                   # 116o
-        cgt     $control_5,$t_best_6,$t_2               # 118e
-        cgt     $control_7,$t_best_11,$t_10             # 119e
-        shlqbii $control_10,$control_10,4               # 119o
-        cgti    $ahead_9,$t_10,0                        # 120e
-        shlqbii $control_2,$control_2,4                 # 120o
-        cgti    $ahead_10,$t_2,0                        # 121e
-        and     $control_7,$control_7,$ahead_9          # 122e
-        and     $control_5,$control_5,$ahead_10         # 123e
-        lqx     $control_10,$control_10,$a_controls     # 123o
-        andc    $control_11,$control_7,$disc_14         # 124e
-        lqx     $control_2,$control_2,$a_controls       # 124o
-        andc    $control_12,$control_5,$disc_16         # 125e
-        rotqbii $control_11,$control_11,1               # 126o
-        rotqbii $control_12,$control_12,1               # 127o
-        shufb   $t_best,$t_best_10,$t_8,$control_10     # 129o
-        shufb   $t_best_12,$t_best_9,$t_9,$control_2    # 130o
-        shufb   $nearest_13,$nearest_12,$object,$control_2 # 131o
-        shufb   $nearest_14,$nearest_11,$object,$control_10 # 132o
-        stqd    $t_best,384($a_packet)                  # 133o
-        gb      $control,$control_12                    # 134o
-        gb      $control_12,$control_11                 # 135o
-        stqd    $nearest_14,448($a_packet)              # 136o
-        stqd    $nearest_13,464($a_packet)              # 137o
-        shlqbii $control,$control,4                     # 138o
-        shlqbii $control_2,$control_12,4                # 139o
-        stqd    $t_best_12,400($a_packet)               # 140o
-        hbrr    next_ball_short_back,next_ball_short    # 141o hint
-        lqx     $control,$control,$a_controls           # 142o
-        lqx     $control_2,$control_2,$a_controls       # 143o
-        shufb   $t_best,$t_best_6,$t_2,$control         # 148o
-        shufb   $t_best_6,$t_best_11,$t_10,$control_2   # 149o
-        shufb   $nearest,$nearest,$object,$control_2    # 150o
-        shufb   $nearest_13,$nearest_6,$object,$control # 151o
-        stqd    $t_best,416($a_packet)                  # 152o
-        stqd    $t_best_6,432($a_packet)                # 153o
-        stqd    $nearest,496($a_packet)                 # 154o
-        stqd    $nearest_13,480($a_packet)              # 155o
+        fma     $b_2,$fy_11,$dy_11,$b_2                 # 45e
+        lqd     $nearest_13,480($a_packet)              # 45o
+        fnms    $fy,$b_7,$dy_9,$fy                      # 46e
+        lqd     $nearest_14,496($a_packet)              # 46o
+        fnms    $fx_10,$b_7,$dx_8,$fx_10                # 47e
+        fnms    $fx,$b,$dx,$fx                          # 48e
+        fma     $b_9,$fz_11,$dz_11,$b_8                 # 49e
+        fnms    $fz,$b_7,$dz,$fz                        # 50e
+        fma     $b_10,$fz_5,$dz_12,$b_2                 # 51e
+        fnms    $fy_10,$b,$dy,$fy_10                    # 52e
+        fnms    $disc,$fx_10,$fx_10,$radius2_4          # 53e
+        fnms    $disc_14,$fx,$fx,$radius2_4             # 54e
+        fnms    $fy_2,$b_9,$dy_10,$fy_2                 # 55e
+        fnms    $fz_7,$b,$dz_10,$fz_7                   # 56e
+        fnms    $fx,$b_10,$dx_9,$fx_9                   # 57e
+        fnms    $fy_12,$b_10,$dy_11,$fy_11              # 58e
+        fnms    $disc,$fy,$fy,$disc                     # 59e
+        fnms    $disc_14,$fy_10,$fy_10,$disc_14         # 60e
+        fnms    $fz_12,$b_10,$dz_12,$fz_5               # 61e
+        fnms    $fx_6,$b_9,$dx_10,$fx_11                # 62e
+        fnms    $disc_15,$fx,$fx,$radius2_4             # 63e
+        fnms    $fz_13,$b_9,$dz_11,$fz_11               # 64e
+        fnms    $disc,$fz,$fz,$disc                     # 65e
+        fnms    $disc_14,$fz_7,$fz_7,$disc_14           # 66e
+        rotmi   $sides,$sides,-26                       # 67e
+        fnms    $disc_5,$fx_6,$fx_6,$radius2_4          # 68e
+        fnms    $disc_16,$fy_12,$fy_12,$disc_15         # 69e
+        lnop                                            # 69o pairing
+        fms     $out,$b_7,$b_7,$disc                    # 71e
+        frsqest $y,$disc                                # 71o
+        fms     $out_9,$b,$b,$disc_14                   # 72e
+        frsqest $y_10,$disc_14                          # 72o
+        nop     $127                                    # 73e pairing
+        lqx     $half,$a_half,$sides                    # 73o
+        fnms    $disc_5,$fy_2,$fy_2,$disc_5             # 74e
+        lqx     $m_by_side,$a_by_side,$sides            # 74o
+        fnms    $disc_17,$fz_12,$fz_12,$disc_16         # 75e
+        lqx     $whole,$a_whole,$sides                  # 75o
+        fi      $y,$disc,$y                             # 76e
+        fi      $y_11,$disc_14,$y_10                    # 77e
+        fnms    $disc_5,$fz_13,$fz_13,$disc_5           # 80e
+        lnop                                            # 80o pairing
+        fms     $out_7,$b_10,$b_10,$disc_17             # 81e
+        frsqest $y_9,$disc_17                           # 81o
+        fm      $s,$disc,$y                             # 83e
+        fm      $s_10,$disc_14,$y_11                    # 84e
+        fi      $y_9,$disc_17,$y_9                      # 85e
+        frsqest $y_12,$disc_5                           # 86o
+        fms     $out_10,$b_9,$b_9,$disc_5               # 87e
+        fnms    $e,$s,$y,$k_one                         # 89e
+        fi      $y,$disc_5,$y_12                        # 90e
+        selb    $s_15,$s_10,$out_9,$m_by_side           # 91e
+        fm      $s_11,$disc_17,$y_9                     # 92e
+        fnms    $e_13,$s_10,$y_11,$k_one                # 93e
+        selb    $s,$s,$out,$m_by_side                   # 94e
+        fma     $e,$e,$half,$whole                      # 95e
+        fm      $s_10,$disc_5,$y                        # 97e
+        fnms    $e_14,$s_11,$y_9,$k_one                 # 98e
+        fma     $e_13,$e_13,$half,$whole                # 99e
+        selb    $s_16,$s_11,$out_7,$m_by_side           # 100e
+        fnms    $t_8,$s,$e,$b_7                         # 101e
+        fnms    $e,$s_10,$y,$k_one                      # 103e
+        fma     $e_14,$e_14,$half,$whole                # 104e
+        fnms    $t_5,$s_15,$e_13,$b                     # 105e
+        selb    $s,$s_10,$out_10,$m_by_side             # 106e
+        cgti    $ahead_7,$t_8,0                         # 107e
+        cgt     $control_7,$t_best_9,$t_8               # 108e
+        fma     $e,$e,$half,$whole                      # 109e
+        and     $control_9,$control_7,$ahead_7          # 110e
+        cgti    $ahead_4,$t_5,0                         # 111e
+        andc    $control_9,$control_9,$disc             # 112e
+        fnms    $t_9,$s_16,$e_14,$b_10                  # 113e
+        cgt     $control_10,$t_best,$t_5                # 114e
+        rotqbii $control_9,$control_9,1                 # 114o
+        fnms    $t_6,$s,$e,$b_9                         # 115e
+        and     $control_10,$control_10,$ahead_4        # 116e
+        andc    $control_2,$control_10,$disc_14         # 118e
+        gb      $control_9,$control_9                   # 118o
+        cgti    $ahead_8,$t_9,0                         # 119e
+        lnop                                            # 119o pairing
+        cgt     $control_7,$t_best_11,$t_9              # 120e
+        rotqbii $control_2,$control_2,1                 # 120o
+        cgt     $control_11,$t_best_10,$t_6             # 121e
+        lnop                                            # 121o pairing
+        and     $control_10,$control_7,$ahead_8         # 122e
+        shlqbii $control_9,$control_9,4                 # 122o
+        cgti    $ahead_4,$t_6,0                         # 123e
+        lnop                                            # 123o pairing
+        andc    $control_12,$control_10,$disc_17        # 124e
+        gb      $control_2,$control_2                   # 124o
+        and     $control_10,$control_11,$ahead_4        # 125e
+        rotqbii $control_12,$control_12,1               # 126o
+        andc    $control_13,$control_10,$disc_5         # 127e
+        lqx     $control_9,$control_9,$a_controls       # 127o
+        shlqbii $control_2,$control_2,4                 # 128o
+        rotqbii $control_13,$control_13,1               # 129o
+        gb      $control_12,$control_12                 # 130o
+        lqx     $control_2,$control_2,$a_controls       # 132o
+        shufb   $nearest,$nearest_11,$object,$control_9 # 133o
+        gb      $control_13,$control_13                 # 134o
+        shufb   $t_best_12,$t_best_9,$t_8,$control_9    # 135o
+        shlqbii $control_12,$control_12,4               # 136o
+        stqd    $nearest,448($a_packet)                 # 137o
+        shlqbii $control_13,$control_13,4               # 138o
+        stqd    $t_best_12,384($a_packet)               # 139o
+        shufb   $t_best,$t_best,$t_5,$control_2         # 140o
+        shufb   $nearest,$nearest_12,$object,$control_2 # 141o
+        lqx     $control_2,$control_13,$a_controls      # 142o
+        lqx     $control_12,$control_12,$a_controls     # 143o
+        stqd    $t_best,400($a_packet)                  # 144o
+        stqd    $nearest,464($a_packet)                 # 145o
+        hbrr    next_ball_short_back,next_ball_short    # 146o hint
+        shufb   $nearest,$nearest_13,$object,$control_2 # 148o
+        shufb   $t_best,$t_best_11,$t_9,$control_12     # 149o
+        shufb   $nearest_15,$nearest_14,$object,$control_12 # 150o
+        shufb   $t_best_7,$t_best_10,$t_6,$control_2    # 151o
+        stqd    $nearest,480($a_packet)                 # 152o
+        stqd    $t_best,432($a_packet)                  # 153o
+        stqd    $nearest_15,496($a_packet)              # 154o
+        stqd    $t_best_7,416($a_packet)                # 155o
         nop     $127                                    # 156e pairing
 next_ball_short_back:
-        brnz    $count,next_ball_short                  # 156o
+        brnz    $count,next_ball_short                  # 162o
         nop     $127                                    # 157e pairing
         bi      $lr                                     # 157o
 endfunction isect_sphere_pairs_r16

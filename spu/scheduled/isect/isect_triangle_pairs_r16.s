@@ -84,24 +84,24 @@ function isect_triangle_pairs_r16
         .set q_32,42; .set za_8,43; .set zb_8,44; .set yc_12,45; .set zb_9,46; .set zb_10,47
         .set xc_13,48; .set ya_11,49; .set slope_17,50; .set zc_8,7; .set zc_9,6; .set slope_18,51
         .set za_9,16; .set yb_10,9; .set xa_6,2; .set ya_12,35; .set slope_19,42; .set slope_20,32
-        .set xa_7,8; .set slope_21,18; .set p_29,49; .set xa_8,5; .set yb_11,31; .set p_30,52
-        .set p_31,53; .set q_33,54; .set zc_10,56; .set zb_11,26; .set xb_12,57; .set ya_13,38
-        .set xc_14,39; .set za_10,49; .set p_32,58; .set yc_13,21; .set slope_22,59; .set yb_12,20
-        .set xa_9,19; .set zc_11,50; .set slope_23,52; .set slope_24,56; .set p_33,60
-        .set slope_25,61; .set a_packet_3,62; .set both_5,41; .set slope_26,17; .set t_best_5,18
-        .set p_34,51; .set t_best_6,63; .set t_best_7,55; .set both_6,32; .set t_best_8,64
-        .set nearest_10,66; .set v_11,67; .set nearest_11,68; .set v_12,69; .set nearest_12,70
-        .set p_35,71; .set nearest_13,72; .set u_11,36; .set p_36,74; .set v_13,45; .set xb_13,54
-        .set q_34,29; .set u_12,57; .set u_13,60; .set q_35,34; .set u_14,29; .set u_15,23
-        .set v_14,28; .set v_15,36; .set v_16,22; .set w_10,27; .set w_11,25; .set q_36,5
-        .set w_12,8; .set u_16,25; .set det_12,27; .set q_37,31; .set p_37,39; .set q_38,19
-        .set u_17,20; .set control_17,25; .set t_y_8,31; .set control_18,33; .set t_y_9,38
-        .set control_19,40; .set w_13,19; .set det_13,21; .set t_e_6,9; .set t_e_7,37
-        .set t_e_8,27; .set inverse_6,9; .set inverse_7,31; .set control_20,27; .set v_17,32
-        .set t_e_9,16; .set ahead_7,21; .set ahead_8,24; .set ahead_9,8; .set ahead_10,9
-        .set outside_7,16; .set outside_8,2; .set t_5,19; .set t_6,21; .set control_21,6
-        .set control_22,22; .set control_23,2; .set control_24,5; .set t_7,6; .set t_best_9,2
-        .set nearest_14,8; .set t_best_10,5
+        .set xa_7,8; .set slope_21,18; .set xa_8,5; .set yb_11,31; .set p_29,37; .set q_33,49
+        .set p_30,52; .set p_31,53; .set q_34,54; .set zc_10,56; .set zb_11,26; .set xb_12,57
+        .set ya_13,38; .set xc_14,39; .set za_10,37; .set p_32,58; .set yc_13,21; .set p_33,59
+        .set slope_22,60; .set yb_12,20; .set p_34,50; .set xa_9,19; .set xb_13,52
+        .set slope_23,53; .set slope_24,57; .set slope_25,61; .set a_packet_3,41; .set both_5,51
+        .set slope_26,17; .set p_35,18; .set t_best_5,62; .set t_best_6,63; .set t_best_7,32
+        .set p_36,64; .set t_best_8,66; .set v_11,67; .set nearest_10,68; .set q_35,59
+        .set v_12,69; .set nearest_11,70; .set u_11,36; .set nearest_12,71; .set p_37,72
+        .set p_38,74; .set v_13,45; .set q_36,29; .set u_12,50; .set q_37,34; .set p_39,54
+        .set u_13,29; .set u_14,23; .set v_14,18; .set v_15,28; .set v_16,22; .set w_10,25
+        .set q_38,5; .set det_12,27; .set yb_13,5; .set w_11,8; .set q_39,25; .set p_40,39
+        .set control_17,25; .set t_y_8,31; .set control_18,33; .set t_y_9,38; .set control_19,40
+        .set det_13,21; .set t_e_6,9; .set t_e_7,27; .set inverse_6,9; .set control_20,27
+        .set ahead_7,24; .set t_e_8,21; .set ahead_8,16; .set ahead_9,31; .set ahead_10,9
+        .set ahead_11,21; .set u_15,9; .set outside_7,18; .set ahead_12,2; .set outside_8,19
+        .set t_5,20; .set t_6,21; .set control_21,6; .set control_22,22; .set outside_9,8
+        .set control_23,5; .set t_7,7; .set control_24,8; .set control_25,2; .set t_best_9,5
+        .set nearest_13,8
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         ilhu    $m_w,0xc0d                              # 1e
@@ -866,21 +866,21 @@ next_triangle_short:
         fs      $xa_6,$xa_6,$q_26                       # 57e
         lqd     $slope_21,384($a_shear)                 # 57o
         fnms    $yc,$slope_18,$zc_9,$yc                 # 58e
-        lqd     $p_29,176($a_shear)                     # 58o
+        shufb   $xa_8,$vertex_a,$vertex_a,$p_12         # 58o
         fs      $xa_7,$xa_7,$q_29                       # 59e
-        shufb   $xa_8,$vertex_a,$vertex_a,$p_12         # 59o
+        shufb   $yb_11,$vertex_b,$vertex_b,$p           # 59o
         fnms    $ya_10,$slope_20,$za,$ya_10             # 60e
-        shufb   $yb_11,$vertex_b,$vertex_b,$p           # 60o
+        lqd     $p_29,176($a_shear)                     # 60o
         fnms    $yc_11,$slope_20,$zc_8,$yc_11           # 61e
         shufb   $yb_4,$vertex_b,$vertex_b,$p_28         # 61o
         fnms    $ya_12,$slope_17,$za_9,$ya_12           # 62e
-        lqd     $q_29,304($a_shear)                     # 62o
+        lqd     $q_33,304($a_shear)                     # 62o
         fnms    $xb_10,$slope_21,$zb_10,$xb_10          # 63e
         lqd     $p_30,48($a_shear)                      # 63o
         fnms    $xc_13,$slope_6,$zc_9,$xc_13            # 64e
         lqd     $p_31,112($a_shear)                     # 64o
         fnms    $xb,$slope_19,$zb_9,$xb                 # 65e
-        lqd     $q_33,240($a_shear)                     # 65o
+        lqd     $q_34,240($a_shear)                     # 65o
         fnms    $xb_11,$slope_6,$zb_8,$xb_11            # 66e
         lqd     $q_2,368($a_shear)                      # 66o
         fnms    $xc,$slope_19,$zc,$xc                   # 67e
@@ -899,215 +899,215 @@ next_triangle_short:
         lqd     $slope_19,432($a_shear)                 # 73o
         fm      $p_32,$ya_12,$xc                        # 74e
         shufb   $yc_13,$vertex_c,$vertex_c,$p_31        # 74o
-        fs      $xb_12,$xb_12,$q_33                     # 75e
+        fm      $p_33,$ya_10,$xc_12                     # 75e
         lqd     $slope_22,496($a_shear)                 # 75o
         fnms    $yb_4,$slope_17,$zb_9,$yb_4             # 76e
         shufb   $yb_12,$vertex_b,$vertex_b,$p_31        # 76o
-        fs      $zb_11,$zb_11,$q_2                      # 77e
+        fm      $p_34,$yc,$xb_11                        # 77e
         shufb   $xa_9,$vertex_a,$vertex_a,$p_30         # 77o
-        fs      $zc_11,$zc_10,$q_2                      # 78e
+        fs      $xb_13,$xb_12,$q_34                     # 78e
         lqd     $slope_23,512($a_shear)                 # 78o
-        fm      $p_31,$ya_10,$xc_12                     # 79e
+        fs      $zb_11,$zb_11,$q_2                      # 79e
         lqd     $slope_24,528($a_shear)                 # 79o
-        fm      $p_33,$yc,$xb_11                        # 80e
+        fs      $zc_10,$zc_10,$q_2                      # 80e
         lqd     $slope_25,544($a_shear)                 # 80o
-        fs      $xc_14,$xc_14,$q_33                     # 81e
+        fnms    $xa_7,$slope_6,$za_8,$xa_7              # 81e
         rotqbyi $a_packet_3,$object,4                   # 81o
-        fnms    $xa_7,$slope_6,$za_8,$xa_7              # 82e
+        fnms    $yb_10,$slope_18,$zb_8,$yb_10           # 82e
         lqd     $both_5,32($object)                     # 82o
-        fnms    $yb_10,$slope_18,$zb_8,$yb_10           # 83e
+        fs      $xc_14,$xc_14,$q_34                     # 83e
         lqd     $slope_26,560($a_shear)                 # 83o
-        fs      $yc_13,$yc_13,$q_29                     # 84e
+        fnms    $xa_8,$slope_21,$za,$xa_8               # 84e
         shufb   $object,$object,$object,$m_splat        # 84o
-        fnms    $xa_8,$slope_21,$za,$xa_8               # 85e
+        fm      $p_35,$ya,$xc_13                        # 85e
         lqd     $t_best_5,400($a_packet_3)              # 85o
-        fm      $p_34,$ya,$xc_13                        # 86e
+        fs      $yc_13,$yc_13,$q_33                     # 86e
         lqd     $t_best_6,416($a_packet_3)              # 86o
-        fs      $za_10,$za_10,$q_2                      # 87e
+        fnms    $yb_11,$slope_20,$zb_10,$yb_11          # 87e
         lqd     $t_best_7,384($a_packet_3)              # 87o
-        fnms    $yb_11,$slope_20,$zb_10,$yb_11          # 88e
-        shufb   $both_6,$both_5,$both_5,$m_w            # 88o
-        fm      $p_19,$yc_11,$xb_10                     # 89e
+        fm      $p_36,$yc_11,$xb_10                     # 88e
+        shufb   $both_5,$both_5,$both_5,$m_w            # 88o
+        fm      $p_17,$yc_12,$xb                        # 89e
         lqd     $t_best_8,432($a_packet_3)              # 89o
-        fm      $p_17,$yc_12,$xb                        # 90e
+        fms     $v_11,$xa_8,$yc_11,$p_33                # 90e
         lqd     $nearest_10,448($a_packet_3)            # 90o
-        fms     $v_11,$xa_8,$yc_11,$p_31                # 91e
-        lqd     $nearest_11,480($a_packet_3)            # 91o
-        fms     $q_11,$ya_10,$xc_12,$p_31               # 92e
-        rotqbii $both_6,$both_6,1                       # 92o
-        fms     $v_12,$xa_7,$yc,$p_34                   # 93e
-        lqd     $nearest_12,464($a_packet_3)            # 93o
-        fm      $p_35,$yb_10,$xa_7                      # 94e
-        lqd     $nearest_13,496($a_packet_3)            # 94o
-        fms     $u_11,$xc_12,$yb_11,$p_19               # 95e
+        fs      $za_10,$za_10,$q_2                      # 91e
+        lqd     $nearest_4,480($a_packet_3)             # 91o
+        fms     $q_35,$ya_10,$xc_12,$p_33               # 92e
+        rotqbii $both_5,$both_5,1                       # 92o
+        fms     $v_12,$xa_7,$yc,$p_35                   # 93e
+        lqd     $nearest_11,464($a_packet_3)            # 93o
+        fms     $u_11,$xc_12,$yb_11,$p_36               # 94e
+        lqd     $nearest_12,496($a_packet_3)            # 94o
+        fm      $p_37,$yb_10,$xa_7                      # 95e
         fms     $q_18,$yc_12,$xb,$p_17                  # 96e
-        fs      $ya_13,$ya_13,$q_29                     # 97e
-        fnms    $xc_14,$slope_19,$zc_11,$xc_14          # 98e
-        fm      $p_36,$yb_4,$xa_6                       # 99e
+        fm      $p_38,$yb_4,$xa_6                       # 97e
+        fs      $ya_13,$ya_13,$q_33                     # 98e
+        fnms    $xc_14,$slope_19,$zc_10,$xc_14          # 99e
         fms     $v_13,$xa_6,$yc_12,$p_32                # 100e
-        fs      $xa_9,$xa_9,$q_33                       # 101e
-        fnms    $xb_13,$slope_19,$zb_11,$xb_12          # 102e
-        fnms    $ya_13,$slope_22,$za_10,$ya_13          # 103e
-        fms     $q_34,$yc,$xb_11,$p_33                  # 104e
-        fms     $u_12,$xc_13,$yb_10,$p_33               # 105e
-        fms     $u_13,$xc,$yb_4,$p_17                   # 106e
-        fms     $q_23,$ya_12,$xc,$p_32                  # 107e
-        fnms    $yc_13,$slope_22,$zc_11,$yc_13          # 108e
-        fms     $q_35,$yc_11,$xb_10,$p_19               # 109e
-        fm      $p_19,$yb_11,$xa_8                      # 110e
-        fs      $u_14,$u_12,$q_34                       # 111e
-        fms     $q_5,$ya,$xc_13,$p_34                   # 112e
-        fms     $q_6,$yb_10,$xa_7,$p_35                 # 113e
-        fms     $w_8,$xb_11,$ya,$p_35                   # 114e
-        fs      $u,$u_11,$q_35                          # 115e
-        fs      $u_15,$u_13,$q_18                       # 116e
-        fs      $v_14,$v_13,$q_23                       # 117e
-        fs      $v_15,$v_12,$q_5                        # 118e
-        fs      $yb_12,$yb_12,$q_29                     # 119e
-        fms     $q_20,$yb_4,$xa_6,$p_36                 # 120e
-        fs      $v_16,$v_11,$q_11                       # 121e
-        fms     $w_10,$xb_10,$ya_10,$p_19               # 122e
-        fms     $w_11,$xb,$ya_12,$p_36                  # 123e
-        fnms    $xa_9,$slope_19,$za_10,$xa_9            # 124e
-        fms     $q_36,$yb_11,$xa_8,$p_19                # 125e
-        fm      $p,$ya_13,$xc_14                        # 126e
-        fa      $det,$u_15,$v_14                        # 127e
+        fms     $q_36,$yc,$xb_11,$p_34                  # 101e
+        fms     $u_12,$xc_13,$yb_10,$p_34               # 102e
+        fms     $u_4,$xc,$yb_4,$p_17                    # 103e
+        fnms    $ya_13,$slope_22,$za_10,$ya_13          # 104e
+        fms     $q_23,$ya_12,$xc,$p_32                  # 105e
+        fs      $xa_9,$xa_9,$q_34                       # 106e
+        fnms    $xb_13,$slope_19,$zb_11,$xb_13          # 107e
+        fms     $q_37,$yc_11,$xb_10,$p_36               # 108e
+        fm      $p_39,$yb_11,$xa_8                      # 109e
+        fs      $u_13,$u_12,$q_36                       # 110e
+        fms     $q_26,$ya,$xc_13,$p_35                  # 111e
+        fms     $q_6,$yb_10,$xa_7,$p_37                 # 112e
+        fms     $w_8,$xb_11,$ya,$p_37                   # 113e
+        fs      $u,$u_11,$q_37                          # 114e
+        fnms    $yc_13,$slope_22,$zc_10,$yc_13          # 115e
+        fs      $u_14,$u_4,$q_18                        # 116e
+        fs      $v_14,$v_12,$q_26                       # 117e
+        fs      $v_15,$v_13,$q_23                       # 118e
+        fms     $q_20,$yb_4,$xa_6,$p_38                 # 119e
+        fs      $yb_12,$yb_12,$q_33                     # 120e
+        fs      $v_16,$v_11,$q_35                       # 121e
+        fms     $w,$xb_10,$ya_10,$p_39                  # 122e
+        fms     $w_10,$xb,$ya_12,$p_38                  # 123e
+        fms     $q_38,$yb_11,$xa_8,$p_39                # 124e
+        fnms    $xa_9,$slope_19,$za_10,$xa_9            # 125e
+        fa      $det_12,$u_14,$v_15                     # 126e
+        fm      $p,$ya_13,$xc_14                        # 127e
         fm      $p_21,$yc_13,$xb_13                     # 128e
-        fnms    $yb_12,$slope_22,$zb_11,$yb_12          # 129e
-        fs      $w_7,$w_11,$q_20                        # 130e
-        fs      $w_2,$w_10,$q_36                        # 131e
-        fms     $v,$xa_9,$yc_13,$p                      # 132e
-        fs      $w_12,$w_8,$q_6                         # 133e
+        fs      $w_7,$w_10,$q_20                        # 129e
+        fs      $w,$w,$q_38                             # 130e
+        fnms    $yb_13,$slope_22,$zb_11,$yb_12          # 131e
+        fs      $w_11,$w_8,$q_6                         # 132e
+        fms     $v,$xa_9,$yc_13,$p                      # 133e
         fa      $det_4,$u,$v_16                         # 134e
-        fms     $u_16,$xc_14,$yb_12,$p_21               # 135e
-        fa      $det_12,$u_14,$v_15                     # 136e
-        fms     $q_37,$ya_13,$xc_14,$p                  # 137e
-        fm      $p_37,$yb_12,$xa_9                      # 138e
+        fa      $det_6,$u_13,$v_14                      # 135e
+        fms     $q_39,$ya_13,$xc_14,$p                  # 136e
+        fms     $u_6,$xc_14,$yb_13,$p_21                # 137e
+        fm      $p_40,$yb_13,$xa_9                      # 138e
         fms     $q_22,$yc_13,$xb_13,$p_21               # 139e
-        fa      $det_4,$det_4,$w_2                      # 140e
-        fa      $det,$det,$w_7                          # 141e
-        fa      $det_12,$det_12,$w_12                   # 142e
-        fs      $v,$v,$q_37                             # 143e
-        fms     $q_38,$yb_12,$xa_9,$p_37                # 144e
-        fs      $u_17,$u_16,$q_22                       # 145e
+        fa      $det_4,$det_4,$w                        # 140e
+        fa      $det_6,$det_6,$w_11                     # 141e
+        fa      $det_12,$det_12,$w_7                    # 142e
+        fs      $v,$v,$q_39                             # 143e
+        fms     $q_38,$yb_13,$xa_9,$p_40                # 144e
+        fs      $u_5,$u_6,$q_22                         # 145e
         lnop                                            # 145o pairing
-        fms     $w_6,$xb_13,$ya_13,$p_37                # 146e
+        fms     $w_6,$xb_13,$ya_13,$p_40                # 146e
         frest   $t_y,$det_4                             # 146o
-        xor     $control_17,$det,$slope_25              # 147e of -1 / direction z
-        frest   $t_y_8,$det                             # 147o
-        xor     $control_18,$det_12,$slope_24           # 148e of -1 / direction z
+        xor     $control_17,$det_6,$slope_24            # 147e of -1 / direction z
+        frest   $t_y_8,$det_6                           # 147o
+        xor     $control_18,$det_12,$slope_25           # 148e of -1 / direction z
         frest   $t_y_9,$det_12                          # 148o
         xor     $control_19,$det_4,$slope_23            # 149e of -1 / direction z
         fi      $t_y,$det_4,$t_y                        # 150e
-        fi      $t_y_8,$det,$t_y_8                      # 151e
+        fi      $t_y_8,$det_6,$t_y_8                    # 151e
         fi      $t_y_9,$det_12,$t_y_9                   # 152e
-        or      $control_19,$control_19,$both_6         # 153e
-        fs      $w_13,$w_6,$q_38                        # 154e
-        fa      $det_13,$u_17,$v                        # 155e
-        or      $control_18,$control_18,$both_6         # 156e
+        or      $control_19,$control_19,$both_5         # 153e
+        fs      $w_2,$w_6,$q_38                         # 154e
+        fa      $det_13,$u_5,$v                         # 155e
+        or      $control_17,$control_17,$both_5         # 156e
         fnms    $t_e_6,$det_4,$t_y,$k_above_one         # 157e
-        fnms    $t_e_7,$det,$t_y_8,$k_above_one         # 158e
-        fnms    $t_e_8,$det_12,$t_y_9,$k_above_one      # 159e
-        or      $control_17,$control_17,$both_6         # 160e
-        fa      $det_13,$det_13,$w_13                   # 161e
+        fnms    $t_e_2,$det_6,$t_y_8,$k_above_one       # 158e
+        fnms    $t_e_7,$det_12,$t_y_9,$k_above_one      # 159e
+        or      $control_18,$control_18,$both_5         # 160e
+        fa      $det_13,$det_13,$w_2                    # 161e
         fma     $inverse_6,$t_e_6,$t_y,$t_y             # 163e
-        fma     $inverse_7,$t_e_7,$t_y_8,$t_y_8         # 164e
-        fma     $inverse,$t_e_8,$t_y_9,$t_y_9           # 165e
+        fma     $inverse_2,$t_e_2,$t_y_8,$t_y_8         # 164e
+        fma     $inverse,$t_e_7,$t_y_9,$t_y_9           # 165e
         xor     $control_20,$det_13,$slope_26           # 167e of -1 / direction z
         frest   $t_y,$det_13                            # 167o
         fm      $u,$u,$inverse_6                        # 169e
-        fm      $u_15,$u_15,$inverse_7                  # 170e
+        fm      $u_13,$u_13,$inverse_2                  # 170e
         fi      $t_y,$det_13,$t_y                       # 171e
-        or      $control_20,$control_20,$both_6         # 172e
+        or      $control_20,$control_20,$both_5         # 172e
         fm      $u_14,$u_14,$inverse                    # 173e
         fm      $v_16,$v_16,$inverse_6                  # 174e
-        fm      $v_17,$v_15,$inverse                    # 175e
-        fm      $v_14,$v_14,$inverse_7                  # 176e
-        fm      $ahead,$u_15,$za_9                      # 177e
-        fnms    $t_e_9,$det_13,$t_y,$k_above_one        # 178e
-        fm      $ahead_7,$u,$za                         # 179e
-        fm      $ahead_8,$u_14,$za_8                    # 180e
-        fm      $w,$w_2,$inverse_6                      # 181e
-        fm      $w_2,$w_12,$inverse                     # 182e
-        fma     $ahead,$v_14,$zb_9,$ahead               # 183e
-        fma     $inverse,$t_e_9,$t_y,$t_y               # 184e
-        fma     $ahead_9,$v_16,$zb_10,$ahead_7          # 185e
-        fma     $ahead_10,$v_17,$zb_8,$ahead_8          # 186e
-        fm      $w_7,$w_7,$inverse_7                    # 187e
-        or      $outside,$u_15,$v_14                    # 188e
-        or      $outside_7,$u_14,$v_17                  # 189e
-        fm      $u_17,$u_17,$inverse                    # 190e
-        fma     $ahead_3,$w,$zc_8,$ahead_9              # 191e
-        fma     $ahead_4,$w_2,$zc_9,$ahead_10           # 192e
-        fma     $ahead,$w_7,$zc,$ahead                  # 193e
-        fm      $v,$v,$inverse                          # 194e
-        fm      $w_12,$w_13,$inverse                    # 195e
-        fm      $ahead_10,$u_17,$za_10                  # 196e
-        fm      $ahead_3,$ahead_3,$slope_23             # 197e
+        fm      $v_14,$v_14,$inverse_2                  # 175e
+        fm      $v_15,$v_15,$inverse                    # 176e
+        fm      $ahead_7,$u,$za                         # 177e
+        fnms    $t_e_8,$det_13,$t_y,$k_above_one        # 178e
+        fm      $ahead_8,$u_14,$za_9                    # 179e
+        fm      $ahead_9,$u_13,$za_8                    # 180e
+        fm      $w,$w,$inverse_6                        # 181e
+        fm      $w_11,$w_11,$inverse_2                  # 182e
+        fma     $ahead_10,$v_16,$zb_10,$ahead_7         # 183e
+        fma     $inverse_2,$t_e_8,$t_y,$t_y             # 184e
+        fma     $ahead_8,$v_15,$zb_9,$ahead_8           # 185e
+        fma     $ahead_11,$v_14,$zb_8,$ahead_9          # 186e
+        fm      $w_7,$w_7,$inverse                      # 187e
+        or      $outside,$u_14,$v_15                    # 188e
+        fma     $ahead_3,$w,$zc_8,$ahead_10             # 189e
+        fm      $u_15,$u_5,$inverse_2                   # 190e
+        fm      $v,$v,$inverse_2                        # 191e
+        fma     $ahead_4,$w_11,$zc_9,$ahead_11          # 192e
+        fma     $ahead_8,$w_7,$zc,$ahead_8              # 193e
+        fm      $w_2,$w_2,$inverse_2                    # 194e
+        fm      $ahead_3,$ahead_3,$slope_23             # 195e
+        fm      $ahead_2,$u_15,$za_10                   # 196e
+        or      $outside_7,$u_13,$v_14                  # 197e
         fm      $ahead_4,$ahead_4,$slope_24             # 198e
-        fm      $ahead,$ahead,$slope_25                 # 199e
+        fm      $ahead_8,$ahead_8,$slope_25             # 199e
         or      $outside,$outside,$w_7                  # 200e
-        or      $outside_8,$u,$v_16                     # 201e
-        fma     $ahead_10,$v,$zb_11,$ahead_10           # 202e
-        or      $outside_8,$outside_8,$w                # 203e
-        xor     $t,$ahead_4,$k_sign                     # 204e
-        xor     $t_5,$ahead_3,$k_sign                   # 205e
-        cgt     $control,$t_best_5,$t                   # 206e
-        xor     $t_6,$ahead,$k_sign                     # 207e
+        xor     $t,$ahead_3,$k_sign                     # 201e
+        fma     $ahead_12,$v,$zb_11,$ahead_2            # 202e
+        or      $outside_8,$u,$v_16                     # 203e
+        xor     $t_5,$ahead_4,$k_sign                   # 204e
+        or      $outside_8,$outside_8,$w                # 205e
+        cgt     $control,$t_best_5,$t_5                 # 206e
+        xor     $t_6,$ahead_8,$k_sign                   # 207e
         and     $control,$control,$ahead_4              # 208e
         cgt     $control_21,$t_best_6,$t_6              # 209e
         orc     $outside_8,$outside_8,$control_19       # 210e
-        cgt     $control_22,$t_best_7,$t_5              # 211e
-        or      $outside_6,$outside_7,$w_2              # 212e
+        cgt     $control_22,$t_best_7,$t                # 211e
+        or      $outside_9,$outside_7,$w_11             # 212e
         and     $control_13,$control_22,$ahead_3        # 213e
-        and     $control_21,$control_21,$ahead          # 214e
-        andc    $control_23,$control_13,$outside_8      # 215e
-        fma     $ahead,$w_12,$zc_11,$ahead_10           # 216e
-        orc     $outside_6,$outside_6,$control_18       # 217e
-        rotqbii $control_23,$control_23,1               # 217o
-        orc     $outside,$outside,$control_17           # 218e
-        andc    $control,$control,$outside_6            # 219e
-        andc    $control_24,$control_21,$outside        # 220e
+        and     $control_21,$control_21,$ahead_8        # 214e
+        andc    $control_13,$control_13,$outside_8      # 215e
+        fma     $ahead_12,$w_2,$zc_10,$ahead_12         # 216e
+        orc     $outside_9,$outside_9,$control_17       # 217e
+        rotqbii $control_13,$control_13,1               # 217o
+        orc     $outside,$outside,$control_18           # 218e
+        andc    $control,$control,$outside_9            # 219e
+        andc    $control_21,$control_21,$outside        # 220e
         lnop                                            # 220o pairing
-        or      $outside,$u_17,$v                       # 221e
+        or      $outside,$u_15,$v                       # 221e
         rotqbii $control,$control,1                     # 221o
-        fm      $ahead,$ahead,$slope_26                 # 222e
-        rotqbii $control_24,$control_24,1               # 222o
-        or      $outside,$outside,$w_12                 # 223e
-        gb      $control_23,$control_23                 # 223o
+        fm      $ahead_12,$ahead_12,$slope_26           # 222e
+        rotqbii $control_21,$control_21,1               # 222o
+        or      $outside,$outside,$w_2                  # 223e
+        gb      $control_23,$control_13                 # 223o
         orc     $outside,$outside,$control_20           # 225e
         gb      $control,$control                       # 225o
-        gb      $control_24,$control_24                 # 226o
+        gb      $control_21,$control_21                 # 226o
         shlqbii $control_23,$control_23,4               # 227o
-        xor     $t_7,$ahead,$k_sign                     # 228e
+        xor     $t_7,$ahead_12,$k_sign                  # 228e
         shlqbii $control,$control,4                     # 229o
-        cgt     $control_13,$t_best_8,$t_7              # 230e
-        shlqbii $control_24,$control_24,4               # 230o
+        cgt     $control_24,$t_best_8,$t_7              # 230e
+        shlqbii $control_21,$control_21,4               # 230o
         lqx     $control_23,$control_23,$a_controls     # 231o
-        and     $control_13,$control_13,$ahead          # 232e
+        and     $control_25,$control_24,$ahead_12       # 232e
         nop     $127                                    # 233e pairing
         lqx     $control,$control,$a_controls           # 233o
-        andc    $control_13,$control_13,$outside        # 234e
-        lqx     $control_24,$control_24,$a_controls     # 234o
-        rotqbii $control_13,$control_13,1               # 236o
-        shufb   $t_best,$t_best_7,$t_5,$control_23      # 237o
+        andc    $control_25,$control_25,$outside        # 234e
+        lqx     $control_21,$control_21,$a_controls     # 234o
+        rotqbii $control_25,$control_25,1               # 236o
+        shufb   $t_best,$t_best_7,$t,$control_23        # 237o
         shufb   $nearest,$nearest_10,$object,$control_23 # 238o
-        shufb   $t_best_9,$t_best_5,$t,$control         # 239o
-        shufb   $nearest_14,$nearest_11,$object,$control_24 # 240o
-        gb      $control_13,$control_13                 # 241o
-        shufb   $t_best_10,$t_best_6,$t_6,$control_24   # 242o
+        shufb   $t_best_9,$t_best_5,$t_5,$control       # 239o
+        shufb   $nearest_13,$nearest_4,$object,$control_21 # 240o
+        shufb   $t_best_2,$t_best_6,$t_6,$control_21    # 241o
+        gb      $control_25,$control_25                 # 242o
         stqd    $t_best_9,400($a_packet_3)              # 243o
         stqd    $t_best,384($a_packet_3)                # 244o
-        shlqbii $control_23,$control_13,4               # 245o
-        stqd    $nearest,448($a_packet_3)               # 246o
-        shufb   $nearest,$nearest_12,$object,$control   # 247o
-        stqd    $nearest_14,480($a_packet_3)            # 248o
-        stqd    $t_best_10,416($a_packet_3)             # 249o
-        lqx     $control,$control_23,$a_controls        # 250o
+        stqd    $nearest,448($a_packet_3)               # 245o
+        shlqbii $control_25,$control_25,4               # 246o
+        shufb   $nearest,$nearest_11,$object,$control   # 247o
+        stqd    $nearest_13,480($a_packet_3)            # 248o
+        stqd    $t_best_2,416($a_packet_3)              # 249o
+        lqx     $control,$control_25,$a_controls        # 250o
         stqd    $nearest,464($a_packet_3)               # 251o
         hbrr    next_triangle_short_back,next_triangle_short # 252o hint
         shufb   $t_best,$t_best_8,$t_7,$control         # 256o
-        shufb   $nearest,$nearest_13,$object,$control   # 257o
+        shufb   $nearest,$nearest_12,$object,$control   # 257o
         stqd    $t_best,432($a_packet_3)                # 260o
         stqd    $nearest,496($a_packet_3)               # 261o
 next_triangle_short_back:

@@ -391,11 +391,11 @@ function list_pairs_p64
         a       $a_out_16,$a_out_3,$bit_22              # 176e
         stqd    $pair,0($a_out_13)                      # 176o may alias the one before
         andi    $bit_18,$bit_23,16                      # 177e
-        shufb   $pair+5,$object,$pair+5,$m_pair         # 177o
+        hbr     list_pairs_p64_return,$lr               # 177o hint
         rotmi   $bit_8,$masks_4,-6                      # 178e
-        stqd    $pair+1,0($a_out_5)                     # 178o may alias the one before
+        shufb   $pair+5,$object,$pair+5,$m_pair         # 178o
         a       $a_out_13,$a_out_16,$bit_18             # 179e
-        hbr     list_pairs_p64_return,$lr               # 179o hint
+        stqd    $pair+1,0($a_out_5)                     # 179o may alias the one before
         andi    $bit_4,$bit_24,16                       # 180e
         shufb   $pair+6,$object,$pair+6,$m_pair         # 180o
         rotmi   $bit_17,$masks_4,-5                     # 181e

@@ -68,12 +68,12 @@ function shear_packets_r16
         .set origin_y_10,48; .set x_11,49; .set t_y_10,50; .set origin_z_9,3; .set t_e_16,51
         .set t_e_17,53; .set x_12,54; .set y_9,9; .set inverse_7,34; .set inverse_8,35
         .set t_e_18,49; .set x_13,7; .set y_10,8; .set slope_x_10,51; .set slope_y_8,53
-        .set inverse_9,49; .set t_e_19,50; .set slope_x_11,24; .set inverse_10,32; .set y_11,15
-        .set x_14,17; .set y_12,25; .set slope_y_9,8; .set y_13,18; .set slope_y_10,9
-        .set own_x_6,7; .set axis_x_10,20; .set axis_y_8,36; .set axis_z_9,50; .set own_x_7,51
+        .set inverse_9,49; .set x_14,50; .set t_e_19,54; .set slope_x_11,24; .set y_11,15
+        .set x_15,16; .set y_12,25; .set slope_y_9,18; .set slope_y_10,8; .set axis_x_10,18
+        .set own_x_6,7; .set axis_x_11,32; .set axis_y_8,36; .set axis_z_9,50; .set own_x_7,51
         .set own_y_10,52; .set own_z_7,21; .set slope_x_12,53; .set slope_y_11,54
-        .set minus_per_z_8,34; .set slope_y_12,7; .set axis_x_11,8; .set axis_y_9,9
-        .set axis_z_10,15; .set own_y_11,16; .set own_z_8,17
+        .set minus_per_z_8,34; .set slope_y_12,7; .set axis_x_12,8; .set axis_y_9,9
+        .set axis_z_10,15; .set own_y_11,16; .set own_z_8,18
         nop     $127                                    # 0e pairing
         biz     $count,$lr                              # 0o
         ilhu    $k_y,0x405                              # 1e
@@ -438,13 +438,11 @@ next_packet:
         selb    $own_x,$origin_y_7,$origin_z_5,$c_y_2   # 105e
         stqd    $minus_per_z_4,544($a_shear)            # 105o
         selb    $own_y_9,$origin_z_5,$origin_x_4,$c_y_2 # 106e
-        lnop                                            # 106o pairing
+        hbrr    next_packet_back,next_packet            # 106o hint
         selb    $axis_z_5,$k_x,$k_y,$c_y_4              # 107e
         stqd    $slope_y_5,496($a_shear)                # 107o
         selb    $own_y_9,$own_y_9,$origin_y_7,$c_z_2    # 108e
-        hbrr    next_packet_back,next_packet            # 108o hint
         fma     $slope_y,$t_e_15,$inverse_6,$slope_y_7  # 109e
-        lnop                                            # 109o pairing
         selb    $own_y_4,$origin_z_6,$origin_x_5,$c_y_3 # 110e
         stqd    $own_y_9,272($a_shear)                  # 110o
         selb    $own_x_4,$own_x_3,$origin_x_5,$c_z_3    # 111e
@@ -558,11 +556,11 @@ next_packet_short:
         fnms    $t_e_17,$z_5,$t_y_9,$k_one              # 29e
         fi      $t_y_10,$z_6,$t_y_10                    # 30e
         selb    $x_12,$direction_y_5,$direction_z_6,$c_y_5 # 31e
-        fi      $t_y_5,$z_7,$t_y_5                      # 32e
-        selb    $y_9,$direction_z_6,$direction_x_5,$c_y_5 # 33e
-        fma     $inverse_7,$t_e_16,$t_y,$t_y            # 34e
-        fma     $inverse_8,$t_e_17,$t_y_9,$t_y_9        # 35e
-        selb    $x_10,$x_11,$direction_x,$c_z           # 36e
+        selb    $y_9,$direction_z_6,$direction_x_5,$c_y_5 # 32e
+        fi      $t_y_5,$z_7,$t_y_5                      # 33e
+        selb    $x_10,$x_11,$direction_x,$c_z           # 34e
+        fma     $inverse_7,$t_e_16,$t_y,$t_y            # 35e
+        fma     $inverse_8,$t_e_17,$t_y_9,$t_y_9        # 36e
         fnms    $t_e_18,$z_6,$t_y_10,$k_one             # 37e
         selb    $y_7,$y_6,$direction_y,$c_z             # 38e
         selb    $x_13,$x_12,$direction_x_5,$c_z_5       # 39e
@@ -572,51 +570,51 @@ next_packet_short:
         fm      $slope_x_10,$x_13,$inverse_8            # 43e
         fm      $slope_y_8,$y_10,$inverse_8             # 44e
         fma     $inverse_9,$t_e_18,$t_y_10,$t_y_10      # 45e
-        fnms    $t_e_19,$z_7,$t_y_5,$k_one              # 46e
-        selb    $x_12,$direction_y_4,$direction_z_7,$c_y_6 # 47e
-        fnms    $t_e_14,$slope_x_9,$z,$x_10             # 48e
-        selb    $x_12,$x_12,$direction_x_6,$c_z_2       # 49e
+        selb    $x_14,$direction_y_4,$direction_z_7,$c_y_6 # 46e
+        fnms    $t_e_19,$z_7,$t_y_5,$k_one              # 47e
+        selb    $x_14,$x_14,$direction_x_6,$c_z_2       # 48e
+        fnms    $t_e_14,$slope_x_9,$z,$x_10             # 49e
         fnms    $t_e_10,$slope_y_7,$z,$y_7              # 50e
         fnms    $t_e_15,$slope_x_10,$z_5,$x_13          # 51e
         fnms    $t_e_2,$slope_y_8,$z_5,$y_10            # 52e
-        fm      $slope_x_11,$x_12,$inverse_9            # 53e
-        fma     $inverse_10,$t_e_19,$t_y_5,$t_y_5       # 54e
-        selb    $y_11,$direction_z_7,$direction_x_6,$c_y_6 # 55e
-        selb    $x_14,$direction_y_3,$direction_z_8,$c_y_7 # 56e
-        selb    $y_12,$direction_z_8,$direction_x_7,$c_y_7 # 57e
-        selb    $y_11,$y_11,$direction_y_4,$c_z_2       # 58e
+        fm      $slope_x_11,$x_14,$inverse_9            # 53e
+        selb    $y_11,$direction_z_7,$direction_x_6,$c_y_6 # 54e
+        fma     $inverse_6,$t_e_19,$t_y_5,$t_y_5        # 55e
+        selb    $y_11,$y_11,$direction_y_4,$c_z_2       # 56e
+        selb    $x_15,$direction_y_3,$direction_z_8,$c_y_7 # 57e
+        selb    $y_12,$direction_z_8,$direction_x_7,$c_y_7 # 58e
         fma     $slope_x_9,$t_e_14,$inverse_7,$slope_x_9 # 59e
-        fma     $slope_y_5,$t_e_10,$inverse_7,$slope_y_7 # 60e
+        fma     $slope_y_9,$t_e_10,$inverse_7,$slope_y_7 # 60e
         fma     $slope_x_7,$t_e_15,$inverse_8,$slope_x_10 # 61e
-        fma     $slope_y_9,$t_e_2,$inverse_8,$slope_y_8 # 62e
-        selb    $x_14,$x_14,$direction_x_7,$c_z_6       # 63e
-        selb    $y_13,$y_12,$direction_y_3,$c_z_6       # 64e
-        fnms    $t_e_10,$slope_x_11,$z_6,$x_12          # 65e
+        fma     $slope_y_10,$t_e_2,$inverse_8,$slope_y_8 # 62e
+        fnms    $t_e_10,$slope_x_11,$z_6,$x_14          # 63e
+        fm      $slope_y_7,$y_11,$inverse_9             # 64e
+        selb    $x_15,$x_15,$direction_x_7,$c_z_6       # 65e
         stqd    $slope_x_9,384($a_shear)                # 65o
-        fm      $slope_y_10,$y_11,$inverse_9            # 66e
-        stqd    $slope_y_5,448($a_shear)                # 66o
-        selb    $axis_x_5,$k_y,$k_z,$c_y                # 67e
+        selb    $y_9,$y_12,$direction_y_3,$c_z_6        # 66e
+        stqd    $slope_y_9,448($a_shear)                # 66o
+        selb    $axis_x_10,$k_y,$k_z,$c_y               # 67e
         stqd    $slope_x_7,400($a_shear)                # 67o
         selb    $axis_y,$k_z,$k_x,$c_y                  # 68e
-        stqd    $slope_y_9,464($a_shear)                # 68o
+        stqd    $slope_y_10,464($a_shear)               # 68o
         selb    $axis_z,$k_x,$k_y,$c_y                  # 69e
         selb    $own_x_6,$origin_y_8,$origin_z_7,$c_y   # 70e
         selb    $own_y,$origin_z_7,$origin_x_6,$c_y     # 71e
         selb    $own_z_6,$origin_x_6,$origin_y_8,$c_y   # 72e
-        selb    $axis_x_10,$k_y,$k_z,$c_y_5             # 73e
+        selb    $axis_x_11,$k_y,$k_z,$c_y_5             # 73e
         selb    $axis_y_8,$k_z,$k_x,$c_y_5              # 74e
         selb    $axis_z_9,$k_x,$k_y,$c_y_5              # 75e
         selb    $own_x_7,$origin_y_3,$origin_z_8,$c_y_5 # 76e
         selb    $own_y_10,$origin_z_8,$origin_x_7,$c_y_5 # 77e
         selb    $own_z_7,$origin_x_7,$origin_y_3,$c_y_5 # 78e
-        fm      $slope_x_12,$x_14,$inverse_10           # 79e
-        fm      $slope_y_11,$y_13,$inverse_10           # 80e
+        fm      $slope_x_12,$x_15,$inverse_6            # 79e
+        fm      $slope_y_11,$y_9,$inverse_6             # 80e
         xor     $minus_per_z_8,$inverse_7,$k_sign       # 81e
-        selb    $axis_x_5,$axis_x_5,$k_x,$c_z           # 82e
+        selb    $axis_x_10,$axis_x_10,$k_x,$c_z         # 82e
         selb    $axis_y,$axis_y,$k_y,$c_z               # 83e
         stqd    $minus_per_z_8,512($a_shear)            # 83o
         selb    $axis_z,$axis_z,$k_z,$c_z               # 84e
-        stqd    $axis_x_5,0($a_shear)                   # 84o
+        stqd    $axis_x_10,0($a_shear)                  # 84o
         selb    $own_x_6,$own_x_6,$origin_x_6,$c_z      # 85e
         stqd    $axis_y,64($a_shear)                    # 85o
         selb    $own_y,$own_y,$origin_y_8,$c_z          # 86e
@@ -625,7 +623,7 @@ next_packet_short:
         stqd    $own_x_6,192($a_shear)                  # 87o
         xor     $minus_per_z,$inverse_8,$k_sign         # 88e
         stqd    $own_y,256($a_shear)                    # 88o
-        selb    $axis_x_4,$axis_x_10,$k_x,$c_z_5        # 89e
+        selb    $axis_x_4,$axis_x_11,$k_x,$c_z_5        # 89e
         stqd    $own_z,320($a_shear)                    # 89o
         selb    $axis_y,$axis_y_8,$k_y,$c_z_5           # 90e
         stqd    $minus_per_z,528($a_shear)              # 90o
@@ -639,23 +637,23 @@ next_packet_short:
         stqd    $own_x_6,208($a_shear)                  # 94o
         fma     $slope_x,$t_e_10,$inverse_9,$slope_x_11 # 95e
         stqd    $own_y,272($a_shear)                    # 95o
-        fnms    $t_e,$slope_y_10,$z_6,$y_11             # 96e
+        fnms    $t_e,$slope_y_7,$z_6,$y_11              # 96e
         stqd    $own_z,336($a_shear)                    # 96o
-        fnms    $t_e_15,$slope_x_12,$z_7,$x_14          # 97e
+        fnms    $t_e_15,$slope_x_12,$z_7,$x_15          # 97e
         hbrr    next_packet_short_back,next_packet_short # 97o hint
-        fnms    $t_e_2,$slope_y_11,$z_7,$y_13           # 98e
+        fnms    $t_e_2,$slope_y_11,$z_7,$y_9            # 98e
         selb    $axis_x,$k_y,$k_z,$c_y_6                # 99e
         selb    $axis_y,$k_z,$k_x,$c_y_6                # 100e
         lnop                                            # 100o pairing
         selb    $axis_z,$k_x,$k_y,$c_y_6                # 101e
         stqd    $slope_x,416($a_shear)                  # 101o
-        fma     $slope_y,$t_e,$inverse_9,$slope_y_10    # 102e
-        fma     $slope_x,$t_e_15,$inverse_10,$slope_x_12 # 103e
-        fma     $slope_y_12,$t_e_2,$inverse_10,$slope_y_11 # 104e
+        fma     $slope_y,$t_e,$inverse_9,$slope_y_7     # 102e
+        fma     $slope_x,$t_e_15,$inverse_6,$slope_x_12 # 103e
+        fma     $slope_y_12,$t_e_2,$inverse_6,$slope_y_11 # 104e
         selb    $own_x,$origin_y_9,$origin_z_3,$c_y_6   # 105e
         selb    $own_y,$origin_z_3,$origin_x_3,$c_y_6   # 106e
         selb    $own_z,$origin_x_3,$origin_y_9,$c_y_6   # 107e
-        selb    $axis_x_11,$k_y,$k_z,$c_y_7             # 108e
+        selb    $axis_x_12,$k_y,$k_z,$c_y_7             # 108e
         stqd    $slope_y,480($a_shear)                  # 108o
         selb    $axis_y_9,$k_z,$k_x,$c_y_7              # 109e
         stqd    $slope_x,432($a_shear)                  # 109o
@@ -677,9 +675,9 @@ next_packet_short:
         stqd    $axis_z,160($a_shear)                   # 119o
         selb    $own_z,$own_z,$origin_z_3,$c_z_2        # 120e
         stqd    $own_x,224($a_shear)                    # 120o
-        xor     $minus_per_z,$inverse_10,$k_sign        # 121e
+        xor     $minus_per_z,$inverse_6,$k_sign         # 121e
         stqd    $own_y,288($a_shear)                    # 121o
-        selb    $axis_x,$axis_x_11,$k_x,$c_z_6          # 122e
+        selb    $axis_x,$axis_x_12,$k_x,$c_z_6          # 122e
         stqd    $own_z,352($a_shear)                    # 122o
         selb    $axis_y,$axis_y_9,$k_y,$c_z_6           # 123e
         stqd    $minus_per_z,560($a_shear)              # 123o

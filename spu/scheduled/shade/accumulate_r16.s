@@ -476,11 +476,11 @@ next_packet:
         ceq     $c_same_21,$pixel1_3,$pixel0_6          # 90e
         fa      $more3,$more3_3,$c_same_18              # 91e
         ceq     $c_same_16,$pixel2_4,$pixel1_3          # 92e
+        lnop                                            # 92o pairing
         and     $c_same_21,$c_same_21,$share0_5         # 93e
+        hbrr    next_packet_back,next_packet            # 93o hint
         ceq     $c_same_13,$pixel3_3,$pixel2_4          # 94e
-        hbrr    next_packet_back,next_packet            # 94o hint
         selb    $low_6,$red_8,$blue_11,$m_behind        # 95e
-        lnop                                            # 95o pairing
         and     $c_same_16,$c_same_16,$share1_6         # 96e
         lqx     $sum0,$a_nothing,$pixel0_6              # 96o
         fa      $more1,$share1_6,$c_same_21             # 97e
@@ -518,9 +518,9 @@ next_packet_drain:
         ceq     $c_same,$pixel1,$pixel0_4               # 3e
         lqx     $sum0,$a_nothing,$pixel0_4              # 3o
         fa      $more3,$more3_4,$c_same_17              # 4e
-        lqx     $sum1,$a_nothing,$pixel1                # 4o
+        hbr     accumulate_r16_return,$lr               # 4o hint
         ceq     $c_same_17,$pixel2_5,$pixel1            # 5e
-        hbr     accumulate_r16_return,$lr               # 5o hint
+        lqx     $sum1,$a_nothing,$pixel1                # 5o
         and     $c_same,$c_same,$share0_4               # 6e
         lqx     $sum2,$a_nothing,$pixel2_5              # 6o
         ceq     $c_same_3,$pixel3_4,$pixel2_5           # 7e

@@ -24,22 +24,23 @@ function lambert_r16
         .set normal_x_5,16; .set to_x_5,24; .set t_c_4,22; .set normal_y_4,23; .set diffuse_2,13
         .set reached_2,18; .set t_c_5,14; .set reached_3,11; .set t_c_6,15; .set t_c_7,16
         .set t_c_8,17; .set normal_y_5,27; .set reached_4,21; .set diffuse_3,5; .set to_z_4,18
-        .set reached_5,22; .set reached_6,14; .set t_c_9,23; .set t_c_10,24; .set colour_2,25
-        .set colour_3,26; .set t_c_11,2; .set colour_4,15; .set colour_5,17; .set colour_6,19
-        .set colour_7,23; .set colour_8,27; .set colour_9,29; .set lit_2,11; .set colour_10,12
-        .set lit_3,15; .set lit_4,19; .set lit_5,33; .set colour_11,20; .set lit_6,35
-        .set colour_12,5; .set colour_13,30; .set lit_7,23; .set lit_8,31; .set lit_9,12
-        .set lit_10,32; .set lit_11,26; .set lit_12,14; .set lit_13,34; .set lit_14,17
-        .set reached_7,19; .set lit_15,36; .set normal_z_4,20; .set diffuse_4,22; .set diffuse_5,24
-        .set colour_14,18; .set colour_15,2; .set colour_16,11; .set colour_17,14; .set lit_16,2
-        .set to_y_4,16; .set lit_17,21; .set to_y_5,17; .set t_c_12,11; .set diffuse_6,15
-        .set t_c_13,19; .set t_c_14,12; .set colour_18,24; .set reached_8,12; .set lit_18,18
-        .set lit_19,3; .set normal_x_6,2; .set normal_x_7,5; .set to_x_6,11; .set to_x_7,13
-        .set to_x_8,15; .set normal_y_6,14; .set to_y_6,11; .set normal_y_7,13; .set normal_y_8,16
-        .set to_y_7,19; .set to_z_5,13; .set normal_z_5,16; .set to_z_6,17; .set diffuse_7,14
-        .set diffuse_8,16; .set reached_9,17; .set diffuse_9,2; .set diffuse_10,11
-        .set reached_10,16; .set colour_19,22; .set reached_11,15; .set lit_20,16; .set lit_21,13
-        .set lit_22,28; .set lit_23,29; .set lit_24,30; .set lit_25,25; .set lit_26,5
+        .set reached_5,22; .set reached_6,23; .set t_c_9,24; .set t_c_10,2; .set colour_2,15
+        .set colour_3,17; .set colour_4,19; .set colour_5,26; .set colour_6,23; .set t_c_11,36
+        .set reached_7,12; .set colour_7,14; .set colour_8,27; .set colour_9,29; .set lit_2,11
+        .set colour_10,12; .set lit_3,19; .set colour_11,25; .set lit_4,34; .set lit_5,33
+        .set lit_6,20; .set colour_12,5; .set colour_13,30; .set lit_7,23; .set lit_8,31
+        .set lit_9,12; .set lit_10,32; .set lit_11,26; .set lit_12,14; .set lit_13,15
+        .set lit_14,17; .set lit_15,35; .set reached_8,19; .set lit_16,36; .set normal_z_4,20
+        .set diffuse_4,22; .set diffuse_5,24; .set colour_14,18; .set colour_15,2
+        .set colour_16,11; .set colour_17,20; .set lit_17,2; .set to_y_4,16; .set lit_18,21
+        .set to_y_5,17; .set t_c_12,11; .set reached_9,14; .set diffuse_6,15; .set t_c_13,19
+        .set t_c_14,12; .set colour_18,24; .set lit_19,18; .set lit_20,3; .set normal_x_6,2
+        .set normal_x_7,5; .set to_x_6,11; .set to_x_7,13; .set to_x_8,15; .set normal_y_6,14
+        .set to_y_6,11; .set normal_y_7,13; .set normal_y_8,16; .set to_y_7,19; .set to_z_5,13
+        .set normal_z_5,16; .set to_z_6,17; .set diffuse_7,14; .set diffuse_8,16
+        .set reached_10,17; .set diffuse_9,2; .set diffuse_10,11; .set reached_11,16
+        .set colour_19,22; .set reached_12,15; .set lit_21,16; .set lit_22,13; .set lit_23,28
+        .set lit_24,29; .set lit_25,30; .set lit_26,25; .set lit_27,5
         ilhu    $m_lane,1                               # 0e
         lqd     $light,16($a_light)                     # 0o
         ilhu    $m_lane_2,0x405                         # 1e
@@ -104,29 +105,29 @@ function lambert_r16
         lqd     $to_z_4,336($a_shadow)                  # 44o
         fm      $diffuse,$diffuse,$t_c                  # 45e
         lqd     $reached_5,400($a_shadow)               # 45o
-        ceq     $t_c_3,$t_c_5,$background               # 46e
+        ceq     $t_c_5,$t_c_5,$background               # 46e
         lqd     $reached_6,432($a_shadow)               # 46o
         cgti    $reached_3,$reached_3,-1                # 47e
         lqd     $t_c_9,464($a_shadow)                   # 47o
-        ceq     $t_c_7,$t_c_7,$background               # 48e
-        lqd     $t_c_10,496($a_shadow)                  # 48o
-        and     $reached_4,$reached_4,$t_c_3            # 49e
+        ceq     $t_c,$t_c_7,$background                 # 48e
+        lqd     $t_c_7,496($a_shadow)                   # 48o
+        fma     $t_c_10,$normal_y_5,$to_y_3,$t_c_6      # 49e
         lqd     $colour_2,800($a_surfaces)              # 49o
-        and     $reached_3,$reached_3,$t_c_7            # 50e
+        fma     $t_c_3,$normal_z,$to_z_4,$t_c_8         # 50e
         lqd     $colour_3,704($a_surfaces)              # 50o
-        fma     $t_c_11,$normal_y_5,$to_y_3,$t_c_6      # 51e
+        cgti    $reached_2,$reached_5,-1                # 51e
         lqd     $colour_4,640($a_surfaces)              # 51o
-        fma     $t_c_3,$normal_z,$to_z_4,$t_c_8         # 52e
+        cgti    $reached_5,$reached_6,-1                # 52e
         lqd     $colour_5,768($a_surfaces)              # 52o
-        cgti    $reached_2,$reached_5,-1                # 53e
+        ceq     $t_c_9,$t_c_9,$background               # 53e
         lqd     $colour_6,672($a_surfaces)              # 53o
-        cgti    $reached_5,$reached_6,-1                # 54e
+        ceq     $t_c_11,$t_c_7,$background              # 54e
         lqd     $to_z,368($a_shadow)                    # 54o
-        ceq     $t_c_5,$t_c_9,$background               # 55e
+        and     $reached_7,$reached_4,$t_c_5            # 55e
         lqd     $colour_7,736($a_surfaces)              # 55o
-        ceq     $t_c_10,$t_c_10,$background             # 56e
+        and     $reached_3,$reached_3,$t_c              # 56e
         lqd     $colour_8,720($a_surfaces)              # 56o
-        and     $diffuse_3,$diffuse_3,$reached_4        # 57e
+        and     $diffuse_3,$diffuse_3,$reached_7        # 57e
         lqd     $colour_9,688($a_surfaces)              # 57o
         and     $diffuse,$diffuse,$reached_3            # 58e
         hbrr    next_site_back,next_site                # 58o hint
@@ -134,11 +135,11 @@ function lambert_r16
         lqd     $lit_2,0x560($a_surfaces)               # 59o
         fm      $colour_10,$colour_4,$diffuse           # 60e
         lqd     $lit_3,0x540($a_surfaces)               # 60o
-        fm      $colour_5,$colour_5,$diffuse            # 61e
+        fm      $colour_11,$colour_5,$diffuse           # 61e
         lqd     $lit_4,0x580($a_surfaces)               # 61o
         fm      $colour_2,$colour_2,$diffuse_3          # 62e
         lqd     $lit_5,0x5e0($a_surfaces)               # 62o
-        fm      $colour_11,$colour_3,$diffuse           # 63e
+        fm      $colour_3,$colour_3,$diffuse            # 63e
         lqd     $lit_6,0x5c0($a_surfaces)               # 63o
         fm      $colour_12,$colour_7,$diffuse_3         # 64e
         lqd     $colour_13,816($a_surfaces)             # 64o
@@ -146,16 +147,16 @@ function lambert_r16
         lqd     $lit_8,0x570($a_surfaces)               # 65o
         fma     $lit_9,$bright_red,$colour_10,$lit_3    # 66e
         lqd     $lit_10,0x5a0($a_surfaces)              # 66o
-        and     $reached_3,$reached_2,$t_c_5            # 67e
+        and     $reached_3,$reached_2,$t_c_9            # 67e
         lqd     $lit_11,0x550($a_surfaces)              # 67o
         fma     $lit_12,$bright_blue,$colour_2,$lit_5   # 68e
         lqd     $lit_5,0x5d0($a_surfaces)               # 68o
-        fma     $lit_3,$bright_green,$colour_11,$lit_4  # 69e
-        lqd     $lit_13,0x5b0($a_surfaces)              # 69o
-        fma     $lit_14,$bright_blue,$colour_5,$lit_6   # 70e
-        lqd     $lit_6,0x590($a_surfaces)               # 70o
-        and     $reached_7,$reached_5,$t_c_10           # 71e
-        lqd     $lit_15,0x5f0($a_surfaces)              # 71o
+        fma     $lit_13,$bright_green,$colour_3,$lit_4  # 69e
+        lqd     $lit_4,0x5b0($a_surfaces)               # 69o
+        fma     $lit_14,$bright_blue,$colour_11,$lit_6  # 70e
+        lqd     $lit_15,0x590($a_surfaces)              # 70o
+        and     $reached_8,$reached_5,$t_c_11           # 71e
+        lqd     $lit_16,0x5f0($a_surfaces)              # 71o
         lqd     $normal_z_4,368($a_surfaces)            # 72o
         lqd     $diffuse_4,848($a_surfaces)             # 73o
         lqd     $diffuse_5,880($a_surfaces)             # 74o
@@ -163,7 +164,7 @@ function lambert_r16
 next_site:
             nop     $127                                # 0e pairing
             lqd     $colour,752($a_surfaces)            # 0o
-            fma     $t_c,$normal_z_4,$to_z,$t_c_11      # 1e
+            fma     $t_c,$normal_z_4,$to_z,$t_c_10      # 1e
             lqd     $colour_15,656($a_surfaces)         # 1o
             fm      $diffuse,$diffuse_4,$t_c_3          # 2e
         lqd     $a_surfaces,0($a_site)                  # 2o
@@ -174,7 +175,7 @@ next_site:
         ai      $a_site,$a_site,16                      # 5e
             stqd    $lit_14,0x5c0($a_surfaces_2)        # 5o
             nop     $127                                # 6e pairing
-            stqd    $lit_3,0x580($a_surfaces_2)         # 6o
+            stqd    $lit_13,0x580($a_surfaces_2)        # 6o
             fm      $diffuse_3,$diffuse_5,$t_c          # 7e
             stqd    $lit_7,0x560($a_surfaces_2)         # 7o
             and     $diffuse,$diffuse,$reached_3        # 8e
@@ -185,49 +186,49 @@ next_site:
         lqd     $normal_x,240($a_surfaces)              # 10o
             fm      $colour_15,$colour_15,$diffuse      # 11e
         lqd     $normal_x_2,192($a_surfaces)            # 11o
-            fm      $colour_17,$colour_8,$diffuse       # 12e
+            fm      $colour_7,$colour_8,$diffuse        # 12e
         lqd     $normal_x_3,224($a_surfaces)            # 12o
-            and     $diffuse,$diffuse_3,$reached_7      # 13e
+            and     $diffuse,$diffuse_3,$reached_8      # 13e
         lqd     $to_x_2,224($a_shadow)                  # 13o
         nop     $127                                    # 14e pairing
         lqd     $to_x_3,192($a_shadow)                  # 14o
             fm      $colour,$colour,$diffuse            # 15e
         lqd     $to_y_2,288($a_shadow)                  # 15o
-            fm      $colour_6,$colour_9,$diffuse        # 16e
+            fm      $colour_4,$colour_9,$diffuse        # 16e
         lqd     $to_x_4,208($a_shadow)                  # 16o
             fma     $lit_2,$bright_blue,$colour_16,$lit_5 # 17e
         lqd     $normal_x_4,208($a_surfaces)            # 17o
-            fm      $colour_11,$colour_13,$diffuse      # 18e
+            fm      $colour_17,$colour_13,$diffuse      # 18e
         lqd     $to_x_5,240($a_shadow)                  # 18o
-            fma     $lit_16,$bright_red,$colour_15,$lit_11 # 19e
+            fma     $lit_17,$bright_red,$colour_15,$lit_11 # 19e
         lqd     $normal_y_2,256($a_surfaces)            # 19o
         fm      $t_c_2,$normal_x_3,$to_x_2              # 20e
         lqd     $to_y,272($a_shadow)                    # 20o
         fm      $t_c_3,$normal_x_2,$to_x_3              # 21e
         lqd     $to_y_4,256($a_shadow)                  # 21o
-            fma     $lit_17,$bright_green,$colour,$lit_13 # 22e
+            fma     $lit_18,$bright_green,$colour,$lit_4 # 22e
         lqd     $normal_y_3,288($a_surfaces)            # 22o
-            fma     $lit_4,$bright_red,$colour_6,$lit_8 # 23e
+            fma     $lit_3,$bright_red,$colour_4,$lit_8 # 23e
         lqd     $normal_y_5,304($a_surfaces)            # 23o
         fm      $t_c_4,$normal_x_4,$to_x_4              # 24e
         lqd     $normal_y_4,272($a_surfaces)            # 24o
-            fma     $lit_12,$bright_green,$colour_17,$lit_6 # 25e
-            stqd    $lit_16,0x550($a_surfaces_2)        # 25o
-        fm      $t_c_11,$normal_x,$to_x_5               # 26e
+            fma     $lit_12,$bright_green,$colour_7,$lit_15 # 25e
+            stqd    $lit_17,0x550($a_surfaces_2)        # 25o
+        fm      $t_c_10,$normal_x,$to_x_5               # 26e
             stqd    $lit_2,0x5d0($a_surfaces_2)         # 26o
-            fma     $lit_2,$bright_blue,$colour_11,$lit_15 # 27e
+            fma     $lit_2,$bright_blue,$colour_17,$lit_16 # 27e
         lqd     $to_y_5,304($a_shadow)                  # 27o
         fma     $t_c,$normal_y_2,$to_y_4,$t_c_3         # 28e
-            stqd    $lit_17,0x5b0($a_surfaces_2)        # 28o
+            stqd    $lit_18,0x5b0($a_surfaces_2)        # 28o
         fma     $t_c_2,$normal_y_3,$to_y_2,$t_c_2       # 29e
-            stqd    $lit_4,0x570($a_surfaces_2)         # 29o
+            stqd    $lit_3,0x570($a_surfaces_2)         # 29o
         fma     $t_c_3,$normal_y_4,$to_y,$t_c_4         # 30e
         lqd     $to_z,368($a_shadow)                    # 30o
         lqd     $normal_z,336($a_surfaces)              # 31o
             stqd    $lit_12,0x590($a_surfaces_2)        # 32o
         lqd     $to_z_2,352($a_shadow)                  # 33o
         lqd     $to_z_3,320($a_shadow)                  # 34o
-        fma     $t_c_11,$normal_y_5,$to_y_5,$t_c_11     # 35e
+        fma     $t_c_10,$normal_y_5,$to_y_5,$t_c_10     # 35e
             stqd    $lit_2,0x5f0($a_surfaces_2)         # 35o
         ori     $a_surfaces_2,$a_surfaces,0             # 36e copy
         lqd     $normal_z_2,320($a_surfaces)            # 36o
@@ -240,7 +241,7 @@ next_site:
         fma     $t_c,$normal_z_2,$to_z_3,$t_c           # 42e
         lqd     $t_c_12,480($a_shadow)                  # 42o
         fma     $t_c_2,$normal_z_3,$to_z_2,$t_c_2       # 43e
-        lqd     $reached_6,432($a_shadow)               # 43o
+        lqd     $reached_9,432($a_shadow)               # 43o
         fma     $t_c_3,$normal_z,$to_z_4,$t_c_3         # 44e
         lqd     $diffuse_6,864($a_surfaces)             # 44o
         nop     $127                                    # 45e pairing
@@ -252,60 +253,60 @@ next_site:
         ceq     $t_c_12,$t_c_12,$background             # 48e
         lqd     $t_c_14,448($a_shadow)                  # 48o
         fm      $diffuse,$diffuse,$t_c                  # 49e
-        lqd     $colour_7,736($a_surfaces)              # 49o
-        cgti    $reached_6,$reached_6,-1                # 50e
+        lqd     $colour_6,736($a_surfaces)              # 49o
+        cgti    $reached_9,$reached_9,-1                # 50e
         lqd     $colour_18,800($a_surfaces)             # 50o
         fm      $diffuse_3,$diffuse_6,$t_c_2            # 51e
-        lqd     $colour_4,704($a_surfaces)              # 51o
+        lqd     $colour_2,704($a_surfaces)              # 51o
         ceq     $t_c,$t_c_8,$background                 # 52e
-        lqd     $colour_5,640($a_surfaces)              # 52o
+        lqd     $colour_3,640($a_surfaces)              # 52o
         ceq     $t_c_13,$t_c_13,$background             # 53e
-        lqd     $colour_3,768($a_surfaces)              # 53o
+        lqd     $colour_5,768($a_surfaces)              # 53o
         cgti    $reached_5,$reached_5,-1                # 54e
         lqd     $colour_8,720($a_surfaces)              # 54o
         ceq     $t_c_14,$t_c_14,$background             # 55e
         lqd     $colour_9,688($a_surfaces)              # 55o
         and     $reached_3,$reached_4,$t_c_12           # 56e
         lqd     $colour,672($a_surfaces)                # 56o
-        and     $reached_8,$reached_5,$t_c_14           # 57e
+        and     $reached_7,$reached_5,$t_c_14           # 57e
         lqd     $colour_13,816($a_surfaces)             # 57o
         and     $diffuse_3,$diffuse_3,$reached_3        # 58e
         lqd     $lit,0x560($a_surfaces)                 # 58o
-        and     $diffuse,$diffuse,$reached_8            # 59e
+        and     $diffuse,$diffuse,$reached_7            # 59e
         lqd     $lit_8,0x570($a_surfaces)               # 59o
         and     $reached_3,$reached_2,$t_c              # 60e
         lqd     $lit_9,0x540($a_surfaces)               # 60o
-        fm      $colour_5,$colour_5,$diffuse            # 61e
-        lqd     $lit_18,0x580($a_surfaces)              # 61o
+        fm      $colour_3,$colour_3,$diffuse            # 61e
+        lqd     $lit_19,0x580($a_surfaces)              # 61o
         fm      $colour,$colour,$diffuse_3              # 62e
         lqd     $lit_10,0x5a0($a_surfaces)              # 62o
-        fm      $colour_2,$colour_3,$diffuse            # 63e
+        fm      $colour_11,$colour_5,$diffuse           # 63e
         lqd     $lit_11,0x550($a_surfaces)              # 63o
         fm      $colour_18,$colour_18,$diffuse_3        # 64e
         lqd     $lit_5,0x5d0($a_surfaces)               # 64o
-        and     $reached_7,$reached_6,$t_c_13           # 65e
+        and     $reached_8,$reached_9,$t_c_13           # 65e
         lqd     $lit_12,0x5e0($a_surfaces)              # 65o
-        fm      $colour_4,$colour_4,$diffuse            # 66e
-        lqd     $lit_13,0x5b0($a_surfaces)              # 66o
-        fma     $lit_9,$bright_red,$colour_5,$lit_9     # 67e
+        fm      $colour_2,$colour_2,$diffuse            # 66e
+        lqd     $lit_4,0x5b0($a_surfaces)               # 66o
+        fma     $lit_9,$bright_red,$colour_3,$lit_9     # 67e
         lqd     $lit_14,0x5c0($a_surfaces)              # 67o
         nop     $127                                    # 68e pairing
-        lqd     $lit_6,0x590($a_surfaces)               # 68o
-        fm      $colour_12,$colour_7,$diffuse_3         # 69e
-        lqd     $lit_15,0x5f0($a_surfaces)              # 69o
+        lqd     $lit_15,0x590($a_surfaces)              # 68o
+        fm      $colour_12,$colour_6,$diffuse_3         # 69e
+        lqd     $lit_16,0x5f0($a_surfaces)              # 69o
         nop     $127                                    # 70e pairing
         lqd     $normal_z_4,368($a_surfaces)            # 70o
         fma     $lit_7,$bright_red,$colour,$lit         # 71e
         lqd     $diffuse_4,848($a_surfaces)             # 71o
         fma     $lit_12,$bright_blue,$colour_18,$lit_12 # 72e
         lqd     $diffuse_5,880($a_surfaces)             # 72o
-        fma     $lit_3,$bright_green,$colour_4,$lit_18  # 73e
+        fma     $lit_13,$bright_green,$colour_2,$lit_19 # 73e
         lqd     $colour_14,784($a_surfaces)             # 73o
-        fma     $lit_14,$bright_blue,$colour_2,$lit_14  # 74e
+        fma     $lit_14,$bright_blue,$colour_11,$lit_14 # 74e
 next_site_back:
         brnz    $count,next_site                        # 74o
 next_site_drain:
-        fma     $t_c,$normal_z_4,$to_z,$t_c_11          # 0e
+        fma     $t_c,$normal_z_4,$to_z,$t_c_10          # 0e
         lqd     $colour_15,656($a_surfaces)             # 0o
         fm      $diffuse,$diffuse_4,$t_c_3              # 1e
         lqd     $colour,752($a_surfaces)                # 1o
@@ -316,29 +317,29 @@ next_site_drain:
         nop     $127                                    # 5e pairing
         stqd    $lit_14,0x5c0($a_surfaces_2)            # 5o
         fm      $diffuse_3,$diffuse_5,$t_c              # 6e
-        stqd    $lit_3,0x580($a_surfaces_2)             # 6o
+        stqd    $lit_13,0x580($a_surfaces_2)            # 6o
         and     $diffuse,$diffuse,$reached_3            # 7e
         stqd    $lit_7,0x560($a_surfaces_2)             # 7o
         stqd    $lit,0x5a0($a_surfaces_2)               # 8o
         fm      $colour_15,$colour_15,$diffuse          # 9e
         fm      $colour_16,$colour_14,$diffuse          # 10e
-        fm      $colour_17,$colour_8,$diffuse           # 11e
-        and     $diffuse,$diffuse_3,$reached_7          # 12e
+        fm      $colour_7,$colour_8,$diffuse            # 11e
+        and     $diffuse,$diffuse_3,$reached_8          # 12e
         fm      $colour,$colour,$diffuse                # 14e
-        fm      $colour_6,$colour_9,$diffuse            # 15e
-        fm      $colour_11,$colour_13,$diffuse          # 16e
-        fma     $lit_16,$bright_red,$colour_15,$lit_11  # 17e
+        fm      $colour_4,$colour_9,$diffuse            # 15e
+        fm      $colour_17,$colour_13,$diffuse          # 16e
+        fma     $lit_17,$bright_red,$colour_15,$lit_11  # 17e
         fma     $lit_2,$bright_blue,$colour_16,$lit_5   # 18e
-        fma     $lit_12,$bright_green,$colour_17,$lit_6 # 19e
-        fma     $lit_17,$bright_green,$colour,$lit_13   # 20e
-        fma     $lit_4,$bright_red,$colour_6,$lit_8     # 21e
-        fma     $lit_19,$bright_blue,$colour_11,$lit_15 # 22e
-        stqd    $lit_16,0x550($a_surfaces_2)            # 23o
+        fma     $lit_12,$bright_green,$colour_7,$lit_15 # 19e
+        fma     $lit_18,$bright_green,$colour,$lit_4    # 20e
+        fma     $lit_3,$bright_red,$colour_4,$lit_8     # 21e
+        fma     $lit_20,$bright_blue,$colour_17,$lit_16 # 22e
+        stqd    $lit_17,0x550($a_surfaces_2)            # 23o
         stqd    $lit_2,0x5d0($a_surfaces_2)             # 24o
-        stqd    $lit_17,0x5b0($a_surfaces_2)            # 26o
-        stqd    $lit_4,0x570($a_surfaces_2)             # 27o
+        stqd    $lit_18,0x5b0($a_surfaces_2)            # 26o
+        stqd    $lit_3,0x570($a_surfaces_2)             # 27o
         stqd    $lit_12,0x590($a_surfaces_2)            # 28o
-        stqd    $lit_19,0x5f0($a_surfaces_2)            # 29o
+        stqd    $lit_20,0x5f0($a_surfaces_2)            # 29o
         nop     $127                                    # 30e pairing
 lambert_r16_return:
         bi      $lr                                     # 30o
@@ -359,7 +360,7 @@ next_site_short:
         lqd     $to_y_2,256($a_shadow)                  # 15o
         fm      $t_c,$normal_x,$to_x                    # 16e
         lqd     $normal_y_6,256($a_surfaces)            # 16o
-        fm      $t_c_11,$normal_x_6,$to_x_6             # 17e
+        fm      $t_c_10,$normal_x_6,$to_x_6             # 17e
         lqd     $to_y_6,272($a_shadow)                  # 17o
         fm      $t_c_2,$normal_x_7,$to_x_7              # 18e
         lqd     $normal_y_7,272($a_surfaces)            # 18o
@@ -373,7 +374,7 @@ next_site_short:
         lqd     $normal_y,304($a_surfaces)              # 22o
         nop     $127                                    # 23e pairing
         lqd     $to_z_2,320($a_shadow)                  # 23o
-        fma     $t_c_11,$normal_y_7,$to_y_6,$t_c_11     # 24e
+        fma     $t_c_10,$normal_y_7,$to_y_6,$t_c_10     # 24e
         lqd     $normal_z_2,320($a_surfaces)            # 24o
         nop     $127                                    # 25e pairing
         lqd     $to_z_5,336($a_shadow)                  # 25o
@@ -389,103 +390,103 @@ next_site_short:
         lqd     $normal_z_2,368($a_surfaces)            # 30o
         nop     $127                                    # 31e pairing
         lqd     $diffuse,832($a_surfaces)               # 31o
-        fma     $t_c_11,$normal_z_5,$to_z_5,$t_c_11     # 32e
+        fma     $t_c_10,$normal_z_5,$to_z_5,$t_c_10     # 32e
         lqd     $diffuse_2,848($a_surfaces)             # 32o
         nop     $127                                    # 33e pairing
         lqd     $diffuse_7,864($a_surfaces)             # 33o
         fma     $t_c_2,$normal_z,$to_z_6,$t_c_2         # 34e
         lqd     $diffuse_8,880($a_surfaces)             # 34o
         nop     $127                                    # 35e pairing
-        lqd     $reached_9,384($a_shadow)               # 35o
+        lqd     $reached_10,384($a_shadow)              # 35o
         fma     $t_c_12,$normal_z_2,$to_z_4,$t_c_6      # 36e
         lqd     $t_c_6,448($a_shadow)                   # 36o
         fm      $diffuse,$diffuse,$t_c                  # 37e
         lqd     $reached_2,400($a_shadow)               # 37o
-        fm      $diffuse_9,$diffuse_2,$t_c_11           # 38e
+        fm      $diffuse_9,$diffuse_2,$t_c_10           # 38e
         lqd     $t_c,464($a_shadow)                     # 38o
         nop     $127                                    # 39e pairing
         lqd     $reached,416($a_shadow)                 # 39o
         fm      $diffuse_3,$diffuse_7,$t_c_2            # 40e
         lqd     $t_c_5,480($a_shadow)                   # 40o
-        cgti    $reached_9,$reached_9,-1                # 41e
-        lqd     $reached_7,432($a_shadow)               # 41o
+        cgti    $reached_10,$reached_10,-1              # 41e
+        lqd     $reached_8,432($a_shadow)               # 41o
         fm      $diffuse_10,$diffuse_8,$t_c_12          # 42e
         lqd     $t_c_14,496($a_shadow)                  # 42o
         ceq     $t_c_6,$t_c_6,$background               # 43e
         lqd     $colour,640($a_surfaces)                # 43o
-        cgti    $reached_10,$reached_2,-1               # 44e
+        cgti    $reached_11,$reached_2,-1               # 44e
         lqd     $colour_14,704($a_surfaces)             # 44o
         ceq     $t_c,$t_c,$background                   # 45e
         lqd     $colour_19,768($a_surfaces)             # 45o
         cgti    $reached,$reached,-1                    # 46e
-        lqd     $colour_7,656($a_surfaces)              # 46o
+        lqd     $colour_6,656($a_surfaces)              # 46o
         ceq     $t_c_5,$t_c_5,$background               # 47e
         lqd     $colour_18,720($a_surfaces)             # 47o
-        cgti    $reached_7,$reached_7,-1                # 48e
-        lqd     $colour_3,784($a_surfaces)              # 48o
+        cgti    $reached_8,$reached_8,-1                # 48e
+        lqd     $colour_5,784($a_surfaces)              # 48o
         ceq     $t_c_14,$t_c_14,$background             # 49e
         lqd     $colour_8,672($a_surfaces)              # 49o
-        and     $reached_11,$reached_9,$t_c_6           # 50e
-        lqd     $colour_5,736($a_surfaces)              # 50o
-        and     $reached_10,$reached_10,$t_c            # 51e
-        lqd     $colour_2,800($a_surfaces)              # 51o
+        and     $reached_12,$reached_10,$t_c_6          # 50e
+        lqd     $colour_3,736($a_surfaces)              # 50o
+        and     $reached_11,$reached_11,$t_c            # 51e
+        lqd     $colour_11,800($a_surfaces)             # 51o
         and     $reached,$reached,$t_c_5                # 52e
-        lqd     $colour_17,688($a_surfaces)             # 52o
-        and     $reached_8,$reached_7,$t_c_14           # 53e
-        lqd     $colour_6,752($a_surfaces)              # 53o
-        and     $diffuse,$diffuse,$reached_11           # 54e
-        lqd     $colour_4,816($a_surfaces)              # 54o
-        and     $diffuse_9,$diffuse_9,$reached_10       # 55e
-        lqd     $lit_20,0x540($a_surfaces)              # 55o
+        lqd     $colour_7,688($a_surfaces)              # 52o
+        and     $reached_7,$reached_8,$t_c_14           # 53e
+        lqd     $colour_4,752($a_surfaces)              # 53o
+        and     $diffuse,$diffuse,$reached_12           # 54e
+        lqd     $colour_2,816($a_surfaces)              # 54o
+        and     $diffuse_9,$diffuse_9,$reached_11       # 55e
+        lqd     $lit_21,0x540($a_surfaces)              # 55o
         and     $diffuse_3,$diffuse_3,$reached          # 56e
-        lqd     $lit_21,0x580($a_surfaces)              # 56o
-        and     $diffuse_10,$diffuse_10,$reached_8      # 57e
+        lqd     $lit_22,0x580($a_surfaces)              # 56o
+        and     $diffuse_10,$diffuse_10,$reached_7      # 57e
         lqd     $lit_9,0x5c0($a_surfaces)               # 57o
         fm      $colour,$colour,$diffuse                # 58e
-        lqd     $lit_22,0x550($a_surfaces)              # 58o
+        lqd     $lit_23,0x550($a_surfaces)              # 58o
         fm      $colour_14,$colour_14,$diffuse          # 59e
-        lqd     $lit_23,0x590($a_surfaces)              # 59o
-        fm      $colour_11,$colour_19,$diffuse          # 60e
+        lqd     $lit_24,0x590($a_surfaces)              # 59o
+        fm      $colour_17,$colour_19,$diffuse          # 60e
         lqd     $lit,0x5d0($a_surfaces)                 # 60o
-        fm      $colour_7,$colour_7,$diffuse_9          # 61e
-        lqd     $lit_24,0x560($a_surfaces)              # 61o
+        fm      $colour_6,$colour_6,$diffuse_9          # 61e
+        lqd     $lit_25,0x560($a_surfaces)              # 61o
         fm      $colour_18,$colour_18,$diffuse_9        # 62e
         lqd     $lit_8,0x5a0($a_surfaces)               # 62o
-        fm      $colour_15,$colour_3,$diffuse_9         # 63e
+        fm      $colour_15,$colour_5,$diffuse_9         # 63e
         lqd     $lit_11,0x5e0($a_surfaces)              # 63o
         fm      $colour_8,$colour_8,$diffuse_3          # 64e
         lqd     $lit_10,0x570($a_surfaces)              # 64o
-        fm      $colour_5,$colour_5,$diffuse_3          # 65e
+        fm      $colour_3,$colour_3,$diffuse_3          # 65e
         lqd     $lit_5,0x5b0($a_surfaces)               # 65o
-        fm      $colour_12,$colour_2,$diffuse_3         # 66e
-        lqd     $lit_25,0x5f0($a_surfaces)              # 66o
-        fm      $colour_17,$colour_17,$diffuse_10       # 67e
-        fm      $colour_6,$colour_6,$diffuse_10         # 68e
-        fm      $colour_16,$colour_4,$diffuse_10        # 69e
-        fma     $lit_3,$bright_red,$colour,$lit_20      # 70e
-        fma     $lit_21,$bright_green,$colour_14,$lit_21 # 71e
-        fma     $lit_9,$bright_blue,$colour_11,$lit_9   # 72e
-        fma     $lit_20,$bright_red,$colour_7,$lit_22   # 73e
-        fma     $lit_18,$bright_green,$colour_18,$lit_23 # 74e
+        fm      $colour_12,$colour_11,$diffuse_3        # 66e
+        lqd     $lit_26,0x5f0($a_surfaces)              # 66o
+        fm      $colour_7,$colour_7,$diffuse_10         # 67e
+        fm      $colour_4,$colour_4,$diffuse_10         # 68e
+        fm      $colour_16,$colour_2,$diffuse_10        # 69e
+        fma     $lit_13,$bright_red,$colour,$lit_21     # 70e
+        fma     $lit_22,$bright_green,$colour_14,$lit_22 # 71e
+        fma     $lit_9,$bright_blue,$colour_17,$lit_9   # 72e
+        fma     $lit_21,$bright_red,$colour_6,$lit_23   # 73e
+        fma     $lit_19,$bright_green,$colour_18,$lit_24 # 74e
         fma     $lit,$bright_blue,$colour_15,$lit       # 75e
         lnop                                            # 75o pairing
-        fma     $lit_16,$bright_red,$colour_8,$lit_24   # 76e
-        stqd    $lit_3,0x540($a_surfaces)               # 76o
-        fma     $lit_3,$bright_green,$colour_5,$lit_8   # 77e
-        stqd    $lit_21,0x580($a_surfaces)              # 77o
-        fma     $lit_26,$bright_blue,$colour_12,$lit_11 # 78e
+        fma     $lit_17,$bright_red,$colour_8,$lit_25   # 76e
+        stqd    $lit_13,0x540($a_surfaces)              # 76o
+        fma     $lit_13,$bright_green,$colour_3,$lit_8  # 77e
+        stqd    $lit_22,0x580($a_surfaces)              # 77o
+        fma     $lit_27,$bright_blue,$colour_12,$lit_11 # 78e
         stqd    $lit_9,0x5c0($a_surfaces)               # 78o
-        fma     $lit_9,$bright_red,$colour_17,$lit_10   # 79e
-        stqd    $lit_20,0x550($a_surfaces)              # 79o
-        fma     $lit_21,$bright_green,$colour_6,$lit_5  # 80e
-        stqd    $lit_18,0x590($a_surfaces)              # 80o
-        fma     $lit_2,$bright_blue,$colour_16,$lit_25  # 81e
+        fma     $lit_9,$bright_red,$colour_7,$lit_10    # 79e
+        stqd    $lit_21,0x550($a_surfaces)              # 79o
+        fma     $lit_22,$bright_green,$colour_4,$lit_5  # 80e
+        stqd    $lit_19,0x590($a_surfaces)              # 80o
+        fma     $lit_2,$bright_blue,$colour_16,$lit_26  # 81e
         stqd    $lit,0x5d0($a_surfaces)                 # 81o
-        stqd    $lit_16,0x560($a_surfaces)              # 82o
-        stqd    $lit_3,0x5a0($a_surfaces)               # 83o
-        stqd    $lit_26,0x5e0($a_surfaces)              # 84o
+        stqd    $lit_17,0x560($a_surfaces)              # 82o
+        stqd    $lit_13,0x5a0($a_surfaces)              # 83o
+        stqd    $lit_27,0x5e0($a_surfaces)              # 84o
         stqd    $lit_9,0x570($a_surfaces)               # 85o
-        stqd    $lit_21,0x5b0($a_surfaces)              # 86o
+        stqd    $lit_22,0x5b0($a_surfaces)              # 86o
         stqd    $lit_2,0x5f0($a_surfaces)               # 87o
         nop     $127                                    # 88e pairing
         brnz    $count,next_site_short                  # 88o

@@ -34,19 +34,21 @@ function same_objects_r16
         a       $a_rays_2,$a_rays,$step                 # 4e
         lqd     $object0_2,448($a_rays)                 # 4o
         ai      $count,$count,-1                        # 5e
-        lqd     $object1_2,464($a_rays)                 # 5o
+        hbrr    next_packet_back,next_packet            # 5o hint
         nop     $127                                    # 6e pairing
-        lqd     $object2_2,480($a_rays)                 # 6o
+        lqd     $object1_2,464($a_rays)                 # 6o
         ai      $count,$count,-1                        # 7e
-        lqd     $object3_2,496($a_rays)                 # 7o
-        a       $a_rays,$a_rays_2,$step                 # 8e
-        hbrr    next_packet_back,next_packet            # 8o hint
+        lqd     $object2_2,480($a_rays)                 # 7o
+        nop     $127                                    # 8e pairing
+        lqd     $object3_2,496($a_rays)                 # 8o
+        a       $a_rays,$a_rays_2,$step                 # 9e
         lqd     $object0_3,448($a_rays_2)               # 9o
         shufb   $object_2,$object0_2,$object0_2,$m_splat # 10o
         lqd     $object1,464($a_rays_2)                 # 11o
         lqd     $object2,480($a_rays_2)                 # 12o
         lqd     $object3,496($a_rays_2)                 # 13o
         ceq     $object0_4,$object0_2,$object_2         # 14e
+        lnop                                            # 14o pairing
         ceq     $object1_3,$object1_2,$object_2         # 15e
         shufb   $object,$object0_3,$object0_3,$m_splat  # 15o
         ceq     $object2_3,$object2_2,$object_2         # 16e

@@ -15,6 +15,9 @@
 # The shares of the area change their signs with g, so n points to the same side as g, which is the
 # ray's side. If it nevertheless points away from the ray, n.d >= 0, it is replaced by g. Otherwise
 # it is normalised.
+#
+# The loop counts up, so that it isn't pipelined. Pipelined it would take 2 KB more of local store,
+# and 0.1 % less time in a scene with many patches.
 # Scheduled by spu schedule from smooth_r16.s
 
         .include "work_unit.inc"

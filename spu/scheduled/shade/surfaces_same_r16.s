@@ -56,33 +56,33 @@ function surfaces_same_r16
         .set leave_point_3,20; .set row0_4,21; .set row0_5,46; .set row0_6,48; .set row0_7,49
         .set row0_8,51; .set row0_9,71; .set a_rays_3,28; .set leave_object_3,50; .set row0_10,20
         .set row0_11,58; .set row0_12,67; .set off_x_2,49; .set row0_13,3; .set off_squared_2,20
-        .set object_2,33; .set row0_14,60; .set point_y_2,36; .set direction_x_3,52
-        .set point_x_2,27; .set a_surfaces_2,22; .set t_2,29; .set miss_2,38; .set t_e_4,34
-        .set direction_y_3,47; .set point_x_3,53; .set quad_7,42; .set off_squared_3,77
+        .set object_2,33; .set point_y_2,36; .set direction_x_3,29; .set row0_14,52
+        .set point_x_2,27; .set a_surfaces_2,22; .set t_2,38; .set miss_2,42; .set t_e_4,34
+        .set direction_y_3,47; .set point_x_3,53; .set quad_7,43; .set off_squared_3,60
         .set direction_z_4,20; .set point_z_4,19; .set quad_sides_2,63; .set miss_3,33
-        .set centre_x_3,38; .set point_y_3,65; .set centre_y_3,36; .set leave_point_4,43
-        .set axis_x_3,69; .set t_y_2,33; .set centre_z_3,64; .set axis_y_3,29
-        .set direction_z_5,73; .set t_y_3,66; .set t_e_5,68; .set off_y_2,72; .set row0_15,36
-        .set along_2,70; .set off_z_2,74; .set t_e_6,21; .set quad_8,51; .set t_e_7,43
-        .set quad_9,78; .set t_out_2,64; .set along_3,46; .set point_z_5,70; .set quad_10,19
-        .set quad_11,20; .set flags_2,20; .set slope_3,48; .set t_out_3,67; .set offset_3,43
-        .set flags_3,71; .set off_x_3,64; .set off_y_3,66; .set leave_object_4,75
-        .set normal_y_2,68; .set gain_3,42; .set off_z_3,72; .set row0_16,28; .set t_out_4,29
-        .set point_x_4,63; .set normal_x_3,74; .set row0_17,38; .set off_squared_4,31
-        .set seen_2,79; .set leave_object_5,76; .set direction_x_4,69; .set along_4,75
-        .set normal_x_4,21; .set height_2,16; .set normal_y_3,39; .set row0_18,23; .set row0_19,35
-        .set off_squared_5,19; .set direction_y_4,77; .set row0_20,40; .set t_e_8,18
-        .set height_3,29; .set off_squared_6,53; .set t_e_9,2; .set point_x_5,51; .set point_z_6,24
-        .set point_y_4,49; .set flip_2,18; .set normal_x_5,19; .set m_index_2,2; .set row0_21,2
-        .set a_rays_4,2; .set row0_22,19; .set centre_x_4,18; .set centre_y_4,20; .set axis_x_4,2
-        .set axis_y_4,18; .set quad_12,23; .set quad_13,31; .set quad_14,35; .set normal_x_6,44
-        .set normal_y_4,47; .set leave_object_6,30; .set off_squared_7,17; .set off_squared_8,2
-        .set seen_3,17; .set normal_z_2,4; .set a_surfaces_3,6; .set quad_15,10
-        .set a_surfaces_4,3; .set front_2,2; .set a_rays_5,26; .set point_z_7,27
-        .set direction_z_6,28; .set a_surfaces_5,2; .set centre_y_5,18; .set quad_16,18
-        .set t_e_10,23; .set quad_17,26; .set quad_18,27; .set row0_23,29; .set row0_24,27
-        .set row0_25,42; .set row0_26,18; .set row0_27,31; .set row0_28,32; .set row0_29,33
-        .set seen_4,37; .set off_squared_9,36; .set off_squared_10,18
+        .set centre_x_3,42; .set point_y_3,65; .set centre_y_3,36; .set leave_point_4,64
+        .set axis_x_3,69; .set t_y_2,33; .set off_x_3,42; .set centre_z_3,66; .set axis_y_3,38
+        .set direction_z_5,73; .set t_y_3,68; .set t_e_5,70; .set off_y_2,72; .set row0_15,36
+        .set along_2,74; .set off_z_2,75; .set t_e_6,21; .set quad_8,51; .set t_e_7,64
+        .set quad_9,77; .set t_out_2,66; .set along_3,46; .set point_z_5,70; .set quad_10,19
+        .set quad_11,20; .set t_e_8,58; .set flags_2,20; .set row0_16,64; .set slope_3,48
+        .set flags_3,67; .set t_out_3,71; .set offset_3,43; .set off_x_4,64; .set leave_object_4,76
+        .set off_y_3,66; .set gain_3,42; .set normal_y_2,68; .set row0_17,28; .set off_z_3,72
+        .set point_x_4,63; .set t_out_4,31; .set normal_x_3,74; .set row0_18,38
+        .set off_squared_4,78; .set seen_2,21; .set direction_x_4,69; .set along_4,75
+        .set normal_x_4,29; .set height_2,16; .set normal_y_3,39; .set row0_19,23; .set row0_20,35
+        .set off_squared_5,19; .set direction_y_4,77; .set row0_21,40; .set t_e_9,18
+        .set height_3,30; .set off_squared_6,53; .set t_e_10,2; .set point_x_5,51
+        .set point_z_6,24; .set point_y_4,49; .set flip_2,18; .set normal_x_5,19; .set m_index_2,2
+        .set row0_22,2; .set a_rays_4,2; .set row0_23,19; .set centre_x_4,18; .set centre_y_4,20
+        .set axis_x_4,2; .set axis_y_4,18; .set quad_12,23; .set quad_13,31; .set quad_14,35
+        .set quad_15,42; .set normal_x_6,44; .set normal_y_4,47; .set leave_object_5,30
+        .set off_squared_7,17; .set off_squared_8,2; .set seen_3,17; .set normal_z_2,4
+        .set a_surfaces_3,6; .set quad_16,10; .set a_surfaces_4,3; .set front_2,2; .set a_rays_5,26
+        .set point_z_7,27; .set direction_z_6,28; .set a_surfaces_5,2; .set centre_y_5,18
+        .set quad_17,18; .set t_e_11,23; .set quad_18,26; .set quad_19,27; .set row0_24,29
+        .set row0_25,27; .set row0_26,42; .set row0_27,18; .set row0_28,31; .set row0_29,32
+        .set row0_30,33; .set seen_4,37; .set off_squared_9,36; .set off_squared_10,18
         shli    $count,$count,2                         # 0e
         ila     $t_y,0x10203                            # 1e
         ilhu    $m_x,1                                  # 2e
@@ -201,13 +201,13 @@ function surfaces_same_r16
         stqd    $seen,0($a_flags)                       # 67o
         fm      $off_squared_2,$off_x_2,$off_x_2        # 68e
         lqd     $object_2,448($a_rays_2)                # 68o
-        and     $row0_14,$row0_13,$there_2              # 69e
+        andc    $seen,$seen,$last                       # 69e
         lqd     $point_y_2,64($a_rays_2)                # 69o
-        andc    $seen,$seen,$last                       # 70e
+        ai      $count,$count,-1                        # 70e
         lqd     $quad,32($a_material)                   # 70o
-        ai      $count,$count,-1                        # 71e
+        a       $a_flags,$a_flags,$t_e_2                # 71e
         lqd     $direction_x_3,192($a_rays_2)           # 71o
-        a       $a_flags,$a_flags,$t_e_2                # 72e
+        and     $row0_14,$row0_13,$there_2              # 72e
         lqd     $point_x_2,0($a_rays_2)                 # 72o
         a       $a_surfaces_2,$a_surfaces,$t_e_3        # 73e
         lqd     $t_2,384($a_rays_2)                     # 73o
@@ -237,7 +237,7 @@ function surfaces_same_r16
         shufb   $axis_x_3,$quad_7,$quad_7,$m_x          # 85o
         sf      $hits,$miss_3,$hits                     # 86e
         frsqest $t_y_2,$off_squared_3                   # 86o
-        fs      $off_x,$point_x_3,$centre_x_3           # 87e
+        fs      $off_x_3,$point_x_3,$centre_x_3         # 87e
         shufb   $centre_z_3,$quad_2,$quad_2,$m_z        # 87o
         fma     $point_z_4,$t_2,$direction_z_4,$point_z_4 # 88e
         shufb   $axis_y_3,$quad_7,$quad_7,$m_y          # 88o
@@ -249,7 +249,7 @@ function surfaces_same_r16
         shufb   $axis_z,$quad_7,$quad_7,$m_z            # 91o
         fs      $off_y_2,$point_y_3,$centre_y_3         # 92e
         shufb   $row0_15,$quad,$quad,$m_z               # 92o
-        fm      $along_2,$off_x,$axis_x_3               # 93e
+        fm      $along_2,$off_x_3,$axis_x_3             # 93e
         stqd    $row0_10,0x500($a_surfaces)             # 93o
         fs      $off_z_2,$point_z_4,$centre_z_3         # 94e
         stqd    $row0_4,0x5c0($a_surfaces)              # 94o
@@ -269,37 +269,37 @@ function surfaces_same_r16
         stqd    $row0_15,0x4c0($a_surfaces)             # 101o
         or      $quad_11,$quad_8,$quad_sides_2          # 102e
         stqd    $row0_11,0x440($a_surfaces)             # 102o
-        fnms    $t_e_7,$t_e_7,$t_y_3,$k_one             # 103e
+        fnms    $t_e_8,$t_e_7,$t_y_3,$k_one             # 103e
         stqd    $row0_9,0x580($a_surfaces)              # 103o
         nop     $127                                    # 104e pairing
         shufb   $flags_2,$quad_11,$quad_11,$m_w         # 104o
         fma     $along_3,$off_z_2,$axis_z,$along_3      # 105e
-        shufb   $row0_11,$quad_9,$quad_9,$m_w           # 105o
+        shufb   $row0_16,$quad_9,$quad_9,$m_w           # 105o
         shufb   $slope_3,$quad_7,$quad_7,$m_w           # 106o
         stqd    $row0_12,960($a_surfaces)               # 107o
-        and     $flags_2,$flags_2,$there_2              # 108e
+        and     $flags_3,$flags_2,$there_2              # 108e
         shufb   $row0_15,$quad_8,$quad_8,$m_z           # 108o
-        fma     $t_out_3,$t_e_7,$t_out_2,$t_y_3         # 109e
+        fma     $t_out_3,$t_e_8,$t_out_2,$t_y_3         # 109e
         shufb   $offset_3,$quad_sides_2,$quad_sides_2,$m_x # 109o
-        and     $row0_11,$row0_11,$there_2              # 110e
-        orx     $flags_3,$flags_2                       # 110o
-        fnms    $off_x_3,$along_3,$axis_x_3,$off_x      # 111e
-        shufb   $row0_10,$quad_10,$quad_10,$m_w         # 111o
+        and     $row0_11,$row0_16,$there_2              # 110e
+        shufb   $row0_10,$quad_10,$quad_10,$m_w         # 110o
+        fnms    $off_x_4,$along_3,$axis_x_3,$off_x_3    # 111e
+        shufb   $leave_object_4,$quad_sides_2,$quad_sides_2,$m_y # 111o
         fnms    $off_y_3,$along_3,$axis_y_3,$off_y_2    # 112e
-        shufb   $leave_object_4,$quad_sides_2,$quad_sides_2,$m_y # 112o
+        shufb   $gain_3,$quad_2,$quad_2,$m_w            # 112o
         fm      $normal_y_2,$slope_3,$axis_y_3          # 113e
-        shufb   $gain_3,$quad_2,$quad_2,$m_w            # 113o
+        shufb   $row0_17,$quad_9,$quad_9,$m_x           # 113o
         fnms    $off_z_3,$along_3,$axis_z,$off_z_2      # 114e
-        shufb   $row0_16,$quad_9,$quad_9,$m_x           # 114o
+        shlqbyi $point_x_4,$point_x_3,0                 # 114o copy
         fm      $t_out_4,$t_out_3,$gain_2               # 115e
-        shlqbyi $point_x_4,$point_x_3,0                 # 115o copy
+        orx     $flags,$flags_3                         # 115o
         fm      $normal_x_3,$slope_3,$axis_x_3          # 116e
-        shufb   $row0_17,$quad_10,$quad_10,$m_z         # 116o
-        fm      $off_squared_4,$off_x_3,$off_x_3        # 117e
+        shufb   $row0_18,$quad_10,$quad_10,$m_z         # 116o
+        fm      $off_squared_4,$off_x_4,$off_x_4        # 117e
         shlqbyi $point_y_3,$point_y_3,0                 # 117o copy
-        or      $seen_2,$seen,$flags_3                  # 118e
+        fma     $leave_object_4,$leave_point_2,$k_leave,$leave_object_4 # 118e
         shufb   $row0_12,$quad_9,$quad_9,$m_y           # 118o
-        fma     $leave_object_5,$leave_point_2,$k_leave,$leave_object_4 # 119e
+        or      $seen_2,$seen,$flags                    # 119e
         shlqbyi $direction_x_4,$direction_x_3,0         # 119o copy
         ori     $along_4,$along_3,0                     # 120e copy
         shufb   $row0_9,$quad_8,$quad_8,$m_y            # 120o
@@ -308,30 +308,30 @@ function surfaces_same_r16
         fms     $height_2,$off_squared_3,$t_out_4,$offset_2 # 122e
         shufb   $row0_7,$quad_9,$quad_9,$m_z            # 122o
         fma     $normal_y_3,$t_out_4,$off_y,$normal_y   # 123e
-        shufb   $row0_18,$quad_8,$quad_8,$m_x           # 123o
+        shufb   $row0_19,$quad_8,$quad_8,$m_x           # 123o
         fma     $normal_z,$t_out_4,$off_z,$normal_z     # 124e
-        shufb   $row0_19,$quad_10,$quad_10,$m_y         # 124o
+        shufb   $row0_20,$quad_10,$quad_10,$m_y         # 124o
         fma     $off_squared_5,$off_y_3,$off_y_3,$off_squared_4 # 125e
         shlqbyi $direction_y_4,$direction_y_3,0         # 125o copy
-        and     $row0_20,$row0_7,$there_2               # 126e
-        fm      $t_e_8,$normal_x_4,$direction_x_2       # 127e
+        and     $row0_21,$row0_7,$there_2               # 126e
+        fm      $t_e_9,$normal_x_4,$direction_x_2       # 127e
         fma     $height_3,$slope_2,$along,$height_2     # 128e
         andc    $seen,$seen_2,$last_2                   # 129e
         fma     $off_squared_6,$off_z_3,$off_z_3,$off_squared_5 # 131e
-        fma     $t_e_9,$normal_y_3,$direction_y_2,$t_e_8 # 133e
+        fma     $t_e_10,$normal_y_3,$direction_y_2,$t_e_9 # 133e
         fnms    $point_x_5,$height_3,$normal_x_4,$point_x # 134e
         fnms    $point_z_6,$height_3,$normal_z,$point_z_3 # 135e
         fnms    $point_y_4,$height_3,$normal_y_3,$point_y # 136e
-        fma     $t_e_9,$normal_z,$direction_z_3,$t_e_9  # 139e
+        fma     $t_e_10,$normal_z,$direction_z_3,$t_e_10 # 139e
         stqd    $point_x_5,0($a_surfaces)               # 140o
         stqd    $row0,832($a_surfaces)                  # 141o
         stqd    $point_z_6,128($a_surfaces)             # 142o
         hbrr    next_row_back,next_row                  # 143o hint
         nop     $127                                    # 144e pairing
         stqd    $row0_14,896($a_surfaces)               # 144o
-        andc    $flip_2,$k_sign,$t_e_9                  # 145e
+        andc    $flip_2,$k_sign,$t_e_10                 # 145e
         stqd    $leave_object_3,576($a_surfaces)        # 145o
-        rotmai  $front,$t_e_9,-31                       # 146e
+        rotmai  $front,$t_e_10,-31                      # 146e
         stqd    $point_y_4,64($a_surfaces)              # 146o
         xor     $normal_x_5,$normal_x_4,$flip_2         # 147e
         stqd    $seen_2,0($a_flags)                     # 147o
@@ -353,7 +353,7 @@ next_row:
             and     $row0,$row0_10,$there_2             # 2e
         lqd     $point_y,64($a_rays)                    # 2o
         ceqi    $last,$last,1                           # 3e
-            shufb   $row0_21,$quad,$quad,$m_index_2     # 3o
+            shufb   $row0_22,$quad,$quad,$m_index_2     # 3o
             fm      $normal_z,$slope_3,$axis_z          # 4e
         lqd     $object,448($a_rays)                    # 4o
             fi      $t_y,$off_squared_6,$t_y            # 5e
@@ -361,19 +361,19 @@ next_row:
             a       $a_flags,$a_flags,$t_e_4            # 6e
         lqd     $direction_x,192($a_rays)               # 6o
         and     $t_e,$last,$k_rays_gap                  # 7e
-            stqd    $row0_21,0x480($a_surfaces)         # 7o
+            stqd    $row0_22,0x480($a_surfaces)         # 7o
             ai      $a_surfaces,$a_surfaces_2,16        # 8e
         lqd     $point_x,0($a_rays)                     # 8o
         a       $a_rays_4,$a_rays,$t_e                  # 9e
         lqd     $t,384($a_rays)                         # 9o
         ceq     $miss,$object,$background               # 10e
-            stqd    $row0_17,768($a_surfaces)           # 10o
-            and     $row0_22,$row0_16,$there_2          # 11e
-            stqd    $row0_18,0x540($a_surfaces)         # 11o
+            stqd    $row0_18,768($a_surfaces)           # 10o
+            and     $row0_23,$row0_17,$there_2          # 11e
+            stqd    $row0_19,0x540($a_surfaces)         # 11o
             fm      $t_e,$off_squared_6,$t_y            # 12e
             stqd    $a_material,0x600($a_surfaces)      # 12o
             a       $a_surfaces_2,$a_surfaces,$t_e_3    # 13e
-            shufb   $row0_18,$quad,$quad,$m_w           # 13o
+            shufb   $row0_19,$quad,$quad,$m_w           # 13o
             fm      $t_out,$t_y,$k_half                 # 14e
         lqd     $direction_y_2,256($a_rays)             # 14o
         cgti    $there_2,$t,-1                          # 15e
@@ -387,7 +387,7 @@ next_row:
         and     $t_e_3,$last,$k_surfaces_gap            # 19e
         lqd     $quad_sides,32($object)                 # 19o
         fma     $point_y,$t,$direction_y_2,$point_y     # 20e
-            stqd    $row0_18,0x500($a_surfaces)         # 20o
+            stqd    $row0_19,0x500($a_surfaces)         # 20o
         sf      $hits,$miss,$hits                       # 21e
         shufb   $centre_x_4,$quad_2,$quad_2,$m_x        # 21o
         andc    $leave_point,$point_x,$k_sign           # 22e
@@ -405,7 +405,7 @@ next_row:
         fs      $off_y,$point_y,$centre_y_4             # 28e
             stqd    $row0_15,0x5c0($a_surfaces)         # 28o
         fa      $leave_point,$leave_point,$t_e          # 29e
-            stqd    $row0_20,0x400($a_surfaces)         # 29o
+            stqd    $row0_21,0x400($a_surfaces)         # 29o
             fm      $t_out,$t_out,$gain_3               # 30e
             shufb   $row0_10,$quad,$quad,$m_z           # 30o
         fs      $off_z,$point_z_3,$centre_z_2           # 31e
@@ -413,7 +413,7 @@ next_row:
         fm      $along,$off_x,$axis_x_4                 # 32e
         lqd     $quad_13,16($a_material)                # 32o
         andc    $t_e,$point_z_3,$k_sign                 # 33e
-            stqd    $row0_19,704($a_surfaces)           # 33o
+            stqd    $row0_20,704($a_surfaces)           # 33o
         and     $t_e_4,$last,$k_packet                  # 34e
             stqd    $row0_5,640($a_surfaces)            # 34o
         fa      $leave_point,$leave_point,$t_e          # 35e
@@ -424,32 +424,32 @@ next_row:
         shufb   $row0_15,$quad_12,$quad_12,$m_z         # 37o
         fma     $along,$off_y,$axis_y_4,$along          # 38e
         shufb   $row0_10,$quad_13,$quad_13,$m_w         # 38o
-        or      $quad_7,$quad_12,$quad_sides            # 39e
+        or      $quad_15,$quad_12,$quad_sides           # 39e
         shufb   $offset_3,$quad_sides,$quad_sides,$m_x  # 39o
-            fma     $normal_x_6,$t_out,$off_x_3,$normal_x_3 # 40e
+            fma     $normal_x_6,$t_out,$off_x_4,$normal_x_3 # 40e
             stqd    $row0_11,0x440($a_surfaces)         # 40o
             fma     $normal_y_4,$t_out,$off_y_3,$normal_y_2 # 41e
-        shufb   $flags,$quad_7,$quad_7,$m_w             # 41o
+        shufb   $flags,$quad_15,$quad_15,$m_w           # 41o
             fma     $height,$slope_3,$along_4,$height   # 42e
         shufb   $slope_3,$quad_3,$quad_3,$m_w           # 42o
         and     $row0_11,$row0_10,$there_2              # 43e
         shufb   $row0_10,$quad_14,$quad_14,$m_w         # 43o
         fma     $along,$off_z,$axis_z,$along            # 44e
-        shufb   $leave_object_6,$quad_sides,$quad_sides,$m_y # 44o
+        shufb   $leave_object_5,$quad_sides,$quad_sides,$m_y # 44o
             nop     $127                                # 45e pairing
             stqd    $row0_9,0x580($a_surfaces)          # 45o
             fm      $t_e,$normal_x_6,$direction_x_4     # 46e
         shufb   $gain_3,$quad_2,$quad_2,$m_w            # 46o
         and     $flags,$flags,$there_2                  # 47e
-        shufb   $row0_16,$quad_13,$quad_13,$m_x         # 47o
+        shufb   $row0_17,$quad_13,$quad_13,$m_x         # 47o
             fnms    $point_y_4,$height,$normal_y_4,$point_y_3 # 48e
             stqd    $row0_12,960($a_surfaces)           # 48o
             fnms    $point_x_5,$height,$normal_x_6,$point_x_4 # 49e
         shlqbyi $point_x_4,$point_x,0                   # 49o copy
-        fnms    $off_x_3,$along,$axis_x_4,$off_x        # 50e
+        fnms    $off_x_4,$along,$axis_x_4,$off_x        # 50e
         orx     $flags,$flags                           # 50o
             fnms    $point_z_6,$height,$normal_z,$point_z_5 # 51e
-        shufb   $row0_17,$quad_14,$quad_14,$m_z         # 51o
+        shufb   $row0_18,$quad_14,$quad_14,$m_z         # 51o
             fma     $t_e,$normal_y_4,$direction_y_4,$t_e # 52e
         shlqbyi $point_y_3,$point_y,0                   # 52o copy
         fnms    $off_y_3,$along,$axis_y_4,$off_y        # 53e
@@ -458,7 +458,7 @@ next_row:
         shlqbyi $direction_x_4,$direction_x,0           # 54o copy
         ori     $point_z_5,$point_z_3,0                 # 55e copy
             stqd    $point_x_5,0($a_surfaces)           # 55o
-        fm      $off_squared_7,$off_x_3,$off_x_3        # 56e
+        fm      $off_squared_7,$off_x_4,$off_x_4        # 56e
         shufb   $row0_9,$quad_12,$quad_12,$m_y          # 56o
         fnms    $off_z_3,$along,$axis_z,$off_z          # 57e
         shufb   $row0_5,$quad_14,$quad_14,$m_x          # 57o
@@ -467,16 +467,16 @@ next_row:
         ori     $direction_z_5,$direction_z_2,0         # 59e copy
             stqd    $point_z_6,128($a_surfaces)         # 59o
         fm      $normal_x_3,$slope_3,$axis_x_4          # 60e
-        shufb   $row0_18,$quad_12,$quad_12,$m_x         # 60o
+        shufb   $row0_19,$quad_12,$quad_12,$m_x         # 60o
         ori     $along_4,$along,0                       # 61e copy
-            stqd    $row0_22,896($a_surfaces)           # 61o
+            stqd    $row0_23,896($a_surfaces)           # 61o
         fma     $off_squared_8,$off_y_3,$off_y_3,$off_squared_7 # 62e
-        shufb   $row0_19,$quad_14,$quad_14,$m_y         # 62o
+        shufb   $row0_20,$quad_14,$quad_14,$m_y         # 62o
         or      $seen_3,$seen,$flags                    # 63e
-            stqd    $leave_object_5,576($a_surfaces)    # 63o
+            stqd    $leave_object_4,576($a_surfaces)    # 63o
             andc    $flip_2,$k_sign,$t_e                # 64e
         shufb   $row0,$quad_13,$quad_13,$m_z            # 64o
-        fma     $leave_object_5,$leave_point,$k_leave,$leave_object_6 # 65e
+        fma     $leave_object_4,$leave_point,$k_leave,$leave_object_5 # 65e
         shlqbyi $direction_y_4,$direction_y_2,0         # 65o copy
             xor     $normal_x_5,$normal_x_6,$flip_2     # 66e
             stqd    $point_y_4,64($a_surfaces)          # 66o
@@ -488,7 +488,7 @@ next_row:
             stqd    $normal_y,256($a_surfaces)          # 69o
             xor     $normal_z,$normal_z,$flip_2         # 70e
             stqd    $normal_y,448($a_surfaces)          # 70o
-        and     $row0_20,$row0,$there_2                 # 71e
+        and     $row0_21,$row0,$there_2                 # 71e
             stqd    $normal_x_5,384($a_surfaces)        # 71o
             selb    $m_index_2,$m_y,$m_x,$front         # 72e
             stqd    $normal_z,512($a_surfaces)          # 72o
@@ -501,27 +501,27 @@ next_row_drain:
         ai      $a_surfaces_3,$a_surfaces_2,16          # 1e
         stqd    $normal_z,320($a_surfaces)              # 1o
         and     $row0,$row0_10,$there_2                 # 2e
-        lqd     $quad_15,32($a_material)                # 2o
-        and     $row0_22,$row0_16,$there_2              # 3e
-        shufb   $row0_21,$quad,$quad,$m_index_2         # 3o
+        lqd     $quad_16,32($a_material)                # 2o
+        and     $row0_23,$row0_17,$there_2              # 3e
+        shufb   $row0_22,$quad,$quad,$m_index_2         # 3o
         fi      $t_y,$off_squared_6,$t_y                # 4e
         hbr     surfaces_same_r16_return,$lr            # 4o hint
         a       $a_surfaces_2,$a_surfaces_3,$t_e_3      # 5e
         a       $a_flags,$a_flags,$t_e_4                # 6e
         ai      $a_surfaces_4,$a_surfaces_2,16          # 7e
-        stqd    $row0_21,0x480($a_surfaces)             # 7o
+        stqd    $row0_22,0x480($a_surfaces)             # 7o
         ori     $a_rays,$hits,0                         # 8e
-        shufb   $row0_21,$quad_15,$quad_15,$m_w         # 8o
-        stqd    $row0_17,768($a_surfaces_3)             # 9o
-        stqd    $row0_18,0x540($a_surfaces_3)           # 10o
+        shufb   $row0_22,$quad_16,$quad_16,$m_w         # 8o
+        stqd    $row0_18,768($a_surfaces_3)             # 9o
+        stqd    $row0_19,0x540($a_surfaces_3)           # 10o
         fm      $t_e,$off_squared_6,$t_y                # 11e
         stqd    $a_material,0x600($a_surfaces_3)        # 11o
         fm      $t_out,$t_y,$k_half                     # 12e
-        stqd    $row0_21,0x500($a_surfaces_3)           # 12o
+        stqd    $row0_22,0x500($a_surfaces_3)           # 12o
         stqd    $row0_15,0x5c0($a_surfaces_3)           # 13o
-        shufb   $row0_10,$quad_15,$quad_15,$m_z         # 14o
-        stqd    $row0_20,0x400($a_surfaces_3)           # 15o
-        stqd    $row0_19,704($a_surfaces_3)             # 16o
+        shufb   $row0_10,$quad_16,$quad_16,$m_z         # 14o
+        stqd    $row0_21,0x400($a_surfaces_3)           # 15o
+        stqd    $row0_20,704($a_surfaces_3)             # 16o
         fnms    $t_e,$t_e,$t_y,$k_one                   # 17e
         stqd    $row0_5,640($a_surfaces_3)              # 17o
         stqd    $row0_10,0x4c0($a_surfaces_3)           # 18o
@@ -530,7 +530,7 @@ next_row_drain:
         stqd    $row0_12,960($a_surfaces_3)             # 21o
         fma     $t_out,$t_e,$t_out,$t_y                 # 23e
         fm      $t_out,$t_out,$gain_3                   # 29e
-        fma     $normal_x_6,$t_out,$off_x_3,$normal_x_3 # 35e
+        fma     $normal_x_6,$t_out,$off_x_4,$normal_x_3 # 35e
         fms     $height,$off_squared_6,$t_out,$offset_3 # 36e
         fma     $normal_y_4,$t_out,$off_y_3,$normal_y_2 # 37e
         fma     $normal_z,$t_out,$off_z_3,$normal_z_2   # 38e
@@ -544,8 +544,8 @@ next_row_drain:
         stqd    $point_x_5,0($a_surfaces_3)             # 54o
         stqd    $row0,832($a_surfaces_3)                # 55o
         stqd    $point_z_6,128($a_surfaces_3)           # 56o
-        stqd    $row0_22,896($a_surfaces_3)             # 57o
-        stqd    $leave_object_5,576($a_surfaces_3)      # 58o
+        stqd    $row0_23,896($a_surfaces_3)             # 57o
+        stqd    $leave_object_4,576($a_surfaces_3)      # 58o
         andc    $flip_2,$k_sign,$t_e                    # 59e
         stqd    $point_y_4,64($a_surfaces_3)            # 59o
         rotmai  $front_2,$t_e,-31                       # 60e
@@ -557,11 +557,11 @@ next_row_drain:
         selb    $m_index_2,$m_y,$m_x,$front_2           # 64e
         stqd    $normal_y,256($a_surfaces_3)            # 64o
         stqd    $normal_y,448($a_surfaces_3)            # 65o
-        shufb   $row0_21,$quad_15,$quad_15,$m_index_2   # 66o
+        shufb   $row0_22,$quad_16,$quad_16,$m_index_2   # 66o
         stqd    $normal_x_5,384($a_surfaces_3)          # 67o
         stqd    $normal_z,512($a_surfaces_3)            # 68o
         stqd    $normal_z,320($a_surfaces_3)            # 69o
-        stqd    $row0_21,0x480($a_surfaces_3)           # 70o
+        stqd    $row0_22,0x480($a_surfaces_3)           # 70o
         nop     $127                                    # 71e pairing
 surfaces_same_r16_return:
         bi      $lr                                     # 71o
@@ -576,7 +576,7 @@ next_row_short:
         lqd     $direction_x,192($a_rays)               # 3o
         and     $t_e,$last,$k_rays_gap                  # 4e
         lqd     $point_y,64($a_rays)                    # 4o
-        and     $t_e_9,$last,$k_surfaces_gap            # 5e
+        and     $t_e_10,$last,$k_surfaces_gap           # 5e
         lqd     $direction_y,256($a_rays)               # 5o
         ceq     $miss,$object,$background               # 6e
         lqd     $quad,0($object)                        # 6o
@@ -590,7 +590,7 @@ next_row_short:
         lqd     $quad_sides,32($object)                 # 10o
         fma     $point_y,$t,$direction_y,$point_y       # 11e
         lnop                                            # 11o pairing
-        a       $a_surfaces_5,$a_surfaces,$t_e_9        # 12e
+        a       $a_surfaces_5,$a_surfaces,$t_e_10       # 12e
         shufb   $centre_x_2,$quad,$quad,$m_x            # 12o
         and     $t_e,$last,$k_packet                    # 13e
         shufb   $centre_y_5,$quad,$quad,$m_y            # 13o
@@ -604,7 +604,7 @@ next_row_short:
         shufb   $axis_z,$quad_12,$quad_12,$m_z          # 17o
         andc    $leave_point,$point_x,$k_sign           # 18e
         shufb   $gain,$quad,$quad,$m_w                  # 18o
-        andc    $t_e_8,$point_y,$k_sign                 # 19e
+        andc    $t_e_9,$point_y,$k_sign                 # 19e
         shufb   $slope,$quad_12,$quad_12,$m_w           # 19o
         ai      $a_rays,$a_rays_5,16                    # 20e
         shufb   $a_material,$quad_sides,$quad_sides,$m_z # 20o
@@ -618,42 +618,42 @@ next_row_short:
         lqd     $quad,48($a_material)                   # 24o
         fm      $normal_z,$slope,$axis_z                # 25e
         lqd     $quad_11,0($a_material)                 # 25o
-        fa      $leave_point,$leave_point,$t_e_8        # 26e
-        lqd     $quad_16,16($a_material)                # 26o
-        andc    $t_e_10,$point_z_3,$k_sign              # 27e
-        lqd     $quad_17,32($a_material)                # 27o
+        fa      $leave_point,$leave_point,$t_e_9        # 26e
+        lqd     $quad_17,16($a_material)                # 26o
+        andc    $t_e_11,$point_z_3,$k_sign              # 27e
+        lqd     $quad_18,32($a_material)                # 27o
         fma     $along,$off_y,$axis_y,$along            # 28e
         stqd    $a_material,0x600($a_surfaces)          # 28o
-        or      $quad_18,$quad,$quad_sides              # 30e
+        or      $quad_19,$quad,$quad_sides              # 30e
         shufb   $row0,$quad,$quad,$m_x                  # 30o
         nop     $127                                    # 31e pairing
-        shufb   $row0_23,$quad_11,$quad_11,$m_w         # 31o
-        fa      $leave_point,$leave_point,$t_e_10       # 32e
-        shufb   $flags,$quad_18,$quad_18,$m_w           # 32o
+        shufb   $row0_24,$quad_11,$quad_11,$m_w         # 31o
+        fa      $leave_point,$leave_point,$t_e_11       # 32e
+        shufb   $flags,$quad_19,$quad_19,$m_w           # 32o
         nop     $127                                    # 33e pairing
-        shufb   $row0_18,$quad_16,$quad_16,$m_x         # 33o
+        shufb   $row0_19,$quad_17,$quad_17,$m_x         # 33o
         fma     $along,$off_z,$axis_z,$along            # 34e
-        shufb   $row0_24,$quad_16,$quad_16,$m_z         # 34o
-        and     $row0_23,$row0_23,$there                # 35e
-        shufb   $row0_25,$quad_16,$quad_16,$m_w         # 35o
+        shufb   $row0_25,$quad_17,$quad_17,$m_z         # 34o
+        and     $row0_24,$row0_24,$there                # 35e
+        shufb   $row0_26,$quad_17,$quad_17,$m_w         # 35o
         and     $flags,$flags,$there                    # 36e
         shufb   $row0_5,$quad_11,$quad_11,$m_x          # 36o
-        and     $row0_18,$row0_18,$there                # 37e
+        and     $row0_19,$row0_19,$there                # 37e
         shufb   $row0_3,$quad_11,$quad_11,$m_y          # 37o
         fma     $leave_object,$leave_point,$k_leave,$leave_object # 38e
         orx     $flags,$flags                           # 38o
-        and     $row0_24,$row0_24,$there                # 39e
+        and     $row0_25,$row0_25,$there                # 39e
         shufb   $row0_10,$quad_11,$quad_11,$m_z         # 39o
         fnms    $off_x,$along,$axis_x,$off_x            # 40e
-        shufb   $row0_26,$quad_16,$quad_16,$m_y         # 40o
+        shufb   $row0_27,$quad_17,$quad_17,$m_y         # 40o
         fnms    $off_y,$along,$axis_y,$off_y            # 41e
-        shufb   $row0_27,$quad_17,$quad_17,$m_z         # 41o
+        shufb   $row0_28,$quad_18,$quad_18,$m_z         # 41o
         fnms    $off_z,$along,$axis_z,$off_z            # 42e
-        shufb   $row0_28,$quad_17,$quad_17,$m_w         # 42o
-        and     $row0_22,$row0_25,$there                # 43e
-        shufb   $row0_29,$quad,$quad,$m_y               # 43o
+        shufb   $row0_29,$quad_18,$quad_18,$m_w         # 42o
+        and     $row0_23,$row0_26,$there                # 43e
+        shufb   $row0_30,$quad,$quad,$m_y               # 43o
         or      $seen_4,$seen,$flags                    # 44e
-        shufb   $row0_25,$quad,$quad,$m_z               # 44o
+        shufb   $row0_26,$quad,$quad,$m_z               # 44o
         nop     $127                                    # 45e pairing
         stqd    $leave_object,576($a_surfaces)          # 45o
         fm      $off_squared_9,$off_x,$off_x            # 46e
@@ -661,19 +661,19 @@ next_row_short:
         andc    $seen,$seen_4,$last                     # 47e
         stqd    $row0_3,704($a_surfaces)                # 47o
         stqd    $row0_10,768($a_surfaces)               # 48o
-        stqd    $row0_23,832($a_surfaces)               # 49o
-        stqd    $row0_18,896($a_surfaces)               # 50o
-        stqd    $row0_26,960($a_surfaces)               # 51o
+        stqd    $row0_24,832($a_surfaces)               # 49o
+        stqd    $row0_19,896($a_surfaces)               # 50o
+        stqd    $row0_27,960($a_surfaces)               # 51o
         fma     $off_squared_10,$off_y,$off_y,$off_squared_9 # 52e
-        stqd    $row0_24,0x400($a_surfaces)             # 52o
-        stqd    $row0_22,0x440($a_surfaces)             # 53o
-        stqd    $row0_27,0x4c0($a_surfaces)             # 54o
-        stqd    $row0_28,0x500($a_surfaces)             # 55o
+        stqd    $row0_25,0x400($a_surfaces)             # 52o
+        stqd    $row0_23,0x440($a_surfaces)             # 53o
+        stqd    $row0_28,0x4c0($a_surfaces)             # 54o
+        stqd    $row0_29,0x500($a_surfaces)             # 55o
         stqd    $row0,0x540($a_surfaces)                # 56o
         nop     $127                                    # 57e pairing
-        stqd    $row0_29,0x580($a_surfaces)             # 57o
+        stqd    $row0_30,0x580($a_surfaces)             # 57o
         fma     $off_squared_10,$off_z,$off_z,$off_squared_10 # 58e
-        stqd    $row0_25,0x5c0($a_surfaces)             # 58o
+        stqd    $row0_26,0x5c0($a_surfaces)             # 58o
         stqd    $seen_4,0($a_flags)                     # 59o
         a       $a_flags,$a_flags,$t_e                  # 60e
         frsqest $t_y,$off_squared_10                    # 64o
@@ -705,7 +705,7 @@ next_row_short:
         xor     $normal_y,$normal_y,$flip               # 128e
         stqd    $normal_x,192($a_surfaces)              # 128o
         xor     $normal_z,$normal_z,$flip               # 129e
-        shufb   $row0,$quad_17,$quad_17,$m_index        # 129o
+        shufb   $row0,$quad_18,$quad_18,$m_index        # 129o
         stqd    $normal_x,384($a_surfaces)              # 130o
         stqd    $normal_y,256($a_surfaces)              # 131o
         stqd    $normal_y,448($a_surfaces)              # 132o

@@ -28,19 +28,19 @@
 
 function shader_depth
         .set m_second_2,2; .set bright_2,6; .set bright_3,7; .set bright_4,4; .set colour_2,2
-        .set colour_3,8; .set colour_4,9; .set colour_5,14; .set colour_6,15; .set colour_7,12
-        .set colour_8,16; .set colour_9,18; .set colour_10,20; .set colour_11,21; .set colour_12,22
-        .set mask_2,13; .set lit_2,23; .set c_over_2,24; .set lit_3,25; .set c_over_3,26
+        .set colour_3,8; .set colour_4,9; .set colour_5,14; .set colour_6,12; .set colour_7,15
+        .set colour_8,16; .set colour_9,18; .set colour_10,20; .set colour_11,21; .set colour_12,13
+        .set mask_2,22; .set lit_2,23; .set c_over_2,24; .set lit_3,25; .set c_over_3,26
         .set lit_4,27; .set c_over_4,28; .set part_2,29; .set c_over_5,30; .set part_3,31
         .set part_4,24; .set part_5,26; .set mask_3,28; .set lit_5,10; .set lit_6,32
         .set c_over_6,33; .set lit_7,34; .set c_over_7,35; .set part_6,36; .set c_over_8,37
         .set part_7,38; .set part_8,30; .set part_9,33; .set mask_4,35; .set lit_8,11
         .set lit_9,37; .set lit_10,39; .set part_10,17; .set part_11,40; .set part_12,41
-        .set colour_13,6; .set part_13,15; .set mask_5,5; .set lit_11,42; .set colour_14,7
-        .set lit_12,18; .set lit_13,43; .set part_14,44; .set colour_15,4; .set part_15,22
+        .set colour_13,6; .set part_13,12; .set mask_5,5; .set lit_11,42; .set colour_14,7
+        .set lit_12,18; .set lit_13,43; .set part_14,44; .set colour_15,4; .set part_15,13
         .set lit_14,19; .set part_16,23; .set lit_15,2; .set part_17,25; .set lit_16,8
-        .set part_18,19; .set part_19,2; .set part_20,8; .set part_21,13; .set lit_17,6
-        .set part_22,6; .set part_23,7; .set lit_18,4; .set part_24,4
+        .set part_18,19; .set part_19,2; .set part_20,8; .set lit_17,6; .set part_21,6
+        .set part_22,7; .set lit_18,4; .set part_23,4
         ila     $m_second,0x10203                       # 0e
         lqd     $parameters,64($a_material)             # 0o
         ilhu    $m_second_2,0x405                       # 1e
@@ -51,30 +51,30 @@ function shader_depth
         lqd     $bright_3,416($a_rays)                  # 3o
         ilhu    $k_one,0x3f80                           # 4e
         lqd     $bright_4,432($a_rays)                  # 4o
-        lqd     $colour,640($a_surfaces)                # 5o
+        hbr     shader_depth_return,$lr                 # 5o hint
         shufb   $k_far,$parameters,$parameters,$m_second # 6o
         shufb   $k_scale,$parameters,$parameters,$m_second_2 # 7o
-        lqd     $colour_2,704($a_surfaces)              # 8o
+        lqd     $colour,640($a_surfaces)                # 8o
         nop     $127                                    # 9e pairing
-        lqd     $colour_3,768($a_surfaces)              # 9o
+        lqd     $colour_2,704($a_surfaces)              # 9o
         fs      $bright,$k_far,$bright                  # 10e
-        lqd     $colour_4,656($a_surfaces)              # 10o
+        lqd     $colour_3,768($a_surfaces)              # 10o
         fs      $bright_2,$k_far,$bright_2              # 11e
-        lqd     $colour_5,720($a_surfaces)              # 11o
+        lqd     $colour_4,656($a_surfaces)              # 11o
         fs      $bright_3,$k_far,$bright_3              # 12e
-        lqd     $colour_6,784($a_surfaces)              # 12o
+        lqd     $colour_5,720($a_surfaces)              # 12o
         fs      $bright_4,$k_far,$bright_4              # 13e
-        lqd     $colour_7,672($a_surfaces)              # 13o
-        lqd     $colour_8,736($a_surfaces)              # 14o
-        lqd     $colour_9,800($a_surfaces)              # 15o
+        lqd     $colour_6,784($a_surfaces)              # 13o
+        lqd     $colour_7,672($a_surfaces)              # 14o
+        lqd     $colour_8,736($a_surfaces)              # 15o
         fm      $bright,$bright,$k_scale                # 16e
-        lqd     $colour_10,688($a_surfaces)             # 16o
+        lqd     $colour_9,800($a_surfaces)              # 16o
         fm      $bright_2,$bright_2,$k_scale            # 17e
-        lqd     $colour_11,752($a_surfaces)             # 17o
+        lqd     $colour_10,688($a_surfaces)             # 17o
         fm      $bright_3,$bright_3,$k_scale            # 18e
-        lqd     $colour_12,816($a_surfaces)             # 18o
+        lqd     $colour_11,752($a_surfaces)             # 18o
         fm      $bright_4,$bright_4,$k_scale            # 19e
-        hbr     shader_depth_return,$lr                 # 19o hint
+        lqd     $colour_12,816($a_surfaces)             # 19o
         lqd     $mask_2,0($a_mask)                      # 20o
         lqd     $lit_2,0x540($a_surfaces)               # 21o
         fcgt    $c_over_2,$k_zero,$bright               # 22e
@@ -145,51 +145,51 @@ function shader_depth
         stqd    $lit_16,0x5c0($a_surfaces)              # 54o
         andc    $part_20,$part_4,$mask_2                # 55e
         stqd    $part_18,832($a_surfaces)               # 55o
-        andc    $part_21,$part_5,$mask_2                # 56e
+        andc    $part_18,$part_5,$mask_2                # 56e
         stqd    $part_19,896($a_surfaces)               # 56o
         selb    $lit_15,$lit_5,$colour_4,$mask_3        # 57e
         stqd    $part_20,0x400($a_surfaces)             # 57o
         selb    $lit_16,$lit_6,$colour_5,$mask_3        # 58e
-        stqd    $part_21,0x440($a_surfaces)             # 58o
+        stqd    $part_18,0x440($a_surfaces)             # 58o
         selb    $lit_17,$lit_7,$colour_13,$mask_3       # 59e
         stqd    $lit_15,0x550($a_surfaces)              # 59o
         andc    $part_19,$part_6,$mask_3                # 60e
         stqd    $lit_16,0x590($a_surfaces)              # 60o
         andc    $part_20,$part_7,$mask_3                # 61e
         stqd    $lit_17,0x5d0($a_surfaces)              # 61o
-        andc    $part_22,$part_8,$mask_3                # 62e
+        andc    $part_21,$part_8,$mask_3                # 62e
         stqd    $part_19,848($a_surfaces)               # 62o
         andc    $part_19,$part_9,$mask_3                # 63e
         stqd    $part_20,912($a_surfaces)               # 63o
         selb    $lit_16,$lit_8,$colour_7,$mask_4        # 64e
-        stqd    $part_22,0x410($a_surfaces)             # 64o
+        stqd    $part_21,0x410($a_surfaces)             # 64o
         selb    $lit_17,$lit_9,$colour_8,$mask_4        # 65e
         stqd    $part_19,0x450($a_surfaces)             # 65o
         selb    $lit_15,$lit_10,$colour_14,$mask_4      # 66e
         stqd    $lit_16,0x560($a_surfaces)              # 66o
-        andc    $part_23,$part_10,$mask_4               # 67e
+        andc    $part_22,$part_10,$mask_4               # 67e
         stqd    $lit_17,0x5a0($a_surfaces)              # 67o
-        andc    $part_22,$part_11,$mask_4               # 68e
+        andc    $part_21,$part_11,$mask_4               # 68e
         stqd    $lit_15,0x5e0($a_surfaces)              # 68o
         andc    $part_19,$part_12,$mask_4               # 69e
-        stqd    $part_23,864($a_surfaces)               # 69o
-        andc    $part_23,$part_13,$mask_4               # 70e
-        stqd    $part_22,928($a_surfaces)               # 70o
+        stqd    $part_22,864($a_surfaces)               # 69o
+        andc    $part_22,$part_13,$mask_4               # 70e
+        stqd    $part_21,928($a_surfaces)               # 70o
         selb    $lit,$lit_11,$colour_10,$mask_5         # 71e
         stqd    $part_19,0x420($a_surfaces)             # 71o
         selb    $lit_15,$lit_12,$colour_11,$mask_5      # 72e
-        stqd    $part_23,0x460($a_surfaces)             # 72o
+        stqd    $part_22,0x460($a_surfaces)             # 72o
         selb    $lit_18,$lit_13,$colour_15,$mask_5      # 73e
         stqd    $lit,0x570($a_surfaces)                 # 73o
         andc    $part,$part_14,$mask_5                  # 74e
         stqd    $lit_15,0x5b0($a_surfaces)              # 74o
         andc    $part_19,$part_15,$mask_5               # 75e
         stqd    $lit_18,0x5f0($a_surfaces)              # 75o
-        andc    $part_24,$part_16,$mask_5               # 76e
+        andc    $part_23,$part_16,$mask_5               # 76e
         stqd    $part,880($a_surfaces)                  # 76o
         andc    $part,$part_17,$mask_5                  # 77e
         stqd    $part_19,944($a_surfaces)               # 77o
-        stqd    $part_24,0x430($a_surfaces)             # 78o
+        stqd    $part_23,0x430($a_surfaces)             # 78o
         stqd    $part,0x470($a_surfaces)                # 79o
         nop     $127                                    # 80e pairing
 shader_depth_return:

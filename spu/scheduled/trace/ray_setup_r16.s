@@ -332,9 +332,9 @@ next_packet_drain:
         fma     $dz_9,$t_y_3,$down_z,$base_z_2          # 4e
         shlqbyi $a_packet_4,$a_packet_2,0               # 4o copy
         fma     $length_8,$dy_7,$dy_7,$length_4         # 5e
-        shlqbyi $dx_15,$dx_6,0                          # 5o copy
+        hbr     ray_setup_r16_return,$lr                # 5o hint
         fma     $length,$dy_12,$dy_12,$length           # 6e
-        hbr     ray_setup_r16_return,$lr                # 6o hint
+        shlqbyi $dx_15,$dx_6,0                          # 6o copy
         fma     $length_3,$dy_6,$dy_6,$length_3         # 7e
         shlqbyi $dy_16,$dy_7,0                          # 7o copy
         fma     $dz_10,$t_y_4,$down_z,$base_z_2         # 8e

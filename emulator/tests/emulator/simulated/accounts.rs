@@ -7,10 +7,10 @@ use spu_isa::timing::Cause;
 
 use super::support::{Machine, assemble, register, start};
 
-const ATOMIC_CYCLES: u64 = MemoryFigures::CONSOLE.atomic_cycles;
+const ATOMIC_LATENCY: u64 = MemoryFigures::CONSOLE.atomic_latency;
 const COMMAND_CYCLES: u64 = MemoryFigures::CONSOLE.command_cycles;
-const LINE_CYCLES: u64 = MemoryFigures::CONSOLE.line_cycles;
-const MEMORY_LATENCY: u64 = MemoryFigures::CONSOLE.memory_latency;
+const LINE_CYCLES: u64 = MemoryFigures::CONSOLE.get_line.cycles();
+const MEMORY_LATENCY: u64 = MemoryFigures::CONSOLE.get_latency;
 const PPE_CALL_CYCLES: u64 = PpeFigures::CONSOLE.call_cycles;
 const PPE_RUN_CYCLES: u64 = PpeFigures::CONSOLE.run_cycles;
 
@@ -86,8 +86,11 @@ fn one_line_takes_as_long_as_the_constants_say() {
     let transfer = COMMAND_CYCLES + LINE_CYCLES + MEMORY_LATENCY;
     let waited = figures.waits.tag;
     // The program spends the cycles that it does not wait in instructions between command and
-    // wait.
-    assert!(waited < transfer && waited > transfer - 100, "{waited}");
+    // wait. The line waits for a slot of its port and one of memory.
+    assert!(
+        waited < transfer + 35 && waited > transfer - 100,
+        "{waited}"
+    );
     assert_eq!(figures.stopped, PPE_CALL_CYCLES + PPE_RUN_CYCLES);
     assert_eq!(
         (figures.commands.queued, figures.commands.bytes_in),
@@ -162,7 +165,7 @@ fn atomic_commands_and_stalled_lists_take_their_time() {
     check(figures);
     let waits = figures.waits;
     assert!(
-        waits.atomic < ATOMIC_CYCLES && waits.atomic > ATOMIC_CYCLES - 30,
+        waits.atomic < ATOMIC_LATENCY && waits.atomic > ATOMIC_LATENCY - 30,
         "{waits:?}"
     );
     assert!(waits.list > 128 * LINE_CYCLES, "{waits:?}");

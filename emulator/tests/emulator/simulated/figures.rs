@@ -1,6 +1,6 @@
 //! Timing with other values than the console's: each value changes the cycles that it should.
-//! Values that delay the start of a transfer are multiples of a line's 16 cycles here, because a
-//! transfer waits for the next slot.
+//! A value that delays the start of a transfer is a multiple of the slots of ports and of memory,
+//! because a transfer waits for the next slot.
 
 use spu_emulator::simulated::{MemoryFigures, PpeFigures, SpeReport, Timing};
 use spu_isa::timing::{Cause, Rules};
@@ -54,11 +54,11 @@ fn figures_of_the_memory_system() {
         change(&mut timing.memory);
         time(timing)
     };
-    let latency = with(|memory| memory.memory_latency += 100);
+    let latency = with(|memory| memory.get_latency += 100);
     assert_eq!(latency.waits.tag, console.waits.tag + 100);
-    let command = with(|memory| memory.command_cycles += 16);
-    assert_eq!(command.waits.tag, console.waits.tag + 16);
-    let atomic = with(|memory| memory.atomic_cycles += 50);
+    let command = with(|memory| memory.command_cycles += 17 * 173);
+    assert_eq!(command.waits.tag, console.waits.tag + 17 * 173);
+    let atomic = with(|memory| memory.atomic_latency += 50);
     assert_eq!(atomic.waits.atomic, console.waits.atomic + 50);
     assert_eq!(atomic.clock, console.clock + 50);
 }
@@ -67,9 +67,9 @@ fn figures_of_the_memory_system() {
 fn figures_of_the_ppe() {
     let console = time(Timing::default());
     let mut timing = Timing::default();
-    timing.ppe.run_cycles += 1600;
+    timing.ppe.run_cycles += 17 * 173;
     let later = time(timing);
-    assert_eq!(later.stopped, console.stopped + 1600);
+    assert_eq!(later.stopped, console.stopped + 17 * 173);
     assert_eq!(later.account, console.account);
 }
 

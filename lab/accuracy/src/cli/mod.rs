@@ -1,6 +1,7 @@
 //! The commands, one in each file. Data goes to standard output, and messages to standard error.
 
 mod accuracy;
+mod clock;
 mod stability;
 
 use std::process::ExitCode;
@@ -24,12 +25,23 @@ enum Command {
     Accuracy(accuracy::Arguments),
     /// Run the stress suite and check the guarantees about scenes
     Stability(stability::Arguments),
+    /// Measure pipelines, memory and interconnect by small SPU programs
+    Clock(clock::Arguments),
 }
 
 pub fn main() -> ExitCode {
-    let outcome = match Arguments::parse().command {
+    let command = Arguments::parse().command;
+    // The clock's programs are built in. The others need the kernels' sources.
+    if !matches!(command, Command::Clock(_))
+        && let Err(error) = kernels::set::Kernels::here()
+    {
+        eprintln!("cellray-bench: error: {error}");
+        return ExitCode::FAILURE;
+    }
+    let outcome = match command {
         Command::Accuracy(arguments) => accuracy::run(&arguments),
         Command::Stability(arguments) => stability::run(&arguments),
+        Command::Clock(arguments) => clock::run(&arguments),
     };
     outcome.unwrap_or_else(|error| {
         eprintln!("cellray-bench: error: {error}");

@@ -6,6 +6,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use clap::Args;
+use spu_emulator::simulated::{Timing, TimingFileError};
 use spu_isa::timing::Rules;
 use spu_isa::timing::rules::MISS_CYCLES;
 use spu_scheduler::check::{self, CheckError};
@@ -71,19 +72,26 @@ struct Model {
     /// Time double precision as on the PowerXCell 8i
     #[arg(long)]
     double_extension: bool,
+    /// Take the rules from the table `pipelines` of a file
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["miss_cycles", "channel_interval",
+        "false_targets", "no_float_conflict", "inline_prefetch", "double_extension"])]
+    machine: Option<PathBuf>,
 }
 
 impl Model {
-    fn rules(&self) -> Rules {
-        Rules {
+    fn rules(&self) -> Result<Rules, TimeError> {
+        if let Some(path) = &self.machine {
+            return Ok(Timing::read(path).map_err(TimeError::Machine)?.rules);
+        }
+        Ok(Rules {
             miss_cycles: self.miss_cycles,
-            hints: true,
             float_conflict: !self.no_float_conflict,
             false_targets: self.false_targets,
             channel_interval: self.channel_interval,
             inline_prefetch: self.inline_prefetch,
             double_extension: self.double_extension,
-        }
+            ..Rules::default()
+        })
     }
 }
 
@@ -104,6 +112,8 @@ pub enum TimeError {
     },
     #[error("{0}: the file has no schedule note")]
     NoNotes(String),
+    #[error(transparent)]
+    Machine(TimingFileError),
     #[error("standard output: {0}")]
     Output(io::Error),
 }
@@ -129,7 +139,7 @@ pub fn run(arguments: &Arguments) -> Result<ExitCode, TimeError> {
         return compare(arguments, &code);
     }
     let name = arguments.function.as_deref();
-    let report = Report::new(&code, name, arguments.model.rules());
+    let report = Report::new(&code, name, arguments.model.rules()?);
     let report = report.ok_or_else(|| {
         let names: Vec<_> = code.functions().iter().map(|f| f.name.as_str()).collect();
         TimeError::NoFunction {
@@ -160,7 +170,7 @@ fn compare(arguments: &Arguments, code: &Code) -> Result<ExitCode, TimeError> {
         }),
     };
     let sources = named.iter().map(read).collect::<Result<Vec<_>, _>>()?;
-    let outcome = check::check(code, &sources, arguments.model.rules()).map_err(|source| {
+    let outcome = check::check(code, &sources, arguments.model.rules()?).map_err(|source| {
         TimeError::Check {
             path: arguments.file.clone(),
             source,

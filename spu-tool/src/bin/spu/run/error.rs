@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use spu_emulator::memory::{MemoryFault, RegionError};
+use spu_emulator::simulated::TimingFileError;
 use thiserror::Error;
 
 use crate::failure::Failure;
@@ -20,6 +21,8 @@ pub enum RunError {
         address: u64,
         size: usize,
     },
+    #[error(transparent)]
+    Machine(TimingFileError),
     #[error("the arguments take {0} bytes; there is no room for them in local store")]
     Arguments(usize),
     #[error("can't start the thread that watches the program: {0}")]

@@ -83,7 +83,11 @@ impl Machine {
                     method,
                     engine: options.engine(),
                 };
-                machine::Machine::keeping(memory.clone(), Timing::default(), keep)
+                let timing = match &options.machine {
+                    Some(path) => Timing::read(path).map_err(RunError::Machine)?,
+                    None => Timing::default(),
+                };
+                machine::Machine::keeping(memory.clone(), timing, keep)
             }
         };
         let spe = Spe::new(&machine, Config::default());

@@ -110,6 +110,14 @@ pub struct Options {
     /// stalls by cause. Only for programs that use no mailboxes
     #[arg(long, conflicts_with_all = ["in_mbox", "out_mbox", "out_intr_mbox"], value_name = "FILE", num_args = 0..=1, require_equals = true, group = "report", help_heading = "Output")]
     pub timing: Option<Option<PathBuf>>,
+    /// Take latencies and rates from a file instead of the console's; see docs/timing.md
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "timing",
+        help_heading = "Output"
+    )]
+    pub machine: Option<PathBuf>,
     /// Write statistics and timing as JSON
     #[arg(long, requires = "report", help_heading = "Output")]
     pub json: bool,

@@ -1,0 +1,51 @@
+//! Measures every row in simulated time. It sets the environment of the whole process, so it is a
+//! program of its own.
+
+use std::process::ExitCode;
+
+use clock::document::{error, page};
+use clock::results::{Value, model};
+use clock::rows::all;
+
+fn main() -> ExitCode {
+    // SAFETY: this is the first statement of a program that has only one thread.
+    unsafe { std::env::set_var("LIBSPE2_TIMING", "1") };
+    let rows = all();
+    let mut failures = Vec::new();
+    let mut values: Vec<Value> = Vec::new();
+    for row in &rows {
+        match row.measure() {
+            Err(error) => failures.push(format!("{}: {error}", row.name)),
+            Ok(value) => {
+                if let Some(console) = &row.console {
+                    let error = error(console, value.value);
+                    println!("{}: {:.2}, {error:+.1} %", row.name, value.value);
+                    if error.abs() > 100.0 * console.band {
+                        failures.push(format!("{} is out of its band: {error:+.1} %", row.name));
+                    }
+                }
+                values.push(value);
+            }
+        }
+    }
+    // Every run gives the same figures, to the bit.
+    for value in &values {
+        if !model().contains(value) {
+            failures.push(format!("{value:?} differs from lab/clock/model.json"));
+        }
+    }
+    let document = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/clock.md");
+    match std::fs::read_to_string(document) {
+        Ok(text) if text == page(&rows, &values) => {}
+        Ok(_) => failures.push(format!("{document} is stale: cellray-bench clock --write")),
+        Err(error) => failures.push(format!("{document}: {error}")),
+    }
+    for failure in &failures {
+        eprintln!("{failure}");
+    }
+    if failures.is_empty() {
+        ExitCode::SUCCESS
+    } else {
+        ExitCode::FAILURE
+    }
+}
