@@ -7,6 +7,7 @@ top=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$top"
 
 ppc64=powerpc64-unknown-linux-gnu
+ppc=powerpc-unknown-linux-gnu
 # build.rs looks for the SPU tools here, too, after the variables and PATH.
 spu_binutils=${XDG_CACHE_HOME:-$HOME/.cache}/cellray/spu-binutils
 # The distribution's kernel, unpacked, for the machine that ci/fbdev runs.

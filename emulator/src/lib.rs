@@ -116,6 +116,8 @@
     allow(dead_code, unused_imports)
 )]
 
+#[cfg(not(target_has_atomic = "64"))]
+mod atomic_words;
 pub mod channel;
 #[cfg_attr(
     not(all(feature = "compiler", target_arch = "x86_64")),

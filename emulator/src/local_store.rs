@@ -4,9 +4,15 @@
 //! So it consists of relaxed 64-bit atomics. They cost as much as plain loads and stores, and a
 //! race between a guest and its peers is only a bug of the guest, never undefined behaviour of the
 //! host. The bytes are stored in the guest's order (big-endian), so that the mapping shows the
-//! same bytes as the SPU sees.
+//! same bytes as the SPU sees. On a host without 64-bit atomics, a doubleword is two words, and a
+//! thread may see one of them changed and the other not yet.
 
-use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
+use std::sync::atomic::Ordering::Relaxed;
+
+#[cfg(not(target_has_atomic = "64"))]
+use crate::atomic_words::AtomicWords as AtomicU64;
+#[cfg(target_has_atomic = "64")]
+use std::sync::atomic::AtomicU64;
 
 use spu_isa::LOCAL_STORE_SIZE;
 

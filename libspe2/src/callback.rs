@@ -1,9 +1,11 @@
-//! PPE-assisted library calls that the program handles: the process-wide table of handlers.
+//! PPE-assisted library calls: the process-wide table of handlers. Slots 0, 1 and 5 hold the
+//! library's own, which a program may replace or call.
 
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use libc::{c_int, c_uint, c_void};
 
+use crate::builtin;
 use crate::error::{self, Errno, set_errno};
 use crate::types::{SPE_CALLBACK_NEW, SPE_CALLBACK_UPDATE};
 
@@ -12,12 +14,19 @@ use crate::types::{SPE_CALLBACK_NEW, SPE_CALLBACK_UPDATE};
 pub type Handler = unsafe extern "C" fn(*mut c_void, c_uint) -> c_int;
 
 const SLOTS: usize = 256;
-/// The library keeps the slots below this one for itself.
+/// The library keeps the slots below this one for itself: a program can neither fill an empty one
+/// nor empty a full one.
 const FIRST_FREE: c_uint = 4;
 /// What a run reports if the call has no handler.
 const NO_HANDLER: c_int = -1;
 
-static HANDLERS: Mutex<[Option<Handler>; SLOTS]> = Mutex::new([None; SLOTS]);
+static HANDLERS: Mutex<[Option<Handler>; SLOTS]> = Mutex::new({
+    let mut handlers: [Option<Handler>; SLOTS] = [None; SLOTS];
+    handlers[0] = Some(builtin::c99);
+    handlers[1] = Some(builtin::posix);
+    handlers[5] = Some(builtin::libea);
+    handlers
+});
 
 fn handlers() -> MutexGuard<'static, [Option<Handler>; SLOTS]> {
     HANDLERS.lock().unwrap_or_else(PoisonError::into_inner)

@@ -12,6 +12,7 @@ use spu_emulator::spe::{Config, Spe};
 
 use crate::error::{self, Errno};
 use crate::machine::{machine, policy, write_reports};
+use crate::problem_state::{Areas, RunState};
 use crate::process_memory::ProcessMemory;
 use crate::stop_record::StopRecords;
 use crate::types::{
@@ -41,6 +42,10 @@ pub(crate) struct Context {
     pub(crate) stops: StopRecords,
     /// The program's data for each kind of event.
     pub(crate) event_data: Mutex<[u64; 4]>,
+    /// The SPU's state as its registers show it.
+    pub(crate) run_state: Arc<RunState>,
+    /// The mapped problem state, if the program asked for it.
+    pub(crate) areas: Option<Areas>,
 }
 
 /// Returns the context behind a pointer from the program.
@@ -68,10 +73,6 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
     if has(SPE_ISOLATE) {
         return Err(Errno(libc::ENODEV));
     }
-    if has(SPE_MAP_PS) {
-        eprintln!("libspe2: SPE_MAP_PS: the emulator can't map SPE registers into memory");
-        return Err(Errno(libc::ENOTSUP));
-    }
     // A PlayStation 3 kernel does not know where its SPEs are, so affinity is not supported.
     if has(SPE_AFFINITY_MEMORY) {
         return Err(Errno(libc::EINVAL));
@@ -95,8 +96,14 @@ fn create(flags: c_uint) -> Result<*mut SpeContext, Errno> {
     let spe = Spe::new(&machine()?.emulated, config);
     let area = spe.local_store().as_ptr();
     spe.map_local_store(area.expose_provenance() as u64);
+    let run_state = Arc::new(RunState::default());
+    let areas = has(SPE_MAP_PS)
+        .then(|| Areas::map(&spe, &run_state))
+        .transpose()?;
     let context = Arc::new(Context {
         spe,
+        run_state,
+        areas,
         events_enabled: has(SPE_EVENTS_ENABLE),
         entry: AtomicU32::new(0),
         issued_tags: Mutex::new(0),
@@ -230,8 +237,8 @@ pub unsafe extern "C" fn spe_ls_size_get(spe: *mut SpeContext) -> c_int {
     })
 }
 
-/// Returns a problem-state area. This always fails, because no context can have one here; see
-/// [`SPE_MAP_PS`].
+/// Returns a problem-state area of a context with [`SPE_MAP_PS`]: registers that the program loads
+/// and stores as 32-bit words.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
@@ -239,11 +246,11 @@ pub unsafe extern "C" fn spe_ls_size_get(spe: *mut SpeContext) -> c_int {
 pub unsafe extern "C" fn spe_ps_area_get(spe: *mut SpeContext, area: c_uint) -> *mut c_void {
     error::pointer(|| {
         // SAFETY: the caller vouches for the pointer.
-        unsafe { context(spe)? };
-        Err(Errno(if area > SPE_SIG_NOTIFY_2_AREA {
-            libc::EINVAL
-        } else {
-            libc::EACCES
-        }))
+        let context = unsafe { context(spe)? };
+        if area > SPE_SIG_NOTIFY_2_AREA {
+            return Err(Errno(libc::EINVAL));
+        }
+        let areas = context.areas.as_ref().ok_or(Errno(libc::EACCES))?;
+        areas.area(area as usize).ok_or(Errno(libc::EINVAL))
     })
 }

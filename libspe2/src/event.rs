@@ -257,7 +257,8 @@ unsafe fn each_event(
         }
         // SAFETY: the caller vouches for the context.
         let context = unsafe { context(unit.spe)? };
-        if !context.events_enabled || unit.events & !SPE_EVENT_ALL_EVENTS != 0 {
+        let of_tags = context.areas.is_some() && unit.events & SPE_EVENT_TAG_GROUP != 0;
+        if !context.events_enabled || unit.events & !SPE_EVENT_ALL_EVENTS != 0 || of_tags {
             return Err(Errno(libc::ENOTSUP));
         }
         for (index, bit) in EVENTS.into_iter().enumerate() {

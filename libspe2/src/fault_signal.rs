@@ -1,6 +1,6 @@
 //! The signals that the kernel would send to the thread that runs a context.
 //!
-//! On ppc64, a handler gets the signal without its code and address. QEMU's user emulation
+//! On PowerPC, a handler gets the signal without its code and address. QEMU's user emulation
 //! mistakes a queued SIGSEGV or SIGBUS with a fault's code for a fault of its own and crashes.
 
 use std::mem::MaybeUninit;
@@ -14,7 +14,7 @@ const SEGV_ACCERR: c_int = 2;
 const ILL_OPC: c_int = 1;
 
 /// Whether a signal can carry the code and address of a fault.
-const CARRIES_FAULT: bool = cfg!(not(target_arch = "powerpc64"));
+const CARRIES_FAULT: bool = cfg!(not(any(target_arch = "powerpc64", target_arch = "powerpc")));
 
 /// A fault in the form that a signal reports it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

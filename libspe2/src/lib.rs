@@ -4,15 +4,15 @@
 //! programs. Effective addresses are addresses of the process, as on the console.
 //!
 //! It differs from the library on a PlayStation 3 in these ways:
-//! - `SPE_MAP_PS` fails with ENOTSUP, because plain loads and stores can't reach emulated
-//!   registers.
+//! - An access to a problem-state area doesn't wait until the context runs, and must be a plain
+//!   load or store of 32 bits. `SPE_MAP_PS` needs a processor of PowerPC or x86-64.
 //! - A proxy DMA command is carried out whether or not the context runs; the console's waits until
 //!   it runs. If no tag is outstanding, `spe_mfcio_tag_status_read` stores 0, where the console's
 //!   waits for ever.
 //! - A caught signal interrupts no wait, and it ends a run only if the run raised it.
 //! - Any number of stop records may stay unread.
-//! - Stop 0x2104 (a system call by the kernel) and the C99, POSIX.1 and LIBEA callbacks have no
-//!   handlers. Such a stop is a callback error unless the program registers a handler.
+//! - Of the system calls that a console's kernel carries out for stop 0x2104, the common ones are
+//!   served, and the others fail with ENOSYS.
 //!
 //! These environment variables are read when the first context is created:
 //! - `LIBSPE2_SPES`, 1 to 16, is the number of SPEs that `spe_cpu_info_get` returns. The default
@@ -30,9 +30,7 @@
 //! - `LIBSPE2_CHECK=1` counts the cycles a second time, instruction by instruction. At the first
 //!   difference, the run reports it and fails. It needs `LIBSPE2_TIMING=1`.
 
-#[cfg(not(target_pointer_width = "64"))]
-compile_error!("the C layouts here are for 64-bit programs");
-
+mod builtin;
 pub mod callback;
 pub mod context;
 pub mod cpu_info;
@@ -44,6 +42,7 @@ pub mod image;
 mod machine;
 pub mod mailbox;
 pub mod mfc;
+mod problem_state;
 mod process_memory;
 mod report;
 pub mod run;

@@ -205,16 +205,16 @@ pub unsafe extern "C" fn spe_signal_write(
     })
 }
 
-/// Multisource synchronisation needs the problem state, which no context here has mapped. It
-/// therefore fails with EINVAL, as on the console.
+/// A multisource synchronisation is over as soon as it starts, because transfers are seen in order.
+/// Without a mapped problem state, both functions fail with EINVAL, as on the console.
 ///
 /// # Safety
 /// `spe` is NULL or a live context.
-unsafe fn no_mssync(spe: *mut SpeContext) -> c_int {
+unsafe fn mssync(spe: *mut SpeContext) -> c_int {
     error::int(|| {
         // SAFETY: the caller vouches for the pointer.
-        unsafe { context(spe)? };
-        Err(Errno(libc::EINVAL))
+        let context = unsafe { context(spe)? };
+        context.areas.as_ref().map(|_| 0).ok_or(Errno(libc::EINVAL))
     })
 }
 
@@ -225,10 +225,10 @@ unsafe fn no_mssync(spe: *mut SpeContext) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_mssync_start(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { no_mssync(spe) }
+    unsafe { mssync(spe) }
 }
 
-/// Returns the state of a multisource synchronisation. Without a mapped problem state, it fails
+/// Returns 0 when a multisource synchronisation is over. Without a mapped problem state, it fails
 /// with EINVAL.
 ///
 /// # Safety
@@ -236,5 +236,5 @@ pub unsafe extern "C" fn spe_mssync_start(spe: *mut SpeContext) -> c_int {
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_mssync_status(spe: *mut SpeContext) -> c_int {
     // SAFETY: the caller vouches for the pointer.
-    unsafe { no_mssync(spe) }
+    unsafe { mssync(spe) }
 }

@@ -63,17 +63,21 @@ unsafe fn transfer(spe: *mut SpeContext, transfer: &Transfer) -> c_int {
             size: transfer.size,
             tag,
         };
-        if !kernel_accepts(&command, tid, rid) {
+        // The kernel does not see commands that go to mapped registers.
+        if context.areas.is_none() && !kernel_accepts(&command, tid, rid) {
             return Err(Errno(libc::EIO));
         }
         // Marked as issued before it is queued, so that whoever learns of its completion finds it
         // in the set.
         *issued(&context) |= 1 << tag;
-        context
-            .spe
-            .proxy_command(command)
-            .map(|()| 0)
-            .map_err(|_| Errno(libc::EIO))
+        match context.spe.proxy_command(command) {
+            Ok(()) => Ok(0),
+            Err(error) if context.areas.is_some() => {
+                context.spe.proxy_failed(error);
+                Ok(0)
+            }
+            Err(_) => Err(Errno(libc::EIO)),
+        }
     })
 }
 
@@ -82,6 +86,10 @@ fn issued(context: &Context) -> std::sync::MutexGuard<'_, u32> {
         .issued_tags
         .lock()
         .unwrap_or_else(PoisonError::into_inner)
+}
+
+fn asked(mask: u32, issued: u32) -> u32 {
+    if mask == 0 { issued } else { mask }
 }
 
 macro_rules! transfers {
@@ -130,14 +138,15 @@ pub(crate) fn tag_waiting(context: &Context) -> bool {
 }
 
 /// Stores which of the issued and not yet reported tags are complete, and marks those as reported.
-/// `mask` is ignored, as in the library without a mapped problem state.
+/// `mask` is ignored. With a mapped problem state, it is instead about the tags of `mask`, or about
+/// all that were ever issued if that is 0, and waiting for any is waiting for all.
 ///
 /// # Safety
 /// `spe` is NULL or a live context, `tag_status` NULL or valid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn spe_mfcio_tag_status_read(
     spe: *mut SpeContext,
-    _mask: c_uint,
+    mask: c_uint,
     behavior: c_uint,
     tag_status: *mut c_uint,
 ) -> c_int {
@@ -154,8 +163,15 @@ pub unsafe extern "C" fn spe_mfcio_tag_status_read(
             return Err(Errno(libc::EINVAL));
         }
         let tags = *issued(&context);
-        let complete = context.spe.proxy_tags(tags, wait);
-        *issued(&context) &= !complete;
+        let complete = match (&context.areas, wait) {
+            (None, wait) => {
+                let complete = context.spe.proxy_tags(tags, wait);
+                *issued(&context) &= !complete;
+                complete
+            }
+            (Some(_), TagWait::Immediate) => context.spe.proxy_tags(asked(mask, tags), wait),
+            (Some(_), _) => context.spe.proxy_tags(asked(mask, tags), TagWait::All),
+        };
         // SAFETY: the caller vouches for the pointer.
         unsafe { tag_status.write(complete) };
         Ok(0)

@@ -5,7 +5,7 @@
 //! exchange lines in it. Such a program would fail anyway.
 
 use std::ptr;
-use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::{AtomicUsize, Ordering::SeqCst};
 use std::sync::{Mutex, PoisonError};
 
 use spu_emulator::memory::{LINE, MainMemory, MemoryFault};
@@ -37,8 +37,8 @@ impl MainMemory for ProcessMemory {
     }
 
     /// Atomic with respect to the PPE's own atomic instructions if the change is within one
-    /// aligned doubleword, as it is for locks and counters. The change is then one
-    /// compare-and-exchange.
+    /// aligned word of the process's width, as it is for locks and counters. The change is then
+    /// one compare-and-exchange.
     fn compare_exchange_line(
         &self,
         ea: u64,
@@ -58,27 +58,26 @@ impl MainMemory for ProcessMemory {
             return self.write(ea, new).map(|()| true);
         };
         let last = (0..LINE).rfind(changed).unwrap_or(first);
-        let doubleword = first & !7;
-        if last & !7 != doubleword {
+        const WIDTH: usize = size_of::<usize>();
+        let word = first & !(WIDTH - 1);
+        if last & !(WIDTH - 1) != word {
             let changed = first..last + 1;
             return self.write(ea + first as u64, &new[changed]).map(|()| true);
         }
-        let at = ea + doubleword as u64;
+        let at = ea + word as u64;
         match probe_write(at) {
             Writable::No => Err(MemoryFault { ea: at }),
-            Writable::Unknown => self
-                .write(at, &new[doubleword..doubleword + 8])
-                .map(|()| true),
+            Writable::Unknown => self.write(at, &new[word..word + WIDTH]).map(|()| true),
             Writable::Yes => {
                 let value = |line: &[u8; LINE]| {
-                    u64::from_ne_bytes(std::array::from_fn(|n| line[doubleword + n]))
+                    usize::from_ne_bytes(std::array::from_fn(|n| line[word + n]))
                 };
                 let address = ptr::with_exposed_provenance_mut(at as usize);
-                // SAFETY: the address is a multiple of 8, and the kernel has just found it mapped
+                // SAFETY: the address is a multiple of the width, and the kernel has just found it mapped
                 // and writable. Other threads that use the line use it atomically, as they must
                 // for a lock shared with an SPE.
-                let word = unsafe { AtomicU64::from_ptr(address) };
-                Ok(word
+                let shared = unsafe { AtomicUsize::from_ptr(address) };
+                Ok(shared
                     .compare_exchange(value(expected), value(new), SeqCst, SeqCst)
                     .is_ok())
             }

@@ -11,7 +11,6 @@ use spu_emulator::mfc::DmaError;
 use spu_emulator::stop::{Stop, Stopped};
 use spu_isa::LIMIT_MASK;
 
-use crate::callback;
 use crate::context::{Context, context};
 use crate::error::{self, Errno, set_errno};
 use crate::fault_signal::{After, FaultSignal};
@@ -23,6 +22,7 @@ use crate::types::{
     SPE_RUNTIME_EXCEPTION, SPE_RUNTIME_FATAL, SPE_SPU_HALT, SPE_SPU_INVALID_CHANNEL,
     SPE_SPU_INVALID_INSTR, SPE_SPU_STOPPED_BY_STOP, SPE_STOP_AND_SIGNAL, SpeContext, SpeStopInfo,
 };
+use crate::{builtin, callback};
 
 /// Where the library puts the zero back chain: the initial stack pointer.
 const STACK_TOP: u32 = SIZE - 16;
@@ -94,10 +94,15 @@ fn raise(signal: FaultSignal, npc: u32) -> Next {
     }
 }
 
+/// The next instruction after a library call: behind the stop and the word that follows it.
+fn after_call(npc: u32) -> Next {
+    Next::Resume(npc.wrapping_add(CALL_WORD) & LIMIT_MASK)
+}
+
 fn call_back(context: &Context, code: u16, npc: u32) -> Next {
     let ls_base = context.spe.local_store().as_ptr();
     match callback::call(c_uint::from(code & 0xff), ls_base.cast(), npc) {
-        0 => Next::Resume(npc.wrapping_add(CALL_WORD) & LIMIT_MASK),
+        0 => after_call(npc),
         result => Next::Return(Outcome::failed(
             libc::EFAULT,
             SPE_CALLBACK_ERROR,
@@ -110,6 +115,7 @@ fn call_back(context: &Context, code: u16, npc: u32) -> Next {
 fn after_signal(context: &Context, flags: c_uint, code: u16, npc: u32) -> Next {
     let value = c_int::from(code);
     match code {
+        0x2104 if builtin::system_call(context.spe.local_store().as_ref(), npc) => after_call(npc),
         0x2100..=0x21ff if flags & SPE_NO_CALLBACKS == 0 => call_back(context, code, npc),
         0x2000..=0x20ff => Next::Return(Outcome::stopped(0, SPE_EXIT, value & 0xff, code)),
         // The isolation loader's "load complete" is not reported to the program.
@@ -248,6 +254,7 @@ pub unsafe extern "C" fn spe_context_run(
         };
         let outcome = loop {
             let start = registers.take();
+            context.run_state.starts();
             let stopped = context.spe.run_prepared(at, |spu| {
                 if let Some(start) = start {
                     start.set(&context, spu);
@@ -259,6 +266,7 @@ pub unsafe extern "C" fn spe_context_run(
                 Next::Return(outcome) => break outcome,
             }
         };
+        context.run_state.stops(outcome.record.spu_status, at);
         // SAFETY: the caller vouches for the pointers.
         unsafe {
             entry.write(at);

@@ -1,4 +1,5 @@
-//! The C types and constants of `libspe2.h` and `libspe2-types.h`. Tests check the 64-bit layouts.
+//! The C types and constants of `libspe2.h` and `libspe2-types.h`. Their layouts are checked when
+//! this is compiled.
 
 use std::mem::{align_of, offset_of};
 
@@ -82,29 +83,38 @@ pub struct SpeEventUnit {
     pub data: SpeEventData,
 }
 
+/// Layouts of 64-bit programs, and of 32-bit programs.
+const fn of_width(wide: usize, narrow: usize) -> usize {
+    if cfg!(target_pointer_width = "64") {
+        wide
+    } else {
+        narrow
+    }
+}
+
 const _: () = {
-    assert!(size_of::<SpeProgramHandle>() == 24);
-    assert!(offset_of!(SpeProgramHandle, elf_image) == 8);
-    assert!(offset_of!(SpeProgramHandle, toe_shadow) == 16);
-    assert!(size_of::<SpeContext>() == 40);
-    assert!(offset_of!(SpeContext, base_private) == 24);
-    assert!(offset_of!(SpeContext, event_private) == 32);
-    assert!(size_of::<SpeGangContext>() == 16);
+    assert!(size_of::<SpeProgramHandle>() == of_width(24, 12));
+    assert!(offset_of!(SpeProgramHandle, elf_image) == of_width(8, 4));
+    assert!(offset_of!(SpeProgramHandle, toe_shadow) == of_width(16, 8));
+    assert!(size_of::<SpeContext>() == of_width(40, 20));
+    assert!(offset_of!(SpeContext, base_private) == of_width(24, 12));
+    assert!(offset_of!(SpeContext, event_private) == of_width(32, 16));
+    assert!(size_of::<SpeGangContext>() == of_width(16, 8));
     assert!(size_of::<SpeStopInfo>() == 24);
     assert!(align_of::<SpeStopInfo>() == 8);
     assert!(offset_of!(SpeStopInfo, result) == 8);
     assert!(offset_of!(SpeStopInfo, spu_status) == 16);
     assert!(size_of::<SpeEventData>() == 8);
-    assert!(size_of::<SpeEventUnit>() == 24);
-    assert!(offset_of!(SpeEventUnit, spe) == 8);
-    assert!(offset_of!(SpeEventUnit, data) == 16);
+    assert!(size_of::<SpeEventUnit>() == of_width(24, 16));
+    assert!(offset_of!(SpeEventUnit, spe) == of_width(8, 4));
+    assert!(offset_of!(SpeEventUnit, data) == of_width(16, 8));
 };
 
 /// Creation flag: signal register 1 is in OR mode.
 pub const SPE_CFG_SIGNOTIFY1_OR: c_uint = 0x10;
 /// Creation flag: signal register 2 is in OR mode.
 pub const SPE_CFG_SIGNOTIFY2_OR: c_uint = 0x20;
-/// Creation flag: map the problem state. Fails with ENOTSUP.
+/// Creation flag: map the problem state.
 pub const SPE_MAP_PS: c_uint = 0x40;
 /// Creation flag: isolation mode. Not available on a PlayStation 3.
 pub const SPE_ISOLATE: c_uint = 0x80;

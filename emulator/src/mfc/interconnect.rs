@@ -7,8 +7,10 @@
 //! the PPE itself writes a line, no reservation ends, but the conditional put still fails, because
 //! it compares the line with the bytes that were read under the reservation.
 
-use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::Ordering::SeqCst;
 use std::sync::{Arc, RwLock, Weak};
+
+use portable_atomic::AtomicU64;
 
 use super::timing::{InFlight, Peer, PendingWrite};
 use crate::local_store::{LocalStore, SIZE};

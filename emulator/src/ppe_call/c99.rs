@@ -1,6 +1,7 @@
 //! Class 0x2100: C99's streams.
 
 use std::ffi::CString;
+use std::sync::{Mutex, MutexGuard};
 
 use super::errno::check;
 use super::guest::{Block, Reply};
@@ -11,6 +12,7 @@ use super::stream::{Buffering, Stream, StreamInput, c_path};
 use super::va_list::VaList;
 use super::{Call, Errno, Library, calls};
 use crate::local_store::SIZE;
+use crate::lock::lock;
 use spu_isa::LIMIT_MASK;
 
 /// Handles 1 to 3 are the standard streams. Handles up to 16 are for streams that are opened.
@@ -25,20 +27,22 @@ const BUFFERING: [Buffering; 3] = [Buffering::Full, Buffering::Line, Buffering::
 
 pub(super) const CALLS: &[Call] = calls! {
     clearerr => |library, block| {
-        if let Ok((stream, _)) = library.stream(block.word(0)) {
+        // This C function returns nothing, so a handle that is not open can't be reported.
+        let _ = library.stream(block.word(0), |stream, _| {
             stream.at_end = false;
             stream.failed = false;
-        }
+            Ok(())
+        });
         Reply::Nothing
     },
     fclose => |library, block| library.fclose(block).into(),
-    feof => |library, block| library.stream(block.word(0)).map(|(stream, _)| i32::from(stream.at_end)).into(),
-    ferror => |library, block| library.stream(block.word(0)).map(|(stream, _)| i32::from(stream.failed)).into(),
+    feof => |library, block| library.stream(block.word(0), |stream, _| Ok(i32::from(stream.at_end))).into(),
+    ferror => |library, block| library.stream(block.word(0), |stream, _| Ok(i32::from(stream.failed))).into(),
     fflush => |library, block| library.fflush(block.word(0)).into(),
     fgetc => |library, block| library.get_byte(block.word(0)),
     fgetpos => |library, block| library.fgetpos(block).into(),
     fgets => |library, block| library.fgets(block),
-    fileno => |library, block| library.stream(block.word(0)).map(|(stream, _)| stream.descriptor()).into(),
+    fileno => |library, block| library.stream(block.word(0), |stream, _| Ok(stream.descriptor())).into(),
     fopen => |library, block| handle(library.fopen(block)),
     fputc => |library, block| library.put_byte(block.word(0), block.word(1)),
     fputs => |library, block| library.put(block.word(1), &block.string(0)).map(|()| 1).into(),
@@ -61,19 +65,21 @@ pub(super) const CALLS: &[Call] = calls! {
     remove => |_, block| remove(block).into(),
     rename => |_, block| rename(block).into(),
     rewind => |library, block| {
-        let stream = block.word(0);
         // This C function returns nothing, so a failure can't be reported.
-        let _ = library.seek(stream, 0, libc::SEEK_SET);
-        if let Ok((stream, _)) = library.stream(stream) {
+        let _ = library.stream(block.word(0), |stream, host| {
+            let moved = stream.seek(0, libc::SEEK_SET, host);
             stream.failed = false;
-        }
+            moved
+        });
         Reply::Nothing
     },
     setbuf => |library, block| {
         let buffering = if block.word(1) == 0 { Buffering::None } else { Buffering::Full };
-        if let Ok((stream, _)) = library.stream(block.word(0)) {
-            stream.set_buffering(buffering, 0);
-        }
+        // This C function returns nothing, so a handle that is not open can't be reported.
+        let _ = library.stream(block.word(0), |stream, host| {
+            stream.set_buffering(buffering, 0, host);
+            Ok(())
+        });
         Reply::Nothing
     },
     setvbuf => |library, block| library.setvbuf(block).into(),
@@ -93,12 +99,12 @@ pub(super) const CALLS: &[Call] = calls! {
 
 /// The open streams by handle.
 pub(super) struct Streams {
-    open: [Option<Stream>; HANDLES],
+    open: [Mutex<Option<Stream>>; HANDLES],
 }
 
 impl Streams {
-    pub fn new(host: &mut dyn Host) -> Self {
-        let mut open = [const { None }; HANDLES];
+    pub fn new(host: &dyn Host) -> Self {
+        let mut open = [const { Mutex::new(None) }; HANDLES];
         let output = if host.is_terminal(libc::STDOUT_FILENO) {
             Buffering::Line
         } else {
@@ -110,30 +116,48 @@ impl Streams {
             (STDERR, libc::STDERR_FILENO, false, Buffering::None),
         ];
         for (handle, descriptor, readable, buffering) in standard {
+            let buffering = if host.buffers(descriptor) {
+                Buffering::None
+            } else {
+                buffering
+            };
             let stream = Stream::new(descriptor, readable, !readable, buffering);
-            open[handle as usize] = Some(stream);
+            open[handle as usize] = Mutex::new(Some(stream));
         }
         Self { open }
     }
 
     /// Flushes every stream. Returns the first failure.
-    pub fn flush_all(&mut self, host: &mut dyn Host) -> Result<(), Errno> {
+    /// A stream that another thread is using is left out if it has nothing to write, because that
+    /// A stream that another thread is using is left out, because that thread may wait in it for
+    /// input.
+    pub fn flush_all(&self, host: &dyn Host) -> Result<(), Errno> {
         let mut result = Ok(());
-        for stream in self.open.iter_mut().flatten() {
-            result = result.and(stream.flush(host));
+        for slot in &self.open {
+            if let Ok(mut slot) = slot.try_lock()
+                && let Some(stream) = slot.as_mut()
+            {
+                result = result.and(stream.flush(host));
+            }
         }
         result
     }
 
-    fn slot(&mut self, handle: u32) -> Result<&mut Option<Stream>, Errno> {
-        let slot = self.open.get_mut(handle as usize);
-        slot.filter(|_| handle != 0).ok_or(Errno(libc::EBADF))
+    fn slot(&self, handle: u32) -> Result<MutexGuard<'_, Option<Stream>>, Errno> {
+        let slot = self.open.get(handle as usize);
+        slot.filter(|_| handle != 0)
+            .map(lock)
+            .ok_or(Errno(libc::EBADF))
     }
 
-    /// A free slot for a stream that is to be opened.
-    fn free_slot(&mut self) -> Result<usize, Errno> {
+    /// A free slot for a stream that is to be opened. A slot that another thread has locked is in
+    /// use.
+    fn free_slot(&self) -> Result<(usize, MutexGuard<'_, Option<Stream>>), Errno> {
         (FIRST_OPENED..HANDLES)
-            .find(|&handle| self.open[handle].is_none())
+            .find_map(|handle| {
+                let slot = self.open[handle].try_lock().ok()?;
+                slot.is_none().then_some((handle, slot))
+            })
             .ok_or(Errno(libc::EMFILE))
     }
 }
@@ -156,57 +180,61 @@ fn pointer(address: u32, found: Result<bool, Errno>) -> Reply {
 }
 
 impl Library {
-    fn stream(&mut self, handle: u32) -> Result<(&mut Stream, &mut dyn Host), Errno> {
-        let stream = self.streams.slot(handle)?.as_mut();
-        let stream = stream.ok_or(Errno(libc::EBADF))?;
-        Ok((stream, self.host.as_mut()))
+    /// Uses the open stream with this handle.
+    fn stream<T>(
+        &self,
+        handle: u32,
+        body: impl FnOnce(&mut Stream, &dyn Host) -> Result<T, Errno>,
+    ) -> Result<T, Errno> {
+        let mut slot = self.streams.slot(handle)?;
+        let stream = slot.as_mut().ok_or(Errno(libc::EBADF))?;
+        body(stream, self.host.as_ref())
     }
 
-    fn fclose(&mut self, block: Block<'_>) -> Result<(), Errno> {
+    fn fclose(&self, block: Block<'_>) -> Result<(), Errno> {
         let stream = self.streams.slot(block.word(0))?.take();
         let stream = stream.ok_or(Errno(libc::EBADF))?;
-        stream.close(self.host.as_mut())
+        stream.close(self.host.as_ref())
     }
 
-    fn fflush(&mut self, handle: u32) -> Result<(), Errno> {
+    fn fflush(&self, handle: u32) -> Result<(), Errno> {
         if handle == 0 {
             return self.flush();
         }
-        let (stream, host) = self.stream(handle)?;
-        stream.flush(host)
+        self.stream(handle, Stream::flush)
     }
 
-    fn get_byte(&mut self, handle: u32) -> Reply {
+    fn get_byte(&self, handle: u32) -> Reply {
         // A user who is to answer a question must see it first.
-        if handle == STDIN
-            && let Ok((stdout, host)) = self.stream(STDOUT)
-        {
-            stdout.flush_if_line_buffered(host);
+        if handle == STDIN {
+            // If standard output is closed, there is no question.
+            let _ = self.stream(STDOUT, |stdout, host| {
+                stdout.flush_if_line_buffered(host);
+                Ok(())
+            });
         }
-        self.stream(handle)
-            .and_then(|(stream, host)| stream.read_byte(host))
+        self.stream(handle, Stream::read_byte)
             .map(|byte| byte.map_or(EOF, i32::from))
             .into()
     }
 
-    fn put(&mut self, handle: u32, bytes: &[u8]) -> Result<(), Errno> {
-        let (stream, host) = self.stream(handle)?;
-        stream.write(bytes, host)
+    fn put(&self, handle: u32, bytes: &[u8]) -> Result<(), Errno> {
+        self.stream(handle, |stream, host| stream.write(bytes, host))
     }
 
-    fn put_byte(&mut self, character: u32, handle: u32) -> Reply {
+    fn put_byte(&self, character: u32, handle: u32) -> Reply {
         let byte = character as u8;
         self.put(handle, &[byte]).map(|()| i32::from(byte)).into()
     }
 
-    fn puts(&mut self, text: &[u8]) -> Result<i32, Errno> {
+    fn puts(&self, text: &[u8]) -> Result<i32, Errno> {
         let line = [text, b"\n"].concat();
         self.put(STDOUT, &line).map(|()| line.len() as i32)
     }
 
-    fn fgets(&mut self, block: Block<'_>) -> Reply {
+    fn fgets(&self, block: Block<'_>) -> Reply {
         let (address, size) = (block.word(0), block.int(1));
-        let line = self.stream(block.word(2)).and_then(|(stream, host)| {
+        let line = self.stream(block.word(2), |stream, host| {
             let most = usize::try_from(size)
                 .ok()
                 .and_then(|size| size.checked_sub(1));
@@ -222,13 +250,11 @@ impl Library {
         pointer(address, found)
     }
 
-    fn gets(&mut self, block: Block<'_>) -> Reply {
+    fn gets(&self, block: Block<'_>) -> Reply {
         let address = block.word(0);
         // The limit is the rest of local store, less one byte for the terminating 0.
         let most = (SIZE - (address & LIMIT_MASK) - 1) as usize;
-        let line = self
-            .stream(STDIN)
-            .and_then(|(stream, host)| stream.read_line(most, host));
+        let line = self.stream(STDIN, |stream, host| stream.read_line(most, host));
         let found = line.map(|line| {
             if let Some(line) = &line {
                 let line = line.strip_suffix(b"\n").unwrap_or(line);
@@ -239,34 +265,40 @@ impl Library {
         pointer(address, found)
     }
 
-    fn fopen(&mut self, block: Block<'_>) -> Result<usize, Errno> {
-        let handle = self.streams.free_slot()?;
+    fn fopen(&self, block: Block<'_>) -> Result<usize, Errno> {
+        let (handle, mut slot) = self.streams.free_slot()?;
         let (Some(path), Some(mode)) = (block.optional_string(0), block.optional_string(1)) else {
             return Err(Errno(libc::EFAULT));
         };
-        let stream = Stream::open(path, &mode, self.host.as_mut())?;
-        self.streams.open[handle] = Some(stream);
+        *slot = Some(Stream::open(path, &mode, self.host.as_ref())?);
         Ok(handle)
     }
 
-    /// The old file is closed even if the new one can't be opened.
-    fn freopen(&mut self, block: Block<'_>) -> Result<usize, Errno> {
+    /// The old file is closed even if the new one can't be opened. Without a path, the stream's
+    /// own file is opened again with the new mode.
+    fn freopen(&self, block: Block<'_>) -> Result<usize, Errno> {
         let handle = block.word(2);
-        let old = self.streams.slot(handle)?.take();
+        let host = self.host.as_ref();
+        let mut slot = self.streams.slot(handle)?;
+        let old = slot.take();
+        let Some(mode) = block.optional_string(1) else {
+            return Err(Errno(libc::EFAULT));
+        };
+        let Some(path) = block.optional_string(0) else {
+            let old = old.ok_or(Errno(libc::EBADF))?;
+            *slot = Some(old.reopen(&mode, host)?);
+            return Ok(handle as usize);
+        };
         if let Some(old) = old {
             // C says that a failure to close does not matter here.
-            let _ = old.close(self.host.as_mut());
+            let _ = old.close(host);
         }
-        let (Some(path), Some(mode)) = (block.optional_string(0), block.optional_string(1)) else {
-            return Err(Errno(libc::EBADF));
-        };
-        let stream = Stream::open(path, &mode, self.host.as_mut())?;
-        *self.streams.slot(handle)? = Some(stream);
+        *slot = Some(Stream::open(path, &mode, host)?);
         Ok(handle as usize)
     }
 
-    fn tmpfile(&mut self) -> Result<usize, Errno> {
-        let handle = self.streams.free_slot()?;
+    fn tmpfile(&self) -> Result<usize, Errno> {
+        let (handle, mut slot) = self.streams.free_slot()?;
         let template = std::env::temp_dir().join("spuXXXXXX").into_os_string();
         let template = c_path(std::os::unix::ffi::OsStringExt::into_vec(template))?;
         let mut path = template.into_bytes_with_nul();
@@ -274,29 +306,31 @@ impl Library {
         let descriptor = check(unsafe { libc::mkstemp(path.as_mut_ptr().cast()) })?;
         // SAFETY: the path ends in 0. The unlinked file is deleted when it is closed.
         check(unsafe { libc::unlink(path.as_ptr().cast()) })?;
-        self.streams.open[handle] = Some(Stream::new(descriptor, true, true, Buffering::Full));
+        *slot = Some(Stream::new(descriptor, true, true, Buffering::Full));
         Ok(handle)
     }
 
-    fn setvbuf(&mut self, block: Block<'_>) -> Result<(), Errno> {
+    fn setvbuf(&self, block: Block<'_>) -> Result<(), Errno> {
         let (mode, size) = (block.word(2), block.word(3));
-        let (stream, _) = self.stream(block.word(0))?;
         let buffering = BUFFERING.get(mode as usize).ok_or(Errno(libc::EINVAL))?;
-        stream.set_buffering(*buffering, size.min(SIZE) as usize);
-        Ok(())
+        self.stream(block.word(0), |stream, host| {
+            stream.set_buffering(*buffering, size.min(SIZE) as usize, host);
+            Ok(())
+        })
     }
 
-    fn seek(&mut self, handle: u32, offset: i32, whence: i32) -> Result<(), Errno> {
-        let (stream, host) = self.stream(handle)?;
-        stream.seek(offset.into(), whence, host)
+    fn seek(&self, handle: u32, offset: i32, whence: i32) -> Result<(), Errno> {
+        self.stream(handle, |stream, host| {
+            stream.seek(offset.into(), whence, host)
+        })
     }
 
-    fn ftell(&mut self, handle: u32) -> Result<i32, Errno> {
-        let position = self.stream(handle)?.0.position()?;
+    fn ftell(&self, handle: u32) -> Result<i32, Errno> {
+        let position = self.stream(handle, |stream, _| stream.position())?;
         i32::try_from(position).map_err(|_| Errno(libc::EOVERFLOW))
     }
 
-    fn fgetpos(&mut self, block: Block<'_>) -> Result<(), Errno> {
+    fn fgetpos(&self, block: Block<'_>) -> Result<(), Errno> {
         let position = self.ftell(block.word(0))?;
         block.guest.set_word(block.word(1), position as u32);
         Ok(())
@@ -304,12 +338,12 @@ impl Library {
 
     /// Reads `nmemb` items, at most as many bytes as local store has. The result is the number of
     /// whole items.
-    fn fread(&mut self, block: Block<'_>) -> Reply {
+    fn fread(&self, block: Block<'_>) -> Reply {
         let [address, size, count] = [0, 1, 2].map(|n| block.word(n));
         let most = (u64::from(size) * u64::from(count)).min(SIZE.into());
-        let read = self
-            .stream(block.word(3))
-            .and_then(|(stream, host)| stream.read(most as usize, host));
+        let read = self.stream(block.word(3), |stream, host| {
+            stream.read(most as usize, host)
+        });
         match read {
             Ok(bytes) => {
                 block.guest.write(address, &bytes);
@@ -319,7 +353,7 @@ impl Library {
         }
     }
 
-    fn fwrite(&mut self, block: Block<'_>) -> Reply {
+    fn fwrite(&self, block: Block<'_>) -> Reply {
         let [address, size, count] = [0, 1, 2].map(|n| block.word(n));
         let length = (u64::from(size) * u64::from(count)).min(SIZE.into()) as u32;
         let bytes = block.guest.bytes(address, length);
@@ -329,12 +363,12 @@ impl Library {
         }
     }
 
-    fn ungetc(&mut self, block: Block<'_>) -> Reply {
+    fn ungetc(&self, block: Block<'_>) -> Reply {
         let (character, handle) = (block.int(0), block.word(1));
         let pushed = character != EOF
             && self
-                .stream(handle)
-                .is_ok_and(|(stream, _)| stream.push_back(character as u8));
+                .stream(handle, |stream, _| Ok(stream.push_back(character as u8)))
+                .is_ok_and(|pushed| pushed);
         if pushed {
             i32::from(character as u8).into()
         } else {
@@ -342,7 +376,7 @@ impl Library {
         }
     }
 
-    fn perror(&mut self, block: Block<'_>) -> Reply {
+    fn perror(&self, block: Block<'_>) -> Reply {
         let mut line = block.optional_string(0).unwrap_or_default();
         if !line.is_empty() {
             line.extend(b": ");
@@ -356,16 +390,18 @@ impl Library {
 
     /// `format` is the number of the cell that points to the format string. The variadic list
     /// follows it.
-    fn printf(&mut self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
+    fn printf(&self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
         let text = print_arguments(block, format)?;
         self.put(handle, &text).map(|()| text.len() as i32)
     }
 
-    fn scanf(&mut self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
+    fn scanf(&self, block: Block<'_>, handle: u32, format: u32) -> Result<i32, Errno> {
         let arguments = VaList::at(block.guest, block.cell(format + 1));
-        let (stream, host) = self.stream(handle)?;
-        let mut input = StreamInput { stream, host };
-        scan(block.guest, &block.string(format), arguments, &mut input)
+        let format = block.string(format);
+        self.stream(handle, |stream, host| {
+            let mut input = StreamInput { stream, host };
+            scan(block.guest, &format, arguments, &mut input)
+        })
     }
 }
 

@@ -9,14 +9,14 @@ const ALIGNMENT: u64 = 16;
 pub(super) const CALLS: &[Call] = calls! {
     calloc => |library, block| {
         let size = block.doubleword(0).checked_mul(block.doubleword(1));
-        address(size.and_then(|size| library.heap.allocate(size, ALIGNMENT)))
+        address(size.and_then(|size| library.heap().allocate(size, ALIGNMENT)))
     },
     free => |library, block| {
         // C does not define freeing anything else. Here it has no effect.
-        library.heap.release(block.doubleword(0));
+        library.heap().release(block.doubleword(0));
         Reply::Nothing
     },
-    malloc => |library, block| address(library.heap.allocate(block.doubleword(0), ALIGNMENT)),
+    malloc => |library, block| address(library.heap().allocate(block.doubleword(0), ALIGNMENT)),
     realloc => |library, block| address(library.reallocate(block.doubleword(0), block.doubleword(1), ALIGNMENT)),
     posix_memalign => |library, block| library.posix_memalign(block),
 };
@@ -32,36 +32,37 @@ fn address(allocated: Option<u64>) -> Reply {
 impl Library {
     /// Allocates memory of another size with the same contents, and frees the memory at `ea`. If
     /// there is no room, the old memory remains. Size 0 frees it.
-    pub(super) fn reallocate(&mut self, ea: u64, size: u64, alignment: u64) -> Option<u64> {
+    pub(super) fn reallocate(&self, ea: u64, size: u64, alignment: u64) -> Option<u64> {
         const PIECE: u64 = 64 << 10;
+        let mut heap = self.heap();
         if ea == 0 {
-            return self.heap.allocate(size, alignment);
+            return heap.allocate(size, alignment);
         }
-        let before = self.heap.size_of(ea)?;
+        let before = heap.size_of(ea)?;
         if size == 0 {
-            self.heap.release(ea);
+            heap.release(ea);
             return Some(0);
         }
-        let after = self.heap.allocate(size, alignment)?;
+        let after = heap.allocate(size, alignment)?;
         let kept = before.min(size);
         for done in (0..kept).step_by(PIECE as usize) {
             let mut piece = vec![0; (kept - done).min(PIECE) as usize];
-            if !self.heap.read(ea + done, &mut piece) || !self.heap.write(after + done, &piece) {
-                self.heap.release(after);
+            if !heap.read(ea + done, &mut piece) || !heap.write(after + done, &piece) {
+                heap.release(after);
                 return None;
             }
         }
-        self.heap.release(ea);
+        heap.release(ea);
         Some(after)
     }
 
     /// The result is the error number, not -1. The address is written to local store as a
     /// doubleword.
-    fn posix_memalign(&mut self, block: Block<'_>) -> Reply {
+    fn posix_memalign(&self, block: Block<'_>) -> Reply {
         const POINTER: u64 = 8;
         let (alignment, size) = (block.doubleword(1), block.doubleword(2));
         let allocated = if alignment.is_power_of_two() && alignment >= POINTER {
-            let ea = self.heap.allocate(size, alignment);
+            let ea = self.heap().allocate(size, alignment);
             ea.ok_or(Errno(libc::ENOMEM))
         } else {
             Err(Errno(libc::EINVAL))

@@ -13,6 +13,7 @@
 //! |---|---|
 //! | 0x2100 | `c99`, over `stream`, `print` and `scan` |
 //! | 0x2101 | `posix` |
+//! | 0x2104 (Linux system calls) | `linux` |
 //! | 0x2105 | `libea` |
 //!
 //! [`Library`] and the classes depend on each other: the library finds the function that serves a
@@ -26,12 +27,17 @@ mod float_syntax;
 mod guest;
 mod host;
 mod libea;
+mod linux;
 mod number;
 mod posix;
 mod print;
 mod scan;
+mod scan_set;
 mod stream;
 mod va_list;
+mod wide;
+
+use std::sync::{Mutex, MutexGuard};
 
 use thiserror::Error;
 
@@ -39,13 +45,19 @@ pub use arena::Arena;
 pub use errno::Errno;
 pub use guest::GuestMemory;
 pub use host::{Heap, Host, Process};
+pub use linux::{system_call_name, system_call_number};
+pub use stream::Buffering;
 
+use crate::lock::lock;
 use guest::{Block, Guest, Reply};
 use spu_isa::LIMIT_MASK;
 
 /// Distance in bytes from the address that a call gets (that after the stop) to the address at
 /// which the SPU continues.
 pub const CALL_WORD: u32 = 4;
+
+/// The low byte of the stop code of a Linux system call.
+pub const SYSTEM_CALL: u8 = 4;
 
 /// The library of a call: the low byte of its stop code.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -102,12 +114,15 @@ pub enum CallError {
         /// The last opcode of the library.
         last: usize,
     },
+    /// The block of a system call does not lie in local store.
+    #[error("system call (stop 0x2104) whose block at {0:#x} does not lie in local store")]
+    OutsideLocalStore(u32),
 }
 
 /// A function of a library. Its opcode is its position in the class's table, counted from 1.
 struct Call {
     name: &'static str,
-    serve: fn(&mut Library, Block<'_>) -> Reply,
+    serve: fn(&Library, Block<'_>) -> Reply,
 }
 
 /// Makes a table of functions with their names in C.
@@ -119,39 +134,52 @@ macro_rules! calls {
 use calls;
 
 /// The library that serves the calls of one program, with its open files, directories and
-/// allocations.
+/// allocations. Several SPEs may call it at the same time: a call that waits keeps only the stream
+/// that it waits for.
 pub struct Library {
     host: Box<dyn Host>,
-    heap: Box<dyn Heap>,
+    heap: Mutex<Box<dyn Heap>>,
     streams: c99::Streams,
-    directories: posix::Directories,
+    directories: Mutex<posix::Directories>,
 }
 
 impl Library {
     /// A library with the three standard streams open.
     #[must_use]
-    pub fn new(mut host: Box<dyn Host>, heap: Box<dyn Heap>) -> Self {
-        let streams = c99::Streams::new(host.as_mut());
+    pub fn new(host: Box<dyn Host>, heap: Box<dyn Heap>) -> Self {
+        let streams = c99::Streams::new(host.as_ref());
         Self {
             host,
-            heap,
+            heap: Mutex::new(heap),
             streams,
-            directories: posix::Directories::default(),
+            directories: Mutex::default(),
         }
+    }
+
+    fn heap(&self) -> MutexGuard<'_, Box<dyn Heap>> {
+        lock(&self.heap)
+    }
+
+    fn directories(&self) -> MutexGuard<'_, posix::Directories> {
+        lock(&self.directories)
     }
 
     /// Carries out the call of class `number` whose opcode word is at `address`. The address is
     /// the SPU's next program counter; its lowest bit (interrupts enabled) is ignored. The SPU
     /// continues [`CALL_WORD`] bytes further.
     pub fn serve(
-        &mut self,
+        &self,
         number: u8,
         memory: &dyn GuestMemory,
         address: u32,
     ) -> Result<(), CallError> {
         const OPCODE_SHIFT: u32 = 24;
         let guest = Guest(memory);
-        let word = guest.word(address & LIMIT_MASK & !1);
+        let address = address & LIMIT_MASK & !1;
+        if number == SYSTEM_CALL {
+            return self.system_call(memory, address);
+        }
+        let word = guest.word(address);
         let class = Class::of(number).ok_or(CallError::UnknownClass(number))?;
         let opcode = (word >> OPCODE_SHIFT) as u8;
         let call = usize::from(opcode)
@@ -171,7 +199,7 @@ impl Library {
     }
 
     /// Flushes the streams, as the end of a program does.
-    pub fn flush(&mut self) -> Result<(), Errno> {
-        self.streams.flush_all(self.host.as_mut())
+    pub fn flush(&self) -> Result<(), Errno> {
+        self.streams.flush_all(self.host.as_ref())
     }
 }

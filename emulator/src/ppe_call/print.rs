@@ -8,6 +8,7 @@ use super::directive::{Count, Format, Length};
 use super::guest::Guest;
 use super::number::{self, Style};
 use super::va_list::VaList;
+use super::wide::{self, CHARACTER};
 
 /// The largest number of bytes that one call may print. A width of two billion is an error, as it
 /// is in C.
@@ -165,7 +166,7 @@ impl Printer<'_> {
                 let value = self.arguments.word();
                 flags.zeros = false;
                 if wide {
-                    let text = utf8(value)?;
+                    let text = wide::encode(value)?;
                     self.field(flags, width, &[], &text)
                 } else {
                     self.field(flags, width, &[], &[value as u8])
@@ -311,14 +312,13 @@ impl Printer<'_> {
     /// Converts 32-bit characters up to a 0 to UTF-8. Only whole characters are converted, of at
     /// most `precision` bytes in total.
     fn wide_string(&self, address: u32, precision: Option<usize>) -> Result<Vec<u8>, Errno> {
-        const CHARACTER: u32 = 4;
         let mut text = Vec::new();
         for n in 0..crate::local_store::SIZE / CHARACTER {
             let character = self.guest.word(address.wrapping_add(n * CHARACTER));
             if character == 0 {
                 break;
             }
-            let bytes = utf8(character)?;
+            let bytes = wide::encode(character)?;
             if precision.is_some_and(|most| text.len() + bytes.len() > most) {
                 break;
             }
@@ -326,9 +326,4 @@ impl Printer<'_> {
         }
         Ok(text)
     }
-}
-
-fn utf8(character: u32) -> Result<Vec<u8>, Errno> {
-    let character = char::from_u32(character).ok_or(Errno(libc::EILSEQ))?;
-    Ok(character.to_string().into_bytes())
 }

@@ -1,11 +1,14 @@
 //! `scanf`: reads fields of an input into the guest's memory.
 //!
-//! At most one character is read beyond a field, because no more can be pushed back.
+//! At most one character is read beyond a field, because no more can be pushed back. With `l`, text
+//! is UTF-8 and becomes wide characters of 32 bits.
 
 use super::Errno;
 use super::directive::{Format, Length};
 use super::guest::Guest;
+use super::scan_set::Set;
 use super::va_list::VaList;
+use super::wide::{self, CHARACTER};
 
 /// An input to scan.
 pub(super) trait Input {
@@ -163,15 +166,18 @@ impl Scanner<'_> {
                     }
                 }
             }
+            b'c' if long => self.wide_characters(width.unwrap_or(1), store)?,
             b'c' => self.characters(width.unwrap_or(1), store)?,
             b's' => {
                 let most = width.unwrap_or(usize::MAX);
-                self.string(most, store, |byte| !is_space(byte))?;
+                self.text(most, store, long, |character| {
+                    !u8::try_from(character).is_ok_and(is_space)
+                })?;
             }
             b'[' => {
-                let set = Set::parse(format).ok_or(End::Mismatch)?;
+                let set = Set::parse(format, long).ok_or(End::Mismatch)?;
                 let most = width.unwrap_or(usize::MAX);
-                self.string(most, store, |byte| set.contains(byte))?;
+                self.text(most, store, long, |character| set.contains(character))?;
             }
             _ => return Err(End::Mismatch),
         }
@@ -252,6 +258,73 @@ impl Scanner<'_> {
         Ok(())
     }
 
+    /// The next character of UTF-8, or `None` at the end of the input.
+    fn next_wide(&mut self) -> Result<Option<char>, End> {
+        let mut bytes = Vec::with_capacity(wide::LONGEST);
+        loop {
+            let Some(byte) = self.next()? else {
+                return match bytes.is_empty() {
+                    true => Ok(None),
+                    false => Err(End::Failed(wide::INVALID)),
+                };
+            };
+            bytes.push(byte);
+            if let Some(character) = wide::decode(&bytes)? {
+                return Ok(Some(character));
+            }
+        }
+    }
+
+    fn wide_characters(&mut self, count: usize, store: bool) -> Result<(), End> {
+        let mut address = if store { self.arguments.word() } else { 0 };
+        for _ in 0..count {
+            let character = self.next_wide()?.ok_or(End::Input)?;
+            if store {
+                self.guest.set_word(address, character.into());
+                address = address.wrapping_add(CHARACTER);
+            }
+        }
+        Ok(())
+    }
+
+    /// A field of the characters that `belongs` accepts.
+    fn text(
+        &mut self,
+        most: usize,
+        store: bool,
+        long: bool,
+        belongs: impl Fn(u32) -> bool,
+    ) -> Result<(), End> {
+        if !long {
+            return self.string(most, store, |byte| belongs(byte.into()));
+        }
+        let mut characters = Vec::new();
+        while characters.len() < most {
+            let Some(character) = self.next_wide()? else {
+                if characters.is_empty() {
+                    return Err(End::Input);
+                }
+                break;
+            };
+            if !belongs(character.into()) {
+                for &byte in character.to_string().as_bytes().iter().rev() {
+                    self.give_back(byte);
+                }
+                break;
+            }
+            characters.push(u32::from(character));
+        }
+        if characters.is_empty() {
+            return Err(End::Mismatch);
+        }
+        if store {
+            characters.push(0);
+            let address = self.arguments.word();
+            self.guest.set_words(address, &characters);
+        }
+        Ok(())
+    }
+
     fn string(
         &mut self,
         most: usize,
@@ -315,43 +388,4 @@ fn integer_value(token: &[u8], base: u32) -> Option<u64> {
     } else {
         value
     })
-}
-
-/// A `%[..]` set.
-struct Set {
-    members: [bool; 256],
-}
-
-impl Set {
-    fn parse(format: &mut Format<'_>) -> Option<Self> {
-        let inverted = format.take(b'^');
-        let mut members = [inverted; 256];
-        let mut first = true;
-        let mut previous: Option<u8> = None;
-        loop {
-            let byte = format.next()?;
-            if byte == b']' && !first {
-                return Some(Self { members });
-            }
-            first = false;
-            let last = format.peek();
-            match (byte, previous, last) {
-                (b'-', Some(from), Some(to)) if to != b']' => {
-                    format.next();
-                    for member in from..=to {
-                        members[usize::from(member)] = !inverted;
-                    }
-                    previous = None;
-                }
-                _ => {
-                    members[usize::from(byte)] = !inverted;
-                    previous = Some(byte);
-                }
-            }
-        }
-    }
-
-    fn contains(&self, byte: u8) -> bool {
-        self.members[usize::from(byte)]
-    }
 }

@@ -17,9 +17,12 @@ const PUSHED_BACK: usize = 8;
 
 /// When written bytes are passed to the descriptor.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Buffering {
+pub enum Buffering {
+    /// When the buffer is full.
     Full,
+    /// At the end of each line, too.
     Line,
+    /// At once.
     None,
 }
 
@@ -95,7 +98,7 @@ impl Stream {
     }
 
     /// `fopen`.
-    pub fn open(path: Vec<u8>, mode: &[u8], host: &mut dyn Host) -> Result<Self, Errno> {
+    pub fn open(path: Vec<u8>, mode: &[u8], host: &dyn Host) -> Result<Self, Errno> {
         const EVERYONE: libc::c_uint = 0o666;
         let mode = Mode::parse(mode)?;
         let path = c_path(path)?;
@@ -109,12 +112,41 @@ impl Stream {
         Ok(Self::new(descriptor, mode.read, mode.write, buffering))
     }
 
+    /// `freopen` without a path: the file behind the descriptor is opened again, and the new
+    /// descriptor gets the old one's number. That needs `/proc`.
+    pub fn reopen(mut self, mode: &[u8], host: &dyn Host) -> Result<Self, Errno> {
+        // C says that a failure to write the last bytes does not matter here.
+        let _ = self.flush(host);
+        self.forget_ahead();
+        let old = self.descriptor;
+        let path = format!("/proc/self/fd/{old}").into_bytes();
+        let opened = Self::open(path, mode, host).and_then(|new| {
+            // SAFETY: both descriptors belong to streams.
+            let moved = check(unsafe { libc::dup2(new.descriptor, old) });
+            // SAFETY: the new descriptor belongs to the new stream, which uses the old number.
+            unsafe { libc::close(new.descriptor) };
+            moved.map(|_| Self {
+                descriptor: old,
+                ..new
+            })
+        });
+        if opened.is_err() {
+            // SAFETY: the descriptor belongs to the old stream, which ends here.
+            unsafe { libc::close(old) };
+        }
+        opened
+    }
+
     pub fn descriptor(&self) -> i32 {
         self.descriptor
     }
 
     /// `setvbuf`. Bytes that are already buffered stay buffered.
-    pub fn set_buffering(&mut self, buffering: Buffering, capacity: usize) {
+    pub fn set_buffering(&mut self, buffering: Buffering, capacity: usize, host: &dyn Host) {
+        if host.buffers(self.descriptor) {
+            host.set_buffering(self.descriptor, buffering, capacity);
+            return;
+        }
         self.buffering = buffering;
         if capacity > 0 {
             self.capacity = capacity;
@@ -126,12 +158,22 @@ impl Stream {
         errno
     }
 
-    /// Writes the buffered bytes. As in C, bytes that can't be written are lost.
-    pub fn flush(&mut self, host: &mut dyn Host) -> Result<(), Errno> {
+    /// Writes the buffered bytes, the host's too. As in C, bytes that can't be written are lost.
+    pub fn flush(&mut self, host: &dyn Host) -> Result<(), Errno> {
+        self.pass_on(host)?;
+        if self.writable
+            && let Err(errno) = host.flush(self.descriptor)
+        {
+            return Err(self.fail(errno));
+        }
+        Ok(())
+    }
+
+    fn pass_on(&mut self, host: &dyn Host) -> Result<(), Errno> {
         let bytes = std::mem::take(&mut self.unwritten);
         let mut rest = bytes.as_slice();
         while !rest.is_empty() {
-            match host.write(self.descriptor, rest) {
+            match host.write_stream(self.descriptor, rest) {
                 Ok(0) => return Err(self.fail(Errno(libc::EIO))),
                 Ok(written) => rest = &rest[written..],
                 Err(errno) => return Err(self.fail(errno)),
@@ -142,14 +184,14 @@ impl Stream {
 
     /// Flushes a line-buffered stream before input is read, because a prompt may not end with a
     /// line end.
-    pub fn flush_if_line_buffered(&mut self, host: &mut dyn Host) {
+    pub fn flush_if_line_buffered(&mut self, host: &dyn Host) {
         if self.buffering == Buffering::Line {
             // The next write to the stream reports the failure.
             let _ = self.flush(host);
         }
     }
 
-    pub fn write(&mut self, bytes: &[u8], host: &mut dyn Host) -> Result<(), Errno> {
+    pub fn write(&mut self, bytes: &[u8], host: &dyn Host) -> Result<(), Errno> {
         if !self.writable {
             return Err(self.fail(Errno(libc::EBADF)));
         }
@@ -161,7 +203,7 @@ impl Stream {
             Buffering::Full => false,
         };
         if flush || self.unwritten.len() >= self.capacity {
-            self.flush(host)?;
+            self.pass_on(host)?;
         }
         Ok(())
     }
@@ -178,10 +220,10 @@ impl Stream {
         self.taken = 0;
         // SAFETY: `lseek` accepts any numbers. A pipe can't be moved, and that is not a failure of
         // this call.
-        let _ = unsafe { libc::lseek(self.descriptor, -unused, libc::SEEK_CUR) };
+        let _ = unsafe { libc::lseek64(self.descriptor, -unused, libc::SEEK_CUR) };
     }
 
-    pub fn read_byte(&mut self, host: &mut dyn Host) -> Result<Option<u8>, Errno> {
+    pub fn read_byte(&mut self, host: &dyn Host) -> Result<Option<u8>, Errno> {
         if let Some(byte) = self.pushed_back.pop() {
             return Ok(Some(byte));
         }
@@ -192,7 +234,7 @@ impl Stream {
         Ok(Some(self.ahead[self.taken - 1]))
     }
 
-    fn fill(&mut self, host: &mut dyn Host) -> Result<bool, Errno> {
+    fn fill(&mut self, host: &dyn Host) -> Result<bool, Errno> {
         if !self.readable {
             return Err(self.fail(Errno(libc::EBADF)));
         }
@@ -208,7 +250,7 @@ impl Stream {
         };
         self.ahead.resize(wanted, 0);
         self.taken = 0;
-        let read = host.read(self.descriptor, &mut self.ahead);
+        let read = host.read_stream(self.descriptor, &mut self.ahead);
         self.ahead.truncate(read.unwrap_or(0));
         match read {
             Ok(0) => {
@@ -222,7 +264,7 @@ impl Stream {
 
     /// Reads until `most` bytes are read or the input ends. A failure after some bytes is reported
     /// by the next call.
-    pub fn read(&mut self, most: usize, host: &mut dyn Host) -> Result<Vec<u8>, Errno> {
+    pub fn read(&mut self, most: usize, host: &dyn Host) -> Result<Vec<u8>, Errno> {
         let mut bytes = Vec::new();
         while bytes.len() < most {
             match self.read_byte(host) {
@@ -236,11 +278,7 @@ impl Stream {
     }
 
     /// A line with its line end, of at most `most` bytes. `None` if no bytes are left.
-    pub fn read_line(
-        &mut self,
-        most: usize,
-        host: &mut dyn Host,
-    ) -> Result<Option<Vec<u8>>, Errno> {
+    pub fn read_line(&mut self, most: usize, host: &dyn Host) -> Result<Option<Vec<u8>>, Errno> {
         let mut line = Vec::new();
         while line.len() < most {
             let Some(byte) = self.read_byte(host)? else {
@@ -267,23 +305,23 @@ impl Stream {
     /// `ftell`.
     pub fn position(&mut self) -> Result<i64, Errno> {
         // SAFETY: `lseek` accepts any numbers.
-        let at = check(unsafe { libc::lseek(self.descriptor, 0, libc::SEEK_CUR) })?;
+        let at = check(unsafe { libc::lseek64(self.descriptor, 0, libc::SEEK_CUR) })?;
         let ahead = self.ahead.len() - self.taken + self.pushed_back.len();
         Ok(at + self.unwritten.len() as i64 - ahead as i64)
     }
 
     /// `fseek`.
-    pub fn seek(&mut self, offset: i64, whence: i32, host: &mut dyn Host) -> Result<(), Errno> {
+    pub fn seek(&mut self, offset: i64, whence: i32, host: &dyn Host) -> Result<(), Errno> {
         self.flush(host)?;
         self.forget_ahead();
         // SAFETY: `lseek` accepts any numbers.
-        check(unsafe { libc::lseek(self.descriptor, offset, whence) })?;
+        check(unsafe { libc::lseek64(self.descriptor, offset, whence) })?;
         self.at_end = false;
         Ok(())
     }
 
     /// `fclose`: the descriptor is closed even if the last bytes can't be written.
-    pub fn close(mut self, host: &mut dyn Host) -> Result<(), Errno> {
+    pub fn close(mut self, host: &dyn Host) -> Result<(), Errno> {
         let flushed = self.flush(host);
         self.forget_ahead();
         // SAFETY: the descriptor belongs to the stream.
@@ -295,7 +333,7 @@ impl Stream {
 /// A stream as an input of `scanf`.
 pub(super) struct StreamInput<'a> {
     pub stream: &'a mut Stream,
-    pub host: &'a mut dyn Host,
+    pub host: &'a dyn Host,
 }
 
 impl Input for StreamInput<'_> {

@@ -1,8 +1,10 @@
 //! The table of actors and their order.
 
 use std::collections::BTreeMap;
-use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::Ordering::SeqCst;
 use std::sync::{Arc, Condvar};
+
+use portable_atomic::AtomicU64;
 
 use super::time::NEVER;
 use super::timeout::Timeout;

@@ -7,7 +7,9 @@
 
 use std::collections::BTreeMap;
 use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::Ordering::SeqCst;
+
+use portable_atomic::AtomicU64;
 
 use super::time::NEVER;
 use crate::lock::lock;

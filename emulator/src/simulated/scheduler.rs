@@ -8,10 +8,12 @@
 //! backwards. Data that was sent to a local store is in it as soon as all clocks have reached its
 //! arrival.
 
+use std::sync::atomic::AtomicBool;
 use std::sync::atomic::Ordering::{Relaxed, SeqCst};
-use std::sync::atomic::{AtomicBool, AtomicU64};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
+
+use portable_atomic::AtomicU64;
 
 use super::actor_table::{ActorTable, Entry, Rank, Runner, Status, WaitKey};
 use super::arrivals::Arrivals;

@@ -1,9 +1,11 @@
 //! One SPE as an actor: its start and end, its acts, and the figures that it publishes.
 
 use std::cell::RefCell;
-use std::sync::atomic::{AtomicU64, Ordering::SeqCst};
+use std::sync::atomic::Ordering::SeqCst;
 use std::sync::{Arc, Mutex};
 use std::time::Duration;
+
+use portable_atomic::AtomicU64;
 
 use super::actor_table::{Rank, WaitKey};
 use super::published::Published;

@@ -363,7 +363,8 @@ impl Spe {
         self.problem_state.unwatch(watcher);
     }
 
-    fn proxy_failed(&self, fault: DmaError) {
+    /// Stops the SPU with the error of a proxy command, as the hardware's interrupt does.
+    pub fn proxy_failed(&self, fault: DmaError) {
         self.problem_state.request_stop(Some(fault));
     }
 }

@@ -17,8 +17,8 @@ use spe2::mailbox::{
 };
 use spe2::types::{
     SPE_AFFINITY_MEMORY, SPE_CALLBACK_NEW, SPE_CALLBACK_UPDATE, SPE_CFG_SIGNOTIFY1_OR, SPE_ISOLATE,
-    SPE_ISOLATE_EMULATE, SPE_MAP_PS, SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_BLOCKING,
-    SPE_MBOX_ANY_NONBLOCKING, SPE_SIG_NOTIFY_REG_1, SPE_SIG_NOTIFY_REG_2,
+    SPE_ISOLATE_EMULATE, SPE_MBOX_ALL_BLOCKING, SPE_MBOX_ANY_BLOCKING, SPE_MBOX_ANY_NONBLOCKING,
+    SPE_SIG_NOTIFY_REG_1, SPE_SIG_NOTIFY_REG_2,
 };
 
 use crate::support::{Context, assert_fails, assert_null, elsewhere, last_errno};
@@ -55,7 +55,6 @@ fn null_handles_are_esrch() {
 #[test]
 fn flags_that_a_playstation_3_refuses() {
     let cases = [
-        (SPE_MAP_PS, libc::ENOTSUP),
         (SPE_ISOLATE, libc::ENODEV),
         (SPE_ISOLATE_EMULATE, libc::EINVAL),
         (SPE_AFFINITY_MEMORY, libc::EINVAL),
@@ -306,6 +305,17 @@ fn callback_slots() {
     assert_fails(deregister(200), libc::ESRCH);
     assert_fails(deregister(3), libc::EACCES);
     assert_fails(deregister(256), libc::EINVAL);
+    // The library's own handlers can be found and replaced, but not removed.
+    for number in [0, 1, 5] {
+        let own = query(number);
+        assert!(!own.is_null(), "{number}");
+        assert_fails(register(number, SPE_CALLBACK_NEW), libc::EACCES);
+    }
+    assert_fails(deregister(0), libc::EACCES);
+    for number in [2, 3, 4] {
+        assert_null(query(number), libc::ESRCH);
+        assert_fails(register(number, SPE_CALLBACK_UPDATE), libc::ESRCH);
+    }
     assert_eq!(register(200, SPE_CALLBACK_NEW), 0);
     assert_fails(register(200, SPE_CALLBACK_NEW), libc::EACCES);
     assert_fails(register_null(200, SPE_CALLBACK_UPDATE), libc::EINVAL);

@@ -11,5 +11,6 @@ mod event;
 mod exports;
 mod images;
 mod mfc;
+mod problem_state;
 mod run;
 mod support;

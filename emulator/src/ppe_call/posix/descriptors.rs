@@ -15,14 +15,14 @@ pub(super) fn close(block: Block<'_>) -> Result<i32, Errno> {
     check(unsafe { libc::close(block.int(0)) })
 }
 
-pub(super) fn read(library: &mut Library, block: Block<'_>) -> Result<i32, Errno> {
+pub(super) fn read(library: &Library, block: Block<'_>) -> Result<i32, Errno> {
     let mut bytes = vec![0; block.word(2).min(SIZE) as usize];
     let read = library.host.read(block.int(0), &mut bytes)?;
     block.guest.write(block.word(1), &bytes[..read]);
     moved(read)
 }
 
-pub(super) fn write(library: &mut Library, block: Block<'_>) -> Result<i32, Errno> {
+pub(super) fn write(library: &Library, block: Block<'_>) -> Result<i32, Errno> {
     let bytes = block.guest.bytes(block.word(1), block.word(2));
     moved(library.host.write(block.int(0), &bytes)?)
 }
@@ -32,7 +32,7 @@ pub(super) fn pread(block: Block<'_>) -> Result<i32, Errno> {
     let offset = block.int(3).into();
     // SAFETY: the buffer is valid for as many bytes as the length says.
     let read = check(unsafe {
-        libc::pread(block.int(0), bytes.as_mut_ptr().cast(), bytes.len(), offset)
+        libc::pread64(block.int(0), bytes.as_mut_ptr().cast(), bytes.len(), offset)
     })?;
     block.guest.write(block.word(1), &bytes[..read as usize]);
     moved(read as usize)
@@ -43,7 +43,7 @@ pub(super) fn pwrite(block: Block<'_>) -> Result<i32, Errno> {
     let offset = block.int(3).into();
     // SAFETY: the buffer is valid for as many bytes as the length says.
     let written =
-        check(unsafe { libc::pwrite(block.int(0), bytes.as_ptr().cast(), bytes.len(), offset) })?;
+        check(unsafe { libc::pwrite64(block.int(0), bytes.as_ptr().cast(), bytes.len(), offset) })?;
     moved(written as usize)
 }
 
@@ -69,7 +69,7 @@ fn pieces(block: Block<'_>) -> Result<Vec<(u32, u32)>, Errno> {
         .collect()
 }
 
-pub(super) fn readv(library: &mut Library, block: Block<'_>) -> Result<i32, Errno> {
+pub(super) fn readv(library: &Library, block: Block<'_>) -> Result<i32, Errno> {
     let pieces = pieces(block)?;
     let length: u32 = pieces.iter().map(|(_, length)| length).sum();
     let mut bytes = vec![0; length as usize];
@@ -83,7 +83,7 @@ pub(super) fn readv(library: &mut Library, block: Block<'_>) -> Result<i32, Errn
     moved(read)
 }
 
-pub(super) fn writev(library: &mut Library, block: Block<'_>) -> Result<i32, Errno> {
+pub(super) fn writev(library: &Library, block: Block<'_>) -> Result<i32, Errno> {
     let mut bytes = Vec::new();
     for (address, length) in pieces(block)? {
         bytes.extend(block.guest.bytes(address, length));
@@ -93,7 +93,7 @@ pub(super) fn writev(library: &mut Library, block: Block<'_>) -> Result<i32, Err
 
 pub(super) fn lseek(block: Block<'_>) -> Result<i32, Errno> {
     // SAFETY: `lseek` accepts any numbers.
-    let at = check(unsafe { libc::lseek(block.int(0), block.int(1).into(), block.int(2)) })?;
+    let at = check(unsafe { libc::lseek64(block.int(0), block.int(1).into(), block.int(2)) })?;
     i32::try_from(at).map_err(|_| Errno(libc::EOVERFLOW))
 }
 

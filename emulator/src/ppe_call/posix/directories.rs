@@ -82,17 +82,18 @@ impl Directories {
     }
 }
 
-pub(super) fn opendir(library: &mut Library, block: Block<'_>) -> Reply {
-    let directories = &mut library.directories;
+pub(super) fn opendir(library: &Library, block: Block<'_>) -> Reply {
+    let mut directories = library.directories();
     if directories.open.len() >= MOST {
         return Reply::Doubleword(0, libc::EMFILE);
     }
     let path = std::ffi::OsStr::from_bytes(&block.string(0)).into();
     match Directory::open(path) {
         Ok(directory) => {
-            directories.last += 1;
-            directories.open.insert(directories.last, directory);
-            Reply::Doubleword(directories.last, 0)
+            let handle = directories.last + 1;
+            directories.last = handle;
+            directories.open.insert(handle, directory);
+            Reply::Doubleword(handle, 0)
         }
         Err(errno) => Reply::Doubleword(0, errno.0),
     }
@@ -100,8 +101,9 @@ pub(super) fn opendir(library: &mut Library, block: Block<'_>) -> Reply {
 
 /// Writes the number and the name of the next entry, with a terminating 0, to the structure of
 /// cell 1.
-pub(super) fn readdir(library: &mut Library, block: Block<'_>) -> Reply {
-    let directory = match library.directories.find(block.doubleword(0)) {
+pub(super) fn readdir(library: &Library, block: Block<'_>) -> Reply {
+    let mut directories = library.directories();
+    let directory = match directories.find(block.doubleword(0)) {
         Ok(directory) => directory,
         Err(errno) => return Reply::Word(0, errno.0),
     };

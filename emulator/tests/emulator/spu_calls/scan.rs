@@ -75,6 +75,33 @@ proptest! {
     }
 }
 
+/// Provenance: the host's sscanf, with a locale of UTF-8.
+#[test]
+fn wide_characters_take_four_bytes_each() {
+    let mut guest = GuestProgram::new("");
+    let format = "%lc%2lc %ls %3l[a-zß-ü]%n";
+    assert_eq!(scan(&mut guest, "äbc grüße üxßA", format), 4);
+    let text = |guest: &GuestProgram, n: u32, length: usize| -> String {
+        let words: [u32; 8] = guest.words(RESULTS + 128 * n);
+        let characters = words[..length].iter();
+        characters
+            .map(|&word| char::from_u32(word).unwrap())
+            .collect()
+    };
+    assert_eq!(text(&guest, 0, 1), "ä");
+    assert_eq!(text(&guest, 1, 2), "bc");
+    assert_eq!(text(&guest, 2, 6), "grüße\0");
+    assert_eq!(text(&guest, 3, 4), "üxß\0");
+    assert_eq!(word(&guest, 4), "äbc grüße üxß".len() as u32);
+    // The character beyond the field is still there, with all its bytes.
+    assert_eq!(scan(&mut guest, "abé", "%l[^é]%lc"), 2);
+    assert_eq!(text(&guest, 0, 3), "ab\0");
+    assert_eq!(text(&guest, 1, 1), "é");
+    let (input, format) = (guest.text(b"\xff"), guest.text("%lc"));
+    let answer = guest.variadic(VSSCANF, &[input, format], &[Value::Word(RESULTS)]);
+    assert_eq!(answer, Answer::failed(-1, libc::EILSEQ));
+}
+
 #[test]
 fn fields_of_every_kind() {
     let mut guest = GuestProgram::new("");

@@ -79,6 +79,40 @@ impl Files {
     }
 }
 
+/// Provenance: C, 7.21.5.4.
+#[test]
+fn a_stream_reopens_its_own_file_in_another_mode() {
+    let mut files = Files::new("");
+    let (path, write, read, append) = (
+        files.path("again"),
+        files.guest.text("w"),
+        files.guest.text("r"),
+        files.guest.text("a"),
+    );
+    let handle = files.guest.call(C99, FOPEN, &[path, write]).value as u32;
+    let number = files.guest.call(C99, FILENO, &[handle]).value;
+    let text = files.guest.text("kept");
+    files.guest.call(C99, FPUTS, &[text, handle]);
+    let again = files.guest.call(C99, FREOPEN, &[0, read, handle]);
+    assert_eq!(again, Answer::ok(handle as i32));
+    assert_eq!(files.guest.call(C99, FILENO, &[handle]), Answer::ok(number));
+    assert_eq!(
+        files.guest.call(C99, FGETS, &[BUFFER, 100, handle]),
+        Answer::ok(BUFFER as i32)
+    );
+    assert_eq!(files.guest.read_text(BUFFER), "kept");
+    assert_eq!(
+        files.guest.call(C99, FREOPEN, &[0, append, handle]).value,
+        handle as i32
+    );
+    assert_eq!(files.guest.call(C99, FGETC, &[handle]).errno, libc::EBADF);
+    assert_eq!(files.guest.call(C99, FCLOSE, &[handle]), Answer::ok(0));
+    assert_eq!(
+        files.guest.call(C99, FREOPEN, &[0, read, handle]),
+        Answer::failed(0, libc::EBADF)
+    );
+}
+
 #[test]
 fn a_file_is_written_and_read_back() {
     let mut files = Files::new("");

@@ -32,7 +32,7 @@ pub struct Console {
 struct Captured(Arc<Mutex<Console>>);
 
 impl Host for Captured {
-    fn read(&mut self, descriptor: i32, into: &mut [u8]) -> Result<usize, Errno> {
+    fn read(&self, descriptor: i32, into: &mut [u8]) -> Result<usize, Errno> {
         if descriptor != 0 {
             return Process.read(descriptor, into);
         }
@@ -43,7 +43,7 @@ impl Host for Captured {
         Ok(n)
     }
 
-    fn write(&mut self, descriptor: i32, from: &[u8]) -> Result<usize, Errno> {
+    fn write(&self, descriptor: i32, from: &[u8]) -> Result<usize, Errno> {
         let mut console = self.0.lock().unwrap();
         match descriptor {
             1 => console.output.extend(from),
@@ -53,7 +53,7 @@ impl Host for Captured {
         Ok(from.len())
     }
 
-    fn is_terminal(&mut self, _: i32) -> bool {
+    fn is_terminal(&self, _: i32) -> bool {
         false
     }
 }

@@ -67,11 +67,8 @@ impl<'a> Bench<'a> {
     }
 
     pub fn why_asleep(&self) -> &'static str {
-        if self.mailboxes.starved() {
-            "it waits for the inbound mailbox, and there are no more words for it"
-        } else {
-            "it waits in a channel, and nobody woke it"
-        }
+        let stuck = self.mailboxes.stuck();
+        stuck.unwrap_or("it waits in a channel, and nobody woke it")
     }
 
     /// Writes the remaining output.

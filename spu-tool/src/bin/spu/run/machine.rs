@@ -10,7 +10,10 @@ use spu_emulator::interp::{Quad, Spu};
 use spu_emulator::local_store::{LocalStore, SIZE};
 use spu_emulator::machine;
 use spu_emulator::memory::{Access, MainMemory, RegisteredMemory};
-use spu_emulator::ppe_call::{Arena, CALL_WORD, CallError, Class, Library, Process};
+use spu_emulator::ppe_call::{
+    Arena, CALL_WORD, CallError, Class, Library, Process, SYSTEM_CALL, system_call_name,
+    system_call_number,
+};
 use spu_emulator::simulated::{Keep, Method, Timing};
 use spu_emulator::spe::{Config, Spe};
 use spu_emulator::stop::{Stop, Stopped};
@@ -207,8 +210,12 @@ impl Machine {
     }
 
     fn call(&mut self, number: u8, address: u32, bench: &mut Bench<'_>) -> Result<(), CallError> {
-        let opcode = (self.local_store().load_word(address) >> 24) as u8;
-        let name = Class::of(number).and_then(|class| class.function(opcode));
+        let name = if number == SYSTEM_CALL {
+            system_call_number(self.local_store(), address).and_then(system_call_name)
+        } else {
+            let opcode = (self.local_store().load_word(address) >> 24) as u8;
+            Class::of(number).and_then(|class| class.function(opcode))
+        };
         bench.called(name.unwrap_or("unknown"));
         let spe = Arc::clone(&self.spe);
         self.library

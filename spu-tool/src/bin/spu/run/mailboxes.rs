@@ -9,13 +9,16 @@ use std::io::{self, BufWriter, Write as _};
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use spu_emulator::mailbox::INBOUND_DEPTH;
 use spu_emulator::spe::Spe;
 use spu_isa::{Instruction, Op};
 
 use super::options::{Options, number};
 use crate::failure::Failure;
 
+const OUT_MBOX: u8 = 28;
 const IN_MBOX: u8 = 29;
+const OUT_INTR_MBOX: u8 = 30;
 
 /// A file of outbound words, and the first error in writing it.
 struct Output {
@@ -50,7 +53,8 @@ pub struct Mailboxes {
     inbound: VecDeque<u32>,
     outbound: Option<Output>,
     interrupt: Option<Output>,
-    starved: bool,
+    /// Why the program can't go on.
+    stuck: Option<&'static str>,
     /// In simulated time, the PPE's calls happen at simulated times for which the SPU's own thread
     /// can't wait. No words are then exchanged, and the options exclude each other.
     closed: bool,
@@ -66,13 +70,12 @@ impl Mailboxes {
             },
             outbound: output(&options.out_mbox)?,
             interrupt: output(&options.out_intr_mbox)?,
-            starved: false,
+            stuck: None,
             closed: options.timing.is_some(),
         })
     }
 
-    /// Fills the inbound mailbox and empties the outbound ones. Outbound words without a file are
-    /// dropped.
+    /// Fills the inbound mailbox and empties the outbound ones that have a file.
     pub fn exchange(&mut self, spe: &Spe) {
         if self.closed {
             return;
@@ -83,31 +86,45 @@ impl Mailboxes {
         {
             self.inbound.pop_front();
         }
-        while let Some(word) = spe.read_outbound(at_once) {
-            if let Some(output) = &mut self.outbound {
+        if let Some(output) = &mut self.outbound {
+            while let Some(word) = spe.read_outbound(at_once) {
                 output.put(word);
             }
         }
-        while let Some(word) = spe.read_outbound_interrupt(at_once) {
-            if let Some(output) = &mut self.interrupt {
+        if let Some(output) = &mut self.interrupt {
+            while let Some(word) = spe.read_outbound_interrupt(at_once) {
                 output.put(word);
             }
         }
     }
 
-    /// Exchanges words. Ends the run if the instruction is a read that would wait for ever.
+    /// Exchanges words. Ends the run if the instruction would wait for ever.
     pub fn before_channel(&mut self, spe: &Spe, instruction: Instruction) {
         self.exchange(spe);
-        let waits = instruction.op == Op::Rdch && instruction.ra == IN_MBOX;
-        if !self.closed && waits && spe.inbound_room() == spu_emulator::mailbox::INBOUND_DEPTH {
-            self.starved = true;
+        if self.closed {
+            return;
+        }
+        self.stuck = match (instruction.op, instruction.ra) {
+            (Op::Rdch, IN_MBOX) if spe.inbound_room() == INBOUND_DEPTH => Some(
+                "it waits for the inbound mailbox, and there are no more words for it (--in-mbox)",
+            ),
+            (Op::Wrch, OUT_MBOX) if spe.outbound_waiting() > 0 => {
+                Some("it waits for room in the outbound mailbox, which nobody reads (--out-mbox)")
+            }
+            (Op::Wrch, OUT_INTR_MBOX) if spe.outbound_interrupt_waiting() > 0 => Some(
+                "it waits for room in the outbound interrupt mailbox, which nobody reads \
+                 (--out-intr-mbox)",
+            ),
+            _ => None,
+        };
+        if self.stuck.is_some() {
             spe.request_stop();
         }
     }
 
-    /// Whether the run ended because it ran out of inbound words.
-    pub fn starved(&self) -> bool {
-        self.starved
+    /// Why the run ended, if it would have waited for a mailbox for ever.
+    pub fn stuck(&self) -> Option<&'static str> {
+        self.stuck
     }
 
     pub fn finish(self) -> Result<(), Failure> {
