@@ -212,11 +212,11 @@ function packets_trace
         enter
         ori     $w_packets,$3,0
         ori     $w_traced,$4,0
-        ila     $counts,arena+BATCH_RAYS
-        ceq     $counts,$counts,$3
         lqa     $t_sum,any_deep
-        or      $t_sum,$t_sum,$counts
+        ila     $counts,arena+BATCH_RAYS
         cgti    $amount,$w_depth,SCATTERED_DEPTH-1
+        ceq     $counts,$counts,$3
+        or      $t_sum,$t_sum,$counts
         and     $amount,$amount,$t_sum
         stqa    $amount,scattered
         or      $5,$5,$amount
@@ -254,32 +254,32 @@ next_tree:
         brnz    $c_more,traced
         il      $w_first,0
 next_packets:
-        lqd     $plan,0($w_plan)
-        rotqbyi $c_filtered,$plan,PLAN_test
-        ila     $cull,isect_rectangle_pairs_r16
-        ceq     $c_filtered,$c_filtered,$cull
-        rotqbyi $w_left,$plan,PLAN_levels
-        cgti    $amount,$w_left,DEEP-1
-        andc    $c_filtered,$amount,$c_filtered
-        ceqi    $amount,$w_packets,0
-        or      $c_filtered,$c_filtered,$amount
-        lqa     $amount,scattered
-        and     $c_filtered,$c_filtered,$amount
-        cgti    $amount,$w_left,1
-        and     $c_filtered,$c_filtered,$amount
         hbrr    cull_call,cull_nodes
-        stqa    $c_filtered,filtered
+        lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
+        lqa     $c_filtered,scattered
         sf      $w_here,$w_first,$w_traced
+        ila     $cull,isect_rectangle_pairs_r16
+        ceqi    $t_sum,$w_packets,0
         rotqbyi $amount,$plan,PLAN_at_once
+        rotqbyi $w_left,$plan,PLAN_levels
+        rotqbyi $t_add,$plan,PLAN_test
         minimum $w_here,$w_here,$amount,$c_more
+        cgti    $t_carry,$w_left,DEEP-1
+        ceq     $t_add,$t_add,$cull
         mpyu    $4,$sizes,$w_here                       # candidates
         mpyu    $3,$sizes,$w_first
+        andc    $t_carry,$t_carry,$t_add
+        or      $t_carry,$t_carry,$t_sum
+        cgti    $t_sum,$w_left,1
+        and     $c_filtered,$c_filtered,$t_carry
+        and     $c_filtered,$c_filtered,$t_sum
+        ila     $5,arena+OBJECT_LIST
         shli    $3,$3,CANDIDATE_SIZE_LOG2
+        andi    $6,$c_filtered,4
+        stqa    $c_filtered,filtered
         a       $3,$3,$plan
         a       $3,$3,$w_packets
-        ila     $5,arena+OBJECT_LIST
-        andi    $6,$c_filtered,4
         brz     $w_left,found
         count   cull_tests,$4,$t_sum,$t_add,$t_carry
         cgti    $c_more,$w_left,1
