@@ -1,11 +1,13 @@
 # cull_nodes   of nodes under packets' bounds, the children that some ray of the packet may meet
-#   C       struct candidate *cull_nodes(const struct candidate *, int count, struct candidate *);
-#   In      $3 candidates whose objects are NODEs, $4 count (0 is none), $5 where the list goes;
-#           pointers 16-aligned
-#   Out     candidates of such children, node by node, children in order: object is the child, the
-#           rest the node's; one more quadword may be written
+#   C       struct candidate *cull_nodes(const struct candidate *, int count, struct candidate *,
+#                                        int lanes);
+#   In      $3 candidates whose objects are NODEs, $4 count (0 is none), $5 where the list goes, $6
+#           0, or 4 if filter_children_r16 gets the list; pointers 16-aligned
+#   Out     candidates of such children, node by node, children in order: object is the child, or
+#           with 4 its node's address plus 4 times its lane, the rest the node's; one more quadword
+#           may be written
 #           $3 behind the list
-#   Uses    $3-$4, $10-$45   Saves  -   Stack  0   Calls  -
+#   Uses    $3-$4, $10-$48   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's sphere
 #           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
 #           -FARTHEST; distances from 2^-60 to 2^60
@@ -32,7 +34,7 @@
 
         .set    NEXT,3
         registers a_first                               # candidate
-        registers count,a_list
+        registers count,a_list,lanes
         # constants
         .set    m_child,10                              # to 13: a word of one and three of another
         # state
@@ -54,9 +56,17 @@
         registers entry
         # the candidate, loaded again instead of being kept in a register for so long
         registers a_again,again
+        # what the list gets of a child: its address, or its lane's
+        registers m_of_child,m_of_node,k_lanes,c_address
 
         .section .rodata
         .align  4
+lane_numbers:
+        .int    0,1,2,3
+all_words:
+        .int    0x00010203,0x04050607,0x08090a0b,0x0c0d0e0f
+first_of_another:
+        .int    0x10111213,0x10111213,0x10111213,0x10111213
 children:
     .irp child, 0,1,2,3
         .int    0x00010203+0x04040404*\child,0x14151617,0x18191a1b,0x1c1d1e1f
@@ -68,6 +78,14 @@ function cull_nodes
         ori     $3,$a_list,0
         biz     $count,$lr
         il      $found,0
+        ila     $m_of_child,0x10203
+        shufb   $lanes,$lanes,$lanes,$m_of_child
+        lqa     $k_lanes,lane_numbers
+        mpyu    $k_lanes,$k_lanes,$lanes
+        ceqi    $c_address,$lanes,0
+        lqa     $m_of_child,all_words
+        lqa     $m_of_node,first_of_another
+        selb    $m_of_child,$m_of_node,$m_of_child,$c_address
     .irp child, 0,1,2,3
         lqa     $m_child+\child,children+16*\child
     .endr
@@ -112,6 +130,8 @@ next_node:
     .endr
         lqd     $again,0($a_again)
         lqd     $child,NODE_child($again)
+        shufb   $child,$child,$again,$m_of_child
+        a       $child,$child,$k_lanes
     .irp child, 0,1,2,3
         shufb   $entry,$child,$again,$m_child+\child
         stqx    $entry,$3,$found

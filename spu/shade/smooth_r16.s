@@ -15,6 +15,9 @@
 # The shares of the area change their signs with g, so n points to the same side as g, which is the
 # ray's side. If it nevertheless points away from the ray, n.d >= 0, it is replaced by g. Otherwise
 # it is normalised.
+#
+# The loop counts up, so that it isn't pipelined. Pipelined it would take 2 KB more of local store,
+# and 0.1 % less time in a scene with many patches.
 
         .include "work_unit.inc"
         .include "macros.inc"
@@ -80,7 +83,7 @@ function smooth_r16
         lqa     $m_second,transpose+48
         ilhu    $k_half,0x3f00
         ilhu    $k_one,0x3f80
-        il      $rows,4
+        il      $rows,-4
 next_row:
         lqd     $patch,RAYS16_object($a_rays)
         rotqbyi $patch+1,$patch,4
@@ -135,7 +138,7 @@ next_row:
     .endr
         ai      $a_rays,$a_rays,16
         ai      $a_surfaces,$a_surfaces,16
-        ai      $rows,$rows,-1
+        ai      $rows,$rows,1
         brnz    $rows,next_row
         bi      $lr
 endfunction smooth_r16

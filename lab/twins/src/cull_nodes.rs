@@ -1,10 +1,16 @@
-//! Twin of `spu/isect/cull_nodes.s`: whether a ray of a packet may meet a child of a node.
+//! Twin of `spu/isect/cull_nodes.s` and `filter_children_r16.s`: whether a ray of a packet may meet
+//! a child of a node.
 
 use spu_emulator::float::estimate::{fi, frsqest};
 use spu_emulator::float::single::{fa, fm, fma, fnms, fs};
 
 use super::bound::Bound;
+use super::flat::SIGN;
+use super::primary_rays::Ray;
 use super::{Single, below_zero};
+
+/// 2^-18.
+const SLACK: Single = 0x3680_0000;
 
 /// Whether a ray of the bound may meet the sphere around `centre`.
 #[must_use]
@@ -21,4 +27,22 @@ pub fn may_meet(bound: &Bound, centre: [Single; 3], radius: Single) -> bool {
     let behind = fa(reach, along);
     let too_far = fs(fa(reach, bound.farthest), along);
     !below_zero(outside | behind | too_far)
+}
+
+/// Whether one of a packet's rays may meet the sphere around `centre`, by the rays themselves.
+#[must_use]
+pub fn any_may_meet(bound: &Bound, rays: &[Ray; 16], centre: [Single; 3], radius: Single) -> bool {
+    let [x, y, z] = bound.apex.map(|component| component & !SIGN);
+    let extent = fa(fa(x, z), fa(y, bound.radius & !SIGN));
+    let reach = fma(extent, SLACK, radius);
+    let squared = fm(reach, reach);
+    rays.iter().any(|ray| {
+        let f: [Single; 3] = std::array::from_fn(|k| fs(centre[k], ray.origin[k]));
+        let d = ray.direction;
+        let along = fma(f[2], d[2], fma(f[1], d[1], fm(f[0], d[0])));
+        let [x, y, z] = std::array::from_fn(|k| fnms(along, d[k], f[k]));
+        let inside = fnms(z, z, fnms(y, y, fnms(x, x, squared)));
+        let ahead = fa(along, reach);
+        !below_zero(inside | ahead | ray.t)
+    })
 }

@@ -36,6 +36,12 @@ of_eye:                                 # whether the rays are primary rays
         .skip   16
 along:                                  # the input of cull_faces
         .skip   16
+any_deep:                               # whether scattered shadow rays are worth a test themselves
+        .skip   16
+scattered:                              # whether the rays go every way
+        .skip   16
+filtered:                               # whether this tree's children are tested with the rays
+        .skip   16
 
         .section .rodata
         .align  4
@@ -109,6 +115,8 @@ function bvhs_plan
         ila     $a_kernel,kernels
         ila     $a_list,arena+ROOT_LISTS
         il      $bvhs_left,TREES
+        il      $room,0
+        stqa    $room,any_deep
         rotmi   $most,$w_most,-4
         cwd     $m_first,0($sp)
         lqa     $step,packet_step
@@ -131,6 +139,13 @@ another:
 as_many:
         lqd     $test,0($a_kernel)
         rotqbyi $levels,$tree,BVH_levels
+        cgti    $c_room,$levels,DEEP-1
+        ila     $room,isect_rectangle_pairs_r16
+        ceq     $room,$room,$test
+        andc    $c_room,$c_room,$room
+        lqa     $room,any_deep
+        or      $room,$room,$c_room
+        stqa    $room,any_deep
         rotqbyi $root_step,$test,4
         ceqi    $c_room,$levels,0
         il      $room,NODE_SIZE
@@ -173,6 +188,14 @@ endfunction bvhs_plan
         .set    plan,15
         .set    sizes,16
         .set    counts,17
+        .set    cull,18
+        .set    c_filtered,19
+
+# The depth from which on rays are scattered: eye rays are not, but what curved surfaces send on is.
+        .set    SCATTERED_DEPTH,2
+# The levels of a tree from which on it pays to test scattered shadow rays themselves, unless its
+# objects are parallelograms, which are as quickly tested.
+        .set    DEEP,3
 
 # packets_trace   finds the nearest hits of packets
 #   In      $3 BATCH_RAYS or SHADOW_RAYS, $4 how many packets of these, at least 1, $5 through what
@@ -180,12 +203,23 @@ endfunction bvhs_plan
 #           they go
 #   Uses    $3-$79, w_packets, w_traced, w_plan, w_first, w_here, w_left
 #
+# The cones of scattered rays let through nearly everything. So the children of nodes that pass are
+# tested with the rays themselves, if the tree has enough levels for that to pay.
+#
 # Calls are hinted, because with so few packets for each call, mispredictions would matter.
 function packets_trace
         hbrr    bound_call,bound_fan_r16
         enter
         ori     $w_packets,$3,0
         ori     $w_traced,$4,0
+        lqa     $t_sum,any_deep
+        ila     $counts,arena+BATCH_RAYS
+        cgti    $amount,$w_depth,SCATTERED_DEPTH-1
+        ceq     $counts,$counts,$3
+        or      $t_sum,$t_sum,$counts
+        and     $amount,$amount,$t_sum
+        stqa    $amount,scattered
+        or      $5,$5,$amount
         ori     $6,$5,0
         ilhu    $7,0x3f80
         cgti    $counts,$6,0
@@ -223,26 +257,41 @@ next_packets:
         hbrr    cull_call,cull_nodes
         lqd     $plan,0($w_plan)
         lqd     $sizes,PLAN_roots($w_plan)
+        lqa     $c_filtered,scattered
         sf      $w_here,$w_first,$w_traced
+        ila     $cull,isect_rectangle_pairs_r16
+        ceqi    $t_sum,$w_packets,0
         rotqbyi $amount,$plan,PLAN_at_once
-        minimum $w_here,$w_here,$amount,$c_more
         rotqbyi $w_left,$plan,PLAN_levels
+        rotqbyi $t_add,$plan,PLAN_test
+        minimum $w_here,$w_here,$amount,$c_more
+        cgti    $t_carry,$w_left,DEEP-1
+        ceq     $t_add,$t_add,$cull
         mpyu    $4,$sizes,$w_here                       # candidates
         mpyu    $3,$sizes,$w_first
+        andc    $t_carry,$t_carry,$t_add
+        or      $t_carry,$t_carry,$t_sum
+        cgti    $t_sum,$w_left,1
+        and     $c_filtered,$c_filtered,$t_carry
+        and     $c_filtered,$c_filtered,$t_sum
+        ila     $5,arena+OBJECT_LIST
         shli    $3,$3,CANDIDATE_SIZE_LOG2
+        andi    $6,$c_filtered,4
+        stqa    $c_filtered,filtered
         a       $3,$3,$plan
         a       $3,$3,$w_packets
-        ila     $5,arena+OBJECT_LIST
         brz     $w_left,found
         count   cull_tests,$4,$t_sum,$t_add,$t_carry
         cgti    $c_more,$w_left,1
         brnz    $c_more,high_level
 cull_call:
         brsl    $lr,cull_nodes
+        lqa     $c_filtered,filtered
         ila     $5,arena+OBJECT_LIST
         sf      $4,$5,$3
         ori     $3,$5,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        brnz    $c_filtered,filter
 found:
         # From here on the candidates are objects.
         lqd     $sizes,PLAN_roots($w_plan)
@@ -276,17 +325,39 @@ high_level:
         ceq     $t_add,$5,$3
         selb    $5,$5,$t_sum,$t_add
         stqa    $5,next_list
+        lqa     $c_filtered,filtered
+        andi    $6,$c_filtered,4
         brsl    $lr,cull_nodes
         lqa     $5,next_list
         sf      $4,$5,$3
         ori     $3,$5,0
         rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        lqa     $c_filtered,filtered
+        brnz    $c_filtered,high_filter
+high_found:
         ai      $w_left,$w_left,-1
         count   cull_tests,$4,$t_sum,$t_add,$t_carry
         ila     $5,arena+OBJECT_LIST
         cgti    $c_more,$w_left,1
         brnz    $c_more,high_level
+        lqa     $c_filtered,filtered
+        andi    $6,$c_filtered,4
         br      cull_call
+
+high_filter:
+        brsl    $lr,filter_children_r16
+        lqa     $5,next_list
+        sf      $4,$5,$3
+        ori     $3,$5,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        br      high_found
+
+filter: brsl    $lr,filter_children_r16
+        ila     $5,arena+OBJECT_LIST
+        sf      $4,$5,$3
+        ori     $3,$5,0
+        rotmi   $4,$4,-CANDIDATE_SIZE_LOG2
+        br      found
 
 flat:   hbrr    faces_call,cull_faces
         count   cull_tests,$4,$t_sum,$t_add,$t_carry
@@ -312,6 +383,8 @@ from_all_over:
         brsl    $lr,bound_origins_r16
         br      spheres
 open:   brsl    $lr,bounds_open
+        il      $cull,0
+        stqa    $cull,scattered
         br      bounded
 shear:  ila     $3,arena+BATCH_RAYS
         ila     $4,arena+SHADOW_RAYS

@@ -39,10 +39,14 @@ fn the_document_is_up_to_date() {
     check(&document, &markdown(measured())).unwrap_or_else(|error| panic!("{error}"));
 }
 
+/// Kernels whose loops are not pipelined, to save local store: their headers say at what cost.
+const NOT_PIPELINED: [&str; 1] = ["smooth_r16"];
+
 #[test]
 fn loops_reach_nine_tenths_of_their_bounds() {
     let mut loops = 0;
-    for kernel in measured() {
+    let pipelined = |kernel: &&Measured| !NOT_PIPELINED.contains(&kernel.kernel.as_ref());
+    for kernel in measured().iter().filter(pipelined) {
         for found in &kernel.loops {
             loops += 1;
             let at = format!("{}: {}", kernel.kernel, found.name);

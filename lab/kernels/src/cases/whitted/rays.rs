@@ -111,6 +111,23 @@ pub const KERNELS: &[Kernel] = &[
         ],
         error: None,
     },
+    Kernel {
+        name: "filter_children_r16",
+        rays: 16,
+        cases: &[
+            Case {
+                name: "all left out",
+                objects: NODES,
+                place: |bench, count| filter_children(bench, [0.0, 50.0, -50.0], count),
+            },
+            Case {
+                name: "all kept",
+                objects: NODES,
+                place: |bench, count| filter_children(bench, [0.0, 0.0, -50.0], count),
+            },
+        ],
+        error: None,
+    },
 ];
 
 /// The camera of the cases, which looks along -z.
@@ -159,16 +176,29 @@ fn rays() -> [Ray; 16] {
 
 /// Candidates of one packet and nodes with four equal children.
 fn cull_nodes(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
-    let child = Child {
+    let pairs = vec![[0, 0]; count as usize];
+    let bounds: [Bound; 1] = [bound(&rays())];
+    call::put_candidates(bench, &[[child(centre); 4]], &bounds, None, &pairs).arguments
+}
+
+/// Candidates of one packet and the four equal children of nodes.
+fn filter_children(bench: &mut Bench, centre: [f64; 3], count: u32) -> Vec<u32> {
+    let pairs = vec![[0, 0]; count as usize / 4];
+    let packets = [rays()];
+    let bounds: [Bound; 1] = [bound(&rays())];
+    let nodes = [[child(centre); 4]];
+    call::put_candidates(bench, &nodes, &bounds, Some(&packets), &pairs).arguments
+}
+
+/// A child of radius 1.
+fn child(centre: [f64; 3]) -> Child {
+    Child {
         sphere: BareSphere {
             centre: centre.map(from_f64),
             radius: ONE,
         },
         address: 0,
-    };
-    let bounds: [Bound; 1] = [bound(&rays())];
-    let pairs = vec![[0, 0]; count as usize];
-    call::put_candidates(bench, &[[child; 4]], &bounds, &pairs).arguments
+    }
 }
 
 /// Candidates of one packet and a face in front of the rays, whose normal has this z.

@@ -1,9 +1,9 @@
-//! The kernels that bound rays, together with `cull_nodes`: no child is culled that a ray of the
+//! The kernels that bound rays, together with those that test nodes' children: none is culled that a ray of the
 //! packet meets, by f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::any_direction;
-use kernels::cases::whitted::rays::call::{self, BareSphere, Child, Point};
+use kernels::cases::whitted::rays::call::{self, BareSphere, Child, Listed, Point};
 use kernels::cases::whitted::rays::fans::{self, FANS, Fan, SCALES};
 use kernels::vector::{Vector, cross, dot, in_cube, less, magnitude, unit};
 use rand::Rng as _;
@@ -74,6 +74,15 @@ fn meets(ray: &Ray, centre: Vector, radius: f64) -> bool {
 /// Rays and their bounds.
 type Bounded = ([Ray; 16], Vec<Bound>);
 
+/// The test of nodes.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Test {
+    /// `cull_nodes`, by the packets' bounds.
+    Bounds,
+    /// `filter_children_r16`, by the rays themselves.
+    Rays,
+}
+
 /// Makes rays for a scene of some scale.
 type Source<'a> = &'a dyn Fn(&mut Bench, f64, &mut ChaCha8Rng) -> Bounded;
 
@@ -102,7 +111,13 @@ fn to_light(bench: &mut Bench, scale: f64, random: &mut ChaCha8Rng) -> Bounded {
     (packet, call::fans(bench, &[packet], &light))
 }
 
-fn outcome(bench: &mut Bench, source: Source<'_>, slack: f64, random: &mut ChaCha8Rng) -> Outcome {
+fn outcome(
+    bench: &mut Bench,
+    test: Test,
+    source: Source<'_>,
+    slack: f64,
+    random: &mut ChaCha8Rng,
+) -> Outcome {
     let scale = magnitude(SCALES, random);
     let (packet, bound) = source(bench, scale, random);
     let rays: Vec<&Ray> = packet.iter().filter(|ray| ray.t >> 31 == 0).collect();
@@ -128,7 +143,10 @@ fn outcome(bench: &mut Bench, source: Source<'_>, slack: f64, random: &mut ChaCh
         })
     });
     let pairs: [[usize; 2]; NODES] = std::array::from_fn(|node| [node, 0]);
-    let (_, found) = call::cull_nodes(bench, &nodes, &bound, &pairs);
+    let (_, found) = match test {
+        Test::Bounds => call::cull_nodes(bench, &nodes, &bound, &pairs, Listed::Address),
+        Test::Rays => call::filter_children_r16(bench, &nodes, &bound, &[packet], &pairs),
+    };
     let mut kept = [false; 4 * NODES];
     for [child, ..] in &found {
         kept[*child as usize] = true;
@@ -142,25 +160,25 @@ fn outcome(bench: &mut Bench, source: Source<'_>, slack: f64, random: &mut ChaCh
     outcome
 }
 
-fn sum(name: &str, source: Source<'_>, slack: f64) -> Outcome {
+fn sum(name: &str, test: Test, source: Source<'_>, slack: f64) -> Outcome {
     let mut random = random();
     let mut bench = Bench::new();
     let mut sum = Outcome::default();
     for _ in 0..PACKETS {
-        let one = outcome(&mut bench, source, slack, &mut random);
+        let one = outcome(&mut bench, test, source, slack, &mut random);
         sum.tested += one.tested;
         sum.kept += one.kept;
         sum.met += one.met;
         sum.lost += one.lost;
     }
-    println!("{name}, slack {slack:.1e}: {sum:?}");
+    println!("{name}, {test:?}, slack {slack:.1e}: {sum:?}");
     sum
 }
 
 #[test]
 fn no_child_that_a_ray_meets_is_left_out() {
     let check = |name: &str, source: Source<'_>| {
-        let sum = sum(name, source, SLACK);
+        let sum = sum(name, Test::Bounds, source, SLACK);
         assert_eq!(sum.lost, 0, "{name}");
         assert!(sum.met > sum.tested / 10, "{name}: {sum:?}");
     };
@@ -176,7 +194,7 @@ fn no_child_that_a_ray_meets_is_left_out() {
 #[test]
 fn with_radii_a_hair_too_small_some_are_left_out() {
     let check = |name: &str, source: Source<'_>| {
-        let sum = sum(name, source, -SLACK / 4.0);
+        let sum = sum(name, Test::Bounds, source, -SLACK / 4.0);
         assert!(sum.lost > sum.met / 1000, "{name}: {sum:?}");
     };
     for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
@@ -190,7 +208,7 @@ fn with_radii_a_hair_too_small_some_are_left_out() {
 #[test]
 fn much_of_what_coherent_rays_miss_is_left_out() {
     let check = |name: &str, source: Source<'_>| {
-        let sum = sum(name, source, SLACK);
+        let sum = sum(name, Test::Bounds, source, SLACK);
         let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
         assert!(3 * left_out > missed, "{name}: {sum:?}");
     };
@@ -199,4 +217,26 @@ fn much_of_what_coherent_rays_miss_is_left_out() {
     }
     check("from the eye", &from_eye);
     check("to a light", &to_light);
+}
+
+/// By the rays themselves, a child is kept if and only if a ray meets it or nearly does, in
+/// whatever directions they go.
+#[test]
+fn by_the_rays_themselves_hardly_anything_else_is_kept() {
+    for fan in FANS {
+        let sum = sum(&format!("{fan:?}"), Test::Rays, &anywhere(fan), SLACK);
+        assert_eq!(sum.lost, 0, "{fan:?}");
+        assert!(sum.met > sum.tested / 10, "{fan:?}: {sum:?}");
+        let (missed, left_out) = (sum.tested - sum.met, sum.tested - sum.kept);
+        assert!(3 * left_out > missed, "{fan:?}: {sum:?}");
+    }
+}
+
+/// The same as for the packets' bounds: radii a hair too small are not enough.
+#[test]
+fn by_the_rays_themselves_a_hair_too_small_is_left_out() {
+    for fan in [Fan::Eye, Fan::Incoherent, Fan::One, Fan::Wide] {
+        let sum = sum(&format!("{fan:?}"), Test::Rays, &anywhere(fan), -SLACK);
+        assert!(sum.lost > 0, "{fan:?}: {sum:?}");
+    }
 }

@@ -1,14 +1,15 @@
-//! `cull_nodes` compared with its twin.
+//! `cull_nodes` and `filter_children_r16` compared with their twins.
 
 use kernels::bench::{Bench, random};
-use kernels::cases::whitted::rays::call::{self, BareSphere, Child};
+use kernels::cases::whitted::rays::call::{self, BareSphere, Child, Listed};
 use kernels::cases::whitted::rays::fans::{self, FANS};
 use kernels::vector::{in_cube, magnitude};
 use rand::Rng as _;
 use rand_chacha::ChaCha8Rng;
 use spu_emulator::float::single::from_f64;
 use twins::bound::{Bound, bound};
-use twins::cull_nodes::may_meet;
+use twins::cull_nodes::{any_may_meet, may_meet};
+use twins::primary_rays::Ray;
 use twins::{FARTHEST, Single};
 
 use super::COUNTS;
@@ -21,16 +22,45 @@ const NO_CHILD: Single = FARTHEST | 1 << 31;
 
 /// Checks the kernel, and returns how many children it kept.
 fn check(bench: &mut Bench, nodes: &[[Child; 4]], bounds: &[Bound], pairs: &[[usize; 2]]) -> usize {
-    let (given, found) = call::cull_nodes(bench, nodes, bounds, pairs);
+    let (given, found) = call::cull_nodes(bench, nodes, bounds, pairs, Listed::Address);
     let mut expected = Vec::new();
+    let mut expected_children = Vec::new();
     for (candidate, &[node, bound]) in given.iter().zip(pairs) {
-        let [_, packet, a_bound, shear] = call::words(candidate);
-        let children = nodes[node].iter();
-        let kept = children
-            .filter(|child| may_meet(&bounds[bound], child.sphere.centre, child.sphere.radius));
-        expected.extend(kept.map(|child| [child.address, packet, a_bound, shear]));
+        let [a_node, packet, a_bound, shear] = call::words(candidate);
+        for (lane, child) in (0..).zip(&nodes[node]) {
+            if may_meet(&bounds[bound], child.sphere.centre, child.sphere.radius) {
+                expected.push([child.address, packet, a_bound, shear]);
+                expected_children.push([a_node + 4 * lane, packet, a_bound, shear]);
+            }
+        }
     }
     assert_eq!(found, expected, "{nodes:x?} {bounds:x?} {pairs:?}");
+    let (_, found) = call::cull_nodes(bench, nodes, bounds, pairs, Listed::Lane);
+    assert_eq!(found, expected_children, "{nodes:x?} {bounds:x?} {pairs:?}");
+    found.len()
+}
+
+/// Checks `filter_children_r16`, with packets that have the bounds' numbers.
+fn check_rays(
+    bench: &mut Bench,
+    nodes: &[[Child; 4]],
+    bounds: &[Bound],
+    packets: &[[Ray; 16]],
+    pairs: &[[usize; 2]],
+) -> usize {
+    let (given, found) = call::filter_children_r16(bench, nodes, bounds, packets, pairs);
+    let mut expected = Vec::new();
+    for (candidates, &[node, packet]) in given.chunks(4).zip(pairs) {
+        let (bound, rays) = (&bounds[packet], &packets[packet]);
+        for (candidate, child) in candidates.iter().zip(&nodes[node]) {
+            let [_, a_packet, a_bound, shear] = call::words(candidate);
+            let BareSphere { centre, radius } = child.sphere;
+            if any_may_meet(bound, rays, centre, radius) {
+                expected.push([child.address, a_packet, a_bound, shear]);
+            }
+        }
+    }
+    assert_eq!(found, expected, "{nodes:x?} {packets:x?} {pairs:?}");
     found.len()
 }
 
@@ -63,17 +93,20 @@ fn child(random: &mut ChaCha8Rng) -> Child {
 fn candidates_equal_the_twin_in_lists_of_any_length() {
     let mut random = random();
     let mut bench = Bench::new();
-    let (mut tested, mut kept) = (0, 0);
+    let (mut tested, mut kept, mut kept_by_rays) = (0, 0, 0);
     for _ in 0..50 {
         for count in COUNTS {
             let nodes: [[Child; 4]; NODES] =
                 std::array::from_fn(|_| std::array::from_fn(|_| child(&mut random)));
-            let bounds: [Bound; BOUNDS] = std::array::from_fn(|_| {
+            let packets: [[Ray; 16]; BOUNDS] = std::array::from_fn(|_| {
                 let fan = FANS[random.random_range(0..FANS.len())];
-                bound(&fans::packet(fan, 1.0, &mut random))
+                fans::packet(fan, 1.0, &mut random)
             });
+            let bounds = packets.each_ref().map(bound);
             let pairs = pairs(count, &mut random);
-            kept += check(&mut bench, &nodes, &bounds, &pairs);
+            let by_bounds = check(&mut bench, &nodes, &bounds, &pairs);
+            kept_by_rays += check_rays(&mut bench, &nodes, &bounds, &packets, &pairs);
+            kept += by_bounds;
             tested += 4 * count;
         }
     }
@@ -81,13 +114,17 @@ fn candidates_equal_the_twin_in_lists_of_any_length() {
         kept > tested / 10 && kept < tested * 9 / 10,
         "{kept} of {tested}"
     );
+    assert!(
+        kept_by_rays > tested / 50 && kept_by_rays < kept,
+        "{kept_by_rays} of {tested}"
+    );
 }
 
 #[test]
 fn any_bits_at_all_equal_the_twin() {
     let mut random = random();
     let mut bench = Bench::new();
-    let mut kept = 0;
+    let (mut kept, mut kept_by_rays) = (0, 0);
     for _ in 0..500 {
         let nodes: [[Child; 4]; NODES] = std::array::from_fn(|_| {
             std::array::from_fn(|_| Child {
@@ -107,8 +144,20 @@ fn any_bits_at_all_equal_the_twin() {
             farthest: random.random(),
         });
         kept += check(&mut bench, &nodes, &bounds, &pairs(7, &mut random));
+        let packets: [[Ray; 16]; BOUNDS] = std::array::from_fn(|_| {
+            std::array::from_fn(|_| Ray {
+                origin: random.random(),
+                direction: random.random(),
+                t: random.random(),
+                object: 0,
+                weight: random.random(),
+                pixel: 0,
+            })
+        });
+        let pairs = pairs(7, &mut random);
+        kept_by_rays += check_rays(&mut bench, &nodes, &bounds, &packets, &pairs);
     }
-    assert!(kept > 100, "{kept}");
+    assert!(kept > 100 && kept_by_rays > 100, "{kept} {kept_by_rays}");
 }
 
 #[test]
@@ -118,6 +167,9 @@ fn no_candidate_gives_no_list() {
     let node = std::array::from_fn(|_| child(&mut random));
     let bound = bound(&fans::packet(FANS[0], 1.0, &mut random));
     assert_eq!(check(&mut bench, &[node], &[bound], &[]), 0);
+    let packet = fans::packet(FANS[0], 1.0, &mut random);
+    let found = check_rays(&mut bench, &[node], &[bound], &[packet], &[]);
+    assert_eq!(found, 0);
 }
 
 /// A lane without a child and a bound without rays meet nothing.
@@ -141,5 +193,8 @@ fn nothing_meets_nothing() {
         let bounds = [bound(&rays), bound(&absent)];
         let pairs = [[0, 0], [0, 1], [1, 1]];
         assert_eq!(check(&mut bench, &[nobody, anybody], &bounds, &pairs), 0);
+        let packets = [rays, absent];
+        let found = check_rays(&mut bench, &[nobody, anybody], &bounds, &packets, &pairs);
+        assert_eq!(found, 0);
     }
 }

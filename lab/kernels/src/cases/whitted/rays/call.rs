@@ -304,22 +304,26 @@ pub fn bounds(bench: &mut Bench, packets: &[[Ray; 16]]) -> Vec<Bound> {
     bench.read_all(bounds).iter().map(bound).collect()
 }
 
-/// The inputs of `cull_nodes`.
+/// The inputs of `cull_nodes`, `cull_faces` and `filter_children_r16`.
 pub struct Candidates {
     /// The arguments.
     pub arguments: Vec<u32>,
     /// The candidates.
     pub given: Vec<Candidate>,
+    /// Where these are.
+    pub list: Place,
     /// The buffer for the list.
     pub room: Place,
 }
 
-/// Puts the inputs of `cull_nodes` into local store. Each pair is a node and a bound, given by
-/// number.
+/// Puts the inputs of `cull_nodes` into local store, with children by their addresses, or with
+/// packets those of `filter_children_r16`: all four children of each node. Each pair is a node and a
+/// bound, which is that of the packet with the same number.
 pub fn put_candidates(
     bench: &mut Bench,
     nodes: &[[Child; 4]],
     bounds: &[Bound],
+    packets: Option<&[[Ray; 16]]>,
     pairs: &[[usize; 2]],
 ) -> Candidates {
     let nodes: Vec<Node> = nodes.iter().map(node).collect();
@@ -329,18 +333,37 @@ pub fn put_candidates(
         .map(|bound| bound_record(bound, ANYTHING))
         .collect();
     let bounds = put(bench, &bounds);
+    let packets = packets.map(|packets| {
+        let packets: Vec<RayPacket> = packets.iter().map(packet).collect();
+        put(bench, &packets)
+    });
     let candidate = |(number, &[node, bound]): (usize, &[usize; 2])| Candidate {
         object: address::<Node>(nodes, node).into(),
-        packet: (0x5000_0000 + number as u32).into(),
+        packet: packets
+            .map_or(0x5000_0000 + number as u32, |packets| {
+                address::<RayPacket>(packets, bound)
+            })
+            .into(),
         bound: address::<layout::Bound>(bounds, bound).into(),
         shear: (0x6000_0000 + number as u32).into(),
     };
-    let given: Vec<Candidate> = pairs.iter().enumerate().map(candidate).collect();
+    let mut given: Vec<Candidate> = pairs.iter().enumerate().map(candidate).collect();
+    if packets.is_some() {
+        let child = |candidate: Candidate, lane: u32| Candidate {
+            object: (candidate.object.get() + 4 * lane).into(),
+            ..candidate
+        };
+        let all = given.iter();
+        given = all
+            .flat_map(|&candidate| (0..4).map(move |lane| child(candidate, lane)))
+            .collect();
+    }
     let list = put(bench, &given);
     let room = put(bench, &vec![Candidate::new_zeroed(); 4 * pairs.len() + 1]);
     Candidates {
-        arguments: vec![list.address, pairs.len() as u32, room.address],
+        arguments: vec![list.address, given.len() as u32, room.address, 0],
         given,
+        list,
         room,
     }
 }
@@ -357,23 +380,60 @@ pub fn words(candidate: &Candidate) -> [u32; 4] {
     [object, packet, bound, shear].map(zerocopy::big_endian::U32::get)
 }
 
+/// What `cull_nodes` puts in its list of a child.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Listed {
+    /// Its address.
+    Address = 0,
+    /// The address of its node plus 4 times its lane.
+    Lane = 4,
+}
+
 /// Calls `cull_nodes`. Returns its inputs, and the words of its list.
-///
-/// # Panics
-///
-/// Panics if the returned end is not a possible end of a list.
 pub fn cull_nodes(
     bench: &mut Bench,
     nodes: &[[Child; 4]],
     bounds: &[Bound],
     pairs: &[[usize; 2]],
+    what: Listed,
 ) -> (Vec<Candidate>, Vec<[u32; 4]>) {
     bench.reset();
-    let candidates = put_candidates(bench, nodes, bounds, pairs);
-    let end = bench.call("cull_nodes", &candidates.arguments).value;
-    let mut list: Vec<Candidate> = bench.read_all(candidates.room);
-    let ends =
-        (0..=4 * pairs.len()).find(|number| address::<Candidate>(candidates.room, *number) == end);
+    let mut candidates = put_candidates(bench, nodes, bounds, None, pairs);
+    candidates.arguments[3] = what as u32;
+    let list = listed(bench, "cull_nodes", &candidates.arguments, candidates.room);
+    (candidates.given, list)
+}
+
+/// Calls `filter_children_r16` with packets, their bounds and all children of nodes. Returns its
+/// inputs, and the words of its list.
+///
+/// # Panics
+///
+/// Panics if the list is another one when it goes to the candidates' own place.
+pub fn filter_children_r16(
+    bench: &mut Bench,
+    nodes: &[[Child; 4]],
+    bounds: &[Bound],
+    packets: &[[Ray; 16]],
+    pairs: &[[usize; 2]],
+) -> (Vec<Candidate>, Vec<[u32; 4]>) {
+    let kernel = "filter_children_r16";
+    bench.reset();
+    let apart = put_candidates(bench, nodes, bounds, Some(packets), pairs);
+    let list = listed(bench, kernel, &apart.arguments, apart.room);
+    bench.reset();
+    let mut inside = put_candidates(bench, nodes, bounds, Some(packets), pairs);
+    inside.arguments[2] = inside.list.address;
+    let same = listed(bench, kernel, &inside.arguments, inside.list);
+    assert_eq!(list, same, "in place");
+    (apart.given, list)
+}
+
+/// The words of the list that a kernel makes in `room`.
+fn listed(bench: &mut Bench, kernel: &str, arguments: &[u32], room: Place) -> Vec<[u32; 4]> {
+    let end = bench.call(kernel, arguments).value;
+    let mut list: Vec<Candidate> = bench.read_all(room);
+    let ends = (0..=list.len()).find(|number| address::<Candidate>(room, *number) == end);
     list.truncate(ends.unwrap_or_else(|| panic!("no list ends at {end:#x}")));
-    (candidates.given, list.iter().map(words).collect())
+    list.iter().map(words).collect()
 }

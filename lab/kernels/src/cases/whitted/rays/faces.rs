@@ -55,6 +55,7 @@ pub fn put(
     Candidates {
         arguments: vec![room.address, pairs.len() as u32, room.address, along],
         given,
+        list: room,
         room,
     }
 }
