@@ -21,7 +21,7 @@ impl Between {
         let (one, other) = (u64::from(ONE - self.weight), u64::from(self.weight));
         // A lane is at most 255 * 256 + 128, so it doesn't reach into the next.
         let sum = first * one + second * other + LANES * u64::from(ONE / 2);
-        sum >> 8 & LANES * 0xFF
+        (sum >> 8) & (LANES * 0xFF)
     }
 }
 

@@ -7,7 +7,7 @@
 #           with 4 its node's address plus 4 times its lane, the rest the node's; one more quadword
 #           may be written
 #           $3 behind the list
-#   Uses    $2-$54, $79   Saves  -   Stack  0   Calls  -
+#   Uses    $2-$55, $79   Saves  -   Stack  0   Calls  -
 #   Domain  bounds as bound_fan_r16 makes them, or bound_origins_r16; the radius of a child's sphere
 #           with a slack of 2^-18 (|c| + R), c its centre, R its radius; of a lane without a child,
 #           -FARTHEST; distances from 2^-60 to 2^60
@@ -79,24 +79,25 @@ function cull_nodes
         .set a_bound_2,20; .set apex_x_2,27; .set apex_y_2,23; .set axis_x_2,41; .set axis_y_2,9
         .set apex_z_2,17; .set axis_z_2,47; .set vx_2,27; .set a_bound_3,18; .set vy_2,49
         .set vz_2,19; .set vz_3,42; .set apex_x_3,17; .set axis_x_3,21; .set axis_y_3,22
-        .set apex_z_3,24; .set a_bound_4,26; .set vx_3,17; .set axis_z_3,25; .set reach_2,16
-        .set vy_3,23; .set apex_x_4,28; .set rays_radius_2,50; .set axis_x_4,24; .set along_2,30
-        .set reach_3,2; .set apex_y_3,31; .set farthest_2,32; .set vx_4,28; .set sine_2,29
-        .set vy_4,34; .set cosine_2,20; .set farthest_3,35; .set vz_4,36; .set vy_5,9
+        .set apex_z_3,24; .set a_bound_4,26; .set vx_3,17; .set axis_z_3,28; .set reach_2,16
+        .set vy_3,23; .set rays_radius_2,50; .set apex_x_4,24; .set reach_3,2; .set along_2,25
+        .set axis_x_4,30; .set apex_y_3,31; .set farthest_2,32; .set sine_2,34; .set vx_4,24
+        .set vy_4,29; .set farthest_3,35; .set cosine_2,20; .set vz_4,36; .set vy_5,9
         .set axis_y_4,39; .set vz_5,37; .set apex_z_4,38; .set along_3,40; .set axis_z_4,42
-        .set child_2,41; .set near_2,32; .set reach_4,7; .set perp_2,27; .set cosine_3,43
-        .set rays_radius_3,31; .set beside_2,29; .set candidate_4,6; .set cosine_4,34; .set vy_6,22
-        .set sine_3,18; .set perp_3,9; .set farthest_4,23; .set along_4,27; .set near_3,8
-        .set vy_7,51; .set perp_4,17; .set vz_6,52; .set vz_7,38; .set perp_5,37; .set reach_5,21
-        .set near_4,7; .set apex_x_5,53; .set ahead_2,40; .set apex_z_5,16; .set along_5,19
-        .set child_3,6; .set ahead_3,22; .set child_4,17; .set near_5,33; .set entry_2,50
-        .set ahead_4,54; .set entry_3,7; .set perp_6,8; .set entry_4,9; .set child_5,23
-        .set beside_3,17; .set vx_5,2; .set vz_8,24; .set perp_7,28; .set entry_5,6
-        .set cosine_5,18; .set child_6,31; .set found_2,29; .set step1_2,5; .set step3_2,30
-        .set step2_2,36; .set found_3,2; .set perp_8,5; .set child_7,2; .set vx_6,5; .set perp_9,2
+        .set along_4,43; .set child_2,25; .set near_2,32; .set reach_4,7; .set perp_2,27
+        .set cosine_3,49; .set rays_radius_3,31; .set cosine_4,51; .set beside_2,34
+        .set candidate_4,6; .set sine_3,18; .set vy_6,22; .set child_3,23; .set perp_3,9
+        .set farthest_4,27; .set near_3,8; .set vy_7,52; .set perp_4,17; .set vz_6,28; .set vz_7,53
+        .set perp_5,37; .set reach_5,21; .set ahead_2,7; .set apex_x_5,16; .set apex_z_5,33
+        .set along_5,19; .set vx_5,54; .set child_4,6; .set ahead_3,22; .set child_5,17
+        .set near_4,23; .set entry_2,38; .set ahead_4,55; .set entry_3,7; .set perp_6,8
+        .set entry_4,9; .set near_5,27; .set child_6,28; .set beside_3,17; .set vx_6,2
+        .set vz_8,24; .set perp_7,30; .set entry_5,6; .set ahead_5,40; .set cosine_5,18
+        .set child_7,31; .set found_2,29; .set step1_2,5; .set step3_2,30; .set step2_2,36
+        .set found_3,2; .set perp_8,5; .set child_8,2; .set vx_7,5; .set apex_z_6,16; .set perp_9,2
         .set cosine_6,4; .set found_4,5; .set entry_6,8; .set beside_4,14; .set entry_7,15
-        .set found_5,16; .set a_again_3,5; .set again_3,6; .set found_6,7; .set child_8,16
-        .set step1_3,17; .set beside_5,7; .set found_7,9; .set found_8,17; .set ahead_5,2
+        .set found_5,16; .set a_again_3,5; .set again_3,6; .set found_6,7; .set child_9,16
+        .set step1_3,17; .set beside_5,7; .set found_7,9; .set found_8,17; .set ahead_6,2
         .set entry_8,4; .set entry_9,5; .set step1_4,14; .set found_9,10; .set entry_10,11
         .set entry_11,2
         ori     $a_candidate,$a_first,0                 # 0e
@@ -164,31 +165,31 @@ function cull_nodes
         fs      $vx_3,$vx,$apex_x_3                     # 39e
         lqd     $axis_z_3,80($a_bound_3)                # 39o
         nop     $127                                    # 40e pairing
-        lqd     $vx,0($candidate_3)                     # 40o
+        lqd     $reach_2,48($candidate)                 # 40o
         fma     $along,$vy_2,$axis_y_2,$along           # 41e
-        lqd     $reach_2,48($candidate)                 # 41o
+        lqd     $vx,0($candidate_3)                     # 41o
         fs      $vy_3,$vy,$apex_y_2                     # 42e
-        lqd     $apex_x_4,0($a_bound_4)                 # 42o
+        lqd     $rays_radius_2,128($a_bound_2)          # 42o
         fs      $vz_2,$vz_2,$apex_z_3                   # 43e
-        lqd     $rays_radius_2,128($a_bound_2)          # 43o
+        lqd     $apex_x_4,0($a_bound_4)                 # 43o
         nop     $127                                    # 44e pairing
-        lqd     $axis_x_4,48($a_bound_4)                # 44o
+        lqd     $reach_3,48($candidate_2)               # 44o
         fm      $along_2,$vx_3,$axis_x_3                # 45e
-        lqd     $reach_3,48($candidate_2)               # 45o
+        lqd     $axis_x_4,48($a_bound_4)                # 45o
         nop     $127                                    # 46e pairing
         lqd     $apex_y_3,16($a_bound_4)                # 46o
         fma     $along,$vz_3,$axis_z_2,$along           # 47e
         lqd     $farthest_2,144($a_bound_2)             # 47o
-        fs      $vx_4,$vx,$apex_x_4                     # 48e
+        fa      $reach_2,$reach_2,$rays_radius_2        # 48e
         lqd     $sine_2,112($a_bound_2)                 # 48o
-        fa      $reach_2,$reach_2,$rays_radius_2        # 49e
-        lqd     $vy_4,16($candidate_3)                  # 49o
+        fs      $vx_4,$vx,$apex_x_4                     # 49e
+        lqd     $rays_radius_2,128($a_bound_3)          # 49o
         nop     $127                                    # 50e pairing
-        lqd     $rays_radius_2,128($a_bound_3)          # 50o
+        lqd     $vy_4,16($candidate_3)                  # 50o
         fma     $along_2,$vy_3,$axis_y_3,$along_2       # 51e
-        lqd     $cosine_2,96($a_bound_2)                # 51o
+        lqd     $farthest_3,144($a_bound_3)             # 51o
         nop     $127                                    # 52e pairing
-        lqd     $farthest_3,144($a_bound_3)             # 52o
+        lqd     $cosine_2,96($a_bound_2)                # 52o
         fnms    $vx_2,$along,$axis_x_2,$vx_2            # 53e
         lqd     $vz_4,32($candidate_3)                  # 53o
         fnms    $vy_5,$along,$axis_y_2,$vy_2            # 54e
@@ -197,83 +198,83 @@ function cull_nodes
         lqd     $apex_z_4,32($a_bound_4)                # 55o
         fm      $along_3,$vx_4,$axis_x_4                # 56e
         lqd     $axis_z_4,80($a_bound_4)                # 56o
-        fma     $along_2,$vz_2,$axis_z_3,$along_2       # 57e
+        fma     $along_4,$vz_2,$axis_z_3,$along_2       # 57e
         lqd     $child_2,64($again_2)                   # 57o
         fa      $near_2,$reach_2,$farthest_2            # 58e
         lqd     $reach_4,48($candidate_3)               # 58o
         fm      $perp_2,$vx_2,$vx_2                     # 59e
         shlqbyi $cosine_3,$cosine_2,0                   # 59o copy
-        fs      $vy_2,$vy_4,$apex_y_3                   # 60e
+        fs      $vy_4,$vy_4,$apex_y_3                   # 60e
         lqd     $rays_radius_3,128($a_bound_4)          # 60o
-        fma     $beside_2,$along,$sine_2,$reach_2       # 61e
-        lqd     $candidate_4,0($a_candidate_3)          # 61o
-        fa      $reach_3,$reach_3,$rays_radius_2        # 62e
-        lqd     $cosine_4,96($a_bound_3)                # 62o
-        fnms    $vx_3,$along_2,$axis_x_3,$vx_3          # 63e
-        shufb   $child_2,$child_2,$again_2,$m_of_child  # 63o
-        fnms    $vy_6,$along_2,$axis_y_3,$vy_3          # 64e
-        lqd     $sine_3,112($a_bound_3)                 # 64o
+        fa      $reach_3,$reach_3,$rays_radius_2        # 61e
+        lqd     $cosine_4,96($a_bound_3)                # 61o
+        fma     $beside_2,$along,$sine_2,$reach_2       # 62e
+        lqd     $candidate_4,0($a_candidate_3)          # 62o
+        fnms    $vx_3,$along_4,$axis_x_3,$vx_3          # 63e
+        lqd     $sine_3,112($a_bound_3)                 # 63o
+        fnms    $vy_6,$along_4,$axis_y_3,$vy_3          # 64e
+        shufb   $child_3,$child_2,$again_2,$m_of_child  # 64o
         fma     $perp_3,$vy_5,$vy_5,$perp_2             # 65e
         lqd     $farthest_4,144($a_bound_4)             # 65o
-        fma     $along_4,$vy_2,$axis_y_4,$along_3       # 66e
+        fma     $along_3,$vy_4,$axis_y_4,$along_3       # 66e
         lqd     $again,0($a_again_2)                    # 66o
         fs      $near_3,$near_2,$along                  # 67e
-        lqd     $vy_7,16($candidate_4)                  # 67o
+        lqd     $cosine,96($a_bound_4)                  # 67o
         fs      $vz_4,$vz_4,$apex_z_4                   # 68e
-        rotqbyi $a_bound_2,$candidate_4,8               # 68o
+        lqd     $vy_7,16($candidate_4)                  # 68o
         fm      $perp_4,$vx_3,$vx_3                     # 69e
-        lqd     $vz_6,32($candidate_4)                  # 69o
-        fnms    $vz_7,$along_2,$axis_z_3,$vz_2          # 70e
-        lqd     $cosine,96($a_bound_4)                  # 70o
+        rotqbyi $a_bound_2,$candidate_4,8               # 69o
+        fnms    $vz_6,$along_4,$axis_z_3,$vz_2          # 70e
+        lqd     $vz_7,32($candidate_4)                  # 70o
         fma     $perp_5,$vz_5,$vz_5,$perp_3             # 71e squared
         lqd     $reach_5,48($candidate_4)               # 71o
         fa      $reach,$reach_4,$rays_radius_3          # 72e
-        lqd     $apex_y_3,16($a_bound_2)                # 72o
-        fa      $near_4,$reach_3,$farthest_3            # 73e
-        lqd     $apex_x_5,0($a_bound_2)                 # 73o
+        lqd     $sine,112($a_bound_4)                   # 72o
+        fa      $near,$reach_3,$farthest_3              # 73e
+        lqd     $apex_y_3,16($a_bound_2)                # 73o
         fa      $ahead_2,$reach_2,$along                # 74e
-        lqd     $apex_z_5,32($a_bound_2)                # 74o
+        lqd     $apex_x_5,0($a_bound_2)                 # 74o
         fma     $perp_3,$vy_6,$vy_6,$perp_4             # 75e
-        lqd     $sine,112($a_bound_4)                   # 75o
-        fma     $along_5,$vz_4,$axis_z_4,$along_4       # 76e
-        lqd     $vx_2,0($candidate_4)                   # 76o
-        a       $child_3,$child_2,$k_lanes              # 77e
+        lqd     $apex_z_5,32($a_bound_2)                # 75o
+        fma     $along_5,$vz_4,$axis_z_4,$along_3       # 76e
+        lqd     $vx_5,0($candidate_4)                   # 76o
+        a       $child_4,$child_3,$k_lanes              # 77e
         frsqest $t_y,$perp_5                            # 77o
-        fa      $ahead_3,$reach_3,$along_2              # 78e
-        lqd     $child_4,64($again)                     # 78o
-        fs      $near_5,$near_4,$along_2                # 79e
-        shufb   $entry_2,$child_3,$again_2,$m_child     # 79o
+        fa      $ahead_3,$reach_3,$along_4              # 78e
+        lqd     $child_5,64($again)                     # 78o
+        fs      $near_4,$near,$along_4                  # 79e
+        shufb   $entry_2,$child_4,$again_2,$m_child     # 79o
         or      $ahead_4,$ahead_2,$near_3               # 80e
         hbrr    next_node_back,next_node                # 80o hint
         fi      $t_y,$perp_5,$t_y                       # 81e
         lqd     $axis_x_2,48($a_bound_2)                # 81o
         nop     $127                                    # 82e pairing
-        shufb   $entry_3,$child_3,$again_2,$m_child+1   # 82o
-        fma     $perp_6,$vz_7,$vz_7,$perp_3             # 83e squared
-        shufb   $entry_4,$child_3,$again_2,$m_child+3   # 83o
-        fa      $near,$reach,$farthest_4                # 84e
-        shufb   $child_5,$child_4,$again,$m_of_child    # 84o
-        fma     $beside_3,$along_2,$sine_3,$reach_3     # 85e
+        shufb   $entry_3,$child_4,$again_2,$m_child+1   # 82o
+        fma     $perp_6,$vz_6,$vz_6,$perp_3             # 83e squared
+        shufb   $entry_4,$child_4,$again_2,$m_child+3   # 83o
+        fa      $near_5,$reach,$farthest_4              # 84e
+        shufb   $child_6,$child_5,$again,$m_of_child    # 84o
+        fma     $beside_3,$along_4,$sine_3,$reach_3     # 85e
         lqd     $axis_z_2,80($a_bound_2)                # 85o
-        fnms    $vx_5,$along_5,$axis_x_4,$vx_4          # 86e
+        fnms    $vx_6,$along_5,$axis_x_4,$vx_4          # 86e
         stqx    $entry_2,$a_first,$found                # 86o
         fnms    $vz_8,$along_5,$axis_z_4,$vz_4          # 87e
         lqd     $rays_radius_2,128($a_bound_2)          # 87o
         fm      $perp_7,$perp_5,$t_y                    # 88e
-        shufb   $entry_5,$child_3,$again_2,$m_child+2   # 88o
-        fa      $ahead_2,$reach,$along_5                # 89e
+        shufb   $entry_5,$child_4,$again_2,$m_child+2   # 88o
+        fa      $ahead_5,$reach,$along_5                # 89e
         frsqest $t_y,$perp_6                            # 89o
-        fs      $near,$near,$along_5                    # 90e
+        fs      $near,$near_5,$along_5                  # 90e
         shlqbyi $cosine_5,$cosine_4,0                   # 90o copy
-        or      $ahead,$ahead_3,$near_5                 # 91e
-        fnms    $vy_6,$along_5,$axis_y_4,$vy_2          # 92e
-        fs      $vz_3,$vz_6,$apex_z_5                   # 93e
+        or      $ahead,$ahead_3,$near_4                 # 91e
+        fnms    $vy_6,$along_5,$axis_y_4,$vy_4          # 92e
+        fs      $vz_3,$vz_7,$apex_z_5                   # 93e
         fnms    $beside,$perp_7,$cosine_3,$beside_2     # 94e
-        fm      $perp,$vx_5,$vx_5                       # 95e
+        fm      $perp,$vx_6,$vx_6                       # 95e
         fs      $vy_2,$vy_7,$apex_y_3                   # 96e
         fi      $t_y,$perp_6,$t_y                       # 97e
-        a       $child_6,$child_5,$k_lanes              # 98e
-        fs      $vx_2,$vx_2,$apex_x_5                   # 99e
+        a       $child_7,$child_6,$k_lanes              # 98e
+        fs      $vx_2,$vx_5,$apex_x_5                   # 99e
         nor     $step,$beside,$ahead_4                  # 100e sign set: the child stays
         rotmi   $step,$step,-27                         # 102e
         andi    $step,$step,16                          # 106e
@@ -291,19 +292,19 @@ next_node:
             a       $found_3,$found_2,$step1_2          # 3e
             stqx    $entry_3,$a_first,$found_2          # 3o
             fm      $perp_8,$perp_6,$t_y                # 4e
-            shufb   $entry,$child_6,$again,$m_child     # 4o
+            shufb   $entry,$child_7,$again,$m_child     # 4o
             nop     $127                                # 5e pairing
             stqx    $entry_5,$a_first,$found_3          # 5o
         ai      $a_candidate,$a_candidate,16            # 6e
-            shufb   $entry_5,$child_6,$again,$m_child+2 # 6o
+            shufb   $entry_5,$child_7,$again,$m_child+2 # 6o
             a       $found_3,$found_3,$step2_2          # 7e
-            shufb   $entry_3,$child_6,$again,$m_child+1 # 7o
+            shufb   $entry_3,$child_7,$again,$m_child+1 # 7o
             fma     $along,$vy_2,$axis_y,$along         # 8e
         lqd     $vx,0($candidate)                       # 8o
             fma     $perp_6,$vz_8,$vz_8,$perp           # 9e squared
             stqx    $entry_4,$a_first,$found_3          # 9o
             fnms    $beside,$perp_8,$cosine_5,$beside_3 # 10e
-            shufb   $entry_4,$child_6,$again,$m_child+3 # 10o
+            shufb   $entry_4,$child_7,$again,$m_child+3 # 10o
             fma     $beside_3,$along_5,$sine,$reach     # 11e
             lqd     $again,0($a_again)                  # 11o
             fa      $reach,$reach_5,$rays_radius_2      # 12e
@@ -316,35 +317,35 @@ next_node:
             lqd     $sine,112($a_bound_2)               # 15o
             nor     $step,$beside,$ahead                # 16e sign set: the child stays
         rotqbyi $a_bound_2,$candidate,8                 # 16o
-            or      $ahead,$ahead_2,$near               # 17e
+            or      $ahead,$ahead_5,$near               # 17e
         lqd     $reach_5,48($candidate)                 # 17o
             fa      $near,$reach,$farthest              # 18e
-            lqd     $child_7,64($again)                 # 18o
+            lqd     $child_8,64($again)                 # 18o
             rotmi   $step,$step,-27                     # 19e
         lqd     $vy,16($candidate)                      # 19o
-            fnms    $vx_6,$along_5,$axis_x_2,$vx_2      # 20e
-        lqd     $apex_z_5,32($a_bound_2)                # 20o
+            fnms    $vx_7,$along_5,$axis_x_2,$vx_2      # 20e
+        lqd     $apex_z_6,32($a_bound_2)                # 20o
             fnms    $vy_6,$along_5,$axis_y,$vy_2        # 21e
         lqd     $apex_y_2,16($a_bound_2)                # 21o
             fnms    $vz_8,$along_5,$axis_z_2,$vz_3      # 22e
             frsqest $t_y,$perp_6                        # 22o
             andi    $step,$step,16                      # 23e
         lqd     $apex_x_2,0($a_bound_2)                 # 23o
-            fa      $ahead_2,$reach,$along_5            # 24e
+            fa      $ahead_5,$reach,$along_5            # 24e
         lqd     $axis_x_2,48($a_bound_2)                # 24o
             fs      $near,$near,$along_5                # 25e
             rotqbyi $step2_2,$step,8                    # 25o
-        fs      $vz_3,$vz,$apex_z_5                     # 26e
+        fs      $vz_3,$vz,$apex_z_6                     # 26e
         lqd     $axis_z_2,80($a_bound_2)                # 26o
-            fm      $perp,$vx_6,$vx_6                   # 27e
-            shufb   $child_7,$child_7,$again,$m_of_child # 27o
+            fm      $perp,$vx_7,$vx_7                   # 27e
+            shufb   $child_8,$child_8,$again,$m_of_child # 27o
         fs      $vy_2,$vy,$apex_y_2                     # 28e
             rotqbyi $step1_2,$step,4                    # 28o
         fs      $vx_2,$vx,$apex_x_2                     # 29e
             rotqbyi $step3_2,$step,12                   # 29o
             fi      $t_y,$perp_6,$t_y                   # 30e
             stqx    $entry,$a_first,$found              # 30o
-            a       $child_6,$child_7,$k_lanes          # 31e
+            a       $child_7,$child_8,$k_lanes          # 31e
         lqd     $rays_radius_2,128($a_bound_2)          # 31o
             a       $found_2,$found,$step               # 32e
 next_node_back:
@@ -353,13 +354,13 @@ next_node_drain:
         fm      $along,$vx_2,$axis_x_2                  # 0e
         lqd     $axis_y,64($a_bound_2)                  # 0o
         fm      $perp_9,$perp_6,$t_y                    # 1e
-        shufb   $entry,$child_6,$again,$m_child         # 1o
+        shufb   $entry,$child_7,$again,$m_child         # 1o
         fma     $perp,$vy_6,$vy_6,$perp                 # 2e
         shlqbyi $cosine_6,$cosine,0                     # 2o copy
         a       $found_4,$found_2,$step1_2              # 3e
-        shufb   $entry_6,$child_6,$again,$m_child+3     # 3o
+        shufb   $entry_6,$child_7,$again,$m_child+3     # 3o
         fma     $beside_4,$along_5,$sine,$reach         # 4e
-        shufb   $entry_7,$child_6,$again,$m_child+2     # 4o
+        shufb   $entry_7,$child_7,$again,$m_child+2     # 4o
         a       $found_5,$found_4,$step2_2              # 5e
         lqd     $farthest,144($a_bound_2)               # 5o
         fma     $along,$vy_2,$axis_y,$along             # 6e
@@ -373,17 +374,17 @@ next_node_drain:
         ai      $a_again_3,$a_again,16                  # 10e
         lqd     $again_3,0($a_again)                    # 10o
         a       $found_6,$found_5,$step3_2              # 11e
-        shufb   $entry_4,$child_6,$again,$m_child+1     # 11o
+        shufb   $entry_4,$child_7,$again,$m_child+1     # 11o
         fma     $along_5,$vz_3,$axis_z_2,$along         # 12e
         lqd     $cosine,96($a_bound_2)                  # 12o
         nor     $step,$beside,$ahead                    # 13e sign set: the child stays
         hbr     cull_nodes_return,$lr                   # 13o hint
-        or      $ahead,$ahead_2,$near                   # 14e
+        or      $ahead,$ahead_5,$near                   # 14e
         frsqest $t_y,$perp_9                            # 14o
         rotmi   $step,$step,-27                         # 15e
         lnop                                            # 15o pairing
         fa      $near,$reach,$farthest                  # 16e
-        lqd     $child_8,64($again_3)                   # 16o
+        lqd     $child_9,64($again_3)                   # 16o
         ai      $a_again,$a_again_3,16                  # 17e
         stqx    $entry,$a_first,$found_6                # 17o
         fnms    $vx_3,$along_5,$axis_x_2,$vx_2          # 18e
@@ -393,8 +394,8 @@ next_node_drain:
         fi      $t_y,$perp_9,$t_y                       # 21e
         lnop                                            # 21o pairing
         andi    $step,$step,16                          # 22e
-        shufb   $child_8,$child_8,$again_3,$m_of_child  # 22o
-        fa      $ahead_2,$reach,$along_5                # 23e
+        shufb   $child_9,$child_9,$again_3,$m_of_child  # 22o
+        fa      $ahead_5,$reach,$along_5                # 23e
         lnop                                            # 23o pairing
         fm      $perp,$vx_3,$vx_3                       # 24e
         rotqbyi $step1_3,$step,4                        # 24o
@@ -410,49 +411,49 @@ next_node_drain:
         lnop                                            # 30o pairing
         a       $found_8,$found_7,$step2_2              # 31e
         stqx    $entry_7,$a_first,$found_7              # 31o
-        a       $child_6,$child_8,$k_lanes              # 32e
+        a       $child_7,$child_9,$k_lanes              # 32e
         lnop                                            # 32o pairing
         a       $found,$found_8,$step3_2                # 33e
         stqx    $entry_6,$a_first,$found_8              # 33o
         fnms    $beside,$perp_9,$cosine_6,$beside_4     # 34e
         lqd     $again,0($a_again_3)                    # 34o
-        or      $ahead_5,$ahead_2,$near                 # 35e
-        shufb   $entry_4,$child_6,$again_3,$m_child+3   # 35o
+        or      $ahead_6,$ahead_5,$near                 # 35e
+        shufb   $entry_4,$child_7,$again_3,$m_child+3   # 35o
         fma     $perp_6,$vz_8,$vz_8,$perp               # 36e squared
-        shufb   $entry,$child_6,$again_3,$m_child       # 36o
-        shufb   $entry_8,$child_6,$again_3,$m_child+2   # 37o
-        shufb   $entry_9,$child_6,$again_3,$m_child+1   # 38o
+        shufb   $entry,$child_7,$again_3,$m_child       # 36o
+        shufb   $entry_8,$child_7,$again_3,$m_child+2   # 37o
+        shufb   $entry_9,$child_7,$again_3,$m_child+1   # 38o
         nor     $step,$beside,$ahead                    # 40e sign set: the child stays
-        lqd     $child_3,64($again)                     # 40o
+        lqd     $child_4,64($again)                     # 40o
         nop     $127                                    # 41e pairing
         stqx    $entry,$a_first,$found                  # 41o
         rotmi   $step,$step,-27                         # 42e
         frsqest $t_y,$perp_6                            # 42o
         fi      $t_y,$perp_6,$t_y                       # 46e
-        shufb   $child_3,$child_3,$again,$m_of_child    # 46o
+        shufb   $child_4,$child_4,$again,$m_of_child    # 46o
         andi    $step,$step,16                          # 47e
         lnop                                            # 47o pairing
         a       $found_2,$found,$step                   # 49e
         rotqbyi $step1_4,$step,4                        # 49o
-        a       $child_6,$child_3,$k_lanes              # 50e
+        a       $child_7,$child_4,$k_lanes              # 50e
         rotqbyi $step2_2,$step,8                        # 50o
         rotqbyi $step3_2,$step,12                       # 51o
-        shufb   $entry_5,$child_6,$again,$m_child+1     # 52o
+        shufb   $entry_5,$child_7,$again,$m_child+1     # 52o
         fm      $perp_6,$perp_6,$t_y                    # 53e
-        shufb   $entry,$child_6,$again,$m_child         # 53o
+        shufb   $entry,$child_7,$again,$m_child         # 53o
         a       $found_9,$found_2,$step1_4              # 54e
-        shufb   $entry_10,$child_6,$again,$m_child+2    # 54o
+        shufb   $entry_10,$child_7,$again,$m_child+2    # 54o
         nop     $127                                    # 55e pairing
         stqx    $entry_9,$a_first,$found_2              # 55o
         a       $found_4,$found_9,$step2_2              # 56e
         stqx    $entry_8,$a_first,$found_9              # 56o
         nop     $127                                    # 57e pairing
-        shufb   $entry_8,$child_6,$again,$m_child+3     # 57o
+        shufb   $entry_8,$child_7,$again,$m_child+3     # 57o
         a       $found,$found_4,$step3_2                # 58e
         stqx    $entry_4,$a_first,$found_4              # 58o
         fnms    $beside,$perp_6,$cosine_5,$beside_5     # 59e
         stqx    $entry,$a_first,$found                  # 60o
-        nor     $step,$beside,$ahead_5                  # 65e sign set: the child stays
+        nor     $step,$beside,$ahead_6                  # 65e sign set: the child stays
         rotmi   $step,$step,-27                         # 67e
         andi    $step,$step,16                          # 71e
         lnop                                            # 71o pairing

@@ -222,10 +222,10 @@ next_row:
         lqd     $quad+1,32($patch+1)                    # 77o
         fma     $nz,$share_b,$bz_2,$nz                  # 78e
         shufb   $cz,$low,$high_8,$m_first               # 78o
-        lqd     $dx,192($a_rays)                        # 79o
-        lqd     $dy,256($a_rays)                        # 80o
+        lqd     $quad,32($patch)                        # 79o
+        lqd     $dx,192($a_rays)                        # 80o
         nop     $127                                    # 81e pairing
-        lqd     $quad,32($patch)                        # 81o
+        lqd     $dy,256($a_rays)                        # 81o
         fma     $nx,$share_c,$cx,$nx                    # 82e
         shufb   $high,$quad2_2,$quad+3,$m_zw            # 82o
         fma     $ny,$share_c,$cy,$ny                    # 83e
@@ -233,21 +233,23 @@ next_row:
         fma     $nz,$share_c,$cz,$nz                    # 84e
         lqd     $old_x,192($a_surfaces)                 # 84o
         ai      $a_rays,$a_rays,16                      # 85e
-        lqd     $old_y,256($a_surfaces)                 # 85o
-        lqd     $old_z,320($a_surfaces)                 # 86o
-        shufb   $low,$quad,$quad+1,$m_zw                # 87o
+        shufb   $low,$quad,$quad+1,$m_zw                # 85o
+        lqd     $old_y,256($a_surfaces)                 # 86o
+        lqd     $old_z,320($a_surfaces)                 # 87o
         fm      $square,$nx,$nx                         # 88e
+        lnop                                            # 88o pairing
         fm      $along,$nx,$dx                          # 89e
-        shufb   $smooth,$low,$high,$m_second            # 91o
+        shufb   $smooth,$low,$high,$m_second            # 89o
+        shli    $smooth,$smooth,2                       # 93e SIDES_SMOOTH becomes the sign
         fma     $square,$ny,$ny,$square                 # 94e
-        shli    $smooth,$smooth,2                       # 95e SIDES_SMOOTH becomes the sign
-        fma     $along,$ny,$dy,$along                   # 96e
-        rotmai  $smooth,$smooth,-31                     # 99e
-        hbrr    next_row_back,next_row                  # 99o hint
+        fma     $along,$ny,$dy,$along                   # 95e
+        lnop                                            # 95o pairing
+        rotmai  $smooth,$smooth,-31                     # 97e
+        hbrr    next_row_back,next_row                  # 97o hint
         fma     $square,$nz,$nz,$square                 # 100e
-        fma     $along,$nz,$dz,$along                   # 102e
+        fma     $along,$nz,$dz,$along                   # 101e
         frsqest $t_y,$square                            # 106o
-        rotmai  $along,$along,-31                       # 108e
+        rotmai  $along,$along,-31                       # 107e
         fi      $t_y,$square,$t_y                       # 110e
         fm      $t_e,$square,$t_y                       # 117e
         fm      $inverse,$t_y,$k_half                   # 118e
