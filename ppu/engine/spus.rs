@@ -14,8 +14,8 @@ use crate::work::Refusal;
 use protocol::layout::{FEATURE_WHITTED, Frame, MAX_SPUS};
 
 /// How long to wait for an SPU that is made to stop. It stops with its next instruction, if it
-/// executes one.
-const UNTIL_HALTED: Duration = Duration::from_secs(1);
+/// executes one, but a busy host may take a while to get there.
+const UNTIL_HALTED: Duration = Duration::from_secs(5);
 
 struct Spu {
     context: Arc<Context>,
@@ -143,7 +143,8 @@ impl Spus {
     }
 
     /// Finds out what an SPU that doesn't answer is doing. It is lost anyway, so it is stopped to
-    /// learn where it is.
+    /// learn where it is. So are the others: in simulated time, its stop shows only when they have
+    /// got as far, and they may be far behind.
     fn silence(
         &mut self,
         number: usize,
@@ -156,7 +157,9 @@ impl Spus {
         let activity = if self.spus[number].context.has_unread_mail() {
             Activity::HasMail
         } else {
-            self.spus[number].context.halt(&program);
+            for spu in &self.spus {
+                spu.context.halt(&program);
+            }
             match self.until_ended(number) {
                 Some(ended) => {
                     let address = ended.npc.wrapping_sub(4);

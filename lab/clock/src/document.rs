@@ -62,9 +62,9 @@ instead, and it varies by some 30 % because the thread polls.
 
 Assumed, not measured: 1.3 instructions of the PPE for one of x86-64, and 4 cycles for each, as an in-order processor with
 misses in its caches may need. Then a frame of paper16 takes 3.8 million cycles of the PPE, so 60 frames/s take 7 % of its
-3.192 GHz, and it is 93 % free; at 2.5 cycles, 95.5 %. The paper's figure is over 95 %. By the same assumptions the PPE can
-prepare about 840 frames/s. The frames/s of this project's documents that are above that, such as the 1,907 of paper16,
-are those of the SPUs alone: a console would not reach them with everything traced anew each frame.
+3.192 GHz, and it is 93 % free; at 2.5 cycles, 95.5 %. The paper's figure is over 95 %. By the same assumptions the PPE
+prepares a frame in 1.2 ms. Where this project's documents give the SPUs less than that for a frame, a console would be
+slower than they say, unless the frame shows what the last one showed.
 
 ## Another machine
 
