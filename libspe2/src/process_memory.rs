@@ -73,9 +73,9 @@ impl MainMemory for ProcessMemory {
                     usize::from_ne_bytes(std::array::from_fn(|n| line[word + n]))
                 };
                 let address = ptr::with_exposed_provenance_mut(at as usize);
-                // SAFETY: the address is a multiple of the width, and the kernel has just found it mapped
-                // and writable. Other threads that use the line use it atomically, as they must
-                // for a lock shared with an SPE.
+                // SAFETY: the address is a multiple of the width, and the kernel has just found it
+                // mapped and writable. Other threads that use the line use it atomically, as they
+                // must for a lock shared with an SPE.
                 let shared = unsafe { AtomicUsize::from_ptr(address) };
                 Ok(shared
                     .compare_exchange(value(expected), value(new), SeqCst, SeqCst)

@@ -451,8 +451,8 @@ impl<G: Game> Session<G> {
     }
 
     /// Tells the game another width and height than the framebuffer's, from the next frame on until
-    /// the framebuffer is changed. It is the size of the player's display, in whose pixels the mouse
-    /// moves, if the picture is traced at a lower resolution.
+    /// the framebuffer is changed. It is the size of the player's display, in whose pixels the
+    /// mouse moves, if the picture is traced at a lower resolution.
     pub fn tell_size(&mut self, geometry: Geometry) {
         self.size = (geometry.width, geometry.height);
     }

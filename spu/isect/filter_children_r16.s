@@ -1,8 +1,8 @@
 # filter_children_r16   of nodes' children, those that one of the packet's rays may meet
 #   C       struct candidate *filter_children_r16(const struct candidate *, int count,
 #                                                 struct candidate *);
-#   In      $3 candidates as cull_nodes makes them with 4, $4 count (0 is none), $5 where the list goes,
-#           which may be the same place; pointers 16-aligned
+#   In      $3 candidates as cull_nodes makes them with 4, $4 count (0 is none), $5 where the list
+#           goes, which may be the same place; pointers 16-aligned
 #   Out     candidates of such children, in order: object is the child, the rest the candidate's;
 #           as many quadwords may be written as there are candidates
 #           $3 behind the list

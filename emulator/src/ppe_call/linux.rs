@@ -62,7 +62,6 @@ macro_rules! system_calls {
             call: |_parameters| {
                 // SAFETY: pointers are either buffers of this module, which the lengths describe,
                 // or addresses that the guest may use as it may use all of its process.
-                #[allow(unused_unsafe, reason = "a few of these functions are safe")]
                 let result = unsafe { $function($(Parameter(_parameters[$index]).into()),*) };
                 result as i64
             },
@@ -142,7 +141,8 @@ const CALLS: &[SystemCall] = system_calls! {
     247 clock_getres (Number, WritesLongs(2)) => libc::clock_getres, (0, 1);
 };
 
-/// Functions that differ from the C library's.
+/// Functions that differ from the C library's. All are `unsafe` as the C library's are, so that the
+/// table can call both alike; only `open` asks something of its caller.
 mod functions {
     use libc::{c_char, c_int, c_long, c_uint};
 
@@ -153,19 +153,19 @@ mod functions {
         unsafe { libc::open(path, flags, mode) }
     }
 
-    pub fn sync() -> c_int {
+    pub unsafe fn sync() -> c_int {
         // SAFETY: `sync` takes no parameters.
         unsafe { libc::sync() };
         0
     }
 
     /// Older C libraries have no function for it.
-    pub fn gettid() -> c_long {
+    pub unsafe fn gettid() -> c_long {
         // SAFETY: the call takes no parameters.
         unsafe { libc::syscall(libc::SYS_gettid) }
     }
 
-    pub fn kill(process: c_int, signal: c_int) -> c_int {
+    pub unsafe fn kill(process: c_int, signal: c_int) -> c_int {
         let own = i32::try_from(std::process::id()) == Ok(process);
         if !own && signal != 0 {
             // SAFETY: the calling thread's errno can always be written.

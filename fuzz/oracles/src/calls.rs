@@ -52,8 +52,8 @@ impl Host for Nowhere {
     }
 }
 
-/// Makes a call for each 64 bytes of the input, the first of which chooses the call. The rest is the
-/// block of arguments, and the whole input is also put where small numbers point. No call may
+/// Makes a call for each 64 bytes of the input, the first of which chooses the call. The rest is
+/// the block of arguments, and the whole input is also put where small numbers point. No call may
 /// panic.
 pub fn calls(input: &[u8]) {
     const CALL: usize = 64;

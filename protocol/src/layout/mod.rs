@@ -133,7 +133,7 @@ constants! {
     MAX_LIGHTS = 64;
     /// Most nodes at the top of a tree.
     MAX_ROOTS = 4;
-    /// Distance of a ray that has hit nothing, as bits: 2^62. Its square is no number that only an SPU has.
+    /// Distance of a ray that has hit nothing, as bits: 2^62. Every host has its square, too.
     FARTHEST = 0x5e80_0000;
     /// Most levels of nodes.
     MAX_LEVELS = 6;

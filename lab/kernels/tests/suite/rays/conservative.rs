@@ -1,5 +1,5 @@
-//! The kernels that bound rays, together with those that test nodes' children: none is culled that a ray of the
-//! packet meets, by f64 from the singles of the records.
+//! The kernels that bound rays, together with those that test nodes' children: none is culled that
+//! a ray of the packet meets, by f64 from the singles of the records.
 
 use kernels::bench::{Bench, random};
 use kernels::cases::sphere_ray::any_direction;

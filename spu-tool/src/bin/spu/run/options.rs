@@ -90,7 +90,12 @@ pub struct Options {
 
     /// Wait for a debugger on this port of the loopback interface and obey it: gdb's remote
     /// protocol. 0 takes any free port
-    #[arg(long, value_name = "PORT", conflicts_with_all = ["max_instructions", "check"], help_heading = "Engine")]
+    #[arg(
+        long,
+        value_name = "PORT",
+        conflicts_with_all = ["max_instructions", "check"],
+        help_heading = "Engine"
+    )]
     pub gdb: Option<u16>,
 
     /// Give the program only the files below this folder, which it finds as /. Without privileges,

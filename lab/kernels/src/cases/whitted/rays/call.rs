@@ -317,8 +317,8 @@ pub struct Candidates {
 }
 
 /// Puts the inputs of `cull_nodes` into local store, with children by their addresses, or with
-/// packets those of `filter_children_r16`: all four children of each node. Each pair is a node and a
-/// bound, which is that of the packet with the same number.
+/// packets those of `filter_children_r16`: all four children of each node. Each pair is a node and
+/// a bound, which is that of the packet with the same number.
 pub fn put_candidates(
     bench: &mut Bench,
     nodes: &[[Child; 4]],
