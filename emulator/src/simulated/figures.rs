@@ -1,18 +1,20 @@
 //! The latencies and rates of simulated time, each with its source and certainty.
 
-use serde::Deserialize;
-
 use super::time::Tenths;
 use crate::engine::Engine;
 use spu_isa::timing::Rules;
 
-/// The timing parameters of a machine. The default is the console. A file can
-/// [describe](Self::read) another machine.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+/// The timing parameters of a machine. The default is the console. With the feature `timing-file`,
+/// `Timing::read` reads those of another machine from a file.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "timing-file",
+    derive(serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct Timing {
     /// Rules of the SPUs' pipelines. In a file the table is `pipelines`.
-    #[serde(rename = "pipelines")]
+    #[cfg_attr(feature = "timing-file", serde(rename = "pipelines"))]
     pub rules: Rules,
     /// Latencies and rates of transfers.
     pub memory: MemoryFigures,
@@ -120,7 +122,7 @@ pub enum Method {
 
 /// What a machine in simulated time records, and how it counts cycles.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Keep {
+pub struct SimulationOptions {
     /// Whether the SPUs keep a [profile](super::Simulation::profile).
     pub profile: bool,
     /// How the SPUs' cycles are counted.
@@ -135,8 +137,12 @@ pub struct Keep {
 /// Where a doc comment says *measured*, the figure is that of a PlayStation 3; `docs/clock.md`
 /// compares them all with the console. In a file the times of lines may have one decimal, as in
 /// `get_line = 17.0`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "timing-file",
+    derive(serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct MemoryFigures {
     /// Time for which a line of 128 bytes occupies an SPE's port in its direction. Measured between
     /// local stores: 23.6 GB/s. Firm.
@@ -223,8 +229,12 @@ impl Default for MemoryFigures {
 }
 
 /// The costs of the PPE's actions.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
-#[serde(default, deny_unknown_fields)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[cfg_attr(
+    feature = "timing-file",
+    derive(serde::Deserialize),
+    serde(default, deny_unknown_fields)
+)]
 pub struct PpeFigures {
     /// Cycles of a call that accesses an SPE. On the console half a microsecond: a system call and
     /// an access to the SPE's registers. Estimate.

@@ -37,15 +37,17 @@ mod spu_clock;
 mod time;
 mod timed;
 pub mod timeout;
+#[cfg(feature = "timing-file")]
 mod timing_file;
 mod transfers;
 
 pub use actor_table::WaitKey;
 pub use check::Difference;
-pub use figures::{Keep, MemoryFigures, Method, PpeFigures, Timing};
+pub use figures::{MemoryFigures, Method, PpeFigures, SimulationOptions, Timing};
 pub use report::{Report, SpeReport, Waits};
 pub use simulation::Simulation;
 pub use time::{CYCLES_PER_SECOND, CYCLES_PER_TICK, Tenths, cycle_of_tick, ticks};
+#[cfg(feature = "timing-file")]
 pub use timing_file::TimingFileError;
 
 pub(crate) use path::Path;
